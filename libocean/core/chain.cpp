@@ -91,14 +91,31 @@ const SurfaceSettings& Chain::shown_settings(int resolution, ThreadPool& pool, S
     return shown.value;
 }
 
-double Chain::shown_cover_power(int resolution, ThreadPool& pool, StageRuns& runs) {
-    Cached<double>& power = cover_powers_[resolution];
+const SurfaceSettings& Chain::past_settings(const FoamLattice& lattice, ThreadPool& pool,
+                                            StageRuns& runs) {
+    if (!lattice.is_spread()) return shown_settings(lattice.resolution, pool, runs);
+    const Modes& modes = this->modes(pool, runs);
+    Cached<SurfaceSettings>& past = past_[lattice];
+    if (past.revision != revision(Stage::foam)) {
+        ++runs.threshold;
+        past.value = lattice_settings(modes, parameters_, lattice);
+        past.revision = revision(Stage::foam);
+    }
+    return past.value;
+}
+
+double Chain::shown_cover_power(const ShownFoam& foam, ThreadPool& pool, StageRuns& runs) {
+    Cached<double>& power = cover_powers_[foam];
     if (power.revision != revision(Stage::foam)) {
-        Parameters shown = parameters_;
-        shown.surface = shown_settings(resolution, pool, runs);
+        const Modes& modes = this->modes(pool, runs);
+        const SurfaceSettings& past = past_settings(foam.past, pool, runs);
+        const SurfaceSettings& shown =
+            foam.is_past_alone() ? past : shown_settings(foam.whitecaps_held_by, pool, runs);
         ++runs.cover_power;
-        power.value = cover_power({spectrum(pool, runs), shown, resolution},
-                                  foam_waves(modes(pool, runs), parameters_, resolution), pool);
+        power.value = cover_power({spectrum(pool, runs), parameters_},
+                                  {whitecaps_of(modes, past, foam.past.held_by),
+                                   whitecaps_of(modes, shown, foam.whitecaps_held_by)},
+                                  pool);
         power.revision = revision(Stage::foam);
     }
     return power.value;

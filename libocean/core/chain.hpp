@@ -14,6 +14,7 @@
 #include <memory>
 
 #include "base/shared_value.hpp"
+#include "ocean/foam.hpp"
 #include "ocean/modes.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/stage_runs.hpp"
@@ -44,8 +45,11 @@ class Chain {
     const Revision& spectrum_revision() const { return revision(Stage::spectrum); }
     /// Returns the surface settings with the whitecaps' threshold of maps of that resolution.
     const SurfaceSettings& shown_settings(int resolution, ThreadPool& pool, StageRuns& runs);
-    /// Returns the exponent p of cover = foam^p on maps of that resolution.
-    double shown_cover_power(int resolution, ThreadPool& pool, StageRuns& runs);
+    /// Returns the surface settings with the threshold of a foam lattice's whitecaps.
+    const SurfaceSettings& past_settings(const FoamLattice& lattice, ThreadPool& pool,
+                                         StageRuns& runs);
+    /// Returns the exponent p of cover = foam^p.
+    double shown_cover_power(const ShownFoam& foam, ThreadPool& pool, StageRuns& runs);
 
   private:
     static constexpr std::size_t kStages = static_cast<std::size_t>(Stage::clock) + 1;
@@ -69,7 +73,8 @@ class Chain {
     std::shared_ptr<const ModeLattice> lattice_;
     SharedValue<Modes> modes_;  // with their own revision
     std::map<int, Cached<SurfaceSettings>> shown_;
-    std::map<int, Cached<double>> cover_powers_;
+    std::map<FoamLattice, Cached<SurfaceSettings>> past_;  // of spread lattices
+    std::map<ShownFoam, Cached<double>> cover_powers_;
 };
 
 }  // namespace ocean

@@ -165,7 +165,8 @@ FrameCost Ocean::measure_frame_cost() {
 
     double calibration = 0.0;
     if (lattice < map) {
-        calibration = seconds_of([&] { chain_->shown_cover_power(map, pool_, runs_); });
+        calibration = seconds_of(
+            [&] { chain_->shown_cover_power(foam_of_map(sea_.parameters, map), pool_, runs_); });
         const int small = std::max(1, lattice * kLargest / std::max(map, kLargest));
         const int large = small * (map / lattice);
         const std::vector<float> foam(Lattice{small, 1.0}.size(), 0.5f);
@@ -184,7 +185,8 @@ void Ocean::write_maps(double time, std::span<const MapOutput> outputs, int reso
         use == FoamUse::none ? now().surface : chain_->shown_settings(resolution, pool_, runs_);
     FoamLayer layer = foam;
     if (use == FoamUse::cover) {
-        layer.cover_power = static_cast<float>(chain_->shown_cover_power(resolution, pool_, runs_));
+        const ShownFoam map = foam_of_map(sea_.parameters, resolution);
+        layer.cover_power = static_cast<float>(chain_->shown_cover_power(map, pool_, runs_));
     }
     const MapModes modes = map_modes(current_modes(), time, resolution);
     if (maps_->write({modes, settings, outputs, layer}, pool_)) ++runs_.packing;
@@ -193,10 +195,13 @@ void Ocean::write_maps(double time, std::span<const MapOutput> outputs, int reso
 }
 
 double Ocean::cover_power(double time, int resolution) {
+    return cover_power(time, foam_of_map(sea_.parameters, map_resolution(resolution)));
+}
+
+double Ocean::cover_power(double time, const ShownFoam& foam) {
     require_time(time);
-    resolution = map_resolution(resolution);
     go_to(time);
-    return chain_->shown_cover_power(resolution, pool_, runs_);
+    return chain_->shown_cover_power(foam, pool_, runs_);
 }
 
 Surface Ocean::evaluate(double time, ChannelSet channels, int resolution) {
@@ -356,13 +361,13 @@ FoamLayer Ocean::foam_layer(double time, const FoamLattice& lattice) {
 void Ocean::write_lattice_foam(double time, const FoamLattice& lattice, const FoamLayer& before,
                                std::span<float> foam) {
     const MapOutput output{foam.data(), 1, {{{Channel::foam, 1.0f}}}};
-    if (lattice.held_by == lattice.resolution) {
+    if (!lattice.is_spread()) {
         write_maps(time, {&output, 1}, lattice.resolution, before);
         return;
     }
     // Maps of all waves and maps of fewer keep other things of the modes.
     if (!foam_maps_) foam_maps_ = std::make_unique<MapWriter>(options_.backend, options_.channels);
-    const SurfaceSettings& settings = chain_->shown_settings(lattice.held_by, pool_, runs_);
+    const SurfaceSettings& settings = chain_->past_settings(lattice, pool_, runs_);
     MapModes modes = map_modes(current_modes(), time, lattice.resolution);
     modes.held_by = lattice.held_by;
     if (foam_maps_->write({modes, settings, {&output, 1}, before}, pool_)) ++runs_.packing;
@@ -374,10 +379,10 @@ FoamLayer Ocean::spread_layer(double time, const FoamLayer& layer, const FoamLat
     // The lattice's own whitecaps of this moment belong to it: between ticks foam goes on growing.
     lattice_foam_.resize(Lattice{lattice.resolution, 1.0}.size());
     write_lattice_foam(time, lattice, layer, lattice_foam_);
-    const double power = chain_->shown_cover_power(resolution, pool_, runs_);
+    const double power = chain_->shown_cover_power({lattice, resolution}, pool_, runs_);
     spread_foam_.resize(Lattice{resolution, 1.0}.size());
     spread_foam(lattice_foam_, power, spread_foam_, pool_);
-    return {.map = spread_foam_.data(), .fade = 1.0f};
+    return {.map = spread_foam_.data(), .fade = 1.0f, .alone = 0.0f};
 }
 
 SprayFollower& Ocean::spray_at(double time, const SpraySettings& settings) {

@@ -156,8 +156,9 @@ void MapFrame::run_columns(const MapRequest& request, const Texture* past) {
     columns.set("whitecap_threshold_and_width", static_cast<float>(settings.foam_threshold),
                 static_cast<float>(settings.foam_width));
     if (plan.foam) {
-        columns.set("foam_fade_and_least", past != nullptr ? request.foam.fade : 0.0f,
+        columns.set("foam_fade_and_cutoff", past != nullptr ? request.foam.fade : 0.0f,
                     request.foam.cutoff);
+        columns.set("foam_alone", request.foam.alone);
         if (past == nullptr && !no_past_) {
             no_past_ = make_texture(GL_R32F, 1);
             const float nothing = 0.0f;

@@ -140,11 +140,11 @@ struct SeaTextures::Impl {
     /// Returns the settings with the whitecaps' threshold, which is computed again when something
     /// has changed.
     SurfaceSettings shown_settings(const Ocean& sea, const Modes& modes, double time) {
-        const SurfaceSettings settings = sea.sea().at(time).surface;
+        const Parameters now = sea.sea().at(time);
+        const SurfaceSettings& settings = now.surface;
         if (modes.revision != shown_revision || settings != given || foam_map != shown_for) {
             shown = with_threshold(settings, modes, foam_map);
-            past = lattice.held_by == foam_map ? shown
-                                               : with_threshold(settings, modes, lattice.held_by);
+            past = lattice.is_spread() ? lattice_settings(modes, now, lattice) : shown;
             given = settings;
             shown_revision = modes.revision;
             shown_for = foam_map;
@@ -188,15 +188,16 @@ struct SeaTextures::Impl {
         const Follower::Layer layer = follower->layer(time, source);
         const Modes& modes = sea.modes(time);
         const SurfaceSettings settings = shown_settings(sea, modes, time);
-        const bool has_own_whitecaps = lattice.held_by < lattice.resolution;
-        if (has_own_whitecaps) make_tick(sea, time, layer, foam_now);
-        foam = {has_own_whitecaps ? foam_now.name() : layer.map->name(),
-                lattice.resolution,
-                foam_map,
-                parameters.grid.patch_size,
-                has_own_whitecaps ? 1.0f : layer.fade,
-                static_cast<float>(settings.foam_threshold),
-                static_cast<float>(settings.foam_width)};
+        const bool is_spread = lattice.is_spread();
+        if (is_spread) make_tick(sea, time, layer, foam_now);
+        foam = {.texture = is_spread ? foam_now.name() : layer.map->name(),
+                .map_resolution = foam_map,
+                .lattice = lattice,
+                .period = parameters.grid.patch_size,
+                .fade = is_spread ? 1.0f : layer.fade,
+                .alone = is_spread ? 0.0f : 1.0f,
+                .threshold = static_cast<float>(settings.foam_threshold),
+                .width = static_cast<float>(settings.foam_width)};
     }
 };
 

@@ -18,15 +18,15 @@ struct Stopped {};
 
 /// A solution in work. It owns all that it reads, because the sea changes meanwhile.
 struct CoverPower::Job {
-    Job(DirectionalSpectrum of, Parameters shown, const FoamWaves& waves, int resolution)
+    Job(DirectionalSpectrum of, Parameters at, const FoamWhitecaps& whitecaps)
         : spectrum(std::move(of)),
-          parameters(std::move(shown)),
-          power(std::async(std::launch::async, [this, waves, resolution] {
+          parameters(std::move(at)),
+          power(std::async(std::launch::async, [this, whitecaps] {
               ThreadPool pool(1);
               pool.set_interrupt([this] {
                   if (stopped) throw Stopped();
               });
-              return cover_power({spectrum, parameters, resolution}, waves, pool);
+              return cover_power({spectrum, parameters}, whitecaps, pool);
           })) {}
     ~Job() { stopped = true; }  // the future waits for the thread
 
@@ -43,20 +43,23 @@ struct CoverPower::Job {
 CoverPower::CoverPower() = default;
 CoverPower::~CoverPower() = default;
 
-double CoverPower::of(Ocean& sea, double time, int resolution) {
+double CoverPower::of(Ocean& sea, double time, const ShownFoam& foam) {
     if (job_ && job_->done()) power_ = std::exchange(job_, nullptr)->power.get();
     if (job_) return power_;
     const Modes& modes = sea.modes(time);
     Parameters parameters = sea.sea().at(time);
     const bool known =
-        modes.revision == revision_ && parameters.surface == settings_ && resolution == resolution_;
+        modes.revision == revision_ && parameters.surface == settings_ && foam == foam_;
     if (known) return power_;
     revision_ = modes.revision;
     settings_ = parameters.surface;
-    resolution_ = resolution;
-    const FoamWaves waves = foam_waves(modes, parameters, resolution);
-    parameters.surface = with_threshold(settings_, modes, resolution);
-    job_ = std::make_unique<Job>(sea.spectrum(time), std::move(parameters), waves, resolution);
+    foam_ = foam;
+    const SurfaceSettings past = lattice_settings(modes, parameters, foam.past);
+    const SurfaceSettings shown =
+        foam.is_past_alone() ? past : with_threshold(settings_, modes, foam.whitecaps_held_by);
+    const FoamWhitecaps whitecaps{whitecaps_of(modes, past, foam.past.held_by),
+                                  whitecaps_of(modes, shown, foam.whitecaps_held_by)};
+    job_ = std::make_unique<Job>(sea.spectrum(time), std::move(parameters), whitecaps);
     return power_;
 }
 

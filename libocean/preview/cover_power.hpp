@@ -20,10 +20,9 @@ class CoverPower {
     CoverPower(const CoverPower&) = delete;
     CoverPower& operator=(const CoverPower&) = delete;
 
-    /// Returns Ocean::cover_power of a sea at a time [s] on maps of that resolution, or the
-    /// previous value until it is solved. Of the requests that come meanwhile the last one is
-    /// solved next. Throws Error.
-    double of(Ocean& sea, double time, int resolution);
+    /// Returns Ocean::cover_power of a sea at a time [s], or the previous value until it is solved.
+    /// Of the requests that come meanwhile the last one is solved next. Throws Error.
+    double of(Ocean& sea, double time, const ShownFoam& foam);
     /// Returns whether a solution is in work, or ready for the next call of of().
     Pending pending() const;
 
@@ -32,7 +31,7 @@ class CoverPower {
 
     Revision revision_;  // of the modes of the last request
     SurfaceSettings settings_;
-    int resolution_ = 0;
+    ShownFoam foam_{};
     double power_ = 3.0;  // about that of a fresh breeze
     std::unique_ptr<Job> job_;
 };

@@ -146,14 +146,13 @@ class SeaMaps::Impl {
         const gl::FoamTexture& foam = computed_->foam();
         shown_.foam_threshold = static_cast<double>(foam.threshold);
         shown_.foam_width = static_cast<double>(foam.width);
-        make_cover(foam.texture, foam.resolution, foam.fade,
-                   power_of(sea, time, foam.map_resolution));
+        make_cover(foam.texture, foam.lattice.resolution, foam.fade,
+                   power_of(sea, time, foam_of_lattice(foam.lattice)));
     }
 
-    /// Returns the power of the foam of a map that is its cover.
-    double power_of(Ocean& sea, double time, int map_resolution) {
-        return options_.live ? cover_power_.of(sea, time, map_resolution)
-                             : sea.cover_power(time, map_resolution);
+    /// Returns the power of the foam that is its cover.
+    double power_of(Ocean& sea, double time, const ShownFoam& foam) {
+        return options_.live ? cover_power_.of(sea, time, foam) : sea.cover_power(time, foam);
     }
 
     /// Makes the map of cover, foam^power, from a map of foam.
@@ -233,7 +232,8 @@ class SeaMaps::Impl {
         glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, foam_resolution, foam_resolution, GL_RED, GL_FLOAT,
                         foam_image_.data());
         done("foam");
-        make_cover(foam_.name(), foam_resolution, 1.0f, power_of(sea, time, foam_resolution));
+        make_cover(foam_.name(), foam_resolution, 1.0f,
+                   power_of(sea, time, foam_of_map(sea.parameters(), foam_resolution)));
     }
 
     void show_cascades(const Modes& modes, const gl::CascadeArrays& maps, double sea_period) {

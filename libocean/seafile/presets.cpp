@@ -73,13 +73,14 @@ std::string plain(double value) {
     return to_text(ParameterValue(value));
 }
 
-/// Returns the line of a key: the spectrum, or a key that differs from its default, with unit and
-/// label.
+/// Returns the line of a key that differs from its default, or that a reader looks for first: the
+/// spectrum and the resolution. With unit and label.
 std::string preset_line(const Parameters& parameters, const ParameterRef& ref) {
     static const Parameters kDefaults;
     const std::string line = parameter_line(parameters, ref);
-    const bool names_spectrum = ref.info->holds<&WaveSystem::spectrum>();
-    if (!names_spectrum && line == parameter_line(kDefaults, {ref.info, 0})) return "";
+    const bool is_named = ref.info->holds<&WaveSystem::spectrum>() ||
+                          ref.info->holds<&Grid::resolution>();
+    if (!is_named && line == parameter_line(kDefaults, {ref.info, 0})) return "";
     const std::string unit = ref.info->unit.empty() ? "" : std::string(ref.info->unit) + ": ";
     return line.substr(0, line.size() - 1) + "  # " + unit + std::string(ref.info->label) + "\n";
 }

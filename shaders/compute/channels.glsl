@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Channels of one texel by the formulas of wave/surface.glsl. Needs surface.glsl. Each function is
-// named after its row in the table of channels; the rows without a formula are multiples.
+// Channels of one texel by the formulas of wave/surface.glsl and wave/foam_cover.glsl, which must
+// be included before. Each function is named after its row in the table of channels; the rows
+// without a formula are multiples.
 
 layout(location = 0) uniform float choppiness;
 layout(location = 1) uniform vec2 whitecap_threshold_and_width;
-layout(location = 2) uniform vec2 foam_fade_and_least;
+layout(location = 2) uniform vec2 foam_fade_and_cutoff;
+layout(location = 4) uniform float foam_alone;
 
 // The linear fields, by their names in the library; those that were not requested are 0.
 struct Fields {
@@ -54,6 +56,7 @@ float channel_whitecap(Fields p, float previous_foam) {
 }
 
 float channel_foam(Fields p, float previous_foam) {
-    float foam = max(channel_whitecap(p, previous_foam), foam_fade_and_least.x * previous_foam);
-    return foam < foam_fade_and_least.y ? 0.0 : foam;
+    float foam = foam_with_whitecap(channel_whitecap(p, previous_foam),
+                                    foam_fade_and_cutoff.x * previous_foam, foam_alone);
+    return foam < foam_fade_and_cutoff.y ? 0.0 : foam;
 }

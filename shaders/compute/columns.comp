@@ -5,6 +5,7 @@
 // side. Defined outside: N, COLUMNS, PACKS, FIELD_name for each linear field, MAPS, FORMAT_m and
 // TEXEL_m for each map, and FOAM where a channel reads the foam's past.
 #define LINES COLUMNS
+#include "wave/foam_cover.glsl"
 #include "wave/surface.glsl"
 #include "compute/complex.glsl"
 #include "compute/line_transform.glsl"

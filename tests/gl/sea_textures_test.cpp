@@ -10,6 +10,7 @@
 #include "ocean/gl/sea_textures.hpp"
 #include "ocean/ocean.hpp"
 #include "unit/test_seas.hpp"
+#include "wave/wave.hpp"
 
 namespace ocean {
 namespace {
@@ -164,7 +165,7 @@ TEST_F(SeaTextures, MipmapsAreMeansAndMomentsGiveTheVarianceInATexel) {
 void expect_foam(const gl::FoamTexture& foam, Ocean& cpu, double time) {
     const Surface expected = cpu.evaluate(time, {Channel::foam, Channel::jacobian});
     const Image left = read(foam.texture, 0, GL_RED);
-    ASSERT_EQ(left.size, foam.resolution);
+    ASSERT_EQ(left.size, foam.lattice.resolution);
     ASSERT_EQ(expected.resolution(), foam.map_resolution);
     const auto n = static_cast<std::size_t>(left.size);
     const std::size_t stride = static_cast<std::size_t>(expected.resolution()) / n;
@@ -172,8 +173,9 @@ void expect_foam(const gl::FoamTexture& foam, Ocean& cpu, double time) {
         const std::size_t label = i / n * stride * stride * n + i % n * stride;
         const float whitecap = std::clamp(
             (foam.threshold - expected.channel(Channel::jacobian)[label]) / foam.width, 0.0f, 1.0f);
-        ASSERT_NEAR(std::max(whitecap, foam.fade * left.texels[i]),
-                    expected.channel(Channel::foam)[label], 2.0 / 512.0);
+        const float shown = wave::single_precision::foam_with_whitecap(
+            whitecap, foam.fade * left.texels[i], foam.alone);
+        ASSERT_NEAR(shown, expected.channel(Channel::foam)[label], 2.0 / 512.0);
     }
 }
 
@@ -197,7 +199,7 @@ TEST_F(SeaTextures, FoamHasThePastOfACoarserLattice) {
     gl::SeaTextures textures({.foam_start = FoamStart::settled});
     for (const double time : {1.0, 1.26}) {
         textures.show(sea, time);
-        EXPECT_EQ(textures.foam().resolution, 64);
+        EXPECT_EQ(textures.foam().lattice.resolution, 64);
         EXPECT_EQ(textures.foam().map_resolution, 256);
         expect_foam(textures.foam(), cpu, time);
     }

@@ -24,12 +24,7 @@ Parameters sea_of(double wind) {
 
 double power_of(const Parameters& parameters, int threads) {
     Ocean sea(parameters, {.threads = threads});
-    ThreadPool pool(threads);
-    const int resolution = parameters.grid.resolution;
-    Parameters shown = parameters;
-    shown.surface = with_threshold(parameters.surface, sea.modes(0.0), resolution);
-    return cover_power({sea.spectrum(), shown, resolution},
-                       foam_waves(sea.modes(0.0), parameters, resolution), pool);
+    return sea.cover_power(0.0, parameters.grid.resolution);
 }
 
 double mean_of(const Surface& surface, Channel channel) {

@@ -5,66 +5,102 @@
 // is the maximum over a past, so the mean of its powers has no closed form; it is measured by
 // following the gradients of the displacement at single labels, tick by tick of the foam's clock.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <span>
+#include <optional>
 #include <vector>
 
 #include "foam/foam_ages.hpp"
 #include "foam/gradient_process.hpp"
 #include "foam/jacobian_nodes.hpp"
 #include "foam/label_windows.hpp"
-#include "foam/layered_cover.hpp"
 #include "foam/whitecap_gradients.hpp"
 #include "ocean/foam.hpp"
 
 namespace ocean {
 namespace {
 
-/// Follows labels through a whitecap in the middle of a window.
+/// Returns the age, in lifetimes, that foam of a whitecap shows over foam of an age, as
+/// foam_with_whitecap of shaders/wave/foam_cover.glsl does where a lattice is spread.
+double age_under(double whitecap_age, double foam_age) {
+    return std::min(foam_age, whitecap_age + std::max(0.0, foam_age - std::log(2.0)));
+}
+
+/// Follows labels through a whitecap of the past in the middle of a window.
+///
+/// E[F^n] is the sum, over the ticks s of the last `reach`, of E[F^n / N; V(s) > 0], where N of
+/// them have a whitecap of the past V > 0: each counts for its share in the foam that follows.
 class Follower {
   public:
-    /// Takes the settings of the displayed map. `aging`: of foam in a tick.
-    Follower(const SurfaceSettings& shown, int reach, double aging)
-        : shown_(shown), reach_(static_cast<std::size_t>(reach)), aging_(aging) {}
+    /// `aging`: of foam in a tick.
+    Follower(int reach, double aging) : reach_(static_cast<std::size_t>(reach)), aging_(aging) {}
 
-    /// Adds E[F^n] as the sum, over the ticks s of its last `reach`, of E[F^n / N; W(s) > 0], where
-    /// N of them have W > 0: each whitecap counts for its share in the foam that follows.
-    void follow(std::span<const Gradients> window, FollowedFoam& followed) {
-        fresh_.clear();
-        whitecaps_.clear();
-        for (const Gradients& g : window) {
-            const double whitecap = whitecap_of(g, shown_);
-            whitecaps_.push_back(whitecap);
-            fresh_.push_back(age_of(whitecap));
-        }
-        if (fresh_[reach_] == kNoFoam) return;  // by rounding alone
+    /// Begins a window.
+    void begin() {
+        past_.clear();
+        ages_.clear();
+        shown_.clear();
+    }
+    /// Adds a tick: the whitecap of the past, and the one shown over it.
+    void add_tick(double past, double shown) {
+        past_.push_back(past);
+        ages_.push_back(age_of(past));
+        shown_.push_back(age_of(shown));
+    }
+    void follow(FollowedFoam& followed) {
+        if (ages_[reach_] == kNoFoam) return;  // by rounding alone
         // The waves' statistics are the same backwards in time.
         add(followed);
-        std::ranges::reverse(fresh_);
-        std::ranges::reverse(whitecaps_);
+        for (std::vector<double>* ticks : {&past_, &ages_, &shown_}) std::ranges::reverse(*ticks);
         add(followed);
     }
 
   private:
     void add(FollowedFoam& followed) const {
         double age = kNoFoam;
-        int whitecaps = 0;
-        for (std::size_t t = 0; t < fresh_.size(); ++t) {
-            age = std::min(fresh_[t], age + aging_);
-            whitecaps += fresh_[t] != kNoFoam ? 1 : 0;
+        int makers = 0;
+        for (std::size_t t = 0; t < ages_.size(); ++t) {
+            age = std::min(ages_[t], age + aging_);
+            makers += ages_[t] != kNoFoam ? 1 : 0;
             if (t < reach_) continue;
-            followed.foam.add(age, 1.0 / whitecaps);
-            followed.whitecap += whitecaps_[t] / whitecaps;
-            whitecaps -= fresh_[t - reach_] != kNoFoam ? 1 : 0;
+            followed.foam.add(age_under(shown_[t], age), 1.0 / makers);
+            followed.whitecap += past_[t] / makers;
+            makers -= ages_[t - reach_] != kNoFoam ? 1 : 0;
         }
     }
 
-    const SurfaceSettings& shown_;
     std::size_t reach_;
     double aging_;
-    std::vector<double> whitecaps_;
-    std::vector<double> fresh_;  // the age of whitecaps as foam
+    std::vector<double> past_;
+    std::vector<double> ages_;   // -ln past
+    std::vector<double> shown_;  // -ln of the whitecaps shown
+};
+
+/// The waves that a map holds and a foam lattice does not.
+class ShortWaves {
+  public:
+    ShortWaves(const FoamSea& sea, const FoamWhitecaps& whitecaps, double angle,
+               const Stretch& stretch)
+        : process_(sea, {whitecaps.shown.held_by, whitecaps.past.held_by},
+                   without(whitecaps.shown.covariance, whitecaps.past.covariance), angle, stretch) {
+    }
+
+    std::array<std::vector<Gradients>, 2> draw(std::uint32_t number) const {
+        return process_.draw(number, 1);
+    }
+
+  private:
+    static GradientCovariance without(const GradientCovariance& all,
+                                      const GradientCovariance& part) {
+        GradientCovariance rest = part;
+        rest *= -1.0;
+        rest += all;
+        return rest;
+    }
+
+    GradientProcess process_;
 };
 
 }  // namespace
@@ -80,33 +116,55 @@ double FollowedFoam::power() const {
     return std::exp(0.5 * (low + high));
 }
 
-double cover_power(const CoverPowerInput& sea, const FoamWaves& waves, ThreadPool& pool) {
-    const SurfaceSettings& shown = sea.parameters.surface;
-    const GradientCovariance& covariance = waves.map;
-    const bool squeezed = shown.choppiness > 0.0 && covariance.aa + covariance.bb > 0.0;
-    if (!squeezed || shown.foam_lifetime <= 0.0) return 1.0;
+double cover_power(const FoamSea& sea, const FoamWhitecaps& whitecaps, ThreadPool& pool) {
+    const SurfaceSettings& surface = sea.parameters.surface;
+    const Whitecaps& past = whitecaps.past;
+    const Whitecaps& shown = whitecaps.shown;
+    const bool squeezed = surface.choppiness > 0.0 && past.covariance.aa + past.covariance.bb > 0.0;
+    if (!squeezed || surface.foam_lifetime <= 0.0) return 1.0;
     const Stretch stretch =
-        stretch_of(foam_clock(shown, sea.parameters.time.loop_period), shown.foam_lifetime);
-    if (waves.lattice.held_by < sea.resolution && waves.past != waves.map) {
-        return layered_cover_power(sea, waves, stretch, pool);
+        stretch_of(foam_clock(surface, sea.parameters.time.loop_period), surface.foam_lifetime);
+    const double angle = principal_angle(past.covariance);
+    const GradientProcess process(sea, {past.held_by}, past.covariance, angle, stretch);
+    const WhitecapGradients gradients(process.covariance(), surface.choppiness, past.threshold);
+    if (!(gradients.share() > 0.0)) return 1.0;
+    std::optional<ShortWaves> short_waves;
+    if (shown.covariance != past.covariance) {
+        short_waves.emplace(sea, whitecaps, angle, stretch);
     }
-    const GradientProcess process(sea, {sea.resolution}, covariance, principal_angle(covariance),
-                                  stretch);
-    const WhitecapGradients whitecaps(process.covariance(), shown.choppiness, shown.foam_threshold);
-    if (!(whitecaps.share() > 0.0)) return 1.0;
-    const double aging = stretch.step() / shown.foam_lifetime;
+    const double aging = stretch.step() / surface.foam_lifetime;
     const auto follow_draw = [&](int draw, FollowedFoam& followed) {
-        const auto stretches = process.draw(static_cast<std::uint32_t>(draw));
-        Follower follower(shown, stretch.reach, aging);
+        const auto number = static_cast<std::uint32_t>(draw);
+        const auto stretches = process.draw(number);
+        std::array<std::vector<Gradients>, 2> short_stretches;
+        if (short_waves) short_stretches = short_waves->draw(number);
+        Follower follower(stretch.reach, aging);
         std::vector<Gradients> window;
         for (int i = 0; i < kWindowsOfDraw; ++i) {
             const WindowPlace place = window_place(stretch, draw, i);
-            process.passing(whitecaps.at(place.of_nodes, place.of_depth), place.tick, stretch.reach,
+            process.passing(gradients.at(place.of_nodes, place.of_depth), place.tick, stretch.reach,
                             stretches[place.stretch], window);
-            follower.follow(window, followed);
+            const std::vector<Gradients>& added = short_stretches[place.stretch];
+            const auto ticks = static_cast<std::size_t>(stretch.ticks);
+            std::size_t tick = place.tick + ticks - static_cast<std::size_t>(stretch.reach);
+            follower.begin();
+            for (const Gradients& g : window) {
+                const double whitecap = whitecap_of(g, surface, past.threshold);
+                const Gradients all = short_waves ? g + added[tick++ % ticks] : g;
+                follower.add_tick(
+                    whitecap, short_waves ? whitecap_of(all, surface, shown.threshold) : whitecap);
+            }
+            follower.follow(followed);
         }
     };
-    return follow_draws(stretch, pool, follow_draw).power();
+    FollowedFoam followed = follow_draws(stretch, pool, follow_draw);
+    if (short_waves) {
+        const auto mean = [&](const Whitecaps& w) {
+            return mean_whitecap(w.covariance, surface.choppiness, w.threshold, surface.foam_width);
+        };
+        followed.whitecap *= mean(shown) / mean(past);
+    }
+    return followed.power();
 }
 
 }  // namespace ocean

@@ -20,14 +20,14 @@ double divergence(const GradientCovariance& v) {
 }
 
 /// Returns the wavenumber along x and y below which a map of that resolution holds waves [rad/m].
-double held_below(const CoverPowerInput& sea, int resolution) {
+double held_below(const FoamSea& sea, int resolution) {
     return kTwoPi / shortest_wave(sea.parameters.grid, resolution) * (1.0 - 1.0 / resolution);
 }
 
 /// Returns the variance at each whole number of turns in a stretch, 0 .. ticks/2, of the waves of
 /// the band. Waves too fast for the clock appear at the frequency at which the clock samples them.
-std::vector<GradientCovariance> spectrum(const CoverPowerInput& sea, const WaveBand& band,
-                                         double angle, const Stretch& stretch) {
+std::vector<GradientCovariance> spectrum(const FoamSea& sea, const WaveBand& band, double angle,
+                                         const Stretch& stretch) {
     constexpr int kDirections = 72;
     constexpr int kFrequencies = 2048;
     const Dispersion dispersion(sea.parameters.water);
@@ -85,7 +85,7 @@ Stretch stretch_of(const FoamClock& clock, double lifetime) {
     return {ticks, seconds, static_cast<int>(std::clamp(reached, 1.0, ticks - 1.0))};
 }
 
-GradientProcess::GradientProcess(const CoverPowerInput& sea, const WaveBand& band,
+GradientProcess::GradientProcess(const FoamSea& sea, const WaveBand& band,
                                  const GradientCovariance& covariance, double angle,
                                  const Stretch& stretch)
     : fft_(stretch.ticks) {
@@ -138,31 +138,20 @@ std::array<std::vector<Gradients>, 2> GradientProcess::draw(std::uint32_t number
     return drawn;
 }
 
-Gradients weights_of(const GradientFactors& f, const Gradients& difference) {
-    // R(0) = F F^T: two triangles.
-    const auto over = [](double x, double divisor) { return divisor > 0.0 ? x / divisor : 0.0; };
-    const double x = over(difference.b, f.b1);
-    const double y = over(difference.c - f.c1 * x, f.c2);
-    const double z = over(difference.a - f.a1 * x - f.a2 * y, f.a3);
-    const double a = over(z, f.a3);
-    const double c = over(y - f.a2 * a, f.c2);
-    const double b = over(x - f.a1 * a - f.c1 * c, f.b1);
-    return {a, b, c};
-}
-
 void GradientProcess::passing(const Gradients& at, std::size_t tick, int reach,
                               std::span<const Gradients> stretch,
                               std::vector<Gradients>& window) const {
-    const Gradients& drawn = stretch[tick];
-    shifted(weights_of(still_, {at.a - drawn.a, at.b - drawn.b, at.c - drawn.c}), tick, reach,
-            stretch, window);
-}
-
-void GradientProcess::shifted(const Gradients& weights, std::size_t tick, int reach,
-                              std::span<const Gradients> stretch,
-                              std::vector<Gradients>& window) const {
     const std::size_t ticks = stretch.size();
-    const auto& [a, b, c] = weights;
+    const Gradients& drawn = stretch[tick];
+    // R(0) = F F^T: two triangles.
+    const auto over = [](double x, double divisor) { return divisor > 0.0 ? x / divisor : 0.0; };
+    const GradientFactors& f = still_;
+    const double x = over(at.b - drawn.b, f.b1);
+    const double y = over(at.c - drawn.c - f.c1 * x, f.c2);
+    const double z = over(at.a - drawn.a - f.a1 * x - f.a2 * y, f.a3);
+    const double a = over(z, f.a3);
+    const double c = over(y - f.a2 * a, f.c2);
+    const double b = over(x - f.a1 * a - f.c1 * c, f.b1);
     window.clear();
     for (int i = -reach; i <= reach; ++i) {
         const auto behind = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(ticks) + i);

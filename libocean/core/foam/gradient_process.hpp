@@ -36,6 +36,9 @@ Stretch stretch_of(const FoamClock& clock, double lifetime);
 struct Gradients {
     double a, b, c;
 };
+inline Gradients operator+(const Gradients& g, const Gradients& h) {
+    return {g.a + h.a, g.b + h.b, g.c + h.c};
+}
 
 /// The waves that a map of one resolution holds, without those of a coarser map.
 struct WaveBand {
@@ -49,8 +52,8 @@ class GradientProcess {
   public:
     /// Makes the process of the waves of `band` along axes turned by `angle` [radians] from +x.
     /// `covariance`: of those waves' modes, which may differ a little from the integral.
-    GradientProcess(const CoverPowerInput& sea, const WaveBand& band,
-                    const GradientCovariance& covariance, double angle, const Stretch& stretch);
+    GradientProcess(const FoamSea& sea, const WaveBand& band, const GradientCovariance& covariance,
+                    double angle, const Stretch& stretch);
 
     /// Returns the covariance of the gradients at one time.
     const GradientCovariance& covariance() const { return covariance_; }
@@ -64,11 +67,6 @@ class GradientProcess {
     void passing(const Gradients& at, std::size_t tick, int reach,
                  std::span<const Gradients> stretch, std::vector<Gradients>& window) const;
 
-    /// Writes the same window where something else is known: x(t) + R(t - s) w, with w of
-    /// weights_of.
-    void shifted(const Gradients& weights, std::size_t tick, int reach,
-                 std::span<const Gradients> stretch, std::vector<Gradients>& window) const;
-
   private:
     /// Returns the sum over the bins at each tick.
     std::vector<std::complex<double>> transformed(std::vector<std::complex<double>> bins) const;
@@ -79,8 +77,5 @@ class GradientProcess {
     std::vector<GradientFactors> factors_;  // of each bin
     std::vector<GradientCovariance> lags_;  // [tick]: of the gradients now and then
 };
-
-/// Returns R(0)^-1 difference, R(0) the covariance whose factors these are.
-Gradients weights_of(const GradientFactors& still, const Gradients& difference);
 
 }  // namespace ocean

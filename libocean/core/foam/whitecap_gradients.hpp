@@ -32,10 +32,10 @@ inline double beyond(double from, double share) {
 }
 
 /// Returns W = clamp((threshold - J) / width, 0, 1), J = (1 - C a)(1 - C b) - C^2 c^2.
-inline double whitecap_of(const Gradients& g, const SurfaceSettings& settings) {
+inline double whitecap_of(const Gradients& g, const SurfaceSettings& settings, double threshold) {
     const double c = settings.choppiness;
     const double jacobian = (1.0 - c * g.a) * (1.0 - c * g.b) - c * c * g.c * g.c;
-    return std::clamp((settings.foam_threshold - jacobian) / settings.foam_width, 0.0, 1.0);
+    return std::clamp((threshold - jacobian) / settings.foam_width, 0.0, 1.0);
 }
 
 /// Draws the gradients at a label where J < threshold, as the sea has them there.

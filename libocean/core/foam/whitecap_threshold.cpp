@@ -4,6 +4,8 @@
 // The amount of whitecaps: the Jacobian threshold at which the ensemble mean of W equals the
 // coverage that the wind makes. Computed from the modes' gradient covariance alone; the surface
 // then applies the threshold.
+#include "foam/whitecap_threshold.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,7 +18,6 @@
 namespace ocean {
 
 namespace {
-/// Below every float Jacobian, so that W is exactly 0.
 /// Every float Jacobian lies above: W is exactly 0.
 constexpr double kNoWhitecap = std::numeric_limits<float>::lowest();
 
@@ -75,17 +76,20 @@ double folded_share(const GradientCovariance& covariance, double choppiness) {
 double whitecap_threshold(const GradientCovariance& covariance, const SurfaceSettings& settings,
                           double wind_speed) {
     if (settings.foam_coverage == FoamCoverage::threshold) return settings.foam_threshold;
-    const double wanted = monahan_coverage(wind_speed);
+    return threshold_of_mean(covariance, settings, monahan_coverage(wind_speed), 1.0);
+}
+
+double threshold_of_mean(const GradientCovariance& covariance, const SurfaceSettings& settings,
+                         double wanted, double highest) {
     const bool squeezed = settings.choppiness > 0.0 && covariance.aa + covariance.bb > 0.0;
     if (wanted <= 0.0 || !squeezed) return kNoWhitecap;
 
     const MeanWhitecap mean(covariance, settings.choppiness);
-    constexpr double kHighest = 1.0;  // and the answer where even that gives too little
-    double below = kHighest;
-    double above = kHighest;
+    double below = highest;  // the answer where even that gives too little
+    double above = highest;
     for (double fall = 0.25; mean(below, settings.foam_width) > wanted; fall *= 2.0) {
         above = below;
-        below = kHighest - fall;
+        below = highest - fall;
     }
     while (above - below > 1e-9 * std::max(1.0, std::abs(below))) {
         const double middle = 0.5 * (below + above);

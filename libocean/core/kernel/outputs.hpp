@@ -76,7 +76,8 @@ OCEAN_INLINE void derive_channels(const FrameTask& task, const RowSamples& row, 
         const Vec before = task.foam.map != nullptr
                                ? load_unaligned(task.foam.map + place + v * kLanes)
                                : Vec(0.0f);
-        const Vec value = max(w, Vec(task.foam.fade) * before);
+        const Vec value =
+            formula::foam_with_whitecap(w, Vec(task.foam.fade) * before, Vec(task.foam.alone));
         set(Channel::foam, v, Vec(value.v < Vec(task.foam.cutoff).v ? Lanes{} : value.v));
     }
     if (task.derived_slot[static_cast<int>(Channel::cover)] < 0) return;

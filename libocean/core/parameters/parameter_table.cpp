@@ -61,7 +61,9 @@ constexpr ParameterInfo kTable[] = {
      member<&Parameters::water, &Water::density>(), 100.0, 20000.0, 900.0, 1100.0, kRebuild,
      Stage::spectrum},
 
-    {kGrid, "resolution", "samples", "Resolution", "Samples along each side; a power of two.",
+    {kGrid, "resolution", "samples", "Resolution", 
+     "Samples along each side; a power of two. With cascades, maps have four times as many: 2048 "
+     "for 512.",
      member<&Parameters::grid, &Grid::resolution>(), kMinResolution, kMaxResolution, 64, 2048,
      kRebuild, Stage::spectrum, rule(NumberRule::power_of_two)},
     {kGrid, "patch_size", "m", "Patch size",
@@ -100,8 +102,9 @@ constexpr ParameterInfo kTable[] = {
      member<&Parameters::surface, &SurfaceSettings::foam_step>(), 0.01, 1.0, 0.02, 0.2, kRebuild,
      Stage::foam},
     {kSurface, "foam_resolution", "samples", "Foam resolution",
-     "Samples along each side of the lattice that keeps the foam's past. Finer maps lay their own "
-     "whitecaps over it, which saves most of a frame's time with cascades; 0 means each map's own.",
+     "Samples along each side of the lattice that keeps the foam's past; 0 means grid.resolution. "
+     "Finer maps read it and sharpen it with their own whitecaps. As fine as the map, each wave "
+     "leaves its own foam, and a frame with cascades takes up to 100 times as long.",
      member<&Parameters::surface, &SurfaceSettings::foam_resolution>(), 0, kMaxResolution, 0, 2048,
      kRebuild, Stage::foam, kCoarserLattice},
     {kSurface, "foam_coverage", "", "Foam coverage",

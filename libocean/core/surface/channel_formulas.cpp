@@ -66,10 +66,11 @@ Real whitecap_of(const SurfacePoint<Real>& p) {
     }
 }
 
-/// Lays a whitecap over the faded earlier foam, which is in floats.
+/// Lays a whitecap over the earlier foam, which is in floats.
 template <typename Real>
 Real foam_of(const SurfacePoint<Real>& p) {
-    const float foam = std::max(static_cast<float>(whitecap_of(p)), p.previous_foam);
+    const float foam = wave::single_precision::foam_with_whitecap(
+        static_cast<float>(whitecap_of(p)), p.previous_foam, p.foam_alone);
     return foam < p.foam_cutoff ? 0.0f : foam;
 }
 

@@ -64,6 +64,7 @@ class ComponentWriter {
         point.foam_threshold = has_threshold ? static_cast<Real>(settings.foam_threshold) : kNone;
         point.foam_width = has_threshold ? static_cast<Real>(settings.foam_width) : kNone;
         point.previous_foam = has_past ? 0.0f : kNone;
+        point.foam_alone = has_past ? request_.foam.alone : kNone;
         point.foam_cutoff = has_past ? request_.foam.cutoff : kNone;
         point.cover_power = info.foam == FoamUse::cover ? request_.foam.cover_power : kNone;
         return point;

@@ -127,6 +127,7 @@ struct SurfacePoint {
     Real foam_threshold{};       // Jacobian below which whitecaps begin
     Real foam_width{};           // how far below that they are complete
     float previous_foam = 0.0f;  // faded value of earlier foam
+    float foam_alone = 1.0f;     // part of a whitecap without earlier foam
     float foam_cutoff = 0.0f;    // foam below it becomes 0
     float cover_power = 1.0f;    // cover = foam^cover_power
 

@@ -40,50 +40,79 @@ double folded_share(const GradientCovariance& covariance, double choppiness);
 double whitecap_threshold(const GradientCovariance& covariance, const SurfaceSettings& settings,
                           double wind_speed);
 
-/// The input of cover_power: a sea as a map displays it. `parameters` has the surface settings of
-/// with_threshold.
-struct CoverPowerInput {
-    const DirectionalSpectrum& spectrum;
-    const Parameters& parameters;
-    int resolution;  // of the map
-};
-
 /// The lattice on which the foam of a map has its past. That of a finer map has four samples to its
 /// shortest wave, since readers interpolate between them.
 struct FoamLattice {
     int resolution;  // samples along a side, at most the map's
     int held_by;     // the past is of the waves that a map of this resolution holds
 
+    /// Returns true if maps finer than the lattice read this past.
+    bool is_spread() const { return held_by < resolution; }
     auto operator<=>(const FoamLattice&) const = default;
 };
 
-/// Returns the foam lattice of a map: the map's own, or one of surface.foam_resolution if that is
-/// coarser.
+/// Returns the foam lattice of a map: the map's own, or one of surface.foam_resolution (0:
+/// grid.resolution) if that is coarser.
 FoamLattice foam_lattice(const Parameters& parameters, int map_resolution);
 
+/// Foam of which hosts show the cover: a past, under the whitecaps of waves that a map of one
+/// resolution holds.
+struct ShownFoam {
+    FoamLattice past;
+    int whitecaps_held_by;
+
+    /// Returns true if no other whitecaps lie over those of the past.
+    bool is_past_alone() const { return whitecaps_held_by == past.held_by; }
+    auto operator<=>(const ShownFoam&) const = default;
+};
+
+/// Returns the foam of a map, and that of a lattice without a finer map's whitecaps over it.
+ShownFoam foam_of_map(const Parameters& parameters, int map_resolution);
+ShownFoam foam_of_lattice(const FoamLattice& lattice);
+
+/// Returns the surface settings of a lattice, with the threshold of its whitecaps, as
+/// with_threshold does for a map. With FoamCoverage::threshold, waves of a spread lattice make as
+/// many whitecaps as all waves of the sea's default map do.
+SurfaceSettings lattice_settings(const Modes& modes, const Parameters& parameters,
+                                 const FoamLattice& lattice);
+
 /// Writes a lattice of foam onto a map of a power of two times as many samples along each side.
-/// Between the lattice's samples foam^power is linear, so that the mean of foam^power, the cover,
-/// is the lattice's.
+/// Between the lattice's samples foam^power, the cover, is a cubic through them, held in [0, 1]:
+/// its mean is the lattice's, up to what is held. A smoothing spline would lower the crests of the
+/// cover, and whitecaps over it would add up to 5 % to its mean.
 void spread_foam(std::span<const float> lattice, double power, std::span<float> map,
                  ThreadPool& pool);
 
-/// The waves that make a map's foam: those of the map make its whitecaps, those of the foam lattice
-/// its past.
-struct FoamWaves {
-    GradientCovariance map;
-    FoamLattice lattice;
-    GradientCovariance past;
-    double past_threshold;  // the Jacobian below which whitecaps of a coarser lattice begin
+/// The whitecaps of the waves that a map of one resolution holds.
+struct Whitecaps {
+    int held_by;                    // the resolution
+    GradientCovariance covariance;  // of those waves
+    double threshold;               // Jacobian below which they begin
+
+    bool operator==(const Whitecaps&) const = default;
 };
 
-/// Returns the waves of a map's foam. `parameters`: as the sea has them, without a threshold found.
-FoamWaves foam_waves(const Modes& modes, const Parameters& parameters, int map_resolution);
+/// Returns the whitecaps of a map. `settings`: with their threshold.
+Whitecaps whitecaps_of(const Modes& modes, const SurfaceSettings& settings, int resolution);
+
+/// The whitecaps that make a map's foam: `past` its trace, and `shown` are laid over that. They are
+/// the same unless a coarser lattice is spread.
+struct FoamWhitecaps {
+    Whitecaps past;
+    Whitecaps shown;
+};
+
+/// A sea whose foam is followed at single labels. `parameters`: of the time.
+struct FoamSea {
+    const DirectionalSpectrum& spectrum;
+    const Parameters& parameters;
+};
 
 /// Returns the exponent p of cover = foam^p: the ensemble mean of foam^p equals that of the
 /// whitecaps. 1 where foam leaves no trace. Computed from labels that are followed through some
 /// hundred foam lifetimes; accurate to about 1 %, the same for any number of threads, and without a
 /// jump where the sea changes.
-double cover_power(const CoverPowerInput& sea, const FoamWaves& waves, ThreadPool& pool);
+double cover_power(const FoamSea& sea, const FoamWhitecaps& whitecaps, ThreadPool& pool);
 
 /// Callbacks that make the foam maps of a FoamState.
 struct FoamSource {

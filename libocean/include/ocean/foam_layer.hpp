@@ -6,13 +6,15 @@
 
 namespace ocean {
 
-/// The faded earlier foam of a map: foam = max(W, fade * map), and 0 where that is below `cutoff`.
-/// The share of the water that it covers is foam^cover_power.
+/// The faded earlier foam of a map: foam = foam_with_whitecap(W, fade * map, alone) of
+/// shaders/wave/foam_cover.glsl, and 0 where that is below `cutoff`. The share of the water that it
+/// covers is foam^cover_power.
 struct FoamLayer {
     const float* map = nullptr;  // null: no earlier foam
     float fade = 0.0f;
     float cutoff = 0.0f;
     float cover_power = 1.0f;
+    float alone = 1.0f;  // part of a whitecap where there is no earlier foam
 };
 
 }  // namespace ocean

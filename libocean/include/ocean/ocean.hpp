@@ -114,6 +114,7 @@ class Ocean {
     /// foam_layer.hpp), for hosts that compute cover from foam themselves. Takes some tenths of a
     /// second after a change of waves or wind.
     double cover_power(double time, int resolution = 0);
+    double cover_power(double time, const ShownFoam& foam);
     /// Writes the small map of one cascade over its own period,
     /// modes(time).cascades[cascade].lattice: at any point the sum over all cascades, each wrapped
     /// at its own period, is the sea's. The outputs may hold linear fields and channels that add

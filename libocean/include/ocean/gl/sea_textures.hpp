@@ -11,7 +11,7 @@
 #include <span>
 #include <string_view>
 
-#include "ocean/foam_clock.hpp"
+#include "ocean/foam.hpp"
 #include "ocean/parameters.hpp"
 
 namespace ocean {
@@ -45,15 +45,16 @@ struct CascadeTextures {
     unsigned moments = 0;
 };
 
-/// The foam of the patch: foam = max(W, fade * texture), where W = surface_whitecap of the
-/// interpolated Jacobian must be computed after the interpolation, since clamping and interpolation
-/// do not commute.
+/// The foam of the patch. A map's foam is foam_with_whitecap(W, fade * texture, alone) of
+/// wave/foam_cover.glsl, where W = surface_whitecap of the interpolated Jacobian must be computed
+/// after the interpolation, since clamping and interpolation do not commute.
 struct FoamTexture {
     unsigned texture = 0;    // one float per texel, of the whole patch; 0 = no foam yet
-    int resolution = 0;      // of the texture, which is that of the foam lattice
-    int map_resolution = 0;  // of the map whose foam this is
+    int map_resolution = 0;  // of the map whose whitecaps lie over it
+    FoamLattice lattice{};   // whose foam it is
     double period = 0.0;     // [m]
     float fade = 0.0f;
+    float alone = 1.0f;
     float threshold = 0.0f;  // of the map's whitecaps
     float width = 0.0f;
 };

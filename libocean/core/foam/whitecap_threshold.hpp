@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ocean/modes.hpp"
+#include "ocean/parameters.hpp"
+
+namespace ocean {
+
+/// Returns the Jacobian threshold at which mean_whitecap is `wanted`, at most `highest`; the lowest
+/// float where nothing is wanted or the water is never compressed.
+double threshold_of_mean(const GradientCovariance& covariance, const SurfaceSettings& settings,
+                         double wanted, double highest);
+
+}  // namespace ocean
