@@ -78,8 +78,8 @@ std::string plain(double value) {
 std::string preset_line(const Parameters& parameters, const ParameterRef& ref) {
     static const Parameters kDefaults;
     const std::string line = parameter_line(parameters, ref);
-    const bool is_named = ref.info->holds<&WaveSystem::spectrum>() ||
-                          ref.info->holds<&Grid::resolution>();
+    const bool is_named =
+        ref.info->holds<&WaveSystem::spectrum>() || ref.info->holds<&Grid::resolution>();
     if (!is_named && line == parameter_line(kDefaults, {ref.info, 0})) return "";
     const std::string unit = ref.info->unit.empty() ? "" : std::string(ref.info->unit) + ": ";
     return line.substr(0, line.size() - 1) + "  # " + unit + std::string(ref.info->label) + "\n";

@@ -61,7 +61,7 @@ constexpr ParameterInfo kTable[] = {
      member<&Parameters::water, &Water::density>(), 100.0, 20000.0, 900.0, 1100.0, kRebuild,
      Stage::spectrum},
 
-    {kGrid, "resolution", "samples", "Resolution", 
+    {kGrid, "resolution", "samples", "Resolution",
      "Samples along each side; a power of two. With cascades, maps have four times as many: 2048 "
      "for 512.",
      member<&Parameters::grid, &Grid::resolution>(), kMinResolution, kMaxResolution, 64, 2048,
