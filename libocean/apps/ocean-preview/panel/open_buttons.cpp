@@ -15,8 +15,14 @@ constexpr const char* kOpenPopup = "open a file";
 constexpr const char* kSavePopup = "save the sea as";
 constexpr const char* kRecentPopup = "recent files";
 
+/// Closes the open popup when Escape is pressed, also while its field has the keys.
+void close_by_escape() {
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
+}
+
 /// Draws the field for a path, where the desktop has no dialog. Returns true when it is confirmed.
 bool path_field(FileRows& files, const char* button) {
+    close_by_escape();
     ImGui::TextDisabled("No file dialog (zenity, kdialog) was found: type a path");
     std::array<char, 4096> typed{};
     files.typed.copy(typed.data(), typed.size() - 1);
@@ -34,6 +40,7 @@ bool path_field(FileRows& files, const char* button) {
 
 void draw_recent(PanelState& state) {
     if (!ImGui::BeginPopup(kRecentPopup)) return;
+    close_by_escape();
     if (state.files.recent.empty()) ImGui::TextDisabled("No file was opened yet");
     for (const FileRows::Recent& file : state.files.recent) {
         const std::string words = file.path + (file.is_missing ? "   (missing)" : "");
