@@ -11,6 +11,7 @@
 #include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/csv_rows.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "ocean/io/subject_words.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
@@ -43,7 +44,13 @@ std::string decimal_rate(const std::string& text) {
         throw Error(ErrorKind::unsupported,
                     "-o " + output + ": this build is without OpenVDB; " + allowed);
     }
-    refuse("-o " + output + ": the extension names the format; " + allowed);
+    std::vector<KnownName> names;
+    for (const BakeFormat* format : catalogue.formats) {
+        names.push_back({format->extension.substr(1), format->extension});
+    }
+    const std::string typed = extension.substr(std::min<std::size_t>(extension.size(), 1));
+    refuse("-o " + output + ": the extension names the format" + did_you_mean(typed, names) + "; " +
+           allowed);
 }
 
 std::vector<FormatOption> options_of(const BakeFormat& format, const Catalogue& catalogue) {
@@ -116,7 +123,10 @@ const Backend& backend_by_name(const Catalogue& catalogue, const std::string& na
         if (backend.name == name) return backend;
     }
     if (name == "gl") find_backend(name);  // throws the reason why it is unavailable
-    refuse("unknown backend '" + name + "'; known: " + catalogue.backend_names());
+    std::vector<std::string_view> names = {kAutoBackend};
+    for (const Backend& backend : catalogue.backends) names.push_back(backend.name);
+    refuse("unknown backend '" + name + "'" + did_you_mean(name, names) +
+           "; known: " + catalogue.backend_names());
 }
 
 /// Sets the first backend that is faster than cpu, else cpu. Queries each backend once, because

@@ -3,10 +3,12 @@
 #include "connection.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/nearest_name.hpp"
 
 namespace ocean::bridge {
 namespace {
@@ -136,7 +138,11 @@ void Connection::handle(const LineSplitter::Line& line) {
     const auto parsed = parse_request(line.text);
     const Request* request = parsed ? std::get_if<Request>(&*parsed) : nullptr;
     const bool secret = request != nullptr && request->verb == Verb::auth;
-    host_.log(peer_ + ": " + (secret ? "AUTH ..." : text::printable(line.text, kMaxLineBytes)));
+    const bool is_report = request != nullptr && request->verb == Verb::set &&
+                           host_.hub.is_report(request->arguments[0], request->arguments[1], peer_);
+    if (!is_report || host_.options.log_reports) {
+        host_.log(peer_ + ": " + (secret ? "AUTH ..." : text::printable(line.text, kMaxLineBytes)));
+    }
     if (!parsed) return;
     if (request == nullptr) return put(refusal_line(std::get<Refusal>(*parsed)));
     try {
@@ -183,7 +189,8 @@ void Connection::answer(const Request& request) {
             } else if (what == "STOP" || what == "stop") {
                 hub.stop_recording(file, peer_);
             } else {
-                return refuse("USAGE", "RECORD START|STOP [FILE]");
+                constexpr std::array<std::string_view, 2> kWords = {"START", "STOP"};
+                return refuse("USAGE", "RECORD START|STOP [FILE]" + did_you_mean(what, kWords));
             }
             break;
         }

@@ -21,7 +21,11 @@ std::string driver_names() {
 
 const Driver& driver_named(const SectionReader& section) {
     const auto row = std::ranges::find(drivers(), section.text(), &NamedDriver::name);
-    if (row == drivers().end()) throw section.refused(driver_names());
+    if (row == drivers().end()) {
+        std::vector<std::string_view> names;
+        for (const NamedDriver& known : drivers()) names.push_back(known.name);
+        throw section.refused_word(names);
+    }
     return row->driver;
 }
 

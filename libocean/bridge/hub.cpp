@@ -10,6 +10,7 @@
 #include "ocean/bridge/line_protocol.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/text.hpp"
@@ -130,7 +131,11 @@ void Hub::out(const std::string& channel, double value) {
         if (find_channel(source->channels(), channel) == nullptr) continue;
         return source->put(channel, value);
     }
-    throw Error(ErrorKind::not_found, "no board has '" + text::printable(channel) + "'");
+    const std::vector<Channel> all = channels();
+    std::vector<std::string_view> names;
+    for (const Channel& known : all) names.push_back(known.name);
+    throw Error(ErrorKind::not_found,
+                "no board has '" + text::printable(channel) + "'" + did_you_mean(channel, names));
 }
 
 void Hub::start_recording(const std::string& file, std::string_view writer) {
@@ -263,6 +268,13 @@ void Hub::poll_map_file() {
 
 bool Hub::is_owned_by(std::size_t entry, std::string_view client) const {
     return values_.ref(entry).info == nullptr && values_[frame_rate_].writer == client;
+}
+
+bool Hub::is_report(std::string_view name, std::string_view value, std::string_view client) const {
+    const auto entry = std::ranges::find(values_.entries(), name, &ValueEntry::name);
+    if (!name.starts_with("app.") || entry == values_.entries().end()) return false;
+    if (name == values_[frame_rate_].name) return true;
+    return values_[frame_rate_].writer == client && (name == "app.time" || entry->text == value);
 }
 
 void Hub::client_left(std::string_view writer) {

@@ -8,6 +8,7 @@
 
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/line_reader.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "ocean/text.hpp"
 #include "ocean/version.hpp"
 
@@ -89,7 +90,10 @@ std::optional<std::variant<Request, Refusal>> parse_request(std::string_view lin
     const auto form = std::ranges::find_if(
         kCommands, [&](const CommandForm& known) { return same_word(word, known.word); });
     if (form == kCommands.end()) {
-        return Refusal{"UNKNOWN-COMMAND", "'" + text::printable(word) + "'; HELP lists them"};
+        std::vector<std::string_view> words;
+        for (const CommandForm& known : kCommands) words.push_back(known.word);
+        return Refusal{"UNKNOWN-COMMAND", "'" + text::printable(word) + "'" +
+                                              did_you_mean(word, words) + "; HELP lists them"};
     }
     Request request{form->verb, {}};
     if (form->verb == Verb::set) {

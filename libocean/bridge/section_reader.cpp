@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::bridge {
@@ -33,10 +34,22 @@ Error SectionReader::refused(const std::string& allowed) const {
     return fail_here("allowed: " + allowed);
 }
 
+Error SectionReader::refused_word(std::span<const std::string_view> words) const {
+    std::string allowed;
+    for (const std::string_view word : words) {
+        allowed += (allowed.empty() ? "" : ", ") + std::string(word);
+    }
+    const std::string meant = did_you_mean(text(), words);
+    return fail_here((meant.empty() ? "" : meant.substr(2) + " ") + "allowed: " + allowed);
+}
+
 Error SectionReader::unknown(const std::string& allowed) const {
+    const std::vector<std::string> keys = split(allowed, ", ");
+    const std::vector<std::string_view> known(keys.begin(), keys.end());
     return text::error_at(ErrorKind::bad_file, file_, key_->line,
                           "unknown key '" + text::printable(key_->name) + "' of [[" +
-                              section_.name + "]]; allowed: " + allowed);
+                              section_.name + "]]" + did_you_mean(key_->name, known) +
+                              "; allowed: " + allowed);
 }
 
 std::string SectionReader::given() const {

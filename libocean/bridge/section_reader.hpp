@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,8 @@ class SectionReader {
     Error fail_here(const std::string& message) const;
     /// Returns fail_here() for a value that is not among `allowed`.
     Error refused(const std::string& allowed) const;
+    /// Returns fail_here() for a text that is none of `words`.
+    Error refused_word(std::span<const std::string_view> words) const;
     /// Returns the error for a current key that is not among the keys `allowed`.
     Error unknown(const std::string& allowed) const;
 
@@ -60,7 +63,7 @@ class SectionReader {
     Enum word() const {
         const auto& words = kEnumWords<Enum>;
         const auto found = std::ranges::find(words, std::string_view(text()));
-        if (found == words.end()) throw refused(words_of<Enum>());
+        if (found == words.end()) throw refused_word(words);
         return static_cast<Enum>(found - words.begin());
     }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <utility>
 
 #include "ocean/error.hpp"
@@ -72,17 +73,30 @@ std::size_t ValueTable::find(std::string_view name) const {
             const ParameterRef ref = find_parameter(name);
             found = entry_of(
                 [&](std::size_t i) { return refs_[i].info != nullptr && refs_[i].same_as(ref); });
-        } catch (const Error& error) {
-            throw Error(ErrorKind::not_found, text::printable(error.what(), 300));
+        } catch (const Error&) {
+            // refuse_name() suggests names of app.* too.
         }
     }
-    if (found < entries_.size()) return found;
-    std::vector<std::string_view> known;
-    for (const ValueEntry& entry : entries_) known.push_back(entry.name);
-    const std::string_view nearest = nearest_name(name, known);
+    if (found == entries_.size()) refuse_name(name);
+    return found;
+}
+
+void ValueTable::refuse_name(std::string_view name) const {
+    std::deque<std::string> texts;  // its elements stay where they are
+    std::vector<KnownName> known;
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        const std::string_view path = entries_[i].name;
+        known.push_back({path, path});
+        const ParameterInfo* info = refs_[i].info;
+        if (info == nullptr || refs_[i].item != 0) continue;
+        known.push_back({info->key, path});
+        known.push_back(
+            {texts.emplace_back(std::string(info->section) + "." + std::string(info->key)), path});
+    }
+    const std::string meant = did_you_mean(name, known);
     throw Error(ErrorKind::not_found,
                 "unknown name '" + text::printable(name) + "'" +
-                    (nearest.empty() ? "" : "; did you mean " + std::string(nearest) + "?"));
+                    (meant.empty() ? "; `ocean params` lists parameters, LIST all names" : meant));
 }
 
 /// The app values are the last entries.

@@ -13,6 +13,7 @@
 #include "modes_on_gpu.hpp"
 #include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "thesis_frame.hpp"
 
 namespace ocean::gl {
@@ -92,9 +93,10 @@ StageImage StageMaker::make(const MapModes& modes, std::string_view stage, Threa
     const std::vector<std::string> names = stage_names(resolution);
     const auto found = std::ranges::find(names, stage);
     if (found == names.end()) {
+        const std::vector<std::string_view> known(names.begin(), names.end());
         throw Error(ErrorKind::invalid_value,
-                    "unknown stage '" + std::string(stage) +
-                        "'; known: h0, spectrum, butterfly, horizontal-1 .. horizontal-" +
+                    "unknown stage '" + std::string(stage) + "'" + did_you_mean(stage, known) +
+                        "; known: h0, spectrum, butterfly, horizontal-1 .. horizontal-" +
                         std::to_string(octaves) + ", vertical-1 .. vertical-" +
                         std::to_string(octaves));
     }

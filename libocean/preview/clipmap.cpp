@@ -92,7 +92,7 @@ Clipmap::Blocks Clipmap::add_blocks(std::vector<unsigned>& indices, bool hole, i
 }
 
 std::size_t Clipmap::draw(gl::ShaderProgram& program, const glm::dvec3& eye, double finest,
-                          const Frustum& frustum, const Reach& reach) const {
+                          const Frustum& frustum, const Reach& reach, bool only_lines) const {
     glBindVertexArray(array_.name());
     // No water is nearer than still water below the eye. A level that would be morphed all over
     // equals the next one, and is skipped.
@@ -101,7 +101,7 @@ std::size_t Clipmap::draw(gl::ShaderProgram& program, const glm::dvec3& eye, dou
     // edge: up to there the same vertices draw the water wherever the eye goes.
     const double begin = std::max(cells_ / 2 + 1, 3 * cells_ / 4), end = cells_ - 2;
     program.set("morph", static_cast<float>(begin), static_cast<float>(1.0 / (end - begin)),
-                static_cast<float>(nearest), 0.0f);
+                static_cast<float>(nearest), only_lines ? 1.0f : 0.0f);
     double cell = finest;
     while (end * cell <= nearest) cell *= 2.0;
 

@@ -39,10 +39,11 @@ class Clipmap {
     explicit Clipmap(int cells);
 
     /// Draws the blocks that the frustum touches with the current program, and sets its uniforms
-    /// `level` and `morph`. finest: side of a cell of the finest level [m], a power of two. Returns
-    /// the number of triangles.
+    /// `level` and `morph`. finest: side of a cell of the finest level [m], a power of two.
+    /// only_lines: of a wireframe, whose lines fade before they fill the picture. Returns the
+    /// number of triangles.
     std::size_t draw(gl::ShaderProgram& program, const glm::dvec3& eye, double finest,
-                     const Frustum& frustum, const Reach& reach) const;
+                     const Frustum& frustum, const Reach& reach, bool only_lines = false) const;
 
   private:
     /// Blocks along a level's side: each is drawn or culled as a whole.

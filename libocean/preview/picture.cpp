@@ -9,30 +9,22 @@
 #include "angles.hpp"
 #include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "view_table.hpp"
 
 namespace ocean::preview {
 namespace {
 
 constexpr std::span kLooks(kEnumWords<LookKind>);
-constexpr std::span kViewWords(kEnumWords<View>);
 
 std::vector<std::string> as_strings(std::span<const std::string_view> words) {
     return {words.begin(), words.end()};
 }
 
 /// Returns the error for a word that is no `what`, for example no "view".
-Error no_such(const char* what, std::string_view word) {
-    return Error(ErrorKind::invalid_value,
-                 "there is no " + std::string(what) + " '" + std::string(word) + "'");
-}
-
-/// Returns the enumerator of a word. Throws Error invalid_value, which names `what`.
-template <typename Enum>
-Enum enumerator(std::span<const std::string_view> words, std::string_view word, const char* what) {
-    const auto found = std::ranges::find(words, word);
-    if (found != words.end()) return static_cast<Enum>(found - words.begin());
-    throw no_such(what, word);
+Error no_such(const char* what, std::string_view word, std::span<const std::string_view> words) {
+    return Error(ErrorKind::invalid_value, "there is no " + std::string(what) + " '" +
+                                               std::string(word) + "'" + did_you_mean(word, words));
 }
 
 }  // namespace
@@ -62,7 +54,9 @@ std::vector<std::string> look_names() {
 }
 
 LookKind look_of(std::string_view name) {
-    return enumerator<LookKind>(kLooks, name, "look");
+    const auto found = std::ranges::find(kLooks, name);
+    if (found != kLooks.end()) return static_cast<LookKind>(found - kLooks.begin());
+    throw no_such("look", name, kLooks);
 }
 
 std::vector<std::string> view_names() {
@@ -74,9 +68,13 @@ std::vector<std::string> view_names() {
 }
 
 View view_of(std::string_view name) {
-    const View view = enumerator<View>(kViewWords, name, "view");
-    if (row_of(view).use == ViewUse::picture) return view;
-    throw no_such("view", name);
+    std::vector<std::string_view> words;
+    for (const ViewRow& row : kViews) {
+        if (row.use != ViewUse::picture) continue;
+        if (word_of(row.view) == name) return row.view;
+        words.push_back(word_of(row.view));
+    }
+    throw no_such("view", name, words);
 }
 
 }  // namespace ocean::preview

@@ -75,11 +75,17 @@ struct Renderer::Impl {
     void draw_scene(const PictureFrame& frame) {
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LESS);
-        glPolygonMode(GL_FRONT_AND_BACK, frame.options.wireframe ? GL_LINE : GL_FILL);
+        if (frame.options.wireframe) {
+            glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+            glEnable(GL_BLEND);
+            glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE,
+                                GL_ONE_MINUS_SRC_ALPHA);
+        }
         for (const auto& drawable : added) drawable->draw(frame);
         water.draw(frame);
         done("water");
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+        glDisable(GL_BLEND);
     }
 
     void draw(const ShownSea& sea, const PictureFrame& frame, bool has_sky) {

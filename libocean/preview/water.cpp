@@ -216,7 +216,7 @@ void Water::draw_clipmap(const PictureFrame& frame) {
     clipmap_.draw(water, eye_of(frame.camera),
                   std::exp2(std::floor(std::log2(finest_texel(*sea_)))),
                   Frustum(frame.projection.clip_from_world, frame.camera.eye[2]),
-                  reach_of(*sea_, frame.camera.eye[2]));
+                  reach_of(*sea_, frame.camera.eye[2]), frame.options.wireframe);
     glDisable(GL_SAMPLE_SHADING);
 }
 

@@ -88,10 +88,9 @@ class RecordReader {
     Error unknown(const TomlEntry& entry) const {
         std::vector<std::string_view> names;
         for (const RecordKey& k : kRecordKeys) names.push_back(k.key);
-        const std::string_view nearest = nearest_name(entry.key, names);
-        std::string message = path_ + "." + text::printable(entry.key) + ": no such key";
-        if (!nearest.empty()) message += "; did you mean " + std::string(nearest) + "?";
-        return text::error_at(ErrorKind::invalid_value, name_, entry.line, message);
+        return text::error_at(ErrorKind::invalid_value, name_, entry.line,
+                              path_ + "." + text::printable(entry.key) + ": no such key" +
+                                  did_you_mean(entry.key, names));
     }
 
     const std::string& name_;

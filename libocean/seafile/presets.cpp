@@ -242,11 +242,8 @@ const Preset& find_preset(std::string_view name) {
         if (preset.name == name) return preset;
         names.push_back(preset.name);
     }
-    const std::string_view nearest = nearest_name(name, names);
-    std::string message = "no preset is called '" + text::printable(name) + "'";
-    if (!nearest.empty()) message += "; did you mean " + std::string(nearest) + "?";
     throw Error(ErrorKind::not_found,
-                message +
+                "no preset is called '" + text::printable(name) + "'" + did_you_mean(name, names) +
                     "; allowed: beaufort_0 .. beaufort_12, douglas_0 .. douglas_9, "
                     "seed_lantz, seed_thesis");
 }

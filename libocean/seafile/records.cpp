@@ -82,9 +82,8 @@ Candidates at_station(const Candidates& records, const std::string& station,
     }
     if (!chosen.empty()) return chosen;
     std::string message = "no station \"" + text::printable(station) + "\"";
-    const std::string_view nearest = nearest_name(station, names);
-    if (!nearest.empty()) {
-        message += "; did you mean " + text::printable(nearest) + "?";
+    if (const std::string meant = did_you_mean(station, names); !meant.empty()) {
+        message += text::printable(meant, 200);
     } else if (!names.empty()) {
         message += "; the first is " + text::printable(names.front());
     } else {

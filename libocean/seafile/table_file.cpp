@@ -155,8 +155,9 @@ void TableFile::refuse_root(const TomlEntry& entry, std::span<const ParameterSpe
             allowed += (allowed.empty() ? "" : ", ") + std::string(name);
         }
     }
-    const std::string_view nearest = nearest_name(entry.key, sections);
-    const std::string guess = nearest.empty() ? "" : "; did you mean " + std::string(nearest) + "?";
+    std::vector<std::string_view> known(sections.begin(), sections.end());
+    known.insert(known.end(), roots.begin(), roots.end());
+    const std::string guess = did_you_mean(entry.key, known);
     throw fail(entry.line,
                {.what = "no such section" + guess, .parameter = key, .allowed = allowed});
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "toml_input.hpp"
 
 namespace ocean {
@@ -20,8 +21,9 @@ class SectionReader {
         std::vector<TomlSection> sections;
         for (const TomlEntry& entry : in_file_order(table)) {
             if (std::ranges::find(known_, entry.key) == known_.end()) {
-                throw fail(entry.line, "unknown key '" + text::printable(entry.key) +
-                                           "'; allowed: " + allowed());
+                throw fail(entry.line, "unknown key '" + text::printable(entry.key) + "'" +
+                                           did_you_mean(entry.key, known_) +
+                                           "; allowed: " + allowed());
             }
             const toml::array* list = entry.node->as_array();
             if (list == nullptr) throw no_list(entry);

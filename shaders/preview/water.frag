@@ -10,6 +10,7 @@
 #include "preview/under_water.glsl"
 #endif
 
+in float line_share;
 layout(location = 0) out vec4 colour;
 
 // Returns the slope of a height, from its differences between pixels.
@@ -57,4 +58,7 @@ vec4 shown_view(Water state) {
     return vec4(1.0, 0.0, 1.0, 1.0);
 }
 
-void main() { colour = shown_view(water_at(label)); }
+void main() {
+    colour = shown_view(water_at(label));
+    colour.a *= line_share;  // 1, unless only lines are drawn
+}

@@ -328,6 +328,45 @@ TEST(LineServer, TheLogHasEveryClientAndLineButNoToken) {
     EXPECT_TRUE(log.ends_with(expected)) << log;
 }
 
+TEST(LineServer, TheLogHasHandsAndReportsOnlyOnRequest) {
+    const auto log_of = [](bool log_reports) {
+        std::mutex mutex;
+        std::string log;
+        {
+            ServerOptions options{.log_reports = log_reports};
+            options.log = [&](const std::string& line) {
+                const std::lock_guard lock(mutex);
+                log += line.substr(line.find(": ") + 1) + "\n";
+            };
+            const Served served(std::move(options), kKnob);
+            RawClient hand = served.client();
+            RawClient window = served.client();
+            for (const char* report : {"SET app.frame_rate 60.0", "SET app.time 1.5",
+                                       "SET app.pause 0", "SET app.speed 1"}) {
+                window.ask(report);
+            }
+            window.ask("SET app.pause 1");  // by a key in the window
+            window.ask("SET app.pause 1");
+            window.ask("SET wind_speed 12");
+            hand.ask("SET app.pause 0");  // the hand's request, and the window's echo
+            window.ask("SET app.pause 0");
+            hand.ask("SET app.time 0");
+            hand.ask("SET app.nothing 0");
+        }
+        return log.substr(log.find(" SET"));
+    };
+    const std::string hands = log_of(false);
+    EXPECT_TRUE(
+        hands.starts_with(" SET app.pause 1\n SET wind_speed 12\n SET app.pause 0\n"
+                          " SET app.time 0\n SET app.nothing 0\n"))
+        << hands;
+    const std::string all = log_of(true);
+    EXPECT_TRUE(
+        all.starts_with(" SET app.frame_rate 60.0\n SET app.time 1.5\n SET app.pause 0\n"
+                        " SET app.speed 1\n SET app.pause 1\n SET app.pause 1\n"))
+        << all;
+}
+
 TEST(LineServer, FiveThousandConnectionsLeaveNoDescriptor) {
     const Served served({.clients = 1000}, kKnob);
     served.client().close();

@@ -221,7 +221,7 @@ def piped(text):
 
 
 def test_a_mistyped_command_is_named_with_the_one_meant(ocean):
-    assert "unknown command 'bak', did you mean bake?" in ocean.bad("bak", "sea.toml")
+    assert "unknown command 'bak'; did you mean bake?" in ocean.bad("bak", "sea.toml")
     assert "unknown command 'zzzzzz' (see" in ocean.bad("zzzzzz")
 
 

@@ -208,16 +208,48 @@ def test_spectra_are_shown_as_they_are(folder, stage):
                    cwd=folder, check=True, capture_output=True)  # fmt: skip
     numbers = pixels(next(folder.glob("*.exr")))
     good(folder, "sea.toml", "--frame", 1, "--offscreen", "s.png", "--view", stage)
-    shown = pixels(folder / "s.png")
+    picture = pixels(folder / "s.png")
+    assert picture.shape == (720, 1280, 3)
+    # The left half has the whole: each wave as a square of four pixels. The right half has its
+    # middle, which a frame marks in the whole.
+    shown = picture[104:616, 124:636][2::4, 2::4]
     assert shown.shape == (128, 128, 3)
+    frame = (picture[104:616, 124:636] == 1.0).all(2)
+    rows, columns = frame.any(1).nonzero()[0], frame.any(0).nonzero()[0]
+    half = (rows[-1] - rows[0] - 1) // 8
+    middle = slice(64 - half, 64 + half + 1)
+    times = 636 // (2 * half + 1)
+    low = (720 - (2 * half + 1) * times) // 2
+    assert columns[0] + rows[-1] == 511 or half == 63
+    right = picture[low:, 644:][times // 2 :: times, times // 2 :: times]
+    wide = slice(0, 2 * half + 1)
+    # k = 0 stands at 64 from the left and from the bottom.
+    from_top = slice(128 - middle.stop, 128 - middle.start)
+    assert (right[wide, wide] == shown[from_top, middle]).all()
+    energy = (numbers[..., :2] ** 2).sum(2)
+    inside = energy[from_top, middle].sum() / energy.sum()
+    assert inside >= 0.95 or half == 63
+    assert half == 8 or energy[from_top, middle][1:-1, 1:-1].sum() < 0.95 * energy.sum()
     amplitude = numpy.hypot(numbers[..., 0], numbers[..., 1])
     expected = 1 + numpy.log10(numpy.maximum(amplitude, 1e-30) / amplitude.max()) / 4
     assert abs(shown.max(2) - expected.clip(0, 1)).max() < 1.5 / 255
 
 
+def test_a_far_wireframe_fades_before_it_fills_the_picture(folder):
+    asked = ("--view", "height", "--samples", 1, "--frame", 1)
+    shown = pictures(folder, {"lines.png": "--wireframe", "solid.png": ""}, "sea.toml", *asked)
+    lines, solid = shown["lines.png"], shown["solid.png"]
+    # The horizon lies 77 pixels above the middle. A pixel of a line has the colour of the water.
+    is_line = numpy.abs(lines - solid).max(2) < 0.02
+    assert is_line[286:306].mean() < 0.01 and is_line[306:340].mean() < 0.1
+    assert 0.1 < is_line[560:].mean() < 0.4 and is_line[286:].mean(1).max() < 0.55
+
+
 def test_the_plan_of_the_transform_is_shown(folder):
     good(folder, "sea.toml", "--offscreen", "s.png", "--view", "butterfly")
-    shown = pixels(folder / "s.png")
+    picture = pixels(folder / "s.png")
+    assert picture.shape == (720, 1280, 3)
+    shown = picture[40:680, 3:1277][2::5, 91::182]  # a number is 182 x 5 pixels
     assert shown.shape == (128, 7, 3)
     root = 2 * shown[..., :2] - 1
     assert abs(numpy.hypot(root[..., 0], root[..., 1]) - 1).max() < 0.02
@@ -502,6 +534,7 @@ class Hand:
             "FAKE_SCREEN": str(folder / "scale"),
             "FAKE_GAMEPAD": str(self.gamepad),
             "FAKE_GAMEPAD_SEEN": str(self.seen),
+            "XDG_STATE_HOME": str(folder / "state"),
         }
         command = [PREVIEW, "sea.toml", "--samples", "1", "--foam-map", "128", "-v"]
         command += options or ["--size", SIZE]
@@ -666,16 +699,16 @@ def hand(folder, display):
 
 
 # Places in the panel of the window, and beside it.
-SIZE = "640x700"
-WIND_SPEED = (90, 659)
-COMPUTED_BY = (90, 590)
+SIZE = "640x723"
+WIND_SPEED = (90, 682)
+COMPUTED_BY = (90, 613)
 SAVE_SEA = (48, 218)
-SEARCH = (90, 544)
-BRIDGE = (60, 517)
-BRIDGE_ADDRESS = (90, 540)
-DUMMY_BOARD = (25, 586)
-BRIDGE_START = (145, 586)  # and restart
-BRIDGE_STOP = (207, 586)
+SEARCH = (90, 567)
+BRIDGE = (60, 540)
+BRIDGE_ADDRESS = (90, 563)
+DUMMY_BOARD = (25, 609)
+BRIDGE_START = (145, 609)  # and restart
+BRIDGE_STOP = (207, 609)
 BESIDE = (560, 600)
 
 

@@ -33,12 +33,6 @@ def test_long_options_are_kebab_case(ocean):
                 assert word == word.lower() and "_" not in word
 
 
-def test_help_describes_an_option_of_several_formats_once(ocean):
-    text = " ".join(ocean.good("bake", "--help").split())
-    assert text.count("Maximum age of a particle of spray") == 1
-    assert "yup (x, z, -y); default tnb. For .ply, .obj, .usda" in text
-
-
 def test_version_names_the_libraries(ocean):
     text = ocean.good("--version")
     assert text.startswith("ocean 0.")

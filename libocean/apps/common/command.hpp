@@ -42,6 +42,9 @@ using OptionTarget = std::variant<bool*, int*, std::string*, std::optional<int>*
 struct NotEmpty {};
 struct OneOf {
     std::vector<std::string> words;
+
+    /// Returns "'foan' is none of foam, normal; did you mean foam?", or "" for one of the words.
+    std::string fault_of(const std::string& value) const;
 };
 struct Within {
     int lowest;
@@ -69,11 +72,33 @@ struct OptionGroup {
     std::vector<Option> options;
 };
 
+/// A part of a help text: a title, and rows of a name and its text.
+struct HelpRow {
+    std::string name;
+    std::string text;
+};
+struct HelpSection {
+    std::string title;
+    std::vector<HelpRow> rows;
+};
+
+/// A page of `COMMAND --help NAME`: the help of one of many things that a command knows.
+struct HelpPage {
+    std::vector<std::string> names;  // the first one is listed; the others find the page too
+    std::string summary;             // one line of the list
+    std::string title;
+    std::string usage;  // "ocean bake SEA -o out/sea.####.exr [OPTIONS]"
+    std::vector<HelpSection> sections;
+};
+
 struct Command {
     std::string name = {};
     std::string summary = {};
     std::vector<OptionGroup> options = {};
-    std::string footer = {};  // "" = the program's footer
+    std::string footer = {};       // "" = the program's footer
+    std::string page_noun = {};    // what a page is about: "format"
+    std::string pages_title = {};  // of their list in the command's help
+    std::vector<HelpPage> pages = {};
     /// Throws ocean::Error when it fails.
     std::function<void(const Context&)> run = {};
 };

@@ -15,11 +15,10 @@
 #include <span>
 #include <string_view>
 
+#include "command_words.hpp"
 #include "console.hpp"
 #include "interrupt.hpp"
 #include "ocean/error.hpp"
-#include "ocean/internal/checked_text.hpp"
-#include "ocean/internal/nearest_name.hpp"
 
 namespace ocean::app {
 namespace {
@@ -96,7 +95,9 @@ struct RuleAdder {
             return text.empty() ? "an empty value is not allowed" : std::string();
         });
     }
-    void operator()(const OneOf& rule) const { option.check(CLI::IsMember(rule.words)); }
+    void operator()(const OneOf& rule) const {
+        option.check([rule](const std::string& text) { return rule.fault_of(text); });
+    }
     void operator()(const Within& rule) const {
         option.check(CLI::Range(rule.lowest, rule.highest).description(""));
     }
@@ -121,34 +122,17 @@ class CommandLine {
   public:
     CommandLine(const Program& program, RunOptions& run_options)
         : program_(program), parser_(program.main.summary, program.main.name) {
-        constexpr int kNameColumns = 34;
-        parser_.get_formatter()->column_width(kNameColumns);
         parser_.set_version_flag("--version", program.version,
                                  "Print the versions of this program and of its libraries");
-        parser_.footer(program.main.footer);
         add_options(parser_, program.main.options, run_options);
         if (!program.commands.empty()) parser_.require_subcommand(1);
         for (const Command& command : program.commands) {
             CLI::App* parser = parser_.add_subcommand(command.name, command.summary);
             add_options(*parser, command.options, run_options);
-            if (!command.footer.empty()) parser->footer(command.footer);
         }
     }
 
-    void parse(int argc, char** argv) {
-        for (const std::string_view argument : std::span(argv, static_cast<std::size_t>(argc))) {
-            // The parser would read it as several short options.
-            if (argument.size() > 2 && argument[0] == '-' && argument[1] != '-' &&
-                argument[2] == '=') {
-                throw Error(ErrorKind::invalid_value,
-                            std::string(argument) +
-                                ": the value of a short option follows after "
-                                "a blank, and a flag has none");
-            }
-        }
-        if (argc > 1) require_command(argv[1]);
-        parser_.parse(argc, argv);
-    }
+    void parse(int argc, char** argv) { parser_.parse(argc, argv); }
 
     /// Runs the requested command, and throws its error.
     void run(const Context& context) const {
@@ -160,29 +144,21 @@ class CommandLine {
 
     /// Prints help and version on standard output, and wrong usage as one line of an error.
     int report(const CLI::ParseError& error, Console& console) const {
+        const auto requested = parser_.get_subcommands();
+        if (error.get_name() == "CallForHelp") {
+            console.data(help_of(program_, requested.empty() ? "" : requested[0]->get_name()));
+            return 0;
+        }
         if (error.get_exit_code() == 0) return parser_.exit(error);
         std::string message = error.what();
         std::replace(message.begin(), message.end(), '\n', ' ');
         std::string command = program_.main.name;
-        for (const CLI::App* sub : parser_.get_subcommands()) command += " " + sub->get_name();
+        for (const CLI::App* sub : requested) command += " " + sub->get_name();
         console.error(message + " (see `" + command + " --help`)");
         return kWrongUsage;
     }
 
   private:
-    void require_command(std::string_view word) const {
-        std::vector<std::string_view> names;
-        for (const Command& command : program_.commands) names.push_back(command.name);
-        if (names.empty() || word.starts_with('-')) return;
-        if (std::find(names.begin(), names.end(), word) != names.end()) return;
-        const std::string_view nearest = nearest_name(word, names);
-        const std::string meant =
-            nearest.empty() ? "" : ", did you mean " + std::string(nearest) + "?";
-        throw Error(ErrorKind::invalid_value, "unknown command '" + text::printable(word) + "'" +
-                                                  meant + " (see `" + program_.main.name +
-                                                  " --help`)");
-    }
-
     const Program& program_;
     CLI::App parser_;
 };
@@ -193,6 +169,11 @@ int parse_and_run(int argc, char** argv, const Program& program) {
     InterruptWatch interrupts([&console] { console.interrupted(); });
     CommandLine command_line(program, options);
     try {
+        const std::span words(argv, static_cast<std::size_t>(argc));
+        if (const auto help = requested_help(program, words.subspan(1))) {
+            console.data(*help);
+            return 0;
+        }
         command_line.parse(argc, argv);
         command_line.run({options, console, interrupts});
         return 0;

@@ -123,10 +123,11 @@ void PointTable::find_columns(const csv::TableReader& reader, std::span<const Po
                          listed(names));
     }
     for (const std::string& other : others) {
-        const std::string_view meant = nearest_name(csv::parse_title(other).name, names);
+        const std::string title = csv::parse_title(other).name;
+        const std::string_view meant = nearest_name(title, names);
         if (meant.empty() || has(meant)) continue;
         throw lines.fail("the header line names an unknown column " + shown(other) +
-                         "; did you mean " + std::string(meant) + "?");
+                         did_you_mean(title, names));
     }
     for (std::string& other : others) other = shown(other);
     for (const PointColumn& column : known) {

@@ -18,18 +18,23 @@ namespace {
 
 constexpr char kFooter[] =
     R"(SEA gives the parameters at the start; without it they have their defaults.
-The boards are those of the map's [[device]]. Without any, and without --dummy and --replay,
-they are all Velleman K8055 that are plugged in: board0 to board3, by their jumpers.
-Without --map the knob a1 of board0 sets wind_speed, a2 choppiness; its button d1 sets app.pause,
-d2 app.record. The map is read again when its file changes.
-A map's mode = "relative" is for endless MIDI knobs, with code = "twos_complement",
-"binary_offset" or "signed_bit": a step changes the value by step, by default a hundredth of out.
-midi0/pair0 .. pair31, nrpn0 .. nrpn16383 and rpn0 .. rpn16383 are values of 14 bits, 0 .. 16383.
---learn >map.toml writes the map of the controls that are moved, on the boards of --map, or on
-each K8055 and the first MIDI controller. PROTOCOL.md documents all keys.
+The boards are those of the map's [[device]]. Without any, and without --dummy
+and --replay, they are all Velleman K8055 that are plugged in: board0 to board3,
+by their jumpers.
+Without --map the knob a1 of board0 sets wind_speed, a2 choppiness; its button
+d1 sets app.pause, d2 app.record. The map is read again when its file changes.
+A map's mode = "relative" is for endless MIDI knobs, with code =
+"twos_complement", "binary_offset" or "signed_bit": a step changes the value by
+step, by default a hundredth of out.
+midi0/pair0 .. pair31, nrpn0 .. nrpn16383 and rpn0 .. rpn16383 are values of 14
+bits, 0 .. 16383.
+--learn >map.toml writes the map of the controls that are moved, on the boards
+of --map, or on each K8055 and the first MIDI controller. PROTOCOL.md documents
+all keys.
 A script or a replay has lines SECONDS CHANNEL VALUE, such as 0.5 board0/a1 128.
 Try it: ocean-bridge --dummy, then telnet 127.0.0.1 4747 and HELP.
-Exit codes: 0 done, 1 failed at run time, 2 wrong usage or bad file, 130 interrupted.)";
+Exit codes: 0 done, 1 failed at run time, 2 wrong usage or bad file, 130
+interrupted.)";
 
 struct Words {
     ServeWords serve;

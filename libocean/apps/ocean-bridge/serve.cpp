@@ -145,6 +145,7 @@ void serve(const ServeWords& words, const std::string& token, const Context& con
     options.token = token;
     options.clients = static_cast<std::size_t>(words.clients);
     options.osc = osc_of(words);
+    options.log_reports = context.options.verbose;
     options.log = [&log](std::string line) { log.add(std::move(line)); };
     bridge::LineServer server(std::move(options), hub);
     const InterruptWatch::LastAct last(context.interrupts, [&] {

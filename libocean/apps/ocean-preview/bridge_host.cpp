@@ -68,14 +68,8 @@ std::vector<std::string> BridgeHost::log() const {
     return {log_.begin(), log_.end()};
 }
 
-void BridgeHost::leave_out_clock_of(const std::string& client) {
-    const std::lock_guard lock(mutex_);
-    if (!client.empty()) left_out_ = client + ": SET app.";
-}
-
 void BridgeHost::add(std::string line) {
     const std::lock_guard lock(mutex_);
-    if (!left_out_.empty() && line.starts_with(left_out_)) return;
     if (log_.size() == kMaxLines) log_.pop_front();
     log_.push_back(std::move(line));
 }

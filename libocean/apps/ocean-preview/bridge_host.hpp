@@ -37,8 +37,6 @@ class BridgeHost {
     bridge::Endpoint endpoint() const;
     /// Returns connections, lines and events, of earlier bridges too, the newest last.
     std::vector<std::string> log() const;
-    /// Keeps this client's clock, which it sends twice a second, out of the log.
-    void leave_out_clock_of(const std::string& client);
 
   private:
     struct Running;
@@ -47,7 +45,6 @@ class BridgeHost {
 
     mutable std::mutex mutex_;  // of the log
     std::deque<std::string> log_;
-    std::string left_out_;  // prefix of lines that are left out
     std::unique_ptr<Running> running_;
 };
 

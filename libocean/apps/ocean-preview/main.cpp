@@ -22,25 +22,27 @@ constexpr char kFooter[] =
     R"(SEA is a sea file, a baked EXR file or preset:NAME.
 Keys: W A S D Q E move, Shift is fast, dragging turns, the wheel zooms; Space
 pauses, R records, V changes the view, C the camera, F shows the mesh, P probes,
-Tab hides the panel, Ctrl Z undoes a change, Ctrl R reads the sea file again, F12
-saves the picture, Escape closes the window; a take that is in no file is saved
-then. A gamepad's sticks move and turn, its A
-pauses, B changes the camera, X the view, Y returns to the start.
---probe prints x,y, the height of the mesh and of the maps at that place (m), the
-square of the shown slope, the mean square slope that the light receives as
+Tab hides the panel, Ctrl Z undoes a change, Ctrl R reads the sea file again,
+F12 saves the picture, Escape closes the window; a take that is in no file is
+saved then. Ctrl O opens a file, Ctrl S saves the sea under a name; a sea, a
+take, a baked file or a sky can also be dropped on the window. A gamepad's
+sticks move and turn, its A pauses, B changes the camera, X the view, Y returns
+to the start.
+--probe prints x,y, the height of the mesh and of the maps at that place (m),
+the square of the shown slope, the mean square slope that the light receives as
 roughness, and the share of foam; only x,y where no water is drawn.
 Letters and controls of the panel follow the scale of the screen that the window
 is on; --scale F (0.5 .. 8) sets another one.
 -v reports the state of the window to scripts, on standard error: "the panel has
 scale 2" when the scale changes, "the window is open" when it shows its first
-picture and receives input, "written: FILE" for each file, and
-"at rest: 1280x720, mouse at 90,40, 12 keys, 3 clicks, 0 held" whenever all input
-is shown and nothing moves until there is more: the clock stands, the sea has
-faded, foam is complete. The numbers are the window's size, the mouse's place,
-the keys and buttons pressed since the start, and those that are down. Lines of
-its bridge begin with "bridge:", among them "joined" and "its values have come".
-Exit codes: 0 done, 1 failed at run time (no GPU, disk), 2 wrong usage or bad sea
-file, 130 interrupted.)";
+picture and receives input, "written: FILE" for each file, and "at rest:
+1280x720, mouse at 90,40, 12 keys, 3 clicks, 0 held" whenever all input is shown
+and nothing moves until there is more: the clock stands, the sea has faded, foam
+is complete. The numbers are the window's size, the mouse's place, the keys and
+buttons pressed since the start, and those that are down. Lines of its bridge
+begin with "bridge:", among them "joined" and "its values have come".
+Exit codes: 0 done, 1 failed at run time (no GPU, disk), 2 wrong usage or bad
+sea file, 130 interrupted.)";
 
 void run(const PreviewWords& words, const Context& context) {
     EnvironmentFiles environments;

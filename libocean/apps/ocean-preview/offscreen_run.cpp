@@ -22,7 +22,7 @@
 #include "ocean/preview/probe.hpp"
 #include "ocean/text.hpp"
 #include "picture_file.hpp"
-#include "stage_picture.hpp"
+#include "stage_layout.hpp"
 #include "workload.hpp"
 
 namespace ocean::app {
@@ -100,8 +100,9 @@ class OffscreenRun {
     void draw(const PreviewOptions& options, double time, const std::string& path) {
         if (is_stage_picture(options.view)) {
             const auto cascade = static_cast<std::size_t>(std::max(0, options.cascade.value_or(0)));
-            const StagePicture stage =
-                make_stage_picture(stages_, sea_, time, cascade, options.view);
+            const auto [width, height] = options.size;
+            const StagePicture stage = laid_out(
+                make_stage_picture(stages_, sea_, time, cascade, options.view), width, height);
             const InterruptWatch::Hold whole = context_.interrupts.hold();
             return io::write_png(path, stage.width, stage.height, stage.rgb);
         }

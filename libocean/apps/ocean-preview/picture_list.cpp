@@ -11,6 +11,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "ocean/text.hpp"
 #include "picture_file.hpp"
 
@@ -61,11 +62,9 @@ void clear_excluded(const std::string& name, PreviewWords& words) {
 
 void require_allowed(const Option& option, const std::string& value) {
     if (const auto* rule = std::get_if<OneOf>(&option.rule)) {
-        if (std::ranges::count(rule->words, value) != 0) return;
-        std::string allowed;
-        for (const std::string& word : rule->words) allowed += (allowed.empty() ? "" : ", ") + word;
-        throw Error(ErrorKind::invalid_value,
-                    option.names + ": '" + value + "' is none of " + allowed);
+        const std::string fault = rule->fault_of(value);
+        if (fault.empty()) return;
+        throw Error(ErrorKind::invalid_value, option.names + ": " + fault);
     }
     if (const auto* rule = std::get_if<Within>(&option.rule)) {
         parse_whole_number(value, option.names, rule->lowest, rule->highest);
@@ -92,14 +91,18 @@ void assign(const Option& option, const std::string& value) {
 }
 
 const Option& option_of(const std::vector<OptionGroup>& groups, const std::string& name) {
+    std::vector<std::string_view> names;
     for (const OptionGroup& group : groups) {
         for (const Option& option : group.options) {
-            if (option.names == name && is_of_a_picture(group, option)) return option;
+            if (!is_of_a_picture(group, option)) continue;
+            if (option.names == name) return option;
+            names.push_back(option.names);
         }
     }
-    throw Error(ErrorKind::invalid_value, "'" + name +
-                                              "' is no option of one picture; allowed are those of "
-                                              "when, camera, light and picture");
+    throw Error(ErrorKind::invalid_value, "'" + name + "' is no option of one picture" +
+                                              did_you_mean(name, names) +
+                                              "; allowed are those of when, camera, light and "
+                                              "picture");
 }
 
 struct GivenOption {

@@ -151,10 +151,8 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
          {{"--sun", &words.sun, "ALTITUDE,BEARING",
            "Degrees above the horizon, and counter-clockwise from +x (default 35,70)"},
           {"--environment", &words.environment, "FILE.exr",
-           "A sky over longitude and latitude in place of the computed one: its top row is the "
-           "zenith, its middle column lies along +x, columns right of it clockwise seen from "
-           "above; "
-           "its sun is found"},
+           "A sky over longitude and latitude, with its sun: its top row is the zenith, its middle "
+           "column lies along +x, columns right of it clockwise from above"},
           {"--environment-turn", &words.environment_turn, "DEG",
            "Turns that sky counter-clockwise, seen from above"},
           {"--exposure", &words.exposure, "E", "Factor of the light (default 1)"},
@@ -175,9 +173,8 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
           {"--frames", &words.frames, "LIST",
            "Frames of --record, for example 1-250x2; a comma separates ranges"},
           {"--pictures", &words.pictures, "LIST.txt",
-           "Write a picture for each line of a file, all from one start. A line is FILE and the "
-           "options of when, camera, light and picture that differ from those given here, such as "
-           "north.png --heading 90",
+           "Write a picture for each line of a file: FILE and its options of when, camera, light "
+           "and picture, such as north.png --heading 90",
            kOptional, NotEmpty{}, "--offscreen"},
           {"--size", &words.size, "WxH",
            "Pixels (default 1280x720; a window multiplies this by its screen's scale, up to the "

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 #include "ocean/backend.hpp"
 #include "ocean/error.hpp"
@@ -29,6 +30,30 @@ std::array<std::uint8_t, 3> wheel(double turns, double value) {
         rgb[i] = byte(value * std::clamp(away - 1.0, 0.0, 1.0));
     }
     return rgb;
+}
+
+/// Returns the number of pixels to each side of the middle that hold 95 % of the energy.
+template <typename Energy>
+int middle_of(int width, const Energy& energy) {
+    constexpr double kShare = 0.95;
+    constexpr int kMinMiddle = 8;
+    const int half = width / 2;
+    std::vector<double> rings(static_cast<std::size_t>(half) + 1);
+    for (int y = 0; y < width; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const int ring = std::max(std::abs(x - half), std::abs(y - half));
+            rings[static_cast<std::size_t>(ring)] +=
+                energy(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                       static_cast<std::size_t>(x));
+        }
+    }
+    const double whole = std::accumulate(rings.begin(), rings.end(), 0.0);
+    double inside = 0.0;
+    int middle = 0;
+    while (middle < half && (inside += rings[static_cast<std::size_t>(middle)]) < kShare * whole) {
+        ++middle;
+    }
+    return std::max(middle, kMinMiddle);
 }
 
 std::array<std::uint8_t, 3> complex_colour(double re, double im, double largest) {
@@ -73,7 +98,7 @@ StagePicture make_stage_picture(gl::StageMaker& maker, Ocean& sea, double time, 
     for (std::size_t p = 0; p < pixels; ++p) {
         largest = std::max(largest, std::hypot(texel(p, 0), texel(p, 1)));
     }
-    StagePicture picture{image.width, image.height, std::vector<std::uint8_t>(3 * pixels)};
+    StagePicture picture{image.width, image.height, std::vector<std::uint8_t>(3 * pixels), 0};
     for (std::size_t p = 0; p < pixels; ++p) {
         const std::array<std::uint8_t, 3> rgb =
             name == "butterfly"
@@ -81,6 +106,11 @@ StagePicture make_stage_picture(gl::StageMaker& maker, Ocean& sea, double time, 
                              byte(texel(p, 2) / image.height)}
                 : complex_colour(texel(p, 0), texel(p, 1), largest);
         std::ranges::copy(rgb, &picture.rgb[3 * p]);
+    }
+    if (name != "butterfly") {
+        picture.middle = middle_of(image.width, [&](std::size_t pixel) {
+            return std::pow(texel(pixel, 0), 2.0) + std::pow(texel(pixel, 1), 2.0);
+        });
     }
     return picture;
 }

@@ -26,6 +26,8 @@ struct StagePicture {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgb;
+    /// Waves to each side of k = 0 that have 95 % of a plane's energy; 0 for a plan.
+    int middle = 0;
 };
 
 /// Returns a stage of one of the sea's cascades:

@@ -11,6 +11,7 @@
 
 #include "commands.hpp"
 #include "console_host.hpp"
+#include "format_help.hpp"
 #include "input_files.hpp"
 #include "ocean/bake/catalogue.hpp"
 #if OCEAN_HAS_GL
@@ -46,8 +47,8 @@ std::vector<OptionGroup> common_options(Typed& typed, const Catalogue& catalogue
         {"Output",
          {
              {"-o,--output", &bake.output, "FILE",
-              "Path with the frame number as ####, such as out/sea.####.exr; formats: " +
-                  catalogue.extensions("or"),
+              "Path with the frame number as ####, such as out/sea.####.exr; the extension names "
+              "the format",
               kRequired},
              {"--frames", &bake.frames, "RANGES",
               "FIRST-LAST[xSTEP] in comma lists, such as 1-250x2; default: the sea's first frame"},
@@ -66,64 +67,32 @@ std::vector<OptionGroup> common_options(Typed& typed, const Catalogue& catalogue
              {"--egl-device", &typed.egl_device, "N",
               "Index of the GPU for gl in the list of EGL, from 0; default: the first one"},
              {"--stage", &typed.stage, "STAGE",
-              "Write an intermediate stage of the transform as EXR, in place of products: h0, "
-              "spectrum, butterfly, horizontal-1 .. and vertical-1 .., by the backend thesis"},
+              "Write a stage of the transform as EXR, by the backend thesis: h0, spectrum, "
+              "butterfly, horizontal-1 .. and vertical-1 .."},
 #endif
          }},
     };
 }
 
-/// Returns the option of that name if another format has it already; else null.
-Option* find_option(std::vector<OptionGroup>& groups, const std::string& name) {
-    for (OptionGroup& group : groups) {
-        const auto found = std::ranges::find(group.options, name, &Option::names);
-        if (found != group.options.end()) return &*found;
-    }
-    return nullptr;
-}
-
-/// The help of an option, for the formats that share it.
-struct FormatHelp {
-    std::string help;
-    std::vector<std::string> extensions;
-};
-using FormatHelps = std::map<std::string, std::vector<FormatHelp>>;  // by the option's name
-
-void add_help(const FormatOption& option, const BakeFormat& format, FormatHelps& helps) {
-    std::vector<FormatHelp>& known = helps["--" + option.name];
-    auto same = std::ranges::find(known, option.help, &FormatHelp::help);
-    if (same == known.end()) same = known.insert(known.end(), {option.help, {}});
-    same->extensions.emplace_back(format.extension);
-}
-
-/// Returns the help of the first format, then the help of others that differs, with their names.
-std::string joined(const std::vector<FormatHelp>& helps) {
-    std::string text;
-    for (const FormatHelp& one : helps) {
-        std::string names;
-        for (const std::string& extension : one.extensions) {
-            names += (names.empty() ? "" : ", ") + extension;
-        }
-        const bool is_first = &one == &helps.front();
-        if (!is_first) text += ". For " + names + ": ";
-        text += one.help;
-        if (is_first && one.extensions.size() > 1) text += " (" + names + ")";
-    }
-    return text;
+/// Returns true if another format has the option already.
+bool has_option(const std::vector<OptionGroup>& groups, const std::string& name) {
+    return std::ranges::any_of(groups, [&](const OptionGroup& group) {
+        return std::ranges::find(group.options, name, &Option::names) != group.options.end();
+    });
 }
 
 OptionGroup format_options(Typed& typed, const BakeFormat& format, const Catalogue& catalogue,
-                           std::vector<OptionGroup>& before, FormatHelps& helps) {
+                           std::vector<OptionGroup>& before) {
     OptionGroup group{std::string(format.family), {}};
     for (const FormatOption& option : format.options(catalogue)) {
         const std::string name = "--" + option.name;
-        add_help(option, format, helps);
-        if (find_option(before, name) != nullptr) continue;
+        if (has_option(before, name)) continue;
+        const std::string help = option_overview(option.name, catalogue);
         if (option.value.empty()) {
-            group.options.push_back({name, &typed.flags[option.name], "", option.help});
+            group.options.push_back({name, &typed.flags[option.name], "", help});
         } else {
             std::string& value = typed.bake.format_options[option.name];
-            group.options.push_back({name, &value, option.value, option.help});
+            group.options.push_back({name, &value, option.value, help});
         }
     }
     return group;
@@ -131,12 +100,10 @@ OptionGroup format_options(Typed& typed, const BakeFormat& format, const Catalog
 
 std::vector<OptionGroup> bake_options(Typed& typed, const Catalogue& catalogue) {
     std::vector<OptionGroup> groups = common_options(typed, catalogue);
-    FormatHelps helps;
     for (const BakeFormat* format : catalogue.formats) {
-        OptionGroup group = format_options(typed, *format, catalogue, groups, helps);
+        OptionGroup group = format_options(typed, *format, catalogue, groups);
         if (!group.options.empty()) groups.push_back(std::move(group));
     }
-    for (const auto& [name, help] : helps) find_option(groups, name)->help = joined(help);
     for (OptionGroup& group : std::span(groups).subspan(1)) {
         for (Option& option : group.options) {
             if (std::holds_alternative<std::string*>(option.target)) option.rule = NotEmpty{};
@@ -185,23 +152,25 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
 }
 
 constexpr char kFooter[] =
-    R"(-o out/sea.####.exr writes out/sea.<product>.0001.exr for each product and frame. So does
--o out/sea.exr if it has several files to write; one product of one frame is out/sea.exr
-itself. A lone # is four digits, two or more are one digit each: sea.#.exr and sea.####.exr
-are the same names. %04d and $F4 are equivalent to ####. Paths of finished files are printed
-on standard output in the order of the frames, progress on standard error.
+    R"(-o out/sea.####.exr writes out/sea.<product>.0001.exr for each product and
+frame. So does -o out/sea.exr if it has several files to write; one product of
+one frame is out/sea.exr itself. A lone # is four digits, two or more are one
+digit each: sea.#.exr and sea.####.exr are the same names. %04d and $F4 are
+equivalent to ####. Paths of finished files are printed on standard output in
+the order of the frames, progress on standard error.
 
-out/sea.manifest.json lists the files with the SHA-256 of their bytes and of their pixels,
-which does not depend on the compression. Shards, chunks (--frames 1-10, then 11-20) and
-repeated runs merge into it, and into the frame list of a USD stage, in any order and
-concurrently; the stage leaves out frames of another sea or of other options, with a
-warning. A bake writes the same bytes if it is split, interrupted or repeated; an
-interrupted bake leaves complete files only.
+out/sea.manifest.json lists the files with the SHA-256 of their bytes and of
+their pixels, which does not depend on the compression. Shards, chunks (--frames
+1-10, then 11-20) and repeated runs merge into it, and into the frame list of a
+USD stage, in any order and concurrently; the stage leaves out frames of another
+sea or of other options, with a warning. A bake writes the same bytes if it is
+split, interrupted or repeated; an interrupted bake leaves complete files only.
 
-Events of --json: start, then for each frame one of frame, skipped, failed, with the
-counts done, skipped, failed and total; last done or interrupted; error and warning
-with a message; plan with -n. Exit codes: 0 done, 1 a frame failed (disk, memory),
-2 wrong usage or bad sea file, 130 interrupted, 141 standard output was closed.)";
+Events of --json: start, then for each frame one of frame, skipped, failed, with
+the counts done, skipped, failed and total; last done or interrupted; error and
+warning with a message; plan with -n. Exit codes: 0 done, 1 a frame failed
+(disk, memory), 2 wrong usage or bad sea file, 130 interrupted, 141 standard
+output was closed.)";
 
 }  // namespace
 
@@ -214,6 +183,9 @@ Command bake_command(const Catalogue& catalogue) {
         .summary = "Write frames of a sea: EXR, DF3, PNG, POV-Ray mesh, PLY, OBJ, USD, VDB",
         .options = std::move(groups),
         .footer = kFooter,
+        .page_noun = "format",
+        .pages_title = "Formats (`ocean bake --help NAME` has all about one)",
+        .pages = format_pages(catalogue),
         .run = [typed, &catalogue](const Context& context) { run(*typed, catalogue, context); },
     };
 }

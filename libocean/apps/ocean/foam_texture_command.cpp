@@ -16,6 +16,7 @@
 #include "console.hpp"
 #include "interrupt.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/io/output_file.hpp"
@@ -50,7 +51,9 @@ std::uint32_t seed_of(const std::string& text) {
 io::PixelType pixel_type(const std::string& type) {
     if (type.empty() || type == "half") return io::PixelType::half_float;
     if (type == "float") return io::PixelType::full_float;
-    throw Error(ErrorKind::invalid_value, "--type " + type + ": allowed are half, float");
+    constexpr std::string_view kTypes[] = {"half", "float"};
+    throw Error(ErrorKind::invalid_value,
+                "--type " + type + ": allowed are half, float" + did_you_mean(type, kTypes));
 }
 
 /// Returns true if the output is an EXR file, false for a PNG file.
@@ -125,17 +128,17 @@ void run(const FoamTextureOptions& options, const Context& context) {
 
 std::string footer() {
     std::string text =
-        "Values are 0 .. 1: a point is white where the texture is below the cover of its foam.\n"
-        "`texture < cover` holds on exactly the share `cover` of the area, with the bilinear\n"
-        "interpolation of renderers as well; low values vanish last. Each kind has a tile of\n"
-        "its own size, which repeats without a seam:\n";
+        "Values are 0 .. 1: a point is white where the texture is below the cover of its\n"
+        "foam. `texture < cover` holds on exactly the share `cover` of the area, with the\n"
+        "bilinear interpolation of renderers as well; low values vanish last. Each kind\n"
+        "has a tile of its own size, which repeats without a seam:\n";
     for (const FoamTextureInfo& info : kFoamTextures) {
         text += format_text("  %-8s %4s m  %s\n", std::string(info.name).c_str(),
                             shortest_text(info.period).c_str(), std::string(info.help).c_str());
     }
     return text +
-           "Read it as data, not as a colour. The bottom row of the image is the south of the\n"
-           "tile. The header has kind, tile, seed and version.";
+           "Read it as data, not as a colour. The bottom row of the image is the south of\n"
+           "the tile. The header has kind, tile, seed and version.";
 }
 
 }  // namespace

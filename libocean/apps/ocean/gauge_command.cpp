@@ -140,16 +140,20 @@ void run(const GaugeOptions& options, const Context& context) {
 }
 
 constexpr char kFooter[] =
-    R"(FILE has a header line and the columns x, y (m); name; z (m, 0 = still water, the default,
-and negative below); velocity_x, velocity_y (m/s) of a gauge that moves from x, y on; or
-time (s): the rows of one name are then its track, with straight lines in between. For
-separators, decimal commas, units and further columns see `ocean query --help`.
-Readings: time, gauge, x, y; elevation (m) and slope_x, slope_y of the displaced surface
-at x, y; velocity_x, velocity_y, velocity_z (m/s) of the water and its pressure (Pa, without
-the hydrostatic part) at z by linear theory; above still water the values of z = 0.
-.npy: float64 of the shape (times, gauges, 10), the columns as in the CSV without gauge.
-Printed: zero up-crossing waves, H1/3, Hmax, their mean period Tz; Hs = 4 sqrt(m0) and
-Tm02 = sqrt(m0/m2); the periods and Hs with 95 % confidence limits. --json has more.)";
+    R"(FILE has a header line and the columns x, y (m); name; z (m, 0 = still water,
+the default, and negative below); velocity_x, velocity_y (m/s) of a gauge that
+moves from x, y on; or time (s): the rows of one name are then its track, with
+straight lines in between. For separators, decimal commas, units and further
+columns see `ocean query --help`.
+Readings: time, gauge, x, y; elevation (m) and slope_x, slope_y of the displaced
+surface at x, y; velocity_x, velocity_y, velocity_z (m/s) of the water and its
+pressure (Pa, without the hydrostatic part) at z by linear theory; above still
+water the values of z = 0.
+.npy: float64 of the shape (times, gauges, 10), the columns as in the CSV
+without gauge.
+Printed: zero up-crossing waves, H1/3, Hmax, their mean period Tz; Hs = 4
+sqrt(m0) and Tm02 = sqrt(m0/m2); the periods and Hs with 95 % confidence limits.
+--json has more.)";
 
 }  // namespace
 

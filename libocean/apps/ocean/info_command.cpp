@@ -34,9 +34,10 @@ void run(const InfoOptions& info, const Context& context) {
 }
 
 constexpr char kFooter[] =
-    R"(asked: integral of the spectrum; resolved: sum over the modes of the grid. Directions are
-in degrees counter-clockwise from +x (east), towards which the waves travel; nautical
-directions are clockwise from north, from which the waves come.)";
+    R"(asked: integral of the spectrum; resolved: sum over the modes of the grid.
+Directions are in degrees counter-clockwise from +x (east), towards which the
+waves travel; nautical directions are clockwise from north, from which the waves
+come.)";
 
 }  // namespace
 

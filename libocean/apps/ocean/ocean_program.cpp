@@ -14,8 +14,8 @@ namespace {
 constexpr char kFooter[] =
     R"(A sea is a sea file, a baked EXR file or preset:NAME (see `ocean presets`).
 `ocean COMMAND --help` lists the options of a command.
-Exit codes: 0 done, 1 failed at run time (disk, memory), 2 wrong usage or bad sea
-file, 130 interrupted.)";
+Exit codes: 0 done, 1 failed at run time (disk, memory), 2 wrong usage or bad
+sea file, 130 interrupted.)";
 
 }  // namespace
 

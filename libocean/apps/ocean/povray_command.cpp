@@ -200,15 +200,17 @@ std::vector<OptionGroup> povray_options(Typed& typed) {
 }
 
 constexpr char kFooter[] =
-    R"(Then, in the folder: povray ocean.ini. Its scene.pov is yours to change and is never
-overwritten; ocean.inc has the macros, ocean_parameters.inc the parameters of the sea, and
-sea.toml is the sea file. The folder is complete: it needs neither libocean nor other files.
+    R"(Then, in the folder: povray ocean.ini. Its scene.pov is yours to change and is
+never overwritten; ocean.inc has the macros, ocean_parameters.inc the parameters
+of the sea, and sea.toml is the sea file. The folder is complete: it needs
+neither libocean nor other files.
 
-Frame n of POV-Ray, its frame_number, always shows frame n of the sea, and clock is its
-time in seconds; at a frame that was not written POV-Ray stops with an error that lists
-the existing frames. Chunks (--frames 1-10, then 11-20) and shards merge into ocean.ini
-and ocean_parameters.inc, in any order and concurrently; frames of another sea, format or
-resolution are left out, with a warning.)";
+Frame n of POV-Ray, its frame_number, always shows frame n of the sea, and clock
+is its time in seconds; at a frame that was not written POV-Ray stops with an
+error that lists the existing frames. Chunks (--frames 1-10, then 11-20) and
+shards merge into ocean.ini and ocean_parameters.inc, in any order and
+concurrently; frames of another sea, format or resolution are left out, with a
+warning.)";
 
 }  // namespace
 

@@ -152,14 +152,15 @@ class QueryRun {
 };
 
 constexpr char kFooter[] =
-    R"(Columns: x,y,height (m), normal_x,y,z (unit vector, up), velocity_x,y,z (m/s, of the
-surface point), foam (0 .. 1). The displacement is inverted: a row describes the surface
-that is visible at x,y. Where crests have folded over, it describes the top sheet. A column
-name of the points comes last.
-FILE has a header line with the columns x, y and optionally name; a unit may follow: x [m].
-Cells are separated by commas, semicolons, tabs or blanks; unless commas separate cells,
-numbers may have a decimal comma. UTF-8 or UTF-16. Other columns are ignored with a warning;
-an ambiguous table is an error.)";
+    R"(Columns: x,y,height (m), normal_x,y,z (unit vector, up), velocity_x,y,z (m/s, of
+the surface point), foam (0 .. 1). The displacement is inverted: a row describes
+the surface that is visible at x,y. Where crests have folded over, it describes
+the top sheet. A column name of the points comes last.
+FILE has a header line with the columns x, y and optionally name; a unit may
+follow: x [m].
+Cells are separated by commas, semicolons, tabs or blanks; unless commas
+separate cells, numbers may have a decimal comma. UTF-8 or UTF-16. Other columns
+are ignored with a warning; an ambiguous table is an error.)";
 
 }  // namespace
 

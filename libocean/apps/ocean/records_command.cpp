@@ -53,14 +53,16 @@ void run(const std::string& file, const Context& context) {
 }
 
 constexpr char kFooter[] =
-    R"(Reads NDBC real-time, hourly, five-day and historical tables, Sofar Spotter CSV and JSON,
-Datawell .spt, TRIAXYS spectra, Nortek AWAC (NMEA), Obscape, Octopus, WAVEWATCH III point
-output, SWAN spectra, CSV and NetCDF, packed with gzip or not, or several text files in a tar;
-recognised by their content. `Tp` is the period of the maximal density, `Te` = m-1 / m0 the
-energy period, `Tm01` = m0 / m1 the mean period. `from` is the mean direction from which the
-waves come, in degrees clockwise from north; `spread` is the circular standard deviation. A
-record that cannot be read is marked, and a warning has the reason. A sea uses one record by
-spectrum = "measured", file, record = a time, and place = a station or LATITUDE,LONGITUDE.)";
+    R"(Reads NDBC real-time, hourly, five-day and historical tables, Sofar Spotter CSV
+and JSON, Datawell .spt, TRIAXYS spectra, Nortek AWAC (NMEA), Obscape, Octopus,
+WAVEWATCH III point output, SWAN spectra, CSV and NetCDF, packed with gzip or
+not, or several text files in a tar; recognised by their content. `Tp` is the
+period of the maximal density, `Te` = m-1 / m0 the energy period, `Tm01` = m0 /
+m1 the mean period. `from` is the mean direction from which the waves come, in
+degrees clockwise from north; `spread` is the circular standard deviation. A
+record that cannot be read is marked, and a warning has the reason. A sea uses
+one record by spectrum = "measured", file, record = a time, and place = a
+station or LATITUDE,LONGITUDE.)";
 
 }  // namespace
 

@@ -84,11 +84,13 @@ void run(const SpectrumOptions& options, const Context& context) {
 }
 
 constexpr char kFooter[] =
-    R"(Columns: frequency_hz, density_m2_per_hz, mean_direction_deg, directional_spread_deg
-(empty without energy), at the rows of libocean's own table: the trapezoidal rule over
-them gives the variance m0, and 4 sqrt(m0) is the significant wave height.
+    R"(Columns: frequency_hz, density_m2_per_hz, mean_direction_deg,
+directional_spread_deg (empty without energy), at the rows of libocean's own
+table: the trapezoidal rule over them gives the variance m0, and 4 sqrt(m0) is
+the significant wave height.
 With --directional: frequency_hz, direction_deg, density_m2_per_hz_per_deg.
-Directions are in degrees counter-clockwise from +x (east), towards which the waves travel.)";
+Directions are in degrees counter-clockwise from +x (east), towards which the
+waves travel.)";
 
 }  // namespace
 

@@ -30,9 +30,8 @@ std::vector<FormatOption> list_options(const Catalogue&) {
     return {
         {"far-maps", "", "Write coarser maps beside that of each frame, a third more data"},
         {"fine-map", "",
-         "Write height and displacement at twice the samples beside each frame, for exact heights "
-         "of places, twice its data; only if the map has fewer than four samples of its "
-         "shortest wave",
+         "Write height and displacement at twice the samples too, for exact heights of places, "
+         "twice the data; not if its shortest wave has 4 samples",
          "", kSeaKind},
         {"detail-map", "",
          "Write slope tiles of the waves too short for the map beside each frame, at most a third "
@@ -194,6 +193,8 @@ constexpr BakeFormatOf<Df3Settings> kOf = {
     .name = "df3",
     .extension = ".df3",
     .family = "DF3 files",
+    .summary = "POV-Ray density files: height, offsets, foam",
+    .example = "--far-maps",
     .options = list_options,
     .read_options = read_options,
     .resolve = resolve,

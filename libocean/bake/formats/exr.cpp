@@ -13,6 +13,7 @@
 #include "formats/formats.hpp"
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/io/product_image.hpp"
 #include "products/requested_families.hpp"
@@ -56,8 +57,7 @@ std::string names_of(Value Product::*column, Value value) {
 std::vector<FormatOption> list_options(const Catalogue& catalogue) {
     std::vector<FormatOption> options = {
         {"products", "LIST",
-         "Comma list of " + catalogue.product_names() + "; default " +
-             std::string(kDefaultProducts)},
+         "Comma list of products, listed above; default " + std::string(kDefaultProducts)},
         {"type", "TYPE",
          "float or half; default: float for " + names_of(&Product::precision, Precision::full) +
              ", half for the rest"},
@@ -67,8 +67,8 @@ std::vector<FormatOption> list_options(const Catalogue& catalogue) {
          "separate (a file for each product) or layered (one file); default separate"},
         {"compression", "CODEC",
          "none, rle, zips, zip, piz or pxr24; default rle for " +
-             names_of(&Product::run_lengths, RunLengths::always) + " and for half floats of " +
-             names_of(&Product::run_lengths, RunLengths::of_halves) + ", none for the rest"},
+             names_of(&Product::run_lengths, RunLengths::always) + ", and in half floats for " +
+             names_of(&Product::run_lengths, RunLengths::of_halves) + ", else none"},
     };
     std::ranges::move(family_options(catalogue), std::back_inserter(options));
     return options;
@@ -88,19 +88,24 @@ io::ExrCompression default_compression(std::span<const Product* const> products,
 template <typename Value>
 Value choose(const char* option, const std::string& text,
              std::initializer_list<std::pair<const char*, Value>> choices) {
+    std::vector<std::string_view> names;
     std::string allowed;
     for (const auto& [name, value] : choices) {
         if (text == name) return value;
+        names.emplace_back(name);
         allowed += (allowed.empty() ? "" : ", ") + std::string(name);
     }
-    throw Error(ErrorKind::invalid_value,
-                std::string(option) + " " + text + ": allowed are " + allowed);
+    throw Error(ErrorKind::invalid_value, std::string(option) + " " + text + ": allowed are " +
+                                              allowed + did_you_mean(text, names));
+}
+
+std::optional<ProductChoice> product_choice(const Catalogue& catalogue) {
+    return ProductChoice{.known = catalogue.products, .default_list = kDefaultProducts};
 }
 
 ExrSettings read_options(const BakeOptions& options, const Catalogue& catalogue) {
     ExrSettings settings;
-    ChosenProducts chosen =
-        choose_products(options, {.known = catalogue.products, .default_list = kDefaultProducts});
+    ChosenProducts chosen = choose_products(options, *product_choice(catalogue));
     settings.is_default = chosen.is_default;
     settings.products = std::move(chosen.products);
     if (const std::string& layout = options.format_option("layout"); !layout.empty()) {
@@ -313,7 +318,10 @@ constexpr BakeFormatOf<ExrSettings> kOf = {
     .name = "exr",
     .extension = ".exr",
     .family = "EXR files",
+    .summary = "OpenEXR images: a map of each product",
+    .example = "--products displacement,normal,foam",
     .options = list_options,
+    .product_choice = product_choice,
     .read_options = read_options,
     .products = list_products,
     .resolve = resolve,

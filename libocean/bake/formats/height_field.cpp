@@ -96,6 +96,7 @@ constexpr BakeFormatOf<NoSettings> kOf = {
     .name = "height_field",
     .extension = ".png",
     .family = "Height fields",
+    .summary = "POV-Ray height fields: a grey PNG of 16 bits",
     .read_options = read_options,
     .resolve = resolve,
     .files = list_files,

@@ -17,9 +17,12 @@ std::vector<FormatOption> list_options(const Catalogue&) {
     return plain_mesh_options(kProducts, kAll);
 }
 
+std::optional<ProductChoice> product_choice(const Catalogue& catalogue) {
+    return plain_mesh_products(catalogue, kProducts, kAll);
+}
+
 PlainMesh read_options(const BakeOptions& options, const Catalogue& catalogue) {
-    return read_plain_mesh(
-        options, choose_products(options, plain_mesh_products(catalogue, kProducts, kAll)));
+    return read_plain_mesh(options, choose_products(options, *product_choice(catalogue)));
 }
 
 std::uint64_t max_bytes(const BakePlan& plan, const PlainMesh& mesh, const BakeFile&) {
@@ -38,7 +41,10 @@ constexpr BakeFormatOf<PlainMesh> kOf = {
     .name = "obj",
     .extension = ".obj",
     .family = "Mesh files OBJ",
+    .summary = "Meshes of a period in Wavefront OBJ",
+    .example = "--products normal,foam",
     .options = list_options,
+    .product_choice = product_choice,
     .read_options = read_options,
     .resolve = resolve_plain_mesh,
     .files = list_plain_mesh,

@@ -28,15 +28,19 @@ const PlainMesh& mesh_of(const MeshOrSpray& settings) {
 
 std::vector<FormatOption> list_options(const Catalogue&) {
     std::vector<FormatOption> options = plain_mesh_options(kProducts, kAll);
-    options.front().help += kSprayProductHelp;
+    options.front().help += "; spray is a file of its own";
     for (FormatOption& option : spray_options()) options.push_back(std::move(option));
     return options;
 }
 
-MeshOrSpray read_options(const BakeOptions& options, const Catalogue& catalogue) {
+std::optional<ProductChoice> product_choice(const Catalogue& catalogue) {
     ProductChoice choice = plain_mesh_products(catalogue, kProducts, kAll);
     choice.alone = &kSprayProduct;
-    const ChosenProducts chosen = choose_products(options, choice);
+    return choice;
+}
+
+MeshOrSpray read_options(const BakeOptions& options, const Catalogue& catalogue) {
+    const ChosenProducts chosen = choose_products(options, *product_choice(catalogue));
     if (chosen.has(kSprayProduct)) return read_spray(options);
     refuse_spray_options(options, kSprayProduct.name);
     return read_plain_mesh(options, chosen);
@@ -99,7 +103,10 @@ constexpr BakeFormatOf<MeshOrSpray> kOf = {
     .name = "ply",
     .extension = ".ply",
     .family = "Mesh files PLY",
+    .summary = "Meshes of a period in PLY, or points of spray",
+    .example = "--products normal,foam",
     .options = list_options,
+    .product_choice = product_choice,
     .read_options = read_options,
     .products = list_products,
     .resolve = resolve,

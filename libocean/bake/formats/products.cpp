@@ -8,7 +8,9 @@
 #include "formats/formats.hpp"
 #include "ocean/bake/plan.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/csv_rows.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {
@@ -17,6 +19,29 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& list, const std::string& reason) {
     throw Error(ErrorKind::invalid_value, "--products " + list + ": " + reason);
+}
+
+/// Returns all words that may stand in a list.
+std::vector<std::string_view> names_of(const ProductChoice& choice) {
+    std::vector<std::string_view> names;
+    for (const Product& product : choice.known) {
+        const std::vector<std::string> allowed = split(choice.allowed, ',');
+        const bool is_allowed =
+            choice.allowed.empty() || std::ranges::find(allowed, product.name) != allowed.end();
+        if (is_allowed) names.push_back(product.name);
+    }
+    if (choice.alone != nullptr) names.push_back(choice.alone->name);
+    if (!choice.nothing.empty()) names.push_back(choice.nothing);
+    return names;
+}
+
+/// Returns the first name of the list that no product has; "" if all are known.
+std::string unknown_name(const std::string& list, std::span<const Product> known) {
+    for (const std::string& part : split(list, ',')) {
+        const std::string name(csv::trimmed(part));
+        if (std::ranges::find(known, name, &Product::name) == known.end()) return name;
+    }
+    return "";
 }
 
 std::vector<const Product*> parse_products(const std::string& list,
@@ -78,8 +103,11 @@ ChosenProducts choose_products(const BakeOptions& options, const ProductChoice& 
         try {
             chosen.products = parse_products(list, choice.known);
         } catch (const Error&) {
-            if (choice.one_refusal.empty()) throw;
-            refuse(list, std::string(choice.one_refusal));
+            const std::string unknown = unknown_name(list, choice.known);
+            const std::string meant = did_you_mean(unknown, names_of(choice));
+            if (!choice.one_refusal.empty()) refuse(list, std::string(choice.one_refusal) + meant);
+            if (unknown.empty() || meant.empty()) throw;
+            refuse(list, "unknown product '" + text::printable(unknown) + "'" + meant);
         }
         require_allowed(list, chosen.products, choice);
     }

@@ -16,10 +16,13 @@
 
 namespace ocean {
 
-inline constexpr Product kSprayProduct = {"spray", {}, 0, "", false, kSeaKind};
-/// A sentence for the help of --products.
-inline constexpr std::string_view kSprayProductHelp =
-    "; or spray alone: particles that the wind tears off where the sea turns white";
+inline constexpr Product kSprayProduct = {
+    .name = "spray",
+    .channels = {},
+    .count = 0,
+    .unit = "",
+    .subject = kSeaKind,
+    .help = "Particles that the wind tears off where the sea turns white"};
 
 struct SprayPoints {
     SpraySettings settings;

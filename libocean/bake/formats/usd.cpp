@@ -30,9 +30,12 @@ std::vector<FormatOption> list_options(const Catalogue&) {
     return plain_mesh_options(kProducts, kAll);
 }
 
+std::optional<ProductChoice> product_choice(const Catalogue& catalogue) {
+    return plain_mesh_products(catalogue, kProducts, kAll);
+}
+
 PlainMesh read_options(const BakeOptions& options, const Catalogue& catalogue) {
-    return read_plain_mesh(
-        options, choose_products(options, plain_mesh_products(catalogue, kProducts, kAll)));
+    return read_plain_mesh(options, choose_products(options, *product_choice(catalogue)));
 }
 
 /// Throws Error invalid_value unless the frames are FIRST-LASTxSTEP.
@@ -202,7 +205,10 @@ constexpr BakeFormatOf<PlainMesh> kOf = {
     .extension = kStageEnding,
     .frame_extension = kFrameEnding,
     .family = "USD stages",
+    .summary = "USD stages: an animated mesh of a period",
+    .example = "--products normal,foam",
     .options = list_options,
+    .product_choice = product_choice,
     .read_options = read_options,
     .resolve = resolve,
     .files = list_files,

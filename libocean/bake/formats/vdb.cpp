@@ -33,10 +33,14 @@ std::vector<FormatOption> list_options(const Catalogue&) {
     return options;
 }
 
-VolumesOrSpray read_options(const BakeOptions& options, const Catalogue&) {
+std::optional<ProductChoice> product_choice(const Catalogue&) {
     ProductChoice choice = volume_choice();
     choice.alone = &kSprayProduct;
-    const ChosenProducts chosen = choose_products(options, choice);
+    return choice;
+}
+
+VolumesOrSpray read_options(const BakeOptions& options, const Catalogue& catalogue) {
+    const ChosenProducts chosen = choose_products(options, *product_choice(catalogue));
     if (!chosen.has(kSprayProduct)) return read_volumes(options, chosen);
     for (const char* const name : {"box", "voxel", "velocity-voxel", "mist", "type"}) {
         const std::string& value = options.format_option(name);
@@ -126,7 +130,10 @@ constexpr BakeFormatOf<VolumesOrSpray> kOf = {
     .name = "vdb",
     .extension = ".vdb",
     .family = "Volumes VDB",
+    .summary = "OpenVDB volumes of water, or points of spray",
+    .example = "--products surface,vel --voxel 1",
     .options = list_options,
+    .product_choice = product_choice,
     .read_options = read_options,
     .products = list_products,
     .resolve = resolve,

@@ -17,6 +17,7 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/csv_rows.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "ocean/io/product_image.hpp"
 #include "ocean/subject_kind.hpp"
 #include "ocean/text.hpp"
@@ -25,9 +26,24 @@
 namespace ocean {
 namespace {
 
-constexpr Product kVolumeProducts[] = {{"surface", {}, 0, "m"},
-                                       {"vel", {}, 0, "m/s", true, kSeaKind},
-                                       {"density", {}, 0, "1/m", false, kSeaKind}};
+constexpr Product kVolumeProducts[] = {{.name = "surface",
+                                        .channels = {},
+                                        .count = 0,
+                                        .unit = "m",
+                                        .help = "Level set of the water's surface"},
+                                       {.name = "vel",
+                                        .channels = {},
+                                        .count = 0,
+                                        .unit = "m/s",
+                                        .vector = true,
+                                        .subject = kSeaKind,
+                                        .help = "Velocity of the water at a fixed place"},
+                                       {.name = "density",
+                                        .channels = {},
+                                        .count = 0,
+                                        .unit = "1/m",
+                                        .subject = kSeaKind,
+                                        .help = "Mist of spray"}};
 constexpr const Product& kSurface = kVolumeProducts[0];
 constexpr const Product& kVelocity = kVolumeProducts[1];
 constexpr const Product& kDensity = kVolumeProducts[2];
@@ -71,15 +87,11 @@ io::WorldBox VolumeSettings::world_box(double crest) const {
 std::vector<FormatOption> volume_options() {
     return {
         {"products", "LIST",
-         "Comma list of surface (a level set), vel (the water's velocity) and density (mist of "
-         "spray); "
-         "default " +
-             std::string(kDefaultProducts) + std::string(kSprayProductHelp)},
+         "Comma list of surface, vel and density; spray is a file of its own; default " +
+             std::string(kDefaultProducts)},
         {"box", "X0,Y0,Z0,X1,Y1,Z1",
-         "Box in world coordinates [m], z up from still water, Z1 a number or crest; default: one "
-         "period, "
-         "from twice the wave height and at least 4 m below still water, or the bottom, to "
-         "the highest crest"},
+         "Box in the world [m], z up from still water, Z1 a number or crest; default: one period "
+         "from 2 Hs, at least 4 m, below still water to the crests"},
         {"voxel", "METRES", "Size of the surface's voxels; default the period / the resolution"},
         {"velocity-voxel", "METRES",
          "Size of the voxels of velocity and density; default twice --voxel"},
@@ -147,8 +159,10 @@ VolumeSettings read_volumes(const BakeOptions& options, const ChosenProducts& ch
     settings.voxel = read_voxel("voxel", options.format_option("voxel"));
     settings.velocity_voxel = read_voxel("velocity-voxel", options.format_option("velocity-voxel"));
     if (const std::string& type = options.format_option("type"); !type.empty()) {
-        if (type != "float" && type != "half")
-            refuse("--type " + type + ": allowed are float, half");
+        constexpr std::string_view kTypes[] = {"float", "half"};
+        if (std::ranges::find(kTypes, type) == std::end(kTypes)) {
+            refuse("--type " + type + ": allowed are float, half" + did_you_mean(type, kTypes));
+        }
         settings.half_floats = type == "half";
     }
     settings.axes = read_up_axes(options, "a volume");

@@ -10,7 +10,6 @@
 #include <vector>
 
 namespace ocean {
-
 namespace {
 
 /// Counts insertions, deletions, replacements and exchanges of neighbours,
@@ -33,21 +32,63 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row.back();
 }
 
+/// Returns the word with a to z for A to Z, without its letters beyond the 64th.
+std::string folded(std::string_view word) {
+    std::string lower(word.substr(0, 64));
+    for (char& letter : lower) {
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    }
+    return lower;
+}
+
+std::vector<KnownName> as_known(std::span<const std::string_view> names) {
+    std::vector<KnownName> known;
+    for (const std::string_view name : names) known.push_back({name, name});
+    return known;
+}
+
 }  // namespace
 
-std::string_view nearest_name(std::string_view word, std::span<const std::string_view> names) {
-    word = word.substr(0, 64);
-    std::string_view best;
-    std::size_t fewest = word.size() + 1;
-    for (std::string_view name : names) {
-        const std::size_t edits = edit_distance(word, name);
+std::vector<std::string_view> nearest_names(std::string_view word,
+                                            std::span<const KnownName> names) {
+    constexpr std::size_t kMaxEdits = 2;
+    const std::string wanted = folded(word);
+    std::vector<std::string_view> nearest;
+    std::size_t fewest = kMaxEdits;
+    for (const KnownName& name : names) {
+        const std::string known = folded(name.typed);
+        const std::size_t longer = std::max(wanted.size(), known.size());
+        const std::size_t shorter = std::min(wanted.size(), known.size());
+        if (name.typed == word || longer - shorter > fewest) continue;
+        const std::size_t edits = edit_distance(wanted, known);
         // A word with more than a third of its letters changed is another word: x is no mistyped y.
-        if (edits < fewest && 3 * edits <= std::max(word.size(), name.size())) {
-            fewest = edits;
-            best = name;
-        }
+        if (edits > fewest || 3 * edits > longer) continue;
+        if (edits < fewest) nearest.clear();
+        fewest = edits;
+        const bool is_listed = std::ranges::find(nearest, name.shown) != nearest.end();
+        if (!is_listed && nearest.size() < kMaxNearestNames) nearest.push_back(name.shown);
     }
-    return best;
+    return nearest;
+}
+
+std::string_view nearest_name(std::string_view word, std::span<const std::string_view> names) {
+    const auto nearest = nearest_names(word, as_known(names));
+    return nearest.empty() ? std::string_view() : nearest.front();
+}
+
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> names) {
+    return did_you_mean(word, as_known(names));
+}
+
+std::string did_you_mean(std::string_view word, std::span<const KnownName> names) {
+    const auto nearest = nearest_names(word, names);
+    std::string text;
+    for (const std::string_view& name : nearest) {
+        const bool is_last = &name == &nearest.back();
+        text += text.empty() ? "; did you mean " : is_last ? " or " : ", ";
+        text += name;
+    }
+    return text.empty() ? text : text + "?";
 }
 
 }  // namespace ocean

@@ -23,6 +23,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/json.hpp"
+#include "ocean/internal/nearest_name.hpp"
 
 namespace ocean {
 
@@ -95,7 +96,10 @@ std::span<const WaterType> water_types() {
 const WaterType& water_type(std::string_view name) {
     const auto found = std::ranges::find(kTypes, name, &WaterType::name);
     if (found != std::ranges::end(kTypes)) return *found;
-    throw Error(ErrorKind::invalid_value, "unknown type of water '" + std::string(name) + "'");
+    std::vector<std::string_view> names;
+    for (const WaterType& type : kTypes) names.push_back(type.name);
+    throw Error(ErrorKind::invalid_value,
+                "unknown type of water '" + std::string(name) + "'" + did_you_mean(name, names));
 }
 
 Rgb WaterType::backscattering() const {

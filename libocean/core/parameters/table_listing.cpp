@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <deque>
 
 #include "ocean/error.hpp"
 #include "ocean/internal/json.hpp"
@@ -41,6 +42,15 @@ bool has_range(const ParameterSpec& spec) {
     return spec.type() == "float" || spec.type() == "int" || spec.type() == "list";
 }
 
+/// Returns "waves.fetch" for "waves.1.fetch".
+std::string without_item(std::string_view name) {
+    const std::size_t key = name.rfind('.');
+    const std::size_t item = key == 0 ? key : name.rfind('.', key - 1);
+    if (key == std::string_view::npos || item == std::string_view::npos) return std::string(name);
+    if (!item_number(name.substr(item + 1, key - item - 1))) return std::string(name);
+    return std::string(name.substr(0, item)) + std::string(name.substr(key));
+}
+
 }  // namespace
 
 std::string ParameterSpec::path(std::size_t number) const {
@@ -63,18 +73,19 @@ std::optional<std::size_t> item_named(const ParameterSpec& spec, std::string_vie
 }
 
 void refuse_name(std::string_view name, std::span<const ParameterSpec* const> specs) {
-    const std::string_view key = name.substr(name.rfind('.') + 1);
-    std::vector<std::string_view> keys;
-    for (const ParameterSpec* spec : specs) keys.push_back(spec->key);
-    const auto nearest = std::find(keys.begin(), keys.end(), nearest_name(key, keys));
-    std::string message = "unknown parameter '" + std::string(name.substr(0, 80)) + "'";
-    if (nearest == keys.end()) {
-        message += "; `ocean params` lists them";
-    } else {
-        const auto at = static_cast<std::size_t>(nearest - keys.begin());
-        message += "; did you mean " + specs[at]->path() + "?";
+    std::deque<std::string> texts;  // its elements stay where they are
+    std::vector<KnownName> known;
+    for (const ParameterSpec* spec : specs) {
+        const std::string_view path = texts.emplace_back(spec->path());
+        known.push_back({path, path});
+        known.push_back({spec->key, path});
+        known.push_back({texts.emplace_back(without_item(path)), path});
     }
-    throw Error(ErrorKind::invalid_value, message,
+    std::string meant = did_you_mean(without_item(name), known);
+    if (meant.empty()) meant = did_you_mean(name, known);
+    throw Error(ErrorKind::invalid_value,
+                "unknown parameter '" + std::string(name.substr(0, 80)) + "'" +
+                    (meant.empty() ? "; `ocean params` lists them" : meant),
                 {.what = "unknown parameter", .parameter = std::string(name.substr(0, 80))});
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "ocean/table.hpp"
 #include "ocean/text.hpp"
 
@@ -92,7 +93,8 @@ std::string checked_word(const Place& place, const ParameterValue& value) {
     if (text == nullptr) refuse(place, to_text(value), "is not one of the words");
     const auto words = place.spec.choices();
     if (std::find(words.begin(), words.end(), *text) == words.end()) {
-        refuse(place, quoted_text(value), "is not one of the words");
+        const std::vector<std::string_view> known(words.begin(), words.end());
+        refuse(place, quoted_text(value), "is not one of the words" + did_you_mean(*text, known));
     }
     return *text;
 }

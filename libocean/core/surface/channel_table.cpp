@@ -6,6 +6,7 @@
 
 #include "ocean/channel.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/nearest_name.hpp"
 
 namespace ocean {
 
@@ -59,13 +60,15 @@ std::span<const Product> product_table() {
 }
 
 const Product& find_product(std::string_view name, std::span<const Product> products) {
+    std::vector<std::string_view> names;
     std::string known;
     for (const Product& product : products) {
         if (product.name == name) return product;
+        names.push_back(product.name);
         known += (known.empty() ? "" : ", ") + std::string(product.name);
     }
-    throw Error(ErrorKind::invalid_value,
-                "unknown product '" + std::string(name) + "'; known: " + known);
+    throw Error(ErrorKind::invalid_value, "unknown product '" + std::string(name) + "'" +
+                                              did_you_mean(name, names) + "; known: " + known);
 }
 
 const Product& find_product(std::string_view name) {

@@ -9,6 +9,7 @@
 
 #include "kernel/cpu_backend.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "surface/plane_channels.hpp"
 #include "synthesis/synthesis.hpp"
 
@@ -61,17 +62,19 @@ std::span<const Backend> core_backends() {
 }
 
 const Backend& find_backend(std::string_view name) {
+    std::vector<std::string_view> names;
     std::string known;
     for (const Backend& backend : core_backends()) {
         if (backend.name == name) return backend;
+        names.push_back(backend.name);
         known += (known.empty() ? "" : ", ") + std::string(backend.name);
     }
     if (name == "gl") {
         throw Error(ErrorKind::unsupported,
                     "backend gl is not in this program: it was built without a GPU library");
     }
-    throw Error(ErrorKind::invalid_value,
-                "unknown backend '" + std::string(name) + "'; known: " + known);
+    throw Error(ErrorKind::invalid_value, "unknown backend '" + std::string(name) + "'" +
+                                              did_you_mean(name, names) + "; known: " + known);
 }
 
 }  // namespace ocean

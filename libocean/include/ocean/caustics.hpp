@@ -38,7 +38,10 @@ inline constexpr Product kCausticsProduct = {.name = "caustics",
                                              .unit = "",
                                              .subject = kSeaKind,
                                              .precision = Precision::half,
-                                             .run_lengths = RunLengths::never};
+                                             .run_lengths = RunLengths::never,
+                                             .help =
+                                                 "Sunlight on a level plane below the waves, 1 "
+                                                 "under flat water"};
 
 /// Returns the irradiance of the plane, relative to the same plane under flat water: resolution^2
 /// values [j][i], each the mean over the cell whose centre is the sample (i, j) * period /

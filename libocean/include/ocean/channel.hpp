@@ -310,6 +310,7 @@ struct Product {
     std::string_view subject = {};  // the one kind of subject that has it; empty = all kinds
     Precision precision = Precision::half;
     RunLengths run_lengths = RunLengths::never;
+    std::string_view help = {};  // for help texts, "Height above still water"
 
     constexpr ChannelSet set() const {
         ChannelSet result;
@@ -322,22 +323,23 @@ struct Product {
 
 namespace detail {
 
-/// Requires precision and run lengths, so that a row of the table cannot leave them out.
+/// Requires all columns, so that a row of the table cannot leave them out.
 constexpr Product product(std::string_view name, std::initializer_list<Channel> channels,
-                          Precision precision, RunLengths run_lengths) {
+                          Precision precision, RunLengths run_lengths, std::string_view help) {
     Product result{.name = name,
                    .channels = {},
                    .count = static_cast<int>(channels.size()),
                    .unit = {},
                    .precision = precision,
-                   .run_lengths = run_lengths};
+                   .run_lengths = run_lengths,
+                   .help = help};
     std::copy(channels.begin(), channels.end(), result.channels.begin());
     result.unit = kChannels[static_cast<std::size_t>(result.channels[0])].unit;
     return result;
 }
 constexpr Product vector(std::string_view name, std::initializer_list<Channel> channels,
-                         Precision precision, RunLengths run_lengths) {
-    Product result = product(name, channels, precision, run_lengths);
+                         Precision precision, RunLengths run_lengths, std::string_view help) {
+    Product result = product(name, channels, precision, run_lengths, help);
     result.vector = true;
     return result;
 }
@@ -349,16 +351,24 @@ inline constexpr auto kProducts = [] {
     using enum Precision;
     using enum RunLengths;
     return std::to_array<Product>({
-        detail::product("height", {height}, half, never),
-        detail::vector("displacement", {dx, dy, height}, full, never),
-        detail::product("slope", {slope_x, slope_y}, half, always),
-        detail::vector("normal", {nx, ny, nz}, half, of_halves),
-        detail::product("jacobian", {jacobian}, half, of_halves),
-        detail::product("whitecap", {whitecap}, half, always),
-        detail::product("foam", {foam}, half, always),
-        detail::vector("velocity", {vx, vy, vz}, full, never),
-        detail::product("derivatives", {dx_x, dy_y, dx_y}, half, of_halves),
-        detail::product("cover", {cover}, half, always),
+        detail::product("height", {height}, half, never, "Height above still water"),
+        detail::vector("displacement", {dx, dy, height}, full, never,
+                       "Offset of the displaced point from its label"),
+        detail::product("slope", {slope_x, slope_y}, half, always,
+                        "Slope dh/dx, dh/dy by label, before displacement"),
+        detail::vector("normal", {nx, ny, nz}, half, of_halves,
+                       "Unit normal of the displaced surface"),
+        detail::product("jacobian", {jacobian}, half, of_halves,
+                        "Jacobian of the displacement; below 0 the surface folds over"),
+        detail::product("whitecap", {whitecap}, half, always,
+                        "Share of the water that breaks now, 0 .. 1"),
+        detail::product("foam", {foam}, half, always,
+                        "Foam that whitecaps leave and that fades, 0 .. 1"),
+        detail::vector("velocity", {vx, vy, vz}, full, never, "Velocity of the displaced point"),
+        detail::product("derivatives", {dx_x, dy_y, dx_y}, half, of_halves,
+                        "Derivatives of the offset by label"),
+        detail::product("cover", {cover}, half, always,
+                        "Share of the water that foam hides, 0 .. 1"),
     });
 }();
 

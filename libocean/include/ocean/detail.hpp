@@ -85,10 +85,13 @@ std::uint64_t detail_bytes(const Parameters& parameters, const DetailSettings& s
 inline constexpr auto kDetailProducts = [] {
     constexpr std::array<std::string_view, 1 + kMaxDetailBands> kNames = {"detail", "detail1",
                                                                           "detail2", "detail3"};
+    constexpr std::array<std::string_view, kNames.size()> kHelps = {
+        "Slope of the waves too short for the map, as a tile", "The first band of these waves",
+        "Their second band", "Their third band"};
     std::array<Product, kNames.size()> rows{};
     for (std::size_t i = 0; i < rows.size(); ++i) {
         rows[i] = detail::product(kNames[i], {Channel::slope_x, Channel::slope_y}, Precision::half,
-                                  RunLengths::always);
+                                  RunLengths::always, kHelps[i]);
         rows[i].subject = kSeaKind;
     }
     return rows;

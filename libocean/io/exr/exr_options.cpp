@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "ocean/io/exr.hpp"
 
 namespace ocean::io {
@@ -23,8 +24,10 @@ constexpr std::array<std::pair<std::string_view, ExrCompression>, 6> kCompressio
 
 ExrCompression find_exr_compression(std::string_view name) {
     constexpr const char* kAllowed = "; allowed: none, rle, zips, zip, piz, pxr24";
+    std::vector<std::string_view> names;
     for (const auto& [text, compression] : kCompressions) {
         if (text == name) return compression;
+        names.emplace_back(text);
     }
     // Both families are made for colours: B44 quantises blocks of half pixels; DWA discards details
     // that the eye does not see in channels named R, G, B, Y and keeps other channels.
@@ -33,8 +36,8 @@ ExrCompression find_exr_compression(std::string_view name) {
                                                   "' is lossy and changes vectors by centimetres" +
                                                   kAllowed);
     }
-    throw Error(ErrorKind::invalid_value,
-                "compression '" + std::string(name) + "' is unknown" + kAllowed);
+    throw Error(ErrorKind::invalid_value, "compression '" + std::string(name) + "' is unknown" +
+                                              did_you_mean(name, names) + kAllowed);
 }
 
 std::string_view exr_compression_name(ExrCompression compression) {

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/nearest_name.hpp"
 
 namespace ocean::io {
 namespace {
@@ -136,11 +137,14 @@ Image make_image(std::span<const Product* const> products, const ProductLayout& 
 }  // namespace
 
 Axes find_axes(std::string_view name) {
+    std::vector<std::string_view> names;
     for (const auto& [text, axes] : kAxes) {
         if (text == name) return axes;
+        names.emplace_back(text);
     }
-    throw Error(ErrorKind::invalid_value,
-                "axes '" + std::string(name) + "' are unknown; allowed: tnb, zup, yup");
+    throw Error(ErrorKind::invalid_value, "axes '" + std::string(name) + "' are unknown" +
+                                              did_you_mean(name, names) +
+                                              "; allowed: tnb, zup, yup");
 }
 
 std::string_view axes_name(Axes axes) {

@@ -137,9 +137,9 @@ std::string_view mistyped_column(std::string_view title) {
 }
 
 std::string unknown_column(std::string_view name) {
-    const std::string_view nearest = nearest_name(name, kNames);
     std::string message = "unknown column '" + text::printable(name, 40) + "'";
-    if (!nearest.empty()) return message + "; did you mean " + std::string(nearest) + "?";
+    const std::string meant = did_you_mean(name, kNames);
+    if (!meant.empty()) return message + meant;
     message += "; known:";
     for (const std::string_view known : kNames) message += " " + std::string(known);
     return message;

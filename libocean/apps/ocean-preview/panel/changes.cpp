@@ -61,6 +61,7 @@ void undo(LiveSea& sea, PanelState& state) {
         const double time = sea.time();
         sea.open(*change.sea);
         sea.go_to(time);
+        if (change.source) state.source = *change.source;
         state.requests.touched = true;
     } else if (!try_to_set(sea, state, change.path, change.before)) {
         return;

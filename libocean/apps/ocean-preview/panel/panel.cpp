@@ -82,6 +82,7 @@ void draw_sections(LiveSea& sea, const preview::ShownSea& shown, CameraControl& 
     draw_transport(sea, state);
     draw_readings(sea, shown, state);
     draw_file_buttons(sea, state);
+    draw_open_buttons(state);
     if (ImGui::CollapsingHeader("Picture", ImGuiTreeNodeFlags_DefaultOpen)) {
         draw_picture_section(sea, state);
     }

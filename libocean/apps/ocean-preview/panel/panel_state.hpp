@@ -13,6 +13,7 @@
 #include "bridge_link.hpp"
 #include "ocean/preview/picture.hpp"
 #include "ocean/sea.hpp"
+#include "sea_argument.hpp"
 
 namespace ocean::app {
 
@@ -35,6 +36,7 @@ struct Change {
     std::string path;
     std::string before;
     std::optional<Sea> sea = {};
+    std::optional<SeaArgument> source = {};  // of that sea, if another file was opened
 };
 
 /// The bridge: one that the window has joined, or one of its own.
@@ -56,12 +58,30 @@ struct PanelPlace {
     std::array<float, 2> fitted{};
 };
 
+/// The files that the window can open.
+struct FileRows {
+    struct Recent {
+        std::string path;
+        bool is_missing;
+    };
+
+    bool has_dialog = false;     // the desktop has a program that asks for a file
+    std::vector<Recent> recent;  // the newest first, as they were when the list was requested
+    // Where no dialog asks for a path, a field of the panel does.
+    enum class Ask { nothing, open, save };
+    Ask ask = Ask::nothing;  // the field that appears in the next frame
+    std::string typed;
+};
+
 /// The actions that a person requested in one frame.
 struct PanelRequests {
     enum class Bridge { nothing, start, stop };
 
     bool touched = false;  // anything at all: the picture has changed
     bool save_sea = false;
+    bool ask_open = false, ask_save = false;  // by the desktop's dialog
+    std::string open, save_as;                // paths
+    bool list_recent = false;
     std::string save_picture;  // ".png", ".exr" or ""
     bool reload = false;
     bool record = false;  // starts or stops
@@ -87,6 +107,8 @@ struct PanelState {
     std::string backend;  // one of them
     FrameTimes times;
     BridgeRows bridge;
+    FileRows files;
+    SeaArgument source;  // of the shown sea, for Reload and the window's title
     PanelPlace place;
     std::vector<Change> changes;  // the newest last
     PanelRequests requests;

@@ -54,6 +54,11 @@ void draw_picture_section(LiveSea& sea, PanelState& state) {
     }
     if (look.environment) {
         slider(state, "Sky turned", look.environment_turn, -180.0f, 180.0f, "%.1f deg");
+        if (ImGui::Button("Computed sky")) {
+            look.environment.reset();
+            state.requests.touched = true;
+        }
+        tooltip("Show the computed sky and its sun again");
     } else {
         slider(state, "Sun's altitude", look.sun_altitude, -12.0f, 90.0f, "%.1f deg");
         slider(state, "Sun's bearing", look.sun_bearing, -180.0f, 180.0f, "%.0f deg");

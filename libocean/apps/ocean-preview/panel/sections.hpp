@@ -16,6 +16,8 @@ void draw_transport(LiveSea& sea, PanelState& state);
 /// Wave height, foam, take and frame times; buttons that save, undo and reload.
 void draw_readings(const LiveSea& sea, const preview::ShownSea& shown, const PanelState& state);
 void draw_file_buttons(LiveSea& sea, PanelState& state);
+/// Buttons that open a file, save the sea under a chosen name, and list the recent files.
+void draw_open_buttons(PanelState& state);
 /// View, look, water, light.
 void draw_picture_section(LiveSea& sea, PanelState& state);
 void draw_camera_section(CameraControl& camera, PanelState& state);

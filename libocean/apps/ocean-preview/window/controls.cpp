@@ -52,6 +52,10 @@ void Controls::add_keys(GLFWwindow* window, const WindowInput& input, ControlInp
     on(GLFW_KEY_R,
        input.pressed_with_ctrl(GLFW_KEY_R) ? WindowCommand::reload : WindowCommand::record);
     if (input.pressed_with_ctrl(GLFW_KEY_Z)) result.commands.push_back(WindowCommand::undo);
+    if (input.pressed_with_ctrl(GLFW_KEY_O)) result.commands.push_back(WindowCommand::open);
+    if (input.pressed_with_ctrl(GLFW_KEY_S)) result.commands.push_back(WindowCommand::save_as);
+    // Ctrl S saves, and moves nothing.
+    if (is_down(window, GLFW_KEY_LEFT_CONTROL) || is_down(window, GLFW_KEY_RIGHT_CONTROL)) return;
     result.camera.ahead = axis(window, GLFW_KEY_W, GLFW_KEY_S);
     result.camera.right = axis(window, GLFW_KEY_D, GLFW_KEY_A);
     result.camera.up = axis(window, GLFW_KEY_E, GLFW_KEY_Q);

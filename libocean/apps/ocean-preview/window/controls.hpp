@@ -25,6 +25,8 @@ enum class WindowCommand {
     record,
     undo,
     reload,
+    open,
+    save_as,
     save_png,
     save_exr,
 };

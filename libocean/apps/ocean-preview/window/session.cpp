@@ -39,7 +39,6 @@ Session::Session(const PreviewOptions& options, const Sea& sea, const SeaArgumen
                  const Context& context, GLFWwindow* window, WindowInput& input, Gui& gui)
     : options_(options),
       context_(context),
-      source_(source),
       window_(window),
       input_(input),
       gui_(gui),
@@ -49,6 +48,8 @@ Session::Session(const PreviewOptions& options, const Sea& sea, const SeaArgumen
       sea_(sea, {.threads = context.options.threads,
                  .computing = [this](const Sea& of) { return computing(of); }}),
       saved_(stem_of(source.source), sea),
+      files_(source, sea_, state_, saved_, context.console),
+      titled_(source.source),
       camera_(options.camera),
       bridge_(state_.bridge,
               {.record = [this](bool on, const std::string& name) { record(on, name); },
@@ -89,6 +90,9 @@ void Session::run() {
         if (!guarded([&] { sea_.advance(seconds); })) sea_.paused = true;
         if (step(seconds)) frames_to_draw_ = kFramesToSettle;
         if (bridge_.apply(sea_)) frames_to_draw_ = kFramesToSettle;
+        if (!input_.dropped.empty()) files_.open(input_.dropped);
+        if (files_.run({})) frames_to_draw_ = kFramesToSettle;
+        show_title();
         if (frames_to_draw_ > 0 || !sea_.paused || sea_.fading()) draw();
         if (frames_to_draw_ > 0) --frames_to_draw_;
         if (!std::exchange(began_, true)) context_.console.note("the window is open");
@@ -121,7 +125,7 @@ void Session::wait_for_input() {
     note_rest(still && pending == preview::Pending::nothing);
     if (iconified || still) {
         const bool polls = (controls_.has_gamepad() && !iconified) || bridge_.is_joined() ||
-                           pending == preview::Pending::in_work;
+                           pending == preview::Pending::in_work || files_.is_asking();
         glfwWaitEventsTimeout(polls ? 0.03 : 0.25);
     } else {
         glfwPollEvents();
@@ -178,6 +182,10 @@ void Session::carry_out(WindowCommand command) {
             return;
         case WindowCommand::reload:
             return reload();
+        case WindowCommand::open:
+            return files_.ask_open();
+        case WindowCommand::save_as:
+            return files_.ask_save();
         case WindowCommand::save_png:
             picture_requested_ = ".png";
             return;
@@ -259,6 +267,7 @@ void Session::run_requests() {
     if (requests.bridge == PanelRequests::Bridge::stop) bridge_.leave();
     if (requests.backend) choose_backend(*requests.backend);
     if (requests.save_sea) save_sea();
+    if (files_.run(requests)) frames_to_draw_ = kFramesToSettle;
     if (!requests.save_picture.empty()) save_picture(requests.save_picture);
     if (!picture_requested_.empty()) save_picture(std::exchange(picture_requested_, ""));
 }
@@ -324,11 +333,17 @@ void Session::save_picture(const std::string& ending) {
 /// Reads the sea file again; the shown sea stays if the file is missing or bad.
 void Session::reload() {
     guarded([&] {
-        open_with_undo(sea_, state_, open_sea(source_));
+        open_with_undo(sea_, state_, open_sea(state_.source));
         saved_.set_read(sea_.sea());
-        state_.message = "opened: " + source_.source;
+        state_.message = "opened: " + state_.source.source;
     });
     frames_to_draw_ = kFramesToSettle;
+}
+
+void Session::show_title() {
+    if (titled_ == state_.source.source) return;
+    titled_ = state_.source.source;
+    glfwSetWindowTitle(window_, ("ocean-preview: " + titled_).c_str());
 }
 
 template <typename Write>

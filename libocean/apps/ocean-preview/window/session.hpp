@@ -17,6 +17,7 @@
 #include "window/gui.hpp"
 #include "window/saved_sea.hpp"
 #include "window/session_bridge.hpp"
+#include "window/session_files.hpp"
 #include "window/stage_timer.hpp"
 #include "window/viewport.hpp"
 
@@ -54,6 +55,7 @@ class Session {
     void save_sea(const std::string& requested = "");
     void save_picture(const std::string& ending);
     void reload();
+    void show_title();
     template <typename Write>
     void write(Write&& write);
     template <typename Work>
@@ -61,7 +63,6 @@ class Session {
 
     const PreviewOptions& options_;
     const Context& context_;
-    SeaArgument source_;
     GLFWwindow* window_;
     WindowInput& input_;
     Gui& gui_;
@@ -71,6 +72,8 @@ class Session {
     Viewport viewport_;
     LiveSea sea_;
     SavedSea saved_;
+    SessionFiles files_;
+    std::string titled_;  // the source in the window's title
     preview::ShownSea shown_;
     CameraControl camera_;
     Controls controls_;

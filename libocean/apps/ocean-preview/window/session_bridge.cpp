@@ -41,7 +41,6 @@ void SessionBridge::send_clock(const LiveSea& sea, double frame_rate) {
 
 void SessionBridge::update_rows() {
     rows_.is_running = host_.is_running();
-    if (link_) host_.leave_out_clock_of(link_->own_name());
     rows_.log = rows_.is_own ? host_.log() : link_->log();
 }
 

@@ -63,8 +63,11 @@ preview::DrawOptions Viewport::draw_options(const PanelState& state) const {
 void Viewport::draw_stage(LiveSea& sea, const PanelState& state) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glClear(GL_COLOR_BUFFER_BIT);
-    stage_ = make_stage_picture(stages_, sea.ocean(), sea.time(),
-                                static_cast<std::size_t>(std::max(0, state.cascade)), state.view);
+    const auto cascade = static_cast<std::size_t>(std::max(0, state.cascade));
+    stage_ = laid_out(
+        make_stage_picture(stages_, sea.ocean(), sea.time(), cascade, state.view),
+        std::max(1, static_cast<int>(std::lround(static_cast<float>(width_) * beside_panel_))),
+        height_);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     if (!stage_texture_) stage_texture_ = gl::generate<gl::Texture, &glGenTextures>();
     glBindTexture(GL_TEXTURE_2D, stage_texture_.name());
@@ -76,16 +79,14 @@ void Viewport::draw_stage(LiveSea& sea, const PanelState& state) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
-void Viewport::show_stage(const PanelState& state) const {
-    if (!is_stage_picture(state.view) || !stage_texture_) return;
-    // A square even for the butterfly, which is a few pixels wide.
+void Viewport::show_stage(const PanelState& state) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float left = state.shown ? std::min(panel_length(kPanelWidth), 0.5f * size.x) : 0.0f;
-    const float side = std::min(size.x - left, size.y);
-    const ImVec2 low{left + 0.5f * (size.x - left - side), 0.5f * (size.y - side)};
+    beside_panel_ = (size.x - left) / size.x;
+    if (!is_stage_picture(state.view) || !stage_texture_) return;
     ImGui::GetBackgroundDrawList()->AddImage(
-        reinterpret_cast<void*>(static_cast<std::uintptr_t>(stage_texture_.name())), low,
-        {low.x + side, low.y + side}, {0.0f, 1.0f}, {1.0f, 0.0f});
+        reinterpret_cast<void*>(static_cast<std::uintptr_t>(stage_texture_.name())), {left, 0.0f},
+        size, {0.0f, 1.0f}, {1.0f, 0.0f});
 }
 
 void Viewport::bind_window() const {

@@ -14,7 +14,7 @@
 #include "ocean/preview/renderer.hpp"
 #include "panel/panel_state.hpp"
 #include "preview_options.hpp"
-#include "stage_picture.hpp"
+#include "stage_layout.hpp"
 
 namespace ocean::app {
 
@@ -32,8 +32,8 @@ class Viewport {
     /// A stage appears with show_stage. Throws Error.
     void draw(LiveSea& sea, const preview::ShownSea& shown, const preview::Camera& camera,
               const PanelState& state);
-    /// Adds the drawn stage to a frame of ImGui, as a square beside the panel.
-    void show_stage(const PanelState& state) const;
+    /// Adds the drawn stage to a frame of ImGui, beside the panel.
+    void show_stage(const PanelState& state);
     /// Binds the window's framebuffer, all of it.
     void bind_window() const;
     /// Writes the shown picture to a file that is free, ending .png or .exr (a stage is a .png).
@@ -56,6 +56,7 @@ class Viewport {
     gl::StageMaker stages_;
     StagePicture stage_;
     gl::Texture stage_texture_;
+    float beside_panel_ = 1.0f;  // share of the window's width that the panel left free
 };
 
 }  // namespace ocean::app

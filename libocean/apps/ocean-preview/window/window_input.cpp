@@ -18,6 +18,11 @@ void WindowInput::listen_to(GLFWwindow* window) {
     glfwGetCursorPos(window, &x_, &y_);
     listen_to_keys(window);
     listen_to_mouse(window);
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+        WindowInput& input = of(w);
+        input.any = true;
+        input.dropped.insert(input.dropped.end(), paths, paths + count);
+    });
     glfwSetWindowFocusCallback(window, ImGui_ImplGlfw_WindowFocusCallback);
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { happened(w); });
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { happened(w); });
@@ -84,6 +89,7 @@ void WindowInput::forget() {
     with_ctrl_.clear();
     wheel = 0.0;
     events.clear();
+    dropped.clear();
 }
 
 WindowInput& WindowInput::of(GLFWwindow* window) {

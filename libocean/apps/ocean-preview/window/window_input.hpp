@@ -36,7 +36,8 @@ class WindowInput {
 
     bool any = false;  // something happened
     double wheel = 0.0;
-    std::vector<InputEvent> events;  // in their order
+    std::vector<InputEvent> events;    // in their order
+    std::vector<std::string> dropped;  // paths of files that were dropped on the window
 
   private:
     static WindowInput& of(GLFWwindow* window);

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include "ocean/bake/erased_settings.hpp"
+#include "ocean/channel.hpp"
 #include "ocean/io/image.hpp"
 #include "ocean/io/provenance.hpp"
 #include "ocean/surface.hpp"
@@ -36,6 +38,17 @@ struct FormatOption {
     std::string help;
     std::string needs = "";  // another option and its value, "eye X,Y,HEIGHT": required beside it
     std::string_view subject = {};  // the only kind of subject that has the option; empty: any kind
+};
+
+/// The products that files of a format can hold, for the one parser of --products.
+struct ProductChoice {
+    std::span<const Product> known;     // the rows in which names are looked up
+    std::string_view default_list;      // used if --products is not given
+    const Product* alone = nullptr;     // points, never beside others; not among `known`
+    std::string_view nothing = {};      // the word for no product: "position"
+    std::string_view holder = {};       // of `allowed` in messages: "a mesh"
+    std::string_view allowed = {};      // names among `known`, "normal,foam"; empty: all
+    std::string_view one_refusal = {};  // for any list that does not fit; empty: one for each cause
 };
 
 /// The maps that a frame of a format is made of.
@@ -107,8 +120,11 @@ struct BakeFormat {
     std::string_view extension;
     std::string_view frame_extension;
     std::string_view family;
+    std::string_view summary;
+    std::string_view example;
 
     Required<std::vector<FormatOption>(const Catalogue& catalogue)> options;
+    Required<std::optional<ProductChoice>(const Catalogue& catalogue)> product_choice;
     Required<ErasedSettings(const BakeOptions& options, const Catalogue& catalogue)> read_options;
     Required<std::vector<const Product*>(const BakePlan& draft)> products;
     Required<FormatPlan<ErasedSettings>(const BakePlan& draft)> resolve;

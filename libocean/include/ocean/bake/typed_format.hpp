@@ -47,11 +47,16 @@ struct BakeFormatOf {
     std::string_view extension;             // in lower case with its dot, ".png"
     std::string_view frame_extension = {};  // of frame files, if it differs from `extension`
     std::string_view family;                // heading of its options in help texts, "EXR files"
+    std::string_view summary = {};          // what it writes, in a line of help; empty: `family`
+    std::string_view example = {};          // options of its example in help, "--mist 0.1"
 
     /// Returns the options that files of this format have.
     std::vector<FormatOption> (*options)(const Catalogue& catalogue) = [](const Catalogue&) {
         return std::vector<FormatOption>{};
     };
+    /// Returns the products among which --products chooses; nothing for a format without a choice.
+    std::optional<ProductChoice> (*product_choice)(const Catalogue& catalogue) =
+        [](const Catalogue&) { return std::optional<ProductChoice>{}; };
     /// Returns the settings that the options request, before the subject is known. Throws Error.
     Required<Settings(const BakeOptions& options, const Catalogue& catalogue)> read_options;
     /// Returns the products that the settings of a draft request; a draft with products that its
@@ -116,7 +121,10 @@ constexpr BakeFormat bake_format() {
         .extension = kOf.extension,
         .frame_extension = kOf.frame_extension,
         .family = kOf.family,
+        .summary = kOf.summary.empty() ? kOf.family : kOf.summary,
+        .example = kOf.example,
         .options = kOf.options,
+        .product_choice = kOf.product_choice,
         .read_options =
             +[](const BakeOptions& options, const Catalogue& catalogue) {
                 return ErasedSettings::of<Settings>(kOf.read_options(options, catalogue));

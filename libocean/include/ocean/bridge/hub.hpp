@@ -88,6 +88,10 @@ class Hub {
     /// Returns true if `entry` belongs to the application (app.*) and `client` is the program that
     /// shows the sea. Such a client reports the value; other clients request one.
     bool is_owned_by(std::size_t entry, std::string_view client) const;
+    /// Returns true if SET name value by `client` is a report that no user has just caused: the
+    /// frame rate, which makes a client the one that shows the sea, and its clock or a value that
+    /// app.* has already.
+    bool is_report(std::string_view name, std::string_view value, std::string_view client) const;
     void client_left(std::string_view writer);
     /// Writes the take if a recording runs.
     void finish();

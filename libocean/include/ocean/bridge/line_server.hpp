@@ -40,6 +40,9 @@ struct ServerOptions {
     OscOptions osc = {};
     /// Receives one line per start, connection, command and end. Must not block.
     std::function<void(std::string)> log = {};
+    /// Logs also the reports of the program that shows the sea: its clock and its frame rate, twice
+    /// a second, and values of app.* that it repeats. What a user does there is always logged.
+    bool log_reports = false;
 };
 
 class LineServer {

@@ -78,6 +78,8 @@ class ValueTable {
     const Parameters& parameters() const { return parameters_; }
 
   private:
+    /// Throws Error not_found with the nearest names.
+    [[noreturn]] void refuse_name(std::string_view name) const;
     const AppValue& app_value(std::size_t entry) const;
     void require_app_value(std::size_t entry, std::optional<double> value,
                            std::string_view text) const;

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The files of a window's session: those that are dropped, chosen in a dialog or in the list of
+// recent ones, and the file that the sea is saved as.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "console.hpp"
+#include "live_sea.hpp"
+#include "panel/panel_state.hpp"
+#include "window/file_dialog.hpp"
+#include "window/opened_file.hpp"
+#include "window/recent_files.hpp"
+#include "window/saved_sea.hpp"
+
+namespace ocean::app {
+
+class SessionFiles {
+  public:
+    /// source: of the sea. All other arguments outlive the object.
+    SessionFiles(const SeaArgument& source, LiveSea& sea, PanelState& state, SavedSea& saved,
+                 Console& console);
+
+    /// Opens files: a sea, takes for it, a sky. One that cannot be opened says why in the window
+    /// and on standard error, and changes nothing. The sea before can be brought back by Undo; a
+    /// recording that is in no file is saved first.
+    void open(const std::vector<std::string>& paths);
+    /// Carries out what the panel requested, and reads the answer of a dialog. Returns true if
+    /// something has changed.
+    bool run(const PanelRequests& requests);
+    void ask_open();
+    void ask_save();
+    bool is_asking() const { return dialog_.is_open(); }
+
+  private:
+    bool open_one(const std::string& path);
+    void show(const std::string& path, OpenedFile opened);
+    void save_as(const std::string& requested, bool may_replace);
+    void save_recording();
+    void list_recent();
+    void remember(const std::string& path);
+    void warn(const std::string& message);
+
+    LiveSea& sea_;
+    PanelState& state_;
+    SavedSea& saved_;
+    Console& console_;
+    RecentFiles recent_;
+    FileDialog dialog_;
+    bool warned_of_list_ = false;
+};
+
+}  // namespace ocean::app

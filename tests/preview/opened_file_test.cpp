@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Claims: a file is recognised by its content, and one of another kind is refused with the reason.
+#include "window/opened_file.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "ocean/error.hpp"
+#include "ocean/io/exr.hpp"
+
+namespace ocean::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OpenedFileTest : public testing::Test {
+  protected:
+    void SetUp() override { fs::create_directories(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string file(const std::string& name, const std::string& content) const {
+        std::ofstream(folder_ / name, std::ios::binary) << content;
+        return (folder_ / name).string();
+    }
+    std::string refusal(const std::string& path) const {
+        try {
+            read_opened_file(path, {});
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    }
+
+    const fs::path folder_ =
+        fs::temp_directory_path() / ("opened_file_test." + std::to_string(::getpid()));
+};
+
+TEST_F(OpenedFileTest, ASeaFileIsASea) {
+    const OpenedFile opened =
+        read_opened_file(file("any.name", "libocean = 1\n[[waves]]\nwind_speed = 7.5\n"), {});
+    ASSERT_TRUE(std::holds_alternative<OpenedSea>(opened));
+    EXPECT_EQ(std::get<OpenedSea>(opened).sea.parameters.waves.front().wind_speed, 7.5);
+}
+
+TEST_F(OpenedFileTest, ATakeIsForTheShownSea) {
+    Sea shown;
+    shown.parameters.waves.resize(1);
+    shown.parameters.seed = 7;
+    const OpenedFile opened =
+        read_opened_file(file("storm.txt", "# gusts\n1.5 wind_speed 12\n3 wind_speed 4\n"), shown);
+    ASSERT_TRUE(std::holds_alternative<OpenedTake>(opened));
+    const Sea& sea = std::get<OpenedTake>(opened).sea;
+    EXPECT_EQ(sea.take.events.size(), 2u);
+    EXPECT_EQ(sea.parameters.seed, 7u);
+}
+
+TEST_F(OpenedFileTest, AWrongFileSaysWhy) {
+    const auto says = [&](const std::string& path, const std::string& words) {
+        const std::string message = refusal(path);
+        EXPECT_NE(message.find(words), std::string::npos) << path << ": " << message;
+        EXPECT_NE(message.find(path), std::string::npos) << message;
+    };
+    says(folder_.string(), "is a folder");
+    says((folder_ / "none").string(), "no such file");
+    says(file("photo.jpg", std::string("\xff\xd8\xff\xe0\0\x10JFIF", 10)), "is none of these");
+    says(file("broken.toml", "libocean = 1\n[grid]\nresolution = 100\n"), "allowed");
+    says(file("bad.take", "1 wind_sped 3\n"), "did you mean waves.0.wind_speed?");
+    says(file("late.take", "2 wind_speed 3\n1 wind_speed 3\n"), "late.take:2");
+    says(file("cut.exr", "\x76\x2f\x31\x01"), "cut.exr");
+    says(file("photo.png", "\x89PNG\r\n\x1a\n"), "photo.png");
+    says(file("empty.toml", ""), "libocean");
+    ::mkfifo((folder_ / "pipe").c_str(), 0600);
+    says((folder_ / "pipe").string(), "is a pipe");
+}
+
+}  // namespace
+}  // namespace ocean::app
