@@ -298,9 +298,10 @@ def test_the_copies_of_the_far_sea_fade_into_each_other(choppy):
     log = choppy.run(
         f"""Ocean_Load("sea_0001")
 Ocean_Load_Far_Maps_()
+Ocean_Declare_Level_(0)
 #for (K, 0, 9999)
     #local Way = 0.03*K;
-    #debug concat("V ", str(Ocean_Seen_((500 + Way)/{PERIOD}, (90 + 0.7*Way)/{PERIOD}, 0, 0, 0, 1)
+    #debug concat("V ", str(Ocean_Seen_((500 + Way)/{PERIOD}, (90 + 0.7*Way)/{PERIOD}, 0, 0, 1)
                             *Ocean_Metre_, 0, 6), "\n")
 #end"""
     )
