@@ -2,11 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """A camera low over the water: the crests near it are the skyline, and are the sea's own."""
 
-import re
-
 import numpy
 import pytest
-from conftest import Folder, floats_of, read_png, sea_text, surface
+from conftest import Folder, read_png, sea_text, surface
 
 CELL, CELLS = 1.35, 128  # [m]: of the map of the preset beaufort_6
 SIDE = CELL * CELLS
@@ -72,9 +70,11 @@ object {{ Ocean_View(Eye, Target, {ANGLE}, 1) pigment {{ rgb 0 }} finish {{ ambi
     near = (true > far + 1) & (away < 0.7 * SIDE)
     off = seen - true
     steps = numpy.abs(numpy.diff(off))[near[1:] & near[:-1]]
-    print(f"\n{near.mean():.2f} of the columns, {away[near].min():.0f} .. {away[near].max():.0f} m:"
-          f" off by {numpy.abs(off[near]).max():.2f} pixels, rms {off[near].std():.2f},"
-          f" steps of {steps.max():.2f}")
+    print(
+        f"\n{near.mean():.2f} of the columns, {away[near].min():.0f} .. {away[near].max():.0f} m:"
+        f" off by {numpy.abs(off[near]).max():.2f} pixels, rms {off[near].std():.2f},"
+        f" steps of {steps.max():.2f}"
+    )
     assert near.mean() > 0.2
     assert steps.max() < 1
     assert numpy.abs(off[near]).max() < 1
@@ -92,10 +92,9 @@ def low_sea(tmp_path_factory):
     )
     folder = Folder(tmp_path_factory.mktemp("low"), text)
     heights = surface(folder, 16 * CELLS).height
-    eyes = []
-    for cell in numpy.argsort(heights, axis=None):
-        z, x = (numpy.array(divmod(int(cell), 16 * CELLS)) + 0.5) * CELL / 16
-        if all(numpy.hypot(x - a, z - b) > 30 for a, b in eyes):
-            eyes.append((x, z))
-        if len(eyes) == 3:
-            return folder, heights, eyes
+    cells = numpy.stack(numpy.unravel_index(numpy.argsort(heights, axis=None), heights.shape), 1)
+    troughs = []
+    for z, x in (cells[: len(cells) // 50] + 0.5) * CELL / 16:
+        if all(numpy.hypot(x - a, z - b) > 30 for a, b in troughs):
+            troughs.append((x, z))
+    return folder, heights, troughs

@@ -243,7 +243,8 @@ def test_an_eye_under_water_is_told_so(choppy):
 def test_a_wrong_number_is_refused_with_what_is_allowed(choppy, form, value):
     log = choppy.run(f'Ocean_Load("sea_0001")\nobject {{ {form} }}', good=False)
     log = re.sub(r"\s+", " ", log)
-    assert re.search(rf"ocean.inc: Ocean_\w+.*: {value}\S*; allowed: [\d.]+ \.\. \d+", log), log[-500:]
+    allowed = rf"ocean.inc: Ocean_\w+.*: {value}\S*; allowed: [\d.]+ \.\. \d+"
+    assert re.search(allowed, log), log[-500:]
 
 
 VIEW = """global_settings {{ assumed_gamma 1.0 max_trace_level 4 }}
