@@ -53,7 +53,7 @@ Ocean_Load("sea_0001")
 #declare Target = Eye + <{numpy.cos(heading)}, 0, {numpy.sin(heading)}>;
 camera {{ location Eye right x*image_width/image_height angle {ANGLE} look_at Target }}
 background {{ rgb 1 }}
-object {{ Ocean_View(Eye, Target, {ANGLE}, 1) pigment {{ rgb 0 }} finish {{ ambient 0 diffuse 0 }} }}""",
+object {{ Ocean_View(Eye, Target, {ANGLE}, 1) pigment {{ rgb 0 }} }}""",
         "+A0.1",
         "+AM1",
         "+R3",
