@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
 """Seconds of the processor that POV-Ray takes to read, as ratios of two scenes, and of a view by
-themselves. Other work on the machine only adds to them, at times to one scene alone: scenes are read
-in turn, the least seconds of each count, and a ratio that is too large is measured again."""
+themselves. Other work on the machine only adds to them, at times to one scene alone: scenes are
+read in turn, the least seconds of each count, and a ratio that is too large is measured again."""
 
 import os
 import re
@@ -41,7 +41,7 @@ def test_a_choppy_frame_is_small_and_parses_fast(tmp_path):
 
 
 def test_the_view_parses_as_fast_as_a_period_of_its_sea(tmp_path):
-    """At 512 samples; it takes 0.7 times as long, before its rows lay where pixels are 5.7 times."""
+    """At 512 samples: 0.7 times as long; before its rows lay where pixels are 5.7 times."""
     folder = Folder(tmp_path, sea_text(resolution=512, period=690.0, wind=12.3))
 
     def read(form):

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy
 import OpenImageIO as oiio
 import pytest
-from conftest import Folder, read_png, sea_text
+from conftest import Folder, read_png
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = ROOT / "povray_macros" / "examples"
@@ -64,7 +64,7 @@ def reported(log):
 
 @pytest.mark.parametrize("name", ["scene", "view", "tiles"])
 def test_the_reported_share_is_the_light_that_is_shown(fresh, name):
-    """Within a factor of two: the report is of all directions, the picture of some."""
+    """Within a factor of two: the report is of all directions, a picture of some."""
     scene = SCENES[name].read_text().split('#include "ocean.inc"')[1]
 
     def mean(limit):
