@@ -17,6 +17,7 @@ global_settings { assumed_gamma 1.0 max_trace_level 6 }
     Ocean_Sky(0)
 #else
     Ocean_Load(Ocean_Frame_Name(0))
+    #declare Ocean_Glint_Limit = 0;  // the other two have none
     camera {
         location View_Eye
         right x*image_width/image_height

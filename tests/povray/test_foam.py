@@ -121,8 +121,8 @@ def test_far_foam_is_as_much_as_near_foam(rough):
         side = periods * WIDE
         means[level, share, apart], _ = rendered_mean(
             rough,
-            "Ocean_Load_Far_Maps_()",
-            f"Ocean_Seen_Cover_(x/{WIDE} + 5, z/{WIDE} + 5, {level}, {share}, {apart})",
+            f"Ocean_Load_Far_Maps_()\nOcean_Declare_Level_({level})",
+            f"Ocean_Seen_Cover_(x/{WIDE} + 5, z/{WIDE} + 5, {share}, {apart})",
             side,
             side,
             pixels=300,
@@ -147,9 +147,10 @@ def test_far_foam_is_as_thick_as_near_foam(rough):
             far, _ = rendered_mean(
                 rough,
                 f"""Ocean_Load_Far_Maps_()
+Ocean_Declare_Level_({level})
 Ocean_Declare_Far_Thickness_()
 #declare Light = function(cover) {{ cover*{function} }}""",
-                f"Light(Ocean_Seen_Cover_(x/{WIDE}, z/{WIDE}, {level}, 0, 0))",
+                f"Light(Ocean_Seen_Cover_(x/{WIDE}, z/{WIDE}, 0, 0))",
                 WIDE,
                 WIDE,
                 pixels=200,

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""The sun's glitter of Ocean_Material against the density of slopes of [Cox and Munk 1954]."""
+"""The sun's glitter of Ocean_Material, without its limit, against the density of slopes of
+[Cox and Munk 1954]."""
 
 import re
 from math import erfc
@@ -55,6 +56,7 @@ Ocean_Load("sea_0001")
 #end
 #declare Ocean_Sky_Light = 0;
 #declare Ocean_Crest_Light = 0;
+#declare Ocean_Glint_Limit = 0;
 #declare Ocean_Sun_Altitude = {altitude};
 #declare Ocean_Sun_Direction = <{numpy.cos(a):.12f}, {numpy.sin(a):.12f}, 0>;
 #declare Ocean_Sun_Colour = <1, 1, 1>;
@@ -174,6 +176,7 @@ Ocean_Eye_At(Eye, 4)
 #declare Ocean_Sun_Shown_ = 1;
 #declare Ocean_Sky_Light = 0;
 #declare Ocean_Crest_Light = 0;
+#declare Ocean_Glint_Limit = 0;
 #declare Ocean_Foam_Amount = 0;
 light_source {{ 1e7*Ocean_Sun_Direction rgb {FAINT} parallel point_at 0 }}
 object {{ Ocean_View(Eye, Target, 4, 0.5) Ocean_Material("jerlov_ii") no_reflection }}""",

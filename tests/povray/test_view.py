@@ -228,6 +228,25 @@ def test_an_eye_under_water_is_told_so(choppy):
     assert "Ocean_Volume(Centre, Radius, Depth, Detail)" in log
 
 
+@pytest.mark.parametrize(
+    "form,value",
+    [
+        ("Ocean_View(<9, 8, 9>, <19, 8, 9>, 0, 1)", "Angle is 0"),
+        ("Ocean_View(<9, 8, 9>, <19, 8, 9>, -60, 1)", "Angle is -60"),
+        ("Ocean_View(<9, 8, 9>, <19, 8, 9>, 60, 0)", "Detail is 0"),
+        ("Ocean_Volume(<0, 0, 0>, 0, 5, 1)", "Radius is 0"),
+        ("Ocean_Volume(<0, 0, 0>, 50, 5, -1)", "Detail is -1"),
+        ("Ocean_Block(-3)", "Depth is -3"),
+        ("Ocean_Tiles(sphere { 0, 1 }, 0, 4)", "Columns is 0"),
+    ],
+)
+def test_a_wrong_number_is_refused_with_what_is_allowed(choppy, form, value):
+    log = choppy.run(f'Ocean_Load("sea_0001")\nobject {{ {form} }}', good=False)
+    log = re.sub(r"\s+", " ", log)
+    allowed = rf"ocean.inc: Ocean_\w+.*: {value}\S*; allowed: [\d.]+ \.\. \d+"
+    assert re.search(allowed, log), log[-500:]
+
+
 VIEW = """global_settings {{ assumed_gamma 1.0 max_trace_level 4 }}
 Ocean_Load("sea_0001")
 #declare Eye = <{eye}, 8, 0>;
@@ -298,9 +317,10 @@ def test_the_copies_of_the_far_sea_fade_into_each_other(choppy):
     log = choppy.run(
         f"""Ocean_Load("sea_0001")
 Ocean_Load_Far_Maps_()
+Ocean_Declare_Level_(0)
 #for (K, 0, 9999)
     #local Way = 0.03*K;
-    #debug concat("V ", str(Ocean_Seen_((500 + Way)/{PERIOD}, (90 + 0.7*Way)/{PERIOD}, 0, 0, 0, 1)
+    #debug concat("V ", str(Ocean_Seen_((500 + Way)/{PERIOD}, (90 + 0.7*Way)/{PERIOD}, 0, 0, 1)
                             *Ocean_Metre_, 0, 6), "\n")
 #end"""
     )
