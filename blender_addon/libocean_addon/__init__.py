@@ -4,11 +4,14 @@
 
 from __future__ import annotations
 
+import sys
+
 import bpy
 
 from . import translations
 from .shared import native
 from .shared.compat import tr_label
+from .shared.drawing import say
 
 bl_info = {  # of Blender before 4.2; later ones read blender_manifest.toml
     "name": "Ocean (libocean)",
@@ -21,21 +24,31 @@ bl_info = {  # of Blender before 4.2; later ones read blender_manifest.toml
 }
 
 
+def _problem() -> str:
+    """Returns a sentence on the reason why the add-on does nothing."""
+    if native.lacks_numpy:
+        return tr_label(
+            "NumPy is missing in {}, the Python of this Blender: install the package "
+            "python3-numpy (Debian, Ubuntu) and start Blender again",
+            sys.prefix,
+        )
+    return tr_label("libocean is missing: {}", native.problem)
+
+
 class MissingLibrary(bpy.types.AddonPreferences):
-    """Says why nothing else of the add-on is there"""
+    """Says in the preferences why the rest of the add-on is absent"""
 
     bl_idname = __package__
 
     def draw(self, _context) -> None:
-        text = tr_label("libocean is missing: {}", native.problem)
-        self.layout.label(text=text, icon="ERROR", translate=False)
+        say(self.layout, _problem(), "ERROR")
 
 
 def parts() -> list:
     """The modules that have something to register, in that order."""
     if native.libocean is None:
         return [translations]
-    from . import handlers, hints, manual, operators, panels, properties
+    from . import handlers, hints, manual, operators, panels, properties, whole_sea
     from .assets import asset_library
     from .bake import bake
     from .floating import floating
@@ -53,6 +66,7 @@ def parts() -> list:
         bake,
         volumes,
         hints,
+        whole_sea,
         panels,
         asset_library,
         floating,
@@ -64,6 +78,7 @@ def parts() -> list:
 def register() -> None:
     if native.libocean is None:
         bpy.utils.register_class(MissingLibrary)
+        print(f"Ocean (libocean): {_problem()}", file=sys.stderr, flush=True)
     for part in parts():
         part.register()
 

@@ -11,7 +11,7 @@ from . import versions
 from .bake import render_check
 from .floating import floating
 from .look import foam_images
-from .sea import live, meshes, node_group, open_sea
+from .sea import drafts, live, meshes, node_group, open_sea
 from .shared import compat, hooks
 from .spray import spray
 
@@ -47,6 +47,7 @@ def _depsgraph_updated(scene, depsgraph) -> None:
     kinds = (bpy.types.Object, bpy.types.Collection, bpy.types.Scene)
     if any(isinstance(update.id, kinds) for update in depsgraph.updates):
         oceans = live.ocean_objects()
+        drafts.keep_only({ob.name_full for ob in oceans})
         _own_images(oceans)
         live.show_all(oceans, scene, depsgraph)
         for ob in oceans:
@@ -59,7 +60,10 @@ def _depsgraph_updated(scene, depsgraph) -> None:
 def _data_replaced(*_) -> None:
     render_check.forget()
     oceans = live.ocean_objects()
-    open_sea.forget({ob.name_full for ob in oceans})
+    names = {ob.name_full for ob in oceans}
+    drafts.keep_only(names)
+    drafts.forget_stops()
+    open_sea.forget(names)
     for ob in oceans:
         versions.upgrade(ob)
     live.show_all(oceans, bpy.context.scene)
@@ -73,6 +77,7 @@ def _data_replaced(*_) -> None:
 @persistent
 def _saving(*_) -> None:
     render_check.restore()
+    live.complete_meshes()
     spray.empty_all()  # which is an update: it comes again
 
 
@@ -86,6 +91,7 @@ def _lock_interface(scene, *_) -> None:
     """Locks the interface: Blender must not draw images that a render in another thread
     rewrites."""
     render_check.begin()
+    live.complete()
     if live.ocean_objects() and not scene.render.use_lock_interface:
         scene.render.use_lock_interface = True
         _locked_by_us.add(scene.name_full)

@@ -11,6 +11,7 @@ import math
 import bpy
 
 from .sea import facts, meshes, node_group, open_sea
+from .shared import compat
 from .shared.compat import tr, tr_label
 
 _EVEN = 1e-4  # of scales that are meant to be one
@@ -63,6 +64,15 @@ def _of_limits(ob) -> str:
     return tr_label("The limits of the wavelength leave {:.0%} of the wave height", share)
 
 
+def _of_denoiser(scene) -> str:
+    if scene.render.engine != "CYCLES" or not compat.denoises_without_denoiser(scene):
+        return ""
+    return tr_label(
+        "Cycles is built without a denoiser here, as in Debian's package blender, and will not "
+        "render: switch off Denoise in Render > Sampling"
+    )
+
+
 def spacing(ob, seen) -> float | None:
     """Metres between the vertices of a mesh that is the user's own, about; None for others."""
     if ob.libocean.kind != "MESH" or ob.type != "MESH" or not len(seen.data.polygons):
@@ -79,7 +89,8 @@ def is_too_coarse(ob, seen) -> bool:
 
 def of_object(ob, seen) -> list[str]:
     """Warnings. seen: as evaluated."""
-    said = [_of_scale(ob), _of_mask(ob, seen), _of_limits(ob)]
+    denoiser = _of_denoiser(bpy.context.scene)
+    said = [_of_scale(ob), _of_mask(ob, seen), _of_limits(ob), denoiser]
     if len(node_group.modifiers(ob)) > 1:
         said.append(tr_label("Two ocean modifiers show the same sea, and their waves add up"))
     if is_too_coarse(ob, seen):

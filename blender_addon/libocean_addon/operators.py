@@ -9,9 +9,9 @@ from bpy_extras import object_utils
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
 from . import translations
-from .look import material
+from .look import foam_images, material
 from .sea import live, meshes, node_group, parameter_values, resolutions, sea_text
-from .shared import changes, compat, messages, paths
+from .shared import changes, compat, console, messages, paths
 from .shared.compat import tr
 from .shared.native import libocean
 
@@ -32,7 +32,8 @@ def take_over(ob, sea) -> None:
 def add_modifier(ob, kind: str = "MESH"):
     """The ocean modifier on an object that has no sea, or already one."""
     modifier = ob.modifiers.new("Ocean", "NODES")
-    modifier.node_group = node_group.get(kind)
+    with console.work(ob.name_full, "nodes"):
+        modifier.node_group = node_group.get(kind)
     modifier.show_expanded = False  # its inputs are the add-on's business; the panel is below
     return modifier
 
@@ -94,6 +95,13 @@ class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
     water_type: material.water_type_property()
 
     def execute(self, context):
+        with console.work("Ocean", "a new sea"):
+            self._make(context)
+        return {"FINISHED"}
+
+    def _make(self, context) -> None:
+        if self.use_material:
+            foam_images.prepare()
         with libocean.preset(self.preset) as sea:
             values = sea_text.read(sea)
         mesh = bpy.data.meshes.new("Ocean")
@@ -104,10 +112,10 @@ class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
             ob.libocean.mesh_resolution = int(self.mesh_resolution)
         parameter_values.assign(ob.libocean, values)
         if self.use_material:
-            water = material.make(self.water_type)
-            material.fit(water, ob, context.scene)
-            material.assign(ob, water)
-        return {"FINISHED"}
+            with console.work(ob.name_full, "material"):
+                water = material.make(self.water_type)
+                material.fit(water, ob, context.scene)
+                material.assign(ob, water)
 
 
 class AddModifier(bpy.types.Operator):

@@ -9,18 +9,20 @@ from __future__ import annotations
 
 import bpy
 
-from . import hints, operators, translations
+from . import hints, operators, translations, whole_sea
 from .bake import bake, bake_record, bake_state
 from .look import material
-from .sea import drafts, facts, node_group, parameter_values, records, resolutions, sea_text
+from .sea import facts, node_group, parameter_values, records, resolutions, sea_text
 from .shared.compat import tr_label
-from .shared.drawing import never_raises, say
+from .shared.drawing import beside, field, is_narrow, never_raises, place_labels, say
 from .spray import spray
 from .volumes import volumes
 
 SHORT = {
     "peak_enhancement": "Enhancement",
     "significant_wave_height": "Wave height",
+    "foam_coverage": "Coverage",
+    "foam_resolution": "Foam map",
     "cutoff_wavelength": "Cut-off",
     "cascade_divisors": "Divisors",
     "shortest_wavelength": "Shortest wave",
@@ -78,13 +80,18 @@ def _draw_parameter(layout, group, entry) -> None:
         return
     if not sea_text.is_optional(entry):
         key = resolutions.listed(key) if key in resolutions.PARAMETERS else key
-        layout.prop(group, key, text=label, text_ctxt=translations.SEA)
+        has_place = group.bl_rna.properties[key].type in ("INT", "FLOAT", "BOOLEAN")
+        if has_place:
+            layout.prop(group, key, text=label, text_ctxt=translations.SEA)
+        else:
+            field(layout, group, key, text=label, context=translations.SEA)
         return
-    row = layout.row(heading=label, heading_ctxt=translations.SEA)
+    inside = is_narrow()
+    row = layout.row(heading="" if inside else label, heading_ctxt=translations.SEA)
     row.prop(group, f"use_{key}", text="")
     value = row.row()
     value.active = getattr(group, f"use_{key}")
-    value.prop(group, key, text="")
+    value.prop(group, key, text=label if inside else "", text_ctxt=translations.SEA)
 
 
 def _draw_divisors(layout, settings, label: str) -> None:
@@ -105,14 +112,25 @@ def _draw_parameters(layout, settings, keys) -> None:
         _draw_parameter(layout, settings, _ENTRIES[key])
 
 
+def _draw_map_size(layout, ob) -> None:
+    """Draws the samples of the maps where several cascades need more than Resolution says."""
+    own = facts.map_resolution(ob)
+    if own is not None and own != ob.libocean.resolution:
+        text = tr_label("{} cascades: maps of {} x {} samples", ob.libocean.cascades, own, own)
+        say(layout, text, "INFO")
+
+
 class WavesList(bpy.types.UIList):
     """The wave systems of a sea"""
 
     bl_idname = "LIBOCEAN_UL_waves"
 
     def draw_item(self, _context, layout, _data, item, _icon, _active, _property, index=0) -> None:
-        layout.label(text=str(index + 1), translate=False)
-        layout.prop(item, "spectrum", text="", emboss=False)
+        row = layout.split(factor=0.12)
+        row.label(text=str(index + 1), translate=False)
+        row.prop(item, "spectrum", text="", emboss=False)
+        if is_narrow():
+            return
         wind = layout.row()
         wind.active = item.use_wind_speed
         wind.prop(item, "wind_speed", text="", emboss=False)
@@ -137,32 +155,45 @@ class OceanPanel(_Panel, bpy.types.Panel):
     @never_raises
     def draw(self, context) -> None:
         layout, ob = self.layout, context.object
-        layout.use_property_split = True
-        row = layout.row(align=True)
-        row.operator_menu_enum(operators.LoadPreset.bl_idname, "preset", text="Preset")
-        row.operator(operators.LoadSea.bl_idname, text="Load", icon="IMPORT")
-        row.operator(operators.SaveSea.bl_idname, text="Save", icon="EXPORT")
+        place_labels(layout)
+        _draw_files(layout)
         playing = ob.libocean.use_bake and bake_record.exists(ob)
         problems = bake_state.faults(ob) if playing else [ob.libocean.problem]
         for text in filter(None, problems):
             say(layout, text, "ERROR")
         if context.scene.unit_settings.scale_length != 1.0:
-            layout.label(text="The sea takes a Blender unit for a metre", icon="INFO")
+            say(layout, tr_label("The sea takes a Blender unit for a metre"), "INFO")
         _draw_state(layout, ob)
         _draw_hints(layout, ob, ob.evaluated_get(context.view_layer.depsgraph))
 
 
+def _draw_files(layout) -> None:
+    """Draws the menu of presets and the buttons of sea files; where it is narrow each as wide as
+    its word, without a picture."""
+    load, save = "IMPORT", "EXPORT"
+    if is_narrow():
+        load = save = "NONE"
+        row = layout.split(factor=0.43, align=True)
+    else:
+        row = layout.row(align=True)
+    row.operator_menu_enum(
+        operators.LoadPreset.bl_idname, "preset", text="Preset", text_ctxt=translations.SEA
+    )
+    if is_narrow():
+        row = row.split(factor=0.4, align=True)
+    row.operator(operators.LoadSea.bl_idname, text="Load", icon=load)
+    row.operator(operators.SaveSea.bl_idname, text="Save", icon=save)
+
+
 def _draw_state(layout, ob) -> None:
     """Draws the state of the sea and the progress of a draft."""
-    share = drafts.progress(ob.name_full)
-    if share is not None:
-        say(layout, tr_label("A draft; the whole sea: {:.0%}", share), "SORTTIME")
+    whole_sea.draw(layout, ob.name_full)
     state = facts.state_of(ob)
     if state is None:
         return
     box = layout.box().column(align=True)
     for label, text in state:
-        row = box.row()
+        row = box.split(factor=0.62)
         row.label(text=label, text_ctxt=translations.SEA)
         row.label(text=text, translate=False)
     for text in hints.of_size(ob):
@@ -195,7 +226,7 @@ class WavesPanel(_Panel, bpy.types.Panel):
         column = row.column(align=True)
         column.operator(operators.AddWaves.bl_idname, text="", icon="ADD")
         column.operator(operators.RemoveWaves.bl_idname, text="", icon="REMOVE")
-        layout.use_property_split = True
+        place_labels(layout)
         if settings.active_wave < len(settings.waves):
             system = settings.waves[settings.active_wave]
             layout.operator(records.PickRecord.bl_idname, icon="FILE_FOLDER").filepath = ""
@@ -216,18 +247,19 @@ class LookPanel(_Panel, bpy.types.Panel):
     def draw(self, context) -> None:
         layout, ob = self.layout, context.object
         settings = ob.libocean
-        layout.use_property_split = True
+        place_labels(layout)
         layout.operator_menu_enum(
             material.AddMaterial.bl_idname, "water_type", text="Material", icon="MATERIAL"
         )
         _draw_parameters(layout, settings, ("choppiness", "resolution"))
+        _draw_map_size(layout, ob)
         names = ["viewport_resolution", "render_resolution"]
         if settings.kind == "PATCH":
             names.append("mesh_resolution")
         column = layout.column(align=True)
         for name in names:
             text, listed = SHORT[name], resolutions.listed(name)
-            column.prop(settings, listed, text=text, text_ctxt=translations.SEA)
+            field(column, settings, listed, text=text, context=translations.SEA)
         if settings.kind == "HORIZON":
             layout.prop(settings, "horizon_distance")
             layout.prop(settings, "horizon_vertices")
@@ -238,7 +270,11 @@ class LookPanel(_Panel, bpy.types.Panel):
         column.active = settings.use_foam and settings.use_normal
         column.prop(settings, "use_detail")
         _draw_parameters(layout, settings, FOAM)
-        layout.prop_search(settings, "mask", ob, "vertex_groups")
+        if is_narrow():
+            row = beside(layout, tr_label("Mask"), [])
+            row.prop_search(settings, "mask", ob, "vertex_groups", text="")
+        else:
+            layout.prop_search(settings, "mask", ob, "vertex_groups")
         layout.prop(settings, "follow_world")
 
 
@@ -257,10 +293,11 @@ class SprayPanel(_Panel, bpy.types.Panel):
     @never_raises
     def draw(self, context) -> None:
         layout, ob = self.layout, context.object
-        layout.use_property_split = True
+        place_labels(layout)
         layout.active = ob.libocean.use_spray
-        for name in ("lifetime", "density", "most", "size", "material"):
+        for name in ("lifetime", "density", "most", "size"):
             layout.prop(ob.libocean, f"spray_{name}")
+        field(layout, ob.libocean, "spray_material")
         text, icon = spray.state_of(ob)
         say(layout, text, icon)
 
@@ -277,10 +314,10 @@ class BakePanel(_Panel, bpy.types.Panel):
     def draw(self, context) -> None:
         layout, ob = self.layout, context.object
         settings = ob.libocean
-        layout.use_property_split = True
+        place_labels(layout)
         if bake_record.exists(ob):
             layout.prop(settings, "use_bake")
-        layout.prop(settings.bake, "directory")
+        field(layout, settings.bake, "directory")
         layout.prop(settings.bake, "use_custom_range")
         if settings.bake.use_custom_range:
             column = layout.column(align=True)
@@ -307,14 +344,14 @@ class VolumesPanel(_Panel, bpy.types.Panel):
     def draw(self, context) -> None:
         layout, ob = self.layout, context.object
         settings = ob.libocean.volumes
-        layout.use_property_split = True
-        layout.prop(settings, "directory")
-        layout.prop(settings, "box")
+        place_labels(layout)
+        field(layout, settings, "directory")
+        field(layout, settings, "box")
         if settings.box == "OBJECT":
-            layout.prop(settings, "box_object")
+            field(layout, settings, "box_object")
         elif settings.box == "CORNERS":
-            layout.prop(settings, "box_low")
-            layout.prop(settings, "box_high")
+            layout.column(align=True).prop(settings, "box_low")
+            layout.column(align=True).prop(settings, "box_high")
         column = layout.column(align=True)
         column.prop(settings, "voxel")
         column.prop(settings, "velocity_voxel")
@@ -335,7 +372,7 @@ class AdvancedPanel(_Panel, bpy.types.Panel):
     @never_raises
     def draw(self, context) -> None:
         layout, settings = self.layout, context.object.libocean
-        layout.use_property_split = True
+        place_labels(layout)
         layout.prop(settings, "use_custom_time")
         if settings.use_custom_time:
             layout.prop(settings, "custom_time")
@@ -343,6 +380,7 @@ class AdvancedPanel(_Panel, bpy.types.Panel):
         _draw_parameters(layout, settings, TIME)
         layout.separator()
         _draw_parameters(layout, settings, ADVANCED)
+        _draw_map_size(layout, context.object)
 
 
 CLASSES = (

@@ -175,6 +175,13 @@ def _set_divisors(settings, wanted: bool) -> None:
 class OceanSettings(bpy.types.PropertyGroup):
     """The sea of an object and how it is shown"""
 
+    def __setattr__(self, name: str, value) -> None:
+        """Raises ValueError where a script sets a resolution that a sea file would refuse: Blender
+        only prints exceptions of a property's own functions. Panels, keyframes and files do not
+        come here."""
+        resolutions.require_allowed(name, value)
+        super().__setattr__(name, value)
+
     __annotations__ = {
         **parameters(waves=False),
         "exact": _EXACT,

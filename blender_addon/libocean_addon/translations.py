@@ -33,6 +33,8 @@ GERMAN = {
         "Foam lifetime": "Schaumdauer",
         "Foam step": "Schaumschritt",
         "Foam resolution": "Schaumauflösung",
+        "Foam map": "Schaumkarte",
+        "Coverage": "Bedeckung",
         "Map's own": "Wie die Karte",
         "Foam coverage": "Bedeckung",
         "Foam threshold": "Schwelle",
@@ -45,7 +47,7 @@ GERMAN = {
         "Take": "Aufnahme",
         "Seed": "Startwert",
         "Spectrum": "Spektrum",
-        "Wind speed": "Windgeschw.",
+        "Wind speed": "Windstärke",
         "Wind direction": "Windrichtung",
         "Fetch": "Wirklänge",
         "Peak enhancement": "Überhöhungsfaktor",
@@ -95,8 +97,10 @@ GERMAN = {
         "Maximum entropy": "Maximale Entropie",
         "Fourier": "Fourier",
         # Facts about the sea.
-        "Energy resolved": "Aufgelöste Energie",
+        "Energy resolved": "Energieanteil",
         "Shortest wave": "Kürzeste Welle",
+        # The menu of presets: Blender's own word is long.
+        "Preset": "Vorgabe",
         # The range of a bake.
         "To": "Bis",
     },
@@ -126,6 +130,9 @@ GERMAN = {
         "Material": "Material",
         "Bake": "Backen",
         "Free": "Freigeben",
+        "Keep the Draft": "Entwurf behalten",
+        "Make the Whole Sea": "Ganze See berechnen",
+        "Finish": "Fertigstellen",
     },
     "*": {
         # Panels.
@@ -148,6 +155,10 @@ GERMAN = {
         ),
         "There is no spray at this time": "Zu dieser Zeit ist keine Gischt da",
         "A draft; the whole sea: {:.0%}": "Ein Entwurf; die ganze See: {:.0%}",
+        "A draft, without the past of its foam": "Ein Entwurf, ohne den früheren Schaum",
+        "{}: foam {:.0%}": "{}: Schaum {:.0%}",
+        "{}: a draft": "{}: ein Entwurf",
+        "{} cascades: maps of {} x {} samples": "{} Kaskaden: Karten von {} x {} Stützstellen",
         "This cannot be shown: {}": "Das kann nicht gezeigt werden: {}",
         # Hints and warnings.
         "Mesh: {:,} vertices": "Mesh: {:,} Punkte",
@@ -181,6 +192,7 @@ GERMAN = {
         "Sun elevation": "Sonnenhöhe",
         "Sun bearing": "Sonnenrichtung",
         "Camera height": "Kamerahöhe",
+        "Remove cube and lamp": "Würfel und Lampe entfernen",
         "Patch": "Kachel",
         "Horizon": "Horizont",
         "Distance": "Entfernung",
@@ -200,6 +212,22 @@ GERMAN = {
             "Die See nimmt eine Blender-Einheit für einen Meter"
         ),
         "libocean is missing: {}": "libocean fehlt: {}",
+        "NumPy is missing in {}, the Python of this Blender: install the package python3-numpy "
+        "(Debian, Ubuntu) and start Blender again": (
+            "NumPy fehlt in {}, dem Python dieses Blenders: installieren Sie das Paket "
+            "python3-numpy (Debian, Ubuntu) und starten Sie Blender neu"
+        ),
+        "Cycles is built without OpenImageDenoise here, as in Debian's package blender; the "
+        "Blender of blender.org has it": (
+            "Cycles ist hier ohne OpenImageDenoise gebaut, wie in Debians Paket blender; das "
+            "Blender von blender.org hat es"
+        ),
+        "Cycles is built without a denoiser here, as in Debian's package blender, and will not "
+        "render: switch off Denoise in Render > Sampling": (
+            "Cycles ist hier ohne Entrauscher gebaut, wie in Debians Paket blender, und rendert "
+            "so nicht: schalten Sie Entrauschen unter Rendern > Sampling aus"
+        ),
+        "Denoise is off: {}": "Entrauschen ist aus: {}",
         # Material.
         "Under water": "Unter Wasser",
         "Visibility": "Sichtweite",
@@ -266,7 +294,7 @@ GERMAN = {
         "Lower corner": "Untere Ecke",
         "Upper corner": "Obere Ecke",
         "Voxel": "Voxel",
-        "Velocity voxel": "Voxel der Geschwindigkeit",
+        "Velocity voxel": "Geschw.-Voxel",
         "Half precision": "Halbe Genauigkeit",
         "Import": "Importieren",
         "Command ocean": "Befehl ocean",

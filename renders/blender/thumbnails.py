@@ -64,6 +64,7 @@ def add_scene(preset: str, sun_bearing: float) -> None:
         preset=preset,
         sun_elevation=math.radians(SUN_ELEVATION),
         sun_bearing=math.radians(sun_bearing),
+        near_detail=False,  # as an asset comes
     )
 
 

@@ -325,7 +325,9 @@ for frame in arguments[2:]:
 def near_water(scene, tmp_path):
     """Crests against the sun, from a boat."""
     with presets_with(resolution=64):
-        bpy.ops.libocean.add_scene(preset="beaufort_6", sun_elevation=0.2, sun_bearing=0.0)
+        bpy.ops.libocean.add_scene(
+            preset="beaufort_6", sun_elevation=0.2, sun_bearing=0.0, near_detail=False
+        )
     ob = bpy.context.object
     ob.libocean.horizon_vertices = 20000
     scene.frame_set(2)  # the first that has files: its mean square slope is kept

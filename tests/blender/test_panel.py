@@ -8,11 +8,11 @@ import types
 import blf
 import bpy
 import pytest
-from conftest import evaluated_mesh, plane, positions
+from conftest import add_ocean, evaluated_mesh, plane, positions
 from libocean_addon import hints, panels, translations
 from libocean_addon.floating import floating
-from libocean_addon.sea import drafts, facts, node_group, parameter_values
-from libocean_addon.shared import drawing
+from libocean_addon.sea import drafts, facts, node_group, parameter_values, resolutions
+from libocean_addon.shared import compat, drawing
 
 PANELS = [cls for cls in panels.CLASSES if issubclass(cls, bpy.types.Panel)]
 
@@ -150,7 +150,8 @@ def test_every_parameter_is_in_one_panel(ocean):
     shown = everything()
     for entry in parameter_values.TABLE:
         group = settings.waves[0] if entry["section"] == "waves" else settings
-        key = "resolution_list" if entry["key"] == "resolution" else entry["key"]
+        key = entry["key"]
+        key = resolutions.listed(key) if key in resolutions.PARAMETERS else key
         count = shown.count(key)
         wanted = settings.cascades if entry["type"] == "list" else 1
         assert count == (wanted if panels.is_used(group, entry) else 0), key
@@ -177,7 +178,7 @@ LABEL = 82  # pixels that a label has in a properties editor of 333, as 1920 x 1
 
 @pytest.mark.skipif(bpy.app.version >= (4, 0), reason="the pixels were counted with 3.4's font")
 def test_labels_fit():
-    blf.size(0, 11, 72)
+    blf.size(0, 11)
     german = translations.TABLE["de_DE"]
     for entry in parameter_values.TABLE:
         label = panels.label_of(entry)
@@ -185,6 +186,161 @@ def test_labels_fit():
             width, _ = blf.dimensions(0, text)
             assert width <= LABEL, text
     assert blf.dimensions(0, "Significant wave height")[0] > LABEL
+
+
+NARROW = 213  # pixels of the editor's region in a window of 1400, as Blender lays it out at first
+ROW = NARROW - 35  # counted in a picture of it, as are these:
+ICON, CHECKBOX, ARROWS, EDGES = 20, 26, 46, 8
+
+
+class NarrowLayout:
+    """Takes what is drawn and compares the widths of words with their space, as Blender divides
+    it."""
+
+    def __init__(self, cut: list, space: float, *, share=None, split=False) -> None:
+        self.cut, self.space, self.share = cut, space, share
+        self.use_property_split = split
+        self.is_column = False
+
+    def _child(self, space: float, share: float | None = None):
+        return NarrowLayout(self.cut, space, share=share, split=self.use_property_split)
+
+    def _room(self) -> float:
+        """Returns the space of the next widget."""
+        if self.share is None:
+            return self.space
+        room = self.space * self.share
+        self.space, self.share = self.space - room, None
+        return room
+
+    def _take(self, text: str, beside: float) -> None:
+        room = self._room()
+        if compat.text_width(text) + beside > room:
+            self.cut.append(f"{text!r}: {compat.text_width(text):.0f} + {beside:.0f} > {room:.0f}")
+
+    def label(self, *, text="", icon="NONE", text_ctxt="*", translate=True):
+        text = bpy.app.translations.pgettext_iface(text, text_ctxt) if translate else text
+        self._take(text, 0 if icon == "NONE" else ICON)
+
+    def operator(self, name, *, text=None, icon="NONE"):
+        if text is None:
+            text = getattr(bpy.types, name.replace("libocean.", "LIBOCEAN_OT_")).bl_rna.name
+        word = bpy.app.translations.pgettext_iface(text, "Operator")
+        if word:
+            self._take(word, EDGES + (0 if icon == "NONE" else ICON))
+        return types.SimpleNamespace()
+
+    def operator_menu_enum(self, _name, _property, *, text, icon="NONE", text_ctxt="*"):
+        word = bpy.app.translations.pgettext_iface(text, text_ctxt)
+        self._take(word, EDGES + 15 + (0 if icon == "NONE" else ICON))
+
+    def prop(self, owner, name, *, text=None, text_ctxt=None, index=-1):
+        found = owner.bl_rna.properties[name]
+        is_array = getattr(found, "is_array", False) and index < 0
+        label, context = (
+            (found.name, found.translation_context) if text is None else (text, text_ctxt)
+        )
+        word = bpy.app.translations.pgettext_iface(label, context or "*")
+        if self.use_property_split and word and found.type != "BOOLEAN":
+            self._take(word, 2 * self.space / 3)
+        elif found.type == "BOOLEAN":
+            if word:
+                self._take(word, CHECKBOX)
+            else:
+                self.space -= CHECKBOX
+        elif found.type in ("INT", "FLOAT") and not is_array:
+            value = getattr(owner, name) if index < 0 else getattr(owner, name)[index]
+            shown = bpy.utils.units.to_string("METRIC", found.unit, value, precision=3)
+            self._take(word + shown, ARROWS)
+        elif word and not (is_array and self.is_column):
+            self.cut.append(f"{word!r} has no place beside the {found.type} of {name}")
+
+    def prop_search(self, owner, name, _data, _found, *, text=None):
+        self.prop(owner, name, text=text)
+
+    def row(self, *, heading="", **_settings):
+        if heading:
+            self.cut.append(f"{heading!r} has no place beside its row")
+        return self._child(self._room())
+
+    def column(self, *, heading="", **_settings):  # above the column
+        self._take(bpy.app.translations.pgettext_iface(heading), 0)
+        column = self._child(self._room())
+        column.is_column = True
+        return column
+
+    def box(self):
+        return self._child(self._room() - 8)
+
+    def split(self, *, factor, **_settings):
+        return self._child(self._room(), factor)
+
+    def separator(self):
+        pass
+
+    def template_list(self, *_rest, **_settings):
+        pass
+
+
+def shown_wholly() -> list[str]:
+    """Sets the properties of the active object one after the other so that each field is drawn."""
+    settings = bpy.context.object.libocean
+    settings.cascades, settings.use_cascade_divisors = 2, True
+    settings.use_scene_frame_rate, settings.use_custom_time = False, True
+    settings.foam_coverage, settings.volumes.box = "threshold", "CORNERS"
+    settings.bake.use_custom_range = True
+    cut: list[str] = []
+    for settings.waves[0].spectrum in ("phillips", "tma", "measured"):
+        for cls in PANELS:
+            context = types.SimpleNamespace(layout=NarrowLayout(cut, ROW))
+            cls.draw.__wrapped__(context, bpy.context)
+    return cut
+
+
+@pytest.mark.skipif(bpy.app.version >= (4, 0), reason="the pixels were counted with 3.4's font")
+@pytest.mark.parametrize("language", ["en_US", "de_DE"])
+@pytest.mark.parametrize("kind", ["PATCH", "HORIZON"])
+def test_no_label_is_cut_where_the_editor_is_narrow(monkeypatch, kind, language):
+    add_ocean(64, kind=kind, preset="beaufort_6", use_material=False)
+    monkeypatch.setattr(drawing, "width", lambda: NARROW)
+    view = bpy.context.preferences.view
+    view.language, view.use_translate_interface = language, True
+    try:
+        assert shown_wholly() == []
+    finally:
+        view.language = "en_US"
+
+
+def test_labels_are_beside_their_fields_where_there_is_space(ocean, monkeypatch):
+    for width, beside in ((NARROW, False), (303, True)):
+        monkeypatch.setattr(drawing, "width", lambda width=width: width)
+        layout = NarrowLayout([], ROW)
+        drawing.place_labels(layout)
+        assert layout.use_property_split == beside
+
+
+def test_a_sentence_is_divided_where_it_must(monkeypatch):
+    path = "//" + 30 * "folder/"
+    lines = drawing.lines(f"Frames 1 to 250, in {path}", 120)
+    assert all(compat.text_width(line) <= 120 for line in lines)
+    assert "".join(lines).replace(" ", "") == f"Frames1to250,in{path}"
+    assert drawing.lines("", 120) == []
+
+
+def test_the_samples_of_the_maps_are_said_where_they_are_set(ocean):
+    assert "samples" not in " ".join(drawn_by(panels.LookPanel))
+    ocean.libocean.cascades = 2
+    size = facts.map_resolution(ocean)
+    assert size > ocean.libocean.resolution
+    for cls in (panels.LookPanel, panels.AdvancedPanel):
+        assert f"2 cascades: maps of {size} x {size} samples" in " ".join(drawn_by(cls))
+
+
+def test_a_stopped_draft_can_be_finished(ocean, monkeypatch):
+    monkeypatch.setattr(drafts, "is_stopped", lambda _name: True)
+    shown = drawn_by(panels.OceanPanel)
+    assert "A draft, without the past of its foam" in " ".join(shown)
+    assert "libocean.finish_draft" in shown
 
 
 def test_raw_inputs_are_out_of_sight(ocean):
@@ -212,6 +368,7 @@ def test_the_size_of_mesh_and_maps_is_told(ocean):
 def test_progress_is_told(ocean, monkeypatch):
     monkeypatch.setattr(drafts, "progress", lambda _name: 0.43)
     assert "A draft; the whole sea: 43%" in said()
+    assert "libocean.stop_draft" in drawn_by(panels.OceanPanel)
 
 
 def test_a_scale_is_said(ocean):

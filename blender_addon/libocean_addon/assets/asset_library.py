@@ -22,6 +22,7 @@ import bpy
 
 from ..shared import compat, messages, paths
 from ..shared.compat import tr, tr_label
+from ..shared.drawing import say
 from ..shared.native import ADDON
 from . import assets
 
@@ -211,6 +212,8 @@ class OceanPreferences(bpy.types.AddonPreferences):
         made = layout.operator(MakeAssetLibrary.bl_idname, icon="ASSET_MANAGER")
         made.directory = self.asset_folder
         layout.prop(self, "ocean_command")
+        if not compat.has_denoiser():
+            say(layout, compat.no_denoiser(), "INFO")
 
 
 CLASSES = (MakeAssetLibrary, OceanPreferences)

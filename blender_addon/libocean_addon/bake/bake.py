@@ -9,7 +9,7 @@ import threading
 import bpy
 
 from .. import operators
-from ..shared import changes, compat, messages, overrides
+from ..shared import changes, compat, console, messages, overrides
 from ..shared.compat import tr, tr_label
 from . import bake_files, bake_job, bake_record, exr_files
 from .bake_plan import Bake, BakeError, Work, asked_range
@@ -106,8 +106,13 @@ class Frames(_OnOwnOcean):
             return {"CANCELLED"}
         manager = context.window_manager
         manager.progress_begin(0, len(bake.job.frames))
+
+        def said() -> str:
+            return f"{bake.job.done} of {len(bake.job.frames)} frames"
+
         try:
-            bake.job.run(lambda: manager.progress_update(bake.job.done))
+            with console.work(bake.object_name, said):
+                bake.job.run(lambda: manager.progress_update(bake.job.done))
         finally:
             manager.progress_end()
         return self._finish(bake)

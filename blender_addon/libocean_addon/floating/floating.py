@@ -16,7 +16,7 @@ import bpy
 from ..sea import live, node_group
 from ..shared import changes
 from ..shared.compat import tr
-from ..shared.drawing import never_raises
+from ..shared.drawing import field, never_raises, place_labels
 from . import riding
 
 
@@ -273,8 +273,9 @@ class FloatPanel(bpy.types.Panel):
 
     @never_raises
     def draw(self, context) -> None:
-        self.layout.use_property_split = True
-        for name in ("ocean", "length", "width", "use_tilt"):
+        place_labels(self.layout)
+        field(self.layout, context.object.libocean_float, "ocean")
+        for name in ("length", "width", "use_tilt"):
             self.layout.prop(context.object.libocean_float, name)
         row = self.layout.row(align=True)
         row.operator(BakeFloat.bl_idname, text="Bake")

@@ -9,8 +9,9 @@ import math
 import bpy
 
 from .. import operators
-from ..shared import compat
-from . import material
+from ..shared import compat, console
+from ..shared.compat import tr
+from . import material, start_up
 
 _SKIES = bpy.types.ShaderNodeTexSky.bl_rna.properties["sky_type"].enum_items.keys()
 MODEL = "MULTIPLE_SCATTERING" if "MULTIPLE_SCATTERING" in _SKIES else "NISHITA"  # from 5.0 on
@@ -157,11 +158,29 @@ class AddScene(bpy.types.Operator):
         max=10000.0,
     )
 
+    near_detail: bpy.props.BoolProperty(
+        name="Near detail",
+        description="Show the waves too short for the maps near the camera",
+        default=True,
+    )
+    remove_start_up: bpy.props.BoolProperty(
+        name="Remove cube and lamp",
+        description="Remove the cube and the lamp of Blender's start-up file, unless they or the "
+        "scene were changed",
+        default=True,
+    )
+
     def execute(self, context):
-        scene = context.scene
+        with console.work("Ocean Scene", "sky, sun and camera"):
+            self._make(context, context.scene)
+        return {"FINISHED"}
+
+    def _make(self, context, scene) -> None:
         for kept in (scene.world, scene.camera and scene.camera.data):
             if kept is not None:
                 kept.use_fake_user = True
+        if self.remove_start_up:
+            start_up.remove_untouched(scene)
         bpy.ops.libocean.add(kind="HORIZON", preset=self.preset, water_type=self.water_type)
         ocean = context.view_layer.objects.active
         # Against the waves, which is where they look like waves.
@@ -175,10 +194,13 @@ class AddScene(bpy.types.Operator):
         scene.camera = camera
         for slot in ocean.material_slots:
             material.fit(slot.material, ocean, scene)
+        ocean.libocean.use_detail = self.near_detail
         context.view_layer.objects.active = ocean
         if context.space_data is not None and context.space_data.type == "VIEW_3D":
             _look_through_camera(context.space_data)
-        return {"FINISHED"}
+        if compat.denoises_without_denoiser(scene):
+            scene.cycles.use_denoising = False
+            self.report({"INFO"}, tr("Denoise is off: {}", compat.no_denoiser()))
 
 
 CLASSES = (AddScene,)

@@ -8,7 +8,7 @@ the add-on; one of each kind in a file, whatever shows it.
 
 from __future__ import annotations
 
-import functools
+import concurrent.futures
 import struct
 import zlib
 
@@ -46,10 +46,25 @@ def png(values: np.ndarray) -> bytes:
     )
 
 
-@functools.cache
+def _make(kind: str) -> bytes:
+    return png(libocean.foam_texture(kind, size=SIDES[kind]))
+
+
+_made: dict[str, concurrent.futures.Future[bytes]] = {}
+
+
+def prepare() -> None:
+    """Begins to make the textures in a thread, while Blender builds the nodes that show them."""
+    if not _made:
+        pool = concurrent.futures.ThreadPoolExecutor(1)
+        _made.update((kind, pool.submit(_make, kind)) for kind in SIDES)
+        pool.shutdown(wait=False)
+
+
 def _packed(kind: str) -> bytes:
     """Returns the packed image of a kind, made once for all files of a session."""
-    return png(libocean.foam_texture(kind, size=SIDES[kind]))
+    prepare()
+    return _made[kind].result()
 
 
 def _of(kind: str) -> list:

@@ -106,6 +106,12 @@ def blend(b: Builder, off, on, share):
 def _read(b: Builder, kind: str, along, across):
     """The texture where its tile is so often along and across: bilinear, of four texels. Eevee's
     own would take means of many texels far away, of which a threshold makes no foam at all."""
+    return b.nested(f"foam {kind}", lambda b, *where: [_bilinear(b, kind, *where)], along, across)[
+        0
+    ]
+
+
+def _bilinear(b: Builder, kind: str, along, across):
     texels = foam_images.SIDES[kind]
     place = b.math("MULTIPLY_ADD", b.vector(along, across, 0.0), (texels,) * 3, (-0.5, -0.5, 0.0))
     first = b.math("FLOOR", place)

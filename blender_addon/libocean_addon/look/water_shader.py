@@ -262,11 +262,30 @@ def footprint(t: Tree, pixel_angle):
     return foam_nodes.footprint(t, distance, pixel_angle, t.parts(incoming)[2])
 
 
+_OF_FOAM = (
+    "Foam Amount",
+    "Pixel Angle",
+    "Foam Tile",
+    "Foam Stretch",
+    "Foam Streaks",
+    "Foam Edge",
+    "Wind Direction",
+)
+"""The inputs that decide foam."""
+
+
 def _foam(t: Tree, inputs) -> foam_nodes.Foam:
     """Returns the foam on the water: none where the attribute is 0, full cover where it is 1."""
-    stored = t.node("ShaderNodeAttribute", attribute_name="cover").outputs["Fac"]
-    cover = t.number("MULTIPLY", stored, inputs["Foam Amount"], clamp=True)
-    return foam_nodes.foam(t, cover, place(t), footprint(t, inputs["Pixel Angle"]), inputs)
+
+    def make(t: Tree, *sockets) -> list:
+        inputs = dict(zip(_OF_FOAM, sockets, strict=True))
+        stored = t.node("ShaderNodeAttribute", attribute_name="cover").outputs["Fac"]
+        cover = t.number("MULTIPLY", stored, inputs["Foam Amount"], clamp=True)
+        side = footprint(t, inputs["Pixel Angle"])
+        foam = foam_nodes.foam(t, cover, place(t), side, inputs)
+        return [foam.mask, foam.thickness, foam.height]
+
+    return foam_nodes.Foam(*t.nested("foam", make, *(inputs[name] for name in _OF_FOAM)))
 
 
 def _froth(t: Tree, inputs, foam: foam_nodes.Foam, normal):

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Nobody waits for a sea while values move or time plays: a draft is shown at once, and the whole
-sea when they rest.
+"""Drafts: a sea is shown at once while values move or time plays, and the whole sea when they rest.
 
 A draft has whitecaps in the place of foam, whose past takes longest, and fewer samples where these
 take long. Meanwhile a thread makes the whole sea ready in a handle of its own, which then takes the
-place of the one that drew the draft. Without a window no user waits: every map is whole.
+place of the one that drew the draft. A render waits for the whole sea. Without a window every map
+is whole at once.
 
     value set -> draft ... rest -> thread: foam's past -> whole
 """
@@ -20,7 +20,8 @@ from collections.abc import Callable
 import bpy
 import numpy as np
 
-from ..shared import hooks
+from ..shared import console, hooks
+from ..shared.compat import tr_label
 from ..shared.native import libocean
 
 SECONDS = 0.1
@@ -60,7 +61,7 @@ class Pace:
 
 
 class CancelledError(Exception):
-    """The whole sea is not wanted any more."""
+    """A job was cancelled: its sea has changed, or the user stopped it."""
 
 
 class Job:
@@ -71,11 +72,22 @@ class Job:
     ) -> None:
         self.sea, self.changes, self.time, self.size, self.channel = sea, changes, at, size, channel
         self.spray = spray
-        self.share = 0.0
+        self.ticks: tuple[int, int] | None = None
+        """Ticks of foam that are done and that there are; None before the first one."""
         self.seconds = 0.0
         self.failure: Exception | None = None
         self._stop = threading.Event()
         self._thread = threading.Thread(target=self._run, daemon=True)
+
+    @property
+    def key(self) -> tuple:
+        """Returns the settings of the map: a request with the same key wants this job's map."""
+        return (self.changes, self.time, self.size, self.channel)
+
+    @property
+    def share(self) -> float:
+        """Returns the finished share of the foam's past, 0 .. 1."""
+        return self.ticks[0] / self.ticks[1] if self.ticks else 0.0
 
     def start(self) -> None:
         self._thread.start()
@@ -95,7 +107,8 @@ class Job:
         self.seconds = time.perf_counter() - begun
 
     def _watch(self, done: int, total: int) -> None:
-        self.share = done / total
+        if total > 0:
+            self.ticks = (done, total)
         if self._stop.is_set():
             raise CancelledError
 
@@ -104,6 +117,9 @@ class Job:
 
     def cancel(self) -> None:
         self._stop.set()
+
+    def is_cancelled(self) -> bool:
+        return self._stop.is_set()
 
     def join(self) -> None:
         self._thread.join()
@@ -114,47 +130,134 @@ watchers: dict[int, Callable[[int, int], None]] = {}
 
 
 def tell_watcher(done: int, total: int) -> None:
-    """The progress function of every sea."""
-    watcher = watchers.get(threading.get_ident())
-    if watcher is not None:
-        watcher(done, total)
+    """The progress function of every sea: that of the thread, or else the console's."""
+    watchers.get(threading.get_ident(), console.tell)(done, total)
 
 
 @dataclasses.dataclass
 class _Wish:
+    key: tuple
     since: float
     rest: float
 
 
 _wishes: dict[str, _Wish] = {}
 _running: tuple[str, Job] | None = None
+_stopped: dict[str, tuple] = {}
+"""The keys of the maps that the user stopped, by object."""
+_stepping = False
+_step_at = 0.0
+"""The time of the last call of `step`, by which another thread knows that the timer runs."""
 
 
-def ask(name: str, *, rest: bool = True) -> None:
-    """Requests the whole sea of the object with that full name; rest: once its values rest."""
-    if rest or name not in _wishes:
-        _wishes[name] = _Wish(time.monotonic(), _REST if rest else 0.0)
-    if rest and _running is not None and _running[0] == name:
-        _running[1].cancel()
+def ask(name: str, key: tuple, *, rest: bool = True) -> None:
+    """Requests the whole sea of the object with that full name. key: that of the job. rest: begin
+    once values rest, with another key than before."""
+    if _stopped.get(name) == key:
+        return
+    _stopped.pop(name, None)
+    if _running is not None and _running[0] == name:
+        if _running[1].key == key:
+            return
+        if rest:
+            _running[1].cancel()
+    wish = _wishes.get(name)
+    if wish is None or (rest and wish.key != key):
+        _wishes[name] = _Wish(key, time.monotonic(), _REST if rest else 0.0)
+    _call_step()
+
+
+def _call_step() -> None:
     if not bpy.app.background and not bpy.app.timers.is_registered(step):
-        bpy.app.timers.register(step, first_interval=0.05)
+        # A file that is opened would take other timers away, and the draft would stay.
+        bpy.app.timers.register(step, first_interval=0.05, persistent=True)
 
 
-def forget(name: str) -> None:
-    """Withdraws the request for an object whose whole sea is shown."""
+def forget(name: str, key: tuple, *, spray: bool) -> None:
+    """Withdraws the request for an object that shows the whole map of this key. spray: whether it
+    has spray, whose work goes on after the map."""
     _wishes.pop(name, None)
+    if not spray or _stopped.get(name) != key:
+        _stopped.pop(name, None)
+    if _running is not None and _running[0] == name and _running[1].key != key:
+        _running[1].cancel()
+
+
+def keep_only(names: set[str]) -> None:
+    """Withdraws the requests for objects without one of these full names: they were deleted."""
+    for found in (_wishes, _stopped):
+        for name in found.keys() - names:
+            del found[name]
+    if _running is not None and _running[0] not in names:
+        _running[1].cancel()
+
+
+def wants(name: str, key: tuple) -> bool:
+    """Returns whether the whole sea of this key is requested, in the making or stopped."""
+    wish = _wishes.get(name)
+    is_made = _running is not None and _running[0] == name and _running[1].key == key
+    return is_made or _stopped.get(name) == key or (wish is not None and wish.key == key)
+
+
+def stop(name: str) -> None:
+    """Stops the work for the object with that full name, whose draft stays until a value, the frame
+    or a render requests its sea again."""
+    wish = _wishes.pop(name, None)
+    if wish is not None:
+        _stopped[name] = wish.key
+    elif _running is not None and _running[0] == name:
+        _stopped[name] = _running[1].key
+        _running[1].cancel()
+    _redraw()
+
+
+def resume(name: str) -> None:
+    """Requests the sea of an object again whose work the user stopped."""
+    key = _stopped.pop(name, None)
+    if key is not None:
+        _wishes[name] = _Wish(key, time.monotonic(), 0.0)  # the timer goes on while one is stopped
+
+
+def forget_stops() -> None:
+    """Forgets which work the user stopped: another file is open, or undo restored other values."""
+    _stopped.clear()
+
+
+def is_stopped(name: str) -> bool:
+    return name in _stopped
 
 
 def progress(name: str) -> float | None:
-    """Returns the finished share of the whole sea, 0 .. 1; None without a request."""
+    """Returns the finished share of the whole sea, 0 .. 1; None if no work is left to do."""
+    if name in _stopped:
+        return None
     if _running is not None and _running[0] == name:
         return _running[1].share
     return 0.0 if name in _wishes else None
 
 
+def is_draft(name: str) -> bool:
+    """Returns whether the object with that full name shows a draft."""
+    return progress(name) is not None or is_stopped(name)
+
+
+def at_work() -> tuple[str, Job] | None:
+    """Returns the full name of the object whose sea is being made, and the job."""
+    return _running
+
+
 def step() -> float | None:
     """Ends a job and begins the next, for the timer. Returns the seconds until the next call; None
-    without further work."""
+    without work that is left or stopped."""
+    global _stepping, _step_at
+    _stepping = True
+    try:
+        return _step()
+    finally:
+        _stepping, _step_at = False, time.monotonic()
+
+
+def _step() -> float | None:
     global _running
     if _running is not None:
         name, job = _running
@@ -173,20 +276,69 @@ def step() -> float | None:
                 _running = name, job
                 job.start()
                 break
-    return 0.05 if _wishes or _running else None
+    if _wishes or _running:
+        return 0.05
+    return 0.25 if _stopped else None
+
+
+_PATIENCE = 10.0  # [s] without a call of `step` after which no timer runs: Blender is ending
+
+
+def complete() -> bool:
+    """Blocks until no draft is left, before a render. Returns False if the timer that ends drafts
+    does not run any more. A render in a thread of its own leaves the work to the timer: only the
+    main thread may change Blender's data."""
+    for name in list(_stopped):
+        resume(name)
+    for wish in list(_wishes.values()):
+        wish.rest = 0.0
+    if threading.current_thread() is threading.main_thread():
+        while (pause := step()) is not None:
+            time.sleep(min(pause, 0.02))
+        return True
+    begun = time.monotonic()
+    while _wishes or _running is not None or _stepping:
+        if time.monotonic() - max(begun, _step_at) > _PATIENCE:
+            return False
+        time.sleep(0.02)
+    return True
+
+
+_drawn: str | None = None
+"""The line that the status bar shows."""
+
+
+def line() -> tuple[str, str]:
+    """Returns a line on the work for the status bar, and the full name of its object; "" without
+    work."""
+    if _running is not None:
+        name, job = _running
+        return tr_label("{}: foam {:.0%}", name, job.share), name
+    for name in _wishes:
+        return tr_label("{}: a draft", name), name
+    return "", ""
 
 
 def _redraw() -> None:
+    """Has the panels drawn again and, if its line is another one, the status bar."""
+    global _drawn
+    said, before = line()[0], _drawn
+    _drawn = said
     for window in bpy.context.window_manager.windows:
         for area in window.screen.areas:
             if area.type == "PROPERTIES":
                 area.tag_redraw()
+        if said != before:
+            # No area of the screen: Blender draws it again when its text is set.
+            with bpy.context.temp_override(window=window):
+                window.workspace.status_text_set_internal(None)
 
 
 def close() -> None:
     """Withdraws all requests and ends the running job."""
     global _running
     _wishes.clear()
+    _stopped.clear()
     if _running is not None:
         _running[1].cancel()
         _running[1].join()

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import contextlib
 import dataclasses
+import threading
 from collections.abc import Iterator
 
 import bpy
@@ -20,7 +21,7 @@ import bpy
 from ..bake import baked
 from ..bake.baked_nodes import COVER_POWER
 from ..look import detail, sun_focus
-from ..shared import hooks, images, messages
+from ..shared import console, hooks, images, messages
 from ..shared.native import libocean
 from . import atlas, drafts, meshes, node_group, parameter_values, sea_text
 from .ocean import Ocean, look_up
@@ -57,6 +58,9 @@ class Moment:
     rendering: bool
     moving: bool = False
     """True if a draft suffices for now: values move, or time plays."""
+    again: bool = False
+    """True if Blender may show its frame once more by itself, as it does after an edit of a driver:
+    a draft of it stays one."""
 
     def time(self, settings, sea: OpenSea) -> float:
         """Returns the sea's time at the scene's frame [s], which may lie between two frames."""
@@ -156,7 +160,7 @@ def spray_settings(settings) -> dict:
     return {name: getattr(settings, f"spray_{name}") for name in ("lifetime", "density", "most")}
 
 
-def _channel(settings) -> str:
+def channel_of(settings) -> str:
     return COVER if settings.use_foam else NO_COVER
 
 
@@ -166,21 +170,26 @@ def _show_in(ocean: Ocean, seen, modifier, moment: Moment) -> None:
     sizes = map_sizes(settings, sea)
     shared = sizes[0] == sizes[1]
     size = sizes[1] if moment.rendering else sizes[0]
-    at, channel = moment.time(settings, sea), _channel(settings)
+    at, channel = moment.time(settings, sea), channel_of(settings)
     name = ob.name_full
-    draft = moment.moving and not sea.is_ready(at, size, channel)
+    key = (sea.changes, at, size, channel)
+    may_wait = moment.moving or (moment.again and drafts.wants(name, key))
+    draft = may_wait and not sea.is_ready(at, size, channel)
     if draft:
         # While time plays only foam is behind; while values move, all of the sea.
         known = sea.ready is not None and sea.ready[:2] == (sea.changes, size)
         drawn = size if known else min(size, sea.pace.size)
         targets = _targets(ob, modifier, drawn, render=False, shared=shared, draft=True)
         sea.show_draft(at, drawn, size, targets, channel)
-        drafts.ask(name, rest=not drafts.is_playing())
+        drafts.ask(name, key, rest=not drafts.is_playing())
     else:
         targets = _targets(ob, modifier, size, render=moment.rendering, shared=shared)
-        sea.show(at, size, targets, channel)
+        with console.work(name, "maps"):
+            sea.show(at, size, targets, channel)
         if not moment.rendering:
-            drafts.forget(name)
+            drafts.forget(name, key, spray=settings.use_spray)
+            if meshes.is_draft(ob.data):
+                follow_mesh(ob)
     names = [node_group.render_twin(COVER_POWER) if moment.rendering else COVER_POWER]
     if shared:
         names = [COVER_POWER, node_group.render_twin(COVER_POWER)]
@@ -188,7 +197,8 @@ def _show_in(ocean: Ocean, seen, modifier, moment: Moment) -> None:
     node_group.assign(modifier, dict.fromkeys(names, power))
     _set_inputs(ob, seen, modifier, sea.values, sizes, draft=draft)
     if not draft:
-        detail.follow(ocean, settings, at, size)
+        with console.work(name, "near detail"):
+            detail.follow(ocean, settings, at, size)
         sun_focus.follow(ocean, at)
         state = sea.read_state()
         lost = [atlas.lost_slopes(state, samples) for samples in sizes]
@@ -249,13 +259,15 @@ def paused() -> Iterator[None]:
 def show_all(
     oceans, scene, depsgraph=None, *, rendering: bool = False, passing: bool = False
 ) -> None:
-    """Shows all these objects. passing: the frame has changed. If nothing plays, it may be a frame
-    of a viewport render, which waits for its foam."""
+    """Shows all these objects. passing: Blender says that the frame has changed. If nothing plays,
+    it may be a frame of a viewport render, which waits for its foam; the operator of that render
+    runs in the area of its viewport."""
     if _paused:
         return
     playing = drafts.is_playing()
     moving = drafts.allowed and not rendering and (playing or not passing)
-    moment = Moment(scene, rendering, moving)
+    again = drafts.allowed and not rendering and passing and bpy.context.area is None
+    moment = Moment(scene, rendering, moving, again)
     for ob in oceans:
         show(look_up(ob), depsgraph, moment)
     for follower in hooks.connected().followers:
@@ -282,28 +294,51 @@ def parameters_changed(ob) -> None:
     for follower in hooks.connected().followers:
         follower(None, moment)
     # Behind a draft the mesh follows when values rest; a new one is not left without vertices.
-    if drafts.progress(ob.name_full) is None or meshes.is_empty(ob.data):
-        follow_mesh(ob)
+    draft = drafts.is_draft(ob.name_full)
+    if not draft or meshes.is_empty(ob.data):
+        follow_mesh(ob, draft=draft)
 
 
-def follow_mesh(ob) -> None:
+def follow_mesh(ob, *, draft: bool = False) -> None:
     """Makes a mesh of the add-on fit the sea, and labels a mesh of the user. A linked mesh stays as
-    its file has it, unless it is a stand-in."""
+    its file has it, unless it is a stand-in. draft: with few vertices, until the sea is whole."""
     sea, settings = sea_of(ob.name_full), ob.libocean
     is_local = ob.library is None and ob.data.library is None
     ours = is_local or meshes.is_stand_in(ob.data)
     if not ours or settings.use_bake or sea.sea is None or ob.mode != "OBJECT":
         return
     period, own = float(sea.values.values["patch_size"]), sea.sea.map_resolution()
-    if settings.kind == "MESH":
-        meshes.label_users(ob.data, period)
-    elif settings.kind == "PATCH":
-        meshes.follow_patch(ob, period, settings.mesh_resolution or meshes.automatic(own))
-    else:
-        samples = samples_of(settings, own)
-        meshes.follow_horizon(
-            ob, period / samples, settings.horizon_vertices, settings.horizon_distance
-        )
+    with console.work(ob.name_full, "mesh"):
+        if settings.kind == "MESH":
+            meshes.label_users(ob.data, period)
+        elif settings.kind == "PATCH":
+            samples = settings.mesh_resolution or meshes.automatic(own)
+            meshes.follow_patch(ob, period, samples, draft=draft)
+        else:
+            samples = samples_of(settings, own)
+            meshes.follow_horizon(
+                ob,
+                period / samples,
+                settings.horizon_vertices,
+                settings.horizon_distance,
+                draft=draft,
+            )
+
+
+def complete_meshes() -> None:
+    """Makes the meshes whole that are drafts, for a file that is saved."""
+    for ob in ocean_objects():
+        if meshes.is_draft(ob.data):
+            follow_mesh(ob)
+
+
+def complete() -> None:
+    """Blocks until nothing is a draft, before a render. Says so in the console if that fails."""
+    is_whole = drafts.complete()
+    if threading.current_thread() is threading.main_thread():
+        complete_meshes()
+    elif not is_whole or any(meshes.is_draft(ob.data) for ob in ocean_objects()):
+        print("libocean: the render shows a draft of the sea", flush=True)
 
 
 # The whole sea after a draft --------------------------------------------------
@@ -321,12 +356,12 @@ def make_draft_job(name: str) -> drafts.Job | None:
     settings = ob.libocean
     at = Moment(bpy.context.scene, rendering=False).time(settings, sea)
     spray = spray_settings(settings) if settings.use_spray else None
-    return sea.job(at, map_sizes(settings, sea)[0], _channel(settings), spray)
+    return sea.job(at, map_sizes(settings, sea)[0], channel_of(settings), spray)
 
 
 def finish_draft_job(name: str, job: drafts.Job) -> None:
     ob = _named(name)
-    if ob is None:
+    if ob is None or job.is_cancelled():
         job.sea.close()
         return
     sea = sea_of(ob.name_full)

@@ -97,6 +97,11 @@ AUTOMATIC = 512
 """The max samples per side of a mesh that follows the maps by itself: a quarter of a million
 vertices."""
 MAX_SAMPLES = 4096
+DRAFT_SAMPLES = 256
+"""The max samples per side of a patch's mesh while its sea is a draft."""
+DRAFT_VERTICES = 100000
+"""The max number of vertices of a horizon while its sea is a draft: made and drawn in a sixth of
+the time."""
 _MADE_OF = "libocean_mesh"  # custom property of a mesh: what it was made of
 
 
@@ -106,9 +111,17 @@ def automatic(own: int) -> int:
     return min(own, AUTOMATIC)
 
 
+_DRAFT = "draft "
+
+
+def is_draft(mesh) -> bool:
+    """Returns whether a mesh has the few vertices of a draft."""
+    return isinstance(mesh, bpy.types.Mesh) and mesh.get(_MADE_OF, "").startswith(_DRAFT)
+
+
 def samples_of(mesh) -> int | None:
     """Returns the samples per side that a patch's mesh was made for; None for other data."""
-    words = mesh.get(_MADE_OF, "").split()
+    words = mesh.get(_MADE_OF, "").removeprefix(_DRAFT).split()
     return int(words[2]) if words and words[0] == "patch" else None
 
 
@@ -149,8 +162,11 @@ def _fill_linked(mesh, make) -> None:
     bpy.data.meshes.remove(local)
 
 
-def follow_patch(ob, size: float, samples: int) -> None:
-    """Makes a patch's mesh again if its period or its samples have changed."""
+def follow_patch(ob, size: float, samples: int, *, draft: bool = False) -> None:
+    """Makes a patch's mesh again if its period or its samples have changed. draft: with few
+    vertices."""
+    draft = draft and samples > DRAFT_SAMPLES
+    samples = DRAFT_SAMPLES if draft else samples
 
     def make(mesh) -> None:
         before = samples_of(mesh)
@@ -161,7 +177,7 @@ def follow_patch(ob, size: float, samples: int) -> None:
             fill(mesh, _patch_vertices(size, samples), _patch_faces(samples))
         _write_labels(mesh, size)
 
-    _follow(ob, f"patch {size!r} {samples}", make)
+    _follow(ob, f"{_DRAFT if draft else ''}patch {size!r} {samples}", make)
     if ob.data.library is None and not _is_labelled(ob.data):  # of an earlier version
         _write_labels(ob.data, size)
 
@@ -248,8 +264,12 @@ def horizon(spacing: float, cells: int, rings: int):
     )
 
 
-def follow_horizon(ob, spacing: float, most_vertices: int, distance: float) -> None:
-    """Makes a horizon's mesh again if one of these has changed."""
+def follow_horizon(
+    ob, spacing: float, most_vertices: int, distance: float, *, draft: bool = False
+) -> None:
+    """Makes a horizon's mesh again if one of these has changed. draft: with few vertices."""
+    draft = draft and most_vertices > DRAFT_VERTICES
+    most_vertices = DRAFT_VERTICES if draft else most_vertices
 
     def make(mesh) -> None:
         vertices, ring_of, *faces = horizon(
@@ -259,4 +279,5 @@ def follow_horizon(ob, spacing: float, most_vertices: int, distance: float) -> N
         attribute = mesh.attributes.new(ring_nodes.RING, "FLOAT_VECTOR", "POINT")
         attribute.data.foreach_set("vector", ring_of.astype(np.float32).ravel())
 
-    _follow(ob, f"horizon {spacing!r} {most_vertices} {distance!r}", make)
+    made_of = f"horizon {spacing!r} {most_vertices} {distance!r}"
+    _follow(ob, f"{_DRAFT if draft else ''}{made_of}", make)

@@ -221,14 +221,22 @@ def _build(group, kind: str, *, baked: bool) -> None:
     b = Builder(group)
     inputs = b.node("NodeGroupInput").outputs
     fields = make_fields(b, inputs)
+    names = [socket.name for socket in inputs if socket.name]
 
     def branch(*, turned: bool, interpolation: str = "Linear"):
-        turn = Turn(b, fields.turn() if turned else None)
-        if kind == "HORIZON":
-            lookup = ring_nodes.Rings(b, inputs, fields, turn)
-        else:
-            lookup = _Flat(b, inputs, fields, turn, interpolation)
-        return _displaced(b, inputs, fields, lookup, turn)
+        def make(b: Builder, *sockets):
+            inputs = dict(zip(names, sockets, strict=True))
+            fields = make_fields(b, inputs)
+            turn = Turn(b, fields.turn() if turned else None)
+            if kind == "HORIZON":
+                lookup = ring_nodes.Rings(b, inputs, fields, turn)
+            else:
+                lookup = _Flat(b, inputs, fields, turn, interpolation)
+            return [_displaced(b, inputs, fields, lookup, turn)]
+
+        variant = "turned" if turned else interpolation.lower()
+        part = f"{group.name.removeprefix('.libocean.')} {variant}"
+        return b.nested(part, make, *(inputs[name] for name in names))[0]
 
     level = branch(turned=False)
     if kind == "PATCH":  # its vertices take the nearest sample, to the bit

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Samples a side: powers of two. Each such property is a number, for scripts, keyframes and files,
-and a list of what is allowed, for the panel; both are one value.
+"""Samples per side: powers of two. Each such property is a number, for scripts, keyframes and
+files, and a list of the allowed numbers, for the panel; both are one value. A script that sets
+another number gets the error of a sea file; a keyframe or driver gets the nearest one.
 """
 
 from __future__ import annotations
@@ -49,6 +50,29 @@ def listed(name: str) -> str:
     return f"{name}_list"
 
 
+_ALLOWED: dict[str, tuple[bool, int]] = {}  # by property: whether it may be 0, and its max
+
+
+def require_allowed(name: str, value: Any) -> None:
+    """Raises ValueError, in the words of a sea file's error, if a property of samples per side
+    cannot have this value."""
+    if name not in _ALLOWED or not isinstance(value, int):  # Blender refuses other types
+        return
+    may_be_0, most = _ALLOWED[name]
+    if (value == 0 and may_be_0) or (value in SIZES and value <= most):
+        return
+    is_inside = SIZES[0] <= value <= most
+    fault = "is not a power of two" if is_inside else "is out of range"
+    allowed = f"a power of two, {'0 or ' if may_be_0 else ''}{SIZES[0]} .. {most}"
+    raise ValueError(f"{_name_in_file(name)} = {value}: {fault}; allowed: {allowed}")
+
+
+def _name_in_file(name: str) -> str:
+    """Returns the name of a property in a sea file, or its own name."""
+    sections = [entry["section"] for entry in TABLE if entry["key"] == name]
+    return f"{sections[0]}.{name}" if sections else name
+
+
 def _update(name: str):
     def update(self, _context) -> None:
         value = getattr(self, name)
@@ -73,6 +97,7 @@ def properties(
     name: str, label: str, description: str, default: int, *, none: str = "", most: int = SIZES[-1]
 ) -> dict[str, Any]:
     """The number and its list. none: what the list calls 0."""
+    _ALLOWED[name] = bool(none), most
     common = {"name": label, "description": description, **compat.in_context(translations.SEA)}
     return {
         name: bpy.props.IntProperty(

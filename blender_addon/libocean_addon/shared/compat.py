@@ -6,13 +6,14 @@ from __future__ import annotations
 
 import atexit
 import contextlib
+import ctypes
 import importlib
 import sys
 from collections.abc import Callable
 from pathlib import Path
 
+import blf
 import bpy
-import numpy as np
 
 VERSION = bpy.app.version[:2]
 
@@ -87,14 +88,19 @@ def get_input(modifier, identifier: str):
     return modifier[identifier]
 
 
+def _single(value: float) -> float:
+    """Returns a number as single precision holds it. NumPy is absent where this module says so."""
+    return ctypes.c_float(value).value
+
+
 def set_input(modifier, identifier: str, value) -> None:
     """Sets it where it is another; the object is told, which Blender leaves to us."""
     now = get_input(modifier, identifier)
     # From 4.0 on what is set comes back in single precision.
     if isinstance(value, float):
-        value = float(np.float32(value))
+        value = _single(value)
     elif isinstance(value, tuple):
-        value = tuple(float(np.float32(part)) for part in value)
+        value = tuple(_single(part) for part in value)
     if (tuple(now) if isinstance(value, tuple) else now) == value:
         return
     if _INPUTS_ARE_PROPERTIES:
@@ -203,6 +209,21 @@ def renders_objects(scene) -> bool:
     return len(editor.strips if hasattr(editor, "strips") else editor.sequences) == 0  # 4.4
 
 
+def has_denoiser() -> bool:
+    """Returns whether Cycles can denoise. Built without OpenImageDenoise it ends the render of a
+    scene that has Denoise on with an error."""
+    try:
+        import _cycles
+    except ImportError:
+        return True
+    return getattr(_cycles, "with_openimagedenoise", True)
+
+
+def denoises_without_denoiser(scene) -> bool:
+    cycles = getattr(scene, "cycles", None)
+    return cycles is not None and cycles.use_denoising and not has_denoiser()
+
+
 # Paths ------------------------------------------------------------------------
 
 RELATIVE_PATH = {"PATH_SUPPORTS_BLEND_RELATIVE"} if VERSION >= (4, 5) else set()
@@ -274,11 +295,30 @@ def tr_label(text: str, *values) -> str:
     return bpy.app.translations.pgettext_iface(text).format(*values)
 
 
+def no_denoiser() -> str:
+    """Returns a sentence on Cycles without a denoiser."""
+    return tr_label(
+        "Cycles is built without OpenImageDenoise here, as in Debian's package blender; the "
+        "Blender of blender.org has it"
+    )
+
+
 def in_context(context: str) -> dict[str, str]:
     """Settings of a property whose name and choices are looked up in a context; before 4.0 there is
     no such setting, and the context is "*"."""
     known = "translation_context" in bpy.props.EnumProperty.__doc__
     return {"translation_context": context} if known else {}
+
+
+# Texts of panels --------------------------------------------------------------
+
+_POINTS = 11  # of the interface's font
+
+
+def text_width(text: str) -> float:
+    """Returns the width of a text in the interface's font [pixels at a resolution scale of 1]."""
+    blf.size(0, _POINTS)
+    return blf.dimensions(0, text)[0]
 
 
 # The add-on -------------------------------------------------------------------

@@ -4,11 +4,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import bpy
 
 from . import compat
 
 _COMPONENTS = ("Red", "Green", "Blue", "Alpha")
+_SOCKETS = {
+    "BOOLEAN": "NodeSocketBool",
+    "GEOMETRY": "NodeSocketGeometry",
+    "IMAGE": "NodeSocketImage",
+    "OBJECT": "NodeSocketObject",
+    "RGBA": "NodeSocketColor",
+    "SHADER": "NodeSocketShader",
+    "STRING": "NodeSocketString",
+    "VALUE": "NodeSocketFloat",
+    "VECTOR": "NodeSocketVector",
+}
+_GROUP_NODES = {"GeometryNodeTree": "GeometryNodeGroup", "ShaderNodeTree": "ShaderNodeGroup"}
 
 
 def _is_so(owner, name: str, value) -> bool:
@@ -21,11 +35,41 @@ class Builder:
     """Adds nodes to a group and links them. Values are outputs of nodes, or constants.
 
     Blender goes through the whole group after each change, so that building takes more than the
-    square of the number of nodes: nothing is set that is so by itself, places are set all at once.
+    square of the number of nodes: nothing is set that is so by itself, places are set all at once,
+    and a large group is made of nested ones.
     """
 
     def __init__(self, group) -> None:
         self.group = group
+        self._parts: dict[str, bpy.types.NodeTree] = {}  # nested groups, by name
+
+    def nested(self, name: str, make: Callable, *operands) -> list:
+        """Returns the outputs of a nested group: those that make(builder, *inputs) returns, a list
+        of outputs of nodes. operands: outputs, for the inputs. Calls with the same name share one
+        group."""
+        group = self._parts.get(name)
+        if group is None:
+            group = self._parts[name] = self._part(name, make, operands)
+        made = self.node(_GROUP_NODES[self.group.bl_idname], node_tree=group)
+        for socket, operand in zip(made.inputs, operands, strict=False):
+            self.link(operand, socket)
+        return list(made.outputs)
+
+    def _part(self, name: str, make: Callable, operands):
+        group = bpy.data.node_groups.new(f".libocean {name}", self.group.bl_idname)
+        for operand in operands:
+            compat.add_socket(group, operand.name, _SOCKETS[operand.type])
+        inner = type(self)(group)
+        inner._parts = self._parts
+        inputs = inner.node("NodeGroupInput").outputs
+        results = make(inner, *list(inputs)[: len(operands)])
+        for result in results:
+            compat.add_socket(group, result.name, _SOCKETS[result.type], output=True)
+        output = inner.node("NodeGroupOutput")
+        for socket, result in zip(output.inputs, results, strict=False):
+            inner.link(result, socket)
+        inner.arrange(rows=4)
+        return group
 
     def node(self, kind: str, **settings):
         made = self.group.nodes.new(kind)

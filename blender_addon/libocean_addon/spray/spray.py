@@ -17,7 +17,7 @@ import numpy as np
 
 from ..sea import drafts, live, node_group
 from ..sea.open_sea import OpenSea, sea_of
-from ..shared import changes, compat, messages
+from ..shared import changes, compat, console, messages
 from ..shared.compat import tr_label
 from ..shared.native import libocean
 from . import spray_nodes
@@ -158,9 +158,11 @@ def _show(ob, modifier, depsgraph, moment) -> None:
         camera = camera.evaluated_get(depsgraph)
     settings, wanted = seen.libocean, live.spray_settings(seen.libocean)
     at = moment.time(settings, sea)
-    if moment.moving and not ob.libocean.use_bake and not sea.is_spray_ready(at, wanted):
+    may_wait = moment.moving or (moment.again and drafts.is_draft(ob.name_full))
+    if may_wait and not ob.libocean.use_bake and not sea.is_spray_ready(at, wanted):
         _empty(ob, modifier)
-        drafts.ask(ob.name_full, rest=not drafts.is_playing())
+        key = (sea.changes, at, live.map_sizes(settings, sea)[0], live.channel_of(settings))
+        drafts.ask(ob.name_full, key, rest=not drafts.is_playing())
         return
     period = float(sea.values.values["patch_size"])
     turn, origin = _lie(settings, seen)
@@ -169,7 +171,8 @@ def _show(ob, modifier, depsgraph, moment) -> None:
     state = (sea.changes, at, *wanted.values(), settings.spray_size, lie.tobytes())
     if sea.shown.get(carrier.name_full) == state:
         return
-    spray = sea.spray(at, wanted)
+    with console.work(ob.name_full, "spray"):
+        spray = sea.spray(at, wanted)
     rows, place = over_region(spray.position, period, turn, origin, centre, half)
     low_bits = (spray.id[rows] & 0xFFFFFFFF).astype(np.uint32)
     _fill(

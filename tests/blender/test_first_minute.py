@@ -1,0 +1,389 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The first minute with the add-on: a draft at once and the whole sea behind it, a console that
+says what is computed, a scene without the start-up cube, wrong input refused, and missing parts of
+Debian's Blender named."""
+
+import sys
+import threading
+import time
+from types import SimpleNamespace
+
+import bpy
+import pytest
+from conftest import add_ocean, factory_settings, presets_with, start_another_process
+from libocean_addon import hints
+from libocean_addon.bundled import libocean
+from libocean_addon.look import detail, start_up
+from libocean_addon.sea import drafts, live, meshes, open_sea, resolutions
+from libocean_addon.shared import compat, console
+
+
+@pytest.fixture
+def waiting(monkeypatch):
+    """As with a window in which somebody waits; the timer is called by hand."""
+    monkeypatch.setattr(drafts, "allowed", True)
+    yield
+    drafts.close()
+
+
+def rest() -> None:
+    """Calls the timer until it has nothing more to do."""
+    while (pause := drafts.step()) is not None:
+        time.sleep(min(pause, 0.02))
+
+
+def is_whole(ob) -> bool:
+    sea = open_sea.sea_of(ob.name_full)
+    return sea.ready is not None and sea.ready[0] == sea.changes
+
+
+@pytest.fixture
+def small():
+    """Makes any sea in no time."""
+    with presets_with(resolution=64, foam_lifetime=0.5):
+        yield
+
+
+# A draft at once, the whole sea behind it -------------------------------------------
+
+
+def test_a_scene_begins_with_few_vertices(waiting, small):
+    assert bpy.ops.libocean.add_scene() == {"FINISHED"}
+    ocean = bpy.context.object
+    assert not is_whole(ocean) and drafts.is_draft(ocean.name_full)
+    assert meshes.is_draft(ocean.data)
+    assert len(ocean.data.vertices) <= meshes.DRAFT_VERTICES
+    rest()
+    assert is_whole(ocean) and not meshes.is_draft(ocean.data)
+    assert len(ocean.data.vertices) > 4 * meshes.DRAFT_VERTICES
+    assert not drafts.is_draft(ocean.name_full)
+
+
+def test_a_file_never_keeps_the_mesh_of_a_draft(waiting, small, tmp_path):
+    bpy.ops.libocean.add(kind="HORIZON", use_material=False)
+    assert meshes.is_draft(bpy.context.object.data)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "sea.blend"))
+    assert not meshes.is_draft(bpy.context.object.data)
+
+
+def test_a_render_begins_with_the_whole_sea(scene, waiting, small):
+    bpy.ops.libocean.add(kind="HORIZON", use_material=False)
+    ocean = bpy.context.object
+    drafts.stop(ocean.name_full)
+    live.complete()
+    assert is_whole(ocean) and not meshes.is_draft(ocean.data)
+
+
+def test_a_render_in_a_thread_leaves_the_data_to_the_main_thread(waiting, small, capsys):
+    bpy.ops.libocean.add(kind="HORIZON", use_material=False)
+    ocean, made_by = bpy.context.object, []
+    follow = meshes.follow_horizon
+
+    def noted(*arguments, **settings) -> None:
+        made_by.append(threading.current_thread())
+        follow(*arguments, **settings)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(meshes, "follow_horizon", noted)
+        render = threading.Thread(target=live.complete)
+        render.start()
+        while render.is_alive():
+            drafts.step()
+            time.sleep(0.01)
+    assert set(made_by) == {threading.main_thread()}
+    assert is_whole(ocean) and not meshes.is_draft(ocean.data)
+    assert "draft" not in capsys.readouterr().out
+
+
+def test_a_render_without_a_timer_says_that_it_shows_a_draft(waiting, small, monkeypatch, capsys):
+    bpy.ops.libocean.add(kind="HORIZON", use_material=False)
+    monkeypatch.setattr(drafts, "_PATIENCE", 0.05)
+    render = threading.Thread(target=live.complete)
+    render.start()
+    render.join()
+    assert "the render shows a draft of the sea" in capsys.readouterr().out
+
+
+def test_a_frame_that_blender_shows_again_stays_a_draft(scene, waiting, small):
+    """An edit of a driver has Blender show its frame once more, without any user."""
+    ocean = add_ocean(64, kind="PATCH", use_material=False)
+    rest()
+    ocean.libocean.choppiness = 0.7
+    live.show_all([ocean], scene, passing=True)
+    assert not is_whole(ocean) and drafts.progress(ocean.name_full) is not None
+    scene.frame_set(scene.frame_current + 30)
+    assert is_whole(ocean)
+
+
+def start_job(ob):
+    """Returns the running job of an object's sea."""
+    while drafts.at_work() is None:
+        time.sleep(drafts.step())
+    name, job = drafts.at_work()
+    assert name == ob.name_full
+    return job
+
+
+@pytest.fixture
+def slow(monkeypatch):
+    """Makes no job end before it is cancelled or `slow` is set."""
+    go_on = threading.Event()
+    run = drafts.Job._run
+
+    def wait_first(job) -> None:
+        while not job.is_cancelled() and not go_on.wait(0.005):
+            pass
+        run(job)
+
+    monkeypatch.setattr(drafts.Job, "_run", wait_first)
+    yield go_on
+    go_on.set()
+
+
+def test_the_work_goes_on_while_something_else_changes(scene, waiting, small, slow):
+    ocean = add_ocean(64, kind="PATCH", use_material=False)
+    job = start_job(ocean)
+    bpy.ops.object.empty_add()
+    live.show_all([ocean], scene)  # as the handler does after any change of the scene
+    assert not job.is_cancelled() and drafts.at_work()[1] is job
+    ocean.libocean.choppiness = 0.7
+    assert job.is_cancelled()
+
+
+def test_the_work_for_a_deleted_object_ends(waiting, small, slow):
+    ocean = add_ocean(64, kind="PATCH", use_material=False)
+    job = start_job(ocean)
+    bpy.data.objects.remove(ocean)
+    bpy.context.view_layer.update()
+    assert job.is_cancelled()
+    rest()
+    assert drafts.at_work() is None
+
+
+def test_the_work_can_be_stopped_and_finished_after_all(scene, waiting, small, slow):
+    ocean = add_ocean(64, kind="PATCH", use_material=False)
+    job = start_job(ocean)
+    assert drafts.line() == ("Ocean: foam 0%", "Ocean")
+    assert bpy.ops.libocean.stop_draft(name="Ocean") == {"FINISHED"}
+    job.join()
+    while drafts.at_work() is not None:
+        drafts.step()
+    live.show_all([ocean], scene)  # without a change it stays stopped
+    assert drafts.is_stopped("Ocean") and drafts.progress("Ocean") is None
+    assert not is_whole(ocean)
+    slow.set()
+    assert bpy.ops.libocean.finish_draft(name="Ocean") == {"FINISHED"}
+    rest()
+    assert is_whole(ocean) and not drafts.is_draft("Ocean")
+
+
+def test_a_file_that_is_opened_has_no_stopped_work(waiting, small, tmp_path):
+    add_ocean(64, kind="PATCH", use_material=False)
+    bpy.ops.libocean.stop_draft(name="Ocean")
+    assert drafts.is_stopped("Ocean")
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "sea.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "sea.blend"))
+    assert drafts.progress("Ocean") is not None
+    rest()
+    assert is_whole(bpy.data.objects["Ocean"])
+
+
+# Without a window --------------------------------------------------------------------
+
+
+def test_the_console_says_what_is_computed():
+    assert console.line(1.0) == ""
+    with console.work("Ocean", "maps"):
+        assert console.line(3.14) == "libocean: Ocean: maps, 3.1 s"
+        with console.work("Sea", lambda: "3 of 9 frames"):
+            assert console.line(4.0) == "libocean: Sea: 3 of 9 frames, 4.0 s"
+            console.tell(240, 500)
+            assert console.line(5.0) == "libocean: Sea: foam, 240 of 500 ticks, 5.0 s"
+        assert console.line(6.0) == "libocean: Ocean: maps, 6.0 s"
+    assert console.line(7.0) == ""
+
+
+def test_a_line_comes_after_each_interval(monkeypatch, capsys):
+    monkeypatch.setattr(console, "INTERVAL", 0.1)
+    with console.work("Ocean", "maps"):
+        time.sleep(0.35)
+    said = capsys.readouterr().out.splitlines()
+    assert 2 <= len(said) <= 3 and all(
+        line.startswith("libocean: Ocean: maps, 0.") for line in said
+    )
+    time.sleep(0.2)
+    assert capsys.readouterr().out == ""
+
+
+def test_with_a_window_the_console_is_silent(monkeypatch):
+    monkeypatch.setattr(console, "bpy", SimpleNamespace(app=SimpleNamespace(background=False)))
+    with console.work("Ocean", "maps"):
+        assert console.line(3.0) == ""
+
+
+def test_the_ticks_of_foam_are_told(monkeypatch, capsys):
+    """The library reports them to the thread that waits."""
+    monkeypatch.setattr(console, "INTERVAL", 0.02)
+    add_ocean(256, kind="PATCH", use_material=False)
+    assert "libocean: Ocean: foam, " in capsys.readouterr().out
+
+
+def test_short_work_says_nothing(small, capsys):
+    add_ocean(64, kind="PATCH", use_material=False)
+    assert "libocean:" not in capsys.readouterr().out
+
+
+# Ocean Scene ---------------------------------------------------------------------------
+
+
+@pytest.fixture
+def default_file():
+    factory_settings()
+    return bpy.context.scene
+
+
+def names() -> set[str]:
+    return {ob.name for ob in bpy.data.objects}
+
+
+def test_the_start_up_cube_and_lamp_go_and_undo_brings_them_back(default_file, small):
+    bpy.ops.ed.undo_push(message="before")
+    bpy.ops.libocean.add_scene("EXEC_DEFAULT", True)
+    assert names() == {"Camera", "Ocean", "Ocean Camera", "Ocean Sun"}
+    assert "Cube" not in bpy.data.meshes and "Material" not in bpy.data.materials
+    bpy.ops.ed.undo()
+    assert names() == {"Camera", "Cube", "Light"}
+    assert start_up.untouched(bpy.context.scene)
+
+
+def _paint(cube) -> None:
+    nodes = cube.data.materials[0].node_tree.nodes
+    shader = next(node for node in nodes if node.type == "BSDF_PRINCIPLED")
+    shader.inputs["Base Color"].default_value = (1.0, 0.0, 0.0, 1.0)
+
+
+@pytest.mark.parametrize(
+    "touch",
+    [
+        lambda cube: setattr(cube.location, "x", 1.0),
+        lambda cube: cube.modifiers.new("Bevel", "BEVEL"),
+        lambda cube: cube.keyframe_insert("location"),
+        lambda cube: setattr(cube.data.vertices[0].co, "x", 3.0),
+        lambda cube: cube.data.materials.clear(),
+        _paint,
+        lambda cube: cube.constraints.new("FLOOR"),
+        lambda cube: setattr(cube, "hide_render", True),
+        lambda cube: cube.__setitem__("mine", 1),
+    ],
+)
+def test_a_touched_cube_stays(default_file, touch):
+    cube, lamp = bpy.data.objects["Cube"], bpy.data.objects["Light"]
+    assert start_up.untouched(default_file) == [cube, lamp]
+    touch(cube)
+    assert start_up.untouched(default_file) == [lamp]
+    lamp.data.energy = 10.0
+    assert start_up.untouched(default_file) == []
+
+
+def test_nothing_goes_from_a_scene_with_other_objects(default_file):
+    bpy.ops.object.empty_add()
+    assert start_up.untouched(default_file) == []
+
+
+def test_nothing_goes_if_that_is_switched_off(default_file, small):
+    bpy.ops.libocean.add_scene(remove_start_up=False)
+    assert {"Cube", "Light"} <= names()
+
+
+def test_near_detail_is_on(scene, small):
+    bpy.ops.libocean.add_scene()
+    ocean = bpy.context.object
+    assert ocean.libocean.use_detail
+    nodes = ocean.material_slots[0].material.node_tree.nodes
+    assert any(detail.is_detail(node) for node in nodes)
+
+
+# Wrong input ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("samples", [500, 16, 16384, -1])
+@pytest.mark.parametrize("name", ["resolution", "foam_resolution"])
+def test_a_script_gets_the_error_of_a_sea_file(name, samples):
+    ocean = add_ocean(64, kind="PATCH", use_material=False)
+    section = {"resolution": "grid", "foam_resolution": "surface"}[name]
+    with pytest.raises(libocean.Error) as of_file:
+        libocean.parse(libocean.text_of_values({f"{section}.{name}": str(samples)}))
+    before = getattr(ocean.libocean, name)
+    with pytest.raises(ValueError) as of_script:
+        setattr(ocean.libocean, name, samples)
+    assert str(of_file.value).endswith(str(of_script.value))
+    assert getattr(ocean.libocean, name) == before and ocean.libocean.problem == ""
+
+
+@pytest.mark.parametrize("name", ["viewport_resolution", "render_resolution", "mesh_resolution"])
+def test_a_script_gets_an_error_for_other_samples_too(name):
+    ocean = add_ocean(64, kind="PATCH", use_material=False)
+    with pytest.raises(ValueError, match=f"^{name} = 500: is not a power of two; allowed: .*0 or"):
+        setattr(ocean.libocean, name, 500)
+    setattr(ocean.libocean, name, 0)
+
+
+def test_an_operator_refuses_samples_that_are_no_power_of_two():
+    with pytest.raises(TypeError, match="500"):
+        bpy.ops.libocean.add(mesh_resolution="500")
+
+
+def test_every_number_of_a_list_may_be_set():
+    ocean = add_ocean(64, kind="PATCH", use_material=False)
+    for item in ocean.libocean.bl_rna.properties["mesh_resolution_list"].enum_items:
+        resolutions.require_allowed("mesh_resolution", item.value)
+
+
+# Parts that Debian's Blender lacks --------------------------------------------------------
+
+WITHOUT_NUMPY = """
+import addon_utils
+hidden = [name for name in sys.modules if name.partition(".")[0] in ("numpy", "libocean_addon")]
+for name in hidden:
+    del sys.modules[name]
+class NoNumPy:
+    def find_spec(self, name, path=None, target=None):
+        if name.partition(".")[0] == "numpy":
+            raise ModuleNotFoundError("No module named 'numpy'", name="numpy")
+sys.meta_path.insert(0, NoNumPy())
+assert bpy.ops.preferences.addon_enable(module="libocean_addon") == {"FINISHED"}
+assert "libocean_addon" in bpy.context.preferences.addons
+assert bpy.context.preferences.addons["libocean_addon"].preferences is not None
+assert not hasattr(bpy.types.Object, "libocean")
+assert bpy.ops.preferences.addon_disable(module="libocean_addon") == {"FINISHED"}
+"""
+
+
+def test_without_numpy_one_sentence_names_the_package(tmp_path):
+
+    started = start_another_process(tmp_path, WITHOUT_NUMPY)
+    said, _ = started.communicate()
+    assert started.returncode == 0, said
+    assert "Traceback" not in said and "rror" not in said, said
+    assert said.count("install the package python3-numpy (Debian, Ubuntu)") == 1, said
+    assert sys.prefix in said
+
+
+def test_a_missing_denoiser_is_said_and_the_scene_renders(scene, small, monkeypatch):
+    monkeypatch.setattr(compat, "has_denoiser", lambda: False)
+    scene.render.engine = "CYCLES"
+    scene.cycles.use_denoising = True
+    bpy.ops.libocean.add_scene()
+    ocean = bpy.context.object
+    assert not scene.cycles.use_denoising
+    assert "denoiser" not in " ".join(hints.of_object(ocean, ocean))
+    scene.cycles.use_denoising = True
+    assert "Debian's package blender" in " ".join(hints.of_object(ocean, ocean))
+
+
+def test_a_denoiser_stays_in_use(scene, small, monkeypatch):
+    monkeypatch.setattr(compat, "has_denoiser", lambda: True)
+    scene.cycles.use_denoising = True
+    bpy.ops.libocean.add_scene()
+    assert scene.cycles.use_denoising
