@@ -153,6 +153,7 @@ LIBRARIES = {
             "common/console.cpp": ("unistd.h",),
             "ocean/plot": ("cairo.h",),
             "ocean-bridge/line_input.cpp": ("editline/", "poll.h", "unistd.h"),
+            "ocean-preview/window/file_dialog.cpp": (*SYSTEM, "spawn.h"),  # a child beside it
             "ocean-preview": ("GLFW/", "epoxy/", "imgui", "backends/"),
         },
         links=(

@@ -144,9 +144,10 @@ def ocean(tmp_path) -> Program:
 
 
 @pytest.fixture
-def display(tmp_path):
+def display(tmp_path, monkeypatch):
     """The name of a screen of 1280 x 800, on which there is nothing; its pixels are in the file
-    Xvfb_screen0 of the test's folder."""
+    Xvfb_screen0 of the test's folder. Windows keep their lists of recent files there."""
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     if shutil.which("Xvfb") is None:
         pytest.fail("Xvfb is needed")
     read, write = os.pipe()

@@ -96,7 +96,7 @@ def test_dropped_files_open_and_wrong_ones_say_why(hand):
     hand.wait_for_line(f"opened: {folder / 'baked.exr'}")
     assert rms(shown(hand), strong) > 0.02
 
-    # What is wrong is told, and the sea stays.
+    # A wrong file is reported with the reason, and the sea stays.
     (folder / "broken.toml").write_text(SEA.replace("wind_speed", "wind_sped"))
     (folder / "photo.jpg").write_bytes(b"\xff\xd8\xff\xe0\0\x10JFIF")
     for wrong, reason in (

@@ -71,7 +71,7 @@ std::vector<std::string> arguments(const std::string& program, FileDialog::Purpo
     return words;
 }
 
-/// What a child gets: its output in a pipe, no other file of ours, and none of our signals' masks.
+/// Gives a child its output in a pipe, no other file of the window, and no blocked signals.
 class SpawnRules {
   public:
     explicit SpawnRules(int output) {
@@ -140,15 +140,16 @@ void FileDialog::ask(Purpose purpose, const std::string& suggested) {
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     const SpawnRules rules(ends[1]);
-    const int error = ::posix_spawn(&child_, program_.c_str(), rules.files(), rules.attributes(),
+    pid_t child = 0;
+    const int error = ::posix_spawn(&child, program_.c_str(), rules.files(), rules.attributes(),
                                     argv.data(), environ);
     ::close(ends[1]);
     if (error != 0) {
-        child_ = 0;
         ::close(ends[0]);
         throw Error(ErrorKind::unsupported,
                     program_ + " cannot be started: " + std::strerror(error));
     }
+    child_ = child;
     output_ = ends[0];
     purpose_ = purpose;
     answer_.clear();

@@ -5,8 +5,6 @@
 // user chooses.
 #pragma once
 
-#include <sys/types.h>
-
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,7 +41,7 @@ class FileDialog {
   private:
     void read_answer();
 
-    pid_t child_ = 0;
+    int child_ = 0;    // its process; 0 while no dialog is open
     int output_ = -1;  // of the child, as it is read here
     Purpose purpose_ = Purpose::open;
     std::string program_;
