@@ -188,9 +188,11 @@ def test_labels_fit():
     assert blf.dimensions(0, "Significant wave height")[0] > LABEL
 
 
-NARROW = 213  # pixels of the editor's region in a window of 1400, as Blender lays it out at first
-ROW = NARROW - 35  # counted in a picture of it, as are these:
-ICON, CHECKBOX, ARROWS, EDGES = 20, 26, 46, 8
+# Pixels at a resolution scale of 1; the editor's region in a window of 1400 and one of 1920, as
+# Blender lays it out at first.
+NARROW, WIDE = 204, 291
+ROW = NARROW - 33  # counted in a picture of it, as are these:
+ICON, CHECKBOX, ARROWS, EDGES = 19, 25, 40, 8
 
 
 class NarrowLayout:
@@ -224,7 +226,7 @@ class NarrowLayout:
 
     def operator(self, name, *, text=None, icon="NONE"):
         if text is None:
-            text = getattr(bpy.types, name.replace("libocean.", "LIBOCEAN_OT_")).bl_rna.name
+            text = getattr(bpy.types, name.replace("libocean.", "LIBOCEAN_OT_")).bl_label
         word = bpy.app.translations.pgettext_iface(text, "Operator")
         if word:
             self._take(word, EDGES + (0 if icon == "NONE" else ICON))
@@ -312,7 +314,7 @@ def test_no_label_is_cut_where_the_editor_is_narrow(monkeypatch, kind, language)
 
 
 def test_labels_are_beside_their_fields_where_there_is_space(ocean, monkeypatch):
-    for width, beside in ((NARROW, False), (303, True)):
+    for width, beside in ((NARROW, False), (WIDE, True)):
         monkeypatch.setattr(drawing, "width", lambda width=width: width)
         layout = NarrowLayout([], ROW)
         drawing.place_labels(layout)

@@ -13,9 +13,9 @@ from . import compat
 from .compat import tr_label
 
 # Pixels at a resolution scale of 1, counted in pictures of a properties editor.
-NARROW = 300
+NARROW = 285
 """The width of an editor's region below which a label beside its field would be cut. A window
-1920 pixels wide begins with 303, one of 1400 with 213."""
+1920 pixels wide begins with 291, one of 1400 with 204."""
 _MARGIN = 48  # left and right of a line of text in a box
 _ICON = 26
 BUTTON = 26
