@@ -35,7 +35,6 @@ GERMAN = {
         "Foam resolution": "Schaumauflösung",
         "Foam map": "Schaumkarte",
         "Coverage": "Bedeckung",
-        "Map's own": "Wie die Karte",
         "Foam coverage": "Bedeckung",
         "Foam threshold": "Schwelle",
         "Foam width": "Schaumbreite",

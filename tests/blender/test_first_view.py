@@ -58,7 +58,8 @@ def test_it_is_undone_in_one_step(default_file):
     names = {ob.name for ob in bpy.data.objects}
     with presets_with(resolution=64):
         bpy.ops.libocean.add_scene("EXEC_DEFAULT", True)
-    assert {ob.name for ob in bpy.data.objects} > names
+    added = {ob.name for ob in bpy.data.objects} - names
+    assert added == {"Ocean", "Ocean Camera", "Ocean Sun"}
     bpy.ops.ed.undo()
     assert {ob.name for ob in bpy.data.objects} == names
     assert bpy.context.scene.world.name == "World"

@@ -31,6 +31,8 @@ TEST(FoamLattice, IsTheGridsUnlessTheMapIsCoarserOrAnotherIsSet) {
     EXPECT_EQ(foam_lattice(parameters, 32), (FoamLattice{32, 32}));
     parameters.surface.foam_resolution = 0;
     EXPECT_EQ(foam_lattice(parameters, 256), (FoamLattice{64, 32})) << "that of the grid";
+    parameters.grid.cascades = 1;
+    EXPECT_EQ(foam_lattice(parameters, 256), (FoamLattice{256, 256})) << "the map's own";
     parameters.surface.foam_resolution = 128;
     EXPECT_EQ(foam_lattice(parameters, 256), (FoamLattice{128, 64}));
     parameters.surface.foam_resolution = 1024;

@@ -18,7 +18,7 @@ from .parameter_values import TABLE
 
 _ENTRY = next(entry for entry in TABLE if entry["key"] == "resolution")
 # The parameters that are resolutions, with what their lists call 0.
-PARAMETERS = {"resolution": "", "foam_resolution": "Map's own"}
+PARAMETERS = {"resolution": "", "foam_resolution": "Automatic"}
 SIZES = [1 << k for k in range(20) if _ENTRY["min"] <= 1 << k <= _ENTRY["max"]]
 
 
@@ -42,7 +42,7 @@ def items(none: str, most: int) -> list[tuple[str, str, str, str, int]]:
         for n in SIZES
         if n <= most
     ]
-    return [("0", none, "As many as the maps of the sea", "NONE", 0), *made] if none else made
+    return [("0", none, "Resolution with several cascades, else as many as the map", "NONE", 0), *made] if none else made
 
 
 def listed(name: str) -> str:

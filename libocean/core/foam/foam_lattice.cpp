@@ -20,8 +20,9 @@
 namespace ocean {
 
 FoamLattice foam_lattice(const Parameters& parameters, int map_resolution) {
-    const int own = parameters.surface.foam_resolution > 0 ? parameters.surface.foam_resolution
-                                                           : parameters.grid.resolution;
+    const int given = parameters.surface.foam_resolution;
+    const int unset = parameters.grid.cascades > 1 ? parameters.grid.resolution : map_resolution;
+    const int own = given > 0 ? given : unset;
     if (own >= map_resolution) return {map_resolution, map_resolution};
     return {own, own / 2};
 }

@@ -102,9 +102,9 @@ constexpr ParameterInfo kTable[] = {
      member<&Parameters::surface, &SurfaceSettings::foam_step>(), 0.01, 1.0, 0.02, 0.2, kRebuild,
      Stage::foam},
     {kSurface, "foam_resolution", "samples", "Foam resolution",
-     "Samples along each side of the lattice that keeps the foam's past; 0 means grid.resolution. "
-     "Finer maps read it and sharpen it with their own whitecaps. As fine as the map, each wave "
-     "leaves its own foam, and a frame with cascades takes up to 100 times as long.",
+     "Samples along each side of the lattice that keeps the foam's past; 0 means grid.resolution "
+     "with cascades, else the map's own. Finer maps read it and sharpen it with their own "
+     "whitecaps. As fine as the map, a frame with cascades takes up to 100 times as long.",
      member<&Parameters::surface, &SurfaceSettings::foam_resolution>(), 0, kMaxResolution, 0, 2048,
      kRebuild, Stage::foam, kCoarserLattice},
     {kSurface, "foam_coverage", "", "Foam coverage",

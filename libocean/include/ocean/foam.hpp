@@ -51,8 +51,8 @@ struct FoamLattice {
     auto operator<=>(const FoamLattice&) const = default;
 };
 
-/// Returns the foam lattice of a map: the map's own, or one of surface.foam_resolution (0:
-/// grid.resolution) if that is coarser.
+/// Returns the foam lattice of a map: the map's own, or one of surface.foam_resolution if that is
+/// coarser; 0 stands for grid.resolution where the sea has cascades, else for the map's own.
 FoamLattice foam_lattice(const Parameters& parameters, int map_resolution);
 
 /// Foam of which hosts show the cover: a past, under the whitecaps of waves that a map of one
