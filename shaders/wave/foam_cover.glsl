@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Returns foam where a whitecap lies over earlier foam; alone: the part of a whitecap that shows
-// where there is none. 1: the foam is max(whitecap, earlier). 0: the earlier foam was made by longer
-// waves than the whitecap, which sharpens their front: it shows as a whole where foam is younger
-// than ln 2 lifetimes. Waves too short to leave a trace would otherwise cover the sea with dots.
+// where there is none. 1: the foam is max(whitecap, earlier). 0: the earlier foam was made by
+// longer waves than the whitecap, which sharpens their front: it shows as a whole where foam is
+// younger than ln 2 lifetimes. Waves too short to leave a trace would otherwise cover the sea with
+// dots.
 formula real foam_with_whitecap(real whitecap, real earlier, real alone) {
     return max(whitecap * min(real(1.0), alone + real(2.0) * earlier), earlier);
 }

@@ -42,7 +42,7 @@ def items(none: str, most: int) -> list[tuple[str, str, str, str, int]]:
         for n in SIZES
         if n <= most
     ]
-    return [("0", none, "Resolution with several cascades, else as many as the map", "NONE", 0), *made] if none else made
+    return [("0", none, "As many as the sea needs", "NONE", 0), *made] if none else made
 
 
 def listed(name: str) -> str:
