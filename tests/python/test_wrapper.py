@@ -40,7 +40,7 @@ def test_struct_fields_and_channels_are_those_of_the_header():
         _surface.CHANNELS
     )
     table = (ROOT / "libocean/include/ocean/channel.hpp").read_text()
-    products = re.findall(r'detail::(?:product|vector)\("(\w+)", \{(.+?)\}, \w+, \w+\)', table)
+    products = re.findall(r'detail::(?:product|vector)\("(\w+)", \{(.+?)\}, \w+, \w+,', table)
     known = {name: product.channels for name, product in _surface.PRODUCTS.items()}
     assert {name: tuple(channels.split(", ")) for name, channels in products} == known
     assert list(libocean.Surface.__annotations__) == list(known)
