@@ -204,6 +204,17 @@ double Ocean::cover_power(double time, const ShownFoam& foam) {
     return chain_->shown_cover_power(foam, pool_, runs_);
 }
 
+void Ocean::lattice_foam_into(double time, const FoamLattice& lattice, std::span<float> foam) {
+    require_time(time);
+    require_resolution(lattice.resolution);
+    go_to(time);
+    require_map_memory(lattice.resolution, 0, Channel::foam);
+    ++runs_.surface;
+    const FoamLayer layer = foam_layer(time, lattice);
+    go_to(time);  // foam has been in the past
+    write_lattice_foam(time, lattice, layer, foam);
+}
+
 Surface Ocean::evaluate(double time, ChannelSet channels, int resolution) {
     require_time(time);
     resolution = map_resolution(resolution);

@@ -219,21 +219,19 @@ class SeaMaps::Impl {
         show_cascades(sea.modes(time), cascades_->arrays(), sea.parameters().grid.patch_size);
         done("cascades");
 
-        foam_image_.resize(static_cast<std::size_t>(foam_resolution) *
-                           static_cast<std::size_t>(foam_resolution));
-        MapOutput foam{foam_image_.data(), 1, {}};
-        foam.component[0] = {Channel::foam};
-        sea.evaluate_into(time, {&foam, 1}, foam_resolution);
-        if (!foam_ || foam_resolution != uploaded_foam_resolution_) {
-            foam_ = gl::make_texture(GL_R32F, foam_resolution);
-            uploaded_foam_resolution_ = foam_resolution;
+        const FoamLattice lattice = foam_lattice(sea.parameters(), foam_resolution);
+        foam_image_.resize(Lattice{lattice.resolution, 1.0}.size());
+        sea.lattice_foam_into(time, lattice, foam_image_);
+        if (!foam_ || lattice.resolution != uploaded_foam_resolution_) {
+            foam_ = gl::make_texture(GL_R32F, lattice.resolution);
+            uploaded_foam_resolution_ = lattice.resolution;
         }
         glBindTexture(GL_TEXTURE_2D, foam_.name());
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, foam_resolution, foam_resolution, GL_RED, GL_FLOAT,
-                        foam_image_.data());
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, lattice.resolution, lattice.resolution, GL_RED,
+                        GL_FLOAT, foam_image_.data());
         done("foam");
-        make_cover(foam_.name(), foam_resolution, 1.0f,
-                   power_of(sea, time, foam_of_map(sea.parameters(), foam_resolution)));
+        make_cover(foam_.name(), lattice.resolution, 1.0f,
+                   power_of(sea, time, foam_of_lattice(lattice)));
     }
 
     void show_cascades(const Modes& modes, const gl::CascadeArrays& maps, double sea_period) {

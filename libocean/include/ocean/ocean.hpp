@@ -115,6 +115,9 @@ class Ocean {
     /// second after a change of waves or wind.
     double cover_power(double time, int resolution = 0);
     double cover_power(double time, const ShownFoam& foam);
+    /// Writes the foam of a lattice, resolution^2 samples, without a finer map's whitecaps over it.
+    /// Throws as evaluate().
+    void lattice_foam_into(double time, const FoamLattice& lattice, std::span<float> foam);
     /// Writes the small map of one cascade over its own period,
     /// modes(time).cascades[cascade].lattice: at any point the sum over all cascades, each wrapped
     /// at its own period, is the sea's. The outputs may hold linear fields and channels that add
