@@ -60,7 +60,8 @@ std::vector<OptionGroup> common_options(Typed& typed, const Catalogue& catalogue
              {"-n,--dry-run", &typed.dry_run, "",
               "Print the files and the disk space that they need; write nothing"},
              {"--resolution", &bake.resolution, "R",
-              "Samples along a side, a power of two; default: the sea's grid"},
+              "Samples along a side, a power of two; default: the sea's grid, four times that with "
+              "cascades"},
              {"--backend", &bake.backend, "NAME",
               catalogue.backend_names() + "; default cpu. auto: gl on a GPU, else cpu"},
 #if OCEAN_HAS_GL

@@ -187,7 +187,8 @@ std::vector<OptionGroup> povray_options(Typed& typed) {
            "overhangs); default df3",
            kOptional, OneOf{{"df3", "mesh2", "height_field"}}},
           {"--resolution", &bake.resolution, "R",
-           "Samples along a side, a power of two up to 2048; default: the sea's grid"},
+           "Samples along a side, a power of two up to 2048; default: the sea's grid, four times "
+           "that with cascades"},
           {"--near-only", &typed.near_only, "",
            "Leave out the coarser maps, which show the sea up to the horizon"},
           {"--shard", &bake.shard, "I/N", "Only the I-th of N parts of the frames"},
