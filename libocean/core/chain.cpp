@@ -113,9 +113,7 @@ double Chain::shown_cover_power(const ShownFoam& foam, ThreadPool& pool, StageRu
             foam.is_past_alone() ? past : shown_settings(foam.whitecaps_held_by, pool, runs);
         ++runs.cover_power;
         power.value = cover_power({spectrum(pool, runs), parameters_},
-                                  {whitecaps_of(modes, past, foam.past.held_by),
-                                   whitecaps_of(modes, shown, foam.whitecaps_held_by)},
-                                  pool);
+                                  foam_whitecaps(modes, foam, past, shown), pool);
         power.revision = revision(Stage::foam);
     }
     return power.value;

@@ -170,7 +170,7 @@ void Ocean::evaluate_into(double time, std::span<const MapOutput> outputs, int r
         const FoamLattice lattice = foam_lattice(sea_.parameters, resolution);
         foam = foam_layer(time, lattice);
         go_to(time);  // foam has been in the past
-        if (lattice.resolution < resolution) {
+        if (lattice.is_spread()) {
             foam = spread_layer(time, foam, lattice, resolution);
         }
     }
@@ -265,7 +265,7 @@ int Ocean::map_resolution(int requested) const {
 void Ocean::require_map_memory(int resolution, int maps, ChannelSet channels) const {
     const FoamLattice lattice = foam_lattice(sea_.parameters, resolution);
     const bool follows = has_foam(channels) && !foam_.contains(lattice);
-    const bool spreads = has_foam(channels) && lattice.resolution < resolution;
+    const bool spreads = has_foam(channels) && lattice.is_spread();
     const auto made = made_.find(resolution);
     const bool has_work_space = made != made_.end() && channels.without(made->second).empty();
     const std::uint64_t work = has_work_space ? 0

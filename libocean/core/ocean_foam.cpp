@@ -37,7 +37,7 @@ void Ocean::lattice_foam_into(double time, const FoamLattice& lattice, std::span
 
 std::int64_t Ocean::foam_settling_ticks() const {
     std::int64_t ticks = 0;
-    for (const auto& [resolution, foam] : foam_) ticks = std::max(ticks, foam.settling_ticks());
+    for (const auto& [lattice, foam] : foam_) ticks = std::max(ticks, foam.settling_ticks());
     return ticks;
 }
 
@@ -128,7 +128,7 @@ FrameCost Ocean::measure_frame_cost() {
     if (preroll == 0.0) return {frame, frame};  // there are no ticks to follow
 
     double calibration = 0.0;
-    if (lattice < map) {
+    if (past.is_spread()) {
         calibration = seconds_of(
             [&] { chain_->shown_cover_power(foam_of_map(sea_.parameters, map), pool_, runs_); });
         const int small = std::max(1, lattice * kLargest / std::max(map, kLargest));

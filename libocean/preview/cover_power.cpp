@@ -57,8 +57,7 @@ double CoverPower::of(Ocean& sea, double time, const ShownFoam& foam) {
     const SurfaceSettings past = lattice_settings(modes, parameters, foam.past);
     const SurfaceSettings shown =
         foam.is_past_alone() ? past : with_threshold(settings_, modes, foam.whitecaps_held_by);
-    const FoamWhitecaps whitecaps{whitecaps_of(modes, past, foam.past.held_by),
-                                  whitecaps_of(modes, shown, foam.whitecaps_held_by)};
+    const FoamWhitecaps whitecaps = foam_whitecaps(modes, foam, past, shown);
     job_ = std::make_unique<Job>(sea.spectrum(time), std::move(parameters), whitecaps);
     return power_;
 }

@@ -21,7 +21,9 @@ class CoverPower {
     CoverPower& operator=(const CoverPower&) = delete;
 
     /// Returns Ocean::cover_power of a sea at a time [s], or the previous value until it is solved.
-    /// Of the requests that come meanwhile the last one is solved next. Throws Error.
+    /// A
+    /// call while a solution is in work returns that value too; the first one after it begins the
+    /// next solution. Throws Error.
     double of(Ocean& sea, double time, const ShownFoam& foam);
     /// Returns whether a solution is in work, or ready for the next call of of().
     Pending pending() const;

@@ -50,8 +50,12 @@ SurfaceSettings lattice_settings(const Modes& modes, const Parameters& parameter
     return settings;
 }
 
-Whitecaps whitecaps_of(const Modes& modes, const SurfaceSettings& settings, int resolution) {
-    return {resolution, modes.gradient_covariance(resolution), settings.foam_threshold};
+FoamWhitecaps foam_whitecaps(const Modes& modes, const ShownFoam& foam, const SurfaceSettings& past,
+                             const SurfaceSettings& shown) {
+    const auto whitecaps = [&](const SurfaceSettings& settings, int held_by) {
+        return Whitecaps{held_by, modes.gradient_covariance(held_by), settings.foam_threshold};
+    };
+    return {whitecaps(past, foam.past.held_by), whitecaps(shown, foam.whitecaps_held_by)};
 }
 
 namespace {

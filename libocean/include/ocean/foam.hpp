@@ -92,15 +92,16 @@ struct Whitecaps {
     bool operator==(const Whitecaps&) const = default;
 };
 
-/// Returns the whitecaps of a map. `settings`: with their threshold.
-Whitecaps whitecaps_of(const Modes& modes, const SurfaceSettings& settings, int resolution);
-
 /// The whitecaps that make a map's foam: `past` its trace, and `shown` are laid over that. They are
 /// the same unless a coarser lattice is spread.
 struct FoamWhitecaps {
     Whitecaps past;
     Whitecaps shown;
 };
+
+/// Returns the whitecaps of foam. `past`, `shown`: the settings with the threshold of each.
+FoamWhitecaps foam_whitecaps(const Modes& modes, const ShownFoam& foam, const SurfaceSettings& past,
+                             const SurfaceSettings& shown);
 
 /// A sea whose foam is followed at single labels. `parameters`: of the time.
 struct FoamSea {

@@ -126,13 +126,15 @@ bool SessionFiles::run(const PanelRequests& requests) {
     return changed;
 }
 
+/// Shows the panel's field for a path, where no dialog is installed.
+void SessionFiles::show_field(FileRows::Ask ask) {
+    state_.files.ask = ask;
+    state_.shown = true;
+}
+
 void SessionFiles::ask_open() {
     if (dialog_.is_open()) return;
-    if (!state_.files.has_dialog) {
-        state_.files.ask = FileRows::Ask::open;
-        state_.shown = true;  // the panel has the field
-        return;
-    }
+    if (!state_.files.has_dialog) return show_field(FileRows::Ask::open);
     try {
         const std::string folder =
             is_file(state_.source.source)
@@ -148,11 +150,7 @@ void SessionFiles::ask_open() {
 
 void SessionFiles::ask_save() {
     if (dialog_.is_open()) return;
-    if (!state_.files.has_dialog) {
-        state_.files.ask = FileRows::Ask::save;
-        state_.shown = true;  // the panel has the field
-        return;
-    }
+    if (!state_.files.has_dialog) return show_field(FileRows::Ask::save);
     try {
         const std::string name = text::to_utf8(
             std::filesystem::absolute(utf8_path(free_name(saved_.stem() + "-changed", ".toml"))));

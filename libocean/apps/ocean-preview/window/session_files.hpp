@@ -36,6 +36,7 @@ class SessionFiles {
     bool is_asking() const { return dialog_.is_open(); }
 
   private:
+    void show_field(FileRows::Ask ask);
     bool open_one(const std::string& path);
     void show(const std::string& path, OpenedFile opened);
     void save_as(const std::string& requested, bool may_replace);
