@@ -98,7 +98,7 @@ Preset tujunga() {
     Terrain terrain;
     terrain.resolution = 1024;
     terrain.patch_size = 16384.0;
-    terrain.rms = 200.0;
+    terrain.rms = 185.0;
     terrain.mean = 1200.0;
     terrain.beta = 1.67;
     terrain.breaks = {{440.0, 2.65}};
