@@ -116,7 +116,7 @@ Preset jacksboro() {
     Terrain terrain;
     terrain.resolution = 512;
     terrain.patch_size = 32768.0;
-    terrain.rms = 120.0;
+    terrain.rms = 136.0;
     terrain.mean = 500.0;
     terrain.beta = 1.33;
     terrain.breaks = {{1130.0, 2.59}};
