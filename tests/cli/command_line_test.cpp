@@ -174,5 +174,102 @@ TEST(CommandLine, ACommandRunsAloneWithItsOwnOptions) {
     EXPECT_EQ(ran, "second");
 }
 
+/// A program as `ocean` is: `terrain` runs by itself, `terrain import` is a command beside it, and
+/// `shore` only begins the name of `shore wash`.
+struct TwoWordProgram {
+    std::string ran;
+    std::string file;
+    std::string output;
+    Program program{.main = {.name = "ocean", .summary = "Makes seas.", .run = {}},
+                    .version = "",
+                    .commands = {command("terrain import"),
+                                 command("bake"),
+                                 command("terrain"),
+                                 {.name = "shore", .summary = "Works on shores."},
+                                 command("shore wash")}};
+
+    Command command(const std::string& name) {
+        return {.name = name,
+                .summary = "Runs " + name + ".",
+                .options = {{"", {{"FILE", &file, "", "The file"}}},
+                            {"Output", {{"-o,--output", &output, "FILE", "The output"}}},
+                            run_options("")},
+                .run = [this, name](const Context&) { ran += "[" + name + "]"; }};
+    }
+};
+
+TEST(CommandLine, ACommandOfTwoWordsRunsInsteadOfTheCommandOfItsFirstWord) {
+    const std::vector<std::vector<std::string>> lines = {
+        {"terrain", "import", "a.tif", "-o", "bed.flt"},
+        {"terrain", "-o", "bed.flt", "-q", "import", "a.tif"}};
+    for (const std::vector<std::string>& words : lines) {
+        TwoWordProgram two;
+        const Outcome outcome = run(two.program, words);
+        EXPECT_EQ(outcome.code, 0) << outcome.error;
+        EXPECT_EQ(two.ran, "[terrain import]");
+        EXPECT_EQ(two.file, "a.tif");
+        EXPECT_EQ(two.output, "bed.flt");
+    }
+}
+
+TEST(CommandLine, AnArgumentKeepsItsMeaningBesideCommandsOfTwoWords) {
+    for (const char* file : {"hills.toml", "./import", "preset:import"}) {
+        TwoWordProgram two;
+        EXPECT_EQ(run(two.program, {"terrain", "-o", "import", file}).code, 0);
+        EXPECT_EQ(two.ran, "[terrain]") << file;
+        EXPECT_EQ(two.file, file);
+        EXPECT_EQ(two.output, "import");
+    }
+    TwoWordProgram two;
+    EXPECT_EQ(run(two.program, {"bake", "import"}).code, 0);
+    EXPECT_EQ(two.ran + two.file, "[bake]import");
+}
+
+TEST(CommandLine, AMistypedSecondWordIsNoFile) {
+    TwoWordProgram two;
+    const Outcome outcome = run(two.program, {"terrain", "imprt", "a.tif"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.error,
+              "ocean: unknown command 'terrain imprt'; did you mean import? (see `ocean terrain "
+              "--help`)\n");
+    const Outcome none = run(two.program, {"shore", "x"});
+    EXPECT_EQ(none.error, "ocean: unknown command 'shore x' (see `ocean shore --help`)\n");
+    const Outcome alone = run(two.program, {"shore"});
+    EXPECT_EQ(alone.error,
+              "ocean: a command is required after 'shore': wash (see `ocean shore --help`)\n");
+    // The parser's own name of a command is no word of the command line.
+    EXPECT_EQ(run(two.program, {"terrain.import", "a.tif"}).code, 2);
+    EXPECT_EQ(two.ran, "");
+    const Outcome option = run(two.program, {"terrain", "import", "--ouptut", "x"});
+    EXPECT_EQ(option.error,
+              "ocean: unknown option '--ouptut'; did you mean --output? (see `ocean terrain import "
+              "--help`)\n");
+    const Outcome extra = run(two.program, {"terrain", "import", "a", "b"});
+    EXPECT_TRUE(extra.error.ends_with("(see `ocean terrain import --help`)\n")) << extra.error;
+}
+
+TEST(CommandLine, ACommandOfTwoWordsIsListedUnderTheFirst) {
+    const TwoWordProgram two;
+    const std::string all = run(two.program, {"--help"}).output;
+    EXPECT_NE(all.find("  bake                      Runs bake.\n"
+                       "  terrain                   Runs terrain.\n"
+                       "  terrain import            Runs terrain import.\n"),
+              std::string::npos)
+        << all;
+    const std::string parent = run(two.program, {"terrain", "--help"}).output;
+    EXPECT_TRUE(
+        parent.starts_with("Runs terrain.\n"
+                           "Usage: ocean terrain [OPTIONS] [FILE]\n"
+                           "       ocean terrain COMMAND [OPTIONS]\n"))
+        << parent;
+    EXPECT_NE(parent.find("Commands:\n  import                    Runs terrain import.\n"),
+              std::string::npos);
+    EXPECT_TRUE(run(two.program, {"terrain", "import", "--help"})
+                    .output.starts_with("Runs terrain import.\nUsage: ocean terrain import"));
+    EXPECT_TRUE(
+        run(two.program, {"shore", "--help"})
+            .output.starts_with("Works on shores.\nUsage: ocean shore [OPTIONS] COMMAND\n"));
+}
+
 }  // namespace
 }  // namespace ocean::app

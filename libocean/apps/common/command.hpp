@@ -92,6 +92,7 @@ struct HelpPage {
 };
 
 struct Command {
+    /// "bake", or two words: "terrain import" is a command beside "terrain", whose help lists it.
     std::string name = {};
     std::string summary = {};
     std::vector<OptionGroup> options = {};
@@ -99,7 +100,7 @@ struct Command {
     std::string page_noun = {};    // what a page is about: "format"
     std::string pages_title = {};  // of their list in the command's help
     std::vector<HelpPage> pages = {};
-    /// Throws ocean::Error when it fails.
+    /// Throws ocean::Error when it fails. Empty for a command that only begins the names of others.
     std::function<void(const Context&)> run = {};
 };
 

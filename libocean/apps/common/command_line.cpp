@@ -14,6 +14,7 @@
 #include <new>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "command_words.hpp"
 #include "console.hpp"
@@ -127,38 +128,48 @@ class CommandLine {
         add_options(parser_, program.main.options, run_options);
         if (!program.commands.empty()) parser_.require_subcommand(1);
         for (const Command& command : program.commands) {
-            CLI::App* parser = parser_.add_subcommand(command.name, command.summary);
+            CLI::App* parser = parser_.add_subcommand(parser_name(command), command.summary);
             add_options(*parser, command.options, run_options);
         }
     }
 
-    void parse(int argc, char** argv) { parser_.parse(argc, argv); }
+    /// Parses the words after the program's name.
+    void parse(std::vector<std::string> words) {
+        std::ranges::reverse(words);  // the order that the parser requires
+        parser_.parse(std::move(words));
+    }
 
     /// Runs the requested command, and throws its error.
     void run(const Context& context) const {
-        for (const Command& command : program_.commands) {
-            if (parser_.got_subcommand(command.name)) return command.run(context);
-        }
-        program_.main.run(context);
+        const Command* requested = requested_command();
+        (requested != nullptr ? *requested : program_.main).run(context);
     }
 
     /// Prints help and version on standard output, and wrong usage as one line of an error.
     int report(const CLI::ParseError& error, Console& console) const {
-        const auto requested = parser_.get_subcommands();
+        const Command* requested = requested_command();
         if (error.get_name() == "CallForHelp") {
-            console.data(help_of(program_, requested.empty() ? "" : requested[0]->get_name()));
+            console.data(help_of(program_, requested != nullptr ? requested->name : ""));
             return 0;
         }
         if (error.get_exit_code() == 0) return parser_.exit(error);
         std::string message = error.what();
         std::replace(message.begin(), message.end(), '\n', ' ');
         std::string command = program_.main.name;
-        for (const CLI::App* sub : requested) command += " " + sub->get_name();
+        if (requested != nullptr) command += " " + requested->name;
         console.error(message + " (see `" + command + " --help`)");
         return kWrongUsage;
     }
 
   private:
+    /// Returns nullptr for the program itself.
+    const Command* requested_command() const {
+        for (const Command& command : program_.commands) {
+            if (parser_.got_subcommand(parser_name(command))) return &command;
+        }
+        return nullptr;
+    }
+
     const Program& program_;
     CLI::App parser_;
 };
@@ -170,11 +181,12 @@ int parse_and_run(int argc, char** argv, const Program& program) {
     CommandLine command_line(program, options);
     try {
         const std::span words(argv, static_cast<std::size_t>(argc));
-        if (const auto help = requested_help(program, words.subspan(1))) {
-            console.data(*help);
+        CommandWords read = read_command_words(program, words.subspan(1));
+        if (read.help) {
+            console.data(*read.help);
             return 0;
         }
-        command_line.parse(argc, argv);
+        command_line.parse(std::move(read.words));
         command_line.run({options, console, interrupts});
         return 0;
     } catch (const CLI::ParseError& error) {

@@ -5,13 +5,16 @@
 #include "command_words.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "help_text.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/nearest_name.hpp"
+#include "ocean/internal/platform.hpp"
 
 namespace ocean::app {
 namespace {
@@ -44,6 +47,50 @@ std::vector<KnownOption> options_of(const Command& command) {
     return known;
 }
 
+/// Returns the second words of the commands that begin with `first`: "import" of "terrain import".
+std::vector<std::string_view> second_words(const Program& program, std::string_view first) {
+    std::vector<std::string_view> seconds;
+    for (const Command& command : program.commands) {
+        const std::string_view name = command.name;
+        if (name.size() > first.size() && name.starts_with(first) && name[first.size()] == ' ') {
+            seconds.push_back(name.substr(first.size() + 1));
+        }
+    }
+    return seconds;
+}
+
+/// Returns the program's commands, each one followed by those whose names begin with its name.
+std::vector<HelpRow> rows_of(const Program& program) {
+    std::vector<HelpRow> rows;
+    for (const Command& command : program.commands) {
+        if (command.name.find(' ') != std::string::npos) continue;
+        rows.push_back({command.name, command.summary});
+        for (const Command& other : program.commands) {
+            if (other.name.starts_with(command.name + " ")) {
+                rows.push_back({other.name, other.summary});
+            }
+        }
+    }
+    return rows;
+}
+
+/// Returns the commands whose names begin with the command's name, by their second words.
+std::vector<HelpRow> rows_below(const Program& program, const Command& command) {
+    std::vector<HelpRow> rows;
+    for (const std::string_view second : second_words(program, command.name)) {
+        const std::string name = command.name + " " + std::string(second);
+        const auto found = std::ranges::find(program.commands, name, &Command::name);
+        rows.push_back({std::string(second), found->summary});
+    }
+    return rows;
+}
+
+bool names_a_file(std::string_view word) {
+    std::error_code ignored;
+    return word.find_first_of("./\\:") != std::string_view::npos ||
+           std::filesystem::exists(utf8_path(word), ignored);
+}
+
 /// Reads the words of one command line.
 class WordReader {
   public:
@@ -52,18 +99,29 @@ class WordReader {
         known_.push_back({"--version", false});
     }
 
-    std::optional<std::string> requested_help() {
+    CommandWords read() {
+        CommandWords result;
         for (; at_ < words_.size(); ++at_) {
             const std::string_view word = words_[at_];
-            if (word == "--") return std::nullopt;
-            if (word == "-h" || word == "--help" || word.starts_with("--help=")) return help();
+            if (word == "--") break;
+            if (word == "-h" || word == "--help" || word.starts_with("--help=")) {
+                result.help = help();
+                return result;
+            }
             if (word.size() > 1 && word.starts_with('-')) {
                 read_option(word);
             } else if (!program_.commands.empty() && command_ == nullptr) {
                 read_command(word);
+            } else {
+                read_argument(word);
             }
         }
-        return std::nullopt;
+        require_runnable();
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            if (i == second_at_) continue;
+            result.words.push_back(i == command_at_ ? parser_name(*command_) : words_[i]);
+        }
+        return result;
     }
 
   private:
@@ -108,12 +166,48 @@ class WordReader {
         const auto found = std::ranges::find(program_.commands, word, &Command::name);
         if (found == program_.commands.end()) {
             std::vector<std::string_view> names;
-            for (const Command& command : program_.commands) names.push_back(command.name);
+            for (const Command& command : program_.commands) {
+                if (command.name.find(' ') == std::string::npos) names.push_back(command.name);
+            }
             throw refused("unknown command '" + text::printable(word) + "'" +
                           did_you_mean(word, names));
         }
-        command_ = &*found;
-        known_ = options_of(*command_);
+        choose(*found);
+        command_at_ = at_;
+        may_be_second_ = true;
+    }
+
+    void choose(const Command& command) {
+        command_ = &command;
+        known_ = options_of(command);
+    }
+
+    /// Reads a word that is no option. The first one after a command may be its second word.
+    void read_argument(std::string_view word) {
+        if (!may_be_second_) return;
+        may_be_second_ = false;
+        const std::vector<std::string_view> seconds = second_words(program_, command_->name);
+        if (std::ranges::find(seconds, word) != seconds.end()) {
+            const std::string name = command_->name + " " + std::string(word);
+            choose(*std::ranges::find(program_.commands, name, &Command::name));
+            second_at_ = at_;
+            return;
+        }
+        const std::string hint = did_you_mean(word, seconds);
+        const bool is_argument = command_->run && (hint.empty() || names_a_file(word));
+        if (seconds.empty() || is_argument) return;
+        throw refused("unknown command '" + command_->name + " " + text::printable(word) + "'" +
+                      hint);
+    }
+
+    /// Throws for a command that only begins the names of others.
+    void require_runnable() const {
+        if (command_ == nullptr || command_->run) return;
+        std::string known;
+        for (const std::string_view second : second_words(program_, command_->name)) {
+            known += (known.empty() ? "" : ", ") + std::string(second);
+        }
+        throw refused("a command is required after '" + command_->name + "': " + known);
     }
 
     /// Returns the page of help that the word at or after --help names, else the command's help.
@@ -162,27 +256,39 @@ class WordReader {
                        "; known: " + known);
     }
 
+    static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
+
     const Program& program_;
     std::span<char* const> words_;
     std::vector<KnownOption> known_;  // of the command, once it was read
     const Command* command_ = nullptr;
     std::size_t at_ = 0;
+    std::size_t command_at_ = kNowhere;  // of the command's first and second word
+    std::size_t second_at_ = kNowhere;
+    bool may_be_second_ = false;  // the next argument may be the command's second word
 };
 
 }  // namespace
 
-std::optional<std::string> requested_help(const Program& program, std::span<char* const> words) {
-    return WordReader(program, words).requested_help();
+CommandWords read_command_words(const Program& program, std::span<char* const> words) {
+    return WordReader(program, words).read();
+}
+
+std::string parser_name(const Command& command) {
+    std::string name = command.name;
+    std::ranges::replace(name, ' ', '.');
+    return name;
 }
 
 std::string help_of(const Program& program, const std::string& name) {
     const auto command = std::ranges::find(program.commands, name, &Command::name);
     if (command == program.commands.end()) {
-        return command_help(program.main, program.main.name, program.commands, true);
+        return command_help(program.main, program.main.name, rows_of(program), true);
     }
     Command shown = *command;
     if (shown.footer.empty()) shown.footer = program.main.footer;
-    return command_help(shown, program.main.name + " " + name, {}, false);
+    return command_help(shown, program.main.name + " " + name, rows_below(program, *command),
+                        false);
 }
 
 }  // namespace ocean::app

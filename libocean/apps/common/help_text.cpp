@@ -74,14 +74,16 @@ std::vector<HelpSection> sections_of(const std::vector<OptionGroup>& groups, boo
 
 std::string usage_text(const Command& command, const std::string& usage, bool has_commands) {
     std::string text = "Usage: " + usage + " [OPTIONS]";
-    if (has_commands) text += " COMMAND";
+    if (has_commands && !command.run) text += " COMMAND";
     for (const OptionGroup& group : command.options) {
         for (const Option& option : group.options) {
             if (!is_positional(option)) continue;
             text += option.required ? " " + option.names : " [" + option.names + "]";
         }
     }
-    return text + "\n";
+    text += "\n";
+    if (has_commands && command.run) text += "       " + usage + " COMMAND [OPTIONS]\n";
+    return text;
 }
 
 }  // namespace
@@ -97,7 +99,7 @@ std::string option_name(const Option& option) {
 }
 
 std::string command_help(const Command& command, const std::string& usage,
-                         const std::vector<Command>& commands, bool has_version) {
+                         const std::vector<HelpRow>& commands, bool has_version) {
     std::string text = wrapped(command.summary, 0, kHelpColumns);
     text += usage_text(command, usage, !commands.empty());
     std::vector<HelpSection> sections = sections_of(command.options, has_version);
@@ -109,11 +111,7 @@ std::string command_help(const Command& command, const std::string& usage,
         const bool has_positionals = sections.front().title == "Positionals";
         sections.insert(sections.begin() + (has_positionals ? 1 : 0), std::move(pages));
     }
-    if (!commands.empty()) {
-        HelpSection list{"Commands", {}};
-        for (const Command& each : commands) list.rows.push_back({each.name, each.summary});
-        sections.push_back(std::move(list));
-    }
+    if (!commands.empty()) sections.push_back({"Commands", commands});
     for (const HelpSection& section : sections) text += section_text(section);
     if (!command.footer.empty()) text += "\n" + command.footer + "\n";
     return text;

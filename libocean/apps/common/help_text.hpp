@@ -15,10 +15,10 @@ namespace ocean::app {
 
 inline constexpr std::size_t kHelpColumns = 80;
 
-/// Returns the help of a command, with `usage` as its name: "ocean bake". The program itself has
-/// `commands`, and --version among its options.
+/// Returns the help of a command, with `usage` as its name: "ocean bake". `commands` are those that
+/// may follow it; the program itself has --version among its options.
 std::string command_help(const Command& command, const std::string& usage,
-                         const std::vector<Command>& commands, bool has_version);
+                         const std::vector<HelpRow>& commands, bool has_version);
 
 /// Returns the text of one page.
 std::string page_help(const HelpPage& page);
