@@ -76,7 +76,7 @@ def test_text_presets_and_parameters(land):
 
 def test_what_a_terrain_does_not_have_is_refused(land):
     with pytest.raises(libocean.UnsupportedError, match="a terrain has no channel foam"):
-        land.surface().foam
+        land.surface(fields=["foam"])
     with pytest.raises(libocean.InvalidValueError, match="terrain.beta"):
         land.set("beta", 9)
     with pytest.raises(libocean.InvalidValueError, match="unknown parameter"):
@@ -84,7 +84,7 @@ def test_what_a_terrain_does_not_have_is_refused(land):
     surface = land.surface()
     land.set("beta", 2.5)
     with pytest.raises(libocean.InvalidValueError, match="the terrain was changed"):
-        surface.height
+        surface._field("height")
 
 
 def test_buffers_with_a_seam_are_filled(land):
