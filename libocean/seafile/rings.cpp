@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Files of rings: see measured_rings.hpp.
+// Files of rings: see rings_file.hpp.
+#include "ocean/rings_file.hpp"
+
 #include <array>
 #include <cmath>
 #include <optional>
@@ -9,7 +11,6 @@
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/csv_rows.hpp"
 #include "ocean/internal/nearest_name.hpp"
-#include "ocean/measured_rings.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {

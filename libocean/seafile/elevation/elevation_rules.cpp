@@ -95,6 +95,7 @@ void scale_domain(RawModel& raw, const std::string& name, CellsInDegrees request
         model.domain.origin[axis] *= raw.metres_per_unit;
         model.domain.size[axis] *= raw.metres_per_unit;
     }
+    model.crs = "LOCAL_CS[\"metres of " + crs_name(model.crs) + "\",UNIT[\"metre\",1]]";
     model.notes.push_back("the horizontal unit of the file is " +
                           shortest_text(raw.metres_per_unit) + " m; cell and origin are metres");
 }
@@ -132,6 +133,8 @@ void scale_heights(RawModel& raw, const std::string& name, const ElevationOption
     }
 }
 
+}  // namespace
+
 void apply_holes(ElevationModel& model, const std::string& name, HolePolicy policy) {
     const auto holes = static_cast<std::size_t>(
         std::ranges::count_if(model.heights, [](float h) { return std::isnan(h); }));
@@ -154,8 +157,6 @@ void apply_holes(ElevationModel& model, const std::string& name, HolePolicy poli
                               "them");
     }
 }
-
-}  // namespace
 
 void require_sides(const std::string& name, std::int64_t columns, std::int64_t rows) {
     for (const std::int64_t side : {columns, rows}) {
@@ -209,6 +210,7 @@ ElevationModel finish(RawModel raw, const std::string& name, const ElevationOpti
                                   "declare; they are kept");
     }
     apply_holes(raw.model, name, options.holes);
+    raw.model.crs = without_local_names(raw.model.crs);
     return std::move(raw.model);
 }
 
