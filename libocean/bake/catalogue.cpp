@@ -7,6 +7,7 @@
 
 #include "formats/formats.hpp"
 #include "ocean/sea_subject.hpp"
+#include "ocean/terrain_subject.hpp"
 #include "products/products.hpp"
 
 namespace ocean {
@@ -78,9 +79,10 @@ const Catalogue& standard_catalogue() {
         &kVdbFormat,
 #endif
     };
-    static constexpr const MadeProduct* kMade[] = {&kCaustics, &kSlopeTiles};
+    static constexpr const MadeProduct* kMade[] = {&kCaustics, &kSlopeTiles, &kTerrainStages};
     static const std::vector<Product> products = all_products(product_table(), kMade);
-    static constexpr SubjectReader kSubjects[] = {{kSeaKind, parse_sea_subject}};
+    static constexpr SubjectReader kSubjects[] = {{kSeaKind, parse_sea_subject},
+                                                  {kTerrainKind, parse_terrain_subject}};
     static const Catalogue catalogue{kFormats, products, core_backends(), kSubjects, {}, kMade};
     return catalogue;
 }

@@ -10,6 +10,7 @@
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
+#include "ocean/terrain_table.hpp"
 #include "take.hpp"
 
 namespace ocean {
@@ -25,15 +26,58 @@ std::string last_word(std::string_view words) {
     return std::string(words.substr(words.rfind(' ') + 1));
 }
 
+/// Returns the numbers of an array of TOML; none if it is not an array of numbers alone.
+std::optional<std::vector<double>> numbers_of(const toml::node& node) {
+    const toml::array* list = node.as_array();
+    if (list == nullptr) return std::nullopt;
+    std::vector<double> numbers;
+    for (const toml::node& item : *list) {
+        const std::optional<double> number = number_of(item);
+        if (!number) return std::nullopt;
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+/// Returns the pairs of [[a, b], [c, d]]; none if it is not an array of pairs alone.
+std::optional<NumberPairs> pairs_of(const toml::node& node) {
+    const toml::array* list = node.as_array();
+    if (list == nullptr) return std::nullopt;
+    NumberPairs pairs;
+    for (const toml::node& item : *list) {
+        const auto numbers = numbers_of(item);
+        if (!numbers || numbers->size() != 2) return std::nullopt;
+        pairs.push_back({(*numbers)[0], (*numbers)[1]});
+    }
+    return pairs;
+}
+
 }  // namespace
 
 std::span<const FileKind> file_kinds() {
     static const std::vector<FileKind> kKinds = [] {
         FileKind sea{sea_table().kind, root_names(sea_table().sections)};
         sea.roots.push_back(kTakeSection);
-        return std::vector<FileKind>{sea, {"terrain", {"terrain"}}};
+        return std::vector<FileKind>{
+            sea, {terrain_table().kind, root_names(terrain_table().sections)}};
     }();
     return kKinds;
+}
+
+std::string kind_of_file_text(std::string_view toml) {
+    try {
+        const toml::table root = parse_toml(toml, "");
+        for (const TomlEntry& entry : in_file_order(root)) {
+            for (const FileKind& kind : file_kinds()) {
+                if (std::ranges::find(kind.roots, entry.key) != kind.roots.end()) {
+                    return std::string(kind.kind);
+                }
+            }
+        }
+    } catch (const Error&) {
+        // Its reader says what is wrong.
+    }
+    return "";
 }
 
 std::vector<std::string_view> root_names(std::span<const TableSection> sections) {
@@ -119,6 +163,14 @@ ParameterValue TableFile::value_for(const ParameterSpec& spec, std::size_t item,
             items.push_back(number.as_integer()->get());
         }
         return items;
+    }
+    if (type == "numbers") {
+        if (auto numbers = numbers_of(node)) return *std::move(numbers);
+        throw wrong("is not a list of numbers, [a, b]");
+    }
+    if (type == "pairs") {
+        if (auto pairs = pairs_of(node)) return *std::move(pairs);
+        throw wrong("is not a list of pairs, [[a, b], [c, d]]");
     }
     if (!node.is_string()) throw wrong("is not a text in quotes");
     return node.as_string()->get();

@@ -12,6 +12,16 @@
 #include "ocean/internal/json.hpp"
 
 namespace ocean {
+namespace {
+
+template <typename Items, typename Spell>
+std::string toml_array(const Items& items, const Spell& spell) {
+    std::string list;
+    for (const auto& item : items) list += (list.empty() ? "" : ", ") + spell(item);
+    return "[" + list + "]";
+}
+
+}  // namespace
 
 std::string toml_string(std::string_view text) {
     for (std::string_view rest = text; !rest.empty();) {
@@ -37,11 +47,14 @@ std::string toml_value(const ParameterValue& value) {
     if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
     if (const auto* word = std::get_if<std::string>(&value)) return toml_string(*word);
     if (const auto* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
-    std::string list;
-    for (std::int64_t item : std::get<std::vector<std::int64_t>>(value)) {
-        list += (list.empty() ? "" : ", ") + std::to_string(item);
+    if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+        return toml_array(*numbers, toml_number);
     }
-    return "[" + list + "]";
+    if (const auto* pairs = std::get_if<NumberPairs>(&value)) {
+        return toml_array(*pairs, [](const auto& pair) { return toml_array(pair, toml_number); });
+    }
+    return toml_array(std::get<std::vector<std::int64_t>>(value),
+                      [](std::int64_t item) { return std::to_string(item); });
 }
 
 }  // namespace ocean

@@ -21,6 +21,7 @@ enum class NoiseStream : std::uint32_t {
     detail_bands = 16,
     foam_textures = 0x1000,
     foam_cover = 0x666F616D,
+    terrain = 0x74657272,
 };
 
 inline constexpr std::uint32_t kStreamsOfFoamTexture = 0x10;
@@ -36,6 +37,7 @@ inline constexpr std::array kNoiseStreams = {
     NoiseStreamRange{NoiseStream::foam_textures,
                      kStreamsOfFoamTexture* static_cast<std::uint32_t>(kFoamTextures.size())},
     NoiseStreamRange{NoiseStream::foam_cover, 1},
+    NoiseStreamRange{NoiseStream::terrain, 2},  // the first tile, and its layers
 };
 static_assert(
     [] {

@@ -35,11 +35,17 @@ Json json_value(const ParameterSpec& spec, const ParameterValue& value) {
         return std::isfinite(*number) ? Json(*number, plain_text) : Json(plain_text(*number));
     }
     if (const auto* integer = std::get_if<std::int64_t>(&value)) return *integer;
+    if (const auto* numbers = std::get_if<std::vector<double>>(&value)) return json_array(*numbers);
+    if (const auto* pairs = std::get_if<NumberPairs>(&value)) {
+        JsonArray array;
+        for (const auto& pair : *pairs) array.add(json_array(pair));
+        return array;
+    }
     return json_array(std::get<std::vector<std::int64_t>>(value));
 }
 
 bool has_range(const ParameterSpec& spec) {
-    return spec.type() == "float" || spec.type() == "int" || spec.type() == "list";
+    return spec.type() != "enum" && spec.type() != "text" && spec.type() != "bool";
 }
 
 /// Returns "waves.fetch" for "waves.1.fetch".

@@ -88,6 +88,34 @@ std::vector<std::int64_t> checked_list(const Place& place, const ParameterValue&
     return numbers;
 }
 
+std::vector<double> checked_numbers(const Place& place, const ParameterValue& value) {
+    const auto* numbers = std::get_if<std::vector<double>>(&value);
+    if (numbers == nullptr) refuse(place, quoted_text(value), "is not a list of numbers");
+    if (numbers->size() > place.spec.max_length) {
+        refuse(place, to_text(value),
+               "has more than " + std::to_string(place.spec.max_length) + " numbers");
+    }
+    for (const double number : *numbers) checked_number(place, number);
+    return *numbers;
+}
+
+NumberPairs checked_pairs(const Place& place, const ParameterValue& value) {
+    const auto* pairs = std::get_if<NumberPairs>(&value);
+    if (pairs == nullptr) refuse(place, quoted_text(value), "is not a list of pairs");
+    if (pairs->size() > place.spec.max_length) {
+        refuse(place, to_text(value),
+               "has more than " + std::to_string(place.spec.max_length) + " pairs");
+    }
+    for (const auto& [first, second] : *pairs) {
+        checked_number(place, first);
+        // NaN fails both comparisons.
+        if (!(second >= place.spec.second_min && second <= place.spec.second_max)) {
+            refuse(place, to_text(value), "holds " + plain_text(second) + ", out of range");
+        }
+    }
+    return *pairs;
+}
+
 std::string checked_word(const Place& place, const ParameterValue& value) {
     const auto* text = std::get_if<std::string>(&value);
     if (text == nullptr) refuse(place, to_text(value), "is not one of the words");
@@ -120,6 +148,45 @@ std::vector<std::int64_t> parse_list(const Place& place, std::string_view text) 
     return numbers;
 }
 
+/// Returns the numbers of "[[500, 2.5], [20, 1.9]]", also without the brackets.
+std::vector<double> parse_numbers(const Place& place, std::string_view text,
+                                  const std::string& fault) {
+    std::vector<double> numbers;
+    std::size_t at = 0;
+    while ((at = text.find_first_not_of("[], ", at)) != std::string_view::npos) {
+        double number = 0.0;
+        if (text[at] == '+') ++at;
+        const auto parsed = std::from_chars(text.data() + at, text.data() + text.size(), number);
+        if (parsed.ec != std::errc()) refuse(place, quoted_text(std::string(text)), fault);
+        numbers.push_back(number);
+        at = static_cast<std::size_t>(parsed.ptr - text.data());
+    }
+    return numbers;
+}
+
+NumberPairs parse_pairs(const Place& place, std::string_view text) {
+    const std::string fault = "is not a list of pairs";
+    const std::vector<double> numbers = parse_numbers(place, text, fault);
+    if (numbers.size() % 2 != 0) refuse(place, quoted_text(std::string(text)), fault);
+    NumberPairs pairs;
+    for (std::size_t i = 0; i < numbers.size(); i += 2) {
+        pairs.push_back({numbers[i], numbers[i + 1]});
+    }
+    return pairs;
+}
+
+/// Returns "[a, b]".
+template <typename Items, typename Spell>
+std::string bracketed(const Items& items, const Spell& spell) {
+    std::string result = "[";
+    for (const auto& item : items) result += (result.size() > 1 ? ", " : "") + spell(item);
+    return result + "]";
+}
+
+std::string range_text(double min, double max) {
+    return plain_text(min) + " .. " + plain_text(max);
+}
+
 }  // namespace
 
 bool ParameterSpec::is_unset(const ParameterValue& value) const {
@@ -139,6 +206,8 @@ ParameterValue checked_value(const ParameterSpec& spec, std::size_t item,
     if (type == "enum") return checked_word(place, value);
     if (type == "text") return checked_text(place, value);
     if (type == "list") return checked_list(place, value);
+    if (type == "numbers") return checked_numbers(place, value);
+    if (type == "pairs") return checked_pairs(place, value);
     const auto* text = std::get_if<std::string>(&value);
     if (spec.member_type.optional && text != nullptr && text->empty()) return value;
     return checked_number(place, value);
@@ -150,6 +219,8 @@ ParameterValue parse_value(const ParameterSpec& spec, std::size_t item, std::str
     const bool unset = spec.member_type.optional && text.empty();
     if (type == "enum" || type == "text" || unset) return std::string(text);
     if (type == "list") return parse_list(place, text);
+    if (type == "numbers") return parse_numbers(place, text, "is not a list of numbers");
+    if (type == "pairs") return parse_pairs(place, text);
     if (type == "bool") {
         if (text == "true" || text == "false") return text == "true";
         refuse(place, quoted_text(std::string(text)), "is neither true nor false");
@@ -168,12 +239,14 @@ std::string to_text(const ParameterValue& value) {
     if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
     if (const auto* text = std::get_if<std::string>(&value)) return *text;
     if (const auto* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
-    std::string result = "[";
-    for (const std::int64_t number : std::get<std::vector<std::int64_t>>(value)) {
-        if (result.size() > 1) result += ", ";
-        result += std::to_string(number);
+    if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+        return bracketed(*numbers, plain_text);
     }
-    return result + "]";
+    if (const auto* pairs = std::get_if<NumberPairs>(&value)) {
+        return bracketed(*pairs, [](const auto& pair) { return bracketed(pair, plain_text); });
+    }
+    return bracketed(std::get<std::vector<std::int64_t>>(value),
+                     [](std::int64_t number) { return std::to_string(number); });
 }
 
 std::string quoted_text(const ParameterValue& value) {
@@ -199,8 +272,12 @@ std::string allowed_values(const ParameterSpec& spec) {
     if (spec.rule == NumberRule::power_of_two) return "a power of two, " + range;
     if (spec.rule == NumberRule::even) return "an even number, " + range;
     if (type == "int") return "a whole number, " + range;
-    if (type == "list") {
-        return "at most " + std::to_string(spec.max_length) + " whole numbers, " + range;
+    const std::string at_most = "at most " + std::to_string(spec.max_length);
+    if (type == "list") return at_most + " whole numbers, " + range;
+    if (type == "numbers") return at_most + " numbers, " + range;
+    if (type == "pairs") {
+        return at_most + " pairs [" + range + ", " + range_text(spec.second_min, spec.second_max) +
+               "]";
     }
     return range;
 }

@@ -43,8 +43,11 @@ struct OptionalColumns {
     /// The min of values other than 0, where 0 means "none".
     double min_nonzero = 0.0;
     NumberRule rule = NumberRule::any;
-    /// The max of numbers in a list.
+    /// The max of numbers in a list, and of pairs.
     std::size_t max_length = 64;
+    /// The range of the second numbers of pairs, inclusive; min and max are that of the first.
+    double second_min = 0.0;
+    double second_max = 0.0;
     /// The neutral value, as to_text spells it, of a key that was added after the first release of
     /// its table; it is also its default. Writers leave the key out at this value, so that a model
     /// that does not use it keeps its text, and with it its id and its files.
@@ -71,7 +74,7 @@ struct ParameterSpec : OptionalColumns {
     std::string path(std::size_t item = 0) const;
     /// Returns the allowed words, in enum order; none for other types.
     std::span<const std::string_view> choices() const { return member_type.choices; }
-    /// Returns "float", "int", "bool", "enum", "text" or "list".
+    /// Returns the word of MemberType: "float", "int", "bool", "enum" ...
     std::string_view type() const { return member_type.word; }
     /// Returns true if `value` means that an optional number is unset.
     bool is_unset(const ParameterValue& value) const;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -21,14 +22,18 @@
 
 namespace ocean {
 
+/// Pairs of numbers, such as a wavelength and an exponent.
+using NumberPairs = std::vector<std::array<double, 2>>;
+
 /// A typed value between text or TOML and a member. Words are texts; an unset optional number is
 /// the empty text.
-using ParameterValue =
-    std::variant<double, std::int64_t, std::string, std::vector<std::int64_t>, bool>;
+using ParameterValue = std::variant<double, std::int64_t, std::string, std::vector<std::int64_t>,
+                                    bool, std::vector<double>, NumberPairs>;
 
 /// The type of a member, independent of its model.
 struct MemberType {
-    std::string_view word;                      // "float", "int", "bool", "enum", "text" or "list"
+    /// "float", "int", "bool", "enum", "text", "list" (whole numbers), "numbers" or "pairs".
+    std::string_view word;
     std::span<const std::string_view> choices;  // the words of an enum, in its order
     bool optional = false;                      // may be unset
     bool in_list = false;                       // exists once for each item of a list
@@ -127,6 +132,9 @@ constexpr MemberType type_of(bool in_list) {
     if constexpr (std::is_integral_v<Value>) return {"int", {}, false, in_list};
     if constexpr (std::is_same_v<Value, std::string>) return {"text", {}, false, in_list};
     if constexpr (std::is_same_v<Value, std::vector<int>>) return {"list", {}, false, in_list};
+    if constexpr (std::is_same_v<Value, std::vector<double>>)
+        return {"numbers", {}, false, in_list};
+    if constexpr (std::is_same_v<Value, NumberPairs>) return {"pairs", {}, false, in_list};
     if constexpr (std::is_same_v<Value, double>) return {"float", {}, false, in_list};
     return {"float", {}, std::is_same_v<Value, std::optional<double>>, in_list};
 }

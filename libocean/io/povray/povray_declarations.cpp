@@ -119,10 +119,20 @@ struct ValueText {
     std::string operator()(const std::vector<std::int64_t>& values) const {
         return array_of(values, [](std::int64_t value) { return std::to_string(value); });
     }
+    std::string operator()(const std::vector<double>& values) const {
+        return array_of(values, [](double value) { return number(value); });
+    }
+    std::string operator()(const NumberPairs& values) const {
+        return array_of(values, [](const std::array<double, 2>& pair) {
+            return "<" + number(pair[0]) + ", " + number(pair[1]) + ">";
+        });
+    }
 };
 
 bool is_set(const ParameterValue& value, const ParameterSpec& spec) {
     if (const auto* list = std::get_if<std::vector<std::int64_t>>(&value)) return !list->empty();
+    if (const auto* numbers = std::get_if<std::vector<double>>(&value)) return !numbers->empty();
+    if (const auto* pairs = std::get_if<NumberPairs>(&value)) return !pairs->empty();
     return !spec.is_unset(value);
 }
 

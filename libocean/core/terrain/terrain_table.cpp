@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The rows of a terrain's table, and access to its parameters by name. A new parameter is a member
+// of Terrain and a row here.
+#include "ocean/terrain_table.hpp"
+
+#include <utility>
+
+#include "ocean/grid.hpp"
+#include "ocean/subject_kind.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr TableSection kTerrain{"terrain"};
+constexpr TableSection kLayer{"terrain.layer", "terrain layer", kMaxTerrainLayers};
+constexpr TableSection kSections[] = {kTerrain, kLayer};
+
+constexpr ParameterClass kLive = ParameterClass::live;
+constexpr ParameterClass kRebuild = ParameterClass::rebuild;
+constexpr double kMaxLength = 1e7;  // [m]
+constexpr double kMaxBeta = 6.0;
+
+constexpr TableRow<Terrain> kRows[] = {
+    {kTerrain, "kind", "", "Kind", "tile: a square that repeats.", member<&Terrain::kind>(), 0, 0,
+     0, 0, kRebuild, TerrainStage::noise},
+    {kTerrain, "resolution", "samples", "Resolution",
+     "Samples along each side, and with them the shortest waves; a power of two. A finer terrain "
+     "keeps the noise of the waves that it shares with a coarser one, and their amplitudes too if "
+     "shortest_wavelength is set: else rms or range hold for more waves, and scale all of them.",
+     member<&Terrain::resolution>(), kMinResolution, kMaxResolution, 64, 4096, kRebuild,
+     TerrainStage::noise, OptionalColumns{.rule = NumberRule::power_of_two}},
+    {kTerrain, "patch_size", "m", "Patch size", "Side of the square after which the land repeats.",
+     member<&Terrain::patch_size>(), 1.0, kMaxLength, 100.0, 100000.0, kRebuild,
+     TerrainStage::noise},
+    {kTerrain, "seed", "", "Seed", "Number that selects one of many such terrains.",
+     member<&Terrain::seed>(), 0.0, 4294967295.0, 0.0, 1000.0, kRebuild, TerrainStage::noise},
+    {kTerrain, "beta", "", "Beta",
+     "Exponent of the amplitudes: waves of wavenumber k have amplitudes of k^-beta, so the density "
+     "over (kx, ky) falls as k^-2beta, the Hurst exponent is H = beta - 1 and the fractal "
+     "dimension D = 4 - beta. 2.4 is smooth, 1.6 rough.",
+     member<&Terrain::beta>(), 0.0, kMaxBeta, 1.0, 3.5, kLive, TerrainStage::filter},
+    {kTerrain, "rms", "m", "RMS height",
+     "Root mean square of the heights around their mean, of this very tile. Unset means 10 m, or "
+     "with `measured` that of the measured spectrum.",
+     member<&Terrain::rms>(), 0.0, 1e5, 0.0, 1000.0, kLive, TerrainStage::filter},
+    {kTerrain, "range", "m", "Range",
+     "Lowest and highest height of the tile's samples, in place of rms and mean.",
+     member<&Terrain::range>(), -1e5, 1e5, -1000.0, 5000.0, kRebuild, TerrainStage::filter,
+     OptionalColumns{.max_length = 2}},
+    {kTerrain, "mean", "m", "Mean height", "Height of the mean of the tile.",
+     member<&Terrain::mean>(), -1e5, 1e5, -100.0, 4000.0, kLive, TerrainStage::offset},
+    {kTerrain, "outer_scale", "m", "Outer scale",
+     "Wavelength beyond which the density is flat instead of growing, as (k^2 + k0^2)^-beta; 0 "
+     "means none.",
+     member<&Terrain::outer_scale>(), 0.0, kMaxLength, 0.0, 50000.0, kLive, TerrainStage::filter},
+    {kTerrain, "breaks", "", "Breaks",
+     "Pairs of a wavelength [m], in descending order, and the exponent beta of the waves that are "
+     "shorter; the change takes about an octave.",
+     member<&Terrain::breaks>(), 0.001, kMaxLength, 1.0, 10000.0, kRebuild, TerrainStage::filter,
+     OptionalColumns{.max_length = 8, .second_min = 0.0, .second_max = kMaxBeta}},
+    {kTerrain, "ridge_wavelength", "m", "Ridge wavelength",
+     "Wavelength around which the density is raised, the distance of ridges; 0 means none.",
+     member<&Terrain::ridge_wavelength>(), 0.0, kMaxLength, 0.0, 10000.0, kLive,
+     TerrainStage::filter},
+    {kTerrain, "ridge_gain", "", "Ridge gain",
+     "Density added at the ridge wavelength, as a multiple of the law's.",
+     member<&Terrain::ridge_gain>(), 0.0, 1000.0, 0.0, 20.0, kLive, TerrainStage::filter},
+    {kTerrain, "ridge_width", "octaves", "Ridge width",
+     "Standard deviation of the raised band, in octaves of wavelength.",
+     member<&Terrain::ridge_width>(), 0.01, 10.0, 0.1, 2.0, kLive, TerrainStage::filter},
+    {kTerrain, "ridge_direction", "deg", "Ridge direction",
+     "Direction in which one crosses the ridges, counter-clockwise from +x; unset means all.",
+     member<&Terrain::ridge_direction>(), -360.0, 360.0, -180.0, 180.0, kLive,
+     TerrainStage::filter},
+    {kTerrain, "ridge_spread", "", "Ridge spread",
+     "Exponent s of cos^2s around ridge_direction: higher values make parallel ridges.",
+     member<&Terrain::ridge_spread>(), 0.0, 100.0, 0.0, 20.0, kLive, TerrainStage::filter},
+    {kTerrain, "longest_wavelength", "m", "Longest wavelength",
+     "Waves longer than this are left out; 0 means no limit.",
+     member<&Terrain::longest_wavelength>(), 0.0, kMaxLength, 0.0, 10000.0, kLive,
+     TerrainStage::filter},
+    {kTerrain, "shortest_wavelength", "m", "Shortest wavelength",
+     "Waves shorter than this are left out; 0 means no limit.",
+     member<&Terrain::shortest_wavelength>(), 0.0, kMaxLength, 0.0, 100.0, kLive,
+     TerrainStage::filter},
+    {kTerrain, "anisotropy", "", "Anisotropy",
+     "Ratio of the wavelengths across and along `direction` that have equal density: 1 is the same "
+     "in all directions, higher values stretch the land across it.",
+     member<&Terrain::anisotropy>(), 1.0, 100.0, 1.0, 5.0, kLive, TerrainStage::filter},
+    {kTerrain, "direction", "deg", "Direction",
+     "Direction in which the land is steepest, counter-clockwise from +x; without effect while "
+     "anisotropy is 1.",
+     member<&Terrain::direction>(), -360.0, 360.0, -180.0, 180.0, kLive, TerrainStage::filter},
+    {kTerrain, "measured", "", "Measured spectrum",
+     "File with the spectrum of real land, in place of beta, breaks and outer_scale: rings.csv of "
+     "`ocean terrain fit`, or an elevation model (.asc, .flt); relative to the terrain file.",
+     member<&Terrain::measured>(), 0, 0, 0, 0, kRebuild, TerrainStage::filter},
+
+    {kLayer, "period", "m", "Period",
+     "Side of the layer's square: patch_size divided by a whole number.",
+     member<&Terrain::layers, &TerrainLayer::period>(), 0.01, kMaxLength, 10.0, 10000.0, kRebuild,
+     TerrainStage::noise},
+    {kLayer, "gain", "", "Gain", "Factor of the layer's amplitudes, relative to the first tile.",
+     member<&Terrain::layers, &TerrainLayer::gain>(), 0.0, 100.0, 0.0, 2.0, kRebuild,
+     TerrainStage::noise},
+    {kLayer, "seed", "", "Seed", "Number that selects the layer's noise.",
+     member<&Terrain::layers, &TerrainLayer::seed>(), 0.0, 4294967295.0, 0.0, 1000.0, kRebuild,
+     TerrainStage::noise},
+};
+constexpr Table<Terrain> kTable{kTerrainKind, kSections, kRows};
+static_assert(is_consistent(kTable));
+
+}  // namespace
+
+const Table<Terrain>& terrain_table() {
+    return kTable;
+}
+
+void set_parameter(Terrain& terrain, std::string_view name, std::string_view text) {
+    const RefOf<Terrain> ref = find_parameter(kTable, name);
+    Terrain changed = terrain;
+    assign(changed, ref, parse_value(*ref.info, ref.item, text));
+    if (changed.measured != terrain.measured) changed.rings = nullptr;
+    terrain = std::move(changed);
+}
+
+std::string get_parameter(const Terrain& terrain, std::string_view name) {
+    return to_text(value_of(terrain, find_parameter(kTable, name)));
+}
+
+std::optional<TerrainStage> first_dirty_stage(const Terrain& before, const Terrain& after) {
+    if (before.layers.size() != after.layers.size()) return TerrainStage::noise;
+    std::optional<TerrainStage> first;
+    if (before.rings != after.rings) first = TerrainStage::filter;
+    for (const TerrainRow& row : kTable.rows) {
+        if (first && *first <= row.dirties) continue;
+        for (std::size_t item = 0; item < row.member.items(before); ++item) {
+            if (row.member.get(before, item) != row.member.get(after, item)) first = row.dirties;
+        }
+    }
+    return first;
+}
+
+}  // namespace ocean

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The parameters that define a terrain, as one plain value: the end of terrain file, panel and
+// slider, and the beginning of the mathematics. The table of terrain_table.hpp states the unit,
+// range, label and help of each member; the initialisers here are the defaults.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ocean/measured_rings.hpp"
+
+namespace ocean {
+
+/// How a terrain lies in the world. tile: a square that repeats.
+enum class TerrainKind { tile };
+
+inline constexpr double kDefaultTerrainRms = 10.0;  // [m]
+
+/// A further tile over the first one, with a period and a noise of its own: the same law, so that
+/// its waves add energy at the same wavelengths.
+struct TerrainLayer {
+    double period = 0.0;  // [m]; a whole part of patch_size
+    double gain = 1.0;    // of its amplitudes, relative to the first tile
+    std::uint32_t seed = 2;
+
+    bool operator==(const TerrainLayer&) const = default;
+};
+
+/// A fractional Brownian surface: a sum of waves whose amplitudes fall as k^-beta, so that the
+/// density over (kx, ky) falls as k^-2beta. Hurst exponent H = beta - 1, fractal dimension of the
+/// surface D = 4 - beta, both for 1 < beta < 2.
+struct Terrain {
+    TerrainKind kind = TerrainKind::tile;
+    int resolution = 512;
+    double patch_size = 1000.0;
+    std::uint32_t seed = 1;
+    double beta = 2.0;
+    /// Unset means kDefaultTerrainRms, or with `measured` the rms of the measured spectrum.
+    std::optional<double> rms;
+    std::vector<double> range;  // min and max height [m]; empty: rms decides
+    double mean = 0.0;
+    double outer_scale = 0.0;
+    std::vector<std::array<double, 2>> breaks;  // wavelength [m], exponent of shorter waves
+    double ridge_wavelength = 0.0;              // 0: no ridge
+    double ridge_gain = 4.0;
+    double ridge_width = 0.5;
+    std::optional<double> ridge_direction;
+    double ridge_spread = 2.0;
+    double longest_wavelength = 0.0;
+    double shortest_wavelength = 0.0;
+    double anisotropy = 1.0;
+    double direction = 0.0;
+    std::string measured;
+    std::vector<TerrainLayer> layers;
+
+    /// The rings of `measured`, read by ocean::seafile. Shared and never modified. Not in the table.
+    std::shared_ptr<const MeasuredRings> rings;
+
+    /// Returns true if the heights keep the rms of the measured spectrum.
+    bool has_measured_rms() const { return rings != nullptr && !rms && range.empty(); }
+};
+inline constexpr std::size_t kMaxTerrainLayers = 8;
+
+}  // namespace ocean

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The spectral law of a terrain: its density over the wavenumber plane.
+//
+//   S(kx, ky) = P(k') (1 + g q(k') cos^2s(theta - r)),   k' = |(u / sqrt(a), v sqrt(a))|
+//
+//   P  = k^-2beta [Mandelbrot 1983], with each break at kb, from b1 to b2, multiplied by
+//        (1 + (k / kb)^4)^(-(b2 - b1) / 2), and (k^2 + ko^2)^-beta with an outer scale 2 pi / ko
+//        [von Karman 1948]; or a table of measured rings, straight lines over log k and log S
+//   u, v  components of k [rad/m] along and across `direction`, a the anisotropy
+//   q  = exp(-log2(k / kr)^2 / (2 w^2)), the band of the ridges: gain g, width w [octaves],
+//        direction r, spread s; without a direction the cosine is 1
+//
+// S is 0 beyond the limits of wavelength. It is a density: variance = integral S dkx dky. Tests:
+// terrain_law_test.cpp.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ocean/terrain.hpp"
+
+namespace ocean {
+
+class TerrainLaw {
+  public:
+    /// Needs a validated terrain.
+    explicit TerrainLaw(const Terrain& terrain);
+
+    /// Returns S at (kx, ky) [rad/m]; 0 at k = 0.
+    double density(double kx, double ky) const;
+    /// Returns S in the direction theta [rad] of a wavenumber k [rad/m].
+    double density_along(double theta, double k) const;
+    /// Returns true if S is in [m^4]; else it is relative, and rms or range scale the terrain.
+    bool is_absolute() const { return absolute_; }
+
+    /// Returns the local exponent of amplitude, -1/2 d log S / d log k, of the mean over all
+    /// directions at a wavenumber k [rad/m], by a difference over half an octave.
+    double exponent(double k) const;
+
+  private:
+    friend class TerrainAmplitudes;
+
+    double radial(double k) const;        // P, with ridges that have no direction
+    double ridge(double k) const;         // g q(k)
+    double turning(double theta) const;   // cos^2s
+    double scaled_square(double kx, double ky) const;  // k'^2
+    bool has_wave(double k) const;
+    double measured(double log_k) const;  // log S
+
+    double exponent_;
+    double outer_square_ = 0.0;  // ko^2 [rad^2/m^2]
+    struct Break {
+        double log_k;
+        double change;  // of the exponent
+    };
+    std::vector<Break> breaks_;
+    double ridge_log_k_ = 0.0;
+    double ridge_gain_ = 0.0;
+    double ridge_width_ = 1.0;  // [ln of k]
+    bool ridge_turns_ = false;
+    double ridge_direction_ = 0.0;
+    double ridge_spread_ = 0.0;
+    double min_k_, max_k_;  // of the limits of wavelength
+    double anisotropy_, cosine_, sine_;
+    bool absolute_ = false;
+    std::vector<double> log_k_, log_s_;  // of measured rings
+    double first_slope_ = 0.0, last_slope_ = 0.0;
+};
+
+/// sqrt(S) of a law, fast: P from a table of 1024 values an octave of k'^2 with straight lines
+/// between them, 3e-7 off the law where it is a power; the limits of wavelength are exact. A value
+/// depends on the law and on k alone, so that every grid gets the same bits.
+class TerrainAmplitudes {
+  public:
+    /// Makes the table for wavenumbers min_k .. max_k [rad/m], 0 < min_k <= max_k.
+    TerrainAmplitudes(const TerrainLaw& law, double min_k, double max_k);
+
+    /// Returns sqrt(S(kx, ky)) with k within the range of the table.
+    double operator()(double kx, double ky) const;
+
+  private:
+    TerrainLaw law_;
+    bool turns_;  // S depends on more than k
+    std::int64_t first_;
+    std::vector<double> table_;
+};
+
+}  // namespace ocean

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The statistics of a terrain, as its law asks for and as its tile holds them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ocean/sea_state.hpp"
+#include "ocean/terrain.hpp"
+#include "ocean/terrain_modes.hpp"
+
+namespace ocean {
+
+/// The waves of one octave of wavelength.
+struct TerrainOctave {
+    double longest_wave = 0.0;   // [m]; the shortest is half of it
+    AskedResolved rms;           // of the heights of these waves [m]
+    /// Exponent beta: `asked` of the law in the middle of the octave; `resolved` of a line through
+    /// the densities of eight rings of this tile, NaN where the octave has fewer than 100 waves.
+    AskedResolved exponent;
+};
+
+/// `asked` is the mean of all seeds, a sum over the modes of the lattice without their noise;
+/// `resolved` is this very tile.
+struct TerrainState {
+    AskedResolved rms;        // [m]
+    AskedResolved rms_slope;  // root of the mean square slope
+    /// Slope angles [degrees] that 50, 90 and 99 % of the land do not exceed, from the mean square
+    /// slope as of a Gaussian surface without direction.
+    std::vector<AskedResolved> slope_angles;
+    double mean = 0.0;           // [m]
+    double shortest_wave = 0.0;  // within the limits, along an axis of the grid [m]
+    double longest_wave = 0.0;   // [m]
+    double period = 0.0;         // [m]
+    double cell = 0.0;           // distance of samples [m]
+    std::vector<TerrainOctave> octaves;  // from the longest wave
+    std::uint64_t memory_bytes = 0;      // of noise, modes and a map of height and slopes
+    std::vector<std::string> warnings;   // full sentences, for people
+};
+
+/// Returns the statistics of a terrain with these modes; offset is the height added to them.
+TerrainState terrain_state(const Terrain& terrain, const Modes& modes, const TerrainScale& scale,
+                           double offset);
+/// Returns the JSON object of `ocean info --json`.
+std::string terrain_state_json(const TerrainState& state);
+
+}  // namespace ocean

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A terrain as a Subject, and the way back from a Subject to its terrain.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "ocean/land.hpp"
+#include "ocean/subject.hpp"
+#include "ocean/subject_kind.hpp"
+#include "ocean/terrain.hpp"
+
+namespace ocean {
+
+/// How often a tile is repeated to the east and to the north.
+struct TerrainTiles {
+    int x = 1;
+    int y = 1;
+
+    bool operator==(const TerrainTiles&) const = default;
+};
+inline constexpr int kMaxTerrainTiles = 64;
+
+/// Returns a valid, resolved terrain as a subject. The domain of its maps has the tile that often;
+/// a resolution is that of one tile.
+std::unique_ptr<Subject> make_subject(Terrain terrain, TerrainTiles tiles = {});
+/// Returns the subject that text() of such a subject describes. `name` stands for a path in
+/// messages. Throws Error as parse_terrain.
+std::unique_ptr<Subject> parse_terrain_subject(std::string_view text, const std::string& name);
+
+/// Returns the terrain of a subject, or null for a subject of another kind.
+const Terrain* find_terrain(const Subject& subject);
+/// Returns the Land that makes a terrain's maps. Throws Error unsupported for maps of another kind.
+Land& land_of(SubjectMaps& maps);
+
+}  // namespace ocean

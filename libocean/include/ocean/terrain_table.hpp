@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The parameter table of a terrain: for each parameter its path, unit, label, help, range and the
+// stage that it dirties. Terrain file, command line, C API, Blender, preview and README are loops
+// over it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "ocean/table.hpp"
+#include "ocean/terrain.hpp"
+
+namespace ocean {
+
+/// The stages of a terrain, in their order. A row names the first one that a change of its
+/// parameter dirties: the noise of its waves, their amplitudes, or the height added to all samples.
+enum class TerrainStage { noise, filter, offset };
+template <>
+struct StagesOf<Terrain> {
+    using type = TerrainStage;
+};
+
+using TerrainRow = TableRow<Terrain>;
+
+/// Returns the table of a terrain.
+const Table<Terrain>& terrain_table();
+
+/// Sets a parameter from text. Rules between parameters are not checked, so that several can be set
+/// in any order; call validate afterwards. A new `measured` drops the rings read for the old one.
+/// Throws Error invalid_value and changes nothing if the name or the value is refused.
+void set_parameter(Terrain& terrain, std::string_view name, std::string_view text);
+/// Returns a parameter as text: numbers in the shortest form that reads back to the same bits, ""
+/// for an unset one. Throws Error invalid_value for an unknown name.
+std::string get_parameter(const Terrain& terrain, std::string_view name);
+
+/// Returns the first stage that a change from `before` to `after` dirties; none if they are equal.
+std::optional<TerrainStage> first_dirty_stage(const Terrain& before, const Terrain& after);
+
+/// Checks the rules between parameters (limits of wavelengths in order, layers that fit the patch,
+/// either rms or range ...). Throws Error invalid_value. Every stage may rely on validated
+/// parameters.
+void validate(const Terrain& terrain);
+
+}  // namespace ocean

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Terrains by name: the two surfaces of the program that this project continues, and landscapes
+// whose laws were measured. A preset is a few numbers; its file is written from them.
+#include <vector>
+
+#include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/nearest_name.hpp"
+#include "ocean/terrain_table.hpp"
+#include "ocean/terrainfile.hpp"
+#include "table_writer.hpp"
+
+namespace ocean {
+namespace {
+
+/// Returns the line of a key that differs from its default, or that a reader looks for first: the
+/// resolution, the size and beta. With unit and label.
+std::string preset_line(const Terrain& terrain, const RefOf<Terrain>& ref) {
+    static const Terrain kDefaults;
+    const std::string line = parameter_line(terrain, ref);
+    const bool is_named = ref.info->holds<&Terrain::resolution>() ||
+                          ref.info->holds<&Terrain::patch_size>() ||
+                          ref.info->holds<&Terrain::beta>();
+    const bool is_default = !ref.info->in_list() && line == parameter_line(kDefaults, ref);
+    if (line.empty() || (is_default && !is_named)) return "";
+    const std::string unit = ref.info->unit.empty() ? "" : std::string(ref.info->unit) + ": ";
+    return line.substr(0, line.size() - 1) + "  # " + unit + std::string(ref.info->label) + "\n";
+}
+
+std::string commented(std::string_view lines) {
+    std::string out = "# ";
+    for (const char c : lines) out += c == '\n' ? std::string("\n# ") : std::string(1, c);
+    return out + "\n";
+}
+
+Preset make_preset(const std::string& name, const std::string& description, std::string_view notes,
+                   const Terrain& terrain) {
+    std::string toml = commented(name + ": " + description) + commented(notes);
+    const auto line = [&](const RefOf<Terrain>& ref) { return preset_line(terrain, ref); };
+    toml += table_text<Terrain>(terrain_table(), terrain, line);
+    return {name, description, toml};
+}
+
+Preset seed_fbm(const std::string& name, double beta, const std::string& words) {
+    Terrain terrain;
+    terrain.resolution = 256;
+    terrain.patch_size = 256.0;
+    terrain.beta = beta;
+    terrain.rms = 16.0;
+    return make_preset(
+        name, "fractional Brownian terrain with beta = " + to_text(beta) + ", " + words,
+        "The classic way: white noise, its Fourier transform, a filter 1 / f^beta, and back. Here\n"
+        "the mean is 0, the rms height is what the file says at any resolution, and the noise of a\n"
+        "wave depends on its index alone. `ocean terrain --stage` shows each step.",
+        terrain);
+}
+
+Preset gabilan_mesa() {
+    Terrain terrain;
+    terrain.resolution = 1024;
+    terrain.patch_size = 4096.0;
+    terrain.rms = 29.0;
+    terrain.mean = 311.0;
+    terrain.beta = 1.3;
+    terrain.breaks = {{174.0, 2.7}};
+    terrain.ridge_wavelength = 174.0;
+    terrain.ridge_gain = 4.0;
+    terrain.ridge_width = 0.25;
+    terrain.ridge_direction = 47.0;
+    terrain.ridge_spread = 2.0;
+    return make_preset(
+        "gabilan_mesa", "evenly spaced ridges and valleys, 174 m apart, of low hills",
+        "After the Gabilan Mesa in California [Perron 2008]: valleys 174 +- 13 m apart, crossed\n"
+        "towards 47 degrees, an rms height of about 29 m around 311 m, and hillslopes that are\n"
+        "smooth at shorter wavelengths. The exponents are those of a broken law by eye.",
+        terrain);
+}
+
+Preset earth() {
+    Terrain terrain;
+    terrain.resolution = 1024;
+    terrain.patch_size = 100000.0;
+    terrain.rms = 300.0;
+    terrain.mean = 800.0;
+    terrain.beta = 1.5;
+    terrain.outer_scale = 50000.0;
+    return make_preset(
+        "earth", "land as its long transects have it: power falls as the square of the wavenumber",
+        "Transects of the continents have densities that fall as k^-2 over wavelengths of metres\n"
+        "to thousands of kilometres [Sayles and Thomas 1978], [Turcotte 1997]: as k^-3 over the\n"
+        "plane, beta = 1.5, H = 0.5, D = 2.5. The patch is 100 km, with an outer scale of 50 km.",
+        terrain);
+}
+
+Preset tujunga() {
+    Terrain terrain;
+    terrain.resolution = 1024;
+    terrain.patch_size = 16384.0;
+    terrain.rms = 185.0;
+    terrain.mean = 1200.0;
+    terrain.beta = 1.67;
+    terrain.breaks = {{440.0, 2.65}};
+    terrain.outer_scale = 12000.0;
+    return make_preset(
+        "tujunga", "steep mountains: slopes of 22 degrees in the middle, 42 at the steepest",
+        "The broken law fitted to an elevation model of the Big Tujunga in California, cells of\n"
+        "30 m: exponents 1.67 and 2.65, break at 440 m, within 0.11 of log10 of the density. The\n"
+        "rms height gives the model's median slope of 22 degrees. Real slopes have a threshold\n"
+        "near 41 degrees; a Gaussian surface exceeds it in places.",
+        terrain);
+}
+
+Preset jacksboro() {
+    Terrain terrain;
+    terrain.resolution = 512;
+    terrain.patch_size = 32768.0;
+    terrain.rms = 136.0;
+    terrain.mean = 500.0;
+    terrain.beta = 1.33;
+    terrain.breaks = {{1130.0, 2.59}};
+    terrain.outer_scale = 24000.0;
+    return make_preset(
+        "jacksboro", "wooded hills: slopes of 13 degrees in the middle, 28 at the steepest",
+        "The broken law fitted to an elevation model of the Jacksboro fault in Tennessee, cells of\n"
+        "3 seconds of arc: exponents 1.33 and 2.59, break at 1130 m, within 0.06 of log10 of the\n"
+        "density. The rms height gives the model's median slope of 13 degrees.",
+        terrain);
+}
+
+std::vector<Preset> make_presets() {
+    return {gabilan_mesa(),
+            earth(),
+            tujunga(),
+            jacksboro(),
+            seed_fbm("seed_smooth", 2.4, "smooth"),
+            seed_fbm("seed_rough", 2.0, "rougher")};
+}
+
+}  // namespace
+
+std::span<const Preset> terrain_presets() {
+    static const std::vector<Preset> kPresets = make_presets();
+    return kPresets;
+}
+
+const Preset& find_terrain_preset(std::string_view name) {
+    std::vector<std::string_view> names;
+    std::string allowed;
+    for (const Preset& preset : terrain_presets()) {
+        if (preset.name == name) return preset;
+        names.push_back(preset.name);
+        allowed += (allowed.empty() ? "" : ", ") + preset.name;
+    }
+    throw Error(ErrorKind::not_found, "no terrain preset is called '" + text::printable(name) +
+                                          "'" + did_you_mean(name, names) + "; allowed: " + allowed);
+}
+
+}  // namespace ocean
