@@ -101,6 +101,8 @@ void read_raster(const std::string& path, RasterFormat format, std::istream& str
         case RasterFormat::tiff:
 #ifdef OCEAN_HAVE_TIFF
             return elevation::read_tiff(stream, receiver);
+#else
+            break;
 #endif
         case RasterFormat::png:
             return elevation::read_png(stream, receiver);
@@ -211,7 +213,7 @@ void read_in_child(const std::string& path, RasterFormat format, const RasterRec
 std::optional<Domain> own_domain(const std::string& path) {
     try {
         const auto provenance = io::read_provenance(path);
-        if (provenance && provenance->domain.count() > 0) return provenance->domain;
+        if (provenance) return provenance->domain;
     } catch (const Error&) {
         // Another program's image.
     }

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Files of rings: see rings_file.hpp.
-#include "ocean/rings_file.hpp"
-
+// Files of rings: see measured_rings.hpp.
 #include <array>
 #include <cmath>
 #include <optional>
@@ -11,6 +9,7 @@
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/csv_rows.hpp"
 #include "ocean/internal/nearest_name.hpp"
+#include "ocean/measured_rings.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {

@@ -30,7 +30,6 @@ HEADER_OWNER = {
     "ocean/internal/line_reader.hpp": "seafile",
     "ocean/internal/netcdf_spectra.hpp": "netcdf",
     "ocean/internal/record_rules.hpp": "seafile",
-    "ocean/rings_file.hpp": "seafile",
     "ocean/sea_subject.hpp": "seafile",
     "ocean/seafile.hpp": "seafile",
     "ocean/internal/toml_sections.hpp": "seafile",

@@ -3,11 +3,10 @@
 //
 // Claims: a file of rings gives wavenumbers and densities, whatever further columns it has; every
 // row that is no ring, and every table that is no spectrum, is refused with its line.
-#include "ocean/rings_file.hpp"
-
 #include <gtest/gtest.h>
 
 #include "helpers.hpp"
+#include "ocean/measured_rings.hpp"
 #include "temporary_folder.hpp"
 
 namespace ocean {

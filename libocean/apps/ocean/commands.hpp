@@ -15,6 +15,7 @@ namespace ocean::app {
 Command info_command();
 /// Refers to the catalogue, which must outlive the command.
 Command bake_command(const Catalogue& catalogue);
+Command terrain_import_command();
 Command povray_command();
 /// Refers to the catalogue, which must outlive the command.
 Command terrain_command(const Catalogue& catalogue);

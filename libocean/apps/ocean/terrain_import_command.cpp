@@ -58,9 +58,9 @@ std::array<double, 2> range_of(const std::string& text) {
     const auto range = numbers_of<2>(text, "--range", "LOWEST,HIGHEST in metres");
     for (const double height : range) {
         if (std::abs(height) <= kMaxElevation) continue;
-        throw Error(ErrorKind::invalid_value,
-                    "--range " + text::printable(text) + ": allowed are heights of -100000 .. "
-                                                         "100000 m");
+        throw Error(ErrorKind::invalid_value, "--range " + text::printable(text) +
+                                                  ": allowed are heights of -100000 .. "
+                                                  "100000 m");
     }
     if (range[0] == range[1]) {
         throw Error(ErrorKind::invalid_value,
@@ -113,9 +113,9 @@ void check_output(const ImportCommandOptions& options) {
         std::filesystem::path file = output;
         file.replace_extension(extension);
         std::filesystem::path input = utf8_path(options.file);
-        const bool is_input = std::filesystem::equivalent(file, input, ignored) ||
-                              std::filesystem::equivalent(file, input.replace_extension(extension),
-                                                          ignored);
+        const bool is_input =
+            std::filesystem::equivalent(file, input, ignored) ||
+            std::filesystem::equivalent(file, input.replace_extension(extension), ignored);
         if (is_input) {
             throw Error(ErrorKind::invalid_value,
                         "'" + text::to_utf8(file) +
@@ -149,14 +149,14 @@ std::string facts_text(const ElevationModel& model, const ElevationSummary& summ
     const std::string cell = fixed_text(step_x, 3) + " m x " + fixed_text(step_y, 3) + " m";
     std::string text =
         "size     " + std::to_string(domain.samples[0]) + " x " +
-        std::to_string(domain.samples[1]) + " cells, " +
-        length_text(step_x * domain.samples[0]) + " x " + length_text(step_y * domain.samples[1]) +
-        "\ncell     " + cell + "\norigin   " + plain_text(domain.origin[0]) + ", " +
-        plain_text(domain.origin[1]) + " m, the centre of the south-west cell\nsystem   " +
-        system_text(model) + "\nheights  " + fixed_text(double{summary.lowest}, 2) + " .. " +
-        fixed_text(double{summary.highest}, 2) + " m, mean " + fixed_text(summary.mean, 2) +
-        " m, rms " + fixed_text(summary.rms, 2) + " m\nholes    " +
-        std::to_string(summary.holes) + " of " + std::to_string(domain.count()) + " cells (" +
+        std::to_string(domain.samples[1]) + " cells, " + length_text(step_x * domain.samples[0]) +
+        " x " + length_text(step_y * domain.samples[1]) + "\ncell     " + cell + "\norigin   " +
+        plain_text(domain.origin[0]) + ", " + plain_text(domain.origin[1]) +
+        " m, the centre of the south-west cell\nsystem   " + system_text(model) + "\nheights  " +
+        fixed_text(double{summary.lowest}, 2) + " .. " + fixed_text(double{summary.highest}, 2) +
+        " m, mean " + fixed_text(summary.mean, 2) + " m, rms " + fixed_text(summary.rms, 2) +
+        " m\nholes    " + std::to_string(summary.holes) + " of " + std::to_string(domain.count()) +
+        " cells (" +
         significant<3>(100.0 * static_cast<double>(summary.holes) /
                        static_cast<double>(domain.count())) +
         " %)\n";

@@ -7,12 +7,15 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace ocean {
 
 inline constexpr std::size_t kMinRings = 2;
 inline constexpr std::size_t kMaxRings = 4096;
+inline constexpr std::size_t kMaxRingsBytes = std::size_t{1} << 20;
 
 /// A density over (kx, ky), isotropic: variance = integral of S dkx dky. Wavenumbers increase.
 struct MeasuredRings {
@@ -21,5 +24,12 @@ struct MeasuredRings {
 
     bool operator==(const MeasuredRings&) const = default;
 };
+
+/// Reads a file of rings (library ocean::seafile). Throws Error bad_file "PATH:LINE: ..." unless it
+/// has kMinRings .. kMaxRings rows, the wavenumbers are positive and increase, and the densities
+/// are finite, at least 0 and not all 0.
+MeasuredRings read_rings(const std::string& path);
+/// Reads the text of such a file; `name` stands for the path in messages. Throws as read_rings.
+MeasuredRings parse_rings(std::string_view text, const std::string& name);
 
 }  // namespace ocean
