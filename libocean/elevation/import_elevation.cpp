@@ -117,8 +117,10 @@ void read_raster(const std::string& path, RasterFormat format, std::istream& str
 /// Collects rows as a model.
 class ModelBuilder {
   public:
-    ModelBuilder(const std::string& path, const ElevationImport& request)
-        : path_(path), request_(request) {}
+    /// `own` is the domain of a file that libocean wrote.
+    ModelBuilder(const std::string& path, const ElevationImport& request,
+                 const std::optional<Domain>& own)
+        : path_(path), request_(request), own_(own) {}
 
     RasterReceiver receiver() {
         return {.begin = [this](const RasterFacts& facts) { begin(facts); },
@@ -128,7 +130,8 @@ class ModelBuilder {
     RawModel take() { return std::move(raw_); }
 
   private:
-    void begin(const RasterFacts& facts) {
+    void begin(RasterFacts facts) {
+        if (own_ && !facts.has_place) place_as_own(facts);
         require_options(facts);
         const std::array<double, 2> cell =
             request_.cell ? std::array{*request_.cell, *request_.cell} : facts.cell;
@@ -147,6 +150,16 @@ class ModelBuilder {
             lowest_ = (*request_.range)[0];
             per_step_ = ((*request_.range)[1] - lowest_) / facts.full_scale;
         }
+    }
+
+    void place_as_own(RasterFacts& facts) const {
+        Domain domain = *own_;
+        domain.samples = {static_cast<int>(facts.columns), static_cast<int>(facts.rows)};
+        facts.has_place = true;
+        facts.south_west_centre = domain.origin;
+        facts.cell = {domain.step(0), domain.step(1)};
+        facts.is_geographic = false;
+        facts.notes.push_back("cell and origin are those that libocean wrote into the file");
     }
 
     void require_options(const RasterFacts& facts) const {
@@ -184,6 +197,7 @@ class ModelBuilder {
 
     const std::string& path_;
     const ElevationImport& request_;
+    std::optional<Domain> own_;
     RawModel raw_;
     double lowest_ = 0.0;
     double per_step_ = 1.0;
@@ -221,7 +235,8 @@ std::optional<Domain> own_domain(const std::string& path) {
 }
 
 RawModel read_raw(const std::string& path, RasterFormat format, const ElevationImport& request) {
-    ModelBuilder builder(path, request);
+    const bool is_image = format == RasterFormat::exr || format == RasterFormat::png;
+    ModelBuilder builder(path, request, is_image ? own_domain(path) : std::nullopt);
     try {
         if (format == RasterFormat::hgt) {
             std::ifstream stream = opened(path);
@@ -318,19 +333,7 @@ ElevationModel import_elevation(const std::string& path, const ElevationImport& 
         }
         model = read_elevation(path, options);
     } else {
-        ElevationImport complete = request;
-        std::optional<Domain> own;
-        if (!request.cell && (format == RasterFormat::exr || format == RasterFormat::png)) {
-            own = own_domain(path);
-            if (own) complete.cell = own->step(0);
-        }
-        RawModel raw = read_raw(path, format, complete);
-        if (own) {
-            raw.model.domain.origin = own->origin;
-            raw.model.notes.push_back(
-                "cell and origin are those that libocean wrote into the file");
-        }
-        model = elevation::finish(std::move(raw), path, options);
+        model = elevation::finish(read_raw(path, format, request), path, options);
     }
     if (!request.crop) return model;
     crop(model, *request.crop);

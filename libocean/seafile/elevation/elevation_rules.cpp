@@ -5,6 +5,8 @@
 #include "ocean/internal/elevation_rules.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -56,9 +58,17 @@ bool looks_geographic(const Domain& domain) {
            east <= 360.0 + kSlack && south >= -90.0 - kSlack && north <= 90.0 + kSlack;
 }
 
+/// Returns a number with at most ten digits.
+std::string ten_digits(double value) {
+    std::array<char, 32> digits{};
+    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                            std::chars_format::general, 10);
+    return error == std::errc() ? std::string(digits.data(), end) : shortest_text(value);
+}
+
 std::string degrees_note(const ElevationModel& model, const std::string& why) {
     const std::array<double, 2>& cell = model.geographic_cell;
-    return "cells of " + plain_text(cell[0]) + " x " + plain_text(cell[1]) + " degrees" + why +
+    return "cells of " + ten_digits(cell[0]) + " x " + ten_digits(cell[1]) + " degrees" + why +
            " are " + fixed_text(model.domain.step(0), 3) + " m x " +
            fixed_text(model.domain.step(1), 3) + " m at the latitude of the centre, " +
            fixed_text(model.geographic_origin[1] + 0.5 * cell[1] * (model.domain.samples[1] - 1),
