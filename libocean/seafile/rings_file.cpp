@@ -24,10 +24,11 @@ void validate_rings(const MeasuredRings& rings, const std::string& parameter) {
                rings.density[i] >= 0.0 && std::isfinite(rings.density[i]);
     }
     if (good) return;
-    throw Error(ErrorKind::invalid_value,
-                {.what = "needs 2 .. 4096 ascending wavenumbers above 0 with a density of 0 or more "
-                         "each",
-                 .parameter = parameter});
+    throw Error(
+        ErrorKind::invalid_value,
+        {.what = "needs 2 .. 4096 ascending wavenumbers above 0 with a density of 0 or more "
+                 "each",
+         .parameter = parameter});
 }
 
 MeasuredRings read_measured_rings(const std::string& path) {

@@ -151,8 +151,8 @@ double TerrainLaw::exponent(double k) const {
         double sum = 0.0;
         for (int i = 0; i < kDirections; ++i) {
             const double theta = kTwoPi * i / kDirections;
-            const double k_scaled = std::sqrt(
-                scaled_square(at * std::cos(theta), at * std::sin(theta)));
+            const double k_scaled =
+                std::sqrt(scaled_square(at * std::cos(theta), at * std::sin(theta)));
             const double turned = ridge_turns_ ? 1.0 + ridge(k_scaled) * turning(theta) : 1.0;
             sum += radial(k_scaled) * turned;
         }

@@ -25,8 +25,7 @@ struct NoiseSource {
 };
 
 std::vector<NoiseSource> noise_sources(const Terrain& terrain) {
-    std::vector<NoiseSource> sources = {
-        {terrain.seed, noise_stream(NoiseStream::terrain), 1, 1.0}};
+    std::vector<NoiseSource> sources = {{terrain.seed, noise_stream(NoiseStream::terrain), 1, 1.0}};
     for (const TerrainLayer& layer : terrain.layers) {
         sources.push_back({layer.seed, noise_stream(NoiseStream::terrain, 1),
                            static_cast<int>(std::lround(terrain.patch_size / layer.period)),
@@ -49,8 +48,7 @@ void add_noise(const NoiseSource& source, int m, std::span<std::complex<float>> 
 }  // namespace
 
 TerrainNoise::TerrainNoise(const Terrain& terrain, ThreadPool& pool)
-    : resolution_(terrain.resolution),
-      values_(lattice_of(terrain).size() / 2) {
+    : resolution_(terrain.resolution), values_(lattice_of(terrain).size() / 2) {
     const std::vector<NoiseSource> sources = noise_sources(terrain);
     const int half = resolution_ / 2;
     pool.for_each_range(resolution_, [&](int first, int last) {

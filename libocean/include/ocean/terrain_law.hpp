@@ -42,9 +42,9 @@ class TerrainLaw {
   private:
     friend class TerrainAmplitudes;
 
-    double radial(double k) const;        // P, with ridges that have no direction
-    double ridge(double k) const;         // g q(k)
-    double turning(double theta) const;   // cos^2s
+    double radial(double k) const;                     // P, with ridges that have no direction
+    double ridge(double k) const;                      // g q(k)
+    double turning(double theta) const;                // cos^2s
     double scaled_square(double kx, double ky) const;  // k'^2
     bool has_wave(double k) const;
     double measured(double log_k) const;  // log S

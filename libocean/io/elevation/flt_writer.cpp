@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Raw floats with header and projection: see elevation.hpp.
-#include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <string_view>
@@ -15,6 +13,7 @@
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/elevation.hpp"
 #include "ocean/io/output_file.hpp"
+#include "ocean/text.hpp"
 
 namespace ocean::io {
 namespace {
@@ -26,10 +25,7 @@ static_assert(std::endian::native == std::endian::little);
 
 /// Returns a number with at most 15 digits, so that a cell of 30 m is not 29.999999999999996.
 std::string digits(double value) {
-    std::array<char, 40> text{};
-    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value,
-                                            std::chars_format::general, 15);
-    return error == std::errc() ? std::string(text.data(), end) : "0";
+    return significant_text(value, 15);
 }
 
 std::string beside(const std::string& path, const char* extension) {

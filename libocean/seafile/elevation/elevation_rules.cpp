@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -58,18 +57,10 @@ bool looks_geographic(const Domain& domain) {
            east <= 360.0 + kSlack && south >= -90.0 - kSlack && north <= 90.0 + kSlack;
 }
 
-/// Returns a number with at most ten digits.
-std::string ten_digits(double value) {
-    std::array<char, 32> digits{};
-    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                                            std::chars_format::general, 10);
-    return error == std::errc() ? std::string(digits.data(), end) : shortest_text(value);
-}
-
 std::string degrees_note(const ElevationModel& model, const std::string& why) {
     const std::array<double, 2>& cell = model.geographic_cell;
-    return "cells of " + ten_digits(cell[0]) + " x " + ten_digits(cell[1]) + " degrees" + why +
-           " are " + fixed_text(model.domain.step(0), 3) + " m x " +
+    return "cells of " + significant_text(cell[0], 10) + " x " + significant_text(cell[1], 10) +
+           " degrees" + why + " are " + fixed_text(model.domain.step(0), 3) + " m x " +
            fixed_text(model.domain.step(1), 3) + " m at the latitude of the centre, " +
            fixed_text(model.geographic_origin[1] + 0.5 * cell[1] * (model.domain.samples[1] - 1),
                       4);
@@ -150,11 +141,11 @@ void apply_holes(ElevationModel& model, const std::string& name, HolePolicy poli
         std::ranges::count_if(model.heights, [](float h) { return std::isnan(h); }));
     if (holes == 0) return;
     if (holes == model.heights.size()) throw bad_file(name, "has no heights, only holes");
-    const std::string share = std::to_string(holes) + " of " +
-                              std::to_string(model.heights.size()) + " heights (" +
-                              format_text("%.2g", 100.0 * static_cast<double>(holes) /
-                                                      static_cast<double>(model.heights.size())) +
-                              " %)";
+    const std::string share =
+        std::to_string(holes) + " of " + std::to_string(model.heights.size()) + " heights (" +
+        significant_text(
+            100.0 * static_cast<double>(holes) / static_cast<double>(model.heights.size()), 2) +
+        " %)";
     if (policy == HolePolicy::refuse) {
         throw bad_file(name, share +
                                  " are missing; they can be filled with the smooth surface "
