@@ -13,7 +13,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 {
     build_packages=(
         cmake g++ ninja-build pkg-config python3 libtomlplusplus-dev libcli11-dev libopenexr-dev
-        libpng-dev zlib1g-dev libcairo2-dev libnetcdf-dev libssl-dev nlohmann-json3-dev libepoxy-dev
+        libpng-dev libtiff-dev zlib1g-dev libcairo2-dev libnetcdf-dev libssl-dev nlohmann-json3-dev libepoxy-dev
         libglm-dev libglfw3-dev libimgui-dev libstb-dev fonts-dejavu-core libasio-dev libedit-dev
         libusb-1.0-0-dev liblo-dev librtmidi-dev libopenvdb-dev libboost-iostreams-dev)
     demo_packages=("${build_packages[@]}" povray povray-includes)
@@ -41,6 +41,9 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     ruff_tool=ruff==0.17.5
     usd_tool=usd_core==26.11  # judges our USD
     materialx_tool=materialx==1.39.5  # judges shaders/materialx
+    tifffile_tool=tifffile==2026.3.3  # writes and reads GeoTIFF, as rasterio (GDAL) does
+    rasterio_tool=rasterio==1.4.4
+    affine_tool=affine==2.4.0  # of rasterio; a newer one needs newer attrs than Debian's
     ziglang_tool=ziglang==0.17.0
     mkl_tool=mkl-static==2026.2.0
     mkl_headers_tool=mkl-include==2026.2.0

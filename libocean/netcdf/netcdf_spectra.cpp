@@ -12,10 +12,10 @@
 #include "ocean/internal/platform.hpp"
 #include "ocean/internal/record_rules.hpp"
 #ifdef OCEAN_HAVE_NETCDF
-#include "child_process.hpp"
 #include "netcdf_file.hpp"
 #include "netcdf_records.hpp"
 #include "netcdf_wire.hpp"
+#include "ocean/internal/child_process.hpp"
 #endif
 
 namespace ocean {
@@ -52,8 +52,8 @@ netcdf::Content read_content(const std::string& path) {
         }
     };
     netcdf::Content content;
-    netcdf::run_in_child({}, produce,
-                         [&](const netcdf::Source& source) { content = netcdf::decode(source); });
+    sandbox::run_in_child({}, produce,
+                          [&](const netcdf::Source& source) { content = netcdf::decode(source); });
     return content;
 }
 #endif
@@ -80,7 +80,7 @@ std::vector<SpectrumRecord> read_netcdf_spectra(const std::string& path) {
         return records;
     } catch (const netcdf::Fault& fault) {
         throw bad_file(path, fault.what());
-    } catch (const netcdf::ChildFailure& failure) {
+    } catch (const sandbox::ChildFailure& failure) {
         throw bad_file(path,
                        "the NetCDF library failed on this file: " + std::string(failure.what()));
     }

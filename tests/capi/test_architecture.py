@@ -18,10 +18,14 @@ ROOT = Path(__file__).parents[2] / "libocean"
 # Public headers that are not core's. io, bake, gl and bridge have folders of their names.
 HEADER_OWNER = {
     "libocean.h": "capi",
+    "ocean/elevation_file.hpp": "seafile",
     "ocean/internal/checked_text.hpp": "seafile",
+    "ocean/internal/child_process.hpp": "sandbox",
     "ocean/internal/csv_rows.hpp": "seafile",
     "ocean/internal/density_units.hpp": "seafile",
     "ocean/internal/directional_record.hpp": "seafile",
+    "ocean/internal/elevation_import.hpp": "elevation",
+    "ocean/internal/elevation_rules.hpp": "seafile",
     "ocean/io.hpp": "io",
     "ocean/internal/line_reader.hpp": "seafile",
     "ocean/internal/netcdf_spectra.hpp": "netcdf",
@@ -131,10 +135,20 @@ LIBRARIES = {
         ),
         banned=STREAMS,
     ),
+    "sandbox": Library(below=("core",), foreign={"child_process.cpp": SYSTEM}),
     "netcdf": Library(
-        below=("core", "seafile"),
-        foreign={"child_process.cpp": SYSTEM, "netcdf_file.cpp": ("netcdf.h",)},
+        below=("core", "seafile", "sandbox"),
+        foreign={"netcdf_file.cpp": ("netcdf.h",)},
         links=("PkgConfig::netcdf",),
+    ),
+    "elevation": Library(
+        below=("core", "seafile", "io", "sandbox"),
+        foreign={
+            "exr_raster.cpp": ("Imf",),
+            "png_raster.cpp": ("png.h",),
+            "tiff_raster.cpp": ("tiffio.h",),
+        },
+        links=("OpenEXR::OpenEXR", "PNG::PNG", "TIFF::TIFF"),
     ),
     "capi": Library(below=("core", "seafile"), banned=STREAMS),
     "bake": Library(
@@ -147,7 +161,7 @@ LIBRARIES = {
         links=("OpenSSL::Crypto", "nlohmann_json::nlohmann_json"),
     ),
     "apps": Library(
-        below=("core", "seafile", "io", "netcdf", "gl", "preview", "bridge", "bake"),
+        below=("core", "seafile", "io", "netcdf", "elevation", "gl", "preview", "bridge", "bake"),
         foreign={
             "common/command_line.cpp": ("CLI/",),  # and no other file
             "common/console.cpp": ("unistd.h",),

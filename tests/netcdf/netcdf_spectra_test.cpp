@@ -19,12 +19,12 @@
 
 #include "../temporary_folder.hpp"
 #include "cf_units.hpp"
-#include "child_process.hpp"
 #include "contents.hpp"
 #include "netcdf_layout.hpp"
 #include "netcdf_records.hpp"
 #include "netcdf_wire.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/child_process.hpp"
 #include "ocean/seafile.hpp"
 #include "paths.hpp"
 #ifdef OCEAN_TEST_NETCDF
@@ -34,6 +34,9 @@
 namespace ocean::netcdf {
 namespace {
 
+using sandbox::ChildFailure;
+using sandbox::ChildLimits;
+using sandbox::run_in_child;
 using test::TemporaryFolder;
 
 TEST(NetcdfRecords, ARecordForEachTimeAndPlaceTimesOutermost) {

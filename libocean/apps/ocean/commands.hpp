@@ -15,6 +15,8 @@ namespace ocean::app {
 Command info_command();
 /// Refers to the catalogue, which must outlive the command.
 Command bake_command(const Catalogue& catalogue);
+Command terrain_import_command();
+Command terrain_fit_command();
 Command povray_command();
 /// Refers to the catalogue, which must outlive the command.
 Command terrain_command(const Catalogue& catalogue);

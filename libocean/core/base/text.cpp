@@ -55,6 +55,10 @@ std::string fixed_text(double value, int digits) {
     return digits_of(value, std::chars_format::fixed, digits);
 }
 
+std::string significant_text(double value, int digits) {
+    return digits_of(value, std::chars_format::general, digits);
+}
+
 std::vector<std::string> split(std::string_view text, std::string_view separator) {
     std::vector<std::string> parts;
     for (;;) {

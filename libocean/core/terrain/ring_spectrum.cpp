@@ -10,6 +10,7 @@
 #include "ocean/ring_spectrum.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <complex>
@@ -21,6 +22,7 @@
 #include "ocean/grid.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/page_vector.hpp"
+#include "ring_sums.hpp"
 
 namespace ocean {
 namespace {
@@ -28,56 +30,6 @@ namespace {
 constexpr int kMinSide = 16;
 constexpr double kShareOfNyquist = 0.8;  // of a grid that exists once
 constexpr double kMinCycles = 2.0;       // along its shorter side
-
-/// The rings [lowest ratio^i, lowest ratio^(i + 1)) below `end`.
-struct RingEdges {
-    double lowest;
-    double end;
-    int per_octave;
-
-    int count() const {
-        return static_cast<int>(std::ceil(std::log2(end / lowest) * per_octave - 1e-9));
-    }
-    /// Returns the ring of a wavenumber, or -1 outside all of them.
-    int ring_of(double k) const {
-        if (k < lowest || k >= end) return -1;
-        return std::min(static_cast<int>(std::log2(k / lowest) * per_octave), count() - 1);
-    }
-};
-
-/// A rectangle of samples that is transformed at once.
-struct Window {
-    std::array<int, 2> first;
-    std::array<int, 2> samples;
-};
-
-/// The sums over the waves of a ring.
-struct RingSums {
-    double density = 0.0;
-    double log_k = 0.0;
-    double weight = 0.0;
-
-    void add(double s, double logarithm, double w) {
-        density += w * s;
-        log_k += w * logarithm;
-        weight += w;
-    }
-    void add(const RingSums& other) {
-        density += other.density;
-        log_k += other.log_k;
-        weight += other.weight;
-    }
-};
-
-/// Returns the weights of a taper along one side, 1 everywhere without one.
-std::vector<double> taper_weights(int samples, bool hann) {
-    std::vector<double> weights(static_cast<std::size_t>(samples), 1.0);
-    if (!hann) return weights;
-    for (int i = 0; i < samples; ++i) {
-        weights[static_cast<std::size_t>(i)] = 0.5 - 0.5 * std::cos(kTwoPi * (i + 0.5) / samples);
-    }
-    return weights;
-}
 
 double sum_of_squares(const std::vector<double>& weights) {
     double sum = 0.0;
@@ -250,14 +202,12 @@ class WindowTransform {
     std::vector<RingSums> columns_;              // the rings of each column
 };
 
-RingEdges edges_of(const Domain& domain, const std::array<int, 2>& samples, int per_octave) {
-    const double nyquist = kPi / std::max(domain.step(0), domain.step(1));
-    const double side = std::min(samples[0] * domain.step(0), samples[1] * domain.step(1));
-    if (!domain.wraps) {
-        return {kMinCycles * kTwoPi / side, kShareOfNyquist * nyquist, per_octave};
-    }
-    // The longest waves lie in the middle of the first ring.
-    return {kTwoPi / side * std::exp2(-0.5 / per_octave), nyquist, per_octave};
+/// Returns the sides of the windows of a grid [samples].
+std::array<int, 2> window_samples(const Domain& domain, const RingOptions& options) {
+    std::array<int, 2> samples = domain.samples;
+    if (domain.wraps) return samples;
+    for (int& side : samples) side = std::min(side, options.max_side);
+    return samples;
 }
 
 void check(const Domain& domain, std::span<const float> heights, const RingOptions& options) {
@@ -289,16 +239,23 @@ void check(const Domain& domain, std::span<const float> heights, const RingOptio
 
 }  // namespace
 
+std::array<double, 2> ring_limits(const Domain& domain, const RingOptions& options) {
+    const std::array<int, 2> samples = window_samples(domain, options);
+    const double nyquist = kPi / std::max(domain.step(0), domain.step(1));
+    const double side = std::min(samples[0] * domain.step(0), samples[1] * domain.step(1));
+    if (!domain.wraps) return {kMinCycles * kTwoPi / side, kShareOfNyquist * nyquist};
+    // The longest waves lie in the middle of the first ring.
+    return {kTwoPi / side * std::exp2(-0.5 / options.rings_per_octave), nyquist};
+}
+
 std::vector<Ring> measure_rings(const Domain& domain, std::span<const float> heights,
                                 ThreadPool& pool, const RingOptions& options) {
     check(domain, heights, options);
-    std::array<int, 2> samples = domain.samples;
-    if (!domain.wraps) {
-        for (int& side : samples) side = std::min(side, options.max_side);
-    }
+    const std::array<int, 2> samples = window_samples(domain, options);
     const bool hann =
         options.taper == Taper::automatic ? !domain.wraps : options.taper == Taper::hann;
-    const RingEdges edges = edges_of(domain, samples, options.rings_per_octave);
+    const auto [lowest, end] = options.limits.value_or(ring_limits(domain, options));
+    const RingEdges edges{lowest, end, options.rings_per_octave};
     std::vector<RingSums> sums(static_cast<std::size_t>(std::max(edges.count(), 1)));
     WindowTransform transform(domain, heights, samples, hann, hann, edges);
     std::size_t windows = 0;

@@ -10,6 +10,8 @@
 // is corrected. Without the window crops of land with beta 2.0, 2.4 and 2.8 all read 1.5.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,7 +33,12 @@ struct RingOptions {
     /// two. A larger grid is covered by such squares that overlap by at least half, and their
     /// densities are averaged [Welch 1967].
     int max_side = 4096;
+    /// The lowest and the highest wavenumber of all rings [rad/m]; by default those of the grid.
+    std::optional<std::array<double, 2>> limits = {};
 };
+
+/// Returns the limits that measure_rings chooses for a grid [rad/m]: see there.
+std::array<double, 2> ring_limits(const Domain& domain, const RingOptions& options = {});
 
 /// The mean of S over the waves of a ring.
 struct Ring {

@@ -23,6 +23,8 @@ std::string shortest_text(float value);
 std::string plain_text(double value);
 /// Returns the text of "%.*f", in any locale.
 std::string fixed_text(double value, int digits);
+/// Returns the text of "%.*g", in any locale.
+std::string significant_text(double value, int digits);
 
 /// Returns the parts between the separators, empty ones included: one more than separators.
 std::vector<std::string> split(std::string_view text, std::string_view separator);

@@ -5,6 +5,7 @@
 #include "ocean/internal/elevation_rules.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -58,8 +59,8 @@ bool looks_geographic(const Domain& domain) {
 
 std::string degrees_note(const ElevationModel& model, const std::string& why) {
     const std::array<double, 2>& cell = model.geographic_cell;
-    return "cells of " + plain_text(cell[0]) + " x " + plain_text(cell[1]) + " degrees" + why +
-           " are " + fixed_text(model.domain.step(0), 3) + " m x " +
+    return "cells of " + significant_text(cell[0], 10) + " x " + significant_text(cell[1], 10) +
+           " degrees" + why + " are " + fixed_text(model.domain.step(0), 3) + " m x " +
            fixed_text(model.domain.step(1), 3) + " m at the latitude of the centre, " +
            fixed_text(model.geographic_origin[1] + 0.5 * cell[1] * (model.domain.samples[1] - 1),
                       4);
@@ -95,6 +96,7 @@ void scale_domain(RawModel& raw, const std::string& name, CellsInDegrees request
         model.domain.origin[axis] *= raw.metres_per_unit;
         model.domain.size[axis] *= raw.metres_per_unit;
     }
+    model.crs = "LOCAL_CS[\"metres of " + crs_name(model.crs) + "\",UNIT[\"metre\",1]]";
     model.notes.push_back("the horizontal unit of the file is " +
                           shortest_text(raw.metres_per_unit) + " m; cell and origin are metres");
 }
@@ -132,16 +134,18 @@ void scale_heights(RawModel& raw, const std::string& name, const ElevationOption
     }
 }
 
+}  // namespace
+
 void apply_holes(ElevationModel& model, const std::string& name, HolePolicy policy) {
     const auto holes = static_cast<std::size_t>(
         std::ranges::count_if(model.heights, [](float h) { return std::isnan(h); }));
     if (holes == 0) return;
     if (holes == model.heights.size()) throw bad_file(name, "has no heights, only holes");
-    const std::string share = std::to_string(holes) + " of " +
-                              std::to_string(model.heights.size()) + " heights (" +
-                              format_text("%.2g", 100.0 * static_cast<double>(holes) /
-                                                      static_cast<double>(model.heights.size())) +
-                              " %)";
+    const std::string share =
+        std::to_string(holes) + " of " + std::to_string(model.heights.size()) + " heights (" +
+        significant_text(
+            100.0 * static_cast<double>(holes) / static_cast<double>(model.heights.size()), 2) +
+        " %)";
     if (policy == HolePolicy::refuse) {
         throw bad_file(name, share +
                                  " are missing; they can be filled with the smooth surface "
@@ -154,8 +158,6 @@ void apply_holes(ElevationModel& model, const std::string& name, HolePolicy poli
                               "them");
     }
 }
-
-}  // namespace
 
 void require_sides(const std::string& name, std::int64_t columns, std::int64_t rows) {
     for (const std::int64_t side : {columns, rows}) {
@@ -209,6 +211,7 @@ ElevationModel finish(RawModel raw, const std::string& name, const ElevationOpti
                                   "declare; they are kept");
     }
     apply_holes(raw.model, name, options.holes);
+    raw.model.crs = without_local_names(raw.model.crs);
     return std::move(raw.model);
 }
 

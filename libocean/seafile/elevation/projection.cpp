@@ -87,6 +87,21 @@ std::string read_projection(const std::string& path) {
     return "";
 }
 
+std::string crs_name(const std::string& crs) {
+    const std::size_t bracket = crs.find('[');
+    const std::size_t open = bracket == crs.npos ? bracket : crs.find('"', bracket);
+    const std::size_t close = open == crs.npos ? open : crs.find('"', open + 1);
+    if (close == crs.npos) return text::printable(crs, 60);
+    return text::printable(std::string_view(crs).substr(open + 1, close - open - 1), 80);
+}
+
+std::string without_local_names(const std::string& crs) {
+    if (!crs.starts_with("LOCAL_CS[")) return crs;
+    const std::string name = crs_name(crs);
+    if (name == "metres") return "";
+    return name.starts_with("EPSG:") ? name : crs;
+}
+
 std::optional<bool> is_geographic(const std::string& crs) {
     const std::string text = upper_case(crs);
     if (names_any_of(text, {"PROJCS[", "PROJCRS[", "PROJECTEDCRS[", "LOCAL_CS[", "ENGCRS["})) {

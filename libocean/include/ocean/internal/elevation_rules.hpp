@@ -42,8 +42,18 @@ bool is_fill_value(double value);
 /// a model of holes alone, and holes that options.holes refuses.
 ElevationModel finish(RawModel raw, const std::string& name, const ElevationOptions& options);
 
+/// Applies the policy to the holes of a model. Throws Error bad_file, with `name`, for a model of
+/// holes alone, and for holes that are refused.
+void apply_holes(ElevationModel& model, const std::string& name, HolePolicy policy);
+
 /// Returns the text of the .prj file beside `path`, as one line; "" without one.
 std::string read_projection(const std::string& path);
+/// Returns the name of a system: "EPSG:26911", the name in a definition, or the text itself; "" if
+/// it is unknown.
+std::string crs_name(const std::string& crs);
+/// Returns the system that write_elevation names in a local one, "EPSG:2193" or "" for an unknown
+/// one; other texts as they are.
+std::string without_local_names(const std::string& crs);
 /// Returns true for a system of degrees, false for one of lengths, nothing for an unknown text.
 std::optional<bool> is_geographic(const std::string& crs);
 /// Returns the length [m] of the unit of a projected system; 1 if the text names none.

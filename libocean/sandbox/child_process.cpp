@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Work in a forked child: see child_process.hpp.
-#include "child_process.hpp"
+// Work in a forked child: see ocean/internal/child_process.hpp.
+#include "ocean/internal/child_process.hpp"
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -26,7 +26,7 @@
 #endif
 #endif
 
-namespace ocean::netcdf {
+namespace ocean::sandbox {
 namespace {
 
 class Descriptor {
@@ -234,4 +234,4 @@ void run_in_child(const ChildLimits& limits, const std::function<void(const Sink
     if (const int status = child.wait(); status != 0) fail_by(status, limits);
 }
 
-}  // namespace ocean::netcdf
+}  // namespace ocean::sandbox

@@ -5,13 +5,21 @@
 // back through a pipe; a crash ends the child alone.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <stdexcept>
 
-#include "netcdf_wire.hpp"
+namespace ocean::sandbox {
 
-namespace ocean::netcdf {
+/// Writes all bytes.
+using Sink = std::function<void(const void* bytes, std::size_t count)>;
+/// Reads `count` bytes. Returns false if fewer are left.
+using Source = std::function<bool(void* bytes, std::size_t count)>;
+/// The bytes of a child are not those that the program would have sent.
+struct WireError : std::runtime_error {
+    WireError() : std::runtime_error("no content") {}
+};
 
 struct ChildLimits {
     std::uint64_t memory_bytes = std::uint64_t{2}
@@ -32,4 +40,4 @@ struct ChildFailure : std::runtime_error {
 void run_in_child(const ChildLimits& limits, const std::function<void(const Sink&)>& produce,
                   const std::function<void(const Source&)>& consume);
 
-}  // namespace ocean::netcdf
+}  // namespace ocean::sandbox

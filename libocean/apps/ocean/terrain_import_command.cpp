@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `ocean terrain import`: makes raw floats (.flt) of an elevation model in another format, and
+// reports the facts of the model.
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "commands.hpp"
+#include "console.hpp"
+#include "interrupt.hpp"
+#include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/elevation_import.hpp"
+#include "ocean/internal/elevation_rules.hpp"
+#include "ocean/internal/platform.hpp"
+#include "ocean/io/elevation.hpp"
+#include "ocean/io/output_file.hpp"
+#include "text.hpp"
+
+namespace ocean::app {
+namespace {
+
+struct ImportCommandOptions {
+    std::string file;
+    std::string output;
+    std::string unit;
+    std::string sign = "up";
+    std::string holes = "refuse";
+    std::string degrees = "auto";
+    std::string cell;
+    std::string range;
+    std::string corner;
+    std::string crop;
+};
+
+/// Returns the numbers of "X0,Y0,X1,Y1", each of them within -1e9 .. 1e9.
+template <std::size_t count>
+std::array<double, count> numbers_of(const std::string& text, const std::string& option,
+                                     const std::string& shape) {
+    constexpr double kMaxNumber = 1e9;
+    const std::vector<std::string> words = split(text, ',');
+    if (words.size() != count) {
+        throw Error(ErrorKind::invalid_value,
+                    option + " " + text::printable(text) + ": allowed is " + shape);
+    }
+    std::array<double, count> numbers{};
+    for (std::size_t i = 0; i < count; ++i) {
+        numbers[i] = parse_number(words[i], option, -kMaxNumber, kMaxNumber);
+    }
+    return numbers;
+}
+
+std::array<double, 2> range_of(const std::string& text) {
+    const auto range = numbers_of<2>(text, "--range", "LOWEST,HIGHEST in metres");
+    for (const double height : range) {
+        if (std::abs(height) <= kMaxElevation) continue;
+        throw Error(ErrorKind::invalid_value, "--range " + text::printable(text) +
+                                                  ": allowed are heights of -100000 .. "
+                                                  "100000 m");
+    }
+    if (range[0] == range[1]) {
+        throw Error(ErrorKind::invalid_value,
+                    "--range " + text::printable(text) + ": black and white have one height");
+    }
+    return range;
+}
+
+std::array<double, 2> corner_of(const std::string& text) {
+    const auto corner = corner_of_name(text);
+    if (corner && text.size() == 7) return *corner;
+    throw Error(ErrorKind::invalid_value, "--corner " + text::printable(text) +
+                                              ": allowed is the name of a tile, as N34W119");
+}
+
+ElevationImport request_of(const ImportCommandOptions& options) {
+    ElevationImport request;
+    if (!options.unit.empty()) {
+        const auto word = std::ranges::find(kHeightUnitWords, options.unit);
+        request.options.unit = static_cast<HeightUnit>(word - kHeightUnitWords.begin());
+    }
+    request.options.sign = options.sign == "down" ? HeightSign::down : HeightSign::up;
+    request.options.holes = HolePolicy::keep;  // refused or filled once the facts are reported
+    request.options.degrees = options.degrees == "yes"  ? CellsInDegrees::yes
+                              : options.degrees == "no" ? CellsInDegrees::no
+                                                        : CellsInDegrees::automatic;
+    if (!options.cell.empty()) {
+        constexpr double kMinCell = 1e-6, kMaxCell = 1e6;
+        request.cell = parse_number(options.cell, "--cell", kMinCell, kMaxCell);
+    }
+    if (!options.range.empty()) request.range = range_of(options.range);
+    if (!options.corner.empty()) request.corner = corner_of(options.corner);
+    if (!options.crop.empty()) {
+        request.crop = numbers_of<4>(options.crop, "--crop", "WEST,SOUTH,EAST,NORTH in metres");
+    }
+    return request;
+}
+
+/// Throws if the output exists and is another program's, or is the input.
+void check_output(const ImportCommandOptions& options) {
+    const std::filesystem::path output = utf8_path(options.output);
+    if (output.extension() != ".flt") {
+        throw Error(ErrorKind::invalid_value,
+                    "-o " + text::printable(options.output, 200) +
+                        ": allowed is NAME.flt; NAME.hdr and NAME.prj are written beside it");
+    }
+    io::require_folder(output.parent_path().string());
+    std::error_code ignored;
+    for (const char* extension : {".flt", ".hdr", ".prj"}) {
+        std::filesystem::path file = output;
+        file.replace_extension(extension);
+        std::filesystem::path input = utf8_path(options.file);
+        const bool is_input =
+            std::filesystem::equivalent(file, input, ignored) ||
+            std::filesystem::equivalent(file, input.replace_extension(extension), ignored);
+        if (is_input) {
+            throw Error(ErrorKind::invalid_value,
+                        "'" + text::to_utf8(file) +
+                            "' is an input of this command: it is not overwritten; choose another "
+                            "file");
+        }
+        io::refuse_to_replace_foreign_file(text::to_utf8(file), "`ocean terrain import`", [&] {
+            return io::is_written_elevation(options.output);
+        });
+    }
+}
+
+std::string length_text(double metres) {
+    return metres < 10'000.0 ? significant<4>(metres) + " m" : significant<4>(metres / 1e3) + " km";
+}
+
+std::string system_text(const ElevationModel& model) {
+    const std::string name = elevation::crs_name(model.crs);
+    std::string text = name.empty() ? "unknown" : name;
+    if (model.was_degrees) {
+        text += ", in degrees; the south-west cell lies at " +
+                fixed_text(model.geographic_origin[1], 6) + " N, " +
+                fixed_text(model.geographic_origin[0], 6) + " E";
+    }
+    return text;
+}
+
+std::string facts_text(const ElevationModel& model, const ElevationSummary& summary) {
+    const Domain& domain = model.domain;
+    const double step_x = domain.step(0), step_y = domain.step(1);
+    const std::string cell = fixed_text(step_x, 3) + " m x " + fixed_text(step_y, 3) + " m";
+    std::string text =
+        "size     " + std::to_string(domain.samples[0]) + " x " +
+        std::to_string(domain.samples[1]) + " cells, " + length_text(step_x * domain.samples[0]) +
+        " x " + length_text(step_y * domain.samples[1]) + "\ncell     " + cell + "\norigin   " +
+        plain_text(domain.origin[0]) + ", " + plain_text(domain.origin[1]) +
+        " m, the centre of the south-west cell\nsystem   " + system_text(model) + "\nheights  " +
+        fixed_text(double{summary.lowest}, 2) + " .. " + fixed_text(double{summary.highest}, 2) +
+        " m, mean " + fixed_text(summary.mean, 2) + " m, rms " + fixed_text(summary.rms, 2) +
+        " m\nholes    " + std::to_string(summary.holes) + " of " + std::to_string(domain.count()) +
+        " cells (" +
+        significant<3>(100.0 * static_cast<double>(summary.holes) /
+                       static_cast<double>(domain.count())) +
+        " %)\n";
+    for (const std::string& note : model.notes) text += wrapped("note: " + note, 0, 80);
+    return text;
+}
+
+std::string facts_json(const ImportCommandOptions& options, const ElevationModel& model,
+                       const ElevationSummary& summary) {
+    const Domain& domain = model.domain;
+    JsonObject json{JsonLines{2}};
+    json.add("file", options.file)
+        .add("samples", json_array(domain.samples))
+        .add("cell", json_array(std::array{domain.step(0), domain.step(1)}))
+        .add("origin", json_array(domain.origin))
+        .add("unit", "m")
+        .add("system", model.crs.empty() ? Json(nullptr) : Json(model.crs))
+        .add("was_degrees", model.was_degrees)
+        .add("geographic_origin",
+             model.was_degrees ? Json(json_array(model.geographic_origin)) : Json(nullptr))
+        .add("lowest", double{summary.lowest})
+        .add("highest", double{summary.highest})
+        .add("mean", summary.mean)
+        .add("rms", summary.rms)
+        .add("holes", summary.holes)
+        .add("share_of_holes",
+             static_cast<double>(summary.holes) / static_cast<double>(domain.count()))
+        .add("notes", json_array(model.notes))
+        .add("output", options.output.empty() ? Json(nullptr) : Json(options.output));
+    return json.text() + "\n";
+}
+
+/// Returns a function that reports the rows that were read every few seconds.
+std::function<void(int, int)> row_progress_on(Console& console) {
+    auto report = std::make_shared<std::function<void(std::size_t)>>();
+    return [&console, report](int rows, int of_rows) {
+        if (!*report) *report = progress_on(console, "rows", static_cast<std::size_t>(of_rows));
+        if (rows > 0) (*report)(static_cast<std::size_t>(rows));
+    };
+}
+
+void settle_holes(ElevationModel& model, const ImportCommandOptions& options,
+                  const ElevationSummary& summary) {
+    if (summary.holes > 0 && options.holes == "refuse" && summary.holes < model.heights.size()) {
+        throw Error(ErrorKind::bad_file,
+                    text::printable(options.file, 200) + ": " + std::to_string(summary.holes) +
+                        " of " + std::to_string(model.heights.size()) +
+                        " heights are missing; --holes fill fills them with the smooth surface "
+                        "around them");
+    }
+    elevation::apply_holes(model, options.file, HolePolicy::fill);
+}
+
+void run(const ImportCommandOptions& options, const Context& context) {
+    ElevationImport request = request_of(options);
+    if (!options.output.empty()) check_output(options);
+    request.options.progress = row_progress_on(context.console);
+    ElevationModel model = import_elevation(options.file, request);
+    const ElevationSummary summary = summarize(model);
+    context.console.data(context.options.json ? facts_json(options, model, summary)
+                                              : facts_text(model, summary));
+    if (options.output.empty()) return;
+    settle_holes(model, options, summary);
+    const auto hold = context.interrupts.hold();
+    io::make_folder(utf8_path(options.output).parent_path().string());
+    io::write_elevation(model, options.output);
+    if (!context.options.quiet && !context.options.json) {
+        context.console.data("written  " + options.output + ", with .hdr and .prj beside it\n");
+    }
+}
+
+constexpr char kFooter[] =
+    R"(Reads GeoTIFF (one band; integers of 8, 16 and 32 bits, floats of 32 and 64),
+SRTM tiles (N34W119.hgt), grey PNG (needs --cell and --range), OpenEXR (needs
+--cell; heights in metres), ESRI ASCII grids (.asc) and raw floats (.flt with
+.hdr). Other formats become GeoTIFF by `gdal_translate -ot Float32 IN OUT.tif`.
+Without -o the facts are printed and nothing is written. Cells of degrees are
+scaled to metres by the latitude of the centre, and the model then begins at
+(0, 0). Libraries that read the file work in a process of their own, with limits
+of memory (2 GiB) and time (10 minutes of CPU).)";
+
+}  // namespace
+
+Command terrain_import_command() {
+    auto options = std::make_shared<ImportCommandOptions>();
+    const auto words = [](std::initializer_list<std::string> list) {
+        return OneOf{std::vector<std::string>(list)};
+    };
+    return {
+        .name = "terrain import",
+        .summary = "Convert an elevation model to raw floats (.flt), and report its facts",
+        .options =
+            {{"", {{"FILE", &options->file, "", "The elevation model", kRequired, NotEmpty{}}}},
+             {"Output",
+              {{"-o,--output", &options->output, "FILE",
+                "NAME.flt; NAME.hdr and NAME.prj are written beside it"}}},
+             {"Heights",
+              {{"--unit", &options->unit, "UNIT",
+                "Unit of the heights: m, ft or us_ft (US survey feet); default: as the file says, "
+                "else m",
+                kOptional, words({"m", "ft", "us_ft"})},
+               {"--sign", &options->sign, "SIGN",
+                "up (default) or down: the file's depths are positive", kOptional,
+                words({"up", "down"})},
+               {"--holes", &options->holes, "POLICY",
+                "refuse (default) missing heights, or fill them with the smooth surface around "
+                "them",
+                kOptional, words({"refuse", "fill"})},
+               {"--range", &options->range, "LOWEST,HIGHEST",
+                "Heights of black and white in a PNG [m]"}}},
+             {"Place",
+              {{"--cell", &options->cell, "METRES",
+                "Side of a cell, for files that do not state it"},
+               {"--degrees", &options->degrees, "WORD",
+                "Cells are degrees: yes, no, or auto (default): as the file says, else by its "
+                "coordinates",
+                kOptional, words({"yes", "no", "auto"})},
+               {"--corner", &options->corner, "NAME",
+                "South-west corner of an SRTM tile whose file has another name, as N34W119"},
+               {"--crop", &options->crop, "WEST,SOUTH,EAST,NORTH",
+                "Keep the cells whose centres lie within these edges [m]"}}},
+             run_options("Print the facts as a JSON object")},
+        .footer = kFooter,
+        .run = [options](const Context& context) { run(*options, context); },
+    };
+}
+
+}  // namespace ocean::app

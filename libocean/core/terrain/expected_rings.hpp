@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The rings that measure_rings() finds in the mean of all seeds, without making any.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "ocean/ring_spectrum.hpp"
+#include "ocean/terrain.hpp"
+#include "ocean/thread_pool.hpp"
+
+namespace ocean {
+
+/// Returns the expected density of each ring that measure_rings finds with a Hann window in a part
+/// of `samples` samples of the terrain's tile, relative where the terrain's law is (see
+/// TerrainLaw::is_absolute). Rings without waves are left out. The removal of the plane is not
+/// counted: it takes from the lowest rings alone. `options` has limits.
+std::vector<double> expected_rings(const Terrain& terrain, const std::array<int, 2>& samples,
+                                   const RingOptions& options, ThreadPool& pool);
+
+}  // namespace ocean

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Fits the parameters of a law to rings by least squares of the logarithm of their densities.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "ocean/ring_spectrum.hpp"
+#include "ocean/terrain_fit.hpp"
+
+namespace ocean {
+
+struct LawFit {
+    std::vector<FittedParameter> parameters;
+    double level = 0.0;  // log of S over the law's relative density
+};
+
+/// Sets the exponents, break and ridge of the terrain, and rms so that S has the level of the
+/// rings on the terrain's lattice. The best of five starts.
+LawFit fit_law(std::span<const Ring> rings, FitLaw law, bool ridge, Terrain& terrain);
+
+}  // namespace ocean

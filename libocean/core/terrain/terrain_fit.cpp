@@ -1,0 +1,384 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Fits a terrain to an elevation model: see terrain_fit.hpp.
+#include "ocean/terrain_fit.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "expected_rings.hpp"
+#include "law_fit.hpp"
+#include "ocean/error.hpp"
+#include "ocean/grid.hpp"
+#include "ocean/land.hpp"
+#include "ocean/ring_spectrum.hpp"
+#include "ocean/terrain_law.hpp"
+#include "ocean/text.hpp"
+#include "relief.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr int kMaxSide = 2048;  // of tiles and windows: a seed then takes less than a second
+constexpr int kMinSide = 32;
+constexpr int kRingsPerOctave = 4;
+constexpr int kCorrectingSeeds = 16;  // of tiles of up to 1024 samples a side, else half of it
+constexpr int kRingRounds = 3;
+constexpr std::uint32_t kFirstCorrectingSeed = 1001;
+constexpr int kVarianceRounds = 2;
+
+/// Makes terrains and measures them as the elevation model was measured.
+class Judge {
+  public:
+    Judge(const ElevationModel& bed, const TerrainFitOptions& options)
+        : options_(options),
+          land_(tile_for(bed), {.threads = options.threads}),
+          domain_(part_for(bed, land_.terrain())) {
+        RingOptions rings{.rings_per_octave = kRingsPerOctave, .max_side = kMaxSide};
+        rings.limits = ring_limits(bed.domain, rings);
+        ring_options_ = rings;
+        bed_rings_ = measure_rings(bed.domain, bed.heights, land_.pool(), rings);
+        const int rounds = options.law == FitLaw::table ? kVarianceRounds : 0;
+        correcting_seeds_ =
+            land_.terrain().resolution < kMaxSide ? kCorrectingSeeds : kCorrectingSeeds / 2;
+        terrains_ = rounds * correcting_seeds_ + options.seeds;
+    }
+
+    const Terrain& tile() const { return land_.terrain(); }
+    const std::vector<Ring>& bed_rings() const { return bed_rings_; }
+
+    /// Measures the terrain with `seeds` seeds from `first` on. `use` gets the rings of each, and
+    /// the heights of the part.
+    template <typename Use>
+    void measure(Terrain terrain, std::uint32_t first, int seeds, const Use& use) {
+        for (int i = 0; i < seeds; ++i) {
+            terrain.seed = first + static_cast<std::uint32_t>(i);
+            land_.set_terrain(terrain);
+            const std::vector<float> heights = part();
+            const auto rings = measure_rings(domain_, heights, land_.pool(), ring_options_);
+            if (rings.size() != bed_rings_.size()) {
+                throw Error(ErrorKind::invalid_value,
+                            "the model has too few cells for its rings to be compared");
+            }
+            use(rings, heights);
+            if (options_.progress) options_.progress(++done_, terrains_);
+        }
+    }
+
+    /// Returns the variance about the plane of the part, the mean of the seeds that correct [m^2].
+    double mean_variance(const Terrain& terrain) {
+        double variance = 0.0;
+        measure(terrain, kFirstCorrectingSeed, correcting_seeds_,
+                [&](const std::vector<Ring>&, const std::vector<float>& heights) {
+                    const double rms = relief_of(domain_, heights).rms;
+                    variance += rms * rms / correcting_seeds_;
+                });
+        return variance;
+    }
+    /// Returns the mean of all seeds in each ring: see expected_rings.
+    std::vector<double> expected(const Terrain& terrain) {
+        return expected_rings(terrain, domain_.samples, ring_options_, land_.pool());
+    }
+    const Domain& domain() const { return domain_; }
+
+  private:
+    static Terrain tile_for(const ElevationModel& bed) {
+        const double cell = std::max(bed.domain.step(0), bed.domain.step(1));
+        int samples = kMinSide;
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const double cells = bed.domain.step(axis) * bed.domain.samples[axis] / cell;
+            const auto held = static_cast<unsigned>(std::ceil(cells - 1e-9));
+            samples = std::max(samples, static_cast<int>(std::bit_ceil(held)));
+        }
+        Terrain terrain;
+        terrain.resolution = std::min(samples, kMaxSide);
+        terrain.patch_size = cell * terrain.resolution;
+        return terrain;
+    }
+
+    /// Returns the part of a tile that has the size of the model, or of its windows.
+    static Domain part_for(const ElevationModel& bed, const Terrain& terrain) {
+        const double cell = terrain.patch_size / terrain.resolution;
+        Domain part{.origin = {}, .size = {}, .samples = {}, .wraps = false};
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const double cells =
+                bed.domain.step(axis) * std::min(bed.domain.samples[axis], kMaxSide) / cell;
+            part.samples[axis] =
+                std::clamp(static_cast<int>(std::lround(cells)), kMinSide / 2, terrain.resolution);
+            part.size[axis] = cell * (part.samples[axis] - 1);
+        }
+        return part;
+    }
+
+    std::vector<float> part() {
+        const Surface surface = land_.surface({Channel::height});
+        const std::span<const float> tile = surface.channel(Channel::height);
+        const std::size_t stride = static_cast<std::size_t>(land_.terrain().resolution);
+        const std::size_t columns = static_cast<std::size_t>(domain_.samples[0]);
+        std::vector<float> heights;
+        heights.reserve(domain_.count());
+        for (int j = 0; j < domain_.samples[1]; ++j) {
+            const std::span<const float> row =
+                tile.subspan(static_cast<std::size_t>(j) * stride, columns);
+            heights.insert(heights.end(), row.begin(), row.end());
+        }
+        return heights;
+    }
+
+    const TerrainFitOptions& options_;
+    Land land_;
+    Domain domain_;
+    RingOptions ring_options_;
+    std::vector<Ring> bed_rings_;
+    int correcting_seeds_ = 0;
+    int terrains_ = 0;
+    int done_ = 0;
+};
+
+void add(Relief& sum, const Relief& one, double share) {
+    sum.rms += share * one.rms;
+    sum.skewness += share * one.skewness;
+    sum.anisotropy += share * one.anisotropy;
+    for (std::size_t i = 0; i < sum.slopes.size(); ++i) sum.slopes[i] += share * one.slopes[i];
+}
+
+/// Returns the relief of a model; of one that is larger than a tile, the mean of nine parts of a
+/// tile's size, because a longer piece of land is higher.
+Relief relief_of_bed(const ElevationModel& bed) {
+    const std::array<int, 2>& samples = bed.domain.samples;
+    const Relief whole = relief_of(bed.domain, bed.heights);
+    if (std::max(samples[0], samples[1]) <= kMaxSide) return whole;
+    constexpr int kParts = 3;  // along each side
+    Domain part = bed.domain;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        part.samples[axis] = std::min(samples[axis], kMaxSide);
+        part.size[axis] = bed.domain.step(axis) * (part.samples[axis] - 1);
+    }
+    Relief mean;
+    mean.anisotropy = 0.0;
+    for (int p = 0; p < kParts * kParts; ++p) {
+        const int left = (samples[0] - part.samples[0]) * (p % kParts) / (kParts - 1);
+        const int low = (samples[1] - part.samples[1]) * (p / kParts) / (kParts - 1);
+        std::vector<float> heights;
+        heights.reserve(part.count());
+        for (int j = low; j < low + part.samples[1]; ++j) {
+            const auto row = bed.heights.begin() + std::ptrdiff_t{j} * samples[0] + left;
+            heights.insert(heights.end(), row, row + part.samples[0]);
+        }
+        add(mean, relief_of(part, heights), 1.0 / (kParts * kParts));
+    }
+    mean.direction = whole.direction;
+    return mean;
+}
+
+/// The table law: rings, and one point for the waves that are too long for them. It lies at the
+/// longest wave of the tile, so that the law is a line from there to the first ring.
+class RingTable {
+  public:
+    RingTable(double longest_wavenumber, const std::vector<Ring>& bed)
+        : longest_wavenumber_(longest_wavenumber),
+          longest_density_(bed.front().density),
+          rings_(bed) {}
+
+    std::shared_ptr<const MeasuredRings> measured() const {
+        MeasuredRings table{{longest_wavenumber_}, {longest_density_}};
+        for (const Ring& ring : rings_) {
+            table.wavenumber.push_back(ring.wavenumber);
+            table.density.push_back(ring.density);
+        }
+        return std::make_shared<const MeasuredRings>(std::move(table));
+    }
+
+    /// Corrects each density by what the mean of all seeds has: window, edges and the finite width
+    /// of rings then cancel.
+    void correct_rings(const std::vector<Ring>& bed, const std::vector<double>& expected) {
+        for (std::size_t i = 0; i < rings_.size(); ++i) {
+            if (expected[i] > 0.0) rings_[i].density *= limited(bed[i].density / expected[i]);
+        }
+    }
+    /// Gives the longest waves what the variance of the land lacks.
+    void correct_variance(double bed, double found) {
+        longest_density_ *= limited(std::pow(bed / found, 2.0));
+    }
+
+  private:
+    static double limited(double factor) { return std::clamp(factor, 0.25, 4.0); }
+
+    double longest_wavenumber_;  // [rad/m]
+    double longest_density_;     // [m^4]
+    std::vector<Ring> rings_;
+};
+
+/// Fits the table law.
+void fit_table(Judge& judge, double bed_rms, Terrain& terrain) {
+    constexpr double kBelow = 1.0 - 1e-9;  // the wave itself lies within the table
+    RingTable table(kBelow * kTwoPi / terrain.patch_size, judge.bed_rings());
+    const auto fit_rings = [&] {
+        terrain.rings = table.measured();
+        for (int round = 0; round < kRingRounds; ++round) {
+            table.correct_rings(judge.bed_rings(), judge.expected(terrain));
+            terrain.rings = table.measured();
+        }
+    };
+    fit_rings();
+    for (int round = 0; round < kVarianceRounds; ++round) {
+        table.correct_variance(bed_rms * bed_rms, judge.mean_variance(terrain));
+        fit_rings();
+    }
+}
+
+/// Fits a law of parameters, and returns them.
+std::vector<FittedParameter> fit_parameters(Judge& judge, const TerrainFitOptions& options,
+                                            Terrain& terrain) {
+    std::vector<Ring> rings = judge.bed_rings();
+    LawFit fit = fit_law(rings, options.law, options.ridge, terrain);
+    for (int round = 0; round < kRingRounds; ++round) {
+        // What the window makes of this law is divided out, and the law fitted again.
+        const std::vector<double> expected = judge.expected(terrain);
+        const TerrainLaw law(terrain);
+        for (std::size_t i = 0; i < rings.size(); ++i) {
+            if (!(expected[i] > 0.0)) continue;
+            rings[i].density =
+                judge.bed_rings()[i].density * law.density(rings[i].wavenumber, 0.0) / expected[i];
+        }
+        fit = fit_law(rings, options.law, options.ridge, terrain);
+    }
+    return fit.parameters;
+}
+
+/// Sums over seeds.
+struct RingSums {
+    double density = 0.0;
+    double logarithm = 0.0;
+    double square = 0.0;
+};
+
+void judge_fit(Judge& judge, int seeds, TerrainFit& fit) {
+    std::vector<RingSums> sums(judge.bed_rings().size());
+    fit.model.anisotropy = 0.0;
+    judge.measure(fit.terrain, fit.terrain.seed, seeds,
+                  [&](const std::vector<Ring>& rings, const std::vector<float>& heights) {
+                      for (std::size_t i = 0; i < rings.size(); ++i) {
+                          const double logarithm = std::log10(std::max(rings[i].density, 1e-300));
+                          sums[i].density += rings[i].density / seeds;
+                          sums[i].logarithm += logarithm / seeds;
+                          sums[i].square += logarithm * logarithm / seeds;
+                      }
+                      add(fit.model, relief_of(judge.domain(), heights), 1.0 / seeds);
+                  });
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const Ring& ring = judge.bed_rings()[i];
+        const double variance = sums[i].square - sums[i].logarithm * sums[i].logarithm;
+        fit.rings.push_back({ring.wavenumber, ring.density, ring.count, sums[i].density,
+                             std::sqrt(std::max(variance, 0.0) * seeds / (seeds - 1.0))});
+    }
+}
+
+/// Groups rings by octaves from the lowest one.
+std::vector<FittedOctave> octaves_of(const std::vector<FittedRing>& rings, double lowest) {
+    std::vector<FittedOctave> octaves;
+    std::vector<int> counts;
+    for (const FittedRing& ring : rings) {
+        const auto octave = static_cast<std::size_t>(
+            std::max(0.0, std::floor(std::log2(ring.wavenumber / lowest) + 1e-9)));
+        while (octaves.size() <= octave) {
+            octaves.push_back({kTwoPi / lowest / std::exp2(static_cast<double>(octaves.size()))});
+            counts.push_back(0);
+        }
+        octaves[octave].error += ring.residual() * ring.residual();
+        octaves[octave].scatter += ring.scatter * ring.scatter;
+        ++counts[octave];
+    }
+    for (std::size_t i = 0; i < octaves.size(); ++i) {
+        octaves[i].error = std::sqrt(octaves[i].error / std::max(counts[i], 1));
+        octaves[i].scatter = std::sqrt(octaves[i].scatter / std::max(counts[i], 1));
+    }
+    return octaves;
+}
+
+void add_warnings(TerrainFit& fit) {
+    constexpr double kGoodError = 0.05, kClearAnisotropy = 1.3, kClearSkewness = 0.5;
+    for (const FittedParameter& parameter : fit.parameters) {
+        if (!parameter.is_at_bound) continue;
+        fit.warnings.push_back(parameter.name + " = " + significant_text(parameter.value, 4) +
+                               " is at the bound of its range: this law does not describe the "
+                               "land; choose another");
+    }
+    if (fit.error_above_lowest() > kGoodError) {
+        fit.warnings.push_back("above the longest octave the density is off by up to " +
+                               fixed_text(fit.error_above_lowest(), 2) +
+                               " in log10 in an octave; " +
+                               (fit.terrain.rings != nullptr ? "the model has few waves there"
+                                                             : "the table law follows the rings"));
+    }
+    if (fit.bed.anisotropy > kClearAnisotropy) {
+        fit.warnings.push_back("the land is steeper along " + fixed_text(fit.bed.direction, 0) +
+                               " degrees than across, by " + fixed_text(fit.bed.anisotropy, 2) +
+                               "; the fit is the same in all directions: see anisotropy");
+    }
+    if (std::abs(fit.bed.skewness - fit.model.skewness) > kClearSkewness) {
+        fit.warnings.push_back("the heights of the land have a skewness of " +
+                               fixed_text(fit.bed.skewness, 2) +
+                               ", which no spectrum holds: peaks and valleys of the terrain are "
+                               "alike");
+    }
+}
+
+void check(const ElevationModel& model, const TerrainFitOptions& options) {
+    const auto [columns, rows] = model.domain.samples;
+    if (std::min(columns, rows) < kMinSide) {
+        throw Error(ErrorKind::invalid_value, "a fit needs at least 32 x 32 cells, not " +
+                                                  std::to_string(columns) + " x " +
+                                                  std::to_string(rows));
+    }
+    if (options.seeds < kMinFitSeeds || options.seeds > kMaxFitSeeds) {
+        throw Error(ErrorKind::invalid_value, {.what = "is out of range",
+                                               .parameter = "seeds",
+                                               .value = std::to_string(options.seeds),
+                                               .allowed = "4 .. 256"});
+    }
+}
+
+}  // namespace
+
+double FittedRing::residual() const {
+    return std::log10(model / density);
+}
+
+double TerrainFit::error_above_lowest() const {
+    double largest = 0.0;
+    for (std::size_t i = 1; i < octaves.size(); ++i) largest = std::max(largest, octaves[i].error);
+    return largest;
+}
+
+TerrainFit fit_terrain(const ElevationModel& model, const TerrainFitOptions& options) {
+    check(model, options);
+    Judge judge(model, options);
+    for (const Ring& ring : judge.bed_rings()) {
+        if (ring.density > 0.0) continue;
+        throw Error(ErrorKind::invalid_value, "the model has no waves of " +
+                                                  significant_text(kTwoPi / ring.wavenumber, 4) +
+                                                  " m: flat land has no spectrum to fit");
+    }
+    TerrainFit fit;
+    fit.terrain = judge.tile();
+    fit.bed = relief_of_bed(model);
+    if (options.law == FitLaw::table) {
+        fit_table(judge, fit.bed.rms, fit.terrain);
+    } else {
+        fit.parameters = fit_parameters(judge, options, fit.terrain);
+    }
+    fit.terrain.seed = 1;
+    fit.terrain.mean = summarize(model).mean;
+    fit.cell = fit.terrain.patch_size / fit.terrain.resolution;
+    judge_fit(judge, options.seeds, fit);
+    fit.octaves = octaves_of(fit.rings, ring_limits(model.domain, {.max_side = kMaxSide})[0]);
+    add_warnings(fit);
+    return fit;
+}
+
+}  // namespace ocean

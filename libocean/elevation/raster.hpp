@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Rasters of heights as their readers report them: facts first, then rows from the north.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "ocean/elevation_file.hpp"
+
+namespace ocean::elevation {
+
+/// The fault of a file, in words that follow its name: "has 3 bands".
+struct RasterFault : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct RasterFacts {
+    std::int64_t columns = 0;
+    std::int64_t rows = 0;
+    bool has_place = false;  // the file states origin and cell
+    std::array<double, 2> south_west_centre{};
+    std::array<double, 2> cell{1.0, 1.0};
+    std::optional<bool> is_geographic;
+    double metres_per_unit = 1.0;  // of the horizontal coordinates
+    std::optional<HeightUnit> height_unit;
+    bool declares_holes = false;
+    double full_scale = 0.0;  // of images: the value of white, 0 for heights in a unit
+    std::string crs;
+    std::vector<std::string> notes;
+};
+
+/// Receives a raster. A row has RasterFacts::columns values, NaN where a height is missing.
+struct RasterReceiver {
+    std::function<void(const RasterFacts&)> begin;
+    std::function<void(std::span<const float>)> row;
+};
+
+/// The sides that a reader accepts; the program checks them again. Throws RasterFault.
+void require_sides(std::int64_t columns, std::int64_t rows);
+
+}  // namespace ocean::elevation

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Claims: the table law of a crop of land has the land's density in each octave above the lowest
+// within 0.05 in log10, judged by seeds that corrected nothing; a broken law gives back the
+// exponents and the break that made the land; what a law cannot say is a warning.
+#include "ocean/terrain_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ocean/error.hpp"
+#include "ocean/grid.hpp"
+#include "ocean/land.hpp"
+#include "ocean/terrain_table.hpp"
+
+namespace ocean {
+namespace {
+
+/// A crop of the land of a terrain, which no period fits into.
+ElevationModel crop_of(const Terrain& terrain, int columns, int rows) {
+    Land land(terrain);
+    const Surface surface = land.surface({Channel::height});
+    const auto heights = surface.channel(Channel::height);
+    const double cell = terrain.patch_size / terrain.resolution;
+    ElevationModel model;
+    model.domain = {.origin = {},
+                    .size = {cell * (columns - 1), cell * (rows - 1)},
+                    .samples = {columns, rows},
+                    .wraps = false};
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            model.heights.push_back(
+                heights[static_cast<std::size_t>((j + 31) * terrain.resolution + i + 17)] + 700.0f);
+        }
+    }
+    return model;
+}
+
+/// Hills of an exponent 1.4 above 600 m and 2.6 below.
+Terrain hills() {
+    Terrain terrain;
+    terrain.resolution = 1024;
+    terrain.patch_size = 20000.0;
+    terrain.beta = 1.4;
+    terrain.breaks = {{600.0, 2.6}};
+    terrain.rms = 120.0;
+    terrain.seed = 77;
+    return terrain;
+}
+
+void expect_good_table(const ElevationModel& model) {
+    const TerrainFit fit = fit_terrain(model);
+    ASSERT_NE(fit.terrain.rings, nullptr);
+    EXPECT_NO_THROW(validate(fit.terrain));
+    EXPECT_LE(fit.error_above_lowest(), 0.05);
+    EXPECT_GE(fit.octaves.size(), 4u);
+    for (const FittedOctave& octave : fit.octaves) {
+        testing::Test::RecordProperty("octave_" + std::to_string(std::lround(octave.longest_wave)),
+                                      std::to_string(octave.error));
+    }
+}
+
+TEST(TerrainFit, TheTableLawOfABrokenLandHasItsDensity) {
+    expect_good_table(crop_of(hills(), 400, 360));
+}
+
+TEST(TerrainFit, TheTableLawOfRidgesHasTheirDensity) {
+    Terrain ridges = hills();
+    ridges.ridge_wavelength = 900.0;
+    ridges.ridge_gain = 6.0;
+    ridges.ridge_width = 0.4;
+    expect_good_table(crop_of(ridges, 512, 512));
+}
+
+TEST(TerrainFit, TheTableLawOfASmoothLandHasItsDensity) {
+    Terrain smooth = hills();
+    smooth.breaks.clear();
+    smooth.beta = 2.4;
+    expect_good_table(crop_of(smooth, 300, 500));
+}
+
+TEST(TerrainFit, ABrokenLawGivesBackTheLawThatMadeTheLand) {
+    double beta = 0.0, length = 0.0, short_beta = 0.0;
+    constexpr int kSeeds = 12;
+    for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+        Terrain terrain = hills();
+        terrain.patch_size = 60000.0;  // many waves on either side of the break
+        terrain.seed = 500 + seed;
+        const TerrainFit fit =
+            fit_terrain(crop_of(terrain, 500, 500), {.law = FitLaw::broken, .seeds = 4});
+        ASSERT_EQ(fit.parameters.size(), 3u);
+        beta += fit.parameters[0].value / kSeeds;
+        length += std::log(fit.parameters[1].value) / kSeeds;
+        short_beta += fit.parameters[2].value / kSeeds;
+        EXPECT_EQ(fit.terrain.beta, fit.parameters[0].value);
+        EXPECT_NEAR(fit.terrain.mean, 700.0, 150.0);
+        EXPECT_FALSE(fit.parameters[1].is_at_bound);
+    }
+    EXPECT_NEAR(beta, 1.4, 0.03 * 1.4);
+    EXPECT_NEAR(short_beta, 2.6, 0.03 * 2.6);
+    EXPECT_NEAR(std::exp(length), 600.0, 0.05 * 600.0);
+}
+
+TEST(TerrainFit, OneExponentIsFoundAndABrokenLandIsAWarning) {
+    Terrain smooth = hills();
+    smooth.breaks.clear();
+    smooth.beta = 2.2;
+    const TerrainFit good =
+        fit_terrain(crop_of(smooth, 512, 512), {.law = FitLaw::one, .seeds = 4});
+    EXPECT_NEAR(good.parameters[0].value, 2.2, 0.03 * 2.2);
+    const TerrainFit bad =
+        fit_terrain(crop_of(hills(), 512, 512), {.law = FitLaw::one, .seeds = 4});
+    EXPECT_GT(bad.error_above_lowest(), 0.15);
+    ASSERT_FALSE(bad.warnings.empty());
+    EXPECT_NE(bad.warnings[0].find("the table law follows the rings"), std::string::npos);
+}
+
+TEST(TerrainFit, AParameterAtItsBoundIsAWarning) {
+    Terrain noise = hills();
+    noise.breaks.clear();
+    noise.beta = 0.0;
+    const TerrainFit fit = fit_terrain(crop_of(noise, 256, 256), {.law = FitLaw::one, .seeds = 4});
+    EXPECT_TRUE(fit.parameters[0].is_at_bound);
+    ASSERT_FALSE(fit.warnings.empty());
+    EXPECT_NE(fit.warnings[0].find("at the bound"), std::string::npos) << fit.warnings[0];
+}
+
+TEST(TerrainFit, ReliefOfTheModelAndOfTheTerrainAreBothTold) {
+    Terrain terrain = hills();
+    terrain.anisotropy = 2.0;
+    terrain.direction = 30.0;
+    const TerrainFit fit = fit_terrain(crop_of(terrain, 400, 400), {.seeds = 4});
+    EXPECT_GT(fit.bed.anisotropy, 1.5);
+    EXPECT_NEAR(fit.bed.direction, 30.0, 3.0);
+    EXPECT_NEAR(fit.model.rms / fit.bed.rms, 1.0, 0.15);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(fit.model.slopes[i] / fit.bed.slopes[i], 1.0, 0.15);
+    }
+    EXPECT_LT(fit.bed.slopes[0], fit.bed.slopes[2]);
+    const bool told = std::ranges::any_of(fit.warnings, [](const std::string& warning) {
+        return warning.find("steeper along 3") != std::string::npos ||
+               warning.find("steeper along 2") != std::string::npos;
+    });
+    EXPECT_TRUE(told);
+}
+
+TEST(TerrainFit, WhatCannotBeFittedIsRefused) {
+    ElevationModel flat = crop_of(hills(), 64, 64);
+    EXPECT_NO_THROW(fit_terrain(flat, {.seeds = 4}));
+    EXPECT_THROW(fit_terrain(flat, {.seeds = 1}), Error);
+    std::ranges::fill(flat.heights, 5.0f);
+    EXPECT_THROW(fit_terrain(flat), Error);
+    EXPECT_THROW(fit_terrain(crop_of(hills(), 64, 31)), Error);
+    ElevationModel hole = crop_of(hills(), 64, 64);
+    hole.heights[9] = std::nanf("");
+    EXPECT_THROW(fit_terrain(hole), Error);
+}
+
+TEST(TerrainFit, ProgressCountsTheTerrainsAndMayEndTheFit) {
+    const ElevationModel model = crop_of(hills(), 64, 64);
+    int last = 0, all = 0;
+    fit_terrain(model, {.seeds = 4, .progress = [&](int done, int of) {
+                            last = done;
+                            all = of;
+                        }});
+    EXPECT_EQ(last, all);
+    EXPECT_EQ(all, 2 * 16 + 4);
+    EXPECT_THROW(
+        fit_terrain(model,
+                    {.progress = [](int, int) { throw Error(ErrorKind::interrupted, "stopped"); }}),
+        Error);
+}
+
+}  // namespace
+}  // namespace ocean
