@@ -6,11 +6,11 @@
 #include "panel/widgets.hpp"
 
 namespace ocean::app {
-void draw_camera_section(CameraControl& camera, PanelState& state) {
+void draw_camera_section(const LiveScene& scene, CameraControl& camera, PanelState& state) {
     static constexpr const char* kModes[] = {"fly", "walk", "orbit", "float"};
     ImGui::PushItemWidth(panel_length(kWidgetWidth));
     int mode = static_cast<int>(camera.mode);
-    if (ImGui::Combo("Camera (C)", &mode, kModes, 4)) {
+    if (ImGui::Combo("Camera (C)", &mode, kModes, camera_modes(scene.kind()))) {
         camera.mode = static_cast<CameraMode>(mode);
         state.requests.touched = true;
     }
