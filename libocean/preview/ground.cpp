@@ -32,6 +32,7 @@ Ground::Ground(const RendererOptions& options)
     : taps_(filter_taps(options)),
       shadow_steps_(options.shadow_steps),
       clipmap_(options.land_cells),
+      lines_(std::min(options.cells, options.land_cells)),
       program_(
           {{GL_VERTEX_SHADER, "preview/ground.vert"}, {GL_FRAGMENT_SHADER, "preview/ground.frag"}},
           "#define TAPS " + std::to_string(taps_) + "\n" + view_defines(SceneKind::land)),
@@ -52,10 +53,12 @@ void Ground::draw(const PictureFrame& frame) {
     units.bind(program_, "ground_map", GL_TEXTURE_2D, land_->texture, sampler_.name());
     // No ground is nearer than the highest summit below the eye.
     const double clearance = std::max(camera.eye[2] - land_->heights[1], 0.0);
-    clipmap_.draw(program_, glm::dvec3(camera.eye[0], camera.eye[1], clearance),
-                  std::exp2(std::floor(std::log2(texel_of(*land_) / kCellsOfTexel))),
-                  Frustum(frame.projection.clip_from_world, camera.eye[2]),
-                  reach_of(*land_, camera.eye[2]), frame.options.wireframe);
+    const bool only_lines = frame.options.wireframe;
+    const Clipmap& mesh = only_lines ? lines_ : clipmap_;
+    mesh.draw(program_, glm::dvec3(camera.eye[0], camera.eye[1], clearance),
+              std::exp2(std::floor(std::log2(texel_of(*land_) / kCellsOfTexel))),
+              Frustum(frame.projection.clip_from_world, camera.eye[2]),
+              reach_of(*land_, camera.eye[2]), only_lines);
 }
 
 }  // namespace ocean::preview

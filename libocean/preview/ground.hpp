@@ -26,6 +26,7 @@ class Ground : public Drawable {
     int taps_;  // samples along a footprint; 0: the driver's filter fits the footprints
     int shadow_steps_;
     Clipmap clipmap_;
+    Clipmap lines_;  // of a wireframe: coarser, so that its lines do not fill the picture
     gl::ShaderProgram program_;
     gl::Sampler sampler_;
     UniformBlock<LandBlock> block_;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "angles.hpp"
+#include "sky.hpp"
 #include "view_table.hpp"
 
 namespace ocean::preview {
@@ -79,7 +79,8 @@ LandBlock make_land_block(const ShownLand& land, const Camera& camera, const Loo
     b.range = glm::vec4(low, high, land.cell, 0.0);
     const double line = look.snow_line.value_or(default_snow_line(land));
     b.snow = glm::vec4(line, kSnowBelt * land.rms, kSunnyRise * land.rms, kWornRise * land.rms);
-    const double rise = std::max(std::tan(kRadians * look.sun_altitude), kMinRise);
+    const glm::dvec3 sun(make_sky(look).sun_direction);
+    const double rise = std::max(sun.z / std::max(std::hypot(sun.x, sun.y), 1e-6), kMinRise);
     const double reach = std::min((land.heights[1] - land.heights[0]) / rise, land.image->period);
     b.shadow = glm::vec4(shadow_steps, std::max(reach, 2.0 * texel_of(land)), 0.0, 0.0);
     b.colours = glm::ivec4(static_cast<int>(look.land_colours));

@@ -116,7 +116,10 @@ struct Renderer::Impl {
         }
         if (!ground) ground.emplace(options);
         ground->show(land);
-        draw(*ground, "land", frame, has_sky);
+        if (frame.look.kind == LookKind::physical) return draw(*ground, "land", frame, has_sky);
+        Look physical = frame.look;  // land has no other look
+        physical.kind = LookKind::physical;
+        draw(*ground, "land", {frame.camera, physical, frame.options, frame.projection}, has_sky);
     }
 
     template <typename Shown>

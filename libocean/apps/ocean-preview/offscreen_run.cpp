@@ -68,7 +68,7 @@ class OffscreenRun {
           kind_(kind_of(scene)),
           scene_(make_offscreen_scene(scene, options, device.backend, device.context->info(),
                                       context)),
-          renderer_(renderer_for(options, device.context->info())) {}
+          renderer_(renderer_for(options, device.context->info(), false)) {}
 
     void print_probes() {
         for (const auto& place : options_.probes) {
@@ -165,7 +165,7 @@ void draw_with_bridge(const PreviewOptions& options, const Sea& sea, const Conte
                  {.threads = context.options.threads, .computing = computing, .foam_start = foam});
     live.near_detail = options.detail;
     live.go_to(time);
-    preview::Renderer renderer(renderer_for(options, info));
+    preview::Renderer renderer(renderer_for(options, info, options.follow > 0.0));
     bool first = true;
     const auto show = [&](double milliseconds) {
         const preview::ShownSea shown = live.show();
@@ -234,7 +234,7 @@ void print_budget(const PreviewOptions& options, const OpenedScene& scene, const
         show = frames_of(std::get<Terrain>(scene), options, device, context);
         place_on_land(options, std::get<preview::ShownLand>(show(0)), camera);
     }
-    preview::RendererOptions renderer_options = renderer_for(options, info);
+    preview::RendererOptions renderer_options = renderer_for(options, info, true);
     renderer_options.after_stage = after_stage;
     preview::Renderer renderer(renderer_options);
     const preview::DrawOptions draw = draw_options(options, kind_of(scene));

@@ -13,11 +13,12 @@
 namespace ocean::app {
 namespace {
 
-/// Max samples of maps, cells of the mesh and share of the pixels along a side for a software GPU.
+/// Max samples of maps, cells of the mesh, steps of a shadow and share of the pixels along a side
+/// for a software GPU.
 constexpr int kSoftwareMap = 256;
 constexpr int kSoftwareFoamMap = 512;
 constexpr int kSoftwareCells = 64;
-constexpr int kSoftwareLandCells = 128;
+constexpr int kSoftwareShadowSteps = 12;
 constexpr double kSoftwareScale = 0.5;
 /// Direct sums are N^3 work.
 constexpr int kMaxDft = 64;
@@ -110,11 +111,12 @@ int land_map_for(const PreviewOptions& options, const Terrain& terrain,
 }
 
 preview::RendererOptions renderer_for(const PreviewOptions& options,
-                                      const gl::ContextInfo& context) {
+                                      const gl::ContextInfo& context, bool live) {
     preview::RendererOptions renderer;
-    if (context.software) {
-        renderer.cells = kSoftwareCells;
-        renderer.land_cells = kSoftwareLandCells;
+    if (context.software) renderer.cells = kSoftwareCells;
+    if (context.software && live) {
+        renderer.land_cells = kSoftwareCells;
+        renderer.shadow_steps = kSoftwareShadowSteps;
     }
     if (options.cells) renderer.cells = renderer.land_cells = *options.cells;
     return renderer;

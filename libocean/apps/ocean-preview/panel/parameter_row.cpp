@@ -94,7 +94,7 @@ class Row {
         const std::string format =
             !value && !is_dragged
                 ? "unset"
-                : "%.3g" + (spec_.unit.empty() ? std::string() : " " + std::string(spec_.unit));
+                : "%.5g" + (spec_.unit.empty() ? std::string() : " " + std::string(spec_.unit));
         const bool changed =
             ImGui::SliderFloat(label_.c_str(), &shown, lowest, highest, format.c_str(),
                                wide ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);

@@ -20,7 +20,7 @@ void draw_file_buttons(LiveScene& scene, PanelState& state);
 void draw_open_buttons(const LiveScene& scene, PanelState& state);
 /// View, colours, water, light.
 void draw_picture_section(LiveScene& scene, PanelState& state);
-void draw_camera_section(const LiveScene& scene, CameraControl& camera, PanelState& state);
+void draw_camera_section(LiveScene& scene, CameraControl& camera, PanelState& state);
 void draw_bridge_section(BridgeRows& bridge, PanelRequests& requests);
 /// Presets and backends.
 void draw_choices(LiveScene& scene, PanelState& state);

@@ -29,7 +29,7 @@ Viewport::Viewport(const PreviewOptions& options, const gl::ContextInfo& info)
     : options_(options),
       samples_(live_samples(options, info)),
       scale_(pixel_scale(info)),
-      renderer_(live(renderer_for(options, info))) {}
+      renderer_(live(renderer_for(options, info, true))) {}
 
 void Viewport::resize(int width, int height) {
     width_ = width;
