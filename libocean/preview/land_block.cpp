@@ -17,7 +17,8 @@ constexpr double kSnowBelt = 0.4;
 constexpr double kSunnyRise = 0.63;
 constexpr double kWornRise = 0.74;
 
-constexpr double kMinRise = 0.01;  // of a line to the sun, where it is near the horizon
+constexpr double kSmallestCover = 0.4;  // [m]
+constexpr double kMinRise = 0.01;       // of a line to the sun, where it is near the horizon
 
 double fraction(double x) {
     return x - std::floor(x);
@@ -57,7 +58,7 @@ void set_map(LandBlock& b, const ShownLand& land, const Camera& camera) {
 /// of the terrain.
 void set_cover(LandBlock& b, const ShownLand& land, const Camera& camera) {
     const double largest = land.image->period / 24.0;
-    const double smallest = 0.1 * land.cell;
+    const double smallest = std::min(0.1 * land.cell, kSmallestCover);
     for (std::size_t i = 0; i < kCoverSizes; ++i) {
         const double share = static_cast<double>(i) / (kCoverSizes - 1);
         const double size = largest * std::pow(smallest / largest, share);

@@ -24,7 +24,7 @@ float cover_noise_of(int size, vec2 at) {
 
 // Returns the sum of all sizes, about -1 .. 1, without the cells that a footprint [m] holds.
 float cover_noise(vec2 at, float footprint) {
-    const float weight[4] = float[4](0.5, 0.45, 0.4, 0.35);  // from the largest cells
+    const float weight[4] = float[4](0.45, 0.5, 0.4, 0.35);  // from the largest cells
     float sum = 0.0;
     for (int size = 0; size < 4; ++size) {
         float shown = 1.0 - smoothstep(0.3, 1.0, footprint * cover[size].z);

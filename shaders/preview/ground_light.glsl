@@ -46,15 +46,16 @@ vec3 land_albedo(Ground ground, float noise, float wear) {
                   ramp(0.95, 0.6, steep + 0.12 * noise) *
                   ramp(-0.55, 0.15, noise + 0.35 - 0.3 * wear);
     c = mix(c, forest_albedo * (1.0 + 0.25 * noise), woods);
-    c = mix(c, scree_albedo, ramp(0.50, 0.68, steep + 0.10 * noise - 0.08 * wear));
+    c = mix(c, scree_albedo * (1.0 + 0.2 * noise),
+            0.8 * ramp(0.50, 0.68, steep + 0.24 * noise - 0.08 * wear));
     c = mix(c, rock_albedo * (1.0 + 0.25 * noise),
-            ramp(0.62, 0.92, steep + 0.12 * noise + 0.10 * wear));
+            ramp(0.62, 0.92, steep + 0.20 * noise + 0.10 * wear));
     c = mix(c, dark_rock_albedo, 0.55 * ramp(0.9, 1.5, steep + 0.2 * noise));
     vec2 level_sun = sun.xy / max(length(sun.xy), 1e-3);
     float facing = -dot(ground.slope, level_sun);
     float above = z - snow.x - snow.z * facing - snow.w * wear;
     float white = ramp(-snow.y, snow.y, above) * ramp(1.25, 0.75, steep + 0.15 * noise);
-    return mix(c, snow_albedo, white);
+    return mix(c, snow_albedo * (0.94 + 0.06 * noise), white);
 }
 
 // Returns the ramp of the teaching programs, c0 + c1 u in colours of a screen: c1 is an increment,
