@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The mesh of the water: nested levels of a square grid around the eye, each twice as coarse as the
-// one inside it. A level stands on a lattice of its own that never moves, and is morphed into the
-// next one where it ends [Losasso and Hoppe 2004], so that water neither swims nor jumps.
+// The mesh of water and ground: nested levels of a square grid around the eye, each twice as coarse
+// as the one inside it. A level stands on a lattice of its own that never moves, and is morphed
+// into the next one where it ends [Losasso and Hoppe 2004], so that water neither swims nor jumps.
 #pragma once
 
 #include <array>
@@ -39,7 +39,8 @@ class Clipmap {
     explicit Clipmap(int cells);
 
     /// Draws the blocks that the frustum touches with the current program, and sets its uniforms
-    /// `level` and `morph`. finest: side of a cell of the finest level [m], a power of two.
+    /// `level` and `morph`. eye: its place, and the shortest distance of the surface from it.
+    /// finest: side of a cell of the finest level [m], a power of two.
     /// only_lines: of a wireframe, whose lines fade before they fill the picture. Returns the
     /// number of triangles.
     std::size_t draw(gl::ShaderProgram& program, const glm::dvec3& eye, double finest,

@@ -16,6 +16,7 @@ namespace ocean::preview {
 namespace {
 
 constexpr std::span kLooks(kEnumWords<LookKind>);
+constexpr std::span kLandColours(kEnumWords<LandColours>);
 
 std::vector<std::string> as_strings(std::span<const std::string_view> words) {
     return {words.begin(), words.end()};
@@ -27,6 +28,19 @@ Error no_such(const char* what, std::string_view word, std::span<const std::stri
                                                std::string(word) + "'" + did_you_mean(word, words));
 }
 
+template <typename Enum>
+Enum enumerator_of(std::string_view name, std::span<const std::string_view> words,
+                   const char* what) {
+    const auto found = std::ranges::find(words, name);
+    if (found != words.end()) return static_cast<Enum>(found - words.begin());
+    throw no_such(what, name, words);
+}
+
+/// Returns true if a person can choose the view for a scene of that kind.
+bool is_choice(const ViewRow& row, SceneKind kind) {
+    return row.use == ViewUse::picture && !row.glsl_of(kind).empty();
+}
+
 }  // namespace
 
 void Camera::look_at(const std::array<double, 3>& point) {
@@ -35,18 +49,31 @@ void Camera::look_at(const std::array<double, 3>& point) {
     if (x != 0.0 || y != 0.0 || z != 0.0) pitch = std::atan2(z, std::hypot(x, y)) / kRadians;
 }
 
+std::array<double, 3> Camera::line_of_sight(double from_left, double from_top,
+                                            double aspect) const {
+    const auto [ahead, right, rise] = sight(from_left, from_top, aspect);
+    const double h = kRadians * heading;
+    const double scale = 1.0 / std::hypot(ahead, right, rise);
+    return {scale * (ahead * std::cos(h) + right * std::sin(h)),
+            scale * (ahead * std::sin(h) - right * std::cos(h)), scale * rise};
+}
+
 std::optional<std::array<double, 2>> Camera::meet_level(double from_left, double from_top,
                                                         double aspect, double level) const {
-    const double half = std::tan(0.5 * kRadians * field_of_view);
-    const double right = half * (2.0 * from_left - 1.0);
-    const double up = half / aspect * (1.0 - 2.0 * from_top);
-    const double h = kRadians * heading, p = kRadians * pitch;
-    const double ahead = std::cos(p) - up * std::sin(p);
-    const double rise = std::sin(p) + up * std::cos(p);
+    const auto [ahead, right, rise] = sight(from_left, from_top, aspect);
+    const double h = kRadians * heading;
     const double distance = (level - eye[2]) / rise;
     if (rise == 0.0 || !(distance > 0.0)) return std::nullopt;
     return std::array{eye[0] + distance * (ahead * std::cos(h) + right * std::sin(h)),
                       eye[1] + distance * (ahead * std::sin(h) - right * std::cos(h))};
+}
+
+Camera::Sight Camera::sight(double from_left, double from_top, double aspect) const {
+    const double half = std::tan(0.5 * kRadians * field_of_view);
+    const double right = half * (2.0 * from_left - 1.0);
+    const double up = half / aspect * (1.0 - 2.0 * from_top);
+    const double p = kRadians * pitch;
+    return {std::cos(p) - up * std::sin(p), right, std::sin(p) + up * std::cos(p)};
 }
 
 std::vector<std::string> look_names() {
@@ -54,23 +81,29 @@ std::vector<std::string> look_names() {
 }
 
 LookKind look_of(std::string_view name) {
-    const auto found = std::ranges::find(kLooks, name);
-    if (found != kLooks.end()) return static_cast<LookKind>(found - kLooks.begin());
-    throw no_such("look", name, kLooks);
+    return enumerator_of<LookKind>(name, kLooks, "look");
 }
 
-std::vector<std::string> view_names() {
+std::vector<std::string> land_colour_names() {
+    return as_strings(kLandColours);
+}
+
+LandColours land_colours_of(std::string_view name) {
+    return enumerator_of<LandColours>(name, kLandColours, "colours of land");
+}
+
+std::vector<std::string> view_names(SceneKind kind) {
     std::vector<std::string> names;
     for (const ViewRow& row : kViews) {
-        if (row.use == ViewUse::picture) names.emplace_back(word_of(row.view));
+        if (is_choice(row, kind)) names.emplace_back(word_of(row.view));
     }
     return names;
 }
 
-View view_of(std::string_view name) {
+View view_of(std::string_view name, SceneKind kind) {
     std::vector<std::string_view> words;
     for (const ViewRow& row : kViews) {
-        if (row.use != ViewUse::picture) continue;
+        if (!is_choice(row, kind)) continue;
         if (word_of(row.view) == name) return row.view;
         words.push_back(word_of(row.view));
     }

@@ -5,12 +5,15 @@
 #include "ocean/preview/renderer.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "drawable.hpp"
 #include "frame_block.hpp"
+#include "ground.hpp"
 #include "ocean/error.hpp"
 #include "sky_map.hpp"
 #include "view_table.hpp"
@@ -19,28 +22,29 @@
 namespace ocean::preview {
 
 struct Renderer::Impl {
-    explicit Impl(const RendererOptions& options)
-        : after_stage(options.after_stage),
+    explicit Impl(const RendererOptions& its_options)
+        : options(its_options),
           frame_block(BlockBinding::frame),
           sky({{GL_VERTEX_SHADER, "preview/sky.vert"}, {GL_FRAGMENT_SHADER, "preview/sky.frag"}},
               ""),
           no_vertices(gl::make_vertex_array()),
           water(options) {}
 
-    gl::AfterStage after_stage;
+    RendererOptions options;
     UniformBlock<FrameBlock> frame_block;
     gl::ShaderProgram sky;
     SkyMap sky_map;
     gl::VertexArray no_vertices;
     std::vector<std::shared_ptr<Drawable>> added;
     Water water;
+    std::optional<Ground> ground;  // made for the first picture of land
 
     void done(std::string_view stage) const {
-        if (after_stage) after_stage(stage);
+        if (options.after_stage) options.after_stage(stage);
     }
 
-    void bind_frame(const PictureFrame& frame) {
-        double farthest = water.farthest(frame);
+    void bind_frame(const Drawable& subject, const PictureFrame& frame) {
+        double farthest = subject.farthest(frame);
         for (const auto& drawable : added) {
             farthest = std::max(farthest, drawable->farthest(frame));
         }
@@ -72,7 +76,7 @@ struct Renderer::Impl {
         done("sky");
     }
 
-    void draw_scene(const PictureFrame& frame) {
+    void draw_scene(Drawable& subject, const PictureFrame& frame) {
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LESS);
         if (frame.options.wireframe) {
@@ -82,22 +86,48 @@ struct Renderer::Impl {
                                 GL_ONE_MINUS_SRC_ALPHA);
         }
         for (const auto& drawable : added) drawable->draw(frame);
-        water.draw(frame);
-        done("water");
+        subject.draw(frame);
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
         glDisable(GL_BLEND);
     }
 
-    void draw(const ShownSea& sea, const PictureFrame& frame, bool has_sky) {
-        water.show(sea);
-        bind_frame(frame);
+    /// subject: the water or the ground, whose name is `stage`.
+    void draw(Drawable& subject, const char* stage, const PictureFrame& frame, bool has_sky) {
+        bind_frame(subject, frame);
         clear(frame);
         if (has_sky && !is_seed(frame.look, frame.options)) draw_sky();
-        draw_scene(frame);
+        draw_scene(subject, frame);
+        done(stage);
         if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
             throw Error(ErrorKind::no_gpu,
-                        "OpenGL error " + std::to_string(error) + " while drawing the sea");
+                        "OpenGL error " + std::to_string(error) + " while drawing the " + stage);
         }
+    }
+
+    void draw(const ShownSea& sea, const PictureFrame& frame, bool has_sky) {
+        water.show(sea);
+        draw(water, "water", frame, has_sky);
+    }
+
+    void draw(const ShownLand& land, const PictureFrame& frame, bool has_sky) {
+        if (row_of(frame.options.view).glsl_of(SceneKind::land).empty()) {
+            throw Error(ErrorKind::invalid_value,
+                        "land has no view " + std::string(word_of(frame.options.view)));
+        }
+        if (!ground) ground.emplace(options);
+        ground->show(land);
+        if (frame.look.kind == LookKind::physical) return draw(*ground, "land", frame, has_sky);
+        Look physical = frame.look;  // land has no other look
+        physical.kind = LookKind::physical;
+        draw(*ground, "land", {frame.camera, physical, frame.options, frame.projection}, has_sky);
+    }
+
+    template <typename Shown>
+    void draw_perspective(const Shown& shown, const Camera& camera, const Look& look,
+                          const DrawOptions& draw_options) {
+        const Projection projection = perspective(camera, draw_options.width, draw_options.height);
+        draw(shown, PictureFrame{camera, look, draw_options, projection},
+             row_of(draw_options.view).use == ViewUse::picture);
     }
 };
 
@@ -118,9 +148,18 @@ LeftOut Renderer::left_out() const {
 
 void Renderer::draw(const ShownSea& sea, const Camera& camera, const Look& look,
                     const DrawOptions& options) {
-    const Projection projection = perspective(camera, options.width, options.height);
-    impl_->draw(sea, {camera, look, options, projection},
-                row_of(options.view).use == ViewUse::picture);
+    impl_->draw_perspective(sea, camera, look, options);
+}
+
+void Renderer::draw(const ShownLand& land, const Camera& camera, const Look& look,
+                    const DrawOptions& options) {
+    impl_->draw_perspective(land, camera, look, options);
+}
+
+void Renderer::draw(const ShownScene& scene, const Camera& camera, const Look& look,
+                    const DrawOptions& options) {
+    std::visit([&](const auto& shown) { impl_->draw_perspective(shown, camera, look, options); },
+               scene);
 }
 
 void Renderer::draw_from_above(const ShownSea& sea, const Camera& camera, double x, double y,
@@ -128,6 +167,18 @@ void Renderer::draw_from_above(const ShownSea& sea, const Camera& camera, double
     const Look look;
     const Projection projection = from_above(camera, x, y, metres, sea.significant_wave_height);
     impl_->draw(sea, {camera, look, options, projection}, false);
+}
+
+void Renderer::draw_from_above(const ShownLand& land, const Camera& camera, double x, double y,
+                               double metres, const DrawOptions& options) {
+    const Look look;
+    const double highest = std::max(std::abs(land.heights[0]), std::abs(land.heights[1]));
+    const Projection projection = from_above(camera, x, y, metres, highest);
+    impl_->draw(land, {camera, look, options, projection}, false);
+}
+
+SceneKind kind_of(const ShownScene& scene) {
+    return std::holds_alternative<ShownSea>(scene) ? SceneKind::sea : SceneKind::land;
 }
 
 std::string text(const LeftOut& left_out) {

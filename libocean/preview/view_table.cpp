@@ -12,11 +12,13 @@ const ViewRow& row_of(View view) {
     throw Error(ErrorKind::invalid_value, "there is no view " + std::to_string(number));
 }
 
-std::string view_defines() {
+std::string view_defines(SceneKind kind) {
     std::string text = "#define VIEW_CASES";
     for (const ViewRow& row : kViews) {
+        const std::string_view glsl = row.glsl_of(kind);
+        if (glsl.empty()) continue;
         text += " case " + std::to_string(static_cast<int>(row.view)) + ": return " +
-                std::string(row.glsl) + ";";
+                std::string(glsl) + ";";
     }
     return text + "\n";
 }

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filter_taps.hpp"
 #include "frame_block.hpp"
 #include "ocean/error.hpp"
-#include "ocean/gl/context.hpp"
 #include "view_table.hpp"
 #include "wave/wave.hpp"
 
@@ -16,26 +16,10 @@ namespace {
 
 using wave::double_precision::horizon_distance;
 
-/// llvmpipe 22.3 does not come back from compiling its own filter of long footprints.
-int filter_taps(const RendererOptions& options) {
-    if (options.taps > 0) return options.taps;
-    const bool fits =
-        epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") || epoxy_gl_version() >= 46;
-    return fits && !gl::context_info().software ? 0 : 2;
-}
-
 int available_units(const RendererOptions& options) {
     GLint units = 16;
     glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
     return options.max_texture_units > 0 ? std::min(units, options.max_texture_units) : units;
-}
-
-gl::Sampler make_sampler(bool anisotropic) {
-    gl::Sampler sampler = gl::generate<gl::Sampler, &glGenSamplers>();
-    glSamplerParameteri(sampler.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    glSamplerParameteri(sampler.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    if (anisotropic) glSamplerParameterf(sampler.name(), GL_TEXTURE_MAX_ANISOTROPY_EXT, 16.0f);
-    return sampler;
 }
 
 /// Calls visit(number of the array, its first item) for each run of items that lie in one array.
@@ -89,7 +73,7 @@ Water::Water(const RendererOptions& options)
       available_units_(available_units(options)),
       clipmap_(options.cells),
       lace_maps_(!options.live),
-      sampler_(make_sampler(taps_ == 0)),
+      sampler_(make_footprint_sampler(taps_)),
       block_(BlockBinding::water) {}
 
 void Water::show(const ShownSea& sea) {

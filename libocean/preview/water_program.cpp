@@ -37,7 +37,7 @@ std::string water_defines(const WaterVariant& variant, int taps) {
            define("DETAIL", sum(variant.tiles)) + define("TILE_SPLIT", variant.tiles[0]) +
            define("TILE_MAPS", static_cast<std::size_t>(arrays(variant.tiles))) +
            define("BELOW", variant.below ? 1 : 0) + define("TAPS", static_cast<std::size_t>(taps)) +
-           define("TILES", kSeedTiles) + view_defines();
+           define("TILES", kSeedTiles) + view_defines(SceneKind::sea);
 }
 
 int texture_units(const WaterVariant& variant) {

@@ -6,6 +6,7 @@
 #include "preview/water_at.glsl"
 #include "preview/above_water.glsl"
 #include "preview/tone.glsl"
+#include "preview/two_sided.glsl"
 #if BELOW
 #include "preview/under_water.glsl"
 #endif
@@ -20,16 +21,6 @@ vec2 slope_of_height(float height, vec2 at) {
     float area = x.x * y.y - x.y * y.x;
     if (abs(area) < 1e-12) return vec2(0.0);
     return vec2(rise.x * y.y - rise.y * x.y, rise.y * x.x - rise.x * y.x) / area;
-}
-
-float range_width() { return max(range.y - range.x, 1e-9); }
-
-// Returns the colour of a value in the shown range: white in the middle, blue below, red above.
-vec4 two_sided(float value) {
-    float x = clamp(2.0 * (value - range.x) / range_width() - 1.0, -1.0, 1.0);
-    vec3 low = vec3(0.11, 0.30, 0.62);
-    vec3 high = vec3(0.66, 0.13, 0.11);
-    return vec4(x < 0.0 ? mix(vec3(0.94), low, -x) : mix(vec3(0.94), high, x), 1.0);
 }
 
 vec4 shaded_view(Water state) {

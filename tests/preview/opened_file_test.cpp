@@ -30,7 +30,7 @@ class OpenedFileTest : public testing::Test {
     }
     std::string refusal(const std::string& path) const {
         try {
-            read_opened_file(path, {});
+            read_opened_file(path, Sea{});
         } catch (const Error& error) {
             return error.what();
         }
@@ -43,9 +43,30 @@ class OpenedFileTest : public testing::Test {
 
 TEST_F(OpenedFileTest, ASeaFileIsASea) {
     const OpenedFile opened =
-        read_opened_file(file("any.name", "libocean = 1\n[[waves]]\nwind_speed = 7.5\n"), {});
-    ASSERT_TRUE(std::holds_alternative<OpenedSea>(opened));
-    EXPECT_EQ(std::get<OpenedSea>(opened).sea.parameters.waves.front().wind_speed, 7.5);
+        read_opened_file(file("any.name", "libocean = 1\n[[waves]]\nwind_speed = 7.5\n"), Sea{});
+    ASSERT_TRUE(std::holds_alternative<OpenedModel>(opened));
+    const OpenedScene& scene = std::get<OpenedModel>(opened).scene;
+    ASSERT_TRUE(std::holds_alternative<Sea>(scene));
+    EXPECT_EQ(std::get<Sea>(scene).parameters.waves.front().wind_speed, 7.5);
+}
+
+TEST_F(OpenedFileTest, ATerrainFileIsATerrain) {
+    const OpenedFile opened = read_opened_file(
+        file("hills.toml", "libocean = 1\n[terrain]\nkind = \"tile\"\nbeta = 2.25\n"), Sea{});
+    ASSERT_TRUE(std::holds_alternative<OpenedModel>(opened));
+    const OpenedScene& scene = std::get<OpenedModel>(opened).scene;
+    ASSERT_TRUE(std::holds_alternative<Terrain>(scene));
+    EXPECT_EQ(std::get<Terrain>(scene).beta, 2.25);
+}
+
+TEST_F(OpenedFileTest, ATerrainHasNoTake) {
+    const std::string path = file("storm.txt", "1.5 wind_speed 12\n");
+    try {
+        read_opened_file(path, Terrain{});
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.what(), path + ": is a take, and a terrain has none; open its sea first");
+    }
 }
 
 TEST_F(OpenedFileTest, ATakeIsForTheShownSea) {
@@ -70,6 +91,8 @@ TEST_F(OpenedFileTest, AWrongFileSaysWhy) {
     says((folder_ / "none").string(), "no such file");
     says(file("photo.jpg", std::string("\xff\xd8\xff\xe0\0\x10JFIF", 10)), "is none of these");
     says(file("broken.toml", "libocean = 1\n[grid]\nresolution = 100\n"), "allowed");
+    says(file("steep.toml", "libocean = 1\n[terrain]\nbeta = 99\n"), "allowed");
+    says(file("both.toml", "libocean = 1\n[terrain]\n[grid]\n"), "is a sea file, not a terrain file");
     says(file("bad.take", "1 wind_sped 3\n"), "did you mean waves.0.wind_speed?");
     says(file("late.take", "2 wind_speed 3\n1 wind_speed 3\n"), "late.take:2");
     says(file("cut.exr", "\x76\x2f\x31\x01"), "cut.exr");

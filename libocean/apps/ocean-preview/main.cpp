@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `ocean-preview`: from a sea file to its picture.
+// `ocean-preview`: from a sea file or a terrain file to its picture.
 #include <memory>
 #include <vector>
 
@@ -19,7 +19,8 @@ namespace ocean::app {
 namespace {
 
 constexpr char kFooter[] =
-    R"(SEA is a sea file, a baked EXR file or preset:NAME.
+    R"(SEA is a sea file, a terrain file, a file that was baked from one, or preset:NAME
+of either; `ocean presets` lists them.
 Keys: W A S D Q E move, Shift is fast, dragging turns, the wheel zooms; Space
 pauses, R records, V changes the view, C the camera, F shows the mesh, P probes,
 Tab hides the panel, Ctrl Z undoes a change, Ctrl R reads the sea file again,
@@ -30,7 +31,9 @@ sticks move and turn, its A pauses, B changes the camera, X the view, Y returns
 to the start.
 --probe prints x,y, the height of the mesh and of the maps at that place (m),
 the square of the shown slope, the mean square slope that the light receives as
-roughness, and the share of foam; only x,y where no water is drawn.
+roughness, and the share of foam; only x,y where no water is drawn. Of land it
+prints x,y, the height of the ground as the sum of all its waves, those of the
+mesh and of the map, and the square of the shown slope.
 Letters and controls of the panel follow the scale of the screen that the window
 is on; --scale F (0.5 .. 8) sets another one.
 -v reports the state of the window to scripts, on standard error: "the panel has
@@ -44,14 +47,23 @@ begin with "bridge:", among them "joined" and "its values have come".
 Exit codes: 0 done, 1 failed at run time (no GPU, disk), 2 wrong usage or bad
 sea file, 130 interrupted.)";
 
+void warn_of(const OpenedScene& scene, const Context& context) {
+    const auto* const sea = std::get_if<Sea>(&scene);
+    if (sea == nullptr) return;
+    const Parameters parameters = sea->at(sea->parameters.time.start);
+    for (const std::string& warning : full_development_warnings(parameters)) {
+        context.console.warning(warning);
+    }
+}
+
 void run(const PreviewWords& words, const Context& context) {
     EnvironmentFiles environments;
     const PreviewOptions options = preview_options(words, environments);
     std::vector<ListedPicture> pictures;
     if (!words.pictures.empty()) pictures = read_picture_list(words.pictures, words);
-    const Sea sea = open_sea(words.sea);
-    require_fit(options, sea);
-    for (const ListedPicture& picture : pictures) require_fit(picture.options, sea);
+    const OpenedScene scene = open_scene(words.sea);
+    require_fit(options, scene);
+    for (const ListedPicture& picture : pictures) require_fit(picture.options, scene);
     const bool in_window = options.offscreen.empty() && options.record.empty() &&
                            words.pictures.empty() && options.probes.empty() && options.budget == 0;
     if (options.serve && !in_window) {
@@ -63,18 +75,12 @@ void run(const PreviewWords& words, const Context& context) {
     if (options.bridge && !words.pictures.empty()) {
         throw Error(ErrorKind::invalid_value, "--pictures shows the sea of its file: no --bridge");
     }
-    const auto warn = [&] {
-        const Parameters parameters = sea.at(sea.parameters.time.start);
-        for (const std::string& warning : full_development_warnings(parameters)) {
-            context.console.warning(warning);
-        }
-    };
     if (in_window) {
-        warn();
-        run_window(options, sea, words.sea, context);
+        warn_of(scene, context);
+        run_window(options, scene, words.sea, context);
     } else {
-        run_offscreen(options, pictures, sea, words.sea.source, context);
-        warn();
+        run_offscreen(options, pictures, scene, words.sea.source, context);
+        warn_of(scene, context);
     }
 }
 
@@ -83,7 +89,7 @@ Command preview_command() {
     std::vector<OptionGroup> groups = preview_option_groups(*words);
     groups.push_back(run_options(""));
     return {.name = "ocean-preview",
-            .summary = "The sea to its horizon, in a window or as a picture.",
+            .summary = "A sea or a terrain to its horizon, in a window or as a picture.",
             .options = std::move(groups),
             .footer = kFooter,
             .run = [words](const Context& context) { run(*words, context); }};

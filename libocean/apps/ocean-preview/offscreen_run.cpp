@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "console.hpp"
 #include "frame_budget.hpp"
 #include "interrupt.hpp"
+#include "land_camera.hpp"
 #include "ocean/bake/frames.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/internal/platform.hpp"
@@ -19,8 +21,8 @@
 #include "ocean/io/png.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/preview/canvas.hpp"
-#include "ocean/preview/probe.hpp"
 #include "ocean/text.hpp"
+#include "offscreen_scene.hpp"
 #include "picture_file.hpp"
 #include "stage_layout.hpp"
 #include "workload.hpp"
@@ -46,71 +48,38 @@ Device open_device(const std::string& name) {
     return {std::make_unique<gl::HeadlessContext>(), *backend};
 }
 
-double time_of(const PreviewOptions& options, const Sea& sea) {
-    if (options.frame) return sea.time_of(*options.frame);
-    return options.time.value_or(sea.parameters.time.start);
-}
-
-preview::DrawOptions draw_options(const PreviewOptions& options) {
+preview::DrawOptions draw_options(const PreviewOptions& options, preview::SceneKind kind) {
     preview::DrawOptions draw;
     draw.width = options.size[0];
     draw.height = options.size[1];
-    draw.view = preview::view_of(options.view);
+    draw.view = preview::view_of(options.view, kind);
     draw.wireframe = options.wireframe;
     draw.cascade = options.cascade.value_or(-1);
     return draw;
 }
 
-std::string probe_line(preview::Renderer& renderer, const preview::ShownSea& shown,
-                       const PreviewOptions& options, const std::array<double, 2>& place) {
-    const auto found =
-        preview::probe(renderer, shown, options.camera, place, options.cascade.value_or(-1));
-    std::string line = shortest_text(place[0]) + "," + shortest_text(place[1]);
-    if (found) {
-        for (const double value : {found->mesh_height, found->map_height, found->shown_slope,
-                                   found->handed_on_slope, found->cover}) {
-            line += "," + shortest_text(static_cast<float>(value));
-        }
-    }
-    return line + "\n";
-}
-
-/// Pictures of one sea in the current context.
+/// Pictures of one scene in the current context.
 class OffscreenRun {
   public:
-    OffscreenRun(const PreviewOptions& options, const Sea& sea, const Context& context,
+    OffscreenRun(const PreviewOptions& options, const OpenedScene& scene, const Context& context,
                  const Device& device)
         : options_(options),
           context_(context),
-          sea_(sea, {.threads = context.options.threads,
-                     .backend = device.backend,
-                     .foam_progress = foam_progress_on(context.console)}),
-          maps_(settled(computing_for(device.backend, options, sea, device.context->info()).maps)),
-          renderer_(renderer_for(options, device.context->info())) {}
+          kind_(kind_of(scene)),
+          scene_(make_offscreen_scene(scene, options, device.backend, device.context->info(),
+                                      context)),
+          renderer_(renderer_for(options, device.context->info(), false)) {}
 
-    void print_probes(double time) {
-        if (options_.probes.empty()) return;
-        const preview::ShownSea& shown = shown_at(time);
+    void print_probes() {
         for (const auto& place : options_.probes) {
-            context_.console.data(probe_line(renderer_, shown, options_, place));
+            context_.console.data(
+                scene_->probe_line(renderer_, options_, place, scene_->time_of(options_)));
             warn_of_left_out();
         }
     }
 
-    void draw(const PreviewOptions& options, double time, const std::string& path) {
-        if (is_stage_picture(options.view)) {
-            const auto cascade = static_cast<std::size_t>(std::max(0, options.cascade.value_or(0)));
-            const auto [width, height] = options.size;
-            const StagePicture stage = laid_out(
-                make_stage_picture(stages_, sea_, time, cascade, options.view), width, height);
-            const InterruptWatch::Hold whole = context_.interrupts.hold();
-            return io::write_png(path, stage.width, stage.height, stage.rgb);
-        }
-        const preview::ShownSea& shown = shown_at(time);
-        const InterruptWatch::Hold whole = context_.interrupts.hold();
-        write_picture(path, renderer_, shown, options.camera, options.look, draw_options(options),
-                      options.samples.value_or(kSamples));
-        warn_of_left_out();
+    void draw(const PreviewOptions& options, const std::string& path) {
+        draw(options, scene_->time_of(options), path);
     }
 
     void record(const std::string& stem) {
@@ -118,7 +87,7 @@ class OffscreenRun {
         io::make_folder(options_.record);
         begin(options_.frames.size());
         for (const int frame : options_.frames) {
-            draw_step(frame, options_, sea_.sea().time_of(frame), pattern.file(frame));
+            draw_step(frame, options_, scene_->time_of_frame(frame), pattern.file(frame));
         }
         context_.console.finish();
     }
@@ -127,20 +96,12 @@ class OffscreenRun {
         begin(pictures.size());
         int number = 0;
         for (const auto& [path, options] : pictures) {
-            draw_step(++number, options, time_of(options, sea_.sea()), path);
+            draw_step(++number, options, scene_->time_of(options), path);
         }
         context_.console.finish();
     }
 
   private:
-    /// Probes and pictures of one moment share its maps.
-    const preview::ShownSea& shown_at(double time) {
-        if (!shown_ || shown_->time != time) {
-            shown_.reset();
-            shown_ = maps_.show(sea_, time);
-        }
-        return *shown_;
-    }
     void begin(std::size_t pictures) {
         context_.console.begin(static_cast<int>(pictures), std::to_string(pictures) + " pictures",
                                {});
@@ -152,27 +113,41 @@ class OffscreenRun {
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
         context_.console.step(number, seconds.count(), {path});
     }
+    void draw(const PreviewOptions& options, double time, const std::string& path) {
+        if (is_stage_picture(options.view)) {
+            const auto [width, height] = options.size;
+            const StagePicture stage = laid_out(scene_->stage(options, time), width, height);
+            const InterruptWatch::Hold whole = context_.interrupts.hold();
+            return io::write_png(path, stage.width, stage.height, stage.rgb);
+        }
+        const preview::ShownScene& shown = scene_->shown_at(time);
+        std::string warning;
+        const preview::Camera camera = scene_->camera_of(options, warning);
+        if (!warning.empty()) context_.console.warning(warning);
+        const InterruptWatch::Hold whole = context_.interrupts.hold();
+        write_picture(path, renderer_, shown, camera, options.look, draw_options(options, kind_),
+                      options.samples.value_or(kSamples));
+        warn_of_left_out();
+    }
     /// Warns once of the parts of the last picture that the driver has too few texture units for.
     void warn_of_left_out() {
         const std::string words = preview::text(renderer_.left_out());
         if (words.empty() || std::exchange(warned_, true)) return;
         context_.console.warning(words);
     }
-    static preview::SeaMapsOptions settled(preview::SeaMapsOptions maps) {
-        maps.foam_start = FoamStart::settled;
-        maps.live = false;
-        return maps;
-    }
 
     const PreviewOptions& options_;
     const Context& context_;
-    Ocean sea_;
-    preview::SeaMaps maps_;
+    preview::SceneKind kind_;
+    std::unique_ptr<OffscreenScene> scene_;
     preview::Renderer renderer_;
-    gl::StageMaker stages_;
-    std::optional<preview::ShownSea> shown_;  // what maps_ holds
     bool warned_ = false;
 };
+
+double time_of(const PreviewOptions& options, const Sea& sea) {
+    if (options.frame) return sea.time_of(*options.frame);
+    return options.time.value_or(sea.parameters.time.start);
+}
 
 /// Draws the sea with the values that a bridge has, and follows its changes.
 void draw_with_bridge(const PreviewOptions& options, const Sea& sea, const Context& context,
@@ -190,52 +165,87 @@ void draw_with_bridge(const PreviewOptions& options, const Sea& sea, const Conte
                  {.threads = context.options.threads, .computing = computing, .foam_start = foam});
     live.near_detail = options.detail;
     live.go_to(time);
-    preview::Renderer renderer(renderer_for(options, info));
+    preview::Renderer renderer(renderer_for(options, info, options.follow > 0.0));
     bool first = true;
     const auto show = [&](double milliseconds) {
         const preview::ShownSea shown = live.show();
         for (const auto& place : options.probes) {
             const std::string when =
                 options.follow > 0.0 ? format_text("%.1f,", milliseconds) : std::string();
-            context.console.data(when + probe_line(renderer, shown, options, place));
+            context.console.data(when + sea_probe_line(renderer, shown, options, place));
         }
         if (!std::exchange(first, false) || options.offscreen.empty()) return;
         const InterruptWatch::Hold whole = context.interrupts.hold();
         write_picture(options.offscreen, renderer, shown, options.camera, options.look,
-                      draw_options(options), options.samples.value_or(kSamples));
+                      draw_options(options, preview::SceneKind::sea),
+                      options.samples.value_or(kSamples));
         context.console.data(options.offscreen + "\n");
     };
     run_with_bridge(*options.bridge, options.follow, live, context.console, show);
 }
 
-/// Draws frames like a window, at the sea's own rate, into a canvas of the picture's size, and
-/// prints the time of their stages.
-void print_budget(const PreviewOptions& options, const Sea& sea, const Context& context,
-                  const Device& device, double start) {
+/// A function that makes the scene of a frame, counted from 0.
+using ShowFrame = std::function<preview::ShownScene(int frame)>;
+
+/// Returns the frames of a running sea, at its own rate from a time on [s].
+ShowFrame frames_of(const Sea& sea, const Computing& computing, const Context& context,
+                    double start, const gl::AfterStage& after_stage) {
+    const auto live = std::make_shared<Ocean>(sea, OceanOptions{.threads = context.options.threads,
+                                                                .backend = computing.backend,
+                                                                .foam_start = FoamStart::empty});
+    const auto maps = std::make_shared<preview::SeaMaps>(computing.maps, after_stage);
+    return [live, maps, start, fps = sea.parameters.time.fps](int frame) {
+        return maps->show(*live, start + frame / fps);
+    };
+}
+
+/// Returns the frames of a land whose exponent changes in each, as a slider's drag changes it.
+ShowFrame frames_of(const Terrain& terrain, const PreviewOptions& options, const Device& device,
+                    const Context& context) {
+    const auto land = std::make_shared<Land>(
+        terrain, LandOptions{.threads = context.options.threads, .backend = device.backend});
+    const auto maps = std::make_shared<preview::LandMaps>();
+    const int resolution = land_map_for(options, terrain, device.context->info(), true);
+    return [land, maps, resolution, beta = terrain.beta](int frame) {
+        Terrain changed = land->terrain();
+        changed.beta = beta - 1e-3 * (frame % 100);
+        land->set_terrain(std::move(changed));
+        return maps->show(*land, resolution);
+    };
+}
+
+/// Draws frames like a window into a canvas of the picture's size, and prints the time of their
+/// stages.
+void print_budget(const PreviewOptions& options, const OpenedScene& scene, const Context& context,
+                  const Device& device) {
     constexpr int kBefore = 10;  // frames that compile shaders and allocate memory
     FrameBudget warm, budget;
     FrameBudget* measured = &warm;
     const gl::AfterStage after_stage = [&](std::string_view stage) {
         measured->after_stage()(stage);
     };
-    const Computing computing = computing_for(device.backend, options, sea, device.context->info());
-    Ocean live(sea, {.threads = context.options.threads,
-                     .backend = computing.backend,
-                     .foam_start = FoamStart::empty});
-    preview::SeaMaps maps(computing.maps, after_stage);
-    preview::RendererOptions renderer_options = renderer_for(options, device.context->info());
+    const gl::ContextInfo& info = device.context->info();
+    ShowFrame show;
+    preview::Camera camera = options.camera;
+    if (const auto* const sea = std::get_if<Sea>(&scene)) {
+        show = frames_of(*sea, computing_for(device.backend, options, *sea, info), context,
+                         time_of(options, *sea), after_stage);
+    } else {
+        show = frames_of(std::get<Terrain>(scene), options, device, context);
+        place_on_land(options, std::get<preview::ShownLand>(show(0)), camera);
+    }
+    preview::RendererOptions renderer_options = renderer_for(options, info, true);
     renderer_options.after_stage = after_stage;
     preview::Renderer renderer(renderer_options);
-    const preview::DrawOptions draw = draw_options(options);
-    const preview::Canvas canvas(draw.width, draw.height, GL_RGBA8,
-                                 live_samples(options, device.context->info()));
+    const preview::DrawOptions draw = draw_options(options, kind_of(scene));
+    const preview::Canvas canvas(draw.width, draw.height, GL_RGBA8, live_samples(options, info));
     for (int frame = 0; frame < kBefore + options.budget; ++frame) {
         measured = frame < kBefore ? &warm : &budget;
         measured->begin();
-        const preview::ShownSea shown = maps.show(live, start + frame / sea.parameters.time.fps);
+        const preview::ShownScene shown = show(frame);
         after_stage("state");
         canvas.bind();
-        renderer.draw(shown, options.camera, options.look, draw);
+        renderer.draw(shown, camera, options.look, draw);
         measured->end_frame();
     }
     context.console.data(budget.table());
@@ -251,24 +261,26 @@ std::string stem_of(const std::string& source) {
 }
 
 void run_offscreen(const PreviewOptions& options, const std::vector<ListedPicture>& pictures,
-                   const Sea& sea, const std::string& source, const Context& context) {
+                   const OpenedScene& scene, const std::string& source, const Context& context) {
     if (!options.offscreen.empty()) require_picture_folder(options.offscreen);
     for (const ListedPicture& picture : pictures) require_picture_folder(picture.path);
     const Device device = open_device(options.backend);
     const gl::HeadlessContext::Current current(*device.context);
-    context.console.note("drawn by " + device.context->info().text() + "; the sea by " +
-                         std::string(device.backend.name));
-    const double time = time_of(options, sea);
-    if (options.bridge) return draw_with_bridge(options, sea, context, device, time);
-    OffscreenRun run(options, sea, context, device);
-    run.print_probes(time);
+    context.console.note("drawn by " + device.context->info().text() + "; the " +
+                         noun_of(kind_of(scene)) + " by " + std::string(device.backend.name));
+    if (options.bridge) {
+        const Sea& sea = std::get<Sea>(scene);
+        return draw_with_bridge(options, sea, context, device, time_of(options, sea));
+    }
+    OffscreenRun run(options, scene, context, device);
+    run.print_probes();
     if (!options.offscreen.empty()) {
-        run.draw(options, time, options.offscreen);
+        run.draw(options, options.offscreen);
         context.console.data(options.offscreen + "\n");
     }
     if (!options.record.empty()) run.record(stem_of(source));
     if (!pictures.empty()) run.draw_list(pictures);
-    if (options.budget > 0) print_budget(options, sea, context, device, time);
+    if (options.budget > 0) print_budget(options, scene, context, device);
 }
 
 }  // namespace ocean::app

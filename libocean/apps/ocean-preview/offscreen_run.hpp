@@ -8,18 +8,18 @@
 #include <vector>
 
 #include "command.hpp"
-#include "ocean/sea.hpp"
 #include "picture_list.hpp"
 #include "preview_options.hpp"
+#include "scene_argument.hpp"
 
 namespace ocean::app {
 
-/// Returns the name of a sea without its folder and ending: "storm" of "seas/storm.toml" and of
-/// "preset:storm".
+/// Returns the name of a sea or a terrain without its folder and ending: "storm" of
+/// "seas/storm.toml" and of "preset:storm".
 std::string stem_of(const std::string& source);
 
 /// Prints the requested probes, draws the requested pictures, and prints the budget. Throws Error.
 void run_offscreen(const PreviewOptions& options, const std::vector<ListedPicture>& pictures,
-                   const Sea& sea, const std::string& source, const Context& context);
+                   const OpenedScene& scene, const std::string& source, const Context& context);
 
 }  // namespace ocean::app

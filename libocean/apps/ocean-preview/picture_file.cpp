@@ -49,15 +49,16 @@ void require_picture_folder(const std::string& path) {
 }
 
 void write_picture(const std::string& path, preview::Renderer& renderer,
-                   const preview::ShownSea& sea, const preview::Camera& camera,
+                   const preview::ShownScene& scene, const preview::Camera& camera,
                    const preview::Look& look, preview::DrawOptions options, int samples) {
     options.linear = OutputPattern(path).extension() == ".exr";
     const preview::Canvas canvas(options.width, options.height,
                                  options.linear ? GL_RGBA32F : GL_RGBA8, samples);
     // Near detail is finer than pixels; without it one light for all samples is as smooth and four
     // times as fast.
-    if (!sea.tiles.empty()) options.shaded_samples = canvas.samples();
-    renderer.draw(sea, camera, look, options);
+    const auto* const sea = std::get_if<preview::ShownSea>(&scene);
+    if (sea != nullptr && !sea->tiles.empty()) options.shaded_samples = canvas.samples();
+    renderer.draw(scene, camera, look, options);
     if (options.linear) {
         write_light(path, options.width, options.height, canvas.rgba());
     } else {

@@ -69,14 +69,29 @@ std::vector<std::string> water_names() {
     return names;
 }
 
-void place_camera(const PreviewWords& words, preview::Camera& camera) {
-    if (!words.eye.empty()) camera.eye = place(words.eye, "--eye");
+/// Sets the eye by "X,Y,Z", or by "X,Y" on the ground of land.
+void place_eye(const std::string& text, PreviewOptions& options) {
+    if (std::ranges::count(text, ',') != 1) {
+        options.camera.eye = place(text, "--eye");
+        options.eye_place = EyePlace::at;
+        return;
+    }
+    const auto [x, y] =
+        numbers<2>(text, "--eye", {{{-kFarthest, kFarthest}, {-kFarthest, kFarthest}}});
+    options.camera.eye = {x, y, 0.0};
+    options.eye_place = EyePlace::on_ground;
+}
+
+void place_camera(const PreviewWords& words, PreviewOptions& options) {
+    preview::Camera& camera = options.camera;
+    if (!words.eye.empty()) place_eye(words.eye, options);
     if (!words.look_at.empty()) {
         if (words.heading || words.pitch) {
             throw Error(ErrorKind::invalid_value,
                         "--look-at and --heading or --pitch both turn the camera");
         }
-        camera.look_at(place(words.look_at, "--look-at"));
+        options.look_at = place(words.look_at, "--look-at");
+        camera.look_at(*options.look_at);
     }
     if (words.heading) camera.heading = within(*words.heading, "--heading", -3600.0, 3600.0);
     if (words.pitch) camera.pitch = within(*words.pitch, "--pitch", -90.0, 90.0);
@@ -125,11 +140,33 @@ void place_environment(const PreviewWords& words, EnvironmentFiles& environments
         within(words.environment_turn.value_or(0.0), "--environment-turn", -3600.0, 3600.0);
 }
 
+/// Lists the given options that only one kind of scene has.
+void list_special(const PreviewWords& words, PreviewOptions& options) {
+    const auto add = [](std::vector<std::string>& list, bool given, const std::string& option) {
+        if (given) list.push_back(option);
+    };
+    std::vector<std::string>& sea = options.only_of_sea;
+    add(sea, words.time.has_value(), "--time");
+    add(sea, words.frame.has_value(), "--frame");
+    add(sea, !words.record.empty(), "--record");
+    add(sea, !words.water.empty(), "--water");
+    add(sea, words.crest_light.has_value(), "--crest-light");
+    add(sea, words.look != "physical", "--look " + words.look);
+    add(sea, words.cascade.has_value(), "--cascade");
+    add(sea, words.foam_map.has_value(), "--foam-map");
+    add(sea, words.no_detail, "--no-detail");
+    add(sea, !words.bridge.empty(), "--bridge");
+    add(sea, !words.serve.empty(), "--serve");
+    add(options.only_of_land, options.eye_place == EyePlace::on_ground, "--eye X,Y");
+    add(options.only_of_land, words.colours != "land", "--colours");
+    add(options.only_of_land, words.snow_line.has_value(), "--snow-line");
+}
+
 }  // namespace
 
 std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
     return {
-        sea_options(words.sea),
+        scene_options(words.sea),
         {"When",
          {{"--time", &words.time, "T", "Seconds; default: the start of the sea"},
           {"--frame",
@@ -141,7 +178,8 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
            "--time"}}},
         {"Camera",
          {{"--eye", &words.eye, "X,Y,Z",
-           "Place of the camera, metres; Z above still water (default 0,0,8)"},
+           "Place of the camera, metres; Z above still water (default 0,0,8). X,Y alone stands on "
+           "land, 1.7 m above its ground; the default there is higher"},
           {"--look-at", &words.look_at, "X,Y,Z", "A point in the middle of the picture"},
           {"--heading", &words.heading, "DEG",
            "Direction of the view, counter-clockwise from +x (default 0)"},
@@ -162,7 +200,15 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
           {"--crest-light", &words.crest_light, "F",
            "Factor of the sun's light through crests in front of it (default 1)"},
           {"--water", &words.water, "TYPE", "Optical type of the water (default jerlov_ii)",
-           kOptional, OneOf{water_names()}}}},
+           kOptional, OneOf{water_names()}},
+          {"--colours", &words.colours, "COLOURS",
+           "Colours of land: land (default), by height, slope and a snow line, or seed, the ramp "
+           "of "
+           "two colours of teaching programs",
+           kOptional, OneOf{preview::land_colour_names()}},
+          {"--snow-line", &words.snow_line, "M",
+           "Height above which snow lies on level ground, metres (default: 1.3 rms heights above "
+           "the mean)"}}},
         {"Picture",
          {{"--offscreen", &words.offscreen, "FILE",
            "Write one picture; needs no display: FILE.png as a screen shows it, FILE.exr as "
@@ -185,7 +231,10 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
            "a GPU)",
            kOptional, Within{1, 64}},
           {"--view", &words.view, "VIEW",
-           "The field to show; h0, spectrum (h(k, t)) and butterfly have a pixel for each wave",
+           "The field to show. Of a sea, h0, spectrum (h(k, t)) and butterfly have a pixel for "
+           "each "
+           "wave; of a terrain, transform, filter and spectrum (the filtered transform); noise has "
+           "one for each sample. A terrain has shaded, height, normal and slope beside",
            kOptional, OneOf{all_view_names()}},
           {"--look", &words.look, "LOOK",
            "physical (default), or seed: ten by ten periods in plain light and fog, as teaching "
@@ -195,7 +244,7 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
           {"--cascade", &words.cascade, "N", "Show only the waves of one cascade, from 0"},
           {"--probe", &words.probes, "X,Y",
            "Print the drawn height at a place of the world, metres, and the height of the maps "
-           "there; may be repeated"}}},
+           "there, of land first that of all its waves; may be repeated"}}},
         {"Window",
          {{"--scale", &words.scale, "F",
            "Letters and controls F times as large, 0.5 .. 8 (default: the scale of the window's "
@@ -234,7 +283,8 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
 
 PreviewOptions preview_options(const PreviewWords& words, EnvironmentFiles& environments) {
     PreviewOptions options;
-    place_camera(words, options.camera);
+    place_camera(words, options);
+    list_special(words, options);
     preview::Look& look = options.look;
     look.kind = preview::look_of(words.look);
     if (!words.sun.empty()) {
@@ -249,6 +299,10 @@ PreviewOptions preview_options(const PreviewWords& words, EnvironmentFiles& envi
         look.crest_light = within(*words.crest_light, "--crest-light", 0.0, 10.0);
     }
     if (!words.water.empty()) look.water_type = words.water;
+    look.land_colours = preview::land_colours_of(words.colours);
+    if (words.snow_line) {
+        look.snow_line = within(*words.snow_line, "--snow-line", -1e6, 1e6);
+    }
     options.view = words.view;
     options.has_size = !words.size.empty();
     if (options.has_size) options.size = picture_size(words.size);
@@ -294,9 +348,28 @@ PreviewOptions preview_options(const PreviewWords& words, EnvironmentFiles& envi
     return options;
 }
 
-void require_fit(const PreviewOptions& options, const Sea& sea) {
-    const int cascades = sea.parameters.grid.cascades;
-    if (!options.cascade || (*options.cascade >= 0 && *options.cascade < cascades)) return;
+void require_fit(const PreviewOptions& options, const OpenedScene& scene) {
+    const preview::SceneKind kind = kind_of(scene);
+    const auto& missing =
+        kind == preview::SceneKind::sea ? options.only_of_land : options.only_of_sea;
+    if (!missing.empty()) {
+        const auto other =
+            kind == preview::SceneKind::sea ? preview::SceneKind::land : preview::SceneKind::sea;
+        throw Error(ErrorKind::invalid_value, missing.front() + " is for a " + noun_of(other) +
+                                                  "; this is a " + noun_of(kind));
+    }
+    const std::vector<std::string> views = all_view_names(kind);
+    if (std::ranges::find(views, options.view) == views.end()) {
+        std::string allowed;
+        for (const std::string& view : views) allowed += (allowed.empty() ? "" : ", ") + view;
+        throw Error(ErrorKind::invalid_value, std::string("--view: a ") + noun_of(kind) +
+                                                  " has no view '" + options.view +
+                                                  "'; allowed: " + allowed);
+    }
+    const auto* const sea = std::get_if<Sea>(&scene);
+    if (sea == nullptr || !options.cascade) return;
+    const int cascades = sea->parameters.grid.cascades;
+    if (*options.cascade >= 0 && *options.cascade < cascades) return;
     throw Error(
         ErrorKind::invalid_value,
         "--cascade is " + std::to_string(*options.cascade) + "; the sea has " +

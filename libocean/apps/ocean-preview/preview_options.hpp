@@ -16,8 +16,7 @@
 #include "ocean/bridge/line_client.hpp"
 #include "ocean/preview/picture.hpp"
 #include "ocean/preview/sea_maps.hpp"
-#include "ocean/sea.hpp"
-#include "sea_argument.hpp"
+#include "scene_argument.hpp"
 
 namespace ocean::app {
 
@@ -28,6 +27,8 @@ struct PreviewWords {
     std::optional<double> heading, pitch, angle, exposure, visibility, crest_light, time,
         environment_turn, scale;
     std::optional<int> frame, budget, samples, egl_device, map, foam_map, cells, cascade;
+    std::string colours = "land";
+    std::optional<double> snow_line;
     std::string water, offscreen, record, frames, pictures, environment, bridge, token_file, serve,
         board_map;
     bool dummy = false;
@@ -40,8 +41,17 @@ struct PreviewWords {
 inline constexpr float kMinScale = 0.5f;
 inline constexpr float kMaxScale = 8.0f;
 
+/// How --eye places the eye over land.
+enum class EyePlace {
+    not_given,
+    at,         // X,Y,Z
+    on_ground,  // X,Y
+};
+
 struct PreviewOptions {
     preview::Camera camera;
+    EyePlace eye_place = EyePlace::not_given;
+    std::optional<std::array<double, 3>> look_at;  // the camera looks there from any eye
     preview::Look look;
     std::string view = "shaded";  // or a stage of the transform
     std::array<int, 2> size = {1280, 720};
@@ -66,6 +76,8 @@ struct PreviewOptions {
     double follow = 0.0;                              // [s]
     BridgeHostOptions host;                           // of a bridge in this process
     bool serve = false;                               // that bridge runs from the start
+    std::vector<std::string> only_of_sea;             // the given options that land lacks
+    std::vector<std::string> only_of_land;            // and those that a sea lacks
 };
 
 /// Returns the options of the program, which write into `words`.
@@ -74,7 +86,8 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words);
 using EnvironmentFiles = std::map<std::string, std::shared_ptr<const preview::Environment>>;
 /// Returns the values of the options, and reads the sky that they name. Throws Error.
 PreviewOptions preview_options(const PreviewWords& words, EnvironmentFiles& environments);
-/// Throws Error invalid_value if the options name a cascade that the sea does not have.
-void require_fit(const PreviewOptions& options, const Sea& sea);
+/// Throws Error invalid_value if the options have a view, a cascade or anything else that the scene
+/// does not have.
+void require_fit(const PreviewOptions& options, const OpenedScene& scene);
 
 }  // namespace ocean::app

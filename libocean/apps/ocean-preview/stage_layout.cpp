@@ -45,6 +45,15 @@ class Page {
         }
     }
 
+    /// Copies the whole stage with the mean of each square of `step` pixels.
+    void average(const StagePicture& stage, int x, int y, int step) {
+        for (int j = 0; j < stage.height / step; ++j) {
+            for (int i = 0; i < stage.width / step; ++i) {
+                set(x + i, y + j, mean(stage, {step * i, step * j, step, step}));
+            }
+        }
+    }
+
     void frame(const Place& place) {
         for (int i = -1; i <= place.width; ++i) {
             set(place.x + i, place.y - 1, kFrame);
@@ -81,6 +90,20 @@ class Page {
         }
         return best;
     }
+    static Colour mean(const StagePicture& stage, const Place& part) {
+        std::array<int, 3> sum{};
+        for (int y = part.y; y < part.y + part.height; ++y) {
+            for (int x = part.x; x < part.x + part.width; ++x) {
+                const Colour colour = pixel_of(stage, x, y);
+                for (std::size_t c = 0; c < 3; ++c) sum[c] += colour[c];
+            }
+        }
+        Colour result{};
+        for (std::size_t c = 0; c < 3; ++c) {
+            result[c] = static_cast<std::uint8_t>(sum[c] / (part.width * part.height));
+        }
+        return result;
+    }
     void set(int x, int y, const Colour& colour) {
         if (x < 0 || y < 0 || x >= picture_.width || y >= picture_.height) return;
         std::ranges::copy(colour, &picture_.rgb[at(picture_, x, y)]);
@@ -115,12 +138,24 @@ void lay_out_plane(const StagePicture& stage, int width, int height, Page& page)
                  more);
 }
 
+void lay_out_whole(const StagePicture& stage, int width, int height, Page& page) {
+    const int side = std::min(width, height);
+    const int step = (stage.width + side - 1) / side;
+    const int times = std::max(1, side / stage.width);
+    const int whole = step > 1 ? stage.width / step : stage.width * times;
+    const int left = (width - whole) / 2, low = (height - whole) / 2;
+    if (step > 1) return page.average(stage, left, low, step);
+    page.magnify(stage, {0, 0, stage.width, stage.height}, left, low, times, times);
+}
+
 }  // namespace
 
 StagePicture laid_out(const StagePicture& stage, int width, int height) {
     Page page(width, height);
     if (stage.middle > 0) {
         lay_out_plane(stage, width, height, page);
+    } else if (stage.is_plane) {
+        lay_out_whole(stage, width, height, page);
     } else {
         const int across = std::max(1, width / stage.width);
         const int up = std::max(1, height / stage.height);

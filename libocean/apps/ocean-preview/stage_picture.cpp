@@ -62,19 +62,58 @@ std::array<std::uint8_t, 3> complex_colour(double re, double im, double largest)
     return wheel(std::atan2(im, re) / kTwoPi, 1.0 + std::log10(amplitude / largest) / kDecades);
 }
 
+/// Returns a grey picture of a plane; shade() gives 0 (black) .. 1 (white) for a value.
+template <typename Shade>
+StagePicture grey_picture(int side, const std::vector<float>& plane, Shade&& shade) {
+    StagePicture picture{side, side, {}};
+    picture.is_plane = true;
+    picture.rgb.reserve(3 * plane.size());
+    for (const float value : plane) {
+        picture.rgb.insert(picture.rgb.end(), 3, byte(shade(static_cast<double>(value))));
+    }
+    return picture;
+}
+
+/// Returns the lowest and the highest value that is not 0.
+std::array<double, 2> range_of(const std::vector<float>& plane) {
+    float low = 0.0f, high = 0.0f;
+    for (const float value : plane) {
+        if (value > 0.0f && (low == 0.0f || value < low)) low = value;
+        high = std::max(high, value);
+    }
+    return {static_cast<double>(low), static_cast<double>(high)};
+}
+
+/// Returns the place of a value in a range by logarithms, 0 .. 1; 0 for no value.
+double log_place(double value, double low, double high) {
+    if (value <= 0.0 || low <= 0.0) return 0.0;
+    return std::log(value / low) / std::max(std::log(high / low), 1e-9);
+}
+
 }  // namespace
 
-std::vector<std::string> stage_picture_names() {
+std::vector<std::string> stage_picture_names(preview::SceneKind kind) {
+    if (kind == preview::SceneKind::land) return {"noise", "transform", "filter", "spectrum"};
     return {"h0", "spectrum", "butterfly"};
 }
 
 bool is_stage_picture(const std::string& view) {
-    return std::ranges::count(stage_picture_names(), view) != 0;
+    return std::ranges::any_of(
+        std::array{preview::SceneKind::sea, preview::SceneKind::land},
+        [&](auto kind) { return std::ranges::count(stage_picture_names(kind), view) != 0; });
+}
+
+std::vector<std::string> all_view_names(preview::SceneKind kind) {
+    std::vector<std::string> names = preview::view_names(kind);
+    std::ranges::move(stage_picture_names(kind), std::back_inserter(names));
+    return names;
 }
 
 std::vector<std::string> all_view_names() {
-    std::vector<std::string> names = preview::view_names();
-    std::ranges::move(stage_picture_names(), std::back_inserter(names));
+    std::vector<std::string> names = all_view_names(preview::SceneKind::sea);
+    for (std::string& name : all_view_names(preview::SceneKind::land)) {
+        if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
+    }
     return names;
 }
 
@@ -113,6 +152,21 @@ StagePicture make_stage_picture(gl::StageMaker& maker, Ocean& sea, double time, 
         });
     }
     return picture;
+}
+
+StagePicture make_stage_picture(const TerrainStages& stages, std::string_view name) {
+    const int side = stages.resolution;
+    if (name == "noise") {
+        return grey_picture(side, stages.noise, [](double v) { return 0.5 + v / 6.0; });
+    }
+    if (name == "transform") {
+        return grey_picture(side, stages.transform,
+                            [](double v) { return log_place(v, 0.01, std::sqrt(10.0)); });
+    }
+    const auto [low, high] = range_of(stages.filter);
+    return grey_picture(
+        side, name == "filter" ? stages.filter : stages.filtered,
+        [low = low, high = high](double v) { return 0.1 + 0.9 * log_place(v, low, high); });
 }
 
 }  // namespace ocean::app

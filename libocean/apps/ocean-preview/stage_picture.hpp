@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pictures of the stages between the modes and the maps: h0, h(k, t), the plan of the transform.
+// Pictures of the stages of a sea between the modes and the maps (h0, h(k, t), the plan of the
+// transform) and of a terrain from white noise to its heights (noise, its transform, the filter,
+// the filtered transform).
 #pragma once
 
 #include <cstddef>
@@ -12,13 +14,19 @@
 
 #include "ocean/gl/stages.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/preview/picture.hpp"
+#include "ocean/terrain_stages.hpp"
 
 namespace ocean::app {
 
-/// "h0", "spectrum", "butterfly".
-std::vector<std::string> stage_picture_names();
+/// Returns the names of a scene's stages: "h0", "spectrum", "butterfly" of a sea; "noise",
+/// "transform", "filter", "spectrum" of a terrain.
+std::vector<std::string> stage_picture_names(preview::SceneKind kind);
+/// Returns true for a stage of either kind of scene.
 bool is_stage_picture(const std::string& view);
-/// Returns the names of the renderer's views, and then those of the stages.
+/// Returns the names of the renderer's views of a kind of scene, and then those of its stages.
+std::vector<std::string> all_view_names(preview::SceneKind kind);
+/// Returns the names of all views of all kinds, each once.
 std::vector<std::string> all_view_names();
 
 /// Pixels in red, green and blue of sRGB, the bottom row first.
@@ -26,8 +34,9 @@ struct StagePicture {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgb;
-    /// Waves to each side of k = 0 that have 95 % of a plane's energy; 0 for a plan.
+    /// Waves to each side of k = 0 that have 95 % of a plane's energy; 0: it has no such middle.
     int middle = 0;
+    bool is_plane = false;  // a square without a middle, shown whole
 };
 
 /// Returns a stage of one of the sea's cascades:
@@ -37,5 +46,13 @@ struct StagePicture {
 /// Throws Error; no_gpu without OpenGL 4.3.
 StagePicture make_stage_picture(gl::StageMaker& maker, Ocean& sea, double time, std::size_t cascade,
                                 std::string_view name);
+
+/// Returns a stage of a terrain in grey, a pixel for each sample or wave:
+///   noise      white noise in space, three standard deviations from black to grey and to white
+///   transform  the magnitude of its Fourier transform, k = 0 in the middle, over 2.5 decades
+///   filter     the filter of each wave, 1/f^beta of a simple law, from its lowest to its highest
+///              value in decades
+///   spectrum   the filtered transform in the same greys
+StagePicture make_stage_picture(const TerrainStages& stages, std::string_view name);
 
 }  // namespace ocean::app

@@ -13,16 +13,38 @@
 namespace ocean::app {
 namespace {
 
-/// Max samples of maps, cells of the mesh and share of the pixels along a side for a software GPU.
+/// Max samples of maps, cells of the mesh, steps of a shadow and share of the pixels along a side
+/// for a software GPU.
 constexpr int kSoftwareMap = 256;
 constexpr int kSoftwareFoamMap = 512;
 constexpr int kSoftwareCells = 64;
+constexpr int kSoftwareShadowSteps = 12;
 constexpr double kSoftwareScale = 0.5;
 /// Direct sums are N^3 work.
 constexpr int kMaxDft = 64;
 
 bool has_compute(const gl::ContextInfo& context) {
     return context.major > 4 || (context.major == 4 && context.minor >= 3);
+}
+
+struct SampledModel {
+    const char* models;   // "seas"
+    const char* section;  // of its resolution
+    int resolution;
+};
+
+std::string why_not(const Backend& backend, const SampledModel& model,
+                    const gl::ContextInfo& context) {
+    if (computes_by_shaders(backend) && !has_compute(context)) {
+        return "needs OpenGL 4.3; this is " + std::to_string(context.major) + "." +
+               std::to_string(context.minor);
+    }
+    if (backend == Backend::dft && model.resolution > kMaxDft) {
+        return "takes " + std::string(model.models) + " of at most " + std::to_string(kMaxDft) +
+               " samples a side; " + model.section + ".resolution is " +
+               std::to_string(model.resolution);
+    }
+    return "";
 }
 
 }  // namespace
@@ -46,16 +68,12 @@ bool computes_by_shaders(const Backend& backend) {
 }
 
 std::string why_not(const Backend& backend, const Sea& sea, const gl::ContextInfo& context) {
-    if (computes_by_shaders(backend) && !has_compute(context)) {
-        return "needs OpenGL 4.3; this is " + std::to_string(context.major) + "." +
-               std::to_string(context.minor);
-    }
-    const int resolution = sea.parameters.grid.resolution;
-    if (backend == Backend::dft && resolution > kMaxDft) {
-        return "takes seas of at most " + std::to_string(kMaxDft) +
-               " samples a side; grid.resolution is " + std::to_string(resolution);
-    }
-    return "";
+    return why_not(backend, {"seas", "grid", sea.parameters.grid.resolution}, context);
+}
+
+std::string why_not(const Backend& backend, const Terrain& terrain,
+                    const gl::ContextInfo& context) {
+    return why_not(backend, {"terrains", "terrain", terrain.resolution}, context);
 }
 
 const Backend& best_backend(const gl::ContextInfo& context) {
@@ -87,11 +105,20 @@ Computing computing_for(const Backend& backend, const PreviewOptions& options, c
     return computing;
 }
 
+int land_map_for(const PreviewOptions& options, const Terrain& terrain,
+                 const gl::ContextInfo& context, bool live) {
+    return options.map.value_or(preview::land_map_resolution(terrain, live && context.software));
+}
+
 preview::RendererOptions renderer_for(const PreviewOptions& options,
-                                      const gl::ContextInfo& context) {
+                                      const gl::ContextInfo& context, bool live) {
     preview::RendererOptions renderer;
     if (context.software) renderer.cells = kSoftwareCells;
-    if (options.cells) renderer.cells = *options.cells;
+    if (context.software && live) {
+        renderer.land_cells = kSoftwareCells;
+        renderer.shadow_steps = kSoftwareShadowSteps;
+    }
+    if (options.cells) renderer.cells = renderer.land_cells = *options.cells;
     return renderer;
 }
 

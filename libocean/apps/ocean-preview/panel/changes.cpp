@@ -9,11 +9,11 @@
 
 namespace ocean::app {
 
-bool try_to_set(LiveSea& sea, PanelState& state, const std::string& path,
+bool try_to_set(LiveScene& scene, PanelState& state, const std::string& path,
                 const std::string& value) {
     state.requests.touched = true;
     try {
-        sea.set(path, value);
+        scene.set(path, value);
         state.message.clear();
         return true;
     } catch (const Error& error) {
@@ -22,10 +22,11 @@ bool try_to_set(LiveSea& sea, PanelState& state, const std::string& path,
     }
 }
 
-void open_with_undo(LiveSea& sea, PanelState& state, Sea opened) {
-    Sea before = sea.sea();
-    sea.open(std::move(opened));
-    state.changes.push_back({"the sea", "what it was", std::move(before)});
+void open_with_undo(LiveScene& scene, PanelState& state, const OpenedScene& opened) {
+    OpenedScene before = scene.opened();
+    const std::string what = std::string("the ") + noun_of(scene.kind());
+    scene.open(opened);
+    state.changes.push_back({what, "what it was", std::move(before)});
 }
 
 void toggle_recording(LiveSea& sea, PanelState& state) {
@@ -51,19 +52,20 @@ void toggle_recording(LiveSea& sea, PanelState& state) {
     }
 }
 
-void undo(LiveSea& sea, PanelState& state) {
+void undo(LiveScene& scene, PanelState& state) {
     if (state.changes.empty()) {
         state.message = "nothing to undo";
         return;
     }
     const Change change = state.changes.back();
-    if (change.sea) {
-        const double time = sea.time();
-        sea.open(*change.sea);
-        sea.go_to(time);
+    if (change.scene) {
+        const std::optional<double> time =
+            scene.sea() != nullptr ? std::optional(scene.sea()->time()) : std::nullopt;
+        scene.open(*change.scene);
+        if (time && scene.sea() != nullptr) scene.sea()->go_to(*time);
         if (change.source) state.source = *change.source;
         state.requests.touched = true;
-    } else if (!try_to_set(sea, state, change.path, change.before)) {
+    } else if (!try_to_set(scene, state, change.path, change.before)) {
         return;
     }
     state.changes.pop_back();

@@ -4,6 +4,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/seafile.hpp"
+#include "ocean/terrainfile.hpp"
 #include "ocean/text.hpp"
 #include "panel/changes.hpp"
 #include "panel/sections.hpp"
@@ -12,14 +13,15 @@
 namespace ocean::app {
 namespace {
 
-void choose_preset(LiveSea& sea, PanelState& state) {
-    ImGui::SetNextItemWidth(panel_length(kWidgetWidth));
-    if (!ImGui::BeginCombo("Preset", "choose ...")) return;
-    for (const Preset& preset : presets()) {
+/// Draws presets of one kind of scene; parse() makes a scene of one.
+template <typename Parse>
+void list_presets(std::span<const Preset> presets, const Parse& parse, LiveScene& scene,
+                  PanelState& state) {
+    for (const Preset& preset : presets) {
         if (ImGui::Selectable(preset.name.c_str())) {
             state.requests.touched = true;
             try {
-                open_with_undo(sea, state, parse_sea(preset.toml, preset.name, ""));
+                open_with_undo(scene, state, parse(preset));
                 state.message = preset.name + ": " + preset.description;
             } catch (const Error& error) {
                 state.message = error.what();
@@ -27,6 +29,25 @@ void choose_preset(LiveSea& sea, PanelState& state) {
         }
         tooltip(preset.description.c_str());
     }
+}
+
+/// The presets of the shown kind of scene, and below a line those of the other kind.
+void choose_preset(LiveScene& scene, PanelState& state) {
+    ImGui::SetNextItemWidth(panel_length(kWidgetWidth));
+    if (!ImGui::BeginCombo("Preset", "choose ...")) return;
+    const auto seas = [&] {
+        list_presets(
+            presets(), [](const Preset& p) { return parse_sea(p.toml, p.name, ""); }, scene, state);
+    };
+    const auto terrains = [&] {
+        list_presets(
+            terrain_presets(), [](const Preset& p) { return parse_terrain(p.toml, p.name, ""); },
+            scene, state);
+    };
+    const bool sea_first = scene.sea() != nullptr;
+    sea_first ? seas() : terrains();
+    ImGui::Separator();
+    sea_first ? terrains() : seas();
     ImGui::EndCombo();
 }
 
@@ -49,8 +70,8 @@ void choose_backend(PanelState& state) {
 
 }  // namespace
 
-void draw_choices(LiveSea& sea, PanelState& state) {
-    choose_preset(sea, state);
+void draw_choices(LiveScene& scene, PanelState& state) {
+    choose_preset(scene, state);
     choose_backend(state);
 }
 

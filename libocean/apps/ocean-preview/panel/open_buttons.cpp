@@ -12,7 +12,7 @@ namespace ocean::app {
 namespace {
 
 constexpr const char* kOpenPopup = "open a file";
-constexpr const char* kSavePopup = "save the sea as";
+constexpr const char* kSavePopup = "save as";
 constexpr const char* kRecentPopup = "recent files";
 
 /// Closes the open popup when Escape is pressed, also while its field has the keys.
@@ -82,14 +82,15 @@ void draw_path_fields(PanelState& state) {
 
 }  // namespace
 
-void draw_open_buttons(PanelState& state) {
+void draw_open_buttons(const LiveScene& scene, PanelState& state) {
     if (ImGui::Button("Open ...")) ask(state, FileRows::Ask::open);
     tooltip(
-        "A sea, a take, a baked file or a sky (Ctrl O);\n"
+        "A sea, a terrain, a take, a baked file or a sky (Ctrl O);\n"
         "files can be dropped on the window too");
     ImGui::SameLine();
     if (ImGui::Button("Save as ...")) ask(state, FileRows::Ask::save);
-    tooltip("Save the sea under a chosen name (Ctrl S)");
+    tooltip(scene.sea() != nullptr ? "Save the sea under a chosen name (Ctrl S)"
+                                   : "Save the terrain under a chosen name (Ctrl S)");
     ImGui::SameLine();
     if (ImGui::Button("Recent")) {
         state.requests.list_recent = true;

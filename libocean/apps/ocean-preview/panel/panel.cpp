@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <string>
+#include <vector>
 
 #include "ocean/sea_state.hpp"
 #include "panel/panel.hpp"
@@ -13,15 +15,18 @@
 namespace ocean::app {
 namespace {
 
-/// Draws warnings of the sea and the last message at the foot of the window, and the values of the
-/// place under the mouse beside it.
-void draw_message(LiveSea& sea, const PanelState& state) {
+std::vector<std::string> warnings_of(LiveScene& scene) {
+    if (scene.sea() != nullptr) return full_development_warnings(scene.sea()->now());
+    return scene.land()->warnings();
+}
+
+/// Draws warnings of the scene and the last message at the foot of the window, and the values of
+/// the place under the mouse beside it.
+void draw_message(LiveScene& scene, const PanelState& state) {
     if (!state.under_mouse.empty()) ImGui::SetTooltip("%s", state.under_mouse.c_str());
     std::string text;
     if (state.shown) {
-        for (const std::string& warning : full_development_warnings(sea.now())) {
-            text += warning + "\n";
-        }
+        for (const std::string& warning : warnings_of(scene)) text += warning + "\n";
     }
     if (state.shown && !state.left_out.empty()) text += state.left_out + "\n";
     text += state.message;
@@ -39,8 +44,8 @@ void draw_message(LiveSea& sea, const PanelState& state) {
     ImGui::End();
 }
 
-/// Places the panel at its first frame beside the sea. After a change of scale it keeps the place
-/// that the user gave it, and grows with its letters as far as the window has room.
+/// Places the panel at its first frame beside the picture. After a change of scale it keeps the
+/// place that the user gave it, and grows with its letters as far as the window has room.
 void place_panel(PanelPlace& place) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float margin = panel_length(kPanelMargin);
@@ -77,35 +82,36 @@ void draw_search(PanelState& state) {
     if (ImGui::InputText("Search (/)", search, sizeof search)) state.search = search;
 }
 
-void draw_sections(LiveSea& sea, const preview::ShownSea& shown, CameraControl& camera,
-                   PanelState& state) {
-    draw_transport(sea, state);
-    draw_readings(sea, shown, state);
-    draw_file_buttons(sea, state);
-    draw_open_buttons(state);
+void draw_sections(LiveScene& scene, CameraControl& camera, PanelState& state) {
+    if (scene.sea() != nullptr) draw_transport(*scene.sea(), state);
+    draw_readings(scene, state);
+    draw_file_buttons(scene, state);
+    draw_open_buttons(scene, state);
     if (ImGui::CollapsingHeader("Picture", ImGuiTreeNodeFlags_DefaultOpen)) {
-        draw_picture_section(sea, state);
+        draw_picture_section(scene, state);
     }
-    if (ImGui::CollapsingHeader("Camera")) draw_camera_section(camera, state);
-    if (ImGui::CollapsingHeader("Bridge")) draw_bridge_section(state.bridge, state.requests);
+    if (ImGui::CollapsingHeader("Camera")) draw_camera_section(scene, camera, state);
+    if (scene.sea() != nullptr && ImGui::CollapsingHeader("Bridge")) {
+        draw_bridge_section(state.bridge, state.requests);
+    }
     ImGui::Separator();
     draw_search(state);
-    draw_choices(sea, state);
-    draw_parameter_sections(sea, state);
+    draw_choices(scene, state);
+    draw_parameter_sections(scene, state);
 }
 
 }  // namespace
 
-void draw_panel(LiveSea& sea, const preview::ShownSea& shown, CameraControl& camera,
-                PanelState& state) {
-    draw_message(sea, state);
+void draw_panel(LiveScene& scene, CameraControl& camera, PanelState& state) {
+    draw_message(scene, state);
     if (!state.shown) return;
     place_panel(state.place);
-    const bool is_open = ImGui::Begin("Sea (Tab hides)");
+    const bool is_open = ImGui::Begin(scene.sea() != nullptr ? "Sea (Tab hides)###panel"
+                                                             : "Terrain (Tab hides)###panel");
     state.place.corner = {ImGui::GetWindowPos().x, ImGui::GetWindowPos().y};
     if (is_open) {
         state.place.size = {ImGui::GetWindowSize().x, ImGui::GetWindowSize().y};
-        draw_sections(sea, shown, camera, state);
+        draw_sections(scene, camera, state);
     }
     ImGui::End();
 }

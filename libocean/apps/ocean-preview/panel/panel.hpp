@@ -4,7 +4,7 @@
 // The panel: every parameter of the table, the light, the camera, the clock, the bridge.
 #pragma once
 
-#include "live_sea.hpp"
+#include "live_scene.hpp"
 #include "panel/panel_state.hpp"
 #include "window/camera_control.hpp"
 
@@ -12,7 +12,6 @@ namespace ocean::app {
 
 /// Draws the panel and the message at the foot of the window, between ImGui::NewFrame and
 /// ImGui::Render. Throws Error.
-void draw_panel(LiveSea& sea, const preview::ShownSea& shown, CameraControl& camera,
-                PanelState& state);
+void draw_panel(LiveScene& scene, CameraControl& camera, PanelState& state);
 
 }  // namespace ocean::app

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The values that the panel shows and changes beside the sea, and the requests of one frame.
+// The values that the panel shows and changes beside the scene, and the requests of one frame.
 #pragma once
 
 #include <array>
@@ -12,31 +12,30 @@
 #include "bridge_host.hpp"
 #include "bridge_link.hpp"
 #include "ocean/preview/picture.hpp"
-#include "ocean/sea.hpp"
-#include "sea_argument.hpp"
+#include "scene_argument.hpp"
 
 namespace ocean::app {
 
 /// The cost of one frame [ms].
 struct FrameTimes {
-    double sea = 0.0;
+    double scene = 0.0;
     double draw = 0.0;
     double panel = 0.0;
 };
 
-/// A backend that the sea can be computed by.
+/// A backend that the scene can be computed by.
 struct BackendRow {
     std::string name;
-    std::string why_not;  // why it cannot compute this sea; "": it can
+    std::string why_not;  // why it cannot compute this scene; "": it can
     double milliseconds;  // of the last frame that it computed; 0: none yet
 };
 
-/// The state before a change: of a parameter, or of the whole sea.
+/// The state before a change: of a parameter, or of the whole scene.
 struct Change {
     std::string path;
     std::string before;
-    std::optional<Sea> sea = {};
-    std::optional<SeaArgument> source = {};  // of that sea, if another file was opened
+    std::optional<OpenedScene> scene = {};
+    std::optional<SeaArgument> source = {};  // of that scene, if another file was opened
 };
 
 /// The bridge: one that the window has joined, or one of its own.
@@ -78,7 +77,7 @@ struct PanelRequests {
     enum class Bridge { nothing, start, stop };
 
     bool touched = false;  // anything at all: the picture has changed
-    bool save_sea = false;
+    bool save_scene = false;
     bool ask_open = false, ask_save = false;  // by the desktop's dialog
     std::string open, save_as;                // paths
     bool list_recent = false;
@@ -92,7 +91,7 @@ struct PanelRequests {
 
 struct PanelState {
     preview::Look look;
-    std::string view = "shaded";  // one of all_view_names()
+    std::string view = "shaded";  // one of all_view_names(kind)
     int cascade = -1;             // the only one shown; -1: all
     int cascades = 1;
     bool wireframe = false;
@@ -108,7 +107,7 @@ struct PanelState {
     FrameTimes times;
     BridgeRows bridge;
     FileRows files;
-    SeaArgument source;  // of the shown sea, for Reload and the window's title
+    SeaArgument source;  // of the shown scene, for Reload and the window's title
     PanelPlace place;
     std::vector<Change> changes;  // the newest last
     PanelRequests requests;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstring>
+#include <optional>
 
 #include "ocean/text.hpp"
 #include "panel/panel_length.hpp"
@@ -44,6 +45,8 @@ class Row {
             words();
         } else if (const auto* real = std::get_if<double>(&shown_.value)) {
             number(*real);
+        } else if (spec_.member_type.optional) {
+            number(std::nullopt);
         } else if (const auto* whole = std::get_if<std::int64_t>(&shown_.value)) {
             whole_number(*whole);
         } else if (const auto* truth = std::get_if<bool>(&shown_.value)) {
@@ -60,9 +63,7 @@ class Row {
         if (!ImGui::IsItemHovered()) return;
         std::string words = path_ + "\n" + std::string(spec_.help) + "\n" + allowed_values(spec_);
         if (!spec_.used_by.empty()) words += "\nHas an effect with: " + std::string(spec_.used_by);
-        words += spec_.change == ParameterClass::live
-                     ? "\nGlides"
-                     : "\nMakes another sea; a take cannot have it";
+        if (!shown_.note.empty()) words += "\n" + std::string(shown_.note);
         ImGui::BeginTooltip();
         ImGui::PushTextWrapPos(panel_length(380.0f));
         ImGui::TextUnformatted(words.c_str());
@@ -73,19 +74,27 @@ class Row {
     void menu() {
         tooltip();
         if (!ImGui::BeginPopupContextItem("menu")) return;
-        if (ImGui::MenuItem("Reset to default")) set(to_text(shown_.default_value));
+        const bool unsets = spec_.member_type.optional && to_text(shown_.default_value).empty();
+        if (ImGui::MenuItem(unsets ? "Unset" : "Reset to default")) {
+            set(to_text(shown_.default_value));
+        }
         if (ImGui::MenuItem("Copy name")) ImGui::SetClipboardText(path_.c_str());
         ImGui::EndPopup();
     }
 
-    void number(double value) {
-        // A dragged slider follows the mouse, any other the sea's value, which may glide.
-        auto shown = static_cast<float>(drag_.path == path_ ? drag_.value : value);
+    /// value: nothing for an optional number that is unset; its slider begins at the low end.
+    void number(std::optional<double> value) {
         const auto lowest = static_cast<float>(std::max(spec_.min, spec_.soft_min));
         const auto highest = static_cast<float>(std::min(spec_.max, spec_.soft_max));
+        // A dragged slider follows the mouse, any other the model's value, which may glide.
+        const bool is_dragged = drag_.path == path_;
+        auto shown = is_dragged ? static_cast<float>(drag_.value)
+                                : static_cast<float>(value.value_or(static_cast<double>(lowest)));
         const bool wide = lowest > 0.0f && highest / lowest > 100.0f;
         const std::string format =
-            "%.3g" + (spec_.unit.empty() ? std::string() : " " + std::string(spec_.unit));
+            !value && !is_dragged
+                ? "unset"
+                : "%.5g" + (spec_.unit.empty() ? std::string() : " " + std::string(spec_.unit));
         const bool changed =
             ImGui::SliderFloat(label_.c_str(), &shown, lowest, highest, format.c_str(),
                                wide ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
@@ -93,7 +102,7 @@ class Row {
         const bool done = ImGui::IsItemDeactivatedAfterEdit();
         menu();
         if (changed) {
-            if (drag_.path != path_) drag_.before = shortest_text(value);
+            if (drag_.path != path_) drag_.before = value ? shortest_text(*value) : "";
             drag_.path = path_;
             drag_.value = static_cast<double>(shown);
         }
@@ -151,6 +160,7 @@ class Row {
                              ImGuiInputTextFlags_EnterReturnsTrue)) {
             set(shown);
         }
+        menu();
     }
 
     void set(const std::string& value) {

@@ -17,7 +17,8 @@ struct ShownParameter {
     std::size_t item;
     ParameterValue value;  // as it is now
     ParameterValue default_value;
-    bool is_used;  // false: the row is dimmed
+    bool is_used;                // false: the row is dimmed
+    std::string_view note = "";  // last line of the tooltip
 };
 
 struct ParameterChange {

@@ -3,11 +3,13 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cctype>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "ocean/parameter_table.hpp"
+#include "ocean/terrain_table.hpp"
 #include "ocean/text.hpp"
 #include "panel/changes.hpp"
 #include "panel/parameter_row.hpp"
@@ -19,52 +21,81 @@ namespace {
 
 /// Returns whether the parameter has an effect with the words of its section: one that is used by
 /// "jonswap, tma" has none while the spectrum is another one.
-bool is_used(const ParameterInfo& info, const Parameters& parameters, std::size_t wave) {
-    if (info.used_by.empty()) return true;
-    const std::vector<std::string> words = split(info.used_by, ", ");
-    for (const ParameterInfo& other : parameter_table()) {
-        if (other.section != info.section || other.choices().empty()) continue;
-        const std::string value = to_text(value_of(parameters, {&other, wave}));
+template <typename Model>
+bool is_used(const Table<Model>& table, const RefOf<Model>& ref, const Model& model) {
+    if (ref.info->used_by.empty()) return true;
+    const std::vector<std::string> words = split(ref.info->used_by, ", ");
+    for (const TableRow<Model>& other : table.rows) {
+        if (other.section != ref.info->section || other.choices().empty()) continue;
+        const std::string value = to_text(value_of(model, RefOf<Model>{&other, ref.item}));
         if (std::ranges::find(words, value) != words.end()) return true;
     }
     return false;
 }
 
+/// Returns the number of items of a section that is a list.
+std::size_t items_of(const TableSection& section, const Terrain& terrain) {
+    for (const TerrainRow& row : terrain_table().rows) {
+        if (row.section == section.name) return row.member.items(terrain);
+    }
+    return 0;
+}
+
+/// The rows of a model's table.
+template <typename Model>
 class Rows {
   public:
-    Rows(LiveSea& sea, PanelState& state) : sea_(sea), state_(state) {}
-
-    void section(const char* name, std::string_view section, std::size_t wave) {
-        bool any = false;
-        for (const ParameterInfo& info : parameter_table()) {
-            any = any || (info.section == section && is_found(info, wave, state_.search));
+    /// model: with the values that are shown.
+    Rows(const Table<Model>& table, const Model& model, LiveScene& scene, PanelState& state)
+        : table_(table), model_(model), scene_(scene), state_(state) {
+        for (const TableSection& section : table.sections) {
+            if (!section.is_list()) continue;
+            for (const TableRow<Model>& row : table.rows) {
+                if (row.section == section.name && row.member.items(defaults_) == 0) {
+                    row.member.renew(defaults_, 1);
+                }
+            }
         }
+    }
+
+    /// item: of a section that is a list.
+    void section(const std::string& name, std::string_view section, std::size_t item, bool opens) {
+        const bool any = std::ranges::any_of(table_.rows, [&](const TableRow<Model>& row) {
+            return row.section == section && is_found(row, item, state_.search);
+        });
         if (!any) return;
         const ImGuiTreeNodeFlags open =
-            state_.search.empty() && section != "waves" ? 0 : ImGuiTreeNodeFlags_DefaultOpen;
-        if (!ImGui::CollapsingHeader(name, open)) return;
-        ImGui::PushID(name);
-        for (const ParameterInfo& info : parameter_table()) {
-            if (info.section == section && is_found(info, wave, state_.search)) {
-                row(info, wave);
-            }
+            state_.search.empty() && !opens ? 0 : ImGuiTreeNodeFlags_DefaultOpen;
+        if (!ImGui::CollapsingHeader(name.c_str(), open)) return;
+        ImGui::PushID(name.c_str());
+        for (const TableRow<Model>& row : table_.rows) {
+            if (row.section == section && is_found(row, item, state_.search)) draw({&row, item});
         }
         ImGui::PopID();
     }
 
   private:
-    void row(const ParameterInfo& info, std::size_t wave) {
-        static const Parameters defaults;
-        const Parameters& now = sea_.now();
-        const ShownParameter shown{info, wave, value_of(now, {&info, wave}),
-                                   value_of(defaults, {&info, 0}), is_used(info, now, wave)};
+    void draw(const RefOf<Model>& ref) {
+        const ShownParameter shown{*ref.info,
+                                   ref.item,
+                                   value_of(model_, ref),
+                                   value_of(defaults_, RefOf<Model>{ref.info, 0}),
+                                   is_used(table_, ref, model_),
+                                   note_of(ref)};
         ImGui::SetNextItemWidth(panel_length(kWidgetWidth));
         draw_parameter(shown, [this](const ParameterChange& change) { set(change); });
     }
 
+    std::string_view note_of(const RefOf<Model>& ref) const {
+        if (scene_.sea() == nullptr) return "";
+        return ref.info->change == ParameterClass::live
+                   ? "Glides"
+                   : "Makes another sea; a take cannot have it";
+    }
+
     void set(const ParameterChange& change) {
         const auto& [path, value, before, is_drag] = change;
-        if (!try_to_set(sea_, state_, path, value)) return;
+        if (!try_to_set(scene_, state_, path, value)) return;
         // A drag is one change, however many values it sets.
         const bool goes_on = is_drag && !state_.changes.empty() &&
                              state_.changes.back().path == path &&
@@ -72,23 +103,51 @@ class Rows {
         if (!goes_on) state_.changes.push_back({path, before});
     }
 
-    LiveSea& sea_;
+    const Table<Model>& table_;
+    const Model& model_;
+    Model defaults_;
+    LiveScene& scene_;
     PanelState& state_;
 };
 
-}  // namespace
-
-void draw_parameter_sections(LiveSea& sea, PanelState& state) {
-    Rows rows(sea, state);
+void draw_sea_sections(LiveSea& sea, LiveScene& scene, PanelState& state) {
+    Rows<Parameters> rows(sea_table(), sea.now(), scene, state);
     const std::size_t systems = sea.sea().parameters.waves.size();
     for (std::size_t wave = 0; wave < systems; ++wave) {
-        rows.section(("Waves " + std::to_string(wave)).c_str(), "waves", wave);
+        rows.section("Waves " + std::to_string(wave), "waves", wave, true);
     }
-    rows.section("Surface and foam", "surface", 0);
-    rows.section("Water body", "water", 0);
-    rows.section("Grid", "grid", 0);
-    rows.section("Clock", "time", 0);
-    rows.section("Chance", "random", 0);
+    rows.section("Surface and foam", "surface", 0, false);
+    rows.section("Water body", "water", 0, false);
+    rows.section("Grid", "grid", 0, false);
+    rows.section("Clock", "time", 0, false);
+    rows.section("Chance", "random", 0, false);
+}
+
+/// Draws all sections of the table, under their own names.
+void draw_land_sections(LiveLand& land, LiveScene& scene, PanelState& state) {
+    const Terrain shown = land.terrain();  // a change replaces it
+    Rows<Terrain> rows(terrain_table(), shown, scene, state);
+    for (const TableSection& section : terrain_table().sections) {
+        std::string title(section.item.empty() ? section.name : section.item);
+        title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+        if (!section.is_list()) {
+            rows.section(title, section.name, 0, true);
+            continue;
+        }
+        for (std::size_t item = 0; item < items_of(section, shown); ++item) {
+            rows.section(title + " " + std::to_string(item), section.name, item, false);
+        }
+    }
+}
+
+}  // namespace
+
+void draw_parameter_sections(LiveScene& scene, PanelState& state) {
+    if (scene.sea() != nullptr) {
+        draw_sea_sections(*scene.sea(), scene, state);
+    } else {
+        draw_land_sections(*scene.land(), scene, state);
+    }
 }
 
 }  // namespace ocean::app

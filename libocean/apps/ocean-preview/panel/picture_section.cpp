@@ -2,56 +2,88 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <imgui.h>
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "ocean/water_types.hpp"
 #include "panel/sections.hpp"
 #include "panel/widgets.hpp"
 #include "stage_picture.hpp"
 
 namespace ocean::app {
-void draw_picture_section(LiveSea& sea, PanelState& state) {
-    ImGui::PushItemWidth(panel_length(kWidgetWidth));
-    if (ImGui::BeginCombo("View (V)", state.view.c_str())) {
-        for (const std::string& view : all_view_names()) {
-            if (ImGui::Selectable(view.c_str(), view == state.view)) {
-                state.view = view;
-                state.requests.touched = true;
-            }
-        }
-        ImGui::EndCombo();
-    }
+namespace {
+
+void choose_cascade(PanelState& state) {
     const std::string all = state.cascade < 0 ? "all" : std::to_string(state.cascade);
-    if (ImGui::BeginCombo("Cascade", all.c_str())) {
-        for (int cascade = -1; cascade < state.cascades; ++cascade) {
-            const std::string name = cascade < 0 ? "all" : std::to_string(cascade);
-            if (ImGui::Selectable(name.c_str(), cascade == state.cascade)) {
-                state.cascade = cascade;
-                state.requests.touched = true;
-            }
+    if (!ImGui::BeginCombo("Cascade", all.c_str())) return;
+    for (int cascade = -1; cascade < state.cascades; ++cascade) {
+        const std::string name = cascade < 0 ? "all" : std::to_string(cascade);
+        if (ImGui::Selectable(name.c_str(), cascade == state.cascade)) {
+            state.cascade = cascade;
+            state.requests.touched = true;
         }
-        ImGui::EndCombo();
     }
+    ImGui::EndCombo();
+}
+
+/// Draws a list of words; `chosen` is set to the word that a person chooses. Returns true then.
+bool choose_word(const char* label, const std::vector<std::string>& words, std::string& chosen,
+                 PanelState& state) {
+    bool changed = false;
+    if (!ImGui::BeginCombo(label, chosen.c_str())) return false;
+    for (const std::string& word : words) {
+        if (!ImGui::Selectable(word.c_str(), word == chosen)) continue;
+        chosen = word;
+        state.requests.touched = changed = true;
+    }
+    ImGui::EndCombo();
+    return changed;
+}
+
+void choose_water(PanelState& state) {
     preview::Look& look = state.look;
+    if (!ImGui::BeginCombo("Water", look.water_type.c_str())) return;
+    for (const WaterType& type : water_types()) {
+        const std::string name(type.name);
+        if (ImGui::Selectable(name.c_str(), name == look.water_type)) {
+            look.water_type = name;
+            state.requests.touched = true;
+        }
+        tooltip(std::string(type.help).c_str());
+    }
+    ImGui::EndCombo();
+}
+
+void draw_sea_look(PanelState& state) {
+    preview::Look& look = state.look;
+    choose_cascade(state);
     const std::vector<std::string> looks = preview::look_names();
-    if (ImGui::BeginCombo("Look", looks[static_cast<std::size_t>(look.kind)].c_str())) {
-        for (const std::string& name : looks) {
-            if (ImGui::Selectable(name.c_str())) {
-                look.kind = preview::look_of(name);
-                state.requests.touched = true;
-            }
-        }
-        ImGui::EndCombo();
+    std::string name = looks[static_cast<std::size_t>(look.kind)];
+    if (choose_word("Look", looks, name, state)) look.kind = preview::look_of(name);
+    choose_water(state);
+}
+
+void draw_land_look(const preview::ShownLand& land, PanelState& state) {
+    preview::Look& look = state.look;
+    const std::vector<std::string> names = preview::land_colour_names();
+    std::string name = names[static_cast<std::size_t>(look.land_colours)];
+    if (choose_word("Colours", names, name, state)) {
+        look.land_colours = preview::land_colours_of(name);
     }
-    if (ImGui::BeginCombo("Water", look.water_type.c_str())) {
-        for (const WaterType& type : water_types()) {
-            const std::string name(type.name);
-            if (ImGui::Selectable(name.c_str(), name == look.water_type)) {
-                look.water_type = name;
-                state.requests.touched = true;
-            }
-            tooltip(std::string(type.help).c_str());
-        }
-        ImGui::EndCombo();
+    bool own = look.snow_line.has_value();
+    if (ImGui::Checkbox("Snow line", &own)) {
+        look.snow_line = own ? std::optional(default_snow_line(land)) : std::nullopt;
+        state.requests.touched = true;
     }
+    tooltip("Unset: 1.3 rms heights above the mean");
+    if (!look.snow_line) return;
+    slider(state, "Snow from", *look.snow_line, static_cast<float>(land.mean - 3.0 * land.rms),
+           static_cast<float>(land.mean + 5.0 * land.rms), "%.0f m");
+}
+
+void draw_light(PanelState& state) {
+    preview::Look& look = state.look;
     if (look.environment) {
         slider(state, "Sky turned", look.environment_turn, -180.0f, 180.0f, "%.1f deg");
         if (ImGui::Button("Computed sky")) {
@@ -66,17 +98,34 @@ void draw_picture_section(LiveSea& sea, PanelState& state) {
     slider(state, "Exposure", look.exposure, 0.05f, 20.0f, "%.2f", ImGuiSliderFlags_Logarithmic);
     slider(state, "Visibility", look.visibility, 500.0f, 200000.0f, "%.0f m",
            ImGuiSliderFlags_Logarithmic);
-    ImGui::PopItemWidth();
+}
+
+void draw_foam_and_crests(PanelState& state) {
     ImGui::PushItemWidth(panel_length(62.0f));  // two in a row
-    slider(state, "Foam shown", look.foam_amount, 0.0f, 4.0f, "%.2f");
+    slider(state, "Foam shown", state.look.foam_amount, 0.0f, 4.0f, "%.2f");
     ImGui::SameLine();
-    slider(state, "Crest light", look.crest_light, 0.0f, 4.0f, "%.2f");
+    slider(state, "Crest light", state.look.crest_light, 0.0f, 4.0f, "%.2f");
     ImGui::PopItemWidth();
+}
+
+}  // namespace
+
+void draw_picture_section(LiveScene& scene, PanelState& state) {
+    LiveSea* const sea = scene.sea();
+    ImGui::PushItemWidth(panel_length(kWidgetWidth));
+    choose_word("View (V)", all_view_names(scene.kind()), state.view, state);
+    if (sea != nullptr) draw_sea_look(state);
+    const auto* const land = std::get_if<preview::ShownLand>(&scene.shown());
+    if (land != nullptr) draw_land_look(*land, state);
+    draw_light(state);
+    ImGui::PopItemWidth();
+    if (sea != nullptr) draw_foam_and_crests(state);
     if (ImGui::Checkbox("Wireframe (F)", &state.wireframe)) state.requests.touched = true;
     ImGui::SameLine();
     if (ImGui::Checkbox("Probe (P)", &state.probing)) state.requests.touched = true;
+    if (sea == nullptr) return;
     ImGui::SameLine();
-    if (ImGui::Checkbox("Near detail", &sea.near_detail)) state.requests.touched = true;
+    if (ImGui::Checkbox("Near detail", &sea->near_detail)) state.requests.touched = true;
     tooltip("Show the waves too short for the maps");
 }
 

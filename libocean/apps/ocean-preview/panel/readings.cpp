@@ -8,7 +8,9 @@
 #include "panel/widgets.hpp"
 
 namespace ocean::app {
-void draw_readings(const LiveSea& sea, const preview::ShownSea& shown, const PanelState& state) {
+namespace {
+
+void draw_sea_readings(const LiveSea& sea, const preview::ShownSea& shown) {
     ImGui::Text("Hs %.2f m   Tp %.1f s   mss %.4f", shown.significant_wave_height,
                 shown.peak_period, shown.mean_square_slope);
     const double settling = sea.foam_settling();
@@ -18,15 +20,34 @@ void draw_readings(const LiveSea& sea, const preview::ShownSea& shown, const Pan
     const std::size_t changes = sea.sea().take.events.size();
     ImGui::Text("%s   %s %zu changes", foam.c_str(),
                 sea.recording() ? "RECORDING," : "take:", changes);
-    ImGui::Text("sea %.1f ms   draw %.1f ms   panel %.1f ms", state.times.sea, state.times.draw,
-                state.times.panel);
+}
+
+void draw_land_readings(const preview::ShownLand& shown) {
+    ImGui::Text("rms %.4g m   heights %.5g .. %.5g m", shown.rms, shown.heights[0],
+                shown.heights[1]);
+    ImGui::Text("rms slope %.3f   tile %.5g m   cell %.4g m", shown.rms_slope,
+                shown.image ? shown.image->period : 0.0, shown.cell);
+}
+
+}  // namespace
+
+void draw_readings(const LiveScene& scene, const PanelState& state) {
+    const auto* const land = std::get_if<preview::ShownLand>(&scene.shown());
+    if (land != nullptr) {
+        draw_land_readings(*land);
+    } else if (scene.sea() != nullptr) {
+        draw_sea_readings(*scene.sea(), std::get<preview::ShownSea>(scene.shown()));
+    }
+    ImGui::Text("%s %.1f ms   draw %.1f ms   panel %.1f ms", noun_of(scene.kind()),
+                state.times.scene, state.times.draw, state.times.panel);
     ImGui::TextDisabled("%s", state.drawn_by.c_str());
 }
 
-void draw_file_buttons(LiveSea& sea, PanelState& state) {
-    if (ImGui::Button("Save sea")) state.requests.save_sea = true;
+void draw_file_buttons(LiveScene& scene, PanelState& state) {
+    const bool is_sea = scene.sea() != nullptr;
+    if (ImGui::Button(is_sea ? "Save sea" : "Save terrain")) state.requests.save_scene = true;
     ImGui::SameLine();
-    if (ImGui::Button("Undo")) undo(sea, state);
+    if (ImGui::Button("Undo")) undo(scene, state);
     tooltip("Ctrl Z");
     ImGui::SameLine();
     if (ImGui::Button("PNG (F12)")) state.requests.save_picture = ".png";
@@ -36,7 +57,7 @@ void draw_file_buttons(LiveSea& sea, PanelState& state) {
     tooltip("Save its light, linear, for a compositor (Shift F12)");
     ImGui::SameLine();
     if (ImGui::Button("Reload")) state.requests.reload = true;
-    tooltip("Read the sea file again (Ctrl R)");
+    tooltip(is_sea ? "Read the sea file again (Ctrl R)" : "Read the terrain file again (Ctrl R)");
 }
 
 }  // namespace ocean::app

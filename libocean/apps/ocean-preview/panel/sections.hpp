@@ -5,7 +5,7 @@
 // window.
 #pragma once
 
-#include "live_sea.hpp"
+#include "live_scene.hpp"
 #include "panel/panel_state.hpp"
 #include "window/camera_control.hpp"
 
@@ -13,18 +13,18 @@ namespace ocean::app {
 
 /// The clock and the recording.
 void draw_transport(LiveSea& sea, PanelState& state);
-/// Wave height, foam, take and frame times; buttons that save, undo and reload.
-void draw_readings(const LiveSea& sea, const preview::ShownSea& shown, const PanelState& state);
-void draw_file_buttons(LiveSea& sea, PanelState& state);
-/// Buttons that open a file, save the sea under a chosen name, and list the recent files.
-void draw_open_buttons(PanelState& state);
-/// View, look, water, light.
-void draw_picture_section(LiveSea& sea, PanelState& state);
-void draw_camera_section(CameraControl& camera, PanelState& state);
+/// The state of the scene and frame times; buttons that save, undo and reload.
+void draw_readings(const LiveScene& scene, const PanelState& state);
+void draw_file_buttons(LiveScene& scene, PanelState& state);
+/// Buttons that open a file, save the scene under a chosen name, and list the recent files.
+void draw_open_buttons(const LiveScene& scene, PanelState& state);
+/// View, colours, water, light.
+void draw_picture_section(LiveScene& scene, PanelState& state);
+void draw_camera_section(LiveScene& scene, CameraControl& camera, PanelState& state);
 void draw_bridge_section(BridgeRows& bridge, PanelRequests& requests);
 /// Presets and backends.
-void draw_choices(LiveSea& sea, PanelState& state);
-/// Every parameter of the sea.
-void draw_parameter_sections(LiveSea& sea, PanelState& state);
+void draw_choices(LiveScene& scene, PanelState& state);
+/// Every parameter of the scene.
+void draw_parameter_sections(LiveScene& scene, PanelState& state);
 
 }  // namespace ocean::app

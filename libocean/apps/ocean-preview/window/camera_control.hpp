@@ -4,12 +4,16 @@
 // The camera's movements by keys, mouse and gamepad.
 #pragma once
 
-#include "ocean/ocean.hpp"
+#include "live_scene.hpp"
 #include "ocean/preview/picture.hpp"
 
 namespace ocean::app {
 
 enum class CameraMode { fly, walk, orbit, floating };
+/// Returns the number of modes over a kind of scene: nothing floats on land.
+constexpr int camera_modes(preview::SceneKind kind) {
+    return kind == preview::SceneKind::sea ? 4 : 3;
+}
 
 /// The requested movement of the camera in one step; directions are -1 .. 1.
 struct CameraInput {
@@ -26,9 +30,11 @@ class CameraControl {
   public:
     explicit CameraControl(const preview::Camera& camera) : camera_(camera) {}
 
-    /// Moves the camera for so many seconds. A walking or floating camera is carried by the sea at
-    /// a time [s]. Throws Error.
-    void step(const CameraInput& input, double seconds, Ocean& sea, double time);
+    /// Moves the camera for so many seconds. A walking or floating camera is carried by the
+    /// surface; one that floats walks where nothing floats. Throws Error.
+    void step(const CameraInput& input, double seconds, const CameraGround& ground);
+    /// Carries or raises the camera after a change of the surface. Throws Error.
+    void stay_above(const CameraGround& ground) { step({}, 0.0, ground); }
     void reset(const preview::Camera& camera) { camera_ = camera; }
 
     const preview::Camera& camera() const { return camera_; }
@@ -36,6 +42,9 @@ class CameraControl {
     CameraMode mode = CameraMode::fly;
 
   private:
+    void orbit(const CameraInput& input, double seconds, const preview::Camera& before,
+               const CameraGround& ground);
+
     preview::Camera camera_;
     double orbit_distance_ = 60.0;  // [m]
 };

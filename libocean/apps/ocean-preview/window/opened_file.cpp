@@ -13,14 +13,13 @@
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/panorama.hpp"
 #include "ocean/io/read_provenance.hpp"
-#include "sea_argument.hpp"
 
 namespace ocean::app {
 namespace {
 
 constexpr std::string_view kExrMagic = "\x76\x2f\x31\x01";
 constexpr std::size_t kHeadBytes = 4096;
-constexpr const char* kKinds = "a window opens seas, takes, baked files and skies (.exr)";
+constexpr const char* kKinds = "a window opens seas, terrains, takes, baked files and skies (.exr)";
 
 /// Returns true if the first line that is no comment begins with a number, as each line of a take.
 bool looks_like_a_take(std::string_view head) {
@@ -42,7 +41,7 @@ bool is_binary(std::string_view head) {
 OpenedFile read_exr(const std::string& path) {
     std::optional<io::Panorama> sphere;
     try {
-        if (io::read_provenance(path)) return OpenedSea{open_sea({path, {}})};
+        if (io::read_provenance(path)) return OpenedModel{open_scene({path, {}})};
     } catch (const Error& no_sea) {
         try {
             sphere = io::read_exr_panorama(path);
@@ -58,7 +57,7 @@ OpenedFile read_exr(const std::string& path) {
 
 }  // namespace
 
-OpenedFile read_opened_file(const std::string& path, const Sea& shown) {
+OpenedFile read_opened_file(const std::string& path, const OpenedScene& shown) {
     std::error_code error;
     if (std::filesystem::is_directory(utf8_path(path), error)) {
         throw Error(ErrorKind::bad_file, path + ": is a folder; " + kKinds);
@@ -69,7 +68,11 @@ OpenedFile read_opened_file(const std::string& path, const Sea& shown) {
     const std::string head = text::first_bytes(path, kHeadBytes);
     if (head.starts_with(kExrMagic)) return read_exr(path);
     if (looks_like_a_take(head)) {
-        Sea sea = shown;
+        if (!std::holds_alternative<Sea>(shown)) {
+            throw Error(ErrorKind::bad_file,
+                        path + ": is a take, and a terrain has none; open its sea first");
+        }
+        Sea sea = std::get<Sea>(shown);
         sea.take = {};
         set_in_sea(sea, "time.take", path);
         return OpenedTake{std::move(sea)};
@@ -78,7 +81,7 @@ OpenedFile read_opened_file(const std::string& path, const Sea& shown) {
     if (!is_baked && is_binary(head)) {
         throw Error(ErrorKind::bad_file, path + ": is none of these; " + kKinds);
     }
-    return OpenedSea{open_sea({path, {}})};
+    return OpenedModel{open_scene({path, {}})};
 }
 
 }  // namespace ocean::app

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The files that a window opens, recognised by their content: a sea, a take of the shown sea, or a
-// sky.
+// The files that a window opens, recognised by their content: a sea, a terrain, a take of the shown
+// sea, or a sky.
 #pragma once
 
 #include <memory>
@@ -10,13 +10,13 @@
 #include <variant>
 
 #include "ocean/preview/environment.hpp"
-#include "ocean/sea.hpp"
+#include "scene_argument.hpp"
 
 namespace ocean::app {
 
-/// A sea file, or a baked file with its sea.
-struct OpenedSea {
-    Sea sea;
+/// A sea or a terrain, from its own file or from a baked file.
+struct OpenedModel {
+    OpenedScene scene;
 };
 /// The shown sea with another take.
 struct OpenedTake {
@@ -26,10 +26,10 @@ struct OpenedTake {
 struct OpenedSky {
     std::shared_ptr<const preview::Environment> environment;
 };
-using OpenedFile = std::variant<OpenedSea, OpenedTake, OpenedSky>;
+using OpenedFile = std::variant<OpenedModel, OpenedTake, OpenedSky>;
 
-/// Reads a file; `shown` is the sea that a take is for. Throws Error with the reason why the file
+/// Reads a file; `shown` is the scene that a take is for. Throws Error with the reason why the file
 /// cannot be opened, safe on hostile files.
-OpenedFile read_opened_file(const std::string& path, const Sea& shown);
+OpenedFile read_opened_file(const std::string& path, const OpenedScene& shown);
 
 }  // namespace ocean::app

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The water under the mouse.
+// The water or the ground under the mouse.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <string>
 
-#include "live_sea.hpp"
+#include "live_scene.hpp"
 #include "ocean/preview/probe.hpp"
 
 namespace ocean::app {
@@ -27,5 +27,14 @@ std::optional<PickedWater> pick_water(LiveSea& sea, const preview::Camera& camer
 /// there. Changes the bound framebuffer and the viewport. Throws Error.
 std::string describe(const PickedWater& picked, preview::Renderer& renderer,
                      const preview::ShownSea& shown, const preview::Camera& camera, int cascade);
+
+/// Returns the first point of the ground that a line of sight through a place of the picture meets,
+/// within a hundred tiles; nothing if it meets none. The place and aspect are those of pick_water.
+std::optional<WorldPoint> pick_ground(const preview::ShownLand& land, const preview::Camera& camera,
+                                      const std::array<double, 2>& place, double aspect);
+
+/// Returns lines for a person: place, height [m], slope and normal by a query of the land. Throws
+/// Error.
+std::string describe(const WorldPoint& point, LiveLand& land);
 
 }  // namespace ocean::app

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "console.hpp"
+#include "land_camera.hpp"
 #include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
 #include "ocean/text.hpp"
@@ -35,7 +36,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-Session::Session(const PreviewOptions& options, const Sea& sea, const SeaArgument& source,
+Session::Session(const PreviewOptions& options, const OpenedScene& scene, const SeaArgument& source,
                  const Context& context, GLFWwindow* window, WindowInput& input, Gui& gui)
     : options_(options),
       context_(context),
@@ -43,33 +44,46 @@ Session::Session(const PreviewOptions& options, const Sea& sea, const SeaArgumen
       input_(input),
       gui_(gui),
       info_(gl::context_info()),
-      backend_(preview_backend(options.backend).value_or(best_backend(info_))),
       viewport_(options, info_),
-      sea_(sea, {.threads = context.options.threads,
-                 .computing = [this](const Sea& of) { return computing(of); }}),
-      saved_(stem_of(source.source), sea),
-      files_(source, sea_, state_, saved_, context.console),
+      scene_(scene, scene_options(options)),
+      first_(scene_.kind()),
+      kind_(first_),
+      saved_(stem_of(source.source), scene),
+      files_(source, scene_, state_, saved_, context.console),
       titled_(source.source),
       camera_(options.camera),
       bridge_(state_.bridge,
               {.record = [this](bool on, const std::string& name) { record(on, name); },
                .logged =
                    [this](const std::string& line) { context_.console.note("bridge: " + line); }}) {
-    set_up(sea);
+    begin(scene);
 }
 
-void Session::set_up(const Sea& sea) {
-    sea_.after_set = [this](const std::string& name, const std::string& value) {
+LiveSceneOptions Session::scene_options(const PreviewOptions& options) {
+    return {.preview = options,
+            .info = info_,
+            .threads = context_.options.threads,
+            .on_sea = [this](LiveSea& sea) { set_up(sea); },
+            .fell_back = [this](const std::string& reason) { state_.message = reason; }};
+}
+
+void Session::set_up(LiveSea& sea) {
+    sea.after_set = [this](const std::string& name, const std::string& value) {
         bridge_.send(name, value);
     };
-    sea_.after_open = [this] { bridge_.send_values(sea_); };
-    sea_.near_detail = options_.detail && !info_.software;  // half as much again for its water
+    sea.after_open = [this, &sea] { bridge_.send_values(sea); };
+    sea.near_detail = options_.detail && !info_.software;  // half as much again for its water
+}
+
+void Session::begin(const OpenedScene& scene) {
     state_.bridge.host = options_.host;
     state_.bridge.is_own = !options_.bridge;
     if (options_.bridge) bridge_.join(*options_.bridge);
     if (options_.serve) serve();
-    if (options_.time) sea_.go_to(*options_.time);
-    if (options_.frame) sea_.go_to(sea.time_of(*options_.frame));
+    if (LiveSea* const sea = scene_.sea()) {
+        if (options_.time) sea->go_to(*options_.time);
+        if (options_.frame) sea->go_to(std::get<Sea>(scene).time_of(*options_.frame));
+    }
     state_.look = options_.look;
     state_.view = options_.view;
     state_.cascade = options_.cascade.value_or(-1);
@@ -79,6 +93,7 @@ void Session::set_up(const Sea& sea) {
     for (const Backend& backend : preview_backends()) {
         state_.backends.push_back({std::string(backend.name), "", 0.0});
     }
+    reset_camera();
 }
 
 void Session::run() {
@@ -87,37 +102,57 @@ void Session::run() {
         wait_for_input();
         const double seconds = std::min(0.25, milliseconds_since(before) / 1000.0);
         before = Clock::now();
-        if (!guarded([&] { sea_.advance(seconds); })) sea_.paused = true;
+        if (!guarded([&] { scene_.advance(seconds); })) scene_.sea()->paused = true;
         if (step(seconds)) frames_to_draw_ = kFramesToSettle;
-        if (bridge_.apply(sea_)) frames_to_draw_ = kFramesToSettle;
+        if (scene_.sea() != nullptr && bridge_.apply(*scene_.sea())) {
+            frames_to_draw_ = kFramesToSettle;
+        }
         if (!input_.dropped.empty()) files_.open(input_.dropped);
         if (files_.run({})) frames_to_draw_ = kFramesToSettle;
         show_title();
-        if (frames_to_draw_ > 0 || !sea_.paused || sea_.fading()) draw();
+        follow_kind();
+        if (frames_to_draw_ > 0 || !scene_.is_still()) draw();
         if (frames_to_draw_ > 0) --frames_to_draw_;
         if (!std::exchange(began_, true)) context_.console.note("the window is open");
         input_.forget();
     }
     // Never discard a recording when the window closes.
-    if (saved_.lacks(sea_.sea())) save_sea();
+    if (saved_.lacks(scene_.opened())) save_scene();
 }
 
-/// Returns the chosen backend, or the best other one if that cannot compute the sea, for example
-/// because a grid has grown too large for it.
-Computing Session::computing(const Sea& of) {
-    if (const std::string reason = why_not(backend_, of, info_); !reason.empty()) {
-        state_.message = std::string(backend_.name) + " " + reason;
-        backend_ = best_backend(info_);
+void Session::follow_kind() {
+    if (scene_.kind() == std::exchange(kind_, scene_.kind())) return;
+    const std::vector<std::string> views = all_view_names(kind_);
+    if (std::ranges::find(views, state_.view) == views.end()) state_.view = "shaded";
+    if (static_cast<int>(camera_.mode) >= camera_modes(kind_)) camera_.mode = CameraMode::fly;
+    if (kind_ == preview::SceneKind::land && bridge_.is_joined()) {
+        bridge_.leave();
+        context_.console.note("left the bridge: it is for a sea");
     }
-    return computing_for(backend_, options_, of, info_);
+    reset_camera();
+    frames_to_draw_ = kFramesToSettle;
 }
 
-/// Blocks while the sea stands still and nothing happens. A gamepad, a bridge and textures that
+/// Puts the camera where it began, or at the default place of a scene of the other kind.
+void Session::reset_camera() {
+    guarded([&] {
+        PreviewOptions start = options_;
+        const bool is_first = first_ == kind_;
+        if (!is_first) start = PreviewOptions();
+        if (const auto* const land = std::get_if<preview::ShownLand>(&scene_.shown())) {
+            const std::string warning = place_on_land(start, *land, start.camera);
+            if (!warning.empty()) state_.message = warning;
+        }
+        camera_.reset(start.camera);
+    });
+}
+
+/// Blocks while the scene stands still and nothing happens. A gamepad, a bridge and textures that
 /// another thread makes wake nobody up: they are polled.
 void Session::wait_for_input() {
     const bool iconified = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0;
-    bool still = sea_.paused && !sea_.fading() && frames_to_draw_ == 0;
-    const preview::Pending pending = std::max(viewport_.renderer().pending(), sea_.pending());
+    bool still = scene_.is_still() && frames_to_draw_ == 0;
+    const preview::Pending pending = std::max(viewport_.renderer().pending(), scene_.pending());
     if (still && pending == preview::Pending::ready) {
         frames_to_draw_ = 1;
         still = false;
@@ -146,8 +181,8 @@ bool Session::step(double seconds) {
     for (const WindowCommand command : input.commands) carry_out(command);
     const bool acted = !input.commands.empty();
     const bool rides = camera_.mode == CameraMode::walk || camera_.mode == CameraMode::floating;
-    if (input.moves_camera() || (rides && !sea_.paused) || acted) {
-        guarded([&] { camera_.step(input.camera, seconds, sea_.ocean(), sea_.time()); });
+    if (input.moves_camera() || (rides && !scene_.is_still()) || acted) {
+        guarded([&] { camera_.step(input.camera, seconds, scene_.ground()); });
     }
     return input.moves_camera() || acted;
 }
@@ -157,8 +192,8 @@ void Session::carry_out(WindowCommand command) {
         case WindowCommand::close:
             return glfwSetWindowShouldClose(window_, GLFW_TRUE);
         case WindowCommand::pause:
-            sea_.paused = !sea_.paused;
-            return;
+        case WindowCommand::record:
+            return carry_out_on_sea(command);
         case WindowCommand::toggle_panel:
             state_.shown = !state_.shown;
             return;
@@ -171,14 +206,13 @@ void Session::carry_out(WindowCommand command) {
         case WindowCommand::next_view:
             return next_view();
         case WindowCommand::next_camera:
-            camera_.mode = static_cast<CameraMode>((static_cast<int>(camera_.mode) + 1) % 4);
+            camera_.mode =
+                static_cast<CameraMode>((static_cast<int>(camera_.mode) + 1) % camera_modes(kind_));
             return;
         case WindowCommand::reset_camera:
-            return camera_.reset(options_.camera);
-        case WindowCommand::record:
-            return toggle_recording(sea_, state_);
+            return reset_camera();
         case WindowCommand::undo:
-            guarded([&] { undo(sea_, state_); });
+            guarded([&] { undo(scene_, state_); });
             return;
         case WindowCommand::reload:
             return reload();
@@ -195,8 +229,19 @@ void Session::carry_out(WindowCommand command) {
     }
 }
 
+void Session::carry_out_on_sea(WindowCommand command) {
+    LiveSea* const sea = scene_.sea();
+    if (sea == nullptr) {
+        state_.message = "a terrain does not move: it has no clock and no recording";
+    } else if (command == WindowCommand::pause) {
+        sea->paused = !sea->paused;
+    } else {
+        toggle_recording(*sea, state_);
+    }
+}
+
 void Session::next_view() {
-    const std::vector<std::string> views = all_view_names();
+    const std::vector<std::string> views = all_view_names(kind_);
     const auto at = std::ranges::find(views, state_.view) - views.begin();
     state_.view = views[static_cast<std::size_t>(at + 1) % views.size()];
 }
@@ -210,20 +255,28 @@ void Session::draw() {
         context_.console.note(format_text("the panel has scale %g", *scale));
         frames_to_draw_ = kFramesToSettle;
     }
-    draw_sea();
+    draw_scene();
     draw_panels();
     const double milliseconds = milliseconds_since(std::exchange(drawn_, Clock::now()));
-    bridge_.send_clock(sea_, 1000.0 / std::max(milliseconds, 0.1));
+    if (LiveSea* const sea = scene_.sea()) {
+        bridge_.send_clock(*sea, 1000.0 / std::max(milliseconds, 0.1));
+    }
 }
 
-void Session::draw_sea() {
-    if (!guarded([&] { sea_timer_.measure([&] { shown_ = sea_.show(); }); })) sea_.paused = true;
-    state_.times.sea = sea_timer_.milliseconds();
+void Session::draw_scene() {
+    const bool shown = guarded([&] { scene_timer_.measure([&] { scene_.show(); }); });
+    if (LiveSea* const sea = scene_.sea()) {
+        if (!shown) sea->paused = true;
+        state_.cascades = static_cast<int>(cascade_divisors(sea->ocean().parameters().grid).size());
+        if (state_.cascade >= state_.cascades) state_.cascade = -1;  // of another sea
+    } else {
+        // A change may have raised the ground above the eye.
+        guarded([&] { camera_.stay_above(scene_.ground()); });
+    }
+    state_.times.scene = scene_timer_.milliseconds();
     list_backends();
-    state_.cascades = static_cast<int>(cascade_divisors(sea_.ocean().parameters().grid).size());
-    if (state_.cascade >= state_.cascades) state_.cascade = -1;  // of another sea
     draw_timer_.measure([&] {
-        const auto draw_view = [&] { viewport_.draw(sea_, shown_, camera_.camera(), state_); };
+        const auto draw_view = [&] { viewport_.draw(scene_, camera_.camera(), state_); };
         if (!is_stage_picture(state_.view)) return draw_view();
         if (!guarded(draw_view)) state_.view = "shaded";
     });
@@ -254,19 +307,20 @@ void Session::lay_out_panel() {
     state_.requests = {};
     viewport_.show_stage(state_);
     bridge_.update_rows();
-    guarded([&] { draw_panel(sea_, shown_, camera_, state_); });
+    follow_kind();
+    guarded([&] { draw_panel(scene_, camera_, state_); });
 }
 
 void Session::run_requests() {
     const PanelRequests& requests = state_.requests;
     if (requests.touched) frames_to_draw_ = kFramesToSettle;
-    if (requests.reset_camera) camera_.reset(options_.camera);
-    if (requests.record) toggle_recording(sea_, state_);
+    if (requests.reset_camera) reset_camera();
+    if (requests.record) carry_out_on_sea(WindowCommand::record);
     if (requests.reload) reload();
     if (requests.bridge == PanelRequests::Bridge::start) guarded([&] { serve(); });
     if (requests.bridge == PanelRequests::Bridge::stop) bridge_.leave();
     if (requests.backend) choose_backend(*requests.backend);
-    if (requests.save_sea) save_sea();
+    if (requests.save_scene) save_scene();
     if (files_.run(requests)) frames_to_draw_ = kFramesToSettle;
     if (!requests.save_picture.empty()) save_picture(requests.save_picture);
     if (!picture_requested_.empty()) save_picture(std::exchange(picture_requested_, ""));
@@ -279,62 +333,75 @@ void Session::look_under_mouse() {
     glfwGetWindowSize(window_, &width, &height);
     const auto& [x, y] = controls_.mouse();
     const preview::Camera& camera = camera_.camera();
-    const auto picked =
-        pick_water(sea_, camera, {x / width, y / height}, static_cast<double>(width) / height);
+    const std::array<double, 2> place{x / width, y / height};
+    const double aspect = static_cast<double>(width) / height;
+    if (const auto* const land = std::get_if<preview::ShownLand>(&scene_.shown())) {
+        const auto picked = pick_ground(*land, camera, place, aspect);
+        if (picked) state_.under_mouse = describe(*picked, *scene_.land());
+        return;
+    }
+    const auto picked = pick_water(*scene_.sea(), camera, place, aspect);
     if (!picked) return;
-    state_.under_mouse = describe(*picked, viewport_.renderer(), shown_, camera, state_.cascade);
+    state_.under_mouse =
+        describe(*picked, viewport_.renderer(), std::get<preview::ShownSea>(scene_.shown()), camera,
+                 state_.cascade);
     viewport_.bind_window();
 }
 
 /// Lists the backends, with the time of a frame once a chosen one has compiled its shaders.
 void Session::list_backends() {
-    const std::string now(sea_.computing().backend.name);
+    const std::string now(scene_.backend().name);
     frames_of_backend_ = now == state_.backend ? frames_of_backend_ + 1 : 0;
     state_.backend = now;
+    const bool fades = scene_.sea() != nullptr && scene_.sea()->fading();
     const std::span<const Backend> all = preview_backends();
     for (std::size_t i = 0; i < all.size(); ++i) {
         BackendRow& row = state_.backends[i];
-        row.why_not = why_not(all[i], sea_.sea(), info_);
-        if (row.name == now && frames_of_backend_ > 2 && !sea_.fading()) {
-            row.milliseconds = state_.times.sea;
+        row.why_not = scene_.why_not(all[i]);
+        if (row.name == now && frames_of_backend_ > 2 && !fades) {
+            row.milliseconds = state_.times.scene;
         }
     }
 }
 
 void Session::choose_backend(const std::string& name) {
-    backend_ = preview_backend(name).value_or(backend_);
     guarded([&] {
-        sea_.compute_anew();
-        context_.console.note("the sea by " + std::string(sea_.computing().backend.name));
+        scene_.choose_backend(name);
+        context_.console.note(std::string("the ") + noun_of(kind_) + " by " +
+                              std::string(scene_.backend().name));
     });
 }
 
 void Session::serve() {
-    const std::string address = bridge_.serve(sea_.sea());
+    if (scene_.sea() == nullptr) return;
+    const std::string address = bridge_.serve(scene_.sea()->sea());
     context_.console.note("a bridge at " + address);
 }
 
 /// Records as the bridge requests; a recording is saved when it ends, under the name of its take.
 void Session::record(bool on, const std::string& name) {
-    if (on == sea_.recording()) return;
-    toggle_recording(sea_, state_);
-    if (!on) save_sea(name.substr(0, name.find('.')));
+    LiveSea* const sea = scene_.sea();
+    if (sea == nullptr || on == sea->recording()) return;
+    toggle_recording(*sea, state_);
+    if (!on) save_scene(name.substr(0, name.find('.')));
     frames_to_draw_ = kFramesToSettle;
 }
 
-void Session::save_sea(const std::string& requested) {
-    write([&] { return saved_.save(sea_.sea(), requested); });
+void Session::save_scene(const std::string& requested) {
+    write([&] { return saved_.save(scene_.opened(), requested); });
 }
 
 void Session::save_picture(const std::string& ending) {
-    write([&] { return viewport_.save(saved_.stem(), ending, shown_, camera_.camera(), state_); });
+    write([&] {
+        return viewport_.save(saved_.stem(), ending, scene_.shown(), camera_.camera(), state_);
+    });
 }
 
-/// Reads the sea file again; the shown sea stays if the file is missing or bad.
+/// Reads the file of the scene again; the shown scene stays if the file is missing or bad.
 void Session::reload() {
     guarded([&] {
-        open_with_undo(sea_, state_, open_sea(state_.source));
-        saved_.set_read(sea_.sea());
+        open_with_undo(scene_, state_, open_scene(state_.source));
+        saved_.set_read(scene_.opened());
         state_.message = "opened: " + state_.source.source;
     });
     frames_to_draw_ = kFramesToSettle;

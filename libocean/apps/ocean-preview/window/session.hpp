@@ -9,13 +9,12 @@
 #include <string>
 
 #include "command.hpp"
-#include "live_sea.hpp"
+#include "live_scene.hpp"
 #include "panel/panel_state.hpp"
 #include "preview_options.hpp"
-#include "sea_argument.hpp"
 #include "window/controls.hpp"
 #include "window/gui.hpp"
-#include "window/saved_sea.hpp"
+#include "window/saved_scene.hpp"
 #include "window/session_bridge.hpp"
 #include "window/session_files.hpp"
 #include "window/stage_timer.hpp"
@@ -26,7 +25,7 @@ namespace ocean::app {
 class Session {
   public:
     /// All arguments outlive the session. Throws Error.
-    Session(const PreviewOptions& options, const Sea& sea, const SeaArgument& source,
+    Session(const PreviewOptions& options, const OpenedScene& scene, const SeaArgument& source,
             const Context& context, GLFWwindow* window, WindowInput& input, Gui& gui);
 
     /// Blocks until the window is closed. A recording that is in no file is saved then.
@@ -35,24 +34,29 @@ class Session {
   private:
     using Clock = std::chrono::steady_clock;
 
-    void set_up(const Sea& sea);
-    Computing computing(const Sea& of);
+    LiveSceneOptions scene_options(const PreviewOptions& options);
+    void set_up(LiveSea& sea);
+    void begin(const OpenedScene& scene);
+    /// Fits camera, view and bridge to a scene of another kind.
+    void follow_kind();
     void wait_for_input();
     void note_rest(bool rests);
     bool step(double seconds);
     void carry_out(WindowCommand command);
+    void carry_out_on_sea(WindowCommand command);
     void draw();
-    void draw_sea();
+    void draw_scene();
     void draw_panels();
     void lay_out_panel();
     void run_requests();
     void look_under_mouse();
     void list_backends();
     void next_view();
+    void reset_camera();
     void serve();
     void record(bool on, const std::string& name);
     void choose_backend(const std::string& name);
-    void save_sea(const std::string& requested = "");
+    void save_scene(const std::string& requested = "");
     void save_picture(const std::string& ending);
     void reload();
     void show_title();
@@ -67,18 +71,18 @@ class Session {
     WindowInput& input_;
     Gui& gui_;
     gl::ContextInfo info_;
-    Backend backend_;  // the chosen one
     PanelState state_;
     Viewport viewport_;
-    LiveSea sea_;
-    SavedSea saved_;
+    LiveScene scene_;
+    preview::SceneKind first_;  // the kind that the options are for
+    preview::SceneKind kind_;   // that camera and view fit
+    SavedScene saved_;
     SessionFiles files_;
     std::string titled_;  // the source in the window's title
-    preview::ShownSea shown_;
     CameraControl camera_;
     Controls controls_;
     SessionBridge bridge_;
-    StageTimer sea_timer_, draw_timer_;
+    StageTimer scene_timer_, draw_timer_;
     Clock::time_point drawn_ = Clock::now();
     int frames_to_draw_ = 3;
     int frames_of_backend_ = 0;

@@ -12,26 +12,23 @@
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/output_file.hpp"
-#include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
 #include "offscreen_run.hpp"
 #include "panel/changes.hpp"
-#include "sea_argument.hpp"
 
 namespace ocean::app {
 namespace {
 
-/// Returns true for the source of a sea that is a file.
+/// Returns true for the source of a scene that is a file.
 bool is_file(const std::string& source) {
     std::error_code error;
     return std::filesystem::is_regular_file(utf8_path(source), error);
 }
 
-/// Returns true if the file has a sea, which another sea may replace.
-bool has_a_sea(const std::string& path) {
+/// Returns true if the file has a scene of that kind, which another one may replace.
+bool has_a_scene(const std::string& path, preview::SceneKind kind) {
     try {
-        open_sea({path, {}});
-        return true;
+        return kind_of(open_scene({path, {}})) == kind;
     } catch (const Error&) {
         return false;
     }
@@ -44,9 +41,9 @@ std::string with_extension(const std::string& name) {
 
 }  // namespace
 
-SessionFiles::SessionFiles(const SeaArgument& source, LiveSea& sea, PanelState& state,
-                           SavedSea& saved, Console& console)
-    : sea_(sea), state_(state), saved_(saved), console_(console) {
+SessionFiles::SessionFiles(const SeaArgument& source, LiveScene& scene, PanelState& state,
+                           SavedScene& saved, Console& console)
+    : scene_(scene), state_(state), saved_(saved), console_(console) {
     state_.source = source;
     state_.files.has_dialog = FileDialog::is_available();
     if (is_file(state_.source.source)) remember(state_.source.source);
@@ -62,7 +59,7 @@ void SessionFiles::open(const std::vector<std::string>& paths) {
 
 bool SessionFiles::open_one(const std::string& path) {
     try {
-        show(path, read_opened_file(path, sea_.sea()));
+        show(path, read_opened_file(path, scene_.opened()));
         remember(path);
         console_.note("opened: " + path);
         return true;
@@ -83,21 +80,22 @@ void SessionFiles::show(const std::string& path, OpenedFile opened) {
     save_recording();
     if (auto* const take = std::get_if<OpenedTake>(&opened)) {
         const std::size_t changes = take->sea.take.events.size();
-        open_with_undo(sea_, state_, std::move(take->sea));
-        saved_.set_read(sea_.sea());
+        open_with_undo(scene_, state_, std::move(take->sea));
+        saved_.set_read(scene_.opened());
         state_.message = "opened: " + path + format_text(", a take of %zu changes", changes);
         return;
     }
-    open_with_undo(sea_, state_, std::move(std::get<OpenedSea>(opened).sea));
+    const char* const before = noun_of(scene_.kind());
+    open_with_undo(scene_, state_, std::get<OpenedModel>(opened).scene);
     state_.changes.back().source = std::exchange(state_.source, {path, {}});
-    saved_ = SavedSea(stem_of(path), sea_.sea());
-    state_.message = "opened: " + path + "; Undo brings back the sea before";
+    saved_ = SavedScene(stem_of(path), scene_.opened());
+    state_.message = "opened: " + path + "; Undo brings back the " + before + " before";
 }
 
-/// Saves a take that no file has, before another sea replaces it.
+/// Saves a take that no file has, before another scene replaces it.
 void SessionFiles::save_recording() {
-    if (!saved_.lacks(sea_.sea())) return;
-    console_.note("written: " + saved_.save(sea_.sea()));
+    if (!saved_.lacks(scene_.opened())) return;
+    console_.note("written: " + saved_.save(scene_.opened()));
 }
 
 bool SessionFiles::run(const PanelRequests& requests) {
@@ -166,15 +164,16 @@ void SessionFiles::save_as(const std::string& requested, bool may_replace) {
         const std::string path = with_extension(requested);
         std::error_code error;
         const bool exists = std::filesystem::exists(utf8_path(path), error);
-        if (exists && (!may_replace || path != requested || !has_a_sea(path))) {
+        if (exists && (!may_replace || path != requested || !has_a_scene(path, scene_.kind()))) {
             throw Error(ErrorKind::output,
                         path + " exists" +
-                            (may_replace ? ", and no sea is in it: choose another name"
-                                         : ": choose another name"));
+                            (may_replace ? std::string(", and no ") + noun_of(scene_.kind()) +
+                                               " is in it: choose another name"
+                                         : std::string(": choose another name")));
         }
-        io::write_file_atomically(path, write_sea(sea_.sea()));
+        io::write_file_atomically(path, text_of(scene_.opened()));
         state_.source = {path, {}};
-        saved_ = SavedSea(stem_of(path), sea_.sea());
+        saved_ = SavedScene(stem_of(path), scene_.opened());
         state_.message = "written: " + path;
         console_.note(state_.message);
         remember(path);

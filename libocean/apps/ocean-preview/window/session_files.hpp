@@ -2,31 +2,31 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The files of a window's session: those that are dropped, chosen in a dialog or in the list of
-// recent ones, and the file that the sea is saved as.
+// recent ones, and the file that the scene is saved as.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "console.hpp"
-#include "live_sea.hpp"
+#include "live_scene.hpp"
 #include "panel/panel_state.hpp"
 #include "window/file_dialog.hpp"
 #include "window/opened_file.hpp"
 #include "window/recent_files.hpp"
-#include "window/saved_sea.hpp"
+#include "window/saved_scene.hpp"
 
 namespace ocean::app {
 
 class SessionFiles {
   public:
-    /// source: of the sea. All other arguments outlive the object.
-    SessionFiles(const SeaArgument& source, LiveSea& sea, PanelState& state, SavedSea& saved,
+    /// source: of the scene. All other arguments outlive the object.
+    SessionFiles(const SeaArgument& source, LiveScene& scene, PanelState& state, SavedScene& saved,
                  Console& console);
 
-    /// Opens files: a sea, takes for it, a sky. One that cannot be opened says why in the window
-    /// and on standard error, and changes nothing. The sea before can be brought back by Undo; a
-    /// recording that is in no file is saved first.
+    /// Opens files: a sea or a terrain, takes for a sea, a sky. One that cannot be opened says why
+    /// in the window and on standard error, and changes nothing. The scene before can be brought
+    /// back by Undo; a recording that is in no file is saved first.
     void open(const std::vector<std::string>& paths);
     /// Carries out what the panel requested, and reads the answer of a dialog. Returns true if
     /// something has changed.
@@ -45,9 +45,9 @@ class SessionFiles {
     void remember(const std::string& path);
     void warn(const std::string& message);
 
-    LiveSea& sea_;
+    LiveScene& scene_;
     PanelState& state_;
-    SavedSea& saved_;
+    SavedScene& saved_;
     Console& console_;
     RecentFiles recent_;
     FileDialog dialog_;

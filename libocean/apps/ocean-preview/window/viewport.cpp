@@ -12,7 +12,7 @@
 #include "ocean/io/png.hpp"
 #include "panel/panel_length.hpp"
 #include "picture_file.hpp"
-#include "window/saved_sea.hpp"
+#include "window/saved_scene.hpp"
 #include "workload.hpp"
 
 namespace ocean::app {
@@ -29,7 +29,7 @@ Viewport::Viewport(const PreviewOptions& options, const gl::ContextInfo& info)
     : options_(options),
       samples_(live_samples(options, info)),
       scale_(pixel_scale(info)),
-      renderer_(live(renderer_for(options, info))) {}
+      renderer_(live(renderer_for(options, info, true))) {}
 
 void Viewport::resize(int width, int height) {
     width_ = width;
@@ -42,30 +42,38 @@ void Viewport::resize(int width, int height) {
     canvas_height_ = drawn_height;
 }
 
-void Viewport::draw(LiveSea& sea, const preview::ShownSea& shown, const preview::Camera& camera,
-                    const PanelState& state) {
-    if (is_stage_picture(state.view)) return draw_stage(sea, state);
+void Viewport::draw(LiveScene& scene, const preview::Camera& camera, const PanelState& state) {
+    if (is_stage_picture(state.view)) return draw_stage(scene, state);
     canvas_->bind();
-    renderer_.draw(shown, camera, state.look, draw_options(state));
+    renderer_.draw(scene.shown(), camera, state.look, draw_options(state, scene.kind()));
     canvas_->copy_to_window(width_, height_);
 }
 
-preview::DrawOptions Viewport::draw_options(const PanelState& state) const {
+preview::DrawOptions Viewport::draw_options(const PanelState& state,
+                                            preview::SceneKind kind) const {
     preview::DrawOptions options;
     options.width = canvas_width_;
     options.height = canvas_height_;
-    options.view = preview::view_of(state.view);
+    options.view = preview::view_of(state.view, kind);
     options.wireframe = state.wireframe;
     options.cascade = state.cascade;
     return options;
 }
 
-void Viewport::draw_stage(LiveSea& sea, const PanelState& state) {
+StagePicture Viewport::make_stage(LiveScene& scene, const PanelState& state) {
+    if (scene.land() != nullptr) {
+        return make_stage_picture(terrain_stages(scene.land()->land()), state.view);
+    }
+    LiveSea& sea = *scene.sea();
+    const auto cascade = static_cast<std::size_t>(std::max(0, state.cascade));
+    return make_stage_picture(stages_, sea.ocean(), sea.time(), cascade, state.view);
+}
+
+void Viewport::draw_stage(LiveScene& scene, const PanelState& state) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glClear(GL_COLOR_BUFFER_BIT);
-    const auto cascade = static_cast<std::size_t>(std::max(0, state.cascade));
     stage_ = laid_out(
-        make_stage_picture(stages_, sea.ocean(), sea.time(), cascade, state.view),
+        make_stage(scene, state),
         std::max(1, static_cast<int>(std::lround(static_cast<float>(width_) * beside_panel_))),
         height_);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -95,7 +103,7 @@ void Viewport::bind_window() const {
 }
 
 std::string Viewport::save(const std::string& stem, const std::string& ending,
-                           const preview::ShownSea& shown, const preview::Camera& camera,
+                           const preview::ShownScene& shown, const preview::Camera& camera,
                            const PanelState& state) {
     if (is_stage_picture(state.view)) {
         const std::string name = free_name(stem, ".png");
@@ -103,7 +111,7 @@ std::string Viewport::save(const std::string& stem, const std::string& ending,
         return name;
     }
     const std::string name = free_name(stem, ending);
-    write_picture(name, renderer_, shown, camera, state.look, draw_options(state),
+    write_picture(name, renderer_, shown, camera, state.look, draw_options(state, kind_of(shown)),
                   options_.samples.value_or(kSamples));
     return name;
 }

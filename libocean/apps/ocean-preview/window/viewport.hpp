@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The picture behind the panel: the sea as the renderer draws it, or a stage of the transform.
+// The picture behind the panel: the scene as the renderer draws it, or a stage of its transform.
 #pragma once
 
 #include <memory>
 #include <string>
 
-#include "live_sea.hpp"
+#include "live_scene.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/gl/stages.hpp"
 #include "ocean/preview/canvas.hpp"
@@ -30,8 +30,7 @@ class Viewport {
     void resize(int width, int height);
     /// Draws the view of `state` and copies it into the window's framebuffer, which is bound then.
     /// A stage appears with show_stage. Throws Error.
-    void draw(LiveSea& sea, const preview::ShownSea& shown, const preview::Camera& camera,
-              const PanelState& state);
+    void draw(LiveScene& scene, const preview::Camera& camera, const PanelState& state);
     /// Adds the drawn stage to a frame of ImGui, beside the panel.
     void show_stage(const PanelState& state);
     /// Binds the window's framebuffer, all of it.
@@ -39,12 +38,13 @@ class Viewport {
     /// Writes the shown picture to a file that is free, ending .png or .exr (a stage is a .png).
     /// Returns its name. Throws Error.
     std::string save(const std::string& stem, const std::string& ending,
-                     const preview::ShownSea& shown, const preview::Camera& camera,
+                     const preview::ShownScene& shown, const preview::Camera& camera,
                      const PanelState& state);
 
   private:
-    preview::DrawOptions draw_options(const PanelState& state) const;
-    void draw_stage(LiveSea& sea, const PanelState& state);
+    preview::DrawOptions draw_options(const PanelState& state, preview::SceneKind kind) const;
+    StagePicture make_stage(LiveScene& scene, const PanelState& state);
+    void draw_stage(LiveScene& scene, const PanelState& state);
 
     const PreviewOptions& options_;
     int samples_;

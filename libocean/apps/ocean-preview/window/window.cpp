@@ -76,7 +76,7 @@ Window open_window(const PreviewOptions& options, const std::string& title) {
 
 }  // namespace
 
-void run_window(const PreviewOptions& options, const Sea& sea, const SeaArgument& source,
+void run_window(const PreviewOptions& options, const OpenedScene& scene, const SeaArgument& source,
                 const Context& context) {
     const WindowLibrary library;
     const Window window = open_window(options, "ocean-preview: " + source.source);
@@ -85,7 +85,7 @@ void run_window(const PreviewOptions& options, const Sea& sea, const SeaArgument
     WindowInput input;
     input.listen_to(window.get());
     Gui gui(window.get(), options.scale);
-    Session session(options, sea, source, context, window.get(), input, gui);
+    Session session(options, scene, source, context, window.get(), input, gui);
     session.run();
 }
 

@@ -5,15 +5,14 @@
 #pragma once
 
 #include "command.hpp"
-#include "ocean/sea.hpp"
 #include "preview_options.hpp"
-#include "sea_argument.hpp"
+#include "scene_argument.hpp"
 
 namespace ocean::app {
 
 /// Blocks until the window is closed. `source` is read again when a person requests it. Throws
 /// Error no_gpu if no window with OpenGL 4.1 can be opened.
-void run_window(const PreviewOptions& options, const Sea& sea, const SeaArgument& source,
+void run_window(const PreviewOptions& options, const OpenedScene& scene, const SeaArgument& source,
                 const Context& context);
 
 }  // namespace ocean::app

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The camera, the light and the view of a picture of the sea.
+// The camera, the light and the view of a picture of a sea or of land.
 #pragma once
 
 #include <array>
@@ -23,11 +23,21 @@ struct Camera {
 
     /// Turns the camera towards a point [m].
     void look_at(const std::array<double, 3>& point);
+    /// Returns the unit vector of the line of sight through a place of the picture, which is 0 .. 1
+    /// from the left and from the top; aspect = width/height.
+    std::array<double, 3> line_of_sight(double from_left, double from_top, double aspect) const;
     /// Returns the point [m] where the line of sight through a place of the picture meets a level
     /// [m] over still water, or nothing. The place is 0 .. 1 from the left and from the top; aspect
     /// = width/height.
     std::optional<std::array<double, 2>> meet_level(double from_left, double from_top,
                                                     double aspect, double level) const;
+
+  private:
+    /// A line of sight along the heading, to its right and up.
+    struct Sight {
+        double ahead, right, rise;
+    };
+    Sight sight(double from_left, double from_top, double aspect) const;
 };
 
 /// physical: the sea to its horizon under its sky. seed: ten by ten periods as a flat mesh in plain
@@ -38,7 +48,17 @@ std::vector<std::string> look_names();
 /// Returns the look of a name. Throws Error invalid_value.
 LookKind look_of(std::string_view name);
 
-/// The light, the air and the water body. The waves are no part of it.
+/// The kinds of scenes that the renderer draws.
+enum class SceneKind { sea, land };
+
+/// land: by height, slope and exposure, with a snow line. seed: the two-colour ramp over the height
+/// of the teaching programs that the library continues.
+enum class LandColours { land, seed };
+std::vector<std::string> land_colour_names();
+/// Returns the colours of a name. Throws Error invalid_value.
+LandColours land_colours_of(std::string_view name);
+
+/// The light, the air, the water body and the colours of land. The waves are no part of it.
 struct Look {
     LookKind kind = LookKind::physical;
     double sun_altitude = 35.0;  // [degrees]
@@ -52,6 +72,9 @@ struct Look {
     double crest_light = 1.0;  // factor of the sun's light through crests; 0: none
     double foam_amount = 1.0;
     bool repeats = false;  // one period repeats to the horizon, without copies that hide it
+    LandColours land_colours = LandColours::land;
+    /// Height above which snow lies on level ground [m]; unset: 1.3 rms above the land's mean.
+    std::optional<double> snow_line = std::nullopt;
 };
 
 enum class View {
@@ -67,10 +90,10 @@ enum class View {
     numbers,       // for probes: four numbers of the water in each pixel
     foam_numbers,  // for tests: four numbers of the foam
 };
-/// Returns the names of the views for a person: "shaded", "displacement_x" ... A view is an
+/// Returns the names of a scene's views for a person: "shaded", "displacement_x" ... A view is an
 /// enumerator and a row of libocean/preview/view_table.hpp.
-std::vector<std::string> view_names();
+std::vector<std::string> view_names(SceneKind kind = SceneKind::sea);
 /// Returns the view of such a name. Throws Error invalid_value.
-View view_of(std::string_view name);
+View view_of(std::string_view name, SceneKind kind = SceneKind::sea);
 
 }  // namespace ocean::preview

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Numbers of the drawn water, read back from the drawing itself.
+// Numbers of the drawn water or land, read back from the drawing itself.
 #pragma once
 
 #include <array>
@@ -25,5 +25,16 @@ struct Probe {
 /// Error.
 std::optional<Probe> probe(Renderer& renderer, const ShownSea& sea, const Camera& camera,
                            const std::array<double, 2>& place, int cascade = -1);
+
+/// The drawn land at a place of the world.
+struct LandProbe {
+    double mesh_height;  // [m], of the triangle at that place
+    double map_height;   // [m], of the map, by the cubic patch that the mesh follows near the eye
+    double shown_slope;  // square of the slope that the pixel shows
+};
+
+/// Returns the numbers of land at a place [m] as probe() of a sea does.
+std::optional<LandProbe> probe(Renderer& renderer, const ShownLand& land, const Camera& camera,
+                               const std::array<double, 2>& place);
 
 }  // namespace ocean::preview

@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Draws a sea to its horizon into the current framebuffer, of a window or of a canvas.
+// Draws a sea or a land to its horizon into the current framebuffer, of a window or of a canvas.
 #pragma once
 
 #include <array>
 #include <memory>
 #include <string>
+#include <variant>
 
+#include "ocean/preview/land_maps.hpp"
 #include "ocean/preview/picture.hpp"
 #include "ocean/preview/sea_maps.hpp"
 
@@ -17,13 +19,17 @@ struct RendererOptions {
     /// Cells of a level of the mesh from the eye to its edge: a multiple of 8, 16 .. 512. A cell is
     /// seen under an angle of 1/cells to 2/cells.
     int cells = 96;
+    /// The same number for land, whose summits stand against the sky.
+    int land_cells = 256;
+    /// Steps of a line towards the sun that finds the shadows of land; 0: no shadows.
+    int shadow_steps = 40;
     /// Samples along the longer side of a pixel's footprint; 0: the driver's anisotropic filter on
     /// a GPU that has one, else 2.
     int taps = 0;
     /// Makes the textures of the foam's pattern in another thread, and draws foam without the
     /// pattern until they are ready; else the first picture with foam waits for them.
     bool live = false;
-    gl::AfterStage after_stage = {};  // "sky", "water"
+    gl::AfterStage after_stage = {};  // "sky", "water" or "land"
     /// Texture units of a fragment shader that the renderer uses; 0: all that the driver has, which
     /// are 16 or more.
     int max_texture_units = 0;
@@ -39,15 +45,19 @@ struct LeftOut {
 /// Returns one sentence for a person, with the numbers; "" if nothing is left out.
 std::string text(const LeftOut& left_out);
 
-/// A part of the scene beside the water; defined in libocean/preview/drawable.hpp.
+/// A part of the scene beside the water or the land; defined in libocean/preview/drawable.hpp.
 class Drawable;
+
+/// A scene as its maps have made it.
+using ShownScene = std::variant<ShownSea, ShownLand>;
+SceneKind kind_of(const ShownScene& scene);
 
 struct DrawOptions {
     int width = 0;  // [pixels]
     int height = 0;
     View view = View::shaded;
-    /// Lowest and highest value that a view shows; both 0: the view's own range, by the sea's
-    /// height.
+    /// Lowest and highest value that a view shows; both 0: the view's own range, by the height of
+    /// the sea or the land.
     std::array<double, 2> range = {0.0, 0.0};
     bool wireframe = false;
     /// The only cascade that is shown, from 0, without the waves that no map has; foam remains that
@@ -83,9 +93,15 @@ class Renderer {
     /// Error.
     void draw(const ShownSea& sea, const Camera& camera, const Look& look,
               const DrawOptions& options);
+    void draw(const ShownLand& land, const Camera& camera, const Look& look,
+              const DrawOptions& options);
+    void draw(const ShownScene& scene, const Camera& camera, const Look& look,
+              const DrawOptions& options);
     /// Draws the square of `metres` a side with its middle at (x, y) from straight above,
     /// orthographic, with the mesh of the camera and without the sky. For probes. Throws Error.
     void draw_from_above(const ShownSea& sea, const Camera& camera, double x, double y,
+                         double metres, const DrawOptions& options);
+    void draw_from_above(const ShownLand& land, const Camera& camera, double x, double y,
                          double metres, const DrawOptions& options);
 
   private:

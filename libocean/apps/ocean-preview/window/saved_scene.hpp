@@ -1,33 +1,33 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The files that a window writes: seas and pictures, under names that are free.
+// The files that a window writes: seas, terrains and pictures, under names that are free.
 #pragma once
 
 #include <string>
 
-#include "ocean/sea.hpp"
+#include "scene_argument.hpp"
 
 namespace ocean::app {
 
 /// Returns the first of STEM-1.png, STEM-2.png ... that does not exist: no file is overwritten.
 std::string free_name(const std::string& stem, const std::string& ending);
 
-/// The sea of a window as files. It knows whether the take is in a file, because a recording must
+/// The scene of a window as files. It knows whether the take is in a file, because a recording must
 /// not be lost with the window.
-class SavedSea {
+class SavedScene {
   public:
     /// stem: of the names of the files.
-    SavedSea(std::string stem, const Sea& sea);
+    SavedScene(std::string stem, const OpenedScene& scene);
 
     const std::string& stem() const { return stem_; }
     /// Writes STEM-changed-1.toml or STEM-performed-1.toml ..., or a file of the requested name if
     /// that is free. Returns the name. Throws Error.
-    std::string save(const Sea& sea, const std::string& requested = "");
-    /// The sea was read from a file.
-    void set_read(const Sea& sea);
-    /// Returns whether the sea has a take that no file has.
-    bool lacks(const Sea& sea) const;
+    std::string save(const OpenedScene& scene, const std::string& requested = "");
+    /// The scene was read from a file.
+    void set_read(const OpenedScene& scene);
+    /// Returns whether the scene is a sea with a take that no file has.
+    bool lacks(const OpenedScene& scene) const;
 
   private:
     std::string stem_;

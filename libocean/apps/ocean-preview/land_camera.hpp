@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The first camera of a land, whose ground may lie at any height.
+#pragma once
+
+#include <string>
+
+#include "ocean/preview/land_maps.hpp"
+#include "preview_options.hpp"
+
+namespace ocean::app {
+
+inline constexpr double kEyeHeight = 1.7;  // [m], of a person who stands, or sits in a boat
+
+/// Returns the lowest eye over a ground that it does not cut [m]: a part of the eye's height, or of
+/// the finest cell of the mesh where that is wide.
+double lowest_eye(const preview::ShownLand& land);
+
+/// Puts the eye of `options` over the ground: --eye X,Y at a person's height, without --eye a
+/// quarter of the rms height above it, and --eye X,Y,Z where it is, but not in the ground. Returns
+/// a warning if the eye was raised, else "".
+std::string place_on_land(const PreviewOptions& options, const preview::ShownLand& land,
+                          preview::Camera& camera);
+
+}  // namespace ocean::app

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "live_land.hpp"
+
+#include <utility>
+
+#include "ocean/terrain_table.hpp"
+#include "ocean/terrainfile.hpp"
+
+namespace ocean::app {
+
+LiveLand::LiveLand(Terrain terrain, int threads,
+                   std::function<LandComputing(const Terrain&)> computing)
+    : threads_(threads),
+      choose_(std::move(computing)),
+      computing_(choose_(terrain)),
+      land_(std::make_unique<Land>(
+          std::move(terrain), LandOptions{.threads = threads, .backend = computing_.backend})) {}
+
+preview::ShownLand LiveLand::show() {
+    return maps_.show(*land_, computing_.resolution);
+}
+
+void LiveLand::set(const std::string& name, const std::string& value) {
+    Terrain changed = terrain();
+    set_parameter(changed, name, value);
+    resolve_files(changed, "");
+    change(std::move(changed));
+}
+
+void LiveLand::open(Terrain terrain) {
+    change(std::move(terrain));
+}
+
+void LiveLand::compute_anew() {
+    change(terrain());
+}
+
+void LiveLand::change(Terrain terrain) {
+    validate(terrain);
+    const LandComputing computing = choose_(terrain);
+    if (!(computing.backend == computing_.backend)) {
+        land_ = std::make_unique<Land>(
+            *land_, LandOptions{.threads = threads_, .backend = computing.backend});
+    }
+    land_->set_terrain(std::move(terrain));
+    computing_ = computing;
+}
+
+const std::vector<std::string>& LiveLand::warnings() {
+    const Revision now = land_->modes().revision;
+    const bool moves = !(std::exchange(seen_, now) == now);
+    if (now == warned_) return warnings_;
+    warnings_.clear();
+    if (moves) return warnings_;  // statistics take longer than a frame of a drag
+    warnings_ = land_->state().warnings;
+    warned_ = now;
+    return warnings_;
+}
+
+}  // namespace ocean::app

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "live_scene.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "land_camera.hpp"
+#include "ocean/seafile.hpp"
+#include "ocean/terrainfile.hpp"
+#include "workload.hpp"
+
+namespace ocean::app {
+namespace {
+
+constexpr double kBoat = 2.5;  // [m] along each side
+
+CameraGround ground_of(LiveSea& sea) {
+    const auto height = [&sea](double x, double y) {
+        const WorldPoint place{x, y};
+        QuerySample sample{};
+        sea.ocean().query(sea.time(), {&place, 1}, {&sample, 1}, {.foam = false});
+        return sample.height;
+    };
+    const auto boat = [&sea](double x, double y, double heading) {
+        const FloatBody body{x, y, heading, kBoat, kBoat};
+        FloatPose pose{};
+        sea.ocean().float_poses(sea.time(), {&body, 1}, {&pose, 1});
+        return pose.position[2];
+    };
+    return {.height = height, .boat = boat};
+}
+
+CameraGround ground_of(const preview::ShownLand& land) {
+    return {.height = [image = land.image](double x, double y) { return image->height_at(x, y); },
+            .boat = {},
+            .clearance = lowest_eye(land),
+            .is_solid = true};
+}
+
+}  // namespace
+
+LiveScene::LiveScene(const OpenedScene& scene, LiveSceneOptions options)
+    : options_(std::move(options)),
+      backend_(preview_backend(options_.preview.backend).value_or(best_backend(options_.info))) {
+    open(scene);
+}
+
+preview::SceneKind LiveScene::kind() const {
+    return sea_ ? preview::SceneKind::sea : preview::SceneKind::land;
+}
+
+void LiveScene::show() {
+    if (sea_) {
+        shown_ = sea_->show();
+    } else {
+        shown_ = land_->show();
+    }
+}
+
+void LiveScene::advance(double seconds) {
+    if (sea_) sea_->advance(seconds);
+}
+
+bool LiveScene::is_still() const {
+    return !sea_ || (sea_->paused && !sea_->fading());
+}
+
+preview::Pending LiveScene::pending() const {
+    return sea_ ? sea_->pending() : preview::Pending::nothing;
+}
+
+CameraGround LiveScene::ground() {
+    if (sea_) return ground_of(*sea_);
+    return ground_of(std::get<preview::ShownLand>(shown_));
+}
+
+void LiveScene::set(const std::string& name, const std::string& value) {
+    if (sea_) {
+        sea_->set(name, value);
+    } else {
+        land_->set(name, value);
+    }
+}
+
+void LiveScene::open(const OpenedScene& scene) {
+    if (const auto* const sea = std::get_if<Sea>(&scene)) {
+        if (sea_) return sea_->open(*sea);
+        sea_ = make_sea(*sea);
+        land_.reset();
+        shown_ = preview::ShownSea{};
+    } else {
+        const Terrain& terrain = std::get<Terrain>(scene);
+        if (land_) return land_->open(terrain);
+        auto made = make_land(terrain);
+        shown_ = made->show();  // the textures of the sea go with it
+        land_ = std::move(made);
+        sea_.reset();
+    }
+}
+
+OpenedScene LiveScene::opened() const {
+    if (sea_) return sea_->sea();
+    return land_->terrain();
+}
+
+const Backend& LiveScene::backend() const {
+    return sea_ ? sea_->computing().backend : land_->computing().backend;
+}
+
+std::string LiveScene::why_not(const Backend& backend) const {
+    return sea_ ? app::why_not(backend, sea_->sea(), options_.info)
+                : app::why_not(backend, land_->terrain(), options_.info);
+}
+
+void LiveScene::choose_backend(const std::string& name) {
+    backend_ = preview_backend(name).value_or(backend_);
+    if (sea_) {
+        sea_->compute_anew();
+    } else {
+        land_->compute_anew();
+    }
+}
+
+/// Returns the chosen backend, or the best other one if that cannot compute the model, for example
+/// because a grid has grown too large for it.
+template <typename Model>
+const Backend& LiveScene::fitting_backend(const Model& model) {
+    if (const std::string reason = app::why_not(backend_, model, options_.info); !reason.empty()) {
+        if (options_.fell_back) options_.fell_back(std::string(backend_.name) + " " + reason);
+        backend_ = best_backend(options_.info);
+    }
+    return backend_;
+}
+
+std::unique_ptr<LiveSea> LiveScene::make_sea(const Sea& sea) {
+    auto made = std::make_unique<LiveSea>(
+        sea, LiveSeaOptions{.threads = options_.threads, .computing = [this](const Sea& of) {
+                                return computing_for(fitting_backend(of), options_.preview, of,
+                                                     options_.info);
+                            }});
+    if (options_.on_sea) options_.on_sea(*made);
+    return made;
+}
+
+std::unique_ptr<LiveLand> LiveScene::make_land(const Terrain& terrain) {
+    return std::make_unique<LiveLand>(terrain, options_.threads, [this](const Terrain& of) {
+        constexpr bool kLive = true;
+        return LandComputing{fitting_backend(of),
+                             land_map_for(options_.preview, of, options_.info, kLive)};
+    });
+}
+
+std::string text_of(const OpenedScene& scene) {
+    if (const auto* const sea = std::get_if<Sea>(&scene)) return write_sea(*sea);
+    return write_terrain(std::get<Terrain>(scene));
+}
+
+}  // namespace ocean::app

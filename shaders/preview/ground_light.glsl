@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The colours of the ground, and its light under sun and sky.
+#include "preview/cover_noise.glsl"
+#include "preview/ground_state.glsl"
+#include "preview/sky.glsl"
+#include "wave/haze.glsl"
+
+in vec2 label;
+in vec3 position;
+
+// Linear albedos, Rec. 709.
+const vec3 snow_albedo = vec3(0.80, 0.83, 0.88);
+const vec3 rock_albedo = vec3(0.165, 0.15, 0.135);
+const vec3 dark_rock_albedo = vec3(0.09, 0.083, 0.078);
+const vec3 scree_albedo = vec3(0.22, 0.195, 0.165);
+const vec3 grass_albedo = vec3(0.082, 0.092, 0.036);
+const vec3 dry_grass_albedo = vec3(0.19, 0.16, 0.075);
+const vec3 forest_albedo = vec3(0.028, 0.042, 0.018);
+
+// Returns how far the ground rises over its surroundings, about -1 (hollow) .. 1 (crest): between
+// means over 4 and 16 cells of the terrain, relative to a cell.
+float wear_at(vec2 place) {
+    float cell = log2(range.z / tile.w);
+    float fine = smooth_read(place, floor(cell + 1.5)).x;
+    float coarse = smooth_read(place, floor(cell + 4.0)).x;
+    return clamp((fine - coarse) / range.z, -1.0, 1.0);
+}
+
+float ramp(float from, float to, float x) {
+    float t = clamp((x - from) / (to - from), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+// Returns the colour of land by height, slope and wear; noise about -1 .. 1.
+vec3 land_albedo(Ground ground, float noise, float wear) {
+    float rms = heights.y;
+    float tree_line = snow.x - 1.1 * rms;
+    float z = ground.height + 0.3 * rms * noise;
+    float steep = ground.steepness;
+    vec3 c = grass_albedo * (1.0 + 0.3 * noise);
+    c = mix(c, dry_grass_albedo,
+            0.75 * ramp(tree_line - 0.25 * rms, snow.x, z + 0.6 * rms * wear));
+    float woods = ramp(tree_line + 0.15 * rms, tree_line - 0.3 * rms, z + 0.25 * rms * wear) *
+                  ramp(0.95, 0.6, steep + 0.12 * noise) *
+                  ramp(-0.55, 0.15, noise + 0.35 - 0.3 * wear);
+    c = mix(c, forest_albedo * (1.0 + 0.25 * noise), woods);
+    c = mix(c, scree_albedo * (1.0 + 0.2 * noise),
+            0.8 * ramp(0.50, 0.68, steep + 0.24 * noise - 0.08 * wear));
+    c = mix(c, rock_albedo * (1.0 + 0.25 * noise),
+            ramp(0.62, 0.92, steep + 0.20 * noise + 0.10 * wear));
+    c = mix(c, dark_rock_albedo, 0.55 * ramp(0.9, 1.5, steep + 0.2 * noise));
+    vec2 level_sun = sun.xy / max(length(sun.xy), 1e-3);
+    float facing = -dot(ground.slope, level_sun);
+    float above = z - snow.x - snow.z * facing - snow.w * wear;
+    float white = ramp(-snow.y, snow.y, above) * ramp(1.25, 0.75, steep + 0.15 * noise);
+    return mix(c, snow_albedo * (0.94 + 0.06 * noise), white);
+}
+
+// Returns the ramp of the teaching programs, c0 + c1 u in colours of a screen: c1 is an increment,
+// and the highest ground is (255, 225, 156).
+vec3 ramp_albedo(float height) {
+    float u = (height - heights.z) / max(heights.w - heights.z, 1e-9);
+    vec3 c = (vec3(66.0, 40.0, 18.0) + vec3(189.0, 185.0, 138.0) * clamp(u, 0.0, 1.0)) / 255.0;
+    return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c));
+}
+
+// Returns the share of the sun's disc that the ground leaves free: the lowest clearance of a line
+// towards it, at steps that grow with the distance, over the half shade of 1 in 50.
+float free_sun(vec2 at, float height, float footprint) {
+    if (shadow.x < 1.0 || sun.z >= 0.999) return 1.0;
+    vec2 towards = sun.xy / length(sun.xy);
+    float rise = sun.z / length(sun.xy);
+    float distance = max(1.5 * tile.w, footprint);
+    float ratio = pow(max(shadow.y / distance, 1.0), 1.0 / shadow.x);
+    float share = 1.0;
+    for (int i = 0; i < int(shadow.x); ++i) {
+        float ray = height + 0.05 * tile.w + distance * rise;
+        if (ray > heights.w || share <= 0.0) break;
+        float mip = log2(max(0.5 * distance * (ratio - 1.0) / tile.w, 1.0));
+        float here = textureLod(ground_map, map_place(at + towards * distance), mip).x -
+                     eye.w * earth_drop(distance);
+        share = min(share, (ray - here) / (0.02 * distance));
+        distance *= ratio;
+    }
+    return clamp(share, 0.0, 1.0);
+}
+
+// Returns the light of the ground in the colours that the block chooses.
+vec3 shaded(Ground ground) {
+    vec3 from_eye = position - vec3(0.0, 0.0, eye.z);
+    float distance = length(from_eye);
+    vec2 place = map_place(label);
+    float wear = wear_at(place);
+    vec3 albedo = colours.x == 0
+                      ? land_albedo(ground, cover_noise(label, ground.footprint), wear)
+                      : ramp_albedo(ground.height);
+
+    // On the round Earth the zenith leans away from the eye's.
+    vec2 lean = eye.w * label / earth_radius();
+    vec3 normal = normalize(vec3(-ground.slope - lean, 1.0));
+    float facing = max(dot(normal, sun.xyz), 0.0);
+    float lit = facing > 0.0 && sun.w > 0.0
+                    ? facing * free_sun(label, ground.height, ground.footprint)
+                    : 0.0;
+    float open = clamp(1.0 + 0.35 * wear, 0.5, 1.1) * (0.5 + 0.5 * normal.z);
+    vec3 bounced = 0.15 * (0.5 - 0.5 * normal.z) * light_from_above();
+    vec3 light = albedo * (sun.w * lit * sun_colour.rgb + open * sky_light.rgb + bounced);
+
+    float range_to = max(length(from_eye.xy), 1e-3);
+    vec3 air = sky(normalize(vec3(from_eye.xy, 0.02 * range_to)), look.z);
+    return mix(light, air, look.y > 0.0 ? haze(distance, look.y) : 0.0);
+}

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Claims: a slider redoes only the stages that its parameter dirties; a window goes from a sea to a
+// terrain and back; the camera is never in the ground; stages are shown as they are.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "ocean-preview/land_camera.hpp"
+#include "ocean-preview/live_scene.hpp"
+#include "ocean-preview/stage_picture.hpp"
+#include "ocean-preview/window/camera_control.hpp"
+#include "ocean/error.hpp"
+#include "ocean/terrainfile.hpp"
+#include "unit/test_seas.hpp"
+
+namespace ocean::app {
+namespace {
+
+Terrain hills() {
+    Terrain terrain;
+    terrain.resolution = 64;
+    terrain.patch_size = 640.0;
+    terrain.rms = 40.0;
+    terrain.mean = -500.0;  // an eye over still water would be far above it
+    return terrain;
+}
+
+class LiveLandTest : public ::testing::Test {
+  protected:
+    void TearDown() override {
+        for (const std::string& message : context_.messages()) ADD_FAILURE() << message;
+    }
+    LiveSceneOptions options() {
+        return {.preview = preview_, .info = gl::context_info(), .threads = 1};
+    }
+
+    PreviewOptions preview_;
+
+  private:
+    const gl::HeadlessContext context_{{.debug = true}};
+    const gl::HeadlessContext::Current current_{context_};
+};
+
+TEST_F(LiveLandTest, ASliderRedoesTheStagesThatItDirties) {
+    LiveScene scene(hills(), options());
+    ASSERT_NE(scene.land(), nullptr);
+    const auto runs_of = [&](const char* name, const char* value) {
+        const TerrainRuns before = scene.land()->land().runs();
+        scene.set(name, value);
+        scene.show();
+        scene.show();
+        const TerrainRuns after = scene.land()->land().runs();
+        return TerrainRuns{after.noise - before.noise, after.filter - before.filter,
+                           after.maps - before.maps};
+    };
+    for (const auto& [name, value] : {std::pair{"beta", "2.4"},
+                                      {"rms", "12"},
+                                      {"outer_scale", "300"},
+                                      {"ridge_wavelength", "90"},
+                                      {"ridge_direction", "40"},
+                                      {"anisotropy", "2"},
+                                      {"direction", "30"}}) {
+        EXPECT_EQ(runs_of(name, value), (TerrainRuns{0, 1, 1})) << name;
+    }
+    EXPECT_EQ(runs_of("mean", "20"), (TerrainRuns{0, 0, 1}));
+    EXPECT_EQ(runs_of("seed", "9"), (TerrainRuns{1, 1, 1}));
+    EXPECT_EQ(runs_of("seed", "9"), (TerrainRuns{0, 0, 0}));
+    EXPECT_THROW(scene.set("beta", "99"), Error);
+    EXPECT_EQ(scene.land()->terrain().beta, 2.4);
+}
+
+TEST_F(LiveLandTest, ASeaAndATerrainTakeEachOthersPlace) {
+    Parameters parameters = test::wind_sea(32, 200.0);
+    LiveScene scene(Sea{parameters, {}}, options());
+    scene.show();
+    EXPECT_EQ(scene.kind(), preview::SceneKind::sea);
+    scene.open(hills());
+    EXPECT_EQ(scene.kind(), preview::SceneKind::land);
+    EXPECT_TRUE(scene.is_still());
+    EXPECT_EQ(text_of(scene.opened()), write_terrain(hills()));
+    EXPECT_TRUE(std::holds_alternative<preview::ShownLand>(scene.shown()));
+    // A terrain that is refused leaves the scene as it is.
+    Terrain wrong = hills();
+    wrong.beta = -1.0;
+    wrong.rms = 2.0;
+    wrong.range = {0.0, 1.0};
+    EXPECT_THROW(scene.open(wrong), Error);
+    EXPECT_EQ(scene.land()->terrain().beta, 2.0);
+    scene.open(Sea{parameters, {}});
+    EXPECT_EQ(scene.kind(), preview::SceneKind::sea);
+    scene.show();
+}
+
+TEST_F(LiveLandTest, TheCameraWalksOnTheGroundAndIsNeverInIt) {
+    LiveScene scene(hills(), options());
+    const CameraGround ground = scene.ground();
+    CameraControl camera(preview_.camera);
+    for (const CameraMode mode : {CameraMode::walk, CameraMode::fly, CameraMode::orbit}) {
+        camera.mode = mode;
+        preview::Camera start;
+        start.eye = {10.0, 20.0, ground.height(10.0, 20.0) + 1.7};
+        camera.reset(start);
+        for (int step = 0; step < 300; ++step) {
+            // Ahead and down, in all directions.
+            camera.step({.ahead = 1.0, .up = -1.0, .turn_left = 3.0, .turn_up = -0.2}, 0.2, ground);
+            const auto& [x, y, z] = camera.camera().eye;
+            const double over = z - ground.height(x, y);
+            ASSERT_GE(over, ground.clearance - 1e-9) << static_cast<int>(mode) << " " << step;
+            if (mode == CameraMode::walk) {
+                ASSERT_NEAR(over, kEyeHeight, 1e-9);
+            }
+        }
+    }
+    // Ground that rises lifts the eye.
+    camera.mode = CameraMode::fly;
+    scene.set("mean", "800");
+    scene.show();
+    camera.stay_above(scene.ground());
+    EXPECT_GT(camera.camera().eye[2], 500.0);
+}
+
+TEST_F(LiveLandTest, AFirstEyeStandsOnTheGroundWhereverThatIs) {
+    LiveScene scene(hills(), options());
+    const auto& land = std::get<preview::ShownLand>(scene.shown());
+    const auto eye_of = [&](EyePlace place, std::array<double, 3> eye, std::string& warning) {
+        preview_.eye_place = place;
+        preview_.camera.eye = eye;
+        preview::Camera camera = preview_.camera;
+        warning = place_on_land(preview_, land, camera);
+        return camera.eye[2];
+    };
+    const double ground = land.image->height_at(30.0, 40.0);
+    std::string warning;
+    EXPECT_NEAR(eye_of(EyePlace::on_ground, {30.0, 40.0, 0.0}, warning), ground + 1.7, 1e-9);
+    EXPECT_EQ(warning, "");
+    EXPECT_GT(eye_of(EyePlace::not_given, {30.0, 40.0, 8.0}, warning), ground + 1.7);
+    EXPECT_EQ(warning, "");
+    EXPECT_EQ(eye_of(EyePlace::at, {30.0, 40.0, 8.0}, warning), 8.0);
+    EXPECT_EQ(warning, "");
+    EXPECT_GT(eye_of(EyePlace::at, {30.0, 40.0, ground - 25.0}, warning), ground);
+    EXPECT_NE(warning.find("is in the ground"), std::string::npos) << warning;
+}
+
+/// The greys of a picture, 0 .. 255.
+std::vector<double> greys(const StagePicture& picture) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < picture.rgb.size(); i += 3) values.push_back(picture.rgb[i]);
+    return values;
+}
+
+TEST_F(LiveLandTest, TheStagesAreWhiteNoiseItsTransformAndTheFilter) {
+    Land land(hills());
+    const TerrainStages stages = terrain_stages(land);
+    const int side = 64;
+    const std::vector<double> noise = greys(make_stage_picture(stages, "noise"));
+    const double mean = std::accumulate(noise.begin(), noise.end(), 0.0) / (side * side);
+    double square = 0.0, beside = 0.0;
+    for (std::size_t i = 0; i < noise.size(); ++i) {
+        const std::size_t next = i % side + 1 < side ? i + 1 : i + 1 - side;
+        square += (noise[i] - mean) * (noise[i] - mean);
+        beside += (noise[i] - mean) * (noise[next] - mean);
+    }
+    EXPECT_NEAR(mean, 127.5, 3.0);
+    EXPECT_NEAR(std::sqrt(square / (side * side)), 42.5, 2.0);  // a sixth of the greys
+    EXPECT_LT(std::abs(beside / square), 4.0 / side);           // four standard errors
+
+    // Means of rings around the middle: flat for the noise, falling for the filter.
+    const auto ring = [&](const char* name, double inner, double outer) {
+        const std::vector<double> values = greys(make_stage_picture(stages, name));
+        double sum = 0.0;
+        int count = 0;
+        for (int j = 1; j < side; ++j) {
+            for (int i = 1; i < side; ++i) {
+                const double k = std::hypot(i - side / 2, j - side / 2);
+                if (k < inner || k >= outer) continue;
+                sum += values[static_cast<std::size_t>(j * side + i)];
+                ++count;
+            }
+        }
+        return sum / count;
+    };
+    EXPECT_NEAR(ring("transform", 1.0, 16.0), ring("transform", 16.0, 32.0), 8.0);
+    for (const char* name : {"filter", "spectrum"}) {
+        EXPECT_GT(ring(name, 1.0, 4.0), 1.5 * ring(name, 16.0, 32.0)) << name;
+    }
+}
+
+}  // namespace
+}  // namespace ocean::app
