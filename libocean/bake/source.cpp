@@ -27,16 +27,6 @@ void check_time(const Subject& subject, const BakedHeader& header, const std::st
     refuse_source(path, "its ocean:time is not that of its ocean:frame");
 }
 
-std::unique_ptr<Subject> subject_of(const BakedHeader& header, const Catalogue& catalogue,
-                                    const std::string& path) {
-    const auto shown = std::ranges::find_if(catalogue.subjects, [&](const SubjectReader& reader) {
-        return header.has(std::string(reader.kind));
-    });
-    const SubjectReader& reader =
-        shown == catalogue.subjects.end() ? catalogue.subjects.front() : *shown;
-    return reader.parse(header.text(std::string(reader.kind)), path);
-}
-
 }  // namespace
 
 void refuse_source(const std::string& path, const std::string& reason) {
@@ -54,6 +44,15 @@ BakedHeader::BakedHeader(const std::string& path, const Catalogue& catalogue) : 
         strings_[string.name] = std::move(string.text);
     }
     if (format == &kExrFormat) layout_ = io::read_exr_layout(path);
+}
+
+std::unique_ptr<Subject> BakedHeader::subject(const Catalogue& catalogue) const {
+    const auto shown = std::ranges::find_if(catalogue.subjects, [&](const SubjectReader& reader) {
+        return has(std::string(reader.kind));
+    });
+    const SubjectReader& reader =
+        shown == catalogue.subjects.end() ? catalogue.subjects.front() : *shown;
+    return reader.parse(text(std::string(reader.kind)), path_);
 }
 
 int BakedHeader::resolution() const {
@@ -95,7 +94,7 @@ BakeOptions with_source(BakeOptions options, const Catalogue& catalogue, const B
     if (options.from.empty()) return options;
     options.source = options.from;
     const BakedHeader header(options.from, catalogue);
-    const auto subject = subject_of(header, catalogue, options.from);
+    const auto subject = header.subject(catalogue);
     check_time(*subject, header, options.from);
     set_default(options.frames, std::to_string(header.whole_number("frame")));
     // The subject's own resolution stays a default, which a changed subject may change.
