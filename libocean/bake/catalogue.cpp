@@ -82,7 +82,7 @@ const Catalogue& standard_catalogue() {
         &kGeotiffFormat,
 #endif
     };
-    static constexpr const MadeProduct* kMade[] = {&kCaustics, &kSlopeTiles};
+    static constexpr const MadeProduct* kMade[] = {&kCaustics, &kSlopeTiles, &kTerrainStages};
     static const std::vector<Product> products = all_products(product_table(), kMade);
     static constexpr SubjectReader kSubjects[] = {{kSeaKind, parse_sea_subject},
                                                   {kTerrainKind, parse_terrain_subject}};

@@ -233,12 +233,28 @@ std::vector<int> halving_resolutions(int resolution) {
     return levels;
 }
 
+namespace {
+
+/// Returns the domain of a plan as text: a terrain may be repeated. The domain of a sea follows
+/// from its own text, and its recipes began without.
+std::string domain_lines(const BakePlan& plan) {
+    if (plan.subject->kind() == kSeaKind) return "";
+    const Domain domain = plan.domain();
+    std::string text = "domain";
+    for (const double value : {domain.origin[0], domain.origin[1], domain.size[0], domain.size[1]}) {
+        text += " " + shortest_text(value);
+    }
+    return text + "\n";
+}
+
+}  // namespace
+
 std::string bake_recipe(const BakePlan& plan, int frame, std::string_view format_lines) {
     std::string text = format_text("libocean %s\nformat %s\nbackend %s\nresolution %d\nframe %d\n",
                                    OCEAN_VERSION, plan.pattern.extension().c_str(),
                                    std::string(plan.backend.name).c_str(), plan.resolution, frame);
     text += format_lines;
-    return sha256_hex(text + plan.subject_text);
+    return sha256_hex(text + domain_lines(plan) + plan.subject_text);
 }
 
 BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
@@ -277,7 +293,9 @@ BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
     plan.shard = options.shard;
     if (!options.shard.empty()) plan.frames = parse_shard(options.shard).of(plan.frames);
     plan.subject_text = plan.subject->text();
-    plan.subject_id = sha256_hex(plan.subject_text + std::to_string(plan.resolution)).substr(0, 16);
+    plan.subject_id =
+        sha256_hex(plan.subject_text + domain_lines(plan) + std::to_string(plan.resolution))
+            .substr(0, 16);
     return plan;
 }
 

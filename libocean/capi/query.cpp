@@ -3,11 +3,9 @@
 //
 // Questions at points of the world: each checks its buffers and points first and writes afterwards,
 // in batches, so that a long list needs no memory of its own.
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +13,7 @@
 #include "guard.hpp"
 #include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
+#include "query_buffers.hpp"
 #include "sea_handle.hpp"
 
 using namespace ocean;
@@ -22,7 +21,6 @@ using namespace ocean::capi;
 
 namespace {
 
-constexpr std::size_t kBatch = 1 << 14;
 constexpr std::size_t kSampleFloats = 9;
 constexpr std::size_t kSampleFloatsWithFoam = 10;
 constexpr std::size_t kVelocityFloats = 3;
@@ -58,73 +56,6 @@ struct Lists {
     float* row(std::size_t i) const { return out + i * stride; }
 };
 
-/// n points of as many coordinates as there are names.
-void check_points(const double* points, std::size_t n, std::string_view coordinates) {
-    for (std::size_t i = 0; i < n; ++i) {
-        for (const char name : coordinates) {
-            require_finite(*points++, name + (" of point " + std::to_string(i)), "metres");
-        }
-    }
-}
-
-/// Queries n points in batches; write(i, point, sample) puts the answer to point i into a buffer.
-template <typename Write>
-void query_in_batches(Ocean& ocean, double time, const double* xy, std::size_t n,
-                      const QueryOptions& options, const Write& write) {
-    std::vector<WorldPoint> points;
-    std::vector<QuerySample> answers(std::min(n, kBatch));
-    for (std::size_t first = 0; first < n; first += kBatch) {
-        points.clear();
-        for (std::size_t i = first; i < std::min(first + kBatch, n); ++i) {
-            points.push_back({xy[2 * i], xy[2 * i + 1]});
-        }
-        ocean.query(time, points, answers, options);
-        for (std::size_t i = 0; i < points.size(); ++i) write(first + i, points[i], answers[i]);
-    }
-}
-
-/// A host's array of structs, `count` of them each `size` bytes apart, of which a smaller one has
-/// fewer members.
-template <typename Struct>
-class StructArray {
-  public:
-    StructArray(Struct* data, std::size_t count, std::size_t size, const std::string& name)
-        : data_(reinterpret_cast<unsigned char*>(data)), size_(size) {
-        require_struct_size(size, sizeof(float), "sample_size", name, sizeof(Struct));
-        constexpr std::size_t kMaxDoubles = 3;  // of a point
-        if (count > SIZE_MAX / std::max(size, kMaxDoubles * sizeof(double))) {
-            refuse("count = " + std::to_string(count) + " is more than there are addresses");
-        }
-        if (count > 0) require(data, "samples");
-    }
-    void put(std::size_t i, const Struct& value) const {
-        std::memcpy(data_ + i * size_, &value, std::min(size_, sizeof(value)));
-    }
-
-  private:
-    unsigned char* data_;
-    std::size_t size_;
-};
-
-QueryOptions query_options(std::int32_t resolution, std::int32_t refine, std::int32_t exact,
-                           bool foam) {
-    return {exact != 0, refine == 0 ? 1 : refine, foam, resolution};
-}
-
-ocean_sample sample_of(const QuerySample& from) {
-    ocean_sample sample{};
-    sample.height = static_cast<float>(from.height);
-    for (int c = 0; c < 3; ++c) {
-        sample.normal[c] = static_cast<float>(from.normal[c]);
-        sample.velocity[c] = static_cast<float>(from.velocity[c]);
-    }
-    sample.foam = static_cast<float>(from.foam);
-    std::ranges::copy(from.label, sample.label);
-    if (from.folded) sample.flags |= OCEAN_FOLDED;
-    if (from.undecided) sample.flags |= OCEAN_UNDECIDED;
-    return sample;
-}
-
 std::array<double, 3> velocity_of(const WaterMotion& motion) {
     return {motion.velocity_x, motion.velocity_y, motion.velocity_z};
 }
@@ -146,7 +77,10 @@ ocean_result ocean_query(ocean_sea* sea, double time, const double* xy, size_t n
         check_points(xy, n, "xy");
         QueryOptions options;
         options.foam = stride >= kSampleFloatsWithFoam;
-        query_in_batches(*sea->ocean, time, xy, n, options,
+        const auto query = [&](std::span<const WorldPoint> points, std::span<QuerySample> answers) {
+            sea->ocean->query(time, points, answers, options);
+        };
+        query_in_batches(xy, n, query,
                          [&](std::size_t i, WorldPoint at, const QuerySample& sample) {
                              const double point[] = {at.x, at.y, sample.height};
                              float* out = put(lists.row(i), point);
@@ -169,7 +103,10 @@ ocean_result ocean_query_points(ocean_sea* sea, const ocean_query_request* reque
         check_points(asked.xy, asked.count, "xy");
         const QueryOptions options =
             query_options(asked.resolution, asked.refine, asked.exact, asked.foam != 0);
-        query_in_batches(*sea->ocean, asked.time, asked.xy, asked.count, options,
+        const auto query = [&](std::span<const WorldPoint> points, std::span<QuerySample> answers) {
+            sea->ocean->query(asked.time, points, answers, options);
+        };
+        query_in_batches(asked.xy, asked.count, query,
                          [&](std::size_t i, WorldPoint, const QuerySample& sample) {
                              samples.put(i, sample_of(sample));
                          });

@@ -6,15 +6,14 @@
 #include "sea_handle.hpp"
 
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <thread>
 
 #include "guard.hpp"
+#include "handle.hpp"
 #include "ocean/internal/json.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/parameter_table.hpp"
@@ -43,19 +42,6 @@ ThreadPool::RunJobs on_host(ocean_run_jobs run_jobs, void* user) {
     };
 }
 
-/// Returns the number of this process, never 0: that stands for no process.
-std::uint64_t this_process() {
-    return process_number() + 1;
-}
-
-/// The pause of ocean_free between two tries to enter a sea that another thread is in.
-constexpr std::chrono::milliseconds kBetweenTries{1};
-
-std::string folder_of(const char* path) {
-    const std::u8string folder = utf8_path(path).parent_path().u8string();
-    return {folder.begin(), folder.end()};
-}
-
 std::string preset_names_json() {
     JsonArray names;
     for (const Preset& preset : presets()) names.add(preset.name);
@@ -70,6 +56,11 @@ void change_sea(ocean_sea& sea, const std::function<void(Sea&)>& edit) {
 }
 
 }  // namespace
+
+std::string ocean::capi::folder_of(const char* path) {
+    const std::u8string folder = utf8_path(path).parent_path().u8string();
+    return {folder.begin(), folder.end()};
+}
 
 OceanOptions ocean::capi::read_options(const ocean_options* given) {
     if (given == nullptr) return {};
@@ -105,15 +96,6 @@ OceanOptions ocean::capi::read_options(const ocean_options* given) {
     }
     if (asked.run_jobs != nullptr) options.run_jobs = on_host(asked.run_jobs, asked.jobs_user);
     return options;
-}
-
-ocean::capi::Visit::Visit(const ocean_sea* sea) : sea_(sea) {
-    require(sea, "sea");
-    std::uint64_t no_process = 0;
-    if (!sea->user.compare_exchange_strong(no_process, this_process(), std::memory_order_acquire)) {
-        throw CallError(OCEAN_BUSY,
-                        "another thread is in this sea; give each thread its own: ocean_clone");
-    }
 }
 
 uint32_t ocean_abi_version(void) {
@@ -162,14 +144,7 @@ ocean_result ocean_clone(const ocean_sea* sea, const ocean_options* options, oce
 void ocean_free(ocean_sea* sea) {
     if (sea == nullptr) return;
     const PlainFloats plain;
-    std::uint64_t user = 0;
-    while (!sea->user.compare_exchange_strong(user, this_process(), std::memory_order_acquire)) {
-        // A thread of the parent process was in the sea at the fork. It does not exist here: it can
-        // neither leave the sea nor say in which state it left it.
-        if (user != this_process()) return;
-        std::this_thread::sleep_for(kBetweenTries);
-        user = 0;
-    }
+    if (!enter_to_free(*sea)) return;
     delete sea;
 }
 

@@ -4,7 +4,6 @@
 // The struct behind the opaque ocean_sea of libocean.h.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "handle.hpp"
 #include "libocean.h"
 #include "ocean/ocean.hpp"
 #include "ocean/sea.hpp"
@@ -28,7 +28,7 @@ struct CountedSpray {
 
 }  // namespace ocean::capi
 
-struct ocean_sea {
+struct ocean_sea : ocean::capi::Handle {
     ocean_sea(ocean::Sea sea, ocean::OceanOptions opened_with, std::string folder)
         : options(std::move(opened_with)),
           base_dir(std::move(folder)),
@@ -38,8 +38,6 @@ struct ocean_sea {
           base_dir(built.base_dir),
           ocean(std::make_unique<ocean::Ocean>(*built.ocean, options)) {}
 
-    /// The process whose thread is in this sea; 0: none.
-    mutable std::atomic<std::uint64_t> user = 0;
     ocean::OceanOptions options;
     std::string base_dir;                 // where a relative `file` or `take` starts
     std::unique_ptr<ocean::Ocean> ocean;  // readers may make it build what they ask for
@@ -50,20 +48,9 @@ struct ocean_sea {
 
 namespace ocean::capi {
 
+/// Returns the folder of a file.
+std::string folder_of(const char* path);
 /// NULL: the defaults. Throws CallError for what libocean.h does not allow.
 OceanOptions read_options(const ocean_options* given);
-
-/// The one thread that may be in a sea, while the object lives.
-class Visit {
-  public:
-    /// Throws CallError OCEAN_BUSY if another is in it, OCEAN_INVALID_ARGUMENT for NULL.
-    explicit Visit(const ocean_sea* sea);
-    ~Visit() { sea_->user.store(0, std::memory_order_release); }
-    Visit(const Visit&) = delete;
-    Visit& operator=(const Visit&) = delete;
-
-  private:
-    const ocean_sea* sea_;
-};
 
 }  // namespace ocean::capi

@@ -3,7 +3,6 @@
 //
 // The functions of libocean.h by which a host keeps a sea in properties of its own and writes files
 // that say where they come from.
-#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -16,15 +15,13 @@
 #include "ocean/ocean.hpp"
 #include "ocean/provenance.hpp"
 #include "ocean/seafile.hpp"
+#include "outputs.hpp"
 #include "sea_handle.hpp"
 
 using namespace ocean;
 using namespace ocean::capi;
 
 namespace {
-
-constexpr std::array<std::string_view, 3> kAxesNames = {"zup", "yup", "tnb"};
-static_assert(OCEAN_ZUP == 0 && OCEAN_YUP == 1 && OCEAN_TNB == 2);
 
 /// "detail1" and its neighbours: one product for each slope tile.
 constexpr std::span<const Product> kSlopeTileFields = std::span(kDetailProducts).subspan(1);
@@ -72,7 +69,7 @@ std::vector<HeaderString> field_strings(const ocean_sea& sea,
     if (asked.field == nullptr) return {};
     const Product& product = find_field(asked.field);
     const Product* const one[] = {&product};
-    auto strings = product_strings(one, kAxesNames[static_cast<std::size_t>(asked.axes)]);
+    auto strings = product_strings(one, axes_name(asked.axes));
     if (!is_slope_tile(product)) return strings;
     const int resolution = asked.resolution != 0
                                ? asked.resolution
@@ -100,11 +97,7 @@ void check(const ocean_provenance_request& asked) {
                 .value = std::to_string(asked.resolution),
                 .allowed = "0 (ocean_map_resolution) or a power of two, 32 .. 8192"});
     }
-    if (asked.axes < OCEAN_ZUP || asked.axes > OCEAN_TNB) {
-        refuse({.parameter = "axes",
-                .value = std::to_string(asked.axes),
-                .allowed = "OCEAN_ZUP, OCEAN_YUP, OCEAN_TNB"});
-    }
+    axes_name(asked.axes);  // throws
 }
 
 }  // namespace

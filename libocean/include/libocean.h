@@ -58,6 +58,7 @@ extern "C" {
 #define OCEAN_ABI_VERSION 1
 
 typedef struct ocean_sea ocean_sea;
+typedef struct ocean_terrain ocean_terrain;
 typedef int32_t ocean_result;
 
 enum {
@@ -585,6 +586,77 @@ typedef struct {
  */
 OCEAN_API ocean_result ocean_gauges(ocean_sea* sea, const ocean_gauge_request* request,
                                     size_t* times);
+
+/* Terrains. An ocean_terrain obeys the rules of an ocean_sea at the top of this header. Its surface
+ * does not move and is not displaced: it has OCEAN_HEIGHT, OCEAN_NX .. NZ, OCEAN_SLOPE_X and
+ * OCEAN_SLOPE_Y; other channels are UNSUPPORTED. It repeats after terrain.patch_size. */
+
+/* ocean_terrain_open opens the terrain file at `path`. options may be NULL; foam_start has no
+ * effect. The caller frees *out by ocean_terrain_free. BAD_FILE, INVALID_VALUE. */
+OCEAN_API ocean_result ocean_terrain_open(const char* path, const ocean_options* options,
+                                          ocean_terrain** out);
+/* ocean_terrain_parse opens a terrain file from its text of `length` bytes, without a final 0.
+ * base_dir: the folder that a relative `measured` in the text starts from, NULL = the current
+ * directory. options may be NULL. The caller frees *out by ocean_terrain_free. BAD_FILE,
+ * INVALID_VALUE. */
+OCEAN_API ocean_result ocean_terrain_parse(const char* toml, size_t length, const char* base_dir,
+                                           const ocean_options* options, ocean_terrain** out);
+/* ocean_terrain_clone makes a second handle of the same terrain, for another thread. Both share the
+ * data that `terrain` has built until either is changed. options: NULL = those of `terrain`. The
+ * caller frees *out by ocean_terrain_free. */
+OCEAN_API ocean_result ocean_terrain_clone(const ocean_terrain* terrain,
+                                           const ocean_options* options, ocean_terrain** out);
+/* ocean_terrain_free frees the terrain and all its memory; waits for a thread that is in it. NULL is
+ * allowed. */
+OCEAN_API void ocean_terrain_free(ocean_terrain* terrain);
+/* ocean_terrain_set sets the parameter `name` ("beta", "terrain.layer.0.gain") from text. A refused
+ * value changes nothing. The next call redoes only what the parameter changes: `mean` nothing,
+ * `beta` and most others the filter, `seed` and `resolution` the noise too. INVALID_VALUE; BAD_FILE
+ * for `measured`. */
+OCEAN_API ocean_result ocean_terrain_set(ocean_terrain* terrain, const char* name,
+                                         const char* value);
+/* ocean_terrain_set_all sets several parameters, names[i] from values[i], and checks them together:
+ * either all of them change or none. Codes as ocean_terrain_set. */
+OCEAN_API ocean_result ocean_terrain_set_all(ocean_terrain* terrain, const char* const* names,
+                                             const char* const* values, size_t count);
+/* ocean_terrain_get writes the value of the parameter `name` as text to out[size], with a final 0;
+ * "" for an optional parameter that is not set. INVALID_VALUE, BUFFER_TOO_SMALL. */
+OCEAN_API ocean_result ocean_terrain_get(const ocean_terrain* terrain, const char* name, char* out,
+                                         size_t size);
+/* ocean_terrain_text writes the resolved terrain file, which needs no other file. BUFFER_TOO_SMALL.
+ */
+OCEAN_API ocean_result ocean_terrain_text(const ocean_terrain* terrain, char* out, size_t* size);
+/* ocean_terrain_state_json writes the output of `ocean info --json` for a terrain, a JSON object.
+ * BUFFER_TOO_SMALL. */
+OCEAN_API ocean_result ocean_terrain_state_json(const ocean_terrain* terrain, char* out,
+                                                size_t* size);
+/* ocean_terrain_parameters_json writes the parameter table of terrains, a JSON array.
+ * BUFFER_TOO_SMALL. */
+OCEAN_API ocean_result ocean_terrain_parameters_json(char* out, size_t* size);
+/* ocean_terrain_preset writes the terrain file of a preset ("tujunga"); with name = NULL the names
+ * of all terrain presets, a JSON array. NOT_FOUND, BUFFER_TOO_SMALL. */
+OCEAN_API ocean_result ocean_terrain_preset(const char* name, char* out, size_t* size);
+/* ocean_terrain_provenance_json writes the strings by which `ocean terrain` labels a file, as
+ * ocean_provenance_json does for a sea. field: the product in the file, "height", "normal" or
+ * "slope"; NULL = leave out the strings about a product. axes: OCEAN_ZUP, OCEAN_YUP or OCEAN_TNB.
+ * INVALID_VALUE, BUFFER_TOO_SMALL. */
+OCEAN_API ocean_result ocean_terrain_provenance_json(const ocean_terrain* terrain,
+                                                     const char* field, int32_t axes, char* out,
+                                                     size_t* size);
+/* ocean_terrain_evaluate computes all outputs of the request together, as ocean_evaluate does; time
+ * has no effect, cascade must be 0, resolution 0 = terrain.resolution. UNSUPPORTED. */
+OCEAN_API ocean_result ocean_terrain_evaluate(ocean_terrain* terrain, const ocean_request* request);
+/* ocean_terrain_query_points finds height and normal at world points, as ocean_query_points does;
+ * time and foam have no effect, velocity and foam of the samples are 0, and label is the point.
+ * INVALID_VALUE for a refine or a resolution that is not allowed. */
+OCEAN_API ocean_result ocean_terrain_query_points(ocean_terrain* terrain,
+                                                  const ocean_query_request* request);
+/* ocean_terrain_stage writes one step of the synthesis, R x R floats with R = terrain.resolution,
+ * row-major from the south: "noise" (white, in space), "transform" (the magnitudes of its Fourier
+ * transform), "filter" and "filtered" [m], these three with k = 0 at (R / 2, R / 2), or "height"
+ * [m]. count: floats in data, min R * R. */
+OCEAN_API ocean_result ocean_terrain_stage(ocean_terrain* terrain, const char* step, float* data,
+                                           size_t count);
 
 #ifdef __cplusplus
 }

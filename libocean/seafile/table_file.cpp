@@ -10,6 +10,7 @@
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
+#include "ocean/terrain_table.hpp"
 #include "take.hpp"
 
 namespace ocean {
@@ -57,9 +58,26 @@ std::span<const FileKind> file_kinds() {
     static const std::vector<FileKind> kKinds = [] {
         FileKind sea{sea_table().kind, root_names(sea_table().sections)};
         sea.roots.push_back(kTakeSection);
-        return std::vector<FileKind>{sea, {"terrain", {"terrain"}}};
+        return std::vector<FileKind>{
+            sea, {terrain_table().kind, root_names(terrain_table().sections)}};
     }();
     return kKinds;
+}
+
+std::string kind_of_file_text(std::string_view toml) {
+    try {
+        const toml::table root = parse_toml(toml, "");
+        for (const TomlEntry& entry : in_file_order(root)) {
+            for (const FileKind& kind : file_kinds()) {
+                if (std::ranges::find(kind.roots, entry.key) != kind.roots.end()) {
+                    return std::string(kind.kind);
+                }
+            }
+        }
+    } catch (const Error&) {
+        // Its reader says what is wrong.
+    }
+    return "";
 }
 
 std::vector<std::string_view> root_names(std::span<const TableSection> sections) {

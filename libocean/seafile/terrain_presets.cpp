@@ -98,7 +98,7 @@ Preset tujunga() {
     Terrain terrain;
     terrain.resolution = 1024;
     terrain.patch_size = 16384.0;
-    terrain.rms = 200.0;
+    terrain.rms = 185.0;
     terrain.mean = 1200.0;
     terrain.beta = 1.67;
     terrain.breaks = {{440.0, 2.65}};
@@ -116,7 +116,7 @@ Preset jacksboro() {
     Terrain terrain;
     terrain.resolution = 512;
     terrain.patch_size = 32768.0;
-    terrain.rms = 120.0;
+    terrain.rms = 136.0;
     terrain.mean = 500.0;
     terrain.beta = 1.33;
     terrain.breaks = {{1130.0, 2.59}};

@@ -22,30 +22,58 @@ LandOptions land_options(const MapsOptions& options) {
     return {.threads = options.threads, .backend = options.backend};
 }
 
+Domain domain_of(const Terrain& terrain, TerrainTiles tiles, int resolution) {
+    return {{0.0, 0.0},
+            {tiles.x * terrain.patch_size, tiles.y * terrain.patch_size},
+            {tiles.x * resolution, tiles.y * resolution},
+            true};
+}
+
+/// Returns the map of one tile repeated.
+Surface repeated(const Surface& tile, const Domain& domain) {
+    Surface all(domain, tile.time(), tile.channels());
+    const auto side = static_cast<std::size_t>(tile.resolution());
+    const auto width = static_cast<std::size_t>(domain.samples[0]);
+    const auto height = static_cast<std::size_t>(domain.samples[1]);
+    for (int c = 0; c < kChannelCount; ++c) {
+        const auto channel = static_cast<Channel>(c);
+        if (!tile.has(channel)) continue;
+        const auto from = std::as_const(tile).channel(channel);
+        const auto to = all.channel(channel);
+        for (std::size_t j = 0; j < height; ++j) {
+            const auto row = from.subspan(j % side * side, side);
+            for (std::size_t i = 0; i < width; i += side) {
+                std::ranges::copy(row, to.subspan(j * width + i, side).begin());
+            }
+        }
+    }
+    return all;
+}
+
 class TerrainMaps final : public SubjectMaps {
   public:
-    TerrainMaps(const Terrain& terrain, const MapsOptions& options)
-        : land_(terrain, land_options(options)) {
+    TerrainMaps(const Terrain& terrain, TerrainTiles tiles, const MapsOptions& options)
+        : land_(terrain, land_options(options)), tiles_(tiles) {
         land_.modes();
     }
-    TerrainMaps(const Land& built, const MapsOptions& options)
-        : land_(built, land_options(options)) {}
+    TerrainMaps(const TerrainMaps& built, const MapsOptions& options)
+        : land_(built.land_, land_options(options)), tiles_(built.tiles_) {}
 
     Land& land() { return land_; }
 
     std::unique_ptr<SubjectMaps> share(const MapsOptions& options) const override {
-        return std::make_unique<TerrainMaps>(land_, options);
+        return std::make_unique<TerrainMaps>(*this, options);
     }
     std::vector<Surface> levels(double, ChannelSet channels,
                                 std::span<const int> resolutions) override {
         std::vector<Surface> levels;
         for (const int resolution : resolutions) {
-            levels.push_back(land_.surface(channels, resolution));
+            levels.push_back(map(channels, resolution));
         }
         return levels;
     }
     WorldHeights heights_by_place(double, int resolution) override {
-        return {land_.surface({Channel::height}, resolution)};
+        return {map({Channel::height}, resolution)};
     }
     void query(double, std::span<const WorldPoint> points, std::span<QuerySample> samples,
                const QueryOptions& options) override {
@@ -54,12 +82,20 @@ class TerrainMaps final : public SubjectMaps {
     ThreadPool& pool() override { return land_.pool(); }
 
   private:
+    Surface map(ChannelSet channels, int resolution) {
+        Surface tile = land_.surface(channels, resolution);
+        if (tiles_ == TerrainTiles{}) return tile;
+        return repeated(tile, domain_of(land_.terrain(), tiles_, resolution));
+    }
+
     Land land_;
+    TerrainTiles tiles_;
 };
 
 class TerrainSubject final : public Subject {
   public:
-    explicit TerrainSubject(Terrain terrain) : terrain_(std::move(terrain)) {}
+    TerrainSubject(Terrain terrain, TerrainTiles tiles)
+        : terrain_(std::move(terrain)), tiles_(tiles) {}
 
     const Terrain& terrain() const { return terrain_; }
 
@@ -80,7 +116,7 @@ class TerrainSubject final : public Subject {
     ChannelSet channels() const override { return kTerrainChannels; }
     int default_resolution() const override { return terrain_.resolution; }
     Domain domain(int resolution) const override {
-        return Domain::tile(terrain_.patch_size, resolution);
+        return domain_of(terrain_, tiles_, resolution);
     }
     double shortest_wave(int resolution) const override {
         const Lattice lattice{std::min(resolution, terrain_.resolution), terrain_.patch_size};
@@ -94,7 +130,7 @@ class TerrainSubject final : public Subject {
     }
 
     std::unique_ptr<SubjectMaps> open(const MapsOptions& options) const override {
-        return std::make_unique<TerrainMaps>(terrain_, options);
+        return std::make_unique<TerrainMaps>(terrain_, tiles_, options);
     }
     std::uint64_t bytes(int) const override { return Land::bytes(terrain_); }
     std::uint64_t work_bytes(const MapsOptions& options, ChannelSet channels,
@@ -115,12 +151,13 @@ class TerrainSubject final : public Subject {
     }
 
     Terrain terrain_;
+    TerrainTiles tiles_;
 };
 
 }  // namespace
 
-std::unique_ptr<Subject> make_subject(Terrain terrain) {
-    return std::make_unique<TerrainSubject>(std::move(terrain));
+std::unique_ptr<Subject> make_subject(Terrain terrain, TerrainTiles tiles) {
+    return std::make_unique<TerrainSubject>(std::move(terrain), tiles);
 }
 
 std::unique_ptr<Subject> parse_terrain_subject(std::string_view text, const std::string& name) {

@@ -12,9 +12,9 @@
 
 namespace ocean::app {
 
-InputFiles::InputFiles(const SeaArgument& argument, const std::vector<std::string>& named) {
-    add(argument.source);
-    const std::filesystem::path folder = utf8_path(argument.source).parent_path();
+InputFiles::InputFiles(const std::string& source, const std::vector<std::string>& named) {
+    add(source);
+    const std::filesystem::path folder = utf8_path(source).parent_path();
     for (const std::string& name : named) add((folder / utf8_path(name)).string());
 }
 

@@ -4,43 +4,32 @@
 // See sea_argument.hpp.
 #include "sea_argument.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "any_spectra.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/io/read_provenance.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
-#include "standard_input.hpp"
+#include "ocean/subject_kind.hpp"
+#include "ocean/terrainfile.hpp"
+#include "source_text.hpp"
 
 namespace ocean::app {
 namespace {
 
-constexpr std::string_view kPresetPrefix = "preset:";
-
 Sea read_source(const std::string& source) {
     if (source.starts_with(kPresetPrefix)) {
-        const Preset& preset = find_preset(source.substr(kPresetPrefix.size()));
-        return parse_sea(preset.toml, source, "", read_any_spectra);
+        const std::string name = source.substr(kPresetPrefix.size());
+        if (std::ranges::find(terrain_presets(), name, &Preset::name) != terrain_presets().end()) {
+            throw Error(ErrorKind::not_found, source + " is a terrain, not a sea");
+        }
+        return parse_sea(find_preset(name).toml, source, "", read_any_spectra);
     }
-    if (source == kStandardInput) {
-        return parse_sea(read_standard_input(kMaxSeaFileBytes), "standard input", "",
-                         read_any_spectra);
-    }
-    if (text::is_pipe_or_device(source)) {
-        // The first bytes of a pipe cannot be read twice.
-        const std::string content = text::read_file_or_pipe(source, kMaxSeaFileBytes);
-        return parse_sea(content, source, "", read_any_spectra);
-    }
-    const auto provenance = io::read_provenance(source);
-    if (!provenance) return read_sea(source, read_any_spectra);
-    if (provenance->kind != kSeaKind) {
-        throw Error(ErrorKind::bad_file, source + ": shows a " + text::printable(provenance->kind) +
-                                             " instead of a sea");
-    }
-    return parse_sea(provenance->text, source, "", read_any_spectra);
+    const SourceText found = read_source_text(source, kSeaKind);
+    return parse_sea(found.text, found.name, found.base_dir, read_any_spectra);
 }
 
 void assign(Parameters& parameters, const std::string& name, std::string value) {

@@ -4,20 +4,20 @@
 // `ocean bake`: writes frames of a sea as files for other programs. make_bake_plan resolves its
 // options; the options of a format come from the format.
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <span>
 #include <utility>
 
+#include "bake_options.hpp"
 #include "commands.hpp"
-#include "console_host.hpp"
 #include "format_help.hpp"
 #include "input_files.hpp"
 #include "ocean/bake/catalogue.hpp"
+#include "ocean/sea_subject.hpp"
+#include "ocean/subject_kind.hpp"
 #if OCEAN_HAS_GL
 #include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
-#include "ocean/sea_subject.hpp"
 #include "ocean/text.hpp"
 #include "stage_images.hpp"
 #endif
@@ -29,7 +29,7 @@ namespace {
 struct Typed {
     BakeOptions bake;
     SeaArgument sea;
-    std::map<std::string, bool> flags;  // options of formats without a value
+    FormatFlags format_options;
     std::string egl_device, stage;
     bool dry_run = false;
 };
@@ -75,49 +75,15 @@ std::vector<OptionGroup> common_options(Typed& typed, const Catalogue& catalogue
     };
 }
 
-/// Returns true if another format has the option already.
-bool has_option(const std::vector<OptionGroup>& groups, const std::string& name) {
-    return std::ranges::any_of(groups, [&](const OptionGroup& group) {
-        return std::ranges::find(group.options, name, &Option::names) != group.options.end();
-    });
-}
-
-OptionGroup format_options(Typed& typed, const BakeFormat& format, const Catalogue& catalogue,
-                           std::vector<OptionGroup>& before) {
-    OptionGroup group{std::string(format.family), {}};
-    for (const FormatOption& option : format.options(catalogue)) {
-        const std::string name = "--" + option.name;
-        if (has_option(before, name)) continue;
-        const std::string help = option_overview(option.name, catalogue);
-        if (option.value.empty()) {
-            group.options.push_back({name, &typed.flags[option.name], "", help});
-        } else {
-            std::string& value = typed.bake.format_options[option.name];
-            group.options.push_back({name, &value, option.value, help});
-        }
-    }
-    return group;
-}
-
 std::vector<OptionGroup> bake_options(Typed& typed, const Catalogue& catalogue) {
     std::vector<OptionGroup> groups = common_options(typed, catalogue);
-    for (const BakeFormat* format : catalogue.formats) {
-        OptionGroup group = format_options(typed, *format, catalogue, groups);
-        if (!group.options.empty()) groups.push_back(std::move(group));
-    }
-    for (OptionGroup& group : std::span(groups).subspan(1)) {
-        for (Option& option : group.options) {
-            if (std::holds_alternative<std::string*>(option.target)) option.rule = NotEmpty{};
-        }
-    }
+    add_format_options(typed.format_options, typed.bake, catalogue, kSeaKind, groups);
     return groups;
 }
 
 void run(const Typed& typed, const Catalogue& catalogue, const Context& context) {
     BakeOptions options = typed.bake;
-    for (const auto& [name, given] : typed.flags) {
-        if (given) options.format_options[name] = "yes";
-    }
+    add_given(typed.format_options, options);
     options.source = typed.sea.source;
     options.threads = context.options.threads;
     options.open_subject = [&typed](const std::string& source) {
@@ -141,15 +107,13 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
     }
 #endif
     const BakePlan plan = make_bake_plan(options, catalogue);
-    InputFiles inputs(typed.sea, plan.subject->named_files());
+    InputFiles inputs(typed.sea.source, plan.subject->named_files());
     inputs.add(options.from);
     for (const std::string& path : output_paths(plan)) inputs.spare(path);
 #if OCEAN_HAS_GL
     if (!typed.stage.empty()) return bake_stage(plan, typed.stage, context);
 #endif
-    if (typed.dry_run) return show_forecast(forecast_bake(plan), {}, context.console);
-    ConsoleHost host(context);
-    run_bake(plan, host);
+    run_or_forecast(plan, typed.dry_run, context);
 }
 
 constexpr char kFooter[] =

@@ -16,6 +16,8 @@ Command info_command();
 /// Refers to the catalogue, which must outlive the command.
 Command bake_command(const Catalogue& catalogue);
 Command povray_command();
+/// Refers to the catalogue, which must outlive the command.
+Command terrain_command(const Catalogue& catalogue);
 Command query_command();
 Command gauge_command();
 Command spectrum_command();

@@ -108,7 +108,7 @@ void require_room(const GaugePlan& plan, Ocean& ocean, int threads) {
 
 void run(const GaugeOptions& options, const Context& context) {
     const Sea sea = open_sea(options.sea);
-    InputFiles inputs(options.sea, named_files(sea));
+    InputFiles inputs(options.sea.source, named_files(sea));
     inputs.add(options.points);
     for (const std::string& output : {options.output, options.spectrum}) inputs.spare(output);
     const GaugePlan plan = plan_of(options, sea);

@@ -1,16 +1,20 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `ocean info`: prints the quantities of a sea that oceanographers use, as its spectrum asks for
-// and as its grid resolves. Also reads a sea back from a baked file.
+// `ocean info`: prints the quantities of a sea that oceanographers use, or those of a terrain, as
+// the spectrum asks for and as the grid resolves. Also reads them back from a baked file.
 #include <memory>
 
 #include "commands.hpp"
 #include "console.hpp"
 #include "info_text.hpp"
+#include "ocean/land.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/seafile.hpp"
+#include "ocean/terrainfile.hpp"
 #include "sea_argument.hpp"
+#include "terrain_argument.hpp"
+#include "terrain_info_text.hpp"
 
 namespace ocean::app {
 namespace {
@@ -20,7 +24,21 @@ struct InfoOptions {
     bool sea_file = false;
 };
 
+void run_for_terrain(const InfoOptions& info, const Context& context) {
+    const Terrain terrain = open_terrain({info.sea.source, info.sea.assignments});
+    if (info.sea_file) return context.console.data(write_terrain(terrain));
+    Land land(terrain, {.threads = context.options.threads});
+    const TerrainState state = land.state();
+    if (context.options.json) {
+        context.console.data(terrain_state_json(state) + "\n");
+    } else {
+        context.console.data(terrain_info_text(terrain, info.sea.source, state));
+    }
+    for (const std::string& warning : state.warnings) context.console.warning(warning);
+}
+
 void run(const InfoOptions& info, const Context& context) {
+    if (names_terrain(info.sea.source)) return run_for_terrain(info, context);
     const Sea sea = open_sea(info.sea);
     if (info.sea_file) return context.console.data(write_sea(sea));
     Ocean ocean(sea, {.threads = context.options.threads});
@@ -35,6 +53,7 @@ void run(const InfoOptions& info, const Context& context) {
 
 constexpr char kFooter[] =
     R"(asked: integral of the spectrum; resolved: sum over the modes of the grid.
+For a terrain, asked: the mean of all seeds; the other column: this very tile.
 Directions are in degrees counter-clockwise from +x (east), towards which the
 waves travel; nautical directions are clockwise from north, from which the waves
 come.)";
@@ -45,7 +64,7 @@ Command info_command() {
     auto info = std::make_shared<InfoOptions>();
     return {
         .name = "info",
-        .summary = "Describe a sea: heights, periods, grid",
+        .summary = "Describe a sea or a terrain: heights, periods, slopes, grid",
         .options = {sea_options(info->sea),
                     {"Output",
                      {{"--sea-file", &info->sea_file, "",

@@ -145,7 +145,7 @@ void run(const Typed& typed, const Context& context) {
     const ExistingFrames existing = povray_existing_frames(plan);
     std::vector<FolderFile> files =
         povray_folder_files(plan, state, united(plan.all_frames, existing.of_plan));
-    const InputFiles inputs(typed.sea, named_files(sea));
+    const InputFiles inputs(typed.sea.source, named_files(sea));
     for (const FolderFile& file : files) {
         // The folder's own sea.toml may be the source.
         const std::string path = folder + "/" + file.name;

@@ -1,31 +1,72 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `ocean presets`: lists the built-in seas.
+// `ocean presets`: lists the built-in seas and terrains.
+#include <array>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/json.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "ocean/seafile.hpp"
+#include "ocean/subject_kind.hpp"
+#include "ocean/terrainfile.hpp"
 
 namespace ocean::app {
 namespace {
 
+struct PresetList {
+    std::string_view kind;
+    std::string_view title;
+    std::span<const Preset> presets;
+};
+
+std::array<PresetList, 2> preset_lists() {
+    return {{{kSeaKind, "Seas", presets()}, {kTerrainKind, "Terrains", terrain_presets()}}};
+}
+
 std::string presets_text() {
     std::string text;
-    for (const Preset& preset : presets()) {
-        text += format_text("%-14s%s\n", preset.name.c_str(), preset.description.c_str());
+    for (const PresetList& list : preset_lists()) {
+        text += (text.empty() ? "" : "\n") + std::string(list.title) + "\n";
+        for (const Preset& preset : list.presets) {
+            text +=
+                format_text("  %-14s%s\n", preset.name.c_str(), preset.description.c_str());
+        }
     }
     return text;
 }
 
 std::string presets_json() {
-    JsonArray list(JsonLines{1});
-    for (const Preset& preset : presets()) {
-        list.add(JsonObject().add("name", preset.name).add("description", preset.description));
+    JsonArray array(JsonLines{1});
+    for (const PresetList& list : preset_lists()) {
+        for (const Preset& preset : list.presets) {
+            array.add(JsonObject()
+                          .add("name", preset.name)
+                          .add("description", preset.description)
+                          .add("kind", list.kind));
+        }
     }
-    return list.text() + "\n";
+    return array.text() + "\n";
+}
+
+/// Returns the file of a preset of any kind. Throws Error not_found naming the nearest.
+const std::string& preset_file(const std::string& name) {
+    std::vector<std::string_view> names;
+    for (const PresetList& list : preset_lists()) {
+        for (const Preset& preset : list.presets) {
+            if (preset.name == name) return preset.toml;
+            names.push_back(preset.name);
+        }
+    }
+    throw Error(ErrorKind::not_found, "no preset is called '" + text::printable(name) + "'" +
+                                          did_you_mean(name, names) +
+                                          "; `ocean presets` lists them");
 }
 
 }  // namespace
@@ -34,13 +75,13 @@ Command presets_command() {
     auto name = std::make_shared<std::string>();
     return {
         .name = "presets",
-        .summary = "List the presets, or print the sea file of one",
-        .options = {{"", {{"NAME", name.get(), "", "Print the sea file of this preset"}}},
+        .summary = "List the presets, or print the file of one",
+        .options = {{"", {{"NAME", name.get(), "", "Print the file of this preset"}}},
                     {"Output",
                      {{"--json", &RunOptions::json, "", "Print the list as a JSON array"}}}},
         .run =
             [name](const Context& context) {
-                if (!name->empty()) return context.console.data(find_preset(*name).toml);
+                if (!name->empty()) return context.console.data(preset_file(*name));
                 context.console.data(context.options.json ? presets_json() : presets_text());
             },
     };

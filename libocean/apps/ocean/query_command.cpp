@@ -48,7 +48,7 @@ class QueryRun {
         time_ = options.time ? *options.time : sea_.time_of(*options.frame);
         require_finite("--time", time_);
         if (options.orbital_z) require_finite("--orbital", *options.orbital_z);
-        InputFiles inputs(options.sea, named_files(sea_));
+        InputFiles inputs(options.sea.source, named_files(sea_));
         inputs.add(options.points);
         inputs.spare(options.output);
     }

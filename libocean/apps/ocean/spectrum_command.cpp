@@ -54,7 +54,7 @@ bool is_plot(const std::string& path) {
 
 void run(const SpectrumOptions& options, const Context& context) {
     const Sea sea = open_sea(options.sea);
-    const InputFiles inputs(options.sea, named_files(sea));
+    const InputFiles inputs(options.sea.source, named_files(sea));
     for (const std::string& output : {options.output, options.plot}) inputs.spare(output);
     const std::filesystem::path picture = utf8_path(options.plot);
     if (picture.has_extension() && picture.extension() != ".png") {

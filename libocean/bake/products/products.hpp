@@ -10,5 +10,6 @@ namespace ocean {
 
 extern const MadeProduct kCaustics;
 extern const MadeProduct kSlopeTiles;
+extern const MadeProduct kTerrainStages;
 
 }  // namespace ocean

@@ -53,15 +53,21 @@ void add_to(const MapOutput& output, std::size_t component, float height, int re
 
 struct Land::Impl {
     Impl(Terrain its_terrain, const LandOptions& options)
-        : terrain(std::move(its_terrain)), pool(options.threads), writer(options.backend) {}
+        : terrain(std::move(its_terrain)),
+          pool(options.threads, options.run_jobs),
+          writer(options.backend) {
+        pool.set_interrupt(options.interrupt);
+    }
     Impl(const Impl& other, const LandOptions& options)
         : terrain(other.terrain),
-          pool(options.threads),
+          pool(options.threads, options.run_jobs),
           writer(other.writer, {}),
           noise(other.noise),
           modes(other.modes),
+          is_filtered(other.is_filtered),
           scale(other.scale),
           offset(other.offset) {
+        pool.set_interrupt(options.interrupt);
         if (!(options.backend == other.writer.backend())) writer = MapWriter(options.backend);
     }
 
@@ -116,6 +122,19 @@ struct Land::Impl {
         scale = set_terrain_modes(terrain, *noise, gain * scale.rms, pool, *modes);
     }
 
+    /// Returns the query with these options; keeps it for the next call.
+    const SurfaceQuery& surface_query(QueryOptions options) {
+        filter();
+        options.foam = false;
+        if (query && query->options == options) return query->query;
+        require_memory(SurfaceQuery::bytes(*modes, options), "the query",
+                       "choose a smaller resolution or refine less");
+        query.reset();
+        query.emplace(CachedQuery{
+            options, SurfaceQuery(*modes, flat_settings(), Water{}, 0.0, options, pool)});
+        return query->query;
+    }
+
     Terrain terrain;
     ThreadPool pool;
     MapWriter writer;
@@ -139,9 +158,7 @@ Land::Land(Terrain terrain, const LandOptions& options) {
 }
 
 Land::Land(const Land& shared, const LandOptions& options)
-    : impl_(std::make_unique<Impl>(*shared.impl_, options)) {
-    impl_->is_filtered = shared.impl_->is_filtered;
-}
+    : impl_(std::make_unique<Impl>(*shared.impl_, options)) {}
 
 Land::~Land() = default;
 
@@ -211,20 +228,12 @@ void Land::surface_into(std::span<const MapOutput> outputs, int resolution) {
 
 void Land::query(std::span<const WorldPoint> points, std::span<QuerySample> samples,
                  const QueryOptions& options) {
-    const Modes& modes = this->modes();
-    QueryOptions without_foam = options;
-    without_foam.foam = false;
-    auto& kept = impl_->query;
-    if (!kept || !(kept->options == without_foam)) {
-        require_memory(SurfaceQuery::bytes(modes, without_foam), "the query",
-                       "choose a smaller resolution or refine less");
-        kept.reset();
-        kept.emplace(Impl::CachedQuery{without_foam,
-                                       SurfaceQuery(modes, flat_settings(), Water{}, 0.0,
-                                                    without_foam, impl_->pool)});
-    }
-    kept->query.sample(points, samples, impl_->pool);
+    impl_->surface_query(options).sample(points, samples, impl_->pool);
     for (QuerySample& sample : samples.first(points.size())) sample.height += impl_->offset;
+}
+
+double Land::query_height_error(const QueryOptions& options) {
+    return impl_->surface_query(options).height_error();
 }
 
 const TerrainRuns& Land::runs() const {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -17,12 +18,17 @@
 #include "ocean/terrain.hpp"
 #include "ocean/terrain_modes.hpp"
 #include "ocean/terrain_state.hpp"
+#include "ocean/thread_pool.hpp"
 
 namespace ocean {
 
 struct LandOptions {
-    int threads = 0;  // 0 = the cores this process may use
+    int threads = 0;                    // 0 = the cores this process may use
+    ThreadPool::RunJobs run_jobs = {};  // runs jobs on a host's own threads
     Backend backend = Backend::cpu;
+    /// Called by the calling thread about 100 times a second during a computation; may throw to
+    /// stop it. The Land can still be used.
+    std::function<void()> interrupt = {};
 };
 
 /// The channels of a terrain, which has no displacement.
@@ -71,6 +77,9 @@ class Land {
     /// for a point that is not finite.
     void query(std::span<const WorldPoint> points, std::span<QuerySample> samples,
                const QueryOptions& options = {});
+
+    /// Returns the rms error of such heights against the exact sum over all waves [m].
+    double query_height_error(const QueryOptions& options = {});
 
     const TerrainRuns& runs() const;
     ThreadPool& pool();

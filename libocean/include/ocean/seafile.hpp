@@ -66,6 +66,10 @@ std::vector<NamedText> sea_values(const Sea& sea);
 /// invalid_value for an unknown name, a text that is not UTF-8 and a number of several lines.
 std::string text_of_values(std::span<const NamedValue> values);
 
+/// Returns the kind of subject that the text of a file describes by its sections, "sea" or
+/// "terrain"; "" for text without such a section or that is not TOML.
+std::string kind_of_file_text(std::string_view toml);
+
 /// Parses a take: lines "SECONDS NAME VALUE" ordered by time, names as in the parameter table; '#'
 /// begins a comment. Throws Error "NAME:LINE: name = value: FAULT; allowed: RANGE".
 Take parse_take(std::string_view text, const std::string& name, const Parameters& parameters);

@@ -15,8 +15,18 @@
 
 namespace ocean {
 
-/// Returns a valid, resolved terrain as a subject.
-std::unique_ptr<Subject> make_subject(Terrain terrain);
+/// How often a tile is repeated to the east and to the north.
+struct TerrainTiles {
+    int x = 1;
+    int y = 1;
+
+    bool operator==(const TerrainTiles&) const = default;
+};
+inline constexpr int kMaxTerrainTiles = 64;
+
+/// Returns a valid, resolved terrain as a subject. The domain of its maps has the tile that often;
+/// a resolution is that of one tile.
+std::unique_ptr<Subject> make_subject(Terrain terrain, TerrainTiles tiles = {});
 /// Returns the subject that text() of such a subject describes. `name` stands for a path in
 /// messages. Throws Error as parse_terrain.
 std::unique_ptr<Subject> parse_terrain_subject(std::string_view text, const std::string& name);

@@ -33,6 +33,7 @@ from ._library import (
 )
 from ._sea import Sea
 from ._surface import Surface
+from ._terrain import GroundSamples, Terrain
 
 __all__ = [
     "CancelledError",
@@ -40,22 +41,30 @@ __all__ = [
     "DetailBand",
     "Error",
     "FloatPose",
+    "GroundSamples",
     "InvalidValueError",
     "OutOfMemoryError",
     "Samples",
     "Sea",
     "Spray",
     "Surface",
+    "Terrain",
     "UnsupportedError",
     "Water",
     "foam_texture",
     "foam_texture_period",
     "open",
+    "open_terrain",
     "parameters",
     "parse",
+    "parse_terrain",
     "preset",
     "presets",
     "records",
+    "terrain",
+    "terrain_parameters",
+    "terrain_preset",
+    "terrain_presets",
     "text_of_values",
     "version",
     "water_types",
@@ -118,3 +127,49 @@ def text_of_values(values: Mapping[str, Any]) -> str:
     no value: parse() of the text does."""
     texts = [value_text(value) for value in values.values()]
     return text_of("ocean_text_of_values", text_array(list(values)), text_array(texts), len(texts))
+
+
+def open_terrain(path: str | os.PathLike[str], **options: Any) -> Terrain:
+    """Opens a terrain file. The options are threads, backend, progress and jobs of open()."""
+    name = os.fsencode(path)
+    return Terrain(lambda given, out: call("ocean_terrain_open", name, given, out), **options)
+
+
+def parse_terrain(
+    text: str, *, base_dir: str | os.PathLike[str] | None = None, **options: Any
+) -> Terrain:
+    """Opens a terrain from the text of a terrain file. base_dir: the folder that a relative
+    `measured` in it starts from, None = the current one."""
+    toml = text.encode()
+    base = None if base_dir is None else os.fsencode(base_dir)
+    return Terrain(
+        lambda given, out: call("ocean_terrain_parse", toml, len(toml), base, given, out),
+        **options,
+    )
+
+
+def terrain(*, threads: int = 0, backend: str = "cpu", **parameters: Any) -> Terrain:
+    """Makes a terrain of these parameters; the others have their defaults:
+    libocean.terrain(beta=2.2, rms=40, patch_size=2000)."""
+    made = parse_terrain("libocean = 1\n[terrain]\n", threads=threads, backend=backend)
+    try:
+        made.set_all(parameters)
+    except Error:
+        made.close()
+        raise
+    return made
+
+
+def terrain_preset(name: str, **options: Any) -> Terrain:
+    """Opens one of the terrains of terrain_presets(): "tujunga", "seed_smooth"."""
+    return parse_terrain(text_of("ocean_terrain_preset", name.encode()), **options)
+
+
+def terrain_presets() -> list[str]:
+    """Returns the names that terrain_preset() knows."""
+    return json.loads(text_of("ocean_terrain_preset", None))
+
+
+def terrain_parameters() -> list[dict[str, Any]]:
+    """Returns the parameter table of terrains, as parameters() does for seas."""
+    return json.loads(text_of("ocean_terrain_parameters_json"))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""The library's handle of a sea: its life, its lock and its parameters."""
+"""The library's handles of a sea and of a terrain: their life, their lock and their parameters."""
 
 from __future__ import annotations
 
@@ -41,8 +41,12 @@ def text_array(texts: list[str]) -> Any:
     return (ctypes.c_char_p * len(texts))(*(text.encode() for text in texts))
 
 
-class SeaHandle:
-    """An open sea of the library. Calls of several threads wait for each other."""
+class Handle:
+    """An open subject of the library. Calls of several threads wait for each other."""
+
+    _noun = "sea"
+    _prefix = "ocean_"
+    """The beginning of the names of the subject's functions."""
 
     def __init__(
         self,
@@ -73,11 +77,12 @@ class SeaHandle:
         self._handle = handle
 
     def close(self) -> None:
-        """Frees the sea. Surfaces keep the arrays they have. Closing twice is allowed."""
+        """Frees the library's memory. Surfaces keep the arrays they have. Closing twice is
+        allowed."""
         with self._lock:
             handle, self._handle = self._handle, None
             if handle is not None:
-                _library.library.ocean_free(handle)
+                getattr(_library.library, self._prefix + "free")(handle)
 
     def __exit__(self, *_: object) -> None:
         self.close()
@@ -96,23 +101,45 @@ class SeaHandle:
 
     def _open_handle(self) -> ctypes.c_void_p:
         if self._handle is None:
-            raise _library.error("this sea is closed", _library.INVALID_ARGUMENT)
+            raise _library.error(f"this {self._noun} is closed", _library.INVALID_ARGUMENT)
         return self._handle
 
     # Parameters -------------------------------------------------------------------
 
     def set(self, name: str, value: Any) -> None:
-        """Sets a parameter ("wind_speed", "waves.1.fetch"); None unsets an optional one."""
+        """Sets a parameter ("wind_speed", "waves.1.fetch", "beta"); None unsets an optional one."""
         with self._lock:
-            self._call("ocean_set", name.encode(), value_text(value).encode())
+            self._call(self._prefix + "set", name.encode(), value_text(value).encode())
             self._changes += 1
 
     def set_all(self, values: Mapping[str, Any]) -> None:
         """Sets several parameters and checks them together: either all change or none."""
         with self._lock:
             texts = [value_text(value) for value in values.values()]
-            self._call("ocean_set_all", text_array(list(values)), text_array(texts), len(texts))
+            self._call(
+                self._prefix + "set_all", text_array(list(values)), text_array(texts), len(texts)
+            )
             self._changes += 1
+
+    def get(self, name: str) -> str:
+        """Returns the value of a parameter as text; "" for an optional one that is not set."""
+        out = ctypes.create_string_buffer(8192)
+        self._call(self._prefix + "get", name.encode(), out, len(out))
+        return out.value.decode()
+
+    @property
+    def text(self) -> str:
+        """The resolved file, self-contained: parsing it gives the same subject."""
+        return self._text(self._prefix + "text")
+
+    @property
+    def state(self) -> dict[str, Any]:
+        """The output of `ocean info --json`, statistics as asked and as resolved."""
+        return json.loads(self._text(self._prefix + "state_json"))
+
+
+class SeaHandle(Handle):
+    """An open sea of the library."""
 
     def add_waves(self, name: str | None = None, **parameters: Any) -> str:
         """Adds a wave system with these parameters, as the last one or as `name` ("waves.1"; the
@@ -143,28 +170,12 @@ class SeaHandle:
             self._call("ocean_perform", time, name.encode(), value_text(value).encode())
             self._changes += 1
 
-    def get(self, name: str) -> str:
-        """Returns the value of a parameter as text; "" for an optional one that is not set."""
-        out = ctypes.create_string_buffer(8192)
-        self._call("ocean_get", name.encode(), out, len(out))
-        return out.value.decode()
-
-    @property
-    def text(self) -> str:
-        """The resolved sea file, self-contained: libocean.parse(text) gives the same sea."""
-        return self._text("ocean_text")
-
     @property
     def values(self) -> dict[str, str]:
         """Every parameter as text: "grid.resolution": "512", "waves.0.fetch": "1e+05"; "" for one
         that is not set. "[take]" and "[waves.0.measured_record]" are the lines of tables that the
         resolved file carries. libocean.text_of_values() is the inverse."""
         return json.loads(self._text("ocean_values_json"))
-
-    @property
-    def state(self) -> dict[str, Any]:
-        """The output of `ocean info --json`: heights, periods, directions, asked and resolved."""
-        return json.loads(self._text("ocean_state_json"))
 
     def time_of_frame(self, frame: float) -> float:
         """Returns the sea's time at a frame [s]: start + (frame - first_frame) / fps."""

@@ -306,6 +306,20 @@ _SIGNATURES: dict[str, list[Any]] = {
     "ocean_detail": [c_void_p, POINTER(DetailRequest), POINTER(c_size_t), POINTER(c_double)],
     "ocean_spray": [c_void_p, POINTER(SprayRequest), POINTER(c_size_t)],
     "ocean_float_pose": [c_void_p, c_double, *_LISTS],
+    "ocean_terrain_open": [c_char_p, POINTER(Options), POINTER(c_void_p)],
+    "ocean_terrain_parse": [c_char_p, c_size_t, c_char_p, POINTER(Options), POINTER(c_void_p)],
+    "ocean_terrain_clone": [c_void_p, POINTER(Options), POINTER(c_void_p)],
+    "ocean_terrain_set": [c_void_p, c_char_p, c_char_p],
+    "ocean_terrain_set_all": [c_void_p, POINTER(c_char_p), POINTER(c_char_p), c_size_t],
+    "ocean_terrain_get": [c_void_p, c_char_p, c_char_p, c_size_t],
+    "ocean_terrain_text": [c_void_p, *_TEXT],
+    "ocean_terrain_state_json": [c_void_p, *_TEXT],
+    "ocean_terrain_parameters_json": _TEXT,
+    "ocean_terrain_preset": [c_char_p, *_TEXT],
+    "ocean_terrain_provenance_json": [c_void_p, c_char_p, c_int32, *_TEXT],
+    "ocean_terrain_evaluate": [c_void_p, POINTER(Request)],
+    "ocean_terrain_query_points": [c_void_p, POINTER(QueryRequest)],
+    "ocean_terrain_stage": [c_void_p, c_char_p, c_void_p, c_size_t],
     "ocean_foam_texture": [
         POINTER(FoamTextureRequest),
         POINTER(Options),
@@ -333,8 +347,9 @@ def _load() -> ctypes.CDLL:
         loaded.ocean_last_error.restype = c_char_p
         loaded.ocean_last_error_field.argtypes = [c_int32]
         loaded.ocean_last_error_field.restype = c_char_p
-        loaded.ocean_free.argtypes = [c_void_p]
-        loaded.ocean_free.restype = None
+        for free in (loaded.ocean_free, loaded.ocean_terrain_free):
+            free.argtypes = [c_void_p]
+            free.restype = None
         for name, arguments in _SIGNATURES.items():
             getattr(loaded, name).argtypes = arguments
             getattr(loaded, name).restype = c_int32

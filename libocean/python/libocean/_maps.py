@@ -12,7 +12,7 @@ import numpy as np
 
 from . import _library
 from ._answers import DETAIL_BAND, SPRAY_PARTICLE, Array, Detail, DetailBand, Spray
-from ._handle import SeaHandle
+from ._handle import Handle, SeaHandle
 from ._library import DetailRequest, Output, Request, SprayRequest, choose
 from ._surface import CHANNELS, PRODUCTS
 
@@ -47,24 +47,17 @@ def _require_layout(array: Array, names: tuple[str, ...]) -> None:
     )
 
 
-class Maps(SeaHandle):
-    """The part of a Sea that makes maps."""
+class MapWriter(Handle):
+    """The part of a Sea or a Terrain that writes maps into arrays."""
 
-    def fill(
+    def _fill(
         self,
         time: float,
         buffers: Iterable[tuple[Array, Sequence[str]]],
-        axes: str = "zup",
-        *,
-        seam: bool = False,
+        axes: str,
+        seam: bool,
         cascade: int | None = None,
     ) -> None:
-        """Writes the maps of `time` [s] into existing arrays, all together: each of shape (R, R, n)
-        with the names of its n channels, 1 to 4 of CHANNELS ("dx", "dy", "height", "foam").
-        The arrays are float32 and of one R, each row without gaps; those aligned to 64 bytes are
-        filled fastest. seam: (R + 1, R + 1, n), which repeats the first samples a period on.
-        cascade: the map of one of cascade_periods alone, over its period, of channels that add
-        up."""
         maps = [(array, tuple(names)) for array, names in buffers]
         for array, names in maps:
             _require_layout(array, names)
@@ -102,7 +95,7 @@ class Maps(SeaHandle):
             ctypes.sizeof(Output),
             cascade,
         )
-        self._call("ocean_evaluate", ctypes.byref(request))
+        self._call(self._prefix + "evaluate", ctypes.byref(request))
 
     def _evaluate(self, time: float, resolution: int, axes: int, names: list[str]) -> list[Array]:
         """Returns one new array for each field, filled by the library."""
@@ -113,6 +106,27 @@ class Maps(SeaHandle):
             maps.append((np.empty((resolution, resolution, *vector), np.float32), channels))
         self._write_maps(time, resolution, axes, maps)
         return [array for array, _ in maps]
+
+
+class Maps(MapWriter, SeaHandle):
+    """The part of a Sea that makes maps."""
+
+    def fill(
+        self,
+        time: float,
+        buffers: Iterable[tuple[Array, Sequence[str]]],
+        axes: str = "zup",
+        *,
+        seam: bool = False,
+        cascade: int | None = None,
+    ) -> None:
+        """Writes the maps of `time` [s] into existing arrays, all together: each of shape (R, R, n)
+        with the names of its n channels, 1 to 4 of CHANNELS ("dx", "dy", "height", "foam").
+        The arrays are float32 and of one R, each row without gaps; those aligned to 64 bytes are
+        filled fastest. seam: (R + 1, R + 1, n), which repeats the first samples a period on.
+        cascade: the map of one of cascade_periods alone, over its period, of channels that add
+        up."""
+        self._fill(time, buffers, axes, seam, cascade)
 
     def map_resolution(self) -> int:
         """Returns the samples per side of a map whose resolution is not given."""

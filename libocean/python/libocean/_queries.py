@@ -22,22 +22,10 @@ from ._answers import (
     FloatPose,
     Samples,
     Water,
+    rows_of,
 )
 from ._handle import SeaHandle
 from ._library import Gauge, GaugeRequest, QueryRequest, WaterRequest
-
-
-def _rows(rows: npt.ArrayLike, width: int) -> npt.NDArray[np.float64]:
-    """Returns (n, width) numbers; one row may be given as (width,)."""
-    array = np.ascontiguousarray(rows, dtype=np.float64)
-    if array.shape == (width,) or array.size == 0:
-        array = array.reshape(-1, width)
-    if array.ndim != 2 or array.shape[1] != width:
-        raise _library.error(
-            f"an array of shape {array.shape}; allowed: (n, {width})",
-            _library.INVALID_ARGUMENT,
-        )
-    return array
 
 
 def _track(gauge: npt.ArrayLike) -> tuple[npt.NDArray[np.float64], tuple[float, float]]:
@@ -81,7 +69,7 @@ class Queries(SeaHandle):
         error = ctypes.c_double()
         how = (resolution, refine, exact, foam, ctypes.pointer(error))
         answers = self._samples(
-            "ocean_query_points", QueryRequest, SAMPLE, _rows(points, 2), time, how
+            "ocean_query_points", QueryRequest, SAMPLE, rows_of(points, 2), time, how
         )
         fields = [answers[name] for name in ("height", "normal", "velocity", "foam", "label")]
         flags = answers["flags"]
@@ -106,7 +94,7 @@ class Queries(SeaHandle):
         exact as in samples()."""
         how = (resolution, refine, exact)
         answers = self._samples(
-            "ocean_water_points", WaterRequest, WATER_SAMPLE, _rows(points, 3), time, how
+            "ocean_water_points", WaterRequest, WATER_SAMPLE, rows_of(points, 3), time, how
         )
         return Water(answers["velocity"], answers["pressure"])
 
@@ -160,7 +148,7 @@ class Queries(SeaHandle):
         self, name: str, rows: npt.ArrayLike, when: tuple[float, ...], width: int, columns: int
     ) -> Array:
         """Returns one row of floats for each row of `width` numbers."""
-        points = _rows(rows, width)
+        points = rows_of(rows, width)
         answers = np.empty((len(points), columns), dtype=np.float32)
         self._call(name, *when, points.ctypes.data, len(points), answers.ctypes.data, columns)
         return answers

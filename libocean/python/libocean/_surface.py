@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""Surface, the maps of a sea at one time, and the table of its fields."""
+"""Surface, the maps of a sea at one time or of a terrain, and the table of its fields."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from ._answers import Array
 from ._library import choose
 
 if TYPE_CHECKING:
-    from ._maps import Maps
+    from ._sea import Sea
+    from ._terrain import Terrain
 
 CHANNELS = (
     *("dx", "dy", "height", "nx", "ny", "nz", "slope_x", "slope_y"),
@@ -58,7 +59,7 @@ PRODUCTS = {
 
 
 class Surface:
-    """The maps of one sea at one time, as numpy arrays [j, i] or [j, i, component], float32. Each
+    """The maps of one sea at one time, or of a terrain, as numpy arrays [j, i] or [j, i, component], float32. Each
     field of PRODUCTS is a property."""
 
     height: Array
@@ -74,14 +75,14 @@ class Surface:
 
     def __init__(
         self,
-        sea: Maps,
+        subject: Sea | Terrain,
         time: float,
         resolution: int | None,
         fields: Iterable[str] | None,
         axes: str,
     ) -> None:
-        self._sea = sea
-        self._changes = sea._changes
+        self._subject = subject
+        self._changes = subject._changes
         self._axes = choose("axes", axes, _library.AXES)
         self._arrays: dict[str, Array] = {}
         self.time = float(time)
@@ -92,7 +93,7 @@ class Surface:
 
     def _checked_resolution(self, resolution: int | None) -> int:
         if resolution is None:
-            return self._sea.map_resolution()
+            return self._subject.map_resolution()
         # Checked here, before an array of that size is made.
         if resolution not in [32 << n for n in range(9)]:
             raise _library.error(
@@ -104,14 +105,14 @@ class Surface:
     def _compute(self, names: list[str]) -> None:
         for name in names:
             choose("field", name, tuple(PRODUCTS))
-        with self._sea._lock:
-            if self._changes != self._sea._changes:
+        with self._subject._lock:
+            if self._changes != self._subject._changes:
                 raise _library.error(
-                    f"the sea was changed after this surface was made, before {names[0]} was "
+                    f"the {self._subject._noun} was changed after this surface was made, before {names[0]} was "
                     "looked at: name it in surface(..., fields=[...]), or make a new surface",
                     _library.INVALID_ARGUMENT,
                 )
-            arrays = self._sea._evaluate(self.time, self.resolution, self._axes, names)
+            arrays = self._subject._evaluate(self.time, self.resolution, self._axes, names)
         self._arrays.update(zip(names, arrays, strict=True))
 
     def _field(self, name: str) -> Array:

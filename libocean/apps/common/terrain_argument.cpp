@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// See terrain_argument.hpp.
+#include "terrain_argument.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/platform.hpp"
+#include "ocean/io/read_provenance.hpp"
+#include "ocean/subject_kind.hpp"
+#include "ocean/terrain_table.hpp"
+#include "ocean/terrainfile.hpp"
+#include "source_text.hpp"
+#include "standard_input.hpp"
+
+namespace ocean::app {
+namespace {
+
+bool is_preset_of(std::span<const Preset> list, std::string_view name) {
+    return std::ranges::find(list, name, &Preset::name) != list.end();
+}
+
+Terrain read_source(const std::string& source) {
+    if (source.starts_with(kPresetPrefix)) {
+        const std::string name = source.substr(kPresetPrefix.size());
+        if (is_preset_of(presets(), name) && !is_preset_of(terrain_presets(), name)) {
+            throw Error(ErrorKind::not_found, source + " is a sea, not a terrain");
+        }
+        return parse_terrain(find_terrain_preset(name).toml, source, "");
+    }
+    const SourceText found = read_source_text(source, kTerrainKind);
+    return parse_terrain(found.text, found.name, found.base_dir);
+}
+
+void assign(Terrain& terrain, const std::string& assignment) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos || equals == 0) {
+        throw Error(ErrorKind::invalid_value,
+                    "--set " + assignment + ": allowed is NAME=VALUE, such as beta=2.2");
+    }
+    const std::string name = assignment.substr(0, equals);
+    std::string value = assignment.substr(equals + 1);
+    const auto ref = find_parameter(terrain_table(), name);
+    if (ref.info->holds<&Terrain::measured>() && !value.empty()) {
+        value = text::to_utf8(std::filesystem::absolute(utf8_path(value)));
+    }
+    set_parameter(terrain, name, value);
+}
+
+}  // namespace
+
+OptionGroup terrain_options(TerrainArgument& argument, bool required) {
+    return {"Terrain",
+            {{"TERRAIN", &argument.source, "",
+              "A terrain file, - for standard input, a file that was baked from one, or preset:NAME",
+              required},
+             {"--set", &argument.assignments, "NAME=VALUE",
+              "Change a parameter, such as beta=2.2 or layer.0.gain=0.5; may be repeated"}}};
+}
+
+Terrain open_terrain(const TerrainArgument& argument) {
+    Terrain terrain = read_source(argument.source);
+    for (const std::string& assignment : argument.assignments) assign(terrain, assignment);
+    resolve_files(terrain, "");
+    validate(terrain);
+    return terrain;
+}
+
+bool names_terrain(const std::string& source) {
+    if (source.starts_with(kPresetPrefix)) {
+        return is_preset_of(terrain_presets(), source.substr(kPresetPrefix.size()));
+    }
+    if (source == kStandardInput || text::is_pipe_or_device(source)) return false;
+    try {
+        const auto provenance = io::read_provenance(source);
+        if (provenance) return provenance->kind == kTerrainKind;
+        return kind_of_file_text(text::read_file(source, kMaxSeaFileBytes)) == kTerrainKind;
+    } catch (const Error&) {
+        return false;  // its reader explains what is wrong
+    }
+}
+
+}  // namespace ocean::app

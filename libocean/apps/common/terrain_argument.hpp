@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The argument TERRAIN and the option --set of the commands for terrains, and the resolved and
+// validated terrain that they name.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "ocean/terrain.hpp"
+
+namespace ocean::app {
+
+struct TerrainArgument {
+    std::string source;                    // a terrain file, a baked file, or preset:NAME
+    std::vector<std::string> assignments;  // name=value, in order
+};
+
+/// Returns the options TERRAIN and --set.
+OptionGroup terrain_options(TerrainArgument& argument, bool required = kRequired);
+
+/// Returns the terrain. Throws Error.
+Terrain open_terrain(const TerrainArgument& argument);
+
+/// Returns true if a source names a terrain: a preset of one, a baked file of one, or a file with
+/// [terrain]. False for everything else, also for what cannot be read. Standard input and pipes are
+/// not looked into.
+bool names_terrain(const std::string& source);
+
+}  // namespace ocean::app

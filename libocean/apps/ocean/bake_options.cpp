@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// See bake_options.hpp.
+#include "bake_options.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <variant>
+
+#include "console_host.hpp"
+#include "format_help.hpp"
+
+namespace ocean::app {
+namespace {
+
+/// Returns true if another format has the option already.
+bool has_option(const std::vector<OptionGroup>& groups, const std::string& name) {
+    return std::ranges::any_of(groups, [&](const OptionGroup& group) {
+        return std::ranges::find(group.options, name, &Option::names) != group.options.end();
+    });
+}
+
+}  // namespace
+
+void add_format_options(FormatFlags& flags, BakeOptions& bake, const Catalogue& catalogue,
+                        std::string_view kind, std::vector<OptionGroup>& groups) {
+    for (const BakeFormat* format : catalogue.formats) {
+        OptionGroup group{std::string(format->family), {}};
+        for (const FormatOption& option : format->options(catalogue)) {
+            const std::string name = "--" + option.name;
+            const bool foreign = !option.subject.empty() && option.subject != kind;
+            if (foreign || has_option(groups, name)) continue;
+            const std::string help = option_overview(option.name, catalogue);
+            if (option.value.empty()) {
+                group.options.push_back({name, &flags[option.name], "", help});
+            } else {
+                std::string& value = bake.format_options[option.name];
+                group.options.push_back({name, &value, option.value, help});
+            }
+        }
+        if (!group.options.empty()) groups.push_back(std::move(group));
+    }
+    for (OptionGroup& group : std::span(groups).subspan(1)) {
+        for (Option& option : group.options) {
+            if (std::holds_alternative<std::string*>(option.target)) option.rule = NotEmpty{};
+        }
+    }
+}
+
+void add_given(const FormatFlags& flags, BakeOptions& options) {
+    for (const auto& [name, given] : flags) {
+        if (given) options.format_options[name] = "yes";
+    }
+}
+
+void run_or_forecast(const BakePlan& plan, bool dry_run, const Context& context) {
+    if (dry_run) return show_forecast(forecast_bake(plan), {}, context.console);
+    ConsoleHost host(context);
+    run_bake(plan, host);
+}
+
+}  // namespace ocean::app

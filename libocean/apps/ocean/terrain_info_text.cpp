@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// See terrain_info_text.hpp.
+#include "terrain_info_text.hpp"
+
+#include <cmath>
+
+#include "console.hpp"
+#include "text.hpp"
+
+namespace ocean::app {
+namespace {
+
+std::string row(const char* label, const std::string& value) {
+    return format_text("%-24s%s\n", label, value.c_str());
+}
+
+std::string asked_resolved(const std::string& label, const AskedResolved& value, const char* unit,
+                           const char* number = "%.4g") {
+    const auto cell = [&](double x) {
+        return std::isnan(x) ? std::string("-") : format_text(number, x) + unit;
+    };
+    return format_text("%-24s%-16s%s\n", label.c_str(), cell(value.asked).c_str(),
+                       cell(value.resolved).c_str());
+}
+
+std::string law_text(const Terrain& terrain) {
+    if (terrain.rings != nullptr) {
+        return row("Law", format_text("measured, %zu rings: %s", terrain.rings->wavenumber.size(),
+                                      terrain.measured.c_str()));
+    }
+    std::string text = row("Beta", format_text("%g (of amplitude; density k^-%g, H = %g, D = %g)",
+                                               terrain.beta, 2.0 * terrain.beta, terrain.beta - 1.0,
+                                               4.0 - terrain.beta));
+    for (const auto& [wavelength, exponent] : terrain.breaks) {
+        text += row("", format_text("%g below %g m", exponent, wavelength));
+    }
+    return text;
+}
+
+std::string octaves_text(const TerrainState& state) {
+    std::string text = format_text("\n%-24s%-16s%-16s%-16s%s\n", "Octave, longest wave",
+                                   "rms asked", "resolved", "beta asked", "resolved");
+    for (const TerrainOctave& octave : state.octaves) {
+        const std::string exponent = std::isnan(octave.exponent.resolved)
+                                         ? "-"
+                                         : format_text("%.2f", octave.exponent.resolved);
+        text += format_text(
+            "%-24s%-16s%-16s%-16s%s\n", format_text("%.4g m", octave.longest_wave).c_str(),
+            format_text("%.4g m", octave.rms.asked).c_str(),
+            format_text("%.4g m", octave.rms.resolved).c_str(),
+            format_text("%.2f", octave.exponent.asked).c_str(), exponent.c_str());
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string terrain_info_text(const Terrain& terrain, const std::string& name,
+                              const TerrainState& state) {
+    std::string text = row("Terrain", name);
+    text += row("Tile", format_text("%g m, %d samples, a cell of %.4g m", state.period,
+                                    terrain.resolution, state.cell));
+    for (const TerrainLayer& layer : terrain.layers) {
+        text += row("Layer", format_text("repeats every %g m, gain %g", layer.period, layer.gain));
+    }
+    text += law_text(terrain);
+    text += row("Waves", format_text("%.4g to %.4g m", state.shortest_wave, state.longest_wave));
+    text += row("Mean height", format_text("%.4g m", state.mean));
+    text += format_text("\n%-24s%-16s%s\n", "", "asked", "in this tile");
+    text += asked_resolved("RMS height", state.rms, " m");
+    text += asked_resolved("RMS slope", state.rms_slope, "");
+    constexpr const char* kShares[] = {"Slopes, 50 % up to", "        90 %", "        99 %"};
+    for (std::size_t i = 0; i < state.slope_angles.size(); ++i) {
+        text += asked_resolved(kShares[i], state.slope_angles[i], " deg", "%.1f");
+    }
+    return text + octaves_text(state) + "\n" + row("Memory", bytes_text(state.memory_bytes));
+}
+
+}  // namespace ocean::app

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What all handles of libocean.h share: one thread at a time is in a handle.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "guard.hpp"
+
+namespace ocean::capi {
+
+/// The base of the structs behind opaque handles.
+struct Handle {
+    /// The process whose thread is in this handle; 0: none.
+    mutable std::atomic<std::uint64_t> user = 0;
+};
+
+/// The one thread that may be in a handle, while the object lives.
+class Visit {
+  public:
+    /// Throws CallError OCEAN_BUSY if another is in it, OCEAN_INVALID_ARGUMENT for NULL. `name` is
+    /// that of the argument: "sea".
+    explicit Visit(const Handle* handle, const char* name = "sea");
+    ~Visit() { handle_->user.store(0, std::memory_order_release); }
+    Visit(const Visit&) = delete;
+    Visit& operator=(const Visit&) = delete;
+
+  private:
+    const Handle* handle_;
+};
+
+/// Waits until no thread of this process is in the handle, and enters it for good. Returns false if
+/// a thread of the parent process was in it at the fork: it must not be freed then, since that
+/// thread can neither leave it nor say in which state it left it.
+bool enter_to_free(Handle& handle);
+
+}  // namespace ocean::capi

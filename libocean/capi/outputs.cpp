@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// See outputs.hpp. Vectors are turned to the axes of the host.
+#include "outputs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "ocean/channel.hpp"
+#include "ocean/grid.hpp"
+
+namespace ocean::capi {
+namespace {
+
+constexpr int kMaxComponents = 4;
+constexpr int kUntouched = -1;
+
+/// The channels of libocean.h, with the names that they have in core's table.
+struct NamedChannel {
+    int number;
+    std::string_view name;
+};
+constexpr NamedChannel kNamed[] = {
+    {OCEAN_DX, "dx"},
+    {OCEAN_DY, "dy"},
+    {OCEAN_HEIGHT, "height"},
+    {OCEAN_NX, "nx"},
+    {OCEAN_NY, "ny"},
+    {OCEAN_NZ, "nz"},
+    {OCEAN_SLOPE_X, "slope_x"},
+    {OCEAN_SLOPE_Y, "slope_y"},
+    {OCEAN_JACOBIAN, "jacobian"},
+    {OCEAN_WHITECAP, "whitecap"},
+    {OCEAN_FOAM, "foam"},
+    {OCEAN_VX, "vx"},
+    {OCEAN_VY, "vy"},
+    {OCEAN_VZ, "vz"},
+    {OCEAN_DX_X, "dx_x"},
+    {OCEAN_DY_Y, "dy_y"},
+    {OCEAN_DX_Y, "dx_y"},
+    {OCEAN_COVER, "cover"},
+};
+static_assert(std::ranges::equal(kNamed, kChannels,
+                                 [number = 0](const NamedChannel& ours,
+                                              const ChannelInfo& core) mutable {
+                                     return ours.number == number++ && ours.name == core.name;
+                                 }),
+              "libocean.h has other channels than core's table");
+
+/// "OCEAN_DX"
+std::string c_name(int channel) {
+    std::string name = "OCEAN_";
+    for (const char c : kNamed[channel].name) {
+        name += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    }
+    return name;
+}
+
+/// Returns the floats of the smallest buffer that holds the map. Throws CallError if no buffer can
+/// be so large.
+std::size_t needed_floats(const MapOutput& map, int resolution, const std::string& name) {
+    const std::size_t width = map.width(resolution);
+    const std::size_t rows = width / static_cast<std::size_t>(map.components);
+    const std::size_t pitch = map.pitch(resolution);
+    if (pitch < width || pitch > SIZE_MAX / sizeof(float) / rows) {
+        refuse({.parameter = name + ".row_pitch",
+                .value = std::to_string(pitch),
+                .allowed = "0, or " + std::to_string(width) + " floats or more"});
+    }
+    return (rows - 1) * pitch + width;
+}
+
+void require_axes(std::int32_t axes, const std::string& name) {
+    if (axes >= OCEAN_ZUP && axes <= OCEAN_TNB) return;
+    refuse({.parameter = name,
+            .value = std::to_string(axes),
+            .allowed = "OCEAN_ZUP, OCEAN_YUP, OCEAN_TNB"});
+}
+
+void check_output(const ocean_output& output, const std::string& name) {
+    if (output.channels < 1 || output.channels > kMaxComponents) {
+        refuse({.parameter = name + ".channels",
+                .value = std::to_string(output.channels),
+                .allowed = "1 .. 4"});
+    }
+    require_axes(output.axes, name + ".axes");
+    require_reserved(output.reserved, name + ".reserved");
+    require(output.data, (name + ".data").c_str());
+    for (int c = 0; c < output.channels; ++c) {
+        if (output.channel[c] == kUntouched) continue;
+        if (output.channel[c] < 0 || output.channel[c] >= kChannelCount) {
+            refuse({.parameter = name + ".channel[" + std::to_string(c) + "]",
+                    .value = std::to_string(output.channel[c]),
+                    .allowed = c_name(0) + " .. " + c_name(kChannelCount - 1) +
+                               ", or -1 to leave that component as it is"});
+        }
+    }
+}
+
+/// The channel that one component of an output receives, and its sign.
+struct Source {
+    int channel;
+    float sign;
+};
+
+/// Returns true if three components are the x, y and z of a vector.
+bool is_vector(std::span<const std::int32_t, 3> channels) {
+    return std::ranges::any_of(kProducts, [channels](const Product& product) {
+        return product.vector &&
+               std::ranges::equal(product.channels, channels, {},
+                                  [](Channel channel) { return static_cast<int>(channel); });
+    });
+}
+
+/// The component's channels with whole vectors turned: (x, z, -y) or (x, z, y).
+std::array<Source, kMaxComponents> turned(const ocean_output& output) {
+    std::array<Source, kMaxComponents> sources;
+    for (std::size_t c = 0; c < kMaxComponents; ++c) sources[c] = {output.channel[c], 1.0f};
+    if (output.axes == OCEAN_ZUP) return sources;
+    const std::span<const std::int32_t, kMaxComponents> channels(output.channel);
+    for (std::size_t c = 0; c + 2 < static_cast<std::size_t>(output.channels); ++c) {
+        if (!is_vector(channels.subspan(c).first<3>())) continue;
+        sources[c + 1] = {channels[c + 2], 1.0f};
+        sources[c + 2] = {channels[c + 1], output.axes == OCEAN_YUP ? -1.0f : 1.0f};
+    }
+    return sources;
+}
+
+}  // namespace
+
+MapOutput map_output(const ocean_output& output, const std::string& name, int resolution) {
+    check_output(output, name);
+    MapOutput map{output.data, output.channels, {}, output.row_pitch, output.seam != 0};
+    const std::size_t needed = needed_floats(map, resolution, name);
+    if (output.count < needed) {
+        refuse(name + ".count = " + std::to_string(output.count) + "; a map of " +
+               std::to_string(resolution) + " x " + std::to_string(resolution) + " samples of " +
+               std::to_string(output.channels) + " channels needs " + std::to_string(needed));
+    }
+    const auto sources = turned(output);
+    for (std::size_t c = 0; c < static_cast<std::size_t>(output.channels); ++c) {
+        if (sources[c].channel == kUntouched) continue;
+        map.component[c] = {static_cast<Channel>(sources[c].channel), sources[c].sign};
+    }
+    return map;
+}
+
+int map_resolution(int asked, int shown) {
+    if (asked == 0) return shown;
+    if (!is_resolution(asked)) {
+        refuse({.parameter = "resolution",
+                .value = std::to_string(asked),
+                .allowed = "0 (ocean_map_resolution) or a power of two, 32 .. 8192"});
+    }
+    return asked;
+}
+
+std::string_view axes_name(std::int32_t axes) {
+    constexpr std::array<std::string_view, 3> kNames = {"zup", "yup", "tnb"};
+    static_assert(OCEAN_ZUP == 0 && OCEAN_YUP == 1 && OCEAN_TNB == 2);
+    require_axes(axes, "axes");
+    return kNames[static_cast<std::size_t>(axes)];
+}
+
+void read_outputs(const ocean_request& asked, std::size_t caller_struct_size, int resolution,
+                  std::vector<MapOutput>& maps) {
+    const OutputArray outputs(asked, caller_struct_size);
+    maps.clear();
+    for (std::size_t i = 0; i < asked.output_count; ++i) {
+        maps.push_back(map_output(outputs[i], "outputs[" + std::to_string(i) + "]", resolution));
+    }
+    if (channels_of(maps).empty()) {
+        refuse("no output names a channel: there is nothing to compute");
+    }
+}
+
+}  // namespace ocean::capi

@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The functions of libocean.h for terrains: each one a call into core or seafile, with its
+// arguments checked and its result copied out.
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "guard.hpp"
+#include "handle.hpp"
+#include "ocean/internal/json.hpp"
+#include "ocean/land.hpp"
+#include "ocean/provenance.hpp"
+#include "ocean/terrain_stages.hpp"
+#include "ocean/terrain_table.hpp"
+#include "ocean/terrainfile.hpp"
+#include "outputs.hpp"
+#include "query_buffers.hpp"
+#include "sea_handle.hpp"
+
+using namespace ocean;
+using namespace ocean::capi;
+
+struct ocean_terrain : Handle {
+    ocean_terrain(Terrain terrain, LandOptions opened_with, std::string folder)
+        : options(std::move(opened_with)),
+          base_dir(std::move(folder)),
+          land(std::make_unique<Land>(std::move(terrain), options)) {}
+    ocean_terrain(const ocean_terrain& built, LandOptions opened_with)
+        : options(std::move(opened_with)),
+          base_dir(built.base_dir),
+          land(std::make_unique<Land>(*built.land, options)) {}
+
+    LandOptions options;
+    std::string base_dir;        // where a relative `measured` starts
+    std::unique_ptr<Land> land;  // readers may make it build what they ask for
+    std::vector<MapOutput> map_outputs;
+};
+
+namespace {
+
+constexpr const char* kName = "terrain";
+
+LandOptions land_options(const ocean_options* given) {
+    OceanOptions options = read_options(given);
+    return {.threads = options.threads,
+            .run_jobs = std::move(options.run_jobs),
+            .backend = options.backend,
+            .interrupt = std::move(options.interrupt)};
+}
+
+/// Makes another terrain of the handle: whole, or, where `edit` throws, not at all.
+void change_terrain(ocean_terrain& handle, const std::function<void(Terrain&)>& edit) {
+    Terrain changed = handle.land->terrain();
+    edit(changed);
+    resolve_files(changed, handle.base_dir);
+    handle.land->set_terrain(std::move(changed));
+}
+
+std::string terrain_preset_names_json() {
+    JsonArray names;
+    for (const Preset& preset : terrain_presets()) names.add(preset.name);
+    return names.text();
+}
+
+TerrainStep step_named(std::string_view word) {
+    const auto& words = kEnumWords<TerrainStep>;
+    const auto found = std::ranges::find(words, word);
+    if (found == words.end()) {
+        refuse({.parameter = "step",
+                .value = std::string(word),
+                .allowed = "noise, transform, filter, filtered, height"});
+    }
+    return static_cast<TerrainStep>(found - words.begin());
+}
+
+}  // namespace
+
+ocean_result ocean_terrain_open(const char* path, const ocean_options* options,
+                                ocean_terrain** out) {
+    return guarded([&] {
+        require(path, "path");
+        require(out, "out");
+        LandOptions opened_with = land_options(options);
+        *out = std::make_unique<ocean_terrain>(read_terrain(path), std::move(opened_with),
+                                               folder_of(path))
+                   .release();
+    });
+}
+
+ocean_result ocean_terrain_parse(const char* toml, size_t length, const char* base_dir,
+                                 const ocean_options* options, ocean_terrain** out) {
+    return guarded([&] {
+        require(toml, "toml");
+        require(out, "out");
+        LandOptions opened_with = land_options(options);
+        const std::string folder = base_dir != nullptr ? base_dir : "";
+        Terrain terrain = parse_terrain({toml, length}, "text", folder);
+        *out = std::make_unique<ocean_terrain>(std::move(terrain), std::move(opened_with), folder)
+                   .release();
+    });
+}
+
+ocean_result ocean_terrain_clone(const ocean_terrain* terrain, const ocean_options* options,
+                                 ocean_terrain** out) {
+    return guarded([&] {
+        const Visit visit(terrain, kName);
+        require(out, "out");
+        LandOptions opened_with = options != nullptr ? land_options(options) : terrain->options;
+        *out = std::make_unique<ocean_terrain>(*terrain, std::move(opened_with)).release();
+    });
+}
+
+void ocean_terrain_free(ocean_terrain* terrain) {
+    if (terrain == nullptr) return;
+    const PlainFloats plain;
+    if (enter_to_free(*terrain)) delete terrain;
+}
+
+ocean_result ocean_terrain_set(ocean_terrain* terrain, const char* name, const char* value) {
+    return guarded([&] {
+        const Visit visit(terrain, kName);
+        require(name, "name");
+        require(value, "value");
+        change_terrain(*terrain, [&](Terrain& changed) { set_parameter(changed, name, value); });
+    });
+}
+
+ocean_result ocean_terrain_set_all(ocean_terrain* terrain, const char* const* names,
+                                   const char* const* values, size_t count) {
+    return guarded([&] {
+        const Visit visit(terrain, kName);
+        if (count > 0) {
+            require(names, "names");
+            require(values, "values");
+        }
+        change_terrain(*terrain, [&](Terrain& changed) {
+            for (std::size_t i = 0; i < count; ++i) {
+                require(names[i], ("names[" + std::to_string(i) + "]").c_str());
+                require(values[i], ("values[" + std::to_string(i) + "]").c_str());
+                set_parameter(changed, names[i], values[i]);
+            }
+        });
+    });
+}
+
+ocean_result ocean_terrain_get(const ocean_terrain* terrain, const char* name, char* out,
+                               size_t size) {
+    return guarded([&] {
+        const Visit visit(terrain, kName);
+        require(name, "name");
+        require(out, "out");
+        copy_text(get_parameter(terrain->land->terrain(), name), out, &size);
+    });
+}
+
+ocean_result ocean_terrain_text(const ocean_terrain* terrain, char* out, size_t* size) {
+    return guarded([&] {
+        const Visit visit(terrain, kName);
+        copy_text(write_terrain(terrain->land->terrain()), out, size);
+    });
+}
+
+ocean_result ocean_terrain_state_json(const ocean_terrain* terrain, char* out, size_t* size) {
+    return guarded([&] {
+        const Visit visit(terrain, kName);
+        require(size, "size");
+        copy_text(terrain_state_json(terrain->land->state()), out, size);
+    });
+}
+
+ocean_result ocean_terrain_parameters_json(char* out, size_t* size) {
+    return guarded([&] { copy_text(parameters_json(listed(terrain_table())), out, size); });
+}
+
+ocean_result ocean_terrain_preset(const char* name, char* out, size_t* size) {
+    return guarded([&] {
+        copy_text(name != nullptr ? find_terrain_preset(name).toml : terrain_preset_names_json(),
+                  out, size);
+    });
+}
+
+ocean_result ocean_terrain_provenance_json(const ocean_terrain* terrain, const char* field,
+                                           int32_t axes, char* out, size_t* size) {
+    return guarded([&] {
+        const Visit visit(terrain, kName);
+        const Terrain& open = terrain->land->terrain();
+        auto strings =
+            provenance_strings({.kind = std::string(kTerrainKind),
+                                .text = write_terrain(open),
+                                .frame = 1,
+                                .time = 0.0,
+                                .domain = Domain::tile(open.patch_size),
+                                .backend = std::string(terrain->options.backend.name)});
+        if (field != nullptr) {
+            const Product* const product[] = {&find_product(field)};
+            for (HeaderString& string : product_strings(product, axes_name(axes))) {
+                strings.push_back(std::move(string));
+            }
+        }
+        JsonObject json;
+        for (const HeaderString& string : strings) json.add(string.name, string.text);
+        copy_text(json.text(), out, size);
+    });
+}
+
+ocean_result ocean_terrain_evaluate(ocean_terrain* terrain, const ocean_request* request) {
+    return guarded([&] {
+        const Visit visit(terrain, kName);
+        require(request, "request");
+        const ocean_request asked =
+            read_struct(request, offsetof(ocean_request, output_size), "ocean_request");
+        require_reserved(asked.cascade, "cascade");
+        require_reserved(asked.reserved, "reserved");
+        const int resolution =
+            map_resolution(asked.resolution, terrain->land->terrain().resolution);
+        std::vector<MapOutput>& maps = terrain->map_outputs;
+        read_outputs(asked, request->struct_size, resolution, maps);
+        terrain->land->surface_into(maps, resolution);
+    });
+}
+
+ocean_result ocean_terrain_query_points(ocean_terrain* terrain,
+                                        const ocean_query_request* request) {
+    return guarded([&] {
+        const Visit visit(terrain, kName);
+        require(request, "request");
+        const ocean_query_request asked =
+            read_struct(request, offsetof(ocean_query_request, resolution), "ocean_query_request");
+        const StructArray samples(asked.samples, asked.count, asked.sample_size, "ocean_sample");
+        if (asked.count > 0) require(asked.xy, "xy");
+        check_points(asked.xy, asked.count, "xy");
+        const QueryOptions options =
+            query_options(asked.resolution, asked.refine, asked.exact, false);
+        const auto query = [&](std::span<const WorldPoint> points, std::span<QuerySample> answers) {
+            terrain->land->query(points, answers, options);
+        };
+        query_in_batches(asked.xy, asked.count, query,
+                         [&](std::size_t i, WorldPoint, const QuerySample& sample) {
+                             samples.put(i, sample_of(sample));
+                         });
+        if (asked.height_error != nullptr) {
+            *asked.height_error = terrain->land->query_height_error(options);
+        }
+    });
+}
+
+ocean_result ocean_terrain_stage(ocean_terrain* terrain, const char* step, float* data,
+                                 size_t count) {
+    return guarded([&] {
+        const Visit visit(terrain, kName);
+        require(step, "step");
+        require(data, "data");
+        const TerrainStep wanted = step_named(step);
+        const auto side = static_cast<std::size_t>(terrain->land->terrain().resolution);
+        if (count < side * side) {
+            refuse("count = " + std::to_string(count) + "; a step of " + std::to_string(side) +
+                   " x " + std::to_string(side) + " samples needs " + std::to_string(side * side));
+        }
+        std::ranges::copy(plane_of(terrain_stages(*terrain->land), wanted), data);
+    });
+}

@@ -1,0 +1,133 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Terrain, an open terrain file."""
+
+from __future__ import annotations
+
+import ctypes
+import json
+from collections.abc import Iterable, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _library
+from ._answers import SAMPLE, Array, rows_of
+from ._library import QueryRequest, call, choose
+from ._maps import MapWriter
+from ._surface import Surface
+
+STAGES = ("noise", "transform", "filter", "filtered", "height")
+"""The steps of the synthesis, in their order."""
+
+
+class GroundSamples(NamedTuple):
+    """The ground at n points, as arrays of n rows."""
+
+    height: Array
+    """(n,) [m]."""
+    normal: Array
+    """(n, 3), unit, up."""
+    height_error: float
+    """The rms difference of the heights from the exact sum over all waves [m]."""
+
+
+class Terrain(MapWriter):
+    """An open terrain. Made by terrain(), open_terrain(), parse_terrain() and terrain_preset(); a
+    context manager. Calls of several threads wait for each other: clone the terrain for each thread
+    to work in parallel. Ctrl-C ends a call and leaves the terrain as it was."""
+
+    _noun = "terrain"
+    _prefix = "ocean_terrain_"
+
+    def __enter__(self) -> Terrain:
+        return self
+
+    def clone(self) -> Terrain:
+        """Returns the same terrain for another thread. Both share the data that this one has built,
+        until either changes."""
+
+        def share(options: Any, out: Any) -> None:
+            call("ocean_terrain_clone", self._open_handle(), options, out)
+
+        with self._lock:
+            return Terrain(share, *self._options)
+
+    def map_resolution(self) -> int:
+        """Returns the samples per side of a map whose resolution is not given."""
+        return int(self.get("terrain.resolution"))
+
+    def surface(
+        self,
+        resolution: int | None = None,
+        fields: Iterable[str] | None = None,
+        axes: str = "zup",
+    ) -> Surface:
+        """Returns the land on resolution x resolution samples of one tile (default: the terrain's
+        own): the same waves on a finer or coarser map; set("resolution", R) adds waves. It has the
+        fields height, normal and slope; `fields` are computed now, together. axes: "zup" (x, y, z),
+        "yup" (x, z, -y) or "tnb" (x, z, y)."""
+        return Surface(self, 0.0, resolution, fields, axes)
+
+    def fill(
+        self,
+        buffers: Iterable[tuple[Array, Sequence[str]]],
+        axes: str = "zup",
+        *,
+        seam: bool = False,
+    ) -> None:
+        """Writes maps into existing arrays, all together: each of shape (R, R, n) with the names of
+        its n channels, 1 to 4 of "height", "nx", "ny", "nz", "slope_x", "slope_y". The arrays are
+        float32 and of one R, each row without gaps. seam: (R + 1, R + 1, n), which repeats the
+        first samples a period on."""
+        self._fill(0.0, buffers, axes, seam)
+
+    def query(
+        self,
+        points: npt.ArrayLike,
+        *,
+        resolution: int = 0,
+        refine: int = 1,
+        exact: bool = False,
+    ) -> GroundSamples:
+        """Returns height and normal at n world points (x, y), at any distance. resolution: counts
+        the waves that a map of that resolution holds. refine: 2, 4 ... for smaller errors. exact:
+        the sum over all waves, a hundred times as slow."""
+        where = rows_of(points, 2)
+        error = ctypes.c_double()
+        answers = np.empty(len(where), dtype=SAMPLE)
+        request = QueryRequest(
+            ctypes.sizeof(QueryRequest),
+            0.0,
+            where.ctypes.data,
+            len(where),
+            answers.ctypes.data,
+            SAMPLE.itemsize,
+            resolution,
+            refine,
+            exact,
+            0,
+            ctypes.pointer(error),
+        )
+        self._call("ocean_terrain_query_points", ctypes.byref(request))
+        return GroundSamples(answers["height"], answers["normal"], error.value)
+
+    def stage(self, step: str) -> Array:
+        """Returns one step of the synthesis, (R, R): "noise" (white, in space), "transform" (the
+        magnitudes of its Fourier transform), "filter" and "filtered" [m], these with k = 0 at
+        [R / 2, R / 2], or "height" [m]."""
+        choose("step", step, STAGES)
+        with self._lock:
+            side = self.map_resolution()
+            plane = np.empty((side, side), np.float32)
+            self._call("ocean_terrain_stage", step.encode(), plane.ctypes.data, plane.size)
+        return plane
+
+    def provenance(self, field: str | None = None, *, axes: str = "zup") -> dict[str, str]:
+        """Returns the strings by which `ocean terrain` labels a file, for headers of other files:
+        "ocean:terrain", "ocean:period" ... field: the product in the file, "height", "normal" or
+        "slope"; None: without strings about a product."""
+        name = None if field is None else field.encode()
+        turn = choose("axes", axes, _library.AXES)
+        return json.loads(self._text("ocean_terrain_provenance_json", name, turn))
