@@ -11,6 +11,7 @@
 
 #include "formats/formats.hpp"
 #include "ocean/error.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/subject.hpp"
 
 namespace ocean {
@@ -58,7 +59,11 @@ std::unique_ptr<Subject> BakedHeader::subject(const Catalogue& catalogue) const 
 int BakedHeader::resolution() const {
     // The map beside a slope tile has a resolution of its own.
     if (has("map_resolution")) return whole_number("map_resolution");
-    return layout_ ? layout_->resolution : whole_number("resolution");
+    // An image of several tiles has more samples than the tile that its resolution counts.
+    if (!layout_ || has("resolution")) return whole_number("resolution");
+    const auto [width, height] = layout_->samples;
+    if (width == height && width <= kMaxResolution) return width;
+    refuse_source(path_, "its image is not a square of at most 8192 samples along a side");
 }
 
 const std::string& BakedHeader::text(const std::string& name) const {

@@ -158,9 +158,13 @@ FormatPlan<ExrSettings> resolve(const BakePlan& draft, const ExrSettings& reques
     return result;
 }
 
-/// Returns the image with the header strings of the families that make its products.
-io::Image with_family_strings(io::Image image, const BakePlan& plan, const ExrSettings& settings,
-                              const BakeFile& file) {
+/// Returns the image with the header strings of the families that make its products, and the
+/// resolution of a map that is no tile.
+io::Image with_more_strings(io::Image image, const BakePlan& plan, const ExrSettings& settings,
+                            const BakeFile& file) {
+    if (!plan.domain().is_tile()) {
+        image.strings.push_back({"ocean:resolution", std::to_string(plan.resolution)});
+    }
     for (const Product* product : settings.products_of_file(file.part)) {
         if (const RequestedFamily* const family = settings.maker(*product)) {
             std::ranges::move(family->row->strings(plan, family->settings, file.frame, *product),
@@ -177,7 +181,7 @@ io::Image image_of(const BakePlan& plan, const ExrSettings& settings, const Bake
     const bool is_tile = family != nullptr && family->has_tiles();
     const int samples =
         is_tile ? family->row->tile_samples(family->settings) : plan.domain().samples[0];
-    return with_family_strings(
+    return with_more_strings(
         io::product_image(products, settings.layout, provenance_of(plan, file.frame), samples),
         plan, settings, file);
 }
@@ -252,7 +256,7 @@ void write(const FrameWork& work, const ExrSettings& settings, std::span<const B
             maps.push_back({products[i], samples[i].map});
             if (family->has_tiles()) surface = &samples[i].tile;
         }
-        const io::Image image = with_family_strings(
+        const io::Image image = with_more_strings(
             io::product_image(products, settings.layout, work.provenance(), *surface, maps),
             work.plan, settings, file);
         const io::ExrCompression compression = compression_of(settings, file, image);

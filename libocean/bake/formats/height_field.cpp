@@ -80,7 +80,9 @@ std::uint64_t frame_bytes(const BakePlan& plan, const NoSettings&) {
 std::uint64_t max_bytes(const BakePlan& plan, const NoSettings&, const BakeFile& file) {
     constexpr std::uint64_t kSmallFile = 4096;
     if (file.part != kImage) return kSmallFile;
-    return 2 * plan.subject_text.size() + kSmallFile + io::max_height_field_bytes(plan.domain());
+    const std::uint64_t pixels = io::max_height_field_bytes(plan.domain());
+    if (plan.subject->kind() == kSeaKind) return pixels;
+    return pixels + plan.subject_text.size() + kSmallFile;
 }
 
 void write(const FrameWork& work, const NoSettings&, std::span<const BakeFile> files) {
