@@ -40,6 +40,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     # One release of each PyPI tool, so that a new one cannot turn a good tree red.
     ruff_tool=ruff==0.17.5
     usd_tool=usd_core==26.11  # judges our USD
+    # judge our GeoTIFF; imagecodecs has the predictor of floats for tifffile
+    geotiff_tools=(rasterio==1.4.4 tifffile==2026.3.3 imagecodecs==2026.3.6)
     materialx_tool=materialx==1.39.5  # judges shaders/materialx
     tifffile_tool=tifffile==2026.3.3  # writes and reads GeoTIFF, as rasterio (GDAL) does
     rasterio_tool=rasterio==1.4.4

@@ -78,6 +78,9 @@ const Catalogue& standard_catalogue() {
 #ifdef OCEAN_HAVE_OPENVDB
         &kVdbFormat,
 #endif
+#ifdef OCEAN_HAVE_TIFF
+        &kGeotiffFormat,
+#endif
     };
     static constexpr const MadeProduct* kMade[] = {&kCaustics, &kSlopeTiles, &kTerrainStages};
     static const std::vector<Product> products = all_products(product_table(), kMade);

@@ -40,9 +40,11 @@ std::string decimal_rate(const std::string& text) {
 [[noreturn]] void refuse_extension(const Catalogue& catalogue, const std::string& output,
                                    const std::string& extension) {
     const std::string allowed = "allowed are " + catalogue.extensions("and");
-    if (extension == ".vdb") {
+    for (const auto& [optional, library] :
+         {std::pair{".vdb", "OpenVDB"}, std::pair{".tif", "libtiff"}}) {
+        if (extension != optional) continue;
         throw Error(ErrorKind::unsupported,
-                    "-o " + output + ": this build is without OpenVDB; " + allowed);
+                    "-o " + output + ": this build is without " + library + "; " + allowed);
     }
     std::vector<KnownName> names;
     for (const BakeFormat* format : catalogue.formats) {

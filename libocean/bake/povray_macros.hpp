@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The files of povray_macros/ that go into every folder for POV-Ray; the build puts them here.
+// The files of povray_macros/ that go into the folders of seas and of terrains for POV-Ray; the
+// build puts them here.
 #pragma once
 
 #include <string_view>
@@ -10,5 +11,7 @@ namespace ocean {
 
 extern const std::string_view kOceanInc;
 extern const std::string_view kScenePov;
+extern const std::string_view kTerrainInc;
+extern const std::string_view kTerrainScenePov;
 
 }  // namespace ocean

@@ -11,6 +11,7 @@
 
 #include "formats/formats.hpp"
 #include "ocean/error.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/subject.hpp"
 
 namespace ocean {
@@ -25,16 +26,6 @@ void set_default(std::string& option, std::string_view value) {
 void check_time(const Subject& subject, const BakedHeader& header, const std::string& path) {
     if (subject.time_of(header.whole_number("frame")) == header.number("time")) return;
     refuse_source(path, "its ocean:time is not that of its ocean:frame");
-}
-
-std::unique_ptr<Subject> subject_of(const BakedHeader& header, const Catalogue& catalogue,
-                                    const std::string& path) {
-    const auto shown = std::ranges::find_if(catalogue.subjects, [&](const SubjectReader& reader) {
-        return header.has(std::string(reader.kind));
-    });
-    const SubjectReader& reader =
-        shown == catalogue.subjects.end() ? catalogue.subjects.front() : *shown;
-    return reader.parse(header.text(std::string(reader.kind)), path);
 }
 
 }  // namespace
@@ -56,10 +47,23 @@ BakedHeader::BakedHeader(const std::string& path, const Catalogue& catalogue) : 
     if (format == &kExrFormat) layout_ = io::read_exr_layout(path);
 }
 
+std::unique_ptr<Subject> BakedHeader::subject(const Catalogue& catalogue) const {
+    const auto shown = std::ranges::find_if(catalogue.subjects, [&](const SubjectReader& reader) {
+        return has(std::string(reader.kind));
+    });
+    const SubjectReader& reader =
+        shown == catalogue.subjects.end() ? catalogue.subjects.front() : *shown;
+    return reader.parse(text(std::string(reader.kind)), path_);
+}
+
 int BakedHeader::resolution() const {
     // The map beside a slope tile has a resolution of its own.
     if (has("map_resolution")) return whole_number("map_resolution");
-    return layout_ ? layout_->resolution : whole_number("resolution");
+    // An image of several tiles has more samples than the tile that its resolution counts.
+    if (!layout_ || has("resolution")) return whole_number("resolution");
+    const auto [width, height] = layout_->samples;
+    if (width == height && width <= kMaxResolution) return width;
+    refuse_source(path_, "its image is not a square of at most 8192 samples along a side");
 }
 
 const std::string& BakedHeader::text(const std::string& name) const {
@@ -95,7 +99,7 @@ BakeOptions with_source(BakeOptions options, const Catalogue& catalogue, const B
     if (options.from.empty()) return options;
     options.source = options.from;
     const BakedHeader header(options.from, catalogue);
-    const auto subject = subject_of(header, catalogue, options.from);
+    const auto subject = header.subject(catalogue);
     check_time(*subject, header, options.from);
     set_default(options.frames, std::to_string(header.whole_number("frame")));
     // The subject's own resolution stays a default, which a changed subject may change.

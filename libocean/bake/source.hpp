@@ -5,6 +5,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -29,6 +30,8 @@ class BakedHeader {
     bool has(const std::string& name) const { return strings_.contains("ocean:" + name); }
     /// Returns the samples along a side of the subject's map.
     int resolution() const;
+    /// Returns the subject that the header describes. Throws Error as its reader.
+    std::unique_ptr<Subject> subject(const Catalogue& catalogue) const;
     /// Returns the layout of an EXR file.
     const io::ExrLayout& layout() const { return *layout_; }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "ocean/error.hpp"
+#include "ocean/io/geotiff.hpp"
 #include "ocean/io/mesh_files.hpp"
 #include "ocean/io/png.hpp"
 #include "ocean/io/usd.hpp"
@@ -46,7 +47,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static const File file;
     const std::string path = file.holding(data, size);
     for (const auto read : {io::read_ply_header, io::read_obj_header, io::read_usd_header,
-                            io::read_vdb_header, io::read_png_header}) {
+                            io::read_vdb_header, io::read_png_header, io::read_geotiff_header}) {
         try {
             const std::vector<io::HeaderString> strings = read(path);
             require(!strings.empty());

@@ -101,7 +101,8 @@ TEST(Df3, ThreeSlicesHoldThePosition) {
     EXPECT_EQ(three.substr(6), all.substr(6, three.size() - 6));
 }
 
-// A terrain stands still and has no foam: its file has no planes of zeros for them.
+// A terrain stands still and has no foam: its file has no planes of zeros for them. Its heights
+// have codes of their own range, so that land higher than 1024 m fits.
 TEST(Df3, HasTheSlicesOfTheSubject) {
     const TemporaryFolder folder;
     const Surface all = tilted_surface(32);
@@ -109,6 +110,7 @@ TEST(Df3, HasTheSlicesOfTheSubject) {
     for (const Channel channel : {Channel::height, Channel::nx, Channel::ny, Channel::nz}) {
         std::ranges::copy(all.channel(channel), land.channel(channel).begin());
     }
+    for (float& height : land.channel(Channel::height)) height = 700.0f * height + 2500.0f;
     EXPECT_THROW(io::write_df3(land, folder.file("sea.df3")), Error);
     io::write_df3(land, folder.file("land.df3"), io::df3_slices("terrain"));
     io::write_df3(all, folder.file("all.df3"));
@@ -116,7 +118,13 @@ TEST(Df3, HasTheSlicesOfTheSubject) {
     const std::string seven = test::read_bytes(folder.file("all.df3"));
     const std::size_t slice = 32 * 32 * 4;
     ASSERT_EQ(three.size(), io::df3_bytes(32, 3));
-    EXPECT_EQ(three.substr(6, slice), seven.substr(6, slice));
+    const io::Df3Heights codes = io::df3_heights(land);
+    for (std::size_t at = 0; at < land.channel(Channel::height).size(); ++at) {
+        const double height =
+            codes.base + codes.quantum() * static_cast<double>(big_endian(three, 6 + 4 * at, 4));
+        EXPECT_NEAR(height, land.channel(Channel::height)[at], 0.501 * codes.quantum());
+    }
+    EXPECT_LT(codes.quantum(), 1e-5);
     EXPECT_EQ(three.substr(6 + slice), seven.substr(6 + 3 * slice, 2 * slice));
 }
 

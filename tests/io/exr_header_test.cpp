@@ -84,7 +84,7 @@ TEST(ExrHeader, LayoutIsReadBackAsWritten) {
         EXPECT_EQ(io::exr_compression_name(compression), codec);
         io::write_exr(image, path, compression);
         const io::ExrLayout layout = io::read_exr_layout(path);
-        EXPECT_EQ(layout.resolution, 64);
+        EXPECT_EQ(layout.samples, (std::array{64, 64}));
         EXPECT_EQ(layout.compression, compression);
         EXPECT_EQ(layout.channels, io::exr_channels(image));
         EXPECT_NE(layout.channels, io::exr_channels(floats));
@@ -105,7 +105,11 @@ TEST(ExrHeader, ReadsTheLayoutOfForeignFiles) {
     EXPECT_EQ(io::read_exr_layout(path).compression, std::nullopt);
     for (const std::size_t corner : {0, 4, 8, 12}) {
         other = bytes;
-        other[value_of("dataWindow", "box2i") + corner] ^= 1;
+        const std::size_t low_byte = value_of("dataWindow", "box2i") + corner;
+        other[low_byte] ^= 1;
+        spit(path, other);
+        EXPECT_NE(io::read_exr_layout(path).samples, (std::array{64, 64})) << corner;
+        other[low_byte + 3] ^= 0x40;  // too large, or negative
         spit(path, other);
         EXPECT_THROW(io::read_exr_layout(path), Error) << corner;
     }

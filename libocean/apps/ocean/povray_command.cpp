@@ -3,15 +3,15 @@
 //
 // `ocean povray`: writes a folder that POV-Ray renders as it is. Its frames are baked like any
 // others; the folder also has the macros, the sea's parameters, a scene and the settings of its
-// animation.
+// animation. povray_terrain.cpp writes the folder of a terrain.
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "commands.hpp"
 #include "console.hpp"
 #include "console_host.hpp"
-#include "input_files.hpp"
 #include "ocean/bake/povray_folder.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
@@ -20,13 +20,13 @@
 #include "ocean/ocean.hpp"
 #include "ocean/sea_subject.hpp"
 #include "ocean/seafile.hpp"
+#include "povray_files.hpp"
 #include "sea_argument.hpp"
+#include "terrain_argument.hpp"
 #include "text.hpp"
 
 namespace ocean::app {
 namespace {
-
-constexpr int kMaxPovrayResolution = 2048;
 
 struct Typed {
     BakeOptions bake;
@@ -37,13 +37,6 @@ struct Typed {
     bool dry_run = false;
 };
 
-std::string extension_of(const std::string& format) {
-    for (const BakeFormat* known : standard_catalogue().formats) {
-        if (known->name == format) return std::string(known->extension);
-    }
-    throw Error(ErrorKind::invalid_value, "--format " + format + " is unknown");
-}
-
 BakePlan make_povray_plan(const Typed& typed, const std::string& folder, const Context& context) {
     const bool df3 = typed.format == "df3";
     if (typed.near_only && !df3) {
@@ -52,7 +45,7 @@ BakePlan make_povray_plan(const Typed& typed, const std::string& folder, const C
     }
     BakeOptions options = typed.bake;
     options.source = typed.sea.source;
-    options.output = folder + "/sea_####" + extension_of(typed.format);
+    options.output = folder + "/sea_####" + povray_extension(typed.format);
     options.threads = context.options.threads;
     options.max_resolution = kMaxPovrayResolution;
     if (df3) options.format_options["fine-map"] = "yes";
@@ -63,11 +56,8 @@ BakePlan make_povray_plan(const Typed& typed, const std::string& folder, const C
         return make_subject(open_sea({source, typed.sea.assignments}));
     };
     BakePlan plan = make_bake_plan(options, standard_catalogue());
-    if (plan.resolution <= kMaxPovrayResolution) return plan;
-    throw Error(ErrorKind::invalid_value,
-                format_text("--resolution = %d: allowed is at most %d, for which POV-Ray makes "
-                            "a mesh of 2 GiB",
-                            plan.resolution, kMaxPovrayResolution));
+    refuse_large_mesh(plan.resolution);
+    return plan;
 }
 
 /// Reports the cost of POV-Ray's mesh of a frame's map: 500 bytes and 12 us for each vertex,
@@ -83,47 +73,6 @@ void warn_of_cost(const BakePlan& plan, Console& console) {
                     {"povray_parse_seconds", Json(12e-6 * vertices, decimals<1>)}});
 }
 
-/// Throws Error invalid_value if a file of the folder exists and another program wrote it.
-void refuse_to_overwrite_foreign_files(const std::vector<FolderFile>& files,
-                                       const std::string& folder) {
-    for (const FolderFile& file : files) {
-        const std::string path = folder + "/" + file.name;
-        if (file.is_users) continue;
-        io::refuse_to_replace_foreign_file(path, "`ocean povray`", [&] {
-            const std::string opening = file.opening();
-            return text::first_bytes(path, opening.size()) == opening;
-        });
-    }
-}
-
-bool is_kept(const FolderFile& file, const std::string& path) {
-    std::error_code error;
-    return file.is_users && std::filesystem::exists(utf8_path(path), error);
-}
-
-BakeForecast forecast_folder(const std::vector<FolderFile>& files, const std::string& folder) {
-    BakeForecast forecast;
-    for (const FolderFile& file : files) {
-        const std::string path = folder + "/" + file.name;
-        forecast.files.push_back({path, is_kept(file, path)});
-        if (!forecast.files.back().kept) forecast.bytes += file.text.size();
-    }
-    return forecast;
-}
-
-void write_folder(const std::vector<FolderFile>& files, const std::string& folder,
-                  const Context& context) {
-    for (const FolderFile& file : files) {
-        const std::string path = folder + "/" + file.name;
-        if (is_kept(file, path)) {
-            context.console.note(path + " exists and is kept");
-            continue;
-        }
-        io::write_file_atomically(path, file.text);
-        context.console.data(path + "\n");
-    }
-}
-
 /// Writes the lists of frames again: another chunk may have baked some meanwhile.
 void update_frame_lists(const BakePlan& plan, const SeaState& state, const std::string& folder,
                         const Context& context) {
@@ -137,8 +86,38 @@ void update_frame_lists(const BakePlan& plan, const SeaState& state, const std::
     }
 }
 
+/// Throws Error unsupported for options that only a sea has.
+void refuse_options_of_seas(const Typed& typed) {
+    const std::pair<const char*, bool> given[] = {{"--frames", !typed.bake.frames.empty()},
+                                                  {"--fps", !typed.bake.fps.empty()},
+                                                  {"--near-only", typed.near_only},
+                                                  {"--shard", !typed.bake.shard.empty()},
+                                                  {"--keep-going", typed.bake.keep_going}};
+    for (const auto& [option, is_given] : given) {
+        if (!is_given) continue;
+        throw Error(ErrorKind::unsupported,
+                    std::string(option) + ": only a sea has it, and this is a terrain");
+    }
+}
+
+/// Throws Error invalid_value for a folder with a terrain.
+void refuse_folder_of_a_terrain(const std::string& folder) {
+    std::error_code error;
+    if (!std::filesystem::exists(utf8_path(folder + "/terrain.ini"), error)) return;
+    throw Error(ErrorKind::invalid_value,
+                "-o " + folder + ": the folder holds a terrain, terrain.ini; a sea needs its own");
+}
+
 void run(const Typed& typed, const Context& context) {
     const std::string folder = typed.folder.empty() ? "." : typed.folder;
+    if (names_terrain(typed.sea.source)) {
+        refuse_options_of_seas(typed);
+        BakeOptions options = typed.bake;
+        options.source = typed.sea.source;
+        return write_povray_terrain(
+            {options, typed.sea.assignments, folder, typed.format, typed.dry_run}, context);
+    }
+    refuse_folder_of_a_terrain(folder);
     const BakePlan plan = make_povray_plan(typed, folder, context);
     const Sea& sea = sea_of(*plan.subject);
     const SeaState state = Ocean(sea.parameters, {.threads = plan.threads}).state();
@@ -146,13 +125,8 @@ void run(const Typed& typed, const Context& context) {
     std::vector<FolderFile> files =
         povray_folder_files(plan, state, united(plan.all_frames, existing.of_plan));
     const InputFiles inputs(typed.sea.source, named_files(sea));
-    for (const FolderFile& file : files) {
-        // The folder's own sea.toml may be the source.
-        const std::string path = folder + "/" + file.name;
-        if (text::first_bytes(path, file.text.size() + 1) != file.text) inputs.spare(path);
-    }
+    refuse_to_replace_others(files, folder, inputs);
     for (const std::string& path : output_paths(plan)) inputs.spare(path);
-    refuse_to_overwrite_foreign_files(files, folder);
     io::require_folder(folder);
     warn_of_cost(plan, context.console);
     const std::string warning =
@@ -161,12 +135,7 @@ void run(const Typed& typed, const Context& context) {
     if (typed.dry_run) {
         return show_forecast(forecast_bake(plan), forecast_folder(files, folder), context.console);
     }
-    io::make_folder(folder);
-    {
-        const InterruptWatch::Hold whole = context.interrupts.hold();
-        const io::FolderLock lock(folder);
-        write_folder(files, folder, context);
-    }
+    write_folder(files, folder, context);
     ConsoleHost host(context);
     run_bake(plan, host);
     update_frame_lists(plan, state, folder, context);
@@ -184,7 +153,7 @@ std::vector<OptionGroup> povray_options(Typed& typed) {
            "FIRST-LAST[xSTEP] in comma lists, such as 1-250x2; default: the sea's first frame"},
           {"--format", &typed.format, "FORMAT",
            "df3 (exact, small, all macros), mesh2 (text) or height_field (16-bit PNG, no "
-           "overhangs); default df3",
+           "overhangs); default df3. Of a terrain all have all macros",
            kOptional, OneOf{{"df3", "mesh2", "height_field"}}},
           {"--resolution", &bake.resolution, "R",
            "Samples along a side, a power of two up to 2048; default: the sea's grid, four times "
@@ -211,7 +180,11 @@ is its time in seconds; at a frame that was not written POV-Ray stops with an
 error that lists the existing frames. Chunks (--frames 1-10, then 11-20) and
 shards merge into ocean.ini and ocean_parameters.inc, in any order and
 concurrently; frames of another sea, format or resolution are left out, with a
-warning.)";
+warning.
+
+SEA may be a terrain: a terrain file, preset:tujunga or a baked file of one. Its
+folder has terrain.inc, terrain_parameters.inc, terrain.toml and one map, and is
+rendered by povray terrain.ini.)";
 
 }  // namespace
 
@@ -219,7 +192,7 @@ Command povray_command() {
     auto typed = std::make_shared<Typed>();
     return {
         .name = "povray",
-        .summary = "Write a folder that POV-Ray renders as it is",
+        .summary = "Write a sea or a terrain as a folder that POV-Ray renders",
         .options = povray_options(*typed),
         .footer = kFooter,
         .run = [typed](const Context& context) { run(*typed, context); },

@@ -19,6 +19,7 @@
 #include "ocean/internal/memory.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/povray_declarations.hpp"
+#include "ocean/io/subject_words.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/sea_subject.hpp"
 #include "ocean/text.hpp"
@@ -28,7 +29,8 @@ namespace {
 
 std::vector<FormatOption> list_options(const Catalogue&) {
     return {
-        {"far-maps", "", "Write coarser maps beside that of each frame, a third more data"},
+        {"far-maps", "", "Write coarser maps beside that of each frame, a third more data", "",
+         kSeaKind},
         {"fine-map", "",
          "Write height and displacement at twice the samples too, for exact heights of places, "
          "twice the data; not if its shortest wave has 4 samples",
@@ -129,17 +131,21 @@ bool is_baked(const BakeFile& file) {
         return static_cast<unsigned char>(head[i]) << 8 | static_cast<unsigned char>(head[i + 1]);
     };
     const auto slices = static_cast<std::size_t>(size_at(4));
-    // A subject that stands still has as many slices as a position.
+    // A subject that is not displaced has as many slices as a position, and may be a rectangle.
+    if (slices == io::df3_slices(kTerrainKind).size()) {
+        return size_at(0) % kMinResolution == 0 && size_at(2) % kMinResolution == 0;
+    }
     return size_at(0) == size_at(2) && is_resolution(size_at(0)) &&
            (slices == io::df3_slices(kSeaKind).size() ||
-            slices == io::df3_position_slices().size() ||
             (slices % 2 == 0 && slices <= std::size_t{2 * kMaxDetailBands}));
 }
 
 std::uint64_t max_bytes(const BakePlan& plan, const Df3Settings& settings, const BakeFile& file) {
     constexpr std::uint64_t kTextBytes = 2048;
     const std::vector<int>& maps = plan.maps.resolutions;
-    if (file.part < maps.size()) return io::df3_bytes(maps[file.part], settings.slices.size());
+    if (file.part < maps.size()) {
+        return io::df3_bytes(plan.subject->domain(maps[file.part]), settings.slices.size());
+    }
     if (is_fine(plan, file))
         return io::df3_bytes(plan.maps.finer, io::df3_position_slices().size());
     if (file.path.ends_with(".inc")) return kTextBytes;
@@ -154,15 +160,42 @@ std::uint64_t frame_bytes(const BakePlan& plan, const Df3Settings& settings) {
 
 /// Returns the declaration of three heights, by which a scene checks that text and map belong to
 /// one frame.
-std::string check_heights(const Surface& map) {
-    const auto height_at = [&map](int i, int j) {
-        const auto place = static_cast<std::size_t>(j * map.resolution() + i);
+std::string check_heights(const Surface& map, const std::string& prefix) {
+    const auto [width, height] = map.domain().samples;
+    const auto height_at = [&](int i, int j) {
+        const auto place = static_cast<std::size_t>(j) * static_cast<std::size_t>(width) +
+                           static_cast<std::size_t>(i);
         return shortest_text(static_cast<double>(map.channel(Channel::height)[place]));
     };
-    const int half = map.resolution() / 2;
-    return "#declare Ocean_Frame_Heights_ = array[3] { " + height_at(0, 0) + ", " +
-           height_at(half, half / 2) + ", " + height_at(half / 2, half) +
+    return "#declare " + prefix + "Frame_Heights_ = array[3] { " + height_at(0, 0) + ", " +
+           height_at(width / 2, height / 4) + ", " + height_at(width / 4, height / 2) +
            " };  // m, at <0, 0>, <1/2, 1/4>, <1/4, 1/2> periods\n";
+}
+
+/// Returns the declaration of the codes of a height in its own range; "" for a sea.
+std::string height_codes(const Surface& map, io::Df3Slices slices, const std::string& prefix) {
+    if (slices.front().code != io::Df3Code::range) return "";
+    const io::Df3Heights heights = io::df3_heights(map);
+    return "#declare " + prefix + "Base_ = " + shortest_text(heights.base) +
+           ";  // m, the minimal height\n#declare " + prefix +
+           "Scale_ = " + shortest_text(heights.scale) + ";  // m, a height is right to " +
+           shortest_text(0.5 * heights.quantum()) + " m\n";
+}
+
+/// Returns the text beside the maps of a frame.
+std::string description(const FrameWork& work, const Df3Settings& settings, const Detail& detail) {
+    const Surface& map = work.maps.front();
+    const std::string_view kind = work.plan.subject->kind();
+    const std::string prefix = io::subject_words(kind).prefix();
+    const bool is_sea = kind == kSeaKind;
+    std::string text =
+        std::string(kOpening) + (is_sea ? ": what Ocean_Load of ocean.inc asks for.\n"
+                                        : ": the data that " + prefix + "Load reads.\n");
+    text += io::povray_frame_declarations(work.provenance()) + check_heights(map, prefix) +
+            height_codes(map, settings.slices, prefix);
+    if (!is_sea) return text;
+    const auto levels = work.maps.first(work.plan.maps.resolutions.size());
+    return text + io::povray_foam_declarations(levels) + io::povray_detail_declarations(detail);
 }
 
 void write(const FrameWork& work, const Df3Settings& settings, std::span<const BakeFile> files) {
@@ -179,13 +212,7 @@ void write(const FrameWork& work, const Df3Settings& settings, std::span<const B
         work.write_and_verify(file, [&] { io::write_slopes_df3(detail, file.path); });
     }
     work.write_and_verify(files.back(), [&] {
-        io::write_file_atomically(
-            files.back().path,
-            std::string(kOpening) + ": what Ocean_Load of ocean.inc asks for.\n" +
-                io::povray_frame_declarations(work.provenance()) +
-                check_heights(work.maps.front()) +
-                io::povray_foam_declarations(work.maps.first(work.plan.maps.resolutions.size())) +
-                io::povray_detail_declarations(detail));
+        io::write_file_atomically(files.back().path, description(work, settings, detail));
     });
 }
 

@@ -60,7 +60,9 @@ std::vector<FormatOption> list_options(const Catalogue& catalogue) {
          "Comma list of products, listed above; default " + std::string(kDefaultProducts)},
         {"type", "TYPE",
          "float or half; default: float for " + names_of(&Product::precision, Precision::full) +
-             ", half for the rest"},
+             ", and for the height of a subject that is not displaced, such as a terrain; half for "
+             "the "
+             "rest"},
         {"axes", "AXES",
          "Order of vectors: tnb (x, z, y), zup (x, y, z), yup (x, z, -y); default tnb"},
         {"layout", "LAYOUT",
@@ -134,6 +136,7 @@ std::vector<const Product*> list_products(const BakePlan&, const ExrSettings& se
 
 FormatPlan<ExrSettings> resolve(const BakePlan& draft, const ExrSettings& requested) {
     ExrSettings settings = requested;
+    settings.layout.full_heights = !is_displaced(*draft.subject);
     if (settings.is_default && !is_displaced(*draft.subject)) {
         settings.products = {&find_product(kUndisplacedProducts)};
     }
@@ -155,9 +158,13 @@ FormatPlan<ExrSettings> resolve(const BakePlan& draft, const ExrSettings& reques
     return result;
 }
 
-/// Returns the image with the header strings of the families that make its products.
-io::Image with_family_strings(io::Image image, const BakePlan& plan, const ExrSettings& settings,
-                              const BakeFile& file) {
+/// Returns the image with the header strings of the families that make its products, and the
+/// resolution of a map that is no tile.
+io::Image with_more_strings(io::Image image, const BakePlan& plan, const ExrSettings& settings,
+                            const BakeFile& file) {
+    if (!plan.domain().is_tile()) {
+        image.strings.push_back({"ocean:resolution", std::to_string(plan.resolution)});
+    }
     for (const Product* product : settings.products_of_file(file.part)) {
         if (const RequestedFamily* const family = settings.maker(*product)) {
             std::ranges::move(family->row->strings(plan, family->settings, file.frame, *product),
@@ -172,8 +179,9 @@ io::Image image_of(const BakePlan& plan, const ExrSettings& settings, const Bake
     const auto products = settings.products_of_file(file.part);
     const RequestedFamily* const family = settings.maker(*products.front());
     const bool is_tile = family != nullptr && family->has_tiles();
-    const int samples = is_tile ? family->row->tile_samples(family->settings) : plan.resolution;
-    return with_family_strings(
+    const int samples =
+        is_tile ? family->row->tile_samples(family->settings) : plan.domain().samples[0];
+    return with_more_strings(
         io::product_image(products, settings.layout, provenance_of(plan, file.frame), samples),
         plan, settings, file);
 }
@@ -248,7 +256,7 @@ void write(const FrameWork& work, const ExrSettings& settings, std::span<const B
             maps.push_back({products[i], samples[i].map});
             if (family->has_tiles()) surface = &samples[i].tile;
         }
-        const io::Image image = with_family_strings(
+        const io::Image image = with_more_strings(
             io::product_image(products, settings.layout, work.provenance(), *surface, maps),
             work.plan, settings, file);
         const io::ExrCompression compression = compression_of(settings, file, image);
@@ -267,15 +275,16 @@ bool read_pixels(const BakePlan& plan, const ExrSettings& settings, const BakeFi
 
 /// Sets the layout and the type that make the file's channels; leaves out the type if it is the
 /// default.
-void adopt_channels(const io::ExrLayout& stored, std::span<const Product* const> products,
-                    BakeOptions& options) {
+void adopt_channels(const io::ExrLayout& stored, bool full_heights,
+                    std::span<const Product* const> products, BakeOptions& options) {
     for (const bool layered : {false, true}) {
         for (const auto& [type, name] :
              {std::pair<std::optional<io::PixelType>, const char*>(std::nullopt, ""),
               {io::PixelType::half_float, "half"},
               {io::PixelType::full_float, "float"}}) {
             if (!layered && products.size() > 1) continue;
-            const io::ProductLayout layout{.type = type, .layered = layered};
+            const io::ProductLayout layout{
+                .type = type, .full_heights = full_heights, .layered = layered};
             if (io::exr_channels(io::product_image(products, layout, {}, 1)) != stored.channels)
                 continue;
             options.set_default("layout", layered ? "layered" : "separate");
@@ -295,7 +304,10 @@ void adopt(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& o
         options.set_default("axes", header.text("axes"));
     }
     const auto is_given = [&](const char* name) { return !options.format_option(name).empty(); };
-    if (!is_given("type") || !is_given("layout")) adopt_channels(stored, products, options);
+    if (!is_given("type") || !is_given("layout")) {
+        const bool full_heights = !is_displaced(*header.subject(catalogue));
+        adopt_channels(stored, full_heights, products, options);
+    }
     if (!is_given("compression")) {
         if (!stored.compression) {
             refuse_source(options.from, "`ocean bake` does not have its compression");

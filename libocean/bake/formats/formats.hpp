@@ -23,6 +23,7 @@ extern const BakeFormat kPlyFormat;
 extern const BakeFormat kObjFormat;
 extern const BakeFormat kUsdFormat;
 extern const BakeFormat kVdbFormat;
+extern const BakeFormat kGeotiffFormat;
 
 /// Returns "a, b or c".
 std::string listing(const std::vector<std::string>& words, std::string_view conjunction);

@@ -6,8 +6,10 @@
 #include "ocean/io/height_field.hpp"
 #include "formats/formats.hpp"
 #include "ocean/bake/typed_format.hpp"
+#include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/io/output_file.hpp"
+#include "ocean/io/png.hpp"
 #include "ocean/io/povray_declarations.hpp"
 #include "ocean/io/product_image.hpp"
 
@@ -21,7 +23,7 @@ NoSettings read_options(const BakeOptions&, const Catalogue&) {
 }
 
 FormatPlan<NoSettings> resolve(const BakePlan& draft, const NoSettings&) {
-    return {{{Channel::height}, {draft.resolution}, true}, {}};
+    return {{{Channel::height}, {draft.resolution}, is_displaced(*draft.subject)}, {}};
 }
 
 std::vector<BakeFile> list_files(const BakePlan& plan, const NoSettings&, int frame) {
@@ -41,8 +43,16 @@ bool opens_with(const std::string& path, std::string_view opening) {
     return text::first_bytes(path, opening.size()) == opening;
 }
 
-/// Recognises a grey PNG of 16 bits that repeats its first row and column or has our text beside
-/// it, and texts with our opening.
+bool names_its_subject(const std::string& path) {
+    try {
+        return !io::read_png_header(path).empty();
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+/// Recognises a grey PNG of 16 bits that repeats its first row and column, names its subject or has
+/// our text beside it, and texts with our opening.
 bool is_baked(const BakeFile& file) {
     constexpr std::size_t kHead = 26;  // signature, length and name of IHDR, its first five values
     const std::string head = text::first_bytes(file.path, kHead);
@@ -57,22 +67,28 @@ bool is_baked(const BakeFile& file) {
                static_cast<unsigned char>(head[i + 3]);
     };
     const bool grey_of_16_bits = head[24] == 16 && head[25] == 0;
-    if (!grey_of_16_bits || side_at(16) != side_at(20)) return false;
-    return is_resolution(side_at(16) - 1) || opens_with(file.path + ".txt", kDescriptionOpening);
+    if (!grey_of_16_bits) return false;
+    const bool is_square_with_seam = side_at(16) == side_at(20) && is_resolution(side_at(16) - 1);
+    return is_square_with_seam || opens_with(file.path + ".txt", kDescriptionOpening) ||
+           names_its_subject(file.path);
 }
 
 std::uint64_t frame_bytes(const BakePlan& plan, const NoSettings&) {
-    return plan.subject->by_place_bytes(plan.resolution);
+    return is_displaced(*plan.subject) ? plan.subject->by_place_bytes(plan.resolution) : 0;
 }
 
 std::uint64_t max_bytes(const BakePlan& plan, const NoSettings&, const BakeFile& file) {
     constexpr std::uint64_t kSmallFile = 4096;
-    return file.part == kImage ? io::max_height_field_bytes(plan.resolution) : kSmallFile;
+    if (file.part != kImage) return kSmallFile;
+    const std::uint64_t pixels = io::max_height_field_bytes(plan.domain());
+    if (plan.subject->kind() == kSeaKind) return pixels;
+    return pixels + plan.subject_text.size() + kSmallFile;
 }
 
 void write(const FrameWork& work, const NoSettings&, std::span<const BakeFile> files) {
     const Product* const heights[] = {&find_product("height")};
-    const io::Image image = io::product_image(heights, {}, work.provenance(), work.maps.front());
+    io::Image image = io::product_image(heights, {}, work.provenance(), work.maps.front());
+    image.strings.push_back({"ocean:resolution", std::to_string(work.plan.resolution)});
     work.write_and_verify(files[kImage],
                           [&] { io::write_height_field(image, files[kImage].path); });
     work.write_and_verify(files[kDescription], [&] {
@@ -83,6 +99,12 @@ void write(const FrameWork& work, const NoSettings&, std::span<const BakeFile> f
                                   io::height_field_declarations(image) +
                                       io::povray_frame_declarations(work.provenance()));
     });
+}
+
+/// Returns the strings of a file of a subject that is not a sea: those of seas have none.
+std::vector<io::HeaderString> read_header(const std::string& path) {
+    if (names_its_subject(path)) return io::read_png_header(path);
+    throw Error(ErrorKind::bad_file, path + ": a height field of a sea does not name its sea");
 }
 
 bool read_pixels(const BakePlan&, const NoSettings&, const BakeFile& file, int,
@@ -106,6 +128,7 @@ constexpr BakeFormatOf<NoSettings> kOf = {
     .max_bytes = max_bytes,
     .write = write,
     .read_pixels = read_pixels,
+    .read_header = read_header,
 };
 
 }  // namespace

@@ -28,21 +28,23 @@ std::vector<FormatOption> list_options(const Catalogue&) {
     constexpr const char* kEye = "eye X,Y,HEIGHT";
     return {
         {"eye", "X,Y,HEIGHT",
-         "A mesh from this camera to the horizon, in metres; default: one period of the sea"},
-        {"heading", "DEG", "Direction of the camera, counter-clockwise from +x; default 0", kEye},
-        {"field-of-view", "DEG", "Horizontal angle of view; default 60", kEye},
+         "A mesh from this camera to the horizon, in metres; default: one period", "", kSeaKind},
+        {"heading", "DEG", "Direction of the camera, counter-clockwise from +x; default 0", kEye,
+         kSeaKind},
+        {"field-of-view", "DEG", "Horizontal angle of view; default 60", kEye, kSeaKind},
         {"horizon", "M",
          "Distance of the farthest vertex; default: the distance at which the Earth hides the "
          "highest crest",
-         kEye},
-        {"mesh-columns", "N", "Vertices from left to right; default 720", kEye},
-        {"mesh-rows", "N", "Vertices from near to far; default 1800", kEye},
+         kEye, kSeaKind},
+        {"mesh-columns", "N", "Vertices from left to right; default 720", kEye, kSeaKind},
+        {"mesh-rows", "N", "Vertices from near to far; default 1800", kEye, kSeaKind},
         {"slope-variance", "V",
          "Mean square slope of the waves that are too short for the map; default: from the "
          "spectrum",
-         kEye},
+         kEye, kSeaKind},
         {"mesh-foam", "",
-         "Write the share of the water that foam hides as the u of each vertex; not with --eye"},
+         "Write the share of the water that foam hides as the u of each vertex; not with --eye", "",
+         kSeaKind},
     };
 }
 
@@ -103,7 +105,8 @@ double unresolved_slope_variance(const BakePlan& plan) {
 FormatPlan<Mesh2Settings> resolve(const BakePlan& draft, const Mesh2Settings& requested) {
     using enum Channel;
     Mesh2Settings settings = requested;
-    FrameMaps maps{{dx, dy, height, nx, ny, nz}, {draft.resolution}};
+    FrameMaps maps{{height, nx, ny, nz}, {draft.resolution}};
+    if (is_displaced(*draft.subject)) maps.channels = maps.channels | ChannelSet{dx, dy};
     if (settings.cover) maps.channels = maps.channels | ChannelSet{cover};
     if (settings.view) {
         maps.channels = maps.channels | ChannelSet{slope_x, slope_y};
@@ -136,8 +139,8 @@ std::uint64_t vertices(const BakePlan& plan, const Mesh2Settings& settings) {
     if (view) {
         return static_cast<std::uint64_t>(view->columns) * static_cast<std::uint64_t>(view->rows);
     }
-    const auto side = static_cast<std::uint64_t>(plan.resolution) + 1;
-    return side * side;
+    const auto [columns, rows] = io::patch_vertices(plan.domain());
+    return static_cast<std::uint64_t>(columns) * static_cast<std::uint64_t>(rows);
 }
 
 std::uint64_t frame_bytes(const BakePlan& plan, const Mesh2Settings& settings) {

@@ -176,8 +176,10 @@ io::VdbGrid make_surface(const FrameWork& work, const VolumeSettings& settings,
     }
     const io::WorldBox box = settings.world_box(columns.crest + io::kLevelSetBand * settings.voxel);
     if (columns.crest < box.low[2]) {
-        work.warn(
-            format_text("at %g s no water reaches the box, and its surface is empty", work.time()));
+        work.warn(work.plan.subject->kind() == kSeaKind
+                      ? format_text("at %g s no water reaches the box, and its surface is empty",
+                                    work.time())
+                      : "the surface lies below the box, and its volume is empty");
     }
     return io::make_level_set(box, io::voxels_around(box, settings.voxel, io::kLevelSetBand),
                               columns.surface, axes, work.source.pool());

@@ -157,7 +157,7 @@ MadeFrame make(const FrameWork& work, const TileSettings& settings) {
 }
 
 void adopt(const BakedHeader& header, BakeOptions& options) {
-    const int samples = header.layout().resolution;
+    const int samples = header.layout().samples[0];
     if (samples != kDefaultSamples) options.set_default("detail-samples", std::to_string(samples));
 }
 

@@ -13,7 +13,6 @@
 
 #include "exr_library.hpp"
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/exr.hpp"
 
@@ -125,12 +124,13 @@ std::array<std::int64_t, 2> read_size(HeaderReader& window) {
     return {corner[2] - corner[0] + 1, corner[3] - corner[1] + 1};
 }
 
-int read_resolution(HeaderReader window) {
+std::array<int, 2> read_samples(HeaderReader window) {
+    constexpr std::int64_t kMaxSamples = 1 << 20;  // along a side: many tiles of a terrain
     const auto [width, height] = read_size(window);
-    if (width != height || width < 1 || width > kMaxResolution) {
-        window.fail("its image is not a square of at most 8192 samples along a side");
+    if (std::min(width, height) < 1 || std::max(width, height) > kMaxSamples) {
+        window.fail("its image has no size, or more than 1048576 samples along a side");
     }
-    return static_cast<int>(width);
+    return {static_cast<int>(width), static_cast<int>(height)};
 }
 
 std::optional<ExrCompression> read_compression(HeaderReader code) {
@@ -177,7 +177,7 @@ std::vector<HeaderString> read_exr_header(const std::string& path) {
 
 ExrLayout read_exr_layout(const std::string& path) {
     const std::vector<Attribute> attributes = read_attributes(path);
-    return {read_resolution(value_reader(path, attributes, "dataWindow", "box2i")),
+    return {read_samples(value_reader(path, attributes, "dataWindow", "box2i")),
             read_compression(value_reader(path, attributes, "compression", "compression")),
             read_channels(value_reader(path, attributes, "channels", "chlist"))};
 }

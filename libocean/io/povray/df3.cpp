@@ -7,7 +7,9 @@
 //     0 height [m]   1 dx [m]   2 dz [m]   3 normal p   4 normal q   5 foam   6 cover
 //
 // in POV-Ray's axes, x east, y up, z north. Read with `interpolate 1`, sample i of N lies at i/N,
-// slice k of n at k/n, and maps repeat. A length is (code - 2^31) / 2^21 m. The normal is its
+// slice k of n at k/n, and maps repeat. A length is (code - 2^31) / 2^21 m. A subject that is not
+// displaced has height, p and q; its height is base + scale * code / (2^32 - 1), because land rises
+// above the lengths that those codes hold. The normal is its
 // stereographic projection from below, which has no edge where crests fold over:
 //     (p, q) = (x, z) / (1 + y),  (x, y, z) = (2 p, 1 - p^2 - q^2, 2 q) / (1 + p^2 + q^2),
 // each of p and q (code - 2^31) / 2^28. Foam and cover are code / (2^32 - 1).
@@ -34,7 +36,7 @@ constexpr std::array kSeaSlices = {
 };
 constexpr std::size_t kPositionSlices = 3;
 constexpr std::array kStillSlices = {
-    Df3Slice{Channel::height, Df3Code::length},
+    Df3Slice{Channel::height, Df3Code::range},
     Df3Slice{Channel::nx, Df3Code::normal},
     Df3Slice{Channel::ny, Df3Code::normal},
 };
@@ -93,12 +95,14 @@ std::uint32_t share_code(double share) {
     return static_cast<std::uint32_t>(std::nearbyint(std::clamp(share, 0.0, 1.0) * kLargestCode));
 }
 
-std::uint32_t voxel(const Surface& surface, const Offsets& offsets, const Df3Slice& slice,
-                    std::size_t at) {
+std::uint32_t voxel(const Surface& surface, const Offsets& offsets, const Df3Heights& heights,
+                    const Df3Slice& slice, std::size_t at) {
     const double value = surface.channel(slice.channel)[at];
     switch (slice.code) {
         case Df3Code::length:
             return length_code("the height", value);
+        case Df3Code::range:
+            return share_code((value - heights.base) / heights.scale);
         case Df3Code::offset:
             return length_code("the displacement", offsets.snapped(value));
         case Df3Code::normal:
@@ -155,6 +159,22 @@ std::uint64_t df3_bytes(int resolution, std::size_t slices) {
     return 6 + n * n * slices * sizeof(std::uint32_t);
 }
 
+std::uint64_t df3_bytes(const Domain& domain, std::size_t slices) {
+    return 6 + domain.count() * slices * sizeof(std::uint32_t);
+}
+
+Df3Heights df3_heights(const Surface& surface) {
+    const auto heights = surface.channel(Channel::height);
+    for (const float height : heights) {
+        if (!std::isfinite(height)) {
+            throw Error(ErrorKind::invalid_value, "a height is not finite: nothing was written");
+        }
+    }
+    const auto [low, high] = std::ranges::minmax(heights);
+    const double spread = static_cast<double>(high) - static_cast<double>(low);
+    return {static_cast<double>(low), spread > 0.0 ? spread : 1.0};
+}
+
 void write_df3(const Surface& surface, const std::string& path, Df3Slices slices) {
     if ((surface.channels() | df3_channels(slices)).size() != surface.channels().size()) {
         throw Error(ErrorKind::invalid_value,
@@ -164,6 +184,9 @@ void write_df3(const Surface& surface, const std::string& path, Df3Slices slices
     const auto columns = static_cast<std::size_t>(surface.domain().samples[0]);
     const auto rows = static_cast<std::size_t>(surface.domain().samples[1]);
     const Offsets offsets(surface);
+    const bool has_range =
+        std::ranges::find(slices, Df3Code::range, &Df3Slice::code) != slices.end();
+    const Df3Heights heights = has_range ? df3_heights(surface) : Df3Heights{0.0, 1.0};
     OutputFile file(path);
     std::string bytes;
     bytes.reserve(columns * sizeof(std::uint32_t));
@@ -172,7 +195,8 @@ void write_df3(const Surface& surface, const std::string& path, Df3Slices slices
         for (std::size_t j = 0; j < rows; ++j) {
             bytes.clear();
             for (std::size_t i = 0; i < columns; ++i) {
-                append_big_endian(bytes, voxel(surface, offsets, slice, j * columns + i), 4);
+                append_big_endian(bytes, voxel(surface, offsets, heights, slice, j * columns + i),
+                                  4);
             }
             file.write(bytes);
         }

@@ -3,16 +3,17 @@
 //
 // POV-Ray's height_field as a 16-bit grey PNG, the only image that it reads without loss. Pixel
 // centres are the samples, the first row is the far one; the repeated row and column close the
-// seam.
+// seam. The header of a sea's file has no texts, because files of earlier versions have none.
 #include "ocean/io/height_field.hpp"
 
 #include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/io/output_file.hpp"
 #include "ocean/io/png.hpp"
 #include "ocean/io/subject_words.hpp"
 #include "ocean/text.hpp"
@@ -27,6 +28,7 @@ constexpr double kCodes = 65536.0;
 // have 0.28 degrees of noise instead of 0.4, but the heights would be three times as coarse. Scenes
 // that need good normals should use a mesh.
 constexpr double kRangeShare = 0.75;
+constexpr png_uint_32 kMaxPixels = 65535;  // along a side
 
 // height [m] = base + scale * code / 65536.
 struct HeightScale {
@@ -48,31 +50,45 @@ HeightScale fit_scale(std::span<const float> heights) {
 
 /// Returns the code range for the heights in the image's first plane.
 HeightScale fit_scale(const Image& image) {
-    const bool heights = !image.planes.empty() && !image.planes[0].samples.empty();
-    if (!heights || image.width != image.height) {
-        throw Error(ErrorKind::invalid_value, "a height_field needs a square plane of heights");
+    const std::size_t samples =
+        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    if (samples == 0 || image.planes.empty() || image.planes[0].samples.size() != samples) {
+        throw Error(ErrorKind::invalid_value, "a height_field needs a plane of heights");
     }
     return fit_scale(image.planes[0].samples);
 }
 
-/// Returns the pixels along a side of the file: an image that wraps repeats its first row and
-/// column.
-int side_of(const Image& image) {
-    return image.wraps() ? image.width + 1 : image.width;
+/// Returns the columns and rows of the file: an image that wraps repeats its first row and column.
+std::array<int, 2> pixels_of(const Image& image) {
+    const int seam = image.wraps() ? 1 : 0;
+    return {image.width + seam, image.height + seam};
 }
 
 std::vector<std::uint16_t> encode(const Image& image, const HeightScale& fit) {
     const auto heights = image.planes[0].samples;
-    const auto n = static_cast<std::size_t>(image.width);
-    const auto side = static_cast<std::size_t>(side_of(image));
-    std::vector<std::uint16_t> codes(side * side);
-    for (std::size_t j = 0; j < side; ++j) {
-        for (std::size_t i = 0; i < side; ++i) {
-            const double code = (heights[j % n * n + i % n] - fit.base) / fit.scale * kCodes;
-            codes[j * side + i] = static_cast<std::uint16_t>(std::lround(code));
+    const auto width = static_cast<std::size_t>(image.width);
+    const auto height = static_cast<std::size_t>(image.height);
+    const std::size_t columns = width + (image.wraps() ? 1 : 0);
+    const std::size_t rows = height + (image.wraps() ? 1 : 0);
+    std::vector<std::uint16_t> codes(columns * rows);
+    for (std::size_t j = 0; j < rows; ++j) {
+        for (std::size_t i = 0; i < columns; ++i) {
+            const double code =
+                (heights[j % height * width + i % width] - fit.base) / fit.scale * kCodes;
+            codes[j * columns + i] = static_cast<std::uint16_t>(std::lround(code));
         }
     }
     return codes;
+}
+
+/// Returns the words of a PNG's header by which a reader turns codes into heights.
+std::vector<HeaderString> range_strings(const HeightScale& fit) {
+    const std::string base = shortest_text(fit.base), scale = shortest_text(fit.scale);
+    return {{"Description", "height [m] = " + base + " + " + scale + " * code / 65536"},
+            {"ocean:range", base + "," + shortest_text(fit.base + fit.scale * 65535.0 / kCodes)},
+            {"ocean:lo", shortest_text(fit.lo)},
+            {"ocean:hi", shortest_text(fit.hi)},
+            {"ocean:quantum", shortest_text(fit.scale / kCodes)}};
 }
 
 const Domain& domain_of(const Image& image) {
@@ -83,8 +99,13 @@ const Domain& domain_of(const Image& image) {
 }  // namespace
 
 void write_height_field(const Image& image, const std::string& path) {
-    const std::vector<std::uint16_t> codes = encode(image, fit_scale(image));
-    write_grey_png(path, side_of(image), side_of(image), codes);
+    const HeightScale fit = fit_scale(image);
+    const std::vector<std::uint16_t> codes = encode(image, fit);
+    const auto [columns, rows] = pixels_of(image);
+    if (image.provenance.kind == kSeaKind) return write_grey_png(path, columns, rows, codes);
+    const std::string png =
+        with_png_strings(grey_png(columns, rows, codes), image.header_strings());
+    write_file_atomically(path, with_png_keywords(png, range_strings(fit)));
 }
 
 // The lines are "key = value": readable text and valid TOML.
@@ -96,8 +117,14 @@ std::string height_field_description(const Image& image) {
     text += "lo = " + number(fit.lo) + "\nhi = " + number(fit.hi) + "\nunit = \"m\"\n";
     text += "base = " + number(fit.base) + "\nscale = " + number(fit.scale) + "\n";
     text += "quantum = " + number(fit.scale / kCodes) + "  # a height is right to half of it\n";
-    text += "samples = " + std::to_string(side_of(image)) + "  # along each side" +
-            (image.wraps() ? ", the first repeated as the last\n" : "\n");
+    const auto [columns, rows] = pixels_of(image);
+    const char* const seam = image.wraps() ? ", the first repeated as the last\n" : "\n";
+    if (columns == rows) {
+        text += "samples = " + std::to_string(columns) + "  # along each side" + seam;
+    } else {
+        text += "samples = [" + std::to_string(columns) + ", " + std::to_string(rows) +
+                "]  # east, north" + seam;
+    }
     if (domain.is_tile()) {
         text += "period = " + number(domain.size[0]) + "\n";
     } else {
@@ -122,10 +149,11 @@ std::string height_field_declarations(const Image& image) {
            shortest_text(fit.scale) + ";\n";
 }
 
-std::uint64_t max_height_field_bytes(int resolution) {
+std::uint64_t max_height_field_bytes(const Domain& domain) {
     constexpr std::uint64_t kHead = 4096, kPerRow = 16;
-    const auto side = static_cast<std::uint64_t>(resolution) + 1;
-    return side * (2 * side + kPerRow) + kHead;
+    const auto columns = static_cast<std::uint64_t>(domain.samples[0]) + 1;
+    const auto rows = static_cast<std::uint64_t>(domain.samples[1]) + 1;
+    return rows * (2 * columns + kPerRow) + kHead;
 }
 
 void read_height_field(const std::string& path, const ByteSink& sink) {
@@ -136,9 +164,9 @@ void read_height_field(const std::string& path, const ByteSink& sink) {
         throw Error(ErrorKind::bad_file, "cannot read '" + path + "': " + reason);
     };
     if (!png_image_begin_read_from_file(&image, path.c_str())) refuse(image.message);
-    if (image.format != PNG_FORMAT_LINEAR_Y || image.width != image.height ||
-        image.width > kMaxResolution + 1) {
-        refuse("it is not a square 16-bit height field");
+    if (image.format != PNG_FORMAT_LINEAR_Y || image.width > kMaxPixels ||
+        image.height > kMaxPixels) {
+        refuse("it is not a 16-bit height field");
     }
     std::vector<std::uint16_t> codes(std::size_t{image.width} * image.height);
     if (!png_image_finish_read(&image, nullptr, codes.data(), 0, nullptr)) refuse(image.message);

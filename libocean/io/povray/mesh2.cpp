@@ -69,8 +69,8 @@ void write_head(TextWriter& out, const Mesh& mesh, const Provenance& provenance,
         [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; }, '?');
     out << "//   Persistence of Vision Ray Tracer Include File\n//   File: " << file_name
         << "\n//   Vers: 3.7\n//   Desc: " << words.phrase()
-        << (provenance.time ? " at one time" : "") << ", by libocean " OCEAN_VERSION
-        << "\n//         " << prefix << "Surface: mesh2 of ";
+        << (provenance.kind == kSeaKind && provenance.time ? " at one time" : "")
+        << ", by libocean " OCEAN_VERSION << "\n//         " << prefix << "Surface: mesh2 of ";
     out.number(mesh.positions.size() / 3) << " vertices with normals, metres, <east, up, north>.\n";
     // The file has no include guard: a frame that is loaded again becomes the current one.
     out << "#declare " << prefix << "Mesh_Inc_Temp = version;\n#version 3.7;\n\n";

@@ -13,6 +13,7 @@
 
 #include "ocean/io/subject_words.hpp"
 #include "ocean/parameter_table.hpp"
+#include "ocean/terrain_table.hpp"
 #include "ocean/text.hpp"
 #include "ocean/version.hpp"
 #include "ocean/water_types.hpp"
@@ -65,12 +66,12 @@ std::string string_literal(std::string_view text) {
     return result + "\"";
 }
 
-/// Returns "Ocean_Waves_0_Wind_Speed" for "waves.0.wind_speed".
-std::string identifier(std::string_view path) {
-    std::string name(kSeaPrefix);
+/// Returns "Ocean_Waves_0_Wind_Speed" for "waves.0.wind_speed" and the prefix "Ocean_".
+std::string identifier(std::string_view path, std::string_view prefix = kSeaPrefix) {
+    std::string name(prefix);
     for (const char c : path) {
         const char next = c == '.' ? '_' : c;
-        const bool begins = name.back() == '_';
+        const bool begins = name.empty() || name.back() == '_';
         name += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(next))) : next;
     }
     return name;
@@ -177,9 +178,9 @@ void declare_water(std::string& text) {
 }  // namespace
 
 std::string povray_parameter_declaration(const ParameterSpec& spec, std::size_t item,
-                                         const ParameterValue& value) {
+                                         const ParameterValue& value, std::string_view prefix) {
     std::string text;
-    const std::string name = identifier(spec.path(item));
+    const std::string name = identifier(spec.path(item), prefix);
     if (is_set(value, spec)) {
         declare(text, name, std::visit(ValueText(), value), std::string(spec.unit));
     } else {
@@ -224,6 +225,33 @@ std::string povray_declarations(const PovrayFolder& folder) {
     declare_frames(text, folder);
     declare_parameters(text, parameters);
     declare_water(text);
+    return text;
+}
+
+std::string povray_declarations(const PovrayTerrain& folder) {
+    const Terrain& terrain = folder.terrain;
+    std::string text =
+        "//   Persistence of Vision Ray Tracer Include File\n"
+        "//   File: terrain_parameters.inc\n"
+        "//   Vers: 3.7\n"
+        "//   Desc: The terrain of this folder, by libocean " OCEAN_VERSION
+        ". Each export writes it\n"
+        "//         again: change the terrain file instead. Metres, degrees.\n";
+    declare(text, "Terrain_Data_Version", std::to_string(kPovrayTerrainVersion));
+    declare(text, "Terrain_Id_", string_literal(folder.id), "its map says the same");
+    declare(text, "Terrain_Format", string_literal(folder.format));
+    declare(text, "Terrain_Samples", std::to_string(folder.resolution), "along a side of the tile");
+    declare(text, "Terrain_Period", number(terrain.patch_size), "m, in both directions");
+    text += "\n// ---- This tile ----\n";
+    declare(text, "Terrain_Rms_Height", number(folder.state.rms.resolved), "m");
+    declare(text, "Terrain_Mean_Height", number(folder.state.mean), "m");
+    declare(text, "Terrain_Rms_Slope", number(folder.state.rms_slope.resolved));
+    text += "\n// ---- Parameters, those that are set ----\n";
+    for (const TerrainRow& row : terrain_table().rows) {
+        for (std::size_t item = 0; item < row.member.items(terrain); ++item) {
+            text += povray_parameter_declaration(row, item, value_of(terrain, {&row, item}), "");
+        }
+    }
     return text;
 }
 

@@ -11,6 +11,7 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/exr.hpp"
+#include "ocean/io/geotiff.hpp"
 #include "ocean/io/mesh_files.hpp"
 #include "ocean/io/png.hpp"
 #include "ocean/io/usd.hpp"
@@ -30,6 +31,8 @@ constexpr std::array kHeaderFormats = {
     HeaderFormat{"ply\n", read_ply_header},
     HeaderFormat{"# The surface of", read_obj_header},
     HeaderFormat{"\x89PNG\r\n\x1a\n", read_png_header},
+    HeaderFormat{std::string_view("II*\0", 4), read_geotiff_header},
+    HeaderFormat{std::string_view("II+\0", 4), read_geotiff_header},
 };
 
 std::string first_bytes(const std::string& path) {

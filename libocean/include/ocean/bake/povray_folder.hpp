@@ -1,16 +1,18 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The files beside the frames of a folder that POV-Ray renders as it is: the macros, the sea's
-// parameters, the texture of its foam, a scene, and the settings of its animation.
+// The files beside the frames of a folder that POV-Ray renders as it is: the macros, the parameters
+// of the sea or the terrain, the texture of the foam, a scene, and the settings of the animation.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ocean/bake/existing_frames.hpp"
 #include "ocean/bake/plan.hpp"
 #include "ocean/sea_state.hpp"
+#include "ocean/terrain_state.hpp"
 
 namespace ocean {
 
@@ -29,6 +31,11 @@ ExistingFrames povray_existing_frames(const BakePlan& plan);
 /// have, ascending, at least one; `state` is that of the plan's sea.
 std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const SeaState& state,
                                             const std::vector<int>& frames);
+/// Returns all files of the folder of a terrain except its maps. `state` is that of the plan's
+/// terrain, and `format` names the folder's: with mesh2 the plan is that of the map beside the
+/// mesh.
+std::vector<FolderFile> povray_terrain_files(const BakePlan& plan, const TerrainState& state,
+                                             std::string_view format);
 /// Returns only the files that depend on the frames.
 std::vector<FolderFile> povray_frame_lists(const BakePlan& plan, const SeaState& state,
                                            const std::vector<int>& frames);

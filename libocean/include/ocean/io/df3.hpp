@@ -18,7 +18,8 @@ namespace ocean::io {
 
 /// The encoding of a channel in the voxels of a slice; df3.cpp has the formulas.
 enum class Df3Code {
-    length,  // [m]
+    length,  // [m], up to 1024 m
+    range,   // [m], from the minimal to the maximal height of the surface
     offset,  // [m], on the grid of a patch mesh's vertices
     normal,  // a horizontal component of the normal; needs nz as well
     share,   // 0 .. 1
@@ -31,7 +32,8 @@ struct Df3Slice {
 using Df3Slices = std::span<const Df3Slice>;
 
 /// Returns the slices of a kind of subject: a sea has height, dx, dz, two components of the normal,
-/// foam and cover; a subject that is not displaced has height and two components of the normal.
+/// foam and cover; a subject that is not displaced has height, in codes of its own range, and two
+/// components of the normal.
 Df3Slices df3_slices(std::string_view kind = kSeaKind);
 /// Returns the slices of a sea's position: height, dx, dz.
 Df3Slices df3_position_slices();
@@ -39,10 +41,22 @@ Df3Slices df3_position_slices();
 ChannelSet df3_channels(Df3Slices slices);
 /// Returns the size of a file [bytes].
 std::uint64_t df3_bytes(int resolution, std::size_t slices);
-/// Writes the slices of a surface: heights with an error of at most 2.4e-7 m, offsets with half a
-/// step of the patch mesh's grid, which keeps the seam between copies free of cracks. Throws Error
-/// output, and invalid_value for a channel that is missing or a length that is not finite or beyond
-/// 1024 m.
+std::uint64_t df3_bytes(const Domain& domain, std::size_t slices);
+
+/// The codes of a height slice: height [m] = base + scale * code / (2^32 - 1).
+struct Df3Heights {
+    double base, scale;
+
+    double quantum() const { return scale / 4294967295.0; }
+};
+/// Returns the codes of a slice of Df3Code::range. Throws Error invalid_value for a height that is
+/// not finite.
+Df3Heights df3_heights(const Surface& surface);
+
+/// Writes the slices of a surface: lengths with an error of at most 2.4e-7 m, heights in a range
+/// with half a Df3Heights::quantum, offsets with half a step of the patch mesh's grid, which keeps
+/// the seam between copies free of cracks. Throws Error output, and invalid_value for a channel
+/// that is missing or a length that is not finite or beyond 1024 m.
 void write_df3(const Surface& surface, const std::string& path, Df3Slices slices = df3_slices());
 
 /// Returns the size of a file of slope tiles [bytes].

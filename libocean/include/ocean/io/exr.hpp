@@ -6,6 +6,7 @@
 // hold no date, no host name and no thread count.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,12 +49,11 @@ struct ExrChannel {
 };
 /// The pixel layout of the first part of a file.
 struct ExrLayout {
-    int resolution;                             // samples along each side
+    std::array<int, 2> samples;                 // along x and y
     std::optional<ExrCompression> compression;  // absent: a codec that write_exr does not have
     std::vector<ExrChannel> channels;           // in the file's order
 };
-/// Returns the layout of a file. Throws Error bad_file with the reason, also for an image that is
-/// not square; safe on hostile files.
+/// Returns the layout of a file. Throws Error bad_file with the reason; safe on hostile files.
 ExrLayout read_exr_layout(const std::string& path);
 /// Returns the channels of an image's file, in the file's order.
 std::vector<ExrChannel> exr_channels(const Image& image);

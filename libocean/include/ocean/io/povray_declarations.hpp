@@ -15,6 +15,7 @@
 #include "ocean/sea_state.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/table.hpp"
+#include "ocean/terrain_state.hpp"
 
 namespace ocean::io {
 
@@ -35,11 +36,28 @@ struct PovrayFolder {
 /// Returns the include file with the folder and each parameter of the sea by its name:
 /// `waves.0.wind_speed` is Ocean_Waves_0_Wind_Speed.
 std::string povray_declarations(const PovrayFolder& folder);
-/// Returns the line for one parameter of any table: "#declare Ocean_Water_Depth = 20;  // m".
-/// Numbers, words and texts have POV-Ray's spelling. A parameter that is not set is undefined
-/// explicitly, because another folder may have declared it.
+/// Returns the line for one parameter of any table: "#declare Ocean_Water_Depth = 20;  // m" with
+/// the prefix "Ocean_". Numbers, words and texts have POV-Ray's spelling. A parameter that is not
+/// set is undefined explicitly, because another folder may have declared it.
 std::string povray_parameter_declaration(const ParameterSpec& spec, std::size_t item,
-                                         const ParameterValue& value);
+                                         const ParameterValue& value,
+                                         std::string_view prefix = "Ocean_");
+
+/// The version of the folders that `ocean povray` writes for terrains; terrain.inc refuses any
+/// other.
+inline constexpr int kPovrayTerrainVersion = 1;
+
+/// A folder of a terrain for POV-Ray. References must outlive it.
+struct PovrayTerrain {
+    const Terrain& terrain;
+    const TerrainState& state;
+    std::string_view format;  // "df3", "mesh2" or "height_field"
+    int resolution;           // samples along a side of the tile
+    std::string_view id;      // of Provenance
+};
+/// Returns the include file with the folder and each parameter of the terrain by its name:
+/// `terrain.beta` is Terrain_Beta.
+std::string povray_declarations(const PovrayTerrain& folder);
 /// Returns the declarations of a frame of any format, in names with its subject's prefix; by them
 /// Ocean_Load refuses frames of other seas.
 std::string povray_frame_declarations(const Provenance& provenance);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The products of a sea as an image: names, order, signs and types of the channels, and the header
-// strings that say which sea and which moment it is.
+// The products of a subject as an image: names, order, signs and types of the channels, and the
+// header strings that say which subject and which moment it is.
 #pragma once
 
 #include <optional>
@@ -26,6 +26,9 @@ struct ProductLayout {
     Axes axes = Axes::tnb;
     /// Absent: the type of the product's row.
     std::optional<PixelType> type = {};
+    /// True: a height without `type` is a float, for subjects whose only position it is: a half
+    /// would be metres off.
+    bool full_heights = false;
     /// false: one product as R,G,B or Y. true: all products in one image for compositors, R,G,B,A =
     /// displacement and 1, then normal.X ...
     bool layered = false;

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// See povray_files.hpp.
+#include "povray_files.hpp"
+
+#include <filesystem>
+
+#include "interrupt.hpp"
+#include "ocean/bake/catalogue.hpp"
+#include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/platform.hpp"
+#include "ocean/io/output_file.hpp"
+#include "ocean/text.hpp"
+
+namespace ocean::app {
+namespace {
+
+bool is_kept(const FolderFile& file, const std::string& path) {
+    std::error_code error;
+    return file.is_users && std::filesystem::exists(utf8_path(path), error);
+}
+
+}  // namespace
+
+std::string povray_extension(const std::string& format) {
+    for (const BakeFormat* known : standard_catalogue().formats) {
+        if (known->name == format) return std::string(known->extension);
+    }
+    throw Error(ErrorKind::invalid_value, "--format " + format + " is unknown");
+}
+
+void refuse_large_mesh(int resolution) {
+    if (resolution <= kMaxPovrayResolution) return;
+    throw Error(ErrorKind::invalid_value,
+                format_text("--resolution = %d: allowed is at most %d, for which POV-Ray makes "
+                            "a mesh of 2 GiB",
+                            resolution, kMaxPovrayResolution));
+}
+
+void refuse_to_replace_others(const std::vector<FolderFile>& files, const std::string& folder,
+                              const InputFiles& inputs) {
+    for (const FolderFile& file : files) {
+        // The folder's own sea.toml may be the source.
+        const std::string path = folder + "/" + file.name;
+        if (text::first_bytes(path, file.text.size() + 1) != file.text) inputs.spare(path);
+        if (file.is_users) continue;
+        io::refuse_to_replace_foreign_file(path, "`ocean povray`", [&] {
+            const std::string opening = file.opening();
+            return text::first_bytes(path, opening.size()) == opening;
+        });
+    }
+}
+
+BakeForecast forecast_folder(const std::vector<FolderFile>& files, const std::string& folder) {
+    BakeForecast forecast;
+    for (const FolderFile& file : files) {
+        const std::string path = folder + "/" + file.name;
+        forecast.files.push_back({path, is_kept(file, path)});
+        if (!forecast.files.back().kept) forecast.bytes += file.text.size();
+    }
+    return forecast;
+}
+
+void write_folder(const std::vector<FolderFile>& files, const std::string& folder,
+                  const Context& context) {
+    io::make_folder(folder);
+    const InterruptWatch::Hold whole = context.interrupts.hold();
+    const io::FolderLock lock(folder);
+    for (const FolderFile& file : files) {
+        const std::string path = folder + "/" + file.name;
+        if (is_kept(file, path)) {
+            context.console.note(path + " exists and is kept");
+            continue;
+        }
+        io::write_file_atomically(path, file.text);
+        context.console.data(path + "\n");
+    }
+}
+
+}  // namespace ocean::app

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The files of a folder for POV-Ray beside its maps, as `ocean povray` writes them for seas and
+// terrains.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "console.hpp"
+#include "input_files.hpp"
+#include "ocean/bake/estimate.hpp"
+#include "ocean/bake/povray_folder.hpp"
+
+namespace ocean::app {
+
+/// The max of samples along a side for which POV-Ray makes a mesh.
+inline constexpr int kMaxPovrayResolution = 2048;
+
+/// Returns the extension of a format of the catalogue.
+std::string povray_extension(const std::string& format);
+/// Throws Error invalid_value for a map of more than kMaxPovrayResolution.
+void refuse_large_mesh(int resolution);
+
+/// Throws Error invalid_value if a file would replace one that another program or the user wrote:
+/// an input of the command, or a file of the folder.
+void refuse_to_replace_others(const std::vector<FolderFile>& files, const std::string& folder,
+                              const InputFiles& inputs);
+BakeForecast forecast_folder(const std::vector<FolderFile>& files, const std::string& folder);
+/// Writes the files, but keeps the user's, and creates the folder. Throws Error output.
+void write_folder(const std::vector<FolderFile>& files, const std::string& folder,
+                  const Context& context);
+
+/// The options of `ocean povray` that a terrain has too.
+struct PovrayTerrainRequest {
+    BakeOptions bake;
+    std::vector<std::string> assignments;  // of --set
+    std::string folder;
+    std::string format;
+    bool dry_run = false;
+};
+/// Writes the folder of a terrain. Throws Error.
+void write_povray_terrain(const PovrayTerrainRequest& request, const Context& context);
+
+}  // namespace ocean::app

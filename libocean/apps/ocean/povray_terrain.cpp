@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `ocean povray` for a terrain: a map, in the format mesh2 also the mesh as a text, and the files
+// beside them.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "console_host.hpp"
+#include "ocean/error.hpp"
+#include "ocean/internal/platform.hpp"
+#include "ocean/io/output_file.hpp"
+#include "ocean/land.hpp"
+#include "ocean/terrain_subject.hpp"
+#include "ocean/text.hpp"
+#include "povray_files.hpp"
+#include "terrain_argument.hpp"
+#include "text.hpp"
+
+namespace ocean::app {
+namespace {
+
+constexpr std::string_view kMapName = "land";
+
+/// Returns the plans of the folder's maps: the map that the macros read, then the text of the mesh.
+std::vector<BakePlan> make_plans(const PovrayTerrainRequest& request, const Context& context) {
+    BakeOptions options = request.bake;
+    options.threads = context.options.threads;
+    const bool is_image = request.format == "height_field";
+    if (!is_image) options.max_resolution = kMaxPovrayResolution;
+    options.open_subject = [&request](const std::string& source) {
+        return make_subject(open_terrain({source, request.assignments}));
+    };
+    std::vector<std::string> formats = {is_image ? request.format : "df3"};
+    if (request.format == "mesh2") formats.push_back(request.format);
+    std::vector<BakePlan> plans;
+    for (const std::string& format : formats) {
+        options.output = request.folder + "/" + std::string(kMapName) + povray_extension(format);
+        plans.push_back(make_bake_plan(options, standard_catalogue()));
+        if (!is_image) refuse_large_mesh(plans.back().resolution);
+    }
+    return plans;
+}
+
+/// Throws Error invalid_value for a folder with a sea: two scenes and two lists of faces would have
+/// one name.
+void refuse_folder_of_a_sea(const std::string& folder) {
+    std::error_code error;
+    if (!std::filesystem::exists(utf8_path(folder + "/ocean.ini"), error)) return;
+    throw Error(ErrorKind::invalid_value,
+                "-o " + folder + ": the folder holds a sea, ocean.ini; a terrain needs its own");
+}
+
+/// Reports the cost of POV-Ray's forms of the tile, measured at 1024^2 samples.
+void report_cost(const PovrayTerrainRequest& request, const BakePlan& plan, Console& console) {
+    const double vertices = std::pow(plan.resolution + 1.0, 2.0);
+    const bool is_text = request.format == "mesh2";
+    const double mesh_bytes = 500.0 * vertices, mesh_seconds = (is_text ? 8e-6 : 20e-6) * vertices;
+    const double field_bytes = 10.0 * vertices;
+    std::string text = "POV-Ray will need about " +
+                       bytes_text(static_cast<std::uint64_t>(field_bytes)) +
+                       " for Terrain_Height_Field";
+    if (request.format != "height_field" || plan.resolution <= kMaxPovrayResolution) {
+        text += ", and " + bytes_text(static_cast<std::uint64_t>(mesh_bytes)) +
+                format_text(" and %.0f s to read a Terrain_Mesh", std::ceil(mesh_seconds));
+    }
+    console.report("povray", text,
+                   {{"povray_memory_bytes", Json(mesh_bytes, decimals<0>)},
+                    {"povray_parse_seconds", Json(mesh_seconds, decimals<1>)},
+                    {"height_field_memory_bytes", Json(field_bytes, decimals<0>)}});
+}
+
+}  // namespace
+
+void write_povray_terrain(const PovrayTerrainRequest& request, const Context& context) {
+    const std::vector<BakePlan> plans = make_plans(request, context);
+    const BakePlan& plan = plans.front();
+    const Terrain& terrain = *find_terrain(*plan.subject);
+    Land land(terrain, {.threads = plan.threads});
+    const std::vector<FolderFile> files = povray_terrain_files(plan, land.state(), request.format);
+    const InputFiles inputs(request.bake.source, plan.subject->named_files());
+    refuse_folder_of_a_sea(request.folder);
+    refuse_to_replace_others(files, request.folder, inputs);
+    for (const BakePlan& one : plans) {
+        for (const std::string& path : output_paths(one)) inputs.spare(path);
+    }
+    io::require_folder(request.folder);
+    report_cost(request, plan, context.console);
+    if (request.dry_run) {
+        BakeForecast beside = forecast_folder(files, request.folder);
+        for (std::size_t i = 1; i < plans.size(); ++i) {
+            const BakeForecast more = forecast_bake(plans[i]);
+            beside.files.insert(beside.files.end(), more.files.begin(), more.files.end());
+            beside.bytes += more.bytes;
+        }
+        return show_forecast(forecast_bake(plan), beside, context.console);
+    }
+    write_folder(files, request.folder, context);
+    for (const BakePlan& one : plans) {
+        ConsoleHost host(context);
+        run_bake(one, host);
+    }
+}
+
+}  // namespace ocean::app

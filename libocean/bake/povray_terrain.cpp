@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The folder of a terrain for POV-Ray; see povray_folder.hpp.
+#include "ocean/bake/povray_folder.hpp"
+#include "ocean/error.hpp"
+#include "ocean/io/mesh.hpp"
+#include "ocean/io/mesh2.hpp"
+#include "ocean/io/povray_declarations.hpp"
+#include "ocean/terrain_subject.hpp"
+#include "povray_macros.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr std::string_view kSettings =
+    "; The terrain of this folder: povray terrain.ini\n"
+    "; Another size: povray terrain.ini +W640 +H360\n"
+    "Input_File_Name=scene.pov\n"
+    "Library_Path=.\n"
+    "Width=960\nHeight=540\n"
+    "Antialias=on\nAntialias_Threshold=0.1\nAntialias_Depth=2\n"
+    "Display=off\n";
+
+}  // namespace
+
+std::vector<FolderFile> povray_terrain_files(const BakePlan& plan, const TerrainState& state,
+                                             std::string_view format) {
+    const Terrain* const terrain = find_terrain(*plan.subject);
+    if (terrain == nullptr) throw Error(ErrorKind::unsupported, "this folder needs a terrain");
+    std::vector<FolderFile> files = {
+        {"terrain.inc", std::string(kTerrainInc)},
+        {"terrain_parameters.inc", io::povray_declarations(io::PovrayTerrain{
+                                       *terrain, state, format, plan.resolution, plan.subject_id})},
+        {"terrain.ini", std::string(kSettings)},
+        {"terrain.toml", "# The terrain of this folder, by `ocean povray`.\n" + plan.subject_text},
+        {"scene.pov", std::string(kTerrainScenePov), true}};
+    constexpr int kMaxFaces = 1024;  // the text of more would be 220 MB: the macros make them
+    if (format == "df3" && plan.resolution <= kMaxFaces) {
+        files.push_back({"faces.inc", io::povray_faces(io::patch_triangles(plan.resolution))});
+    }
+    return files;
+}
+
+}  // namespace ocean
