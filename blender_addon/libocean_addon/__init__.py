@@ -18,7 +18,7 @@ bl_info = {  # of Blender before 4.2; later ones read blender_manifest.toml
     "author": "The libocean authors",
     "version": (0, 1, 0),
     "blender": (3, 4, 0),
-    "location": "Add > Mesh > Ocean, Object > Ocean, Modifier properties",
+    "location": "Add > Mesh > Ocean or Terrain, Object > Ocean, Modifier properties",
     "description": "A sea as a modifier, the same as in every other libocean tool",
     "category": "Mesh",
 }
@@ -54,6 +54,10 @@ def parts() -> list:
     from .floating import floating
     from .look import first_view, material
     from .sea import records
+    from .terrain import material as terrain_material
+    from .terrain import operators as terrain_operators
+    from .terrain import panels as terrain_panels
+    from .terrain import properties as terrain_properties
     from .volumes import volumes
 
     return [
@@ -68,6 +72,10 @@ def parts() -> list:
         hints,
         whole_sea,
         panels,
+        terrain_properties,
+        terrain_operators,
+        terrain_material,
+        terrain_panels,
         asset_library,
         floating,
         handlers,

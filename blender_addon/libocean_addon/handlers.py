@@ -1,8 +1,10 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender's handlers: the seas follow its frames, edits, undo, files and renders."""
+"""Blender's handlers: seas and terrains follow its frames, edits, undo, files and renders."""
 
 from __future__ import annotations
+
+import threading
 
 import bpy
 from bpy.app.handlers import persistent
@@ -11,24 +13,14 @@ from . import versions
 from .bake import render_check
 from .floating import floating
 from .look import foam_images
-from .sea import drafts, live, meshes, node_group, open_sea
-from .shared import compat, hooks
+from .sea import live, node_group, open_sea
+from .shared import compat, drafts, hooks, meshes, modifier_groups
 from .spray import spray
+from .terrain import live as terrain_live
+from .terrain import node_group as terrain_group
+from .terrain import open_terrain
 
 _locked_by_us: set[str] = set()  # scenes
-
-
-def _own_images(oceans: list[bpy.types.Object]) -> None:
-    """Gives a copy of an object images of its own."""
-    owners: dict[str, str] = {}
-    for ob in oceans:
-        for modifier in node_group.live_modifiers(ob):
-            for name in node_group.image_inputs(modifier.node_group):
-                image = node_group.value(modifier, name)
-                if image is None:
-                    continue
-                if owners.setdefault(image.name_full, ob.name_full) != ob.name_full:
-                    node_group.assign(modifier, {name: None})
 
 
 @persistent
@@ -37,6 +29,7 @@ def _frame_changed(scene, depsgraph=None) -> None:
     if rendering:
         render_check.require_stopped()
     live.show_all(live.ocean_objects(), scene, depsgraph, rendering=rendering, passing=True)
+    terrain_live.show_all(depsgraph, rendering=rendering, passing=True)
 
 
 @persistent
@@ -46,10 +39,12 @@ def _depsgraph_updated(scene, depsgraph) -> None:
     # A collection or the scene changes when an object comes or goes.
     kinds = (bpy.types.Object, bpy.types.Collection, bpy.types.Scene)
     if any(isinstance(update.id, kinds) for update in depsgraph.updates):
-        oceans = live.ocean_objects()
-        drafts.keep_only({ob.name_full for ob in oceans})
-        _own_images(oceans)
+        oceans, terrains = live.ocean_objects(), terrain_live.terrain_objects()
+        drafts.keep_only({ob.name_full for ob in [*oceans, *terrains]})
+        modifier_groups.own_images(oceans, node_group.live_modifiers, node_group.image_inputs)
+        modifier_groups.own_images(terrains, terrain_group.modifiers, terrain_group.image_inputs)
         live.show_all(oceans, scene, depsgraph)
+        terrain_live.show_all(depsgraph)
         for ob in oceans:
             if meshes.is_stand_in(ob.data):  # out of the asset library
                 live.follow_mesh(ob)
@@ -59,16 +54,19 @@ def _depsgraph_updated(scene, depsgraph) -> None:
 @persistent
 def _data_replaced(*_) -> None:
     render_check.forget()
-    oceans = live.ocean_objects()
-    names = {ob.name_full for ob in oceans}
-    drafts.keep_only(names)
+    oceans, terrains = live.ocean_objects(), terrain_live.terrain_objects()
+    drafts.keep_only({ob.name_full for ob in [*oceans, *terrains]})
     drafts.forget_stops()
-    open_sea.forget(names)
+    open_sea.forget({ob.name_full for ob in oceans})
+    open_terrain.forget({ob.name_full for ob in terrains})
     for ob in oceans:
         versions.upgrade(ob)
     live.show_all(oceans, bpy.context.scene)
     for ob in oceans:  # one that was not there yet when the values of an undo step were kept
         live.follow_mesh(ob)
+    terrain_live.show_all()
+    for ob in terrains:
+        terrain_live.follow_mesh(ob)
     if oceans:
         # From 4.0 on nothing knows where it is in the world before it is evaluated.
         live.follow(bpy.context.evaluated_depsgraph_get(), bpy.context.scene)
@@ -78,6 +76,7 @@ def _data_replaced(*_) -> None:
 def _saving(*_) -> None:
     render_check.restore()
     live.complete_meshes()
+    terrain_live.complete_meshes()
     spray.empty_all()  # which is an update: it comes again
 
 
@@ -86,13 +85,27 @@ def _before_frame(scene, *_) -> None:
     render_check.check(scene)
 
 
+def complete() -> None:
+    """Blocks until nothing is a draft, before a render. Says so in the console if that fails."""
+    is_whole = drafts.complete()
+    if threading.current_thread() is threading.main_thread():
+        live.complete_meshes()
+        terrain_live.complete_meshes()
+        return
+    if not is_whole or live.has_draft_meshes():
+        print("libocean: the render shows a draft of the sea", flush=True)
+    if not is_whole or terrain_live.has_draft_meshes():
+        print("libocean: the render shows a draft of the terrain", flush=True)
+
+
 @persistent
 def _lock_interface(scene, *_) -> None:
     """Locks the interface: Blender must not draw images that a render in another thread
     rewrites."""
     render_check.begin()
-    live.complete()
-    if live.ocean_objects() and not scene.render.use_lock_interface:
+    complete()
+    has_subjects = live.ocean_objects() or terrain_live.terrain_objects()
+    if has_subjects and not scene.render.use_lock_interface:
         scene.render.use_lock_interface = True
         _locked_by_us.add(scene.name_full)
 
@@ -126,14 +139,28 @@ def _remove_handlers() -> None:
             handlers.remove(handler)
 
 
+def _property_changed(ob) -> None:
+    live.parameters_changed(ob)
+    terrain_live.parameters_changed(ob)
+
+
+def _make_draft_job(name: str) -> drafts.Job | None:
+    return live.make_draft_job(name) or terrain_live.make_draft_job(name)
+
+
+def _finish_draft_job(name: str, job: drafts.Job) -> None:
+    is_terrain = isinstance(job, open_terrain.TerrainJob)
+    (terrain_live if is_terrain else live).finish_draft_job(name, job)
+
+
 def register() -> None:
     for name, handler in _HANDLERS.items():
         getattr(bpy.app.handlers, name).append(handler)
     hooks.connect(
         hooks.Hooks(
-            property_changed=live.parameters_changed,
-            make_draft_job=live.make_draft_job,
-            finish_draft_job=live.finish_draft_job,
+            property_changed=_property_changed,
+            make_draft_job=_make_draft_job,
+            finish_draft_job=_finish_draft_job,
             followers=(floating.ride_all, spray.show_all),
         )
     )
@@ -144,3 +171,4 @@ def unregister() -> None:
     _remove_handlers()
     hooks.disconnect()
     open_sea.close_all()
+    open_terrain.close_all()

@@ -10,8 +10,8 @@ import math
 
 import bpy
 
-from .sea import facts, meshes, node_group, open_sea
-from .shared import compat
+from .sea import facts, node_group, open_sea
+from .shared import compat, meshes
 from .shared.compat import tr, tr_label
 
 _EVEN = 1e-4  # of scales that are meant to be one

@@ -12,6 +12,9 @@ MANUAL = Path(__file__).with_name("README.md").as_uri()
 
 # The first that fits; Blender asks in lower case.
 _SECTIONS = (
+    ("bpy.ops.libocean.*terrain*", "#terrain"),
+    ("bpy.ops.libocean.*_break*", "#terrain"),
+    ("bpy.types.terrain*", "#terrain"),
     ("bpy.ops.libocean.add_material*", "#material"),
     ("bpy.ops.libocean.make_asset_library*", "#asset-library"),
     ("bpy.ops.libocean.*bake*", "#bake"),

@@ -10,10 +10,13 @@ from bpy_extras.io_utils import ExportHelper, ImportHelper
 
 from . import translations
 from .look import foam_images, material
-from .sea import live, meshes, node_group, parameter_values, resolutions, sea_text
-from .shared import changes, compat, console, messages, paths
+from .sea import live, messages, node_group, parameter_values, sea_text
+from .sea.resolutions import OF_SEA
+from .shared import changes, compat, console, meshes, paths
 from .shared.compat import tr
+from .shared.messages import of_file
 from .shared.native import libocean
+from .terrain import node_group as terrain_group
 
 DEFAULT_PRESET = "beaufort_5"
 
@@ -83,7 +86,7 @@ class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
     mesh_resolution: bpy.props.EnumProperty(
         name="Mesh resolution",
         description="Vertices along a side of a patch",
-        items=resolutions.items("Automatic", meshes.MAX_SAMPLES),
+        items=OF_SEA.items("Automatic", meshes.MAX_SAMPLES),
         default="0",
         **compat.in_context(translations.SEA),
     )
@@ -133,6 +136,9 @@ class AddModifier(bpy.types.Operator):
             return False
         if node_group.modifiers(ob):
             cls.poll_message_set(tr("The active object has an ocean: add wave systems to it"))
+            return False
+        if terrain_group.modifiers(ob):
+            cls.poll_message_set(tr("The active object has a terrain"))
             return False
         return True
 
@@ -190,7 +196,7 @@ class SaveSea(OnOcean, bpy.types.Operator, ExportHelper):
             self.report({"ERROR"}, messages.of_error(failure))
             return {"CANCELLED"}
         except OSError as failure:
-            self.report({"ERROR"}, messages.of_file(failure))
+            self.report({"ERROR"}, of_file(failure))
             return {"CANCELLED"}
         return {"FINISHED"}
 

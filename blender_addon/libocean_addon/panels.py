@@ -12,7 +12,9 @@ import bpy
 from . import hints, operators, translations, whole_sea
 from .bake import bake, bake_record, bake_state
 from .look import material
-from .sea import facts, node_group, parameter_values, records, resolutions, sea_text
+from .sea import facts, node_group, parameter_values, records
+from .sea.parameter_values import PARAMETERS
+from .shared import file_row, parameter_fields, resolutions
 from .shared.compat import tr_label
 from .shared.drawing import beside, field, is_narrow, never_raises, place_labels, say
 from .spray import spray
@@ -71,27 +73,12 @@ def is_used(group, entry) -> bool:
 
 
 def _draw_parameter(layout, group, entry) -> None:
-    key, label = entry["key"], label_of(entry)
     if not is_used(group, entry):
         return
-    layout = layout.column()
     if entry["type"] == "list":
-        _draw_divisors(layout, group, label)
-        return
-    if not sea_text.is_optional(entry):
-        key = resolutions.listed(key) if key in resolutions.PARAMETERS else key
-        has_place = group.bl_rna.properties[key].type in ("INT", "FLOAT", "BOOLEAN")
-        if has_place:
-            layout.prop(group, key, text=label, text_ctxt=translations.SEA)
-        else:
-            field(layout, group, key, text=label, context=translations.SEA)
-        return
-    inside = is_narrow()
-    row = layout.row(heading="" if inside else label, heading_ctxt=translations.SEA)
-    row.prop(group, f"use_{key}", text="")
-    value = row.row()
-    value.active = getattr(group, f"use_{key}")
-    value.prop(group, key, text=label if inside else "", text_ctxt=translations.SEA)
+        _draw_divisors(layout.column(), group, label_of(entry))
+    else:
+        parameter_fields.draw(layout.column(), group, entry, PARAMETERS, label_of(entry))
 
 
 def _draw_divisors(layout, settings, label: str) -> None:
@@ -156,7 +143,7 @@ class OceanPanel(_Panel, bpy.types.Panel):
     def draw(self, context) -> None:
         layout, ob = self.layout, context.object
         place_labels(layout)
-        _draw_files(layout)
+        file_row.draw(layout, operators.LoadPreset, load=operators.LoadSea, save=operators.SaveSea)
         playing = ob.libocean.use_bake and bake_record.exists(ob)
         problems = bake_state.faults(ob) if playing else [ob.libocean.problem]
         for text in filter(None, problems):
@@ -165,24 +152,6 @@ class OceanPanel(_Panel, bpy.types.Panel):
             say(layout, tr_label("The sea takes a Blender unit for a metre"), "INFO")
         _draw_state(layout, ob)
         _draw_hints(layout, ob, ob.evaluated_get(context.view_layer.depsgraph))
-
-
-def _draw_files(layout) -> None:
-    """Draws the menu of presets and the buttons of sea files; where it is narrow each as wide as
-    its word, without a picture."""
-    load, save = "IMPORT", "EXPORT"
-    if is_narrow():
-        load = save = "NONE"
-        row = layout.split(factor=0.43, align=True)
-    else:
-        row = layout.row(align=True)
-    row.operator_menu_enum(
-        operators.LoadPreset.bl_idname, "preset", text="Preset", text_ctxt=translations.SEA
-    )
-    if is_narrow():
-        row = row.split(factor=0.4, align=True)
-    row.operator(operators.LoadSea.bl_idname, text="Load", icon=load)
-    row.operator(operators.SaveSea.bl_idname, text="Save", icon=save)
 
 
 def _draw_state(layout, ob) -> None:

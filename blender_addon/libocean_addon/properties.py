@@ -9,11 +9,16 @@ from __future__ import annotations
 
 import bpy
 
-from .sea import facts, meshes, parameter_values, resolutions
-from .sea.parameter_properties import annotations as parameters
-from .sea.parameter_properties import changed
-from .shared import compat
+from .sea import facts, parameter_values
+from .sea.resolutions import OF_SEA
+from .shared import compat, meshes
 from .shared.overrides import overridable
+from .shared.table_properties import annotations, changed
+
+
+def _parameters(*, waves: bool) -> dict:
+    return annotations(parameter_values.PARAMETERS, OF_SEA, items=waves)
+
 
 _EXACT = bpy.props.StringProperty(options={"HIDDEN"})
 
@@ -23,7 +28,7 @@ class OceanWaves(bpy.types.PropertyGroup):
     """One wave system of a sea: a wind sea, a swell, a measured spectrum"""
 
     __annotations__ = {
-        **parameters(waves=True),
+        **_parameters(waves=True),
         "exact": _EXACT,
         "measured_record": bpy.props.StringProperty(
             name="Measured record",
@@ -34,7 +39,7 @@ class OceanWaves(bpy.types.PropertyGroup):
 
 
 def _map_resolution(where: str) -> dict:
-    return resolutions.properties(
+    return OF_SEA.properties(
         f"{where.lower()}_resolution",
         f"{where} resolution",
         f"Samples a side of the maps in the {where.lower()}; 0: the sea's own",
@@ -179,11 +184,11 @@ class OceanSettings(bpy.types.PropertyGroup):
         """Raises ValueError where a script sets a resolution that a sea file would refuse: Blender
         only prints exceptions of a property's own functions. Panels, keyframes and files do not
         come here."""
-        resolutions.require_allowed(name, value)
+        OF_SEA.require_allowed(name, value)
         super().__setattr__(name, value)
 
     __annotations__ = {
-        **parameters(waves=False),
+        **_parameters(waves=False),
         "exact": _EXACT,
         "take_lines": bpy.props.StringProperty(options={"HIDDEN"}),
         "waves": bpy.props.CollectionProperty(type=OceanWaves),
@@ -230,7 +235,7 @@ class OceanSettings(bpy.types.PropertyGroup):
         ),
         **_map_resolution("Viewport"),
         **_map_resolution("Render"),
-        **resolutions.properties(
+        **OF_SEA.properties(
             "mesh_resolution",
             "Mesh resolution",
             "Vertices along a side of a patch; 0: as the maps, at most "

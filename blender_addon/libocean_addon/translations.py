@@ -12,9 +12,12 @@ from __future__ import annotations
 
 import bpy
 
+from .terrain import german
+
 SEA = "libocean"
-"""Context of the sea's terms: in "*" Blender's own words come first, for "Fetch" those of fetching
-something. They are in "*" too, where older versions look up a property's choices."""
+"""Context of the terms of seas and terrains: in "*" Blender's own words come first, for "Fetch"
+those of fetching something. They are in "*" too, where older versions look up a property's
+choices."""
 
 GERMAN = {
     SEA: {
@@ -428,6 +431,9 @@ GERMAN = {
         ),
     },
 }
+
+for _context, _words in ((SEA, german.TERMS), ("Operator", german.OPERATORS), ("*", german.TEXTS)):
+    GERMAN[_context].update(_words)
 
 
 def _by_context(language: dict[str, dict[str, str]]) -> dict[tuple[str, str], str]:

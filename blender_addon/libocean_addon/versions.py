@@ -5,8 +5,8 @@
 from __future__ import annotations
 
 from .bake import baked
-from .sea import meshes, parameter_values, resolutions
-from .shared import changes
+from .sea import parameter_values
+from .shared import changes, meshes, resolutions
 
 
 def upgrade(ob) -> None:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import bpy
 
-from .sea import drafts
+from .shared import drafts
 from .shared.compat import tr_label
 from .shared.drawing import BUTTON, never_raises, say
 

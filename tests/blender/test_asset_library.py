@@ -13,7 +13,8 @@ from conftest import in_another_process, pixels, positions, rest
 from libocean_addon.assets import asset_library, assets
 from libocean_addon.bundled import libocean
 from libocean_addon.look import foam_images
-from libocean_addon.sea import live, meshes, node_group
+from libocean_addon.sea import live, node_group
+from libocean_addon.shared import meshes, modifier_groups
 
 PATCH = "Beaufort 4 Patch"
 FOREIGN = "# Mine\nVERSION 1\n\n0a0b6c1e-6a3f-4f0e-9d55-000000000001:Boats:Boats\n"
@@ -63,7 +64,7 @@ def made_here(kind: str, preset: str):
 def images_of(ob) -> set:
     (modifier,) = node_group.modifiers(ob)
     names = node_group.image_inputs(modifier.node_group)
-    return {node_group.value(modifier, name) for name in names}
+    return {modifier_groups.value(modifier, name) for name in names}
 
 
 # Its content ----------------------------------------------------------------------

@@ -355,6 +355,7 @@ def test_an_animated_period_is_refused(scene, sea, tmp_path):
 def made_by_an_earlier_version(ob, folder: Path) -> None:
     """Its bake has neither a Jacobian nor detail, in files, record and node group."""
     from libocean_addon.sea import node_group
+    from libocean_addon.shared import modifier_groups
 
     record = ob.libocean.bake
     for field in record.fields.split(","):
@@ -366,7 +367,7 @@ def made_by_an_earlier_version(ob, folder: Path) -> None:
     (modifier,) = node_group.modifiers(ob)
     group = modifier.node_group
     group.name, group[node_group.MARK] = ".libocean.v5 of before", 5
-    node_group.assign(modifier, {"Jacobian": None, "Use Jacobian": False})
+    modifier_groups.assign(modifier, {"Jacobian": None, "Use Jacobian": False})
 
 
 def test_a_bake_of_an_earlier_version_plays(scene, sea, tmp_path):

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 from conftest import attribute, evaluated_mesh, positions
 from libocean_addon.bundled import libocean
-from libocean_addon.sea import drafts, live, open_sea
+from libocean_addon.sea import live, open_sea
+from libocean_addon.shared import drafts, modifier_groups
 
 
 @pytest.fixture
@@ -49,7 +50,7 @@ def rest(ob) -> list[float]:
 
 def image_side(ob) -> int:
     (modifier,) = live.node_group.modifiers(ob)
-    return live.node_group.value(modifier, "Displacement").size[0]
+    return modifier_groups.value(modifier, "Displacement").size[0]
 
 
 def seconds(action) -> float:

@@ -12,11 +12,12 @@ from types import SimpleNamespace
 import bpy
 import pytest
 from conftest import add_ocean, factory_settings, presets_with, start_another_process
-from libocean_addon import hints
+from libocean_addon import handlers, hints
 from libocean_addon.bundled import libocean
 from libocean_addon.look import detail, start_up
-from libocean_addon.sea import drafts, live, meshes, open_sea, resolutions
-from libocean_addon.shared import compat, console
+from libocean_addon.sea import horizon_mesh, live, open_sea
+from libocean_addon.sea.resolutions import OF_SEA
+from libocean_addon.shared import compat, console, drafts, meshes
 
 
 @pytest.fixture
@@ -53,10 +54,10 @@ def test_a_scene_begins_with_few_vertices(waiting, small):
     ocean = bpy.context.object
     assert not is_whole(ocean) and drafts.is_draft(ocean.name_full)
     assert meshes.is_draft(ocean.data)
-    assert len(ocean.data.vertices) <= meshes.DRAFT_VERTICES
+    assert len(ocean.data.vertices) <= horizon_mesh.DRAFT_VERTICES
     rest()
     assert is_whole(ocean) and not meshes.is_draft(ocean.data)
-    assert len(ocean.data.vertices) > 4 * meshes.DRAFT_VERTICES
+    assert len(ocean.data.vertices) > 4 * horizon_mesh.DRAFT_VERTICES
     assert not drafts.is_draft(ocean.name_full)
 
 
@@ -71,21 +72,21 @@ def test_a_render_begins_with_the_whole_sea(scene, waiting, small):
     bpy.ops.libocean.add(kind="HORIZON", use_material=False)
     ocean = bpy.context.object
     drafts.stop(ocean.name_full)
-    live.complete()
+    handlers.complete()
     assert is_whole(ocean) and not meshes.is_draft(ocean.data)
 
 
 def test_a_render_in_a_thread_leaves_the_data_to_the_main_thread(waiting, small, capsys):
     bpy.ops.libocean.add(kind="HORIZON", use_material=False)
     ocean, made_by = bpy.context.object, []
-    follow = meshes.follow_horizon
+    follow = horizon_mesh.follow_horizon
 
     def noted(*arguments, **settings) -> None:
         made_by.append(threading.current_thread())
         follow(*arguments, **settings)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(meshes, "follow_horizon", noted)
+        patch.setattr(horizon_mesh, "follow_horizon", noted)
         render = threading.Thread(target=live.complete)
         render.start()
         while render.is_alive():
@@ -337,7 +338,7 @@ def test_an_operator_refuses_samples_that_are_no_power_of_two():
 def test_every_number_of_a_list_may_be_set():
     ocean = add_ocean(64, kind="PATCH", use_material=False)
     for item in ocean.libocean.bl_rna.properties["mesh_resolution_list"].enum_items:
-        resolutions.require_allowed("mesh_resolution", item.value)
+        OF_SEA.require_allowed("mesh_resolution", item.value)
 
 
 # Parts that Debian's Blender lacks --------------------------------------------------------

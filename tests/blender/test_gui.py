@@ -22,7 +22,8 @@ import bpy
 bpy.context.preferences.view.show_splash = False
 picture = sys.argv[sys.argv.index("--") + 1]
 bpy.ops.preferences.addon_enable(module="libocean_addon")
-from libocean_addon.sea import drafts, open_sea
+from libocean_addon.sea import open_sea
+from libocean_addon.shared import drafts
 from libocean_addon import panels
 
 for panel in panels.CLASSES:  # all of them open

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from conftest import add_ocean, attribute, evaluated_mesh, positions, rest
 from libocean_addon.bundled import libocean
-from libocean_addon.sea import atlas, meshes, ring_nodes
+from libocean_addon.sea import atlas, horizon_mesh, ring_nodes
 from libocean_addon.shared import changes
 
 FRAMES = (1, 40, 250)
@@ -262,8 +262,8 @@ def test_a_coarser_map_serves_the_near_rings(scene, horizon):
 
 def test_vertices_are_bounded_and_reach_the_horizon():
     for spacing in (0.02, 0.5, 4.0, 100.0):
-        cells, rings = meshes.choose_rings(spacing, 1_500_000, 30_000.0)
-        vertices, *_ = meshes.horizon(1.0, min(cells, 64), rings)
+        cells, rings = horizon_mesh.choose_rings(spacing, 1_500_000, 30_000.0)
+        vertices, *_ = horizon_mesh.horizon(1.0, min(cells, 64), rings)
         assert cells % 8 == 0
         assert cells / 2 * spacing * 2 ** (rings - 1) >= 30_000.0
         count = (cells + 1) ** 2 + (rings - 1) * ((cells + 1) ** 2 - (cells // 2 + 1) ** 2)

@@ -15,8 +15,11 @@ from libocean_addon import manual, operators, panels, whole_sea
 from libocean_addon.assets import asset_library
 from libocean_addon.bundled import libocean
 from libocean_addon.look import first_view
-from libocean_addon.sea import parameter_properties, parameter_values, sea_text
-from libocean_addon.shared import changes
+from libocean_addon.sea import parameter_values
+from libocean_addon.sea.resolutions import OF_SEA
+from libocean_addon.shared import changes, property_texts, table_properties
+from libocean_addon.shared.parameter_table import is_optional
+from libocean_addon.terrain import operators as terrain_operators
 
 UNITS = {"m": "LENGTH", "m/s": "VELOCITY", "m/s^2": "ACCELERATION", "s": "TIME_ABSOLUTE"}
 
@@ -42,7 +45,7 @@ def test_every_parameter_is_a_property(ocean):
             assert prop.soft_min == pytest.approx(entry["soft_min"])
         if entry["type"] == "enum":
             assert [item.identifier for item in prop.enum_items] == entry["choices"]
-        if sea_text.is_optional(entry):
+        if is_optional(entry):
             assert owner.bl_rna.properties[f"use_{entry['key']}"].type == "BOOLEAN"
 
 
@@ -59,8 +62,10 @@ def test_true_and_false_are_a_property_and_words_of_the_file():
         "default": False,
     }
 
+    table = parameter_values.PARAMETERS
+
     class Toy(bpy.types.PropertyGroup):
-        __annotations__ = parameter_properties._properties_of(entry)
+        __annotations__ = table_properties.properties_of(entry, table, OF_SEA)
 
     bpy.utils.register_class(Toy)
     bpy.types.Scene.toy = bpy.props.PointerProperty(type=Toy)
@@ -71,8 +76,8 @@ def test_true_and_false_are_a_property_and_words_of_the_file():
         assert prop.name == "Frozen"
         with changes.quiet():
             for text in ("true", "false", "true"):
-                parameter_values._set_text(toy, entry, text)
-                assert parameter_values._text_of(toy, entry) == text
+                property_texts.set_text(toy, entry, text, table)
+                assert property_texts.text_of(toy, entry, table) == text
         assert toy.frozen is True
     finally:
         del bpy.types.Scene.toy
@@ -103,6 +108,7 @@ OPERATORS = [cls for cls in CLASSES if issubclass(cls, bpy.types.Operator)]
 GROUPS = [cls for cls in CLASSES if issubclass(cls, bpy.types.PropertyGroup)]
 NEED_NO_OCEAN = (
     operators.AddOcean,
+    terrain_operators.AddTerrain,
     first_view.AddScene,
     asset_library.MakeAssetLibrary,
     whole_sea.StopDraft,
@@ -110,6 +116,7 @@ NEED_NO_OCEAN = (
 )
 CHANGE_NO_DATA = (  # which undo would have to restore
     operators.SaveSea,
+    terrain_operators.SaveTerrain,
     asset_library.MakeAssetLibrary,
     whole_sea.StopDraft,
     whole_sea.FinishDraft,

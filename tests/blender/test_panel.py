@@ -11,8 +11,8 @@ import pytest
 from conftest import add_ocean, evaluated_mesh, plane, positions
 from libocean_addon import hints, panels, translations
 from libocean_addon.floating import floating
-from libocean_addon.sea import drafts, facts, node_group, parameter_values, resolutions
-from libocean_addon.shared import compat, drawing
+from libocean_addon.sea import facts, node_group, parameter_values
+from libocean_addon.shared import compat, drafts, drawing, resolutions
 
 PANELS = [cls for cls in panels.CLASSES if issubclass(cls, bpy.types.Panel)]
 
@@ -151,7 +151,7 @@ def test_every_parameter_is_in_one_panel(ocean):
     for entry in parameter_values.TABLE:
         group = settings.waves[0] if entry["section"] == "waves" else settings
         key = entry["key"]
-        key = resolutions.listed(key) if key in resolutions.PARAMETERS else key
+        key = resolutions.listed(key) if key in parameter_values.PARAMETERS.resolutions else key
         count = shown.count(key)
         wanted = settings.cascades if entry["type"] == "list" else 1
         assert count == (wanted if panels.is_used(group, entry) else 0), key

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from conftest import in_another_process, plane, rendered
 from libocean_addon.bundled import libocean
-from libocean_addon.sea import drafts, live, parameter_values
-from libocean_addon.shared import changes
+from libocean_addon.sea import live, parameter_values
+from libocean_addon.shared import changes, drafts
 from libocean_addon.spray import spray, spray_nodes
 
 SIZE = 50.0

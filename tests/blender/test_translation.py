@@ -16,14 +16,20 @@ from libocean_addon import operators, panels, translations
 from libocean_addon.bake import bake_state
 from libocean_addon.floating import floating
 from libocean_addon.look import water_shader
-from libocean_addon.sea import facts, parameter_values, sea_text
+from libocean_addon.sea import facts, parameter_values
 from libocean_addon.shared import compat
+from libocean_addon.shared.parameter_table import is_optional
+from libocean_addon.terrain import facts as terrain_facts
+from libocean_addon.terrain import ground_shader
+from libocean_addon.terrain import panels as terrain_panels
+from libocean_addon.terrain.parameters import PARAMETERS
 
 GERMAN = translations.TABLE["de_DE"]
 CLASSES = [cls for part in libocean_addon.parts() for cls in getattr(part, "CLASSES", ())]
 OPERATORS = [cls for cls in CLASSES if issubclass(cls, bpy.types.Operator)]
 SOURCES = sorted(Path(libocean_addon.__file__).parent.rglob("*.py"))
-PROPER_NAME = re.compile(r"(Beaufort|Douglas|Jerlov|Seed) |\d+$")  # presets, waters, numbers
+# Presets, waters, numbers.
+PROPER_NAME = re.compile(r"(Beaufort|Douglas|Jerlov|Seed) |(Gabilan Mesa|Tujunga|Jacksboro)$|\d+$")
 
 
 # Texts to be translated ---------------------------------------------------------
@@ -73,18 +79,24 @@ def texts_in(path: Path) -> set[tuple[str, str]]:
     return {(context, text) for context, text in found if text}
 
 
-def sockets_of_the_water() -> set[tuple[str, str]]:
-    names = compat.input_identifiers(water_shader.get_group())
-    return {("*", name) for name in [*names, "Surface", "Volume", "Foam"]}
+def sockets_of_materials() -> set[tuple[str, str]]:
+    groups = (water_shader.get_group(), ground_shader.get_group())
+    names = {name for group in groups for name in compat.input_identifiers(group)}
+    return {("*", name) for name in {*names, "Surface", "Volume", "Foam", "Colour"}}
 
 
 def short_labels() -> set[tuple[str, str]]:
-    return {(translations.SEA, label) for label in panels.SHORT.values()}
+    labels = {*panels.SHORT.values(), *terrain_panels.SHORT.values()}
+    # The fields of a break, which are two of one property.
+    return {(translations.SEA, label) for label in {*labels, "Break", "Beta below"}}
 
 
 def states() -> set[tuple[str, str]]:
     add_ocean(64, use_material=False)
-    return {(translations.SEA, label) for label, _ in facts.state_of(bpy.context.object)}
+    said = facts.state_of(bpy.context.object)
+    bpy.ops.libocean.add_terrain(preset="seed_rough", use_material=False)
+    said += terrain_facts.state_of(bpy.context.object)
+    return {(translations.SEA, label) for label, _ in said}
 
 
 # The table ----------------------------------------------------------------------
@@ -103,7 +115,7 @@ def test_every_text_is_translated(path):
 
 
 def test_every_state_and_socket_is_translated():
-    assert (states() | short_labels() | sockets_of_the_water()) - GERMAN.keys() == set()
+    assert (states() | short_labels() | sockets_of_materials()) - GERMAN.keys() == set()
 
 
 @pytest.mark.only_reads
@@ -121,7 +133,7 @@ def test_nothing_is_said_untranslated(path):
 
 def test_no_translation_is_of_something_gone():
     written = {(context, text) for context, texts in translations.GERMAN.items() for text in texts}
-    used = states() | short_labels() | sockets_of_the_water()
+    used = states() | short_labels() | sockets_of_materials()
     for cls in CLASSES:
         used |= labels_of(cls)
     for path in SOURCES:
@@ -164,7 +176,9 @@ def test_panels_and_operators_have_german_names(german):
 
 
 @pytest.mark.only_reads
-@pytest.mark.parametrize("entry", parameter_values.TABLE, ids=lambda entry: entry["key"])
+@pytest.mark.parametrize(
+    "entry", [*parameter_values.TABLE, *PARAMETERS.rows], ids=lambda entry: entry["key"]
+)
 def test_blenders_own_words_do_not_come_before_the_seas(german, entry):
     found = bpy.app.translations.pgettext_iface(entry["label"], translations.SEA)
     assert found == translations.GERMAN[translations.SEA][entry["label"]]
@@ -181,7 +195,7 @@ def test_the_panel_asks_for_the_seas_words():
         label, context = panels.label_of(entry), translations.SEA
         if not panels.is_used(group, entry):
             assert not layout.mock_calls
-        elif sea_text.is_optional(entry):
+        elif is_optional(entry):
             drawn.row.assert_called_once_with(heading=label, heading_ctxt=context)
         else:
             is_resolution = entry["key"] in ("resolution", "foam_resolution")

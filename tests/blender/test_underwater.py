@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from conftest import pixels, plane, rendered
 from libocean_addon.look import sun_focus, water_shader
-from libocean_addon.shared import compat
+from libocean_addon.shared import compat, shader_builder
 from libocean_addon.shared.native import libocean
 from test_material import (
     FAR,
@@ -68,13 +68,13 @@ def test_from_both_sides_it_is_one_surface(scene, tmp_path):
     if bpy.app.version < (5, 0):
         made.use_nodes = True
     made.node_tree.nodes.clear()
-    t = water_shader.Tree(made.node_tree)
+    t = shader_builder.Tree(made.node_tree)
     noise = t.node("ShaderNodeTexNoise")
     t.feed(t.node("ShaderNodeNewGeometry").outputs["Position"], noise.inputs["Vector"])
     slopes = t.math("MULTIPLY_ADD", noise.outputs["Color"], (4.0, 4.0, 0.0), (-2.0, -2.0, 0.0))
-    facing = water_shader._facing(t)
-    bent = water_shader._bent(t, water_shader._normal(t, facing), slopes)
-    shown = t.math("MULTIPLY_ADD", t.scale(bent, facing), (0.5, 0.5, 0.5), (0.5, 0.5, 0.5))
+    side = shader_builder.facing(t)
+    bent = water_shader._bent(t, shader_builder.stored_normal(t, "ocean_normal", side), slopes)
+    shown = t.math("MULTIPLY_ADD", t.scale(bent, side), (0.5, 0.5, 0.5), (0.5, 0.5, 0.5))
     light = t.shader("ShaderNodeEmission", Color=shown)
     t.feed(light, t.node("ShaderNodeOutputMaterial").inputs["Surface"])
     ob.data.materials.append(made)

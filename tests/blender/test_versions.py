@@ -12,6 +12,7 @@ from conftest import attribute, positions, rest
 from libocean_addon.bake import bake_record
 from libocean_addon.bundled import libocean
 from libocean_addon.sea import node_group, parameter_values
+from libocean_addon.shared import modifier_groups
 
 OLD = Path(__file__).parents[1] / "data" / "blender" / "version_1.blend.xz"
 
@@ -48,7 +49,7 @@ def test_its_node_groups_become_todays(old, name):
     assert not [group for group in bpy.data.node_groups if node_group.is_old(group) and group.users]
     old[name].rotation_euler.z = 0.5  # which the old ones did not know
     bpy.context.view_layer.update()
-    assert node_group.value(modifier, "Turn")[2] == pytest.approx(0.5)
+    assert modifier_groups.value(modifier, "Turn")[2] == pytest.approx(0.5)
 
 
 def test_its_sea_is_the_same(old):

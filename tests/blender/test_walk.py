@@ -56,7 +56,7 @@ def test_it_is_short(scene, kind, name, value):
     before = [vertex.co.x for vertex in ob.data.vertices[:1]]
     places = walk(ob, name, value)
     assert len(places) <= MOST_PLACES, places
-    assert places[-1] == "meshes._follow"  # it ends at the mesh
+    assert places[-1] == "meshes.follow"  # it ends at the mesh
     if name == "patch_size":
         assert before != [vertex.co.x for vertex in ob.data.vertices[:1]]
 
@@ -66,7 +66,7 @@ def test_the_modifiers_are_looked_up_once_for_a_change(scene):
     places = walk(ob, "choppiness", 0.5)
     assert places.count("ocean.look_up") == 1
     # Spray looks for all oceans of the file.
-    assert places.count("node_group.modifiers") == 2
+    assert places.count("modifier_groups.modifiers") == 2
 
 
 def test_without_the_add_on_nothing_is_called(monkeypatch):

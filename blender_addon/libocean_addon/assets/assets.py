@@ -18,8 +18,8 @@ import bpy
 from .. import operators
 from ..look import first_view, material
 from ..look.water_shader import DEFAULT_TYPE
-from ..sea import live, meshes, parameter_values, sea_text
-from ..shared import changes
+from ..sea import live, parameter_values, sea_text
+from ..shared import changes, meshes
 from ..shared.native import libocean
 
 AUTHOR = "The libocean authors"

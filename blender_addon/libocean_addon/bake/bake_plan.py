@@ -16,8 +16,8 @@ from pathlib import Path
 import bpy
 
 from ..look import detail
-from ..sea import live, node_group, sea_text
-from ..shared import changes, messages, paths
+from ..sea import live, messages, node_group, sea_text
+from ..shared import changes, paths
 from ..shared.compat import tr
 from ..shared.native import libocean
 from . import bake_files, bake_job, bake_record, baked, exr_files

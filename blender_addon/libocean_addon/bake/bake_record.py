@@ -18,7 +18,7 @@ import bpy
 
 from ..look import detail
 from ..sea import node_group, sea_text
-from ..shared import overrides, paths
+from ..shared import modifier_groups, overrides, paths
 from ..shared.compat import tr
 from . import bake_files, exr_files
 
@@ -85,7 +85,7 @@ def _playing(ob) -> list:
 
 def shown_image(ob):
     """The image that the playing modifier displaces by; None where there is none."""
-    images = (node_group.value(modifier, "Displacement") for modifier in _playing(ob))
+    images = (modifier_groups.value(modifier, "Displacement") for modifier in _playing(ob))
     return next((image for image in images if image is not None), None)
 
 

@@ -15,8 +15,8 @@ import bpy
 
 from ..look import detail
 from ..look.detail_tiles import Band
-from ..sea import meshes, node_group
-from ..shared import changes, overrides, paths
+from ..sea import node_group
+from ..shared import changes, meshes, modifier_groups, overrides, paths
 from . import bake_record, baked_nodes, exr_files
 
 # Names of the fields in files, by those of the node group's inputs.
@@ -52,10 +52,10 @@ def _clear_inputs(modifier) -> set:
     else."""
     group = modifier.node_group
     names = node_group.image_inputs(group)
-    images = {node_group.value(modifier, name) for name in names} - {None}
-    node_group.assign(modifier, dict.fromkeys(names))
+    images = {modifier_groups.value(modifier, name) for name in names} - {None}
+    modifier_groups.assign(modifier, dict.fromkeys(names))
     if node_group.kind_of(group) == "HORIZON":
-        node_group.assign(modifier, {"Camera": None})
+        modifier_groups.assign(modifier, {"Camera": None})
     return images
 
 
@@ -128,7 +128,7 @@ def _set_inputs(ob, modifier) -> None:
     }
     if overrides.is_librarys(ob, modifier):  # whose paths go from the library's file
         images = {}
-    node_group.assign(
+    modifier_groups.assign(
         modifier,
         {
             **images,
@@ -150,7 +150,7 @@ def _set_inputs(ob, modifier) -> None:
         },
     )
     if node_group.kind_of(modifier.node_group) == "HORIZON":
-        node_group.assign(modifier, {"Samples": float(record.samples)})
+        modifier_groups.assign(modifier, {"Samples": float(record.samples)})
 
 
 def upgrade(ob) -> None:

@@ -12,8 +12,8 @@ from __future__ import annotations
 
 import bpy
 
+from ..shared.shader_builder import Tree
 from . import sunlight
-from .water_shader import Tree
 
 SOCKET = "Air Light"
 MARK = "libocean_air"  # custom property of the nodes that are made here

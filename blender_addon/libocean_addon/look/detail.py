@@ -17,9 +17,9 @@ from collections.abc import Callable
 import bpy
 
 from ..shared import compat, images
+from ..shared.shader_builder import Tree
 from . import foam_nodes, water_shader
 from .detail_tiles import SAMPLES, Band, band_of
-from .water_shader import Tree
 
 GROUP = "Ocean Detail"
 MARK = "libocean_detail"  # custom property of a group and of images: the object whose sea it is

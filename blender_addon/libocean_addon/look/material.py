@@ -13,8 +13,9 @@ import bpy
 from ..sea import facts, live, node_group
 from ..shared import compat
 from ..shared.compat import tr
+from ..shared.shader_builder import Tree
 from . import air, detail, sun_focus, sunlight
-from .water_shader import DEFAULT_TYPE, WATER_TYPES, Tree, get_group, is_water, waters
+from .water_shader import DEFAULT_TYPE, WATER_TYPES, get_group, is_water, waters
 
 _ITEMS = [(name, entry["label"], entry["help"]) for name, entry in WATER_TYPES.items()]
 

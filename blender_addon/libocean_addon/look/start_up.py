@@ -15,7 +15,8 @@ _TURNS = {
     "Cube": (0.0, 0.0, 0.0),
     "Light": (0.6503280, 0.0552171, 1.8663908),
 }
-_OF_ADDONS = {"cycles", "libocean", "libocean_float"}  # custom properties that panels make
+# Custom properties that panels make.
+_OF_ADDONS = {"cycles", "libocean", "libocean_float", "libocean_terrain"}
 _ALMOST = 1e-5  # single precision
 
 

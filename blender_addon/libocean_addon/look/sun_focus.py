@@ -19,7 +19,8 @@ import numpy as np
 
 from ..sea import atlas
 from ..shared import images
-from .water_shader import Tree, waters
+from ..shared.shader_builder import Tree
+from .water_shader import waters
 
 SOCKET = "Sun Focus"
 MARK = "libocean_sun_focus"  # custom property of nodes: their part; of an image: its object's name

@@ -17,7 +17,7 @@ import bpy
 
 from ..shared import compat
 from ..shared.native import libocean
-from ..shared.node_builder import Builder
+from ..shared.shader_builder import Tree, facing, stored_normal
 from . import crest_nodes, foam_nodes
 
 GROUP = "Ocean Water"
@@ -34,28 +34,6 @@ PIXEL_ANGLE = 36.0 / 50.0 / 1920.0
 _THIN_FOAM = (0.22, 0.29, 0.31)
 _THICK_FOAM = (0.80, 0.80, 0.80)
 _PLUME = (0.012, 0.060, 0.066)  # what bubbles below the surface send back
-
-
-class Tree(Builder):
-    """Words for shaders beside those that all nodes share."""
-
-    def shader(self, kind: str, *, settings: dict | None = None, **inputs):
-        made = self.node(kind, **(settings or {}))
-        for name, value in inputs.items():
-            self.feed(value, made.inputs[name])
-        return made.outputs[0]
-
-    def add_shaders(self, first, second):
-        made = self.node("ShaderNodeAddShader")
-        self.feed(first, made.inputs[0])
-        self.feed(second, made.inputs[1])
-        return made.outputs[0]
-
-    def mix_shaders(self, factor, off, on):
-        made = self.node("ShaderNodeMixShader")
-        for socket, value in zip(made.inputs, (factor, off, on), strict=True):
-            self.feed(value, socket)
-        return made.outputs[0]
 
 
 def _declare(group) -> None:
@@ -176,33 +154,6 @@ def _declare(group) -> None:
     compat.add_socket(group, "Surface", "NodeSocketShader", output=True)
     compat.add_socket(group, "Volume", "NodeSocketShader", output=True)
     compat.add_socket(group, "Foam", "NodeSocketFloat", output=True)
-
-
-def _facing(t: Tree):
-    """1 from above, -1 from below."""
-    backfacing = t.node("ShaderNodeNewGeometry").outputs["Backfacing"]
-    return t.number("MULTIPLY_ADD", backfacing, -2.0, 1.0)
-
-
-def _normal(t: Tree, facing):
-    """The sea's own normal where the mesh carries it, else the mesh's; upwards, from whichever side
-    it is seen."""
-    stored = t.node("ShaderNodeAttribute", attribute_name="ocean_normal").outputs["Vector"]
-    # An attribute that is absent reads 0.
-    there = t.number("GREATER_THAN", t.math("LENGTH", stored, result="Value"), 0.5)
-    # Made a unit vector when it is turned, which 0 cannot be.
-    missing = t.vector(0.0, 0.0, t.number("SUBTRACT", 1.0, there))
-    turned = t.node(
-        "ShaderNodeVectorTransform",
-        vector_type="NORMAL",
-        convert_from="OBJECT",
-        convert_to="WORLD",
-    )
-    t.feed(t.math("ADD", stored, missing), turned.inputs[0])
-    own = t.math("NORMALIZE", turned.outputs[0])
-    # Shaders turn the mesh's normal towards the viewer, not an attribute.
-    of_mesh = t.scale(t.node("ShaderNodeNewGeometry").outputs["Normal"], facing)
-    return t.math("NORMALIZE", t.mix(of_mesh, own, there))
 
 
 def _bent(t: Tree, normal, detail):
@@ -348,10 +299,10 @@ def _build(group) -> None:
     _declare(group)
     t = Tree(group)
     inputs = t.node("NodeGroupInput").outputs
-    facing = _facing(t)
-    of_waves = _normal(t, facing)
+    side = facing(t)
+    of_waves = stored_normal(t, "ocean_normal", side)
     # One surface, bent alike from both sides; shaders want its normal towards the viewer.
-    normal = t.scale(_bent(t, of_waves, inputs["Detail"]), facing)
+    normal = t.scale(_bent(t, of_waves, inputs["Detail"]), side)
     slopes = _slopes(t, inputs["Roughness"], t.parts(inputs["Detail"])[2])
     roughness = t.number("POWER", slopes, 0.25)
     reflectance = _reflectance(t, inputs["IOR"], normal, slopes)

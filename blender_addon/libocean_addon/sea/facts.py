@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import math
 
-from ..shared import messages
-from . import atlas, drafts, live
+from ..shared import drafts
+from . import atlas, live, messages
 from .open_sea import OpenSea, sea_of
 
 

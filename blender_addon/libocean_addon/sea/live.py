@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import contextlib
 import dataclasses
-import threading
 from collections.abc import Iterator
 
 import bpy
@@ -21,11 +20,12 @@ import bpy
 from ..bake import baked
 from ..bake.baked_nodes import COVER_POWER
 from ..look import detail, sun_focus
-from ..shared import console, hooks, images, messages
+from ..shared import console, drafts, hooks, images, meshes, modifier_groups
 from ..shared.native import libocean
-from . import atlas, drafts, meshes, node_group, parameter_values, sea_text
+from . import atlas, horizon_mesh, messages, node_group, parameter_values, sea_text
 from .ocean import Ocean, look_up
 from .open_sea import COVER, NO_COVER, QUICK, OpenSea, sea_of
+from .sea_job import SeaJob
 
 # The values of a sea at rest.
 BLANKS = {
@@ -35,19 +35,7 @@ BLANKS = {
 }
 
 
-def ocean_objects() -> list[bpy.types.Object]:
-    """Returns every object with an ocean modifier, linked ones first. An asset library that is open
-    shows nothing: its stand-ins, which are in no scene, are left out."""
-    groups = [group for group in bpy.data.node_groups if node_group.is_ours(group)]
-    if not groups:
-        return []
-    users = bpy.data.user_map(subset=groups, value_types={"OBJECT"})
-    found = {}
-    for ob in set().union(*users.values()):
-        is_dormant = meshes.is_stand_in(ob.data) and not ob.users_scene
-        if not is_dormant and node_group.modifiers(ob):
-            found[ob.library is None, ob.name_full] = ob
-    return [found[key] for key in sorted(found)]
+ocean_objects = node_group.FAMILY.objects
 
 
 @dataclasses.dataclass(frozen=True)
@@ -110,11 +98,11 @@ def _target(owner: str, modifier, name: str, shape, blank, render: bool, shared:
     names = [node_group.render_twin(name)] if render else [name]
     if shared:
         names = [name, node_group.render_twin(name)]
-    image = node_group.value(modifier, names[0])
-    if image is None or (render and not shared and image == node_group.value(modifier, name)):
+    image = modifier_groups.value(modifier, names[0])
+    if image is None or (render and not shared and image == modifier_groups.value(modifier, name)):
         label = f"{name} render" if render and not shared else name
         image = images.make(owner, label.lower(), shape, blank)
-    node_group.assign(modifier, dict.fromkeys(names, image))
+    modifier_groups.assign(modifier, dict.fromkeys(names, image))
     return image
 
 
@@ -132,7 +120,7 @@ def show(ocean: Ocean, depsgraph, moment: Moment) -> None:
     ob, modifiers = ocean.ob, ocean.live
     if ob.libocean.kind == "HORIZON":
         for modifier in ocean.modifiers:
-            node_group.assign(modifier, {"Camera": moment.scene.camera})
+            modifier_groups.assign(modifier, {"Camera": moment.scene.camera})
     if not modifiers:
         baked.show_detail(ob)
         return
@@ -187,14 +175,14 @@ def _show_in(ocean: Ocean, seen, modifier, moment: Moment) -> None:
         with console.work(name, "maps"):
             sea.show(at, size, targets, channel)
         if not moment.rendering:
-            drafts.forget(name, key, spray=settings.use_spray)
+            drafts.forget(name, key, more_follows=settings.use_spray)
             if meshes.is_draft(ob.data):
                 follow_mesh(ob)
     names = [node_group.render_twin(COVER_POWER) if moment.rendering else COVER_POWER]
     if shared:
         names = [COVER_POWER, node_group.render_twin(COVER_POWER)]
     power = sea.cover_power(at, size, QUICK[channel] if draft else channel)
-    node_group.assign(modifier, dict.fromkeys(names, power))
+    modifier_groups.assign(modifier, dict.fromkeys(names, power))
     _set_inputs(ob, seen, modifier, sea.values, sizes, draft=draft)
     if not draft:
         with console.work(name, "near detail"):
@@ -203,10 +191,10 @@ def _show_in(ocean: Ocean, seen, modifier, moment: Moment) -> None:
         state = sea.read_state()
         lost = [atlas.lost_slopes(state, samples) for samples in sizes]
         names = ("Slope Variance", node_group.render_twin("Slope Variance"))
-        node_group.assign(modifier, dict(zip(names, lost, strict=True)))
+        modifier_groups.assign(modifier, dict(zip(names, lost, strict=True)))
     if settings.kind == "HORIZON":
         own = sea.sea.map_resolution()
-        node_group.assign(modifier, {"Samples": float(samples_of(settings, own))})
+        modifier_groups.assign(modifier, {"Samples": float(samples_of(settings, own))})
 
 
 def _set_inputs(
@@ -221,9 +209,9 @@ def _set_inputs(
         turn = tuple(seen.matrix_world.to_euler("XYZ"))
     origin = (place[0] % period, place[1] % period, 0.0)
     # A draft in the viewport has fewer samples than are asked for.
-    shown = node_group.value(modifier, "Displacement")
+    shown = modifier_groups.value(modifier, "Displacement")
     samples = shown.size[0] if shown is not None else sizes[0]
-    node_group.assign(
+    modifier_groups.assign(
         modifier,
         {
             "Tile Size": period,
@@ -259,14 +247,10 @@ def paused() -> Iterator[None]:
 def show_all(
     oceans, scene, depsgraph=None, *, rendering: bool = False, passing: bool = False
 ) -> None:
-    """Shows all these objects. passing: Blender says that the frame has changed. If nothing plays,
-    it may be a frame of a viewport render, which waits for its foam; the operator of that render
-    runs in the area of its viewport."""
+    """Shows all these objects. passing: Blender says that the frame has changed."""
     if _paused:
         return
-    playing = drafts.is_playing()
-    moving = drafts.allowed and not rendering and (playing or not passing)
-    again = drafts.allowed and not rendering and passing and bpy.context.area is None
+    moving, again = drafts.may_suffice(rendering=rendering, passing=passing)
     moment = Moment(scene, rendering, moving, again)
     for ob in oceans:
         show(look_up(ob), depsgraph, moment)
@@ -316,7 +300,7 @@ def follow_mesh(ob, *, draft: bool = False) -> None:
             meshes.follow_patch(ob, period, samples, draft=draft)
         else:
             samples = samples_of(settings, own)
-            meshes.follow_horizon(
+            horizon_mesh.follow_horizon(
                 ob,
                 period / samples,
                 settings.horizon_vertices,
@@ -326,19 +310,14 @@ def follow_mesh(ob, *, draft: bool = False) -> None:
 
 
 def complete_meshes() -> None:
-    """Makes the meshes whole that are drafts, for a file that is saved."""
+    """Makes the meshes whole that are drafts, before a render or for a file that is saved."""
     for ob in ocean_objects():
         if meshes.is_draft(ob.data):
             follow_mesh(ob)
 
 
-def complete() -> None:
-    """Blocks until nothing is a draft, before a render. Says so in the console if that fails."""
-    is_whole = drafts.complete()
-    if threading.current_thread() is threading.main_thread():
-        complete_meshes()
-    elif not is_whole or any(meshes.is_draft(ob.data) for ob in ocean_objects()):
-        print("libocean: the render shows a draft of the sea", flush=True)
+def has_draft_meshes() -> bool:
+    return any(meshes.is_draft(ob.data) for ob in ocean_objects())
 
 
 # The whole sea after a draft --------------------------------------------------
@@ -348,7 +327,7 @@ def _named(name: str):
     return next((ob for ob in ocean_objects() if ob.name_full == name), None)
 
 
-def make_draft_job(name: str) -> drafts.Job | None:
+def make_draft_job(name: str) -> SeaJob | None:
     ob = _named(name)
     sea = None if ob is None or ob.libocean.use_bake else sea_of(ob.name_full)
     if sea is None or sea.sea is None or ob.libocean.problem:
@@ -359,10 +338,10 @@ def make_draft_job(name: str) -> drafts.Job | None:
     return sea.job(at, map_sizes(settings, sea)[0], channel_of(settings), spray)
 
 
-def finish_draft_job(name: str, job: drafts.Job) -> None:
+def finish_draft_job(name: str, job: SeaJob) -> None:
     ob = _named(name)
     if ob is None or job.is_cancelled():
-        job.sea.close()
+        job.close()
         return
     sea = sea_of(ob.name_full)
     if sea.take_over(job):

@@ -1,12 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The node group of the modifier: it reads finished fields from images, nothing else.
-
-    position, turned, + origin -> / tile size -> + half a texel -> image -> offset, attributes
-
-What lies turned in the world shows the same sea: it looks where it is in the world, and what it
-finds is turned back. Most things are not turned, and a patch's vertices lie on samples: these have
-a branch of their own, of which a switch of geometry runs one.
+"""The node group of the sea's modifier: it reads finished fields from images, nothing else, by the
+parts in field_nodes.py.
 
 Each image is read once: a field is evaluated anew by every node that uses it, a captured one is
 not. A live group reads images that the add-on fills; a baked one plays image sequences by the
@@ -16,8 +11,6 @@ follow the camera, and read coarser maps too (ring_nodes.py).
 
 from __future__ import annotations
 
-import bpy
-
 from ..bake import baked_nodes
 from ..bake.baked_nodes import (
     COVER_POWER,
@@ -26,7 +19,8 @@ from ..bake.baked_nodes import (
     ON_SAMPLES,
     ON_SAMPLES_HELP,
 )
-from ..shared import compat
+from ..shared import compat, field_nodes, modifier_groups
+from ..shared.field_nodes import Turn
 from ..shared.node_builder import Builder
 from . import ring_nodes
 from .ring_nodes import far_image
@@ -44,9 +38,6 @@ horizon's third one the variance of the slopes that are left out."""
 
 WORLD_ORIGIN = "World Origin"
 WORLD_ORIGIN_HELP = "Origin, whole periods included: where the places of foam begin"
-
-SMALLEST_TURN = 1e-6
-"""Radians: less is what single precision makes of none."""
 
 
 def render_twin(name: str) -> str:
@@ -128,28 +119,19 @@ class _LiveFields:
         return self.shown("Slope Variance", "FLOAT")
 
 
-class Turn:
-    """Between an object's own axes and the world's; None: they are the same."""
-
-    def __init__(self, b: Builder, euler) -> None:
-        self.b, self.euler = b, euler
-
-    def to_world(self, vector):
-        return vector if self.euler is None else self.b.rotate(vector, self.euler)
-
-    def to_local(self, vector):
-        return vector if self.euler is None else self.b.rotate(vector, self.euler, back=True)
-
-
 class _Flat:
     """A mesh that shows the finest map wherever it lies."""
 
     def __init__(self, b: Builder, inputs, fields, turn: Turn, interpolation: str) -> None:
         self.fields = fields
         self.interpolation = interpolation
-        position = turn.to_world(b.node("GeometryNodeInputPosition").outputs[0])
-        place = b.math("DIVIDE", b.math("ADD", position, fields.origin()), inputs["Tile Size"])
-        self.place = b.math("ADD", place, fields.half_texel())
+        self.place = field_nodes.place_on_map(
+            b,
+            turn,
+            origin=fields.origin(),
+            period=inputs["Tile Size"],
+            half_texel=fields.half_texel(),
+        )
 
     def start(self, geometry):
         return geometry
@@ -174,9 +156,7 @@ def _label(b: Builder, fields, turn: Turn):
 def _displaced(b: Builder, inputs, fields, lookup, turn: Turn):
     """The geometry with its attributes, moved."""
     group = b.group
-    named = b.node("GeometryNodeInputNamedAttribute", data_type="FLOAT")
-    b.link(inputs["Mask"], named.inputs["Name"])
-    mask = b.switch("FLOAT", inputs["Use Mask"], 1.0, compat.active(named.outputs, "Attribute"))
+    mask = field_nodes.mask(b, inputs)
 
     geometry, offset = compat.capture(
         group, lookup.start(inputs["Geometry"]), lookup.color("Displacement")
@@ -198,9 +178,8 @@ def _displaced(b: Builder, inputs, fields, lookup, turn: Turn):
     stored = b.store(stored, "ocean_velocity", "FLOAT_VECTOR", velocity)
     geometry = b.switch("GEOMETRY", inputs["Use Velocity"], geometry, stored)
 
-    up = (0.0, 0.0, 1.0)
     stored, normal, slope_variance = lookup.normal(geometry)
-    normal = b.math("ADD", b.scale(b.math("SUBTRACT", normal, up), mask), up)
+    normal = field_nodes.toward_up(b, normal, mask)
     stored = b.store(stored, "ocean_normal", "FLOAT_VECTOR", turn.to_local(normal))
     slope_variance = b.number("MULTIPLY", slope_variance, mask)
     stored = b.store(stored, "slope_variance", "FLOAT", slope_variance)
@@ -221,36 +200,34 @@ def _build(group, kind: str, *, baked: bool) -> None:
     b = Builder(group)
     inputs = b.node("NodeGroupInput").outputs
     fields = make_fields(b, inputs)
-    names = [socket.name for socket in inputs if socket.name]
 
-    def branch(*, turned: bool, interpolation: str = "Linear"):
-        def make(b: Builder, *sockets):
-            inputs = dict(zip(names, sockets, strict=True))
-            fields = make_fields(b, inputs)
-            turn = Turn(b, fields.turn() if turned else None)
-            if kind == "HORIZON":
-                lookup = ring_nodes.Rings(b, inputs, fields, turn)
-            else:
-                lookup = _Flat(b, inputs, fields, turn, interpolation)
-            return [_displaced(b, inputs, fields, lookup, turn)]
+    def displaced(b: Builder, inputs, turned: bool, interpolation: str):
+        fields = make_fields(b, inputs)
+        turn = Turn(b, fields.turn() if turned else None)
+        if kind == "HORIZON":
+            lookup = ring_nodes.Rings(b, inputs, fields, turn)
+        else:
+            lookup = _Flat(b, inputs, fields, turn, interpolation)
+        return _displaced(b, inputs, fields, lookup, turn)
 
-        variant = "turned" if turned else interpolation.lower()
-        part = f"{group.name.removeprefix('.libocean.')} {variant}"
-        return b.nested(part, make, *(inputs[name] for name in names))[0]
-
-    level = branch(turned=False)
-    if kind == "PATCH":  # its vertices take the nearest sample, to the bit
-        nearest = branch(turned=False, interpolation="Closest")
-        level = b.switch("GEOMETRY", inputs[ON_SAMPLES], level, nearest)
-    angle = b.math("LENGTH", fields.turn(), result="Value")
-    is_turned = b.number("GREATER_THAN", angle, SMALLEST_TURN)
-    result = b.switch("GEOMETRY", is_turned, level, branch(turned=True))
+    result = field_nodes.branches(
+        b,
+        inputs,
+        displaced,
+        name=group.name.removeprefix(".libocean."),
+        # The vertices of a patch take the nearest sample.
+        on_samples=inputs[ON_SAMPLES] if kind == "PATCH" else None,
+        euler=fields.turn(),
+    )
     b.link(result, b.node("NodeGroupOutput").inputs[0])
     b.arrange(rows=4, height=240)
 
 
-def is_ours(group) -> bool:
-    return group is not None and MARK in group
+FAMILY = modifier_groups.Family(MARK, VERSION)
+is_ours = FAMILY.is_ours
+is_old = FAMILY.is_old
+all_modifiers = FAMILY.all_modifiers
+modifiers = FAMILY.modifiers
 
 
 def is_baked(group) -> bool:
@@ -266,23 +243,15 @@ def get(kind: str, *, baked: bool = False):
     """Returns the group for meshes of one kind, made if it is missing. baked: one that plays a
     bake."""
     name = f".libocean.v{VERSION} {kind.capitalize()}{' Baked' if baked else ''}"
-    for group in bpy.data.node_groups:
-        if group.name == name and is_ours(group) and group.library is None:
-            return group
-    group = bpy.data.node_groups.new(name, "GeometryNodeTree")
-    group[MARK] = VERSION
+    group = FAMILY.find(name)
+    if group is not None:
+        return group
+    group = FAMILY.new(name)
     group[_KIND] = kind
     if baked:
         group[_BAKED] = True
-    if hasattr(group, "is_modifier"):  # 4.0
-        group.is_modifier = True
     _build(group, kind, baked=baked)
     return group
-
-
-def is_old(group) -> bool:
-    """Returns whether an earlier version of the add-on built a node group into this file."""
-    return is_ours(group) and group[MARK] != VERSION and group.library is None
 
 
 def image_inputs(group) -> list[str]:
@@ -293,31 +262,6 @@ def image_inputs(group) -> list[str]:
     return [name for name in compat.input_identifiers(group) if name in names]
 
 
-def all_modifiers(ob) -> list:
-    """Returns all ocean modifiers of an object, replaced ones of its library included."""
-    return [m for m in ob.modifiers if m.type == "NODES" and is_ours(m.node_group)]
-
-
-def modifiers(ob) -> list:
-    """Returns the ocean modifiers of an object that count: those that a shot added take the place
-    of its library's."""
-    found = [m for m in ob.modifiers if m.type == "NODES" and is_ours(m.node_group)]
-    own = [m for m in found if ob.override_library is None or not m.is_override_data]
-    return own or found
-
-
 def live_modifiers(ob) -> list:
     """Returns the ocean modifiers of an object that play no bake."""
     return [m for m in modifiers(ob) if not is_baked(m.node_group)]
-
-
-def assign(modifier, values: dict) -> None:
-    """Sets inputs of the modifier by their names."""
-    identifiers = compat.input_identifiers(modifier.node_group)
-    for name, value in values.items():
-        if name in identifiers:  # a linked group may be of an earlier version
-            compat.set_input(modifier, identifiers[name], value)
-
-
-def value(modifier, name: str):
-    return compat.get_input(modifier, compat.input_identifiers(modifier.node_group)[name])

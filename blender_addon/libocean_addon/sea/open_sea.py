@@ -12,9 +12,10 @@ import time
 import bpy
 import numpy as np
 
-from ..shared import images, messages
+from ..shared import drafts, images
 from ..shared.native import libocean
-from . import atlas, drafts, node_group, sea_text
+from . import atlas, messages, node_group, sea_text
+from .sea_job import SeaJob
 
 CHANNELS = atlas.FINEST
 
@@ -162,11 +163,11 @@ class OpenSea:
             if self._show(at, size, targets, QUICK[channel]):
                 self.pace.note(size, time.perf_counter() - begun, wanted)
 
-    def job(self, at: float, size: int, channel: str, spray: dict | None) -> drafts.Job:
+    def job(self, at: float, size: int, channel: str, spray: dict | None) -> SeaJob:
         """Returns the job that makes the whole map of a time, and its spray if it has any."""
-        return drafts.Job(self.sea.clone(), self.changes, at, size, channel, spray)
+        return SeaJob(self.sea.clone(), self.changes, at, size, channel, spray)
 
-    def take_over(self, job: drafts.Job) -> bool:
+    def take_over(self, job: SeaJob) -> bool:
         """Replaces the handle by that of a job that has ended. Returns False if the job is of no
         use."""
         if job.failure is not None or job.changes != self.changes:

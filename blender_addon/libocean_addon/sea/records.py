@@ -14,9 +14,10 @@ import bpy
 from bpy_extras.io_utils import ImportHelper
 
 from .. import operators
-from ..shared import messages, paths
+from ..shared import paths
+from ..shared.messages import of_file
 from ..shared.native import libocean
-from . import live, parameter_values
+from . import live, messages, parameter_values
 
 
 def place_of(record: dict) -> str:
@@ -104,7 +105,7 @@ class PickRecord(operators.OnOcean, bpy.types.Operator, ImportHelper):
             self.report({"ERROR"}, messages.of_error(failure))
             return {"CANCELLED"}
         except OSError as failure:
-            self.report({"ERROR"}, messages.of_file(failure))
+            self.report({"ERROR"}, of_file(failure))
             return {"CANCELLED"}
         return {"FINISHED"}
 

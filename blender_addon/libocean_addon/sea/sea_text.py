@@ -77,13 +77,3 @@ def read(sea) -> SeaValues:
             else:
                 system.values[key] = text
     return found
-
-
-def is_optional(entry: dict[str, Any]) -> bool:
-    """Returns whether a parameter has a switch beside its value; "inf" counts as off."""
-    return entry["type"] == "float" and entry["default"] in (None, "inf")
-
-
-def off_value(entry: dict[str, Any]) -> str:
-    """Returns the value of a parameter whose switch is off."""
-    return entry["default"] or ""

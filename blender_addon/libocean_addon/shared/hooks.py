@@ -20,9 +20,9 @@ class Hooks:
     property_changed: Callable[[Any], None]
     """Shows an object whose properties were set."""
     make_draft_job: Callable[[str], Any]
-    """Returns the job of the whole sea of an object, by its full name; None: there is none."""
+    """Returns the job of the whole subject of an object, by its full name; None without a job."""
     finish_draft_job: Callable[[str, Any], None]
-    """Shows the sea of a job that has ended."""
+    """Shows the whole subject of a job that has ended."""
     followers: tuple[Callable[[Any, Any], None], ...]
     """Called with the depsgraph, or None, and the moment, after the seas of a scene were shown."""
 
@@ -30,7 +30,7 @@ class Hooks:
 _NONE = Hooks(
     property_changed=lambda _ob: None,
     make_draft_job=lambda _name: None,
-    finish_draft_job=lambda _name, job: job.sea.close(),
+    finish_draft_job=lambda _name, job: job.close(),
     followers=(),
 )
 _connected = _NONE

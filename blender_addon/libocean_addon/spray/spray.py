@@ -15,9 +15,9 @@ import contextlib
 import bpy
 import numpy as np
 
-from ..sea import drafts, live, node_group
+from ..sea import live, messages
 from ..sea.open_sea import OpenSea, sea_of
-from ..shared import changes, compat, console, messages
+from ..shared import changes, compat, console, drafts, modifier_groups
 from ..shared.compat import tr_label
 from ..shared.native import libocean
 from . import spray_nodes
@@ -96,7 +96,7 @@ def _carrier(modifier):
 def _new_carrier(ob, modifier):
     name = f".{ob.name} spray"
     carrier = bpy.data.objects.new(name, bpy.data.meshes.new(name))
-    node_group.assign(modifier, {"Points": carrier})
+    modifier_groups.assign(modifier, {"Points": carrier})
     modifier.node_group = modifier.node_group  # Blender looks anew at what the inputs name
     return carrier
 
@@ -225,7 +225,7 @@ def show_all(depsgraph, moment) -> None:
             continue
         spheres = not compat.draws_points(moment.scene)
         inputs = {"Material": ob.libocean.spray_material, spray_nodes.SPHERES: spheres}
-        node_group.assign(modifier, inputs)
+        modifier_groups.assign(modifier, inputs)
         problem = ""
         try:
             _show(ob, modifier, depsgraph, moment)

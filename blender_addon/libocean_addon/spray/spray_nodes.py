@@ -11,9 +11,9 @@ from __future__ import annotations
 
 import bpy
 
-from ..look.water_shader import Tree
 from ..shared import compat
 from ..shared.node_builder import Builder
+from ..shared.shader_builder import Tree
 
 NAME = "Ocean Spray"
 VERSION = 1

@@ -20,9 +20,10 @@ from mathutils import Matrix, Vector
 
 from ..bake import bake, bake_files, bake_job, bake_plan
 from ..bake.bake_plan import BakeError
-from ..sea import live
-from ..shared import compat, messages, paths
+from ..sea import live, messages
+from ..shared import compat, paths
 from ..shared.compat import tr
+from ..shared.messages import of_file
 from ..shared.native import ADDON, libocean
 from . import volume_job
 
@@ -148,7 +149,7 @@ def _what_to_run(job: volume_job.VolumeJob) -> str:
     except libocean.Error as failure:
         return messages.of_error(failure)
     except OSError as failure:
-        return messages.of_file(failure)
+        return of_file(failure)
     return tr(
         "This Blender has no OpenVDB module, and there is no command ocean. Where there is one, "
         "run: {}",

@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drafts: a sea is shown at once while values move or time plays, and the whole sea when they rest.
+"""Drafts: a sea or a terrain is shown at once while values move or time plays, and the whole one
+when they rest.
 
-A draft has whitecaps in the place of foam, whose past takes longest, and fewer samples where these
-take long. Meanwhile a thread makes the whole sea ready in a handle of its own, which then takes the
-place of the one that drew the draft. A render waits for the whole sea. Without a window every map
-is whole at once.
+A draft has fewer samples where these take long, that of a sea whitecaps in the place of foam, whose
+past takes longest. Meanwhile a thread makes the whole one ready in a handle of its own, which then
+takes the place of the one that drew the draft. A render waits for it. Without a window every map is
+whole at once.
 
-    value set -> draft ... rest -> thread: foam's past -> whole
+    value set -> draft ... rest -> thread: Job.work -> whole
 """
 
 from __future__ import annotations
@@ -18,11 +19,10 @@ import time
 from collections.abc import Callable
 
 import bpy
-import numpy as np
 
-from ..shared import console, hooks
-from ..shared.compat import tr_label
-from ..shared.native import libocean
+from . import console, hooks
+from .compat import tr_label
+from .native import libocean
 
 SECONDS = 0.1
 """In which something is to be seen."""
@@ -38,6 +38,16 @@ def is_playing() -> bool:
     manager = bpy.context.window_manager
     screens = [window.screen for window in manager.windows] if manager else []
     return any(screen.is_animation_playing or screen.is_scrubbing for screen in screens)
+
+
+def may_suffice(*, rendering: bool, passing: bool) -> tuple[bool, bool]:
+    """Returns whether a draft suffices for now, and whether Blender may show the same once more by
+    itself, as it does after an edit of a driver: a draft stays one then. passing: Blender says that
+    the frame has changed. If nothing plays, it may be a frame of a viewport render, which waits for
+    the whole; the operator of that render runs in the area of its viewport."""
+    is_possible = allowed and not rendering
+    moving = is_possible and (is_playing() or not passing)
+    return moving, is_possible and passing and bpy.context.area is None
 
 
 class Pace:
@@ -61,28 +71,34 @@ class Pace:
 
 
 class CancelledError(Exception):
-    """A job was cancelled: its sea has changed, or the user stopped it."""
+    """A job was cancelled: its subject has changed, or the user stopped it."""
 
 
 class Job:
-    """Makes a clone of a sea ready for the map of one time."""
+    """Makes the whole subject of an object, in a thread. A class of its own for each subject has
+    `work`, `close` and `said`."""
 
-    def __init__(
-        self, sea, changes: int, at: float, size: int, channel: str, spray: dict | None = None
-    ) -> None:
-        self.sea, self.changes, self.time, self.size, self.channel = sea, changes, at, size, channel
-        self.spray = spray
+    def __init__(self, key: tuple) -> None:
+        self.key = key
+        """The settings of the map: a request with the same key wants this job's map."""
         self.ticks: tuple[int, int] | None = None
-        """Ticks of foam that are done and that there are; None before the first one."""
+        """The finished ticks of foam and their number; None before the first one."""
         self.seconds = 0.0
         self.failure: Exception | None = None
         self._stop = threading.Event()
         self._thread = threading.Thread(target=self._run, daemon=True)
 
-    @property
-    def key(self) -> tuple:
-        """Returns the settings of the map: a request with the same key wants this job's map."""
-        return (self.changes, self.time, self.size, self.channel)
+    def work(self) -> None:
+        """Does the work, in the thread. Raises libocean.Error, MemoryError or CancelledError."""
+        raise NotImplementedError
+
+    def close(self) -> None:
+        """Frees the library's handle of a job whose result nobody takes."""
+        raise NotImplementedError
+
+    def said(self, name: str) -> str:
+        """Returns a line about the work on the object with that full name, for the status bar."""
+        raise NotImplementedError
 
     @property
     def share(self) -> float:
@@ -96,10 +112,7 @@ class Job:
         begun = time.perf_counter()
         watchers[threading.get_ident()] = self._watch
         try:
-            map_ = np.empty((self.size, self.size, 4), np.float32)
-            self.sea.fill(self.time, [(map_, ("dx", "dy", "height", self.channel))])
-            if self.spray is not None:
-                self.sea.spray(self.time, **self.spray)
+            self.work()
         except (libocean.Error, MemoryError, CancelledError) as failure:
             self.failure = failure
         finally:
@@ -130,7 +143,7 @@ watchers: dict[int, Callable[[int, int], None]] = {}
 
 
 def tell_watcher(done: int, total: int) -> None:
-    """The progress function of every sea: that of the thread, or else the console's."""
+    """The progress function of every handle: that of the thread, or else the console's."""
     watchers.get(threading.get_ident(), console.tell)(done, total)
 
 
@@ -151,8 +164,8 @@ _step_at = 0.0
 
 
 def ask(name: str, key: tuple, *, rest: bool = True) -> None:
-    """Requests the whole sea of the object with that full name. key: that of the job. rest: begin
-    once values rest, with another key than before."""
+    """Requests the whole subject of the object with that full name. key: that of the job. rest:
+    begin once values rest, with another key than before."""
     if _stopped.get(name) == key:
         return
     _stopped.pop(name, None)
@@ -173,11 +186,11 @@ def _call_step() -> None:
         bpy.app.timers.register(step, first_interval=0.05, persistent=True)
 
 
-def forget(name: str, key: tuple, *, spray: bool) -> None:
-    """Withdraws the request for an object that shows the whole map of this key. spray: whether it
-    has spray, whose work goes on after the map."""
+def forget(name: str, key: tuple, *, more_follows: bool) -> None:
+    """Withdraws the request for an object that shows the whole map of this key. more_follows: its
+    job goes on after the map, with spray."""
     _wishes.pop(name, None)
-    if not spray or _stopped.get(name) != key:
+    if not more_follows or _stopped.get(name) != key:
         _stopped.pop(name, None)
     if _running is not None and _running[0] == name and _running[1].key != key:
         _running[1].cancel()
@@ -193,7 +206,7 @@ def keep_only(names: set[str]) -> None:
 
 
 def wants(name: str, key: tuple) -> bool:
-    """Returns whether the whole sea of this key is requested, in the making or stopped."""
+    """Returns whether the whole subject of this key is requested, in the making or stopped."""
     wish = _wishes.get(name)
     is_made = _running is not None and _running[0] == name and _running[1].key == key
     return is_made or _stopped.get(name) == key or (wish is not None and wish.key == key)
@@ -212,7 +225,7 @@ def stop(name: str) -> None:
 
 
 def resume(name: str) -> None:
-    """Requests the sea of an object again whose work the user stopped."""
+    """Requests the whole subject of an object again whose work the user stopped."""
     key = _stopped.pop(name, None)
     if key is not None:
         _wishes[name] = _Wish(key, time.monotonic(), 0.0)  # the timer goes on while one is stopped
@@ -228,7 +241,7 @@ def is_stopped(name: str) -> bool:
 
 
 def progress(name: str) -> float | None:
-    """Returns the finished share of the whole sea, 0 .. 1; None if no work is left to do."""
+    """Returns the finished share of the whole subject, 0 .. 1; None if no work is left to do."""
     if name in _stopped:
         return None
     if _running is not None and _running[0] == name:
@@ -242,7 +255,7 @@ def is_draft(name: str) -> bool:
 
 
 def at_work() -> tuple[str, Job] | None:
-    """Returns the full name of the object whose sea is being made, and the job."""
+    """Returns the full name of the object whose whole subject is being made, and the job."""
     return _running
 
 
@@ -313,7 +326,7 @@ def line() -> tuple[str, str]:
     work."""
     if _running is not None:
         name, job = _running
-        return tr_label("{}: foam {:.0%}", name, job.share), name
+        return job.said(name), name
     for name in _wishes:
         return tr_label("{}: a draft", name), name
     return "", ""
@@ -342,7 +355,7 @@ def close() -> None:
     if _running is not None:
         _running[1].cancel()
         _running[1].join()
-        _running[1].sea.close()
+        _running[1].close()
         _running = None
     if bpy.app.timers.is_registered(step):
         bpy.app.timers.unregister(step)

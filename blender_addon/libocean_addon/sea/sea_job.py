@@ -1,0 +1,33 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The whole sea behind a draft: a clone of it that has followed its foam."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..shared.compat import tr_label
+from ..shared.drafts import Job
+
+
+class SeaJob(Job):
+    """Makes a clone of a sea ready for the map of one time."""
+
+    def __init__(
+        self, sea, changes: int, at: float, size: int, channel: str, spray: dict | None = None
+    ) -> None:
+        super().__init__((changes, at, size, channel))
+        self.sea, self.changes, self.time, self.size, self.channel = sea, changes, at, size, channel
+        self.spray = spray
+
+    def work(self) -> None:
+        map_ = np.empty((self.size, self.size, 4), np.float32)
+        self.sea.fill(self.time, [(map_, ("dx", "dy", "height", self.channel))])
+        if self.spray is not None:
+            self.sea.spray(self.time, **self.spray)
+
+    def close(self) -> None:
+        self.sea.close()
+
+    def said(self, name: str) -> str:
+        return tr_label("{}: foam {:.0%}", name, self.share)

@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The node groups of a subject's modifiers, the objects that use them, and their inputs.
+
+Blender's data is never held from call to call: objects are found again by the groups that they use.
+"""
+
+from __future__ import annotations
+
+import bpy
+
+from . import compat, meshes
+
+
+class Family:
+    """The node groups that the add-on builds for one subject, of all versions."""
+
+    def __init__(self, mark: str, version: int) -> None:
+        """mark: the custom property of such a group that holds the version that built it."""
+        self.mark, self.version = mark, version
+
+    def is_ours(self, group) -> bool:
+        return group is not None and self.mark in group
+
+    def is_old(self, group) -> bool:
+        """Returns whether an earlier version of the add-on built a node group into this file."""
+        return self.is_ours(group) and group[self.mark] != self.version and group.library is None
+
+    def find(self, name: str):
+        """Returns the group of that name in the open file; None without one."""
+        for group in bpy.data.node_groups:
+            if group.name == name and self.is_ours(group) and group.library is None:
+                return group
+        return None
+
+    def new(self, name: str):
+        """Returns a new, empty group."""
+        group = bpy.data.node_groups.new(name, "GeometryNodeTree")
+        group[self.mark] = self.version
+        if hasattr(group, "is_modifier"):  # 4.0
+            group.is_modifier = True
+        return group
+
+    def all_modifiers(self, ob) -> list:
+        """Returns all modifiers of an object with such a group, replaced ones of its library
+        included."""
+        return [m for m in ob.modifiers if m.type == "NODES" and self.is_ours(m.node_group)]
+
+    def modifiers(self, ob) -> list:
+        """Returns the modifiers of an object that count: those that a shot added take the place of
+        its library's."""
+        found = [m for m in ob.modifiers if m.type == "NODES" and self.is_ours(m.node_group)]
+        own = [m for m in found if ob.override_library is None or not m.is_override_data]
+        return own or found
+
+    def objects(self) -> list[bpy.types.Object]:
+        """Returns every object with such a modifier, linked ones first. Stand-ins in no scene, of
+        an asset library that is open, are left out: they show nothing."""
+        groups = [group for group in bpy.data.node_groups if self.is_ours(group)]
+        if not groups:
+            return []
+        users = bpy.data.user_map(subset=groups, value_types={"OBJECT"})
+        found = {}
+        for ob in set().union(*users.values()):
+            is_dormant = meshes.is_stand_in(ob.data) and not ob.users_scene
+            if not is_dormant and self.modifiers(ob):
+                found[ob.library is None, ob.name_full] = ob
+        return [found[key] for key in sorted(found)]
+
+
+def assign(modifier, values: dict) -> None:
+    """Sets inputs of a modifier by their names."""
+    identifiers = compat.input_identifiers(modifier.node_group)
+    for name, value in values.items():
+        if name in identifiers:  # a linked group may be of an earlier version
+            compat.set_input(modifier, identifiers[name], value)
+
+
+def value(modifier, name: str):
+    """Returns an input of a modifier by its name."""
+    return compat.get_input(modifier, compat.input_identifiers(modifier.node_group)[name])
+
+
+def own_images(objects, modifiers_of, inputs_of) -> None:
+    """Takes the images of another object out of the modifiers of its copies, which then get some
+    of their own. modifiers_of(ob): the modifiers; inputs_of(group): the names of image inputs."""
+    owners: dict[str, str] = {}
+    for ob in objects:
+        for modifier in modifiers_of(ob):
+            for name in inputs_of(modifier.node_group):
+                image = value(modifier, name)
+                if image is None:
+                    continue
+                if owners.setdefault(image.name_full, ob.name_full) != ob.name_full:
+                    assign(modifier, {name: None})

@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Short words for what a material is made of."""
+
+from __future__ import annotations
+
+from . import compat
+from .node_builder import Builder
+
+
+class Tree(Builder):
+    """Words for shaders beside those that all nodes share."""
+
+    def shader(self, kind: str, *, settings: dict | None = None, **inputs):
+        made = self.node(kind, **(settings or {}))
+        for name, value in inputs.items():
+            self.feed(value, made.inputs[name])
+        return made.outputs[0]
+
+    def add_shaders(self, first, second):
+        made = self.node("ShaderNodeAddShader")
+        self.feed(first, made.inputs[0])
+        self.feed(second, made.inputs[1])
+        return made.outputs[0]
+
+    def mix_shaders(self, factor, off, on):
+        made = self.node("ShaderNodeMixShader")
+        for socket, value in zip(made.inputs, (factor, off, on), strict=True):
+            self.feed(value, socket)
+        return made.outputs[0]
+
+    def eased(self, low, high, value):
+        """Returns 0 up to `low`, 1 from `high` on, and a smooth step between them."""
+        made = self.node("ShaderNodeMapRange", interpolation_type="SMOOTHSTEP")
+        for name, given in (("Value", value), ("From Min", low), ("From Max", high)):
+            self.feed(given, compat.active(made.inputs, name))
+        return compat.active(made.outputs, "Result")
+
+
+def facing(t: Tree):
+    """Returns 1 from above, -1 from below."""
+    backfacing = t.node("ShaderNodeNewGeometry").outputs["Backfacing"]
+    return t.number("MULTIPLY_ADD", backfacing, -2.0, 1.0)
+
+
+def stored_normal(t: Tree, attribute: str, side):
+    """Returns the normal in an attribute where the mesh carries it, else the mesh's; upwards, from
+    whichever side it is seen. side: facing()."""
+    stored = t.node("ShaderNodeAttribute", attribute_name=attribute).outputs["Vector"]
+    # An attribute that is absent reads 0.
+    there = t.number("GREATER_THAN", t.math("LENGTH", stored, result="Value"), 0.5)
+    # Made a unit vector when it is turned, which 0 cannot be.
+    missing = t.vector(0.0, 0.0, t.number("SUBTRACT", 1.0, there))
+    turned = t.node(
+        "ShaderNodeVectorTransform",
+        vector_type="NORMAL",
+        convert_from="OBJECT",
+        convert_to="WORLD",
+    )
+    t.feed(t.math("ADD", stored, missing), turned.inputs[0])
+    own = t.math("NORMALIZE", turned.outputs[0])
+    # Shaders turn the mesh's normal towards the viewer, not an attribute.
+    of_mesh = t.scale(t.node("ShaderNodeNewGeometry").outputs["Normal"], side)
+    return t.math("NORMALIZE", t.mix(of_mesh, own, there))

@@ -1,0 +1,108 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Facts about the terrain of an object, for its panel: heights, slopes, sizes, warnings, and
+settings that do something else than they seem to. A panel does not wait for a terrain to get them.
+"""
+
+from __future__ import annotations
+
+from ..shared import drafts, meshes
+from ..shared.compat import tr_label
+from . import node_group
+from .open_terrain import OpenTerrain, terrain_of
+from .parameters import WORDS
+
+_EVEN = 1e-4  # of scales that are meant to be one
+
+
+def _state(ob, terrain: OpenTerrain) -> dict:
+    """Returns the state of the terrain; while a draft is shown, the last known one."""
+    before = terrain.state_before
+    if terrain.state is None and before is not None and drafts.is_draft(ob.name_full):
+        return before
+    return terrain.read_state()
+
+
+def _metres(value: float) -> str:
+    return f"{value:.4g} m" if value < 1e4 else f"{value / 1e3:.4g} km"
+
+
+def state_of(ob) -> list[tuple[str, str]] | None:
+    """Returns labels and texts that describe the terrain of an object; None without a terrain."""
+    terrain = terrain_of(ob.name_full)
+    if terrain.terrain is None:
+        return None
+    state = _state(ob, terrain)
+    middle, _, steep = (angle["resolved"] for angle in state["slope_angles"])
+    return [
+        ("RMS height", _metres(state["rms"]["resolved"])),
+        ("Median slope", f"{middle:.1f}\u00b0"),
+        ("Steepest 1 %", f"{steep:.1f}\u00b0"),
+        ("Shortest wave", _metres(state["shortest_wave"])),
+    ]
+
+
+def sizes_of(ob) -> list[str]:
+    """Returns vertices and samples, in words."""
+    lines = []
+    if ob.type == "MESH":
+        lines.append(tr_label("Mesh: {:,} vertices", len(ob.data.vertices)))
+    terrain = terrain_of(ob.name_full)
+    if terrain.terrain is None:
+        return lines
+    size = terrain.size
+    lines.append(tr_label("Map: {} x {} samples, {:,.0f} MB", size, size, 16e-6 * size * size))
+    made_for = meshes.samples_of(ob.data)
+    if made_for is not None and made_for < size:
+        lines.append(tr_label("The mesh shows one in {} of their samples", (size // made_for) ** 2))
+    return lines
+
+
+def warnings_of(ob) -> list[str]:
+    """Returns the library's warnings about the terrain of an object."""
+    terrain = terrain_of(ob.name_full)
+    if terrain.terrain is None:
+        return []
+    layers = len(terrain.values.layers)
+    return [WORDS.in_words(text, layers) for text in _state(ob, terrain)["warnings"]]
+
+
+# Hints --------------------------------------------------------------------------
+
+
+def _of_scale(ob) -> str:
+    scale = [abs(part) for part in ob.matrix_world.to_scale()]
+    if max(scale) - min(scale) > _EVEN * max(scale):
+        return tr_label("The object is scaled unevenly, and so are its slopes: apply the scale")
+    if abs(scale[0] - 1.0) > _EVEN:
+        return tr_label("The object is scaled by {:.3g}, and so is its land", scale[0])
+    return ""
+
+
+def _of_mask(ob, seen) -> str:
+    mask = ob.libocean_terrain.mask
+    if not mask or mask in ob.vertex_groups:
+        return ""
+    meshes_of = [data for data in (ob.data, seen.data) if hasattr(data, "attributes")]
+    if any(mask in data.attributes for data in meshes_of):
+        return ""
+    return tr_label("{} is no vertex group or attribute: the land is flat", mask)
+
+
+def _of_camera(ob, scene) -> str:
+    """Cameras of a new scene see some hundred metres."""
+    camera = scene.camera
+    if camera is None or camera.type != "CAMERA":
+        return ""
+    settings = ob.libocean_terrain
+    if camera.data.clip_end >= 0.5 * settings.patch_size:
+        return ""
+    return tr_label("The camera sees {:.0f} m far: raise its Clip End", camera.data.clip_end)
+
+
+def hints_of(ob, seen, scene) -> list[str]:
+    """Returns warnings about settings. seen: the object, evaluated."""
+    said = [_of_scale(ob), _of_mask(ob, seen), _of_camera(ob, scene)]
+    if len(node_group.modifiers(ob)) > 1:
+        said.append(tr_label("Two terrain modifiers raise the mesh twice"))
+    return [text for text in said if text]

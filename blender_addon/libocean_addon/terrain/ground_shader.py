@@ -1,0 +1,202 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The node group `Terrain Ground`: land for Cycles and Eevee, tuned by its sockets.
+
+    attributes terrain_normal, terrain_height -> slope, height     \\
+    object coordinates -> noise of four scales                     -> grass, forest, scree, rock,
+    lines, slopes, colours                                         /  snow, sand -> Surface, Colour
+
+Each cover lies over those before it, with an edge that the noise moves up and down. Noise of a
+single scale would make spots all of one size.
+"""
+
+from __future__ import annotations
+
+import bpy
+
+from ..shared import compat
+from ..shared.shader_builder import Tree, facing, stored_normal
+from .node_group import HEIGHT, NORMAL
+
+GROUP = "Terrain Ground"
+VERSION = 1
+MARK = "libocean_ground"  # custom property of a group: the version that built it
+
+ALBEDOS = {
+    "Snow": (0.80, 0.83, 0.88),
+    "Rock": (0.165, 0.150, 0.135),
+    "Scree": (0.220, 0.195, 0.165),
+    "Grass": (0.082, 0.092, 0.036),
+    "Forest": (0.028, 0.042, 0.018),
+    "Sand": (0.42, 0.36, 0.26),
+}
+"""Linear albedos, chosen by eye against photographs of mountains."""
+
+NOWHERE = 1e5
+"""[m] A line so high that nothing lies above it."""
+
+_NUMBERS = (
+    ("Snow Line", NOWHERE, -1e5, 1e5, "Height above which snow lies on level ground [m]"),
+    ("Forest Line", NOWHERE, -1e5, 1e5, "Height up to which forest grows [m]"),
+    ("Sand Line", -NOWHERE, -1e5, 1e5, "Height up to which level ground is sand [m]"),
+    ("Line Width", 140.0, 0.0, 1e5, "Half width of the edge at a line [m]"),
+    ("Sun Melt", 220.0, 0.0, 1e5, "Rise of the snow line on a slope of 1 that faces the sun [m]"),
+    (
+        "Sun Bearing",
+        -90.0,
+        -360.0,
+        360.0,
+        "Direction of the sun at noon, in degrees counter-clockwise from +x",
+    ),
+    ("Snow Slope", 0.75, 0.0, 10.0, "Slope at which snow begins to slide off, gone at 0.5 more"),
+    ("Rock Slope", 0.62, 0.0, 10.0, "Slope at which rock begins, everywhere at 0.3 more"),
+    ("Scree Slope", 0.50, 0.0, 10.0, "Slope at which scree begins, everywhere at 0.18 more"),
+    ("Noise Size", 1100.0, 0.001, 1e6, "Largest of the four scales of the noise [m]"),
+    ("Noise Amount", 1.0, 0.0, 10.0, "How much the noise moves edges and colours; 0: none"),
+    ("Roughness", 0.5, 0.0, 1.0, "Of the ground, as Oren and Nayar have it: 0 is smooth and matt"),
+)
+_SHADE = 0.35  # share of a colour that the finer noise takes or adds
+
+# The scales of the noise, each as a share of the one before it, and their weights.
+_STEP = 0.23
+_WEIGHTS = (0.40, 0.30, 0.18, 0.12)
+_CONTRAST = 2.4  # Blender's noise has a deviation of about 0.13 around 0.5
+
+
+def _declare(group) -> None:
+    for name, default, low, high, description in _NUMBERS:
+        compat.add_socket(
+            group,
+            name,
+            "NodeSocketFloat",
+            default_value=default,
+            min_value=low,
+            max_value=high,
+            description=description,
+        )
+    for name, albedo in ALBEDOS.items():
+        compat.add_socket(group, f"{name} Colour", "NodeSocketColor", default_value=(*albedo, 1.0))
+    compat.add_socket(group, "Surface", "NodeSocketShader", output=True)
+    compat.add_socket(group, "Colour", "NodeSocketColor", output=True)
+
+
+def _noise(t: Tree, size, amount) -> list:
+    """Returns the noise of all four scales, about -1 .. 1, and that of the finer two."""
+    place = t.math("MULTIPLY", t.node("ShaderNodeTexCoord").outputs["Object"], (1.0, 1.0, 0.0))
+    place = t.scale(place, t.number("DIVIDE", 1.0, size))
+    total = fine = 0.0
+    for number, weight in enumerate(_WEIGHTS):
+        made = t.node("ShaderNodeTexNoise", noise_dimensions="2D")
+        # Each scale begins elsewhere: at one origin their cells would meet.
+        moved = t.math("ADD", place, (17.3 * (number + 1), 9.1 * (number + 1), 0.0))
+        t.feed(moved, made.inputs["Vector"])
+        made.inputs["Scale"].default_value = _STEP**-number
+        made.inputs["Detail"].default_value = 1.0
+        centred = t.number("SUBTRACT", made.outputs["Fac"], 0.5)
+        term = t.number("MULTIPLY", centred, 2.0 * _CONTRAST * weight)
+        total = t.number("ADD", term, total)
+        if number >= 2:
+            fine = t.number("ADD", term, fine)
+    return [t.number("MULTIPLY", total, amount), t.number("MULTIPLY", fine, amount)]
+
+
+def _sunward(t: Tree, slopes, bearing):
+    """Returns the slope towards the sun: positive where the ground faces it. slopes: of the normal,
+    (nx, ny) / nz; bearing: in degrees."""
+    angle = t.number("RADIANS", bearing)
+    sun = t.vector(t.number("COSINE", angle), t.number("SINE", angle), 0.0)
+    return t.math("DOT_PRODUCT", slopes, sun, result="Value")
+
+
+def _below(t: Tree, line, width, height):
+    """Returns 1 below a line and 0 above it, across an edge of twice that width."""
+    low, high = t.number("SUBTRACT", line, width), t.number("ADD", line, width)
+    return t.number("SUBTRACT", 1.0, t.eased(low, high, height))
+
+
+def _from(t: Tree, begins, width: float, slope, noise, share: float):
+    """Returns 1 on slopes steeper than `begins` + width, and 0 on those below `begins`. share: by
+    which the noise moves it."""
+    moved = t.number("MULTIPLY_ADD", noise, share, slope)
+    return t.eased(begins, t.number("ADD", begins, width), moved)
+
+
+_OF_COVERS = (
+    "Snow Line",
+    "Forest Line",
+    "Sand Line",
+    "Line Width",
+    "Sun Melt",
+    "Sun Bearing",
+    "Snow Slope",
+    "Rock Slope",
+    "Scree Slope",
+)
+"""The inputs that decide where each cover lies."""
+
+
+def _covers(t: Tree, inputs, height, slopes, noise) -> list:
+    """Returns the share of each cover over those before it: sand, forest, scree, rock, snow."""
+    slope = t.math("LENGTH", slopes, result="Value")
+    width = inputs["Line Width"]
+    rough = t.number("MULTIPLY_ADD", t.number("MULTIPLY", noise, 0.85), width, height)
+    level = t.number("SUBTRACT", 1.0, t.eased(0.20, 0.35, slope))
+    narrow = t.number("MULTIPLY", width, 0.1)
+    sand = t.number("MULTIPLY", _below(t, inputs["Sand Line"], narrow, rough), level)
+    grows = t.number("SUBTRACT", 1.0, _from(t, 0.60, 0.35, slope, noise, 0.12))
+    # Forest leaves clearings.
+    forest = t.number("MULTIPLY", grows, t.eased(-0.55, 0.15, t.number("ADD", noise, 0.2)))
+    below = _below(t, inputs["Forest Line"], t.number("MULTIPLY", width, 0.64), rough)
+    forest = t.number("MULTIPLY", forest, below)
+    scree = _from(t, inputs["Scree Slope"], 0.18, slope, noise, 0.10)
+    rock = _from(t, inputs["Rock Slope"], 0.30, slope, noise, 0.12)
+    melt = t.number("MULTIPLY", inputs["Sun Melt"], _sunward(t, slopes, inputs["Sun Bearing"]))
+    snow_line = t.number("ADD", inputs["Snow Line"], melt)
+    snow = t.number("SUBTRACT", 1.0, _below(t, snow_line, width, rough))
+    lies = t.number("SUBTRACT", 1.0, _from(t, inputs["Snow Slope"], 0.50, slope, noise, 0.15))
+    return [sand, forest, scree, rock, t.number("MULTIPLY", snow, lies)]
+
+
+def _build(group) -> None:
+    _declare(group)
+    t = Tree(group)
+    inputs = t.node("NodeGroupInput").outputs
+    normal = stored_normal(t, NORMAL, facing(t))
+    nz = t.number("MAXIMUM", t.parts(normal)[2], 0.01)
+    slopes = t.math("MULTIPLY", t.scale(normal, t.number("DIVIDE", 1.0, nz)), (1.0, 1.0, 0.0))
+    height = t.node("ShaderNodeAttribute", attribute_name=HEIGHT).outputs["Fac"]
+    noise, fine = t.nested("ground noise", _noise, inputs["Noise Size"], inputs["Noise Amount"])
+
+    def covers(t: Tree, height, slopes, noise, *sockets) -> list:
+        return _covers(t, dict(zip(_OF_COVERS, sockets, strict=True)), height, slopes, noise)
+
+    given = [inputs[name] for name in _OF_COVERS]
+    shares = t.nested("ground covers", covers, height, slopes, noise, *given)
+    colour = inputs["Grass Colour"]
+    for name, share in zip(("Sand", "Forest", "Scree", "Rock", "Snow"), shares, strict=True):
+        if name == "Snow":  # the noise shades the ground, not the snow on it
+            shade = t.number("MULTIPLY_ADD", fine, 2.0 * _SHADE, 1.0)
+            colour = t.scale(colour, t.number("MAXIMUM", shade, 0.2))
+        colour = t.mix(colour, inputs[f"{name} Colour"], share)
+    ground = t.shader(
+        "ShaderNodeBsdfDiffuse", Color=colour, Roughness=inputs["Roughness"], Normal=normal
+    )
+    output = t.node("NodeGroupOutput")
+    t.link(ground, output.inputs["Surface"])
+    t.link(colour, output.inputs["Colour"])
+    t.arrange(rows=4)
+
+
+def get_group():
+    """Returns the node group, made if it is missing."""
+    for group in bpy.data.node_groups:
+        if group.get(MARK) == VERSION and group.library is None:
+            return group
+    group = bpy.data.node_groups.new(GROUP, "ShaderNodeTree")
+    group[MARK] = VERSION
+    _build(group)
+    return group
+
+
+def is_ground(node) -> bool:
+    return node.type == "GROUP" and node.node_tree is not None and MARK in node.node_tree

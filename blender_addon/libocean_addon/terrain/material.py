@@ -1,0 +1,110 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The terrain's material, in one click: the node group `Terrain Ground`, fitted to the heights of
+the terrain.
+"""
+
+from __future__ import annotations
+
+import bpy
+
+from ..shared import compat
+from ..shared.compat import tr
+from ..shared.shader_builder import Tree
+from . import ground_shader, live, node_group
+from .open_terrain import terrain_of
+
+_RELIEF = 185.0  # [m] rms height of the land for which the widths of the sockets were chosen
+_NOISE_SHARE = 1.0 / 15.0  # of the tile: the largest scale of the noise
+
+
+def look_of(state: dict) -> dict[str, float]:
+    """Returns the sockets for a terrain in that state: its highest tenth is white, forest grows in
+    its lower half. Widths of edges go with its relief."""
+    rms, mean = state["rms"]["resolved"], state["mean"]
+    relief = max(rms, 1e-3) / _RELIEF
+    return {
+        "Snow Line": mean + 1.3 * rms,
+        "Forest Line": mean + 0.1 * rms,
+        "Line Width": 140.0 * relief,
+        "Sun Melt": 220.0 * relief,
+        "Noise Size": _NOISE_SHARE * state["period"],
+    }
+
+
+def make(values: dict[str, float]):
+    """Returns a material of land. values: sockets of Terrain Ground."""
+    material = bpy.data.materials.new("Terrain")
+    compat.use_nodes(material)
+    tree = Tree(material.node_tree)
+    material.node_tree.nodes.clear()
+    group = ground_shader.get_group()
+    ground = tree.node("ShaderNodeGroup", node_tree=group, width=220, location=(-260, 0))
+    for name, value in values.items():
+        ground.inputs[name].default_value = value
+    output = tree.node("ShaderNodeOutputMaterial")
+    tree.feed(ground.outputs["Surface"], output.inputs["Surface"])
+    # In the viewport's solid mode, which shows no nodes.
+    material.diffuse_color = (*(channel**0.5 for channel in ground_shader.ALBEDOS["Grass"]), 1.0)
+    material.roughness = 0.9
+    return material
+
+
+def grounds(ob) -> list:
+    """Returns the nodes of Terrain Ground in the materials of an object."""
+    trees = [slot.material.node_tree for slot in ob.material_slots if slot.material is not None]
+    nodes = [node for tree in trees if tree is not None for node in tree.nodes]
+    return [node for node in nodes if ground_shader.is_ground(node)]
+
+
+def assign(ob, material) -> None:
+    """Puts a material into the first slot, in the place of the one in it."""
+    if ob.material_slots:
+        ob.material_slots[0].material = material
+    else:
+        ob.data.materials.append(material)
+    if not ob.libocean_terrain.use_normal:  # the points must carry the attribute that it reads
+        ob.libocean_terrain.use_normal = True
+
+
+def give(ob) -> None:
+    """Gives an object with a terrain a new material that is fitted to it."""
+    terrain = terrain_of(ob.name_full)
+    assign(ob, make(look_of(terrain.read_state()) if terrain.terrain is not None else {}))
+
+
+class AddTerrainMaterial(bpy.types.Operator):
+    """Give the selected terrains a material of land, in their first slot: grass, forest, scree and
+    rock by height and slope, snow above a line"""
+
+    bl_idname = "libocean.add_terrain_material"
+    bl_label = "Terrain Material"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        if _terrains(context):
+            return True
+        cls.poll_message_set(tr("No terrain is selected"))
+        return False
+
+    def execute(self, context):
+        terrains = [ob for ob in _terrains(context) if ob.data.library is None]
+        if not terrains:
+            self.report({"ERROR"}, tr("Linked data keeps its material"))
+            return {"CANCELLED"}
+        for ob in terrains:
+            live.show(ob)
+            give(ob)
+        return {"FINISHED"}
+
+
+def _terrains(context) -> list:
+    """Returns the terrains that are selected, and the active object if it is one."""
+    chosen = dict.fromkeys([*context.selected_objects, context.object])
+    return [ob for ob in chosen if ob is not None and node_group.modifiers(ob)]
+
+
+CLASSES = (AddTerrainMaterial,)
+
+register, unregister = bpy.utils.register_classes_factory(CLASSES)

@@ -1,0 +1,332 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The operators of terrains: bpy.ops.libocean."""
+
+from __future__ import annotations
+
+import bpy
+from bpy_extras import object_utils
+from bpy_extras.io_utils import ExportHelper, ImportHelper
+
+from .. import translations
+from ..sea import node_group as sea_group
+from ..shared import changes, compat, console, meshes, paths
+from ..shared.compat import tr
+from ..shared.messages import of_file
+from ..shared.native import libocean
+from ..shared.property_texts import pairs_of
+from . import material, node_group, parameter_values, terrain_text
+from .parameters import PAIRS, RESOLUTIONS, WORDS
+
+DEFAULT_PRESET = "tujunga"
+
+PRESETS = [
+    (name, name.replace("_", " ").title(), f"The terrain of {name.replace('_', ' ').title()}")
+    for name in libocean.terrain_presets()
+]
+
+
+def take_over(ob, terrain) -> None:
+    """Puts an open terrain into an object."""
+    parameter_values.assign(ob.libocean_terrain, terrain_text.read(terrain))
+
+
+def add_modifier(ob) -> None:
+    """Adds the terrain modifier to an object."""
+    modifier = ob.modifiers.new("Terrain", "NODES")
+    with console.work(ob.name_full, "nodes"):
+        modifier.node_group = node_group.get()
+    modifier.show_expanded = False  # its inputs are the add-on's business; the panel is below
+
+
+class OnTerrain:
+    """Base of operators on the active object's terrain."""
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        ob = context.object
+        if ob is not None and node_group.modifiers(ob):
+            return True
+        cls.poll_message_set(tr("The active object has no terrain modifier"))
+        return False
+
+
+def _show_all_of(context, size: float) -> None:
+    """Has the 3D view that an operator was called from show a new terrain of that size [m], which
+    is larger than most scenes."""
+    space, region = context.space_data, context.region
+    if space is None or space.type != "VIEW_3D" or region is None or region.type != "WINDOW":
+        return
+    space.clip_end = max(space.clip_end, 10.0 * size)
+    context.view_layer.update()
+    bpy.ops.view3d.view_selected()
+
+
+class AddTerrain(bpy.types.Operator, object_utils.AddObjectHelper):
+    """Add a terrain: land by a spectrum that repeats after its tile"""
+
+    bl_idname = "libocean.add_terrain"
+    bl_label = "Terrain"
+    bl_options = {"REGISTER", "UNDO"}
+
+    preset: bpy.props.EnumProperty(
+        name="Preset",
+        description="The terrain to begin with",
+        items=PRESETS,
+        default=DEFAULT_PRESET,
+    )
+    mesh_resolution: bpy.props.EnumProperty(
+        name="Mesh resolution",
+        description="Vertices along a side of a tile",
+        items=RESOLUTIONS.items("Automatic", meshes.MAX_SAMPLES),
+        default="0",
+        **compat.in_context(translations.SEA),
+    )
+    tiles: bpy.props.IntProperty(
+        name="Tiles",
+        description="How often the land is repeated along each side",
+        min=1,
+        max=32,
+        soft_max=8,
+        default=1,
+    )
+    use_material: bpy.props.BoolProperty(
+        name="Material",
+        description="Give it a material of land, by height and slope",
+        default=True,
+    )
+
+    def execute(self, context):
+        with console.work("Terrain", "a new terrain"):
+            ob = self._make(context)
+        settings = ob.libocean_terrain
+        _show_all_of(context, settings.patch_size * settings.tiles)
+        return {"FINISHED"}
+
+    def _make(self, context):
+        with libocean.terrain_preset(self.preset) as terrain:
+            values = terrain_text.read(terrain)
+        mesh = bpy.data.meshes.new("Terrain")
+        ob = object_utils.object_data_add(context, mesh, operator=self)
+        add_modifier(ob)
+        settings = ob.libocean_terrain
+        with changes.quiet():
+            settings.shape = "TILE"
+            settings.mesh_resolution = int(self.mesh_resolution)
+            settings.tiles = self.tiles
+        parameter_values.assign(settings, values)
+        if self.use_material:
+            with console.work(ob.name_full, "material"):
+                material.give(ob)
+        return ob
+
+
+class AddTerrainModifier(bpy.types.Operator):
+    """Raise the active mesh by a terrain"""
+
+    bl_idname = "libocean.add_terrain_modifier"
+    bl_label = "Terrain (libocean)"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        ob = context.object
+        if ob is None or ob.type not in {"MESH", "CURVE", "SURFACE", "FONT"}:
+            cls.poll_message_set(tr("The active object is no mesh, curve or text"))
+            return False
+        if node_group.modifiers(ob) or sea_group.modifiers(ob):
+            cls.poll_message_set(tr("The active object has a terrain or an ocean"))
+            return False
+        return True
+
+    def execute(self, context):
+        ob = context.object
+        add_modifier(ob)
+        with libocean.terrain_preset(DEFAULT_PRESET) as terrain:
+            take_over(ob, terrain)
+        return {"FINISHED"}
+
+
+class LoadTerrain(OnTerrain, bpy.types.Operator, ImportHelper):
+    """Load the terrain of a terrain file"""
+
+    bl_idname = "libocean.load_terrain"
+    bl_label = "Load Terrain"
+    bl_options = {"REGISTER", "UNDO"}
+
+    filter_glob: bpy.props.StringProperty(default="*.toml", options={"HIDDEN"})
+
+    def execute(self, context):
+        try:
+            with libocean.open_terrain(str(paths.absolute(self.filepath))) as terrain:
+                take_over(context.object, terrain)
+        except libocean.Error as failure:
+            self.report({"ERROR"}, str(failure))
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
+
+class SaveTerrain(OnTerrain, bpy.types.Operator, ExportHelper):
+    """Write the terrain as a file that every libocean tool reads"""
+
+    bl_idname = "libocean.save_terrain"
+    bl_label = "Save Terrain"
+
+    filename_ext = ".toml"
+    filter_glob: bpy.props.StringProperty(default="*.toml", options={"HIDDEN"})
+
+    def execute(self, context):
+        values = parameter_values.values_of(context.object.libocean_terrain)
+        base_dir = bpy.path.abspath("//") or None
+        try:
+            with libocean.parse_terrain(values.text(), base_dir=base_dir) as terrain:
+                text = terrain.text
+            with open(paths.absolute(self.filepath), "w", encoding="utf-8") as file:
+                file.write(text)
+        except libocean.Error as failure:
+            self.report({"ERROR"}, WORDS.of_error(failure, len(values.layers)))
+            return {"CANCELLED"}
+        except OSError as failure:
+            self.report({"ERROR"}, of_file(failure))
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
+
+class LoadTerrainPreset(OnTerrain, bpy.types.Operator):
+    """Load the terrain of a preset"""
+
+    bl_idname = "libocean.load_terrain_preset"
+    bl_label = "Terrain Preset"
+    bl_options = {"REGISTER", "UNDO"}
+
+    preset: bpy.props.EnumProperty(name="Preset", description="The terrain to load", items=PRESETS)
+
+    def execute(self, context):
+        ob = context.object
+        with libocean.terrain_preset(self.preset) as terrain:
+            take_over(ob, terrain)
+        return {"FINISHED"}
+
+
+# Items of the parameters ------------------------------------------------------
+
+
+class AddTerrainLayer(OnTerrain, bpy.types.Operator):
+    """Add a layer: a further tile over the first one, of half its period"""
+
+    bl_idname = "libocean.add_terrain_layer"
+    bl_label = "Add Layer"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context):
+        settings = context.object.libocean_terrain
+        if len(settings.layers) >= PAIRS:
+            self.report({"ERROR"}, tr("A terrain has at most {} layers", PAIRS))
+            return {"CANCELLED"}
+        with changes.quiet():
+            layer = settings.layers.add()
+            layer.period = settings.patch_size / 2.0
+            layer.seed = 1 + len(settings.layers)
+        changes.tell(context.object)
+        return {"FINISHED"}
+
+
+class RemoveTerrainLayer(OnTerrain, bpy.types.Operator):
+    """Remove this layer"""
+
+    bl_idname = "libocean.remove_terrain_layer"
+    bl_label = "Remove Layer"
+    bl_options = {"REGISTER", "UNDO"}
+
+    number: bpy.props.IntProperty(
+        name="Layer", description="The number of the layer, from 0", min=0
+    )
+
+    def execute(self, context):
+        settings = context.object.libocean_terrain
+        if self.number >= len(settings.layers):
+            self.report({"ERROR"}, tr("The terrain has no layer {}", self.number + 1))
+            return {"CANCELLED"}
+        settings.layers.remove(self.number)
+        changes.tell(context.object)
+        return {"FINISHED"}
+
+
+def _set_breaks(ob, pairs) -> None:
+    """Sets the breaks, in descending order of their wavelengths."""
+    numbers = [part for pair in sorted(pairs, reverse=True) for part in pair]
+    ob.libocean_terrain.breaks = [*numbers, *[0.0] * (2 * PAIRS - len(numbers))]
+
+
+class AddBreak(OnTerrain, bpy.types.Operator):
+    """Add a break: waves shorter than its wavelength follow another exponent"""
+
+    bl_idname = "libocean.add_break"
+    bl_label = "Add Break"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context):
+        settings = context.object.libocean_terrain
+        pairs = pairs_of(settings.breaks)
+        if len(pairs) >= PAIRS:
+            self.report({"ERROR"}, tr("A terrain has at most {} breaks", PAIRS))
+            return {"CANCELLED"}
+        longest, beta = min(pairs) if pairs else (settings.patch_size / 8.0, settings.beta)
+        _set_breaks(context.object, [*pairs, (longest / 2.0, min(beta + 0.5, 6.0))])
+        return {"FINISHED"}
+
+
+class RemoveBreak(OnTerrain, bpy.types.Operator):
+    """Remove this break"""
+
+    bl_idname = "libocean.remove_break"
+    bl_label = "Remove Break"
+    bl_options = {"REGISTER", "UNDO"}
+
+    number: bpy.props.IntProperty(
+        name="Break", description="The number of the break, from 0", min=0
+    )
+
+    def execute(self, context):
+        pairs = pairs_of(context.object.libocean_terrain.breaks)
+        if self.number >= len(pairs):
+            self.report({"ERROR"}, tr("The terrain has no break {}", self.number + 1))
+            return {"CANCELLED"}
+        del pairs[self.number]
+        _set_breaks(context.object, pairs)
+        return {"FINISHED"}
+
+
+CLASSES = (
+    AddTerrain,
+    AddTerrainModifier,
+    LoadTerrain,
+    SaveTerrain,
+    LoadTerrainPreset,
+    AddTerrainLayer,
+    RemoveTerrainLayer,
+    AddBreak,
+    RemoveBreak,
+)
+
+
+def _draw_add(self, _context) -> None:
+    self.layout.operator(AddTerrain.bl_idname, icon="RNDCURVE")
+
+
+def _draw_modifier(self, _context) -> None:
+    self.layout.operator(AddTerrainModifier.bl_idname, icon="RNDCURVE")
+
+
+def register() -> None:
+    for cls in CLASSES:
+        bpy.utils.register_class(cls)
+    bpy.types.VIEW3D_MT_mesh_add.append(_draw_add)
+    bpy.types.VIEW3D_MT_object.append(_draw_modifier)
+
+
+def unregister() -> None:
+    bpy.types.VIEW3D_MT_object.remove(_draw_modifier)
+    bpy.types.VIEW3D_MT_mesh_add.remove(_draw_add)
+    for cls in reversed(CLASSES):
+        bpy.utils.unregister_class(cls)

@@ -1,0 +1,266 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The panels below the modifiers of an object with a terrain: its land, the spectrum of it, and how
+it looks. Parameters come from the library's table; those that do not apply are left out.
+"""
+
+from __future__ import annotations
+
+import bpy
+
+from .. import translations
+from ..shared import drafts, file_row, parameter_fields, resolutions
+from ..shared.compat import tr_label
+from ..shared.drawing import BUTTON, beside, field, is_narrow, never_raises, place_labels, say
+from ..shared.property_texts import pairs_of
+from ..whole_sea import FinishDraft, StopDraft
+from . import facts, material, node_group, operators
+from .parameter_values import is_measured, is_replaced
+from .parameters import PARAMETERS
+
+SHORT = {
+    "longest_wavelength": "Longest wave",
+    "shortest_wavelength": "Shortest wave",
+    "measured": "Measured",
+    "mean": "Mean height",
+    "ridge_wavelength": "Ridges",
+    "ridge_gain": "Gain",
+    "ridge_width": "Width",
+    "ridge_direction": "Direction",
+    "ridge_spread": "Spread",
+    "mesh_resolution": "Mesh",
+}
+"""Short labels for fields whose label does not fit a panel of default width."""
+
+LAND = ("patch_size", "resolution", "seed", "rms", "range", "mean")
+"""Parameters of the first panel; every other one is in Spectrum."""
+
+_ENTRIES = {entry["key"]: entry for entry in PARAMETERS.entries(items=False)}
+SPECTRUM = tuple(key for key in _ENTRIES if key not in LAND)
+
+_ONLY_IF = {
+    **dict.fromkeys(
+        ("ridge_gain", "ridge_width", "ridge_direction"),
+        lambda settings: settings.ridge_wavelength > 0.0,
+    ),
+    "ridge_spread": lambda settings: (
+        settings.ridge_wavelength > 0.0 and settings.use_ridge_direction
+    ),
+    "direction": lambda settings: settings.anisotropy > 1.0,
+}
+
+
+def label_of(entry) -> str:
+    return SHORT.get(entry["key"], entry["label"])
+
+
+def is_used(settings, entry) -> bool:
+    """Returns whether a parameter applies. A list of one choice is left out."""
+    key = entry["key"]
+    if is_replaced(settings, key) or len(entry.get("choices", "..")) == 1:
+        return False
+    return key not in _ONLY_IF or _ONLY_IF[key](settings)
+
+
+def _draw_parameters(layout, settings, keys) -> None:
+    for key in keys:
+        entry = _ENTRIES[key]
+        if not is_used(settings, entry):
+            continue
+        if entry["type"] == "pairs":
+            _draw_breaks(layout.column(align=True), settings)
+        else:
+            parameter_fields.draw(layout.column(), settings, entry, PARAMETERS, label_of(entry))
+
+
+def _draw_breaks(column, settings) -> None:
+    """Draws the wavelength and the exponent of each break, and the buttons that add and remove."""
+    pairs = pairs_of(settings.breaks)
+    for number in range(len(pairs)):
+        row = column.row(align=True)
+        fields = row.column(align=True)
+        for index, text in ((2 * number, "Break"), (2 * number + 1, "Beta below")):
+            fields.prop(settings, "breaks", index=index, text=text, text_ctxt=translations.SEA)
+        remove = row.operator(operators.RemoveBreak.bl_idname, text="", icon="X")
+        remove.number = number
+    column.operator(operators.AddBreak.bl_idname, icon="ADD")
+
+
+class _Panel:
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    bl_context = "modifier"
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        return context.object is not None and bool(node_group.modifiers(context.object))
+
+
+def _draw_draft(layout, name: str) -> None:
+    """Draws the button that stops the work on the whole terrain, or goes on with it."""
+    if drafts.progress(name) is not None:
+        row = layout.row()
+        say(row, tr_label("A draft; the whole land follows"), "SORTTIME", beside=BUTTON)
+        row.operator(StopDraft.bl_idname, text="", icon="X").name = name
+    elif drafts.is_stopped(name):
+        row = layout.row()
+        say(row, tr_label("A draft, with fewer samples"), "INFO", beside=3 * BUTTON)
+        row.operator(FinishDraft.bl_idname, text="Finish").name = name
+
+
+class TerrainPanel(_Panel, bpy.types.Panel):
+    """The terrain of the active object"""
+
+    bl_idname = "LIBOCEAN_PT_terrain"
+    bl_label = "Terrain (libocean)"
+
+    @never_raises
+    def draw(self, context) -> None:
+        layout, ob = self.layout, context.object
+        place_labels(layout)
+        file_row.draw(
+            layout,
+            operators.LoadTerrainPreset,
+            load=operators.LoadTerrain,
+            save=operators.SaveTerrain,
+        )
+        if ob.libocean_terrain.problem:
+            say(layout, ob.libocean_terrain.problem, "ERROR")
+        if context.scene.unit_settings.scale_length != 1.0:
+            say(layout, tr_label("The land takes a Blender unit for a metre"), "INFO")
+        _draw_draft(layout, ob.name_full)
+        _draw_state(layout, ob)
+        seen = ob.evaluated_get(context.view_layer.depsgraph)
+        for text in facts.hints_of(ob, seen, context.scene):
+            say(layout, text, "ERROR")
+
+
+def _draw_state(layout, ob) -> None:
+    state = facts.state_of(ob)
+    if state is None:
+        return
+    box = layout.box().column(align=True)
+    for label, text in state:
+        row = box.split(factor=0.62)
+        row.label(text=label, text_ctxt=translations.SEA)
+        row.label(text=text, translate=False)
+    for text in facts.sizes_of(ob):
+        say(box, text)
+    for warning in facts.warnings_of(ob):
+        say(box, warning, "ERROR")
+
+
+class LandPanel(_Panel, bpy.types.Panel):
+    """The size of the tile and its heights"""
+
+    bl_idname = "LIBOCEAN_PT_terrain_land"
+    bl_parent_id = TerrainPanel.bl_idname
+    bl_label = "Land"
+
+    @never_raises
+    def draw(self, context) -> None:
+        place_labels(self.layout)
+        _draw_parameters(self.layout, context.object.libocean_terrain, LAND)
+
+
+class SpectrumPanel(_Panel, bpy.types.Panel):
+    """The law of the heights: how much each wavelength has of them, and in which direction"""
+
+    bl_idname = "LIBOCEAN_PT_terrain_spectrum"
+    bl_parent_id = TerrainPanel.bl_idname
+    bl_label = "Spectrum"
+
+    @never_raises
+    def draw(self, context) -> None:
+        layout, settings = self.layout, context.object.libocean_terrain
+        place_labels(layout)
+        if is_measured(settings):
+            say(layout, tr_label("The spectrum is measured: it has no law"), "INFO")
+        _draw_parameters(layout, settings, SPECTRUM)
+
+
+class LayersPanel(_Panel, bpy.types.Panel):
+    """Further tiles over the first one, each with a period and a noise of its own"""
+
+    bl_idname = "LIBOCEAN_PT_terrain_layers"
+    bl_parent_id = TerrainPanel.bl_idname
+    bl_label = "Layers"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @never_raises
+    def draw(self, context) -> None:
+        layout, settings = self.layout, context.object.libocean_terrain
+        place_labels(layout)
+        for number, layer in enumerate(settings.layers):
+            row = layout.row(align=True)
+            column = row.column(align=True)
+            for entry in PARAMETERS.entries(items=True):
+                parameter_fields.draw(column, layer, entry, PARAMETERS, entry["label"])
+            remove = row.operator(operators.RemoveTerrainLayer.bl_idname, text="", icon="X")
+            remove.number = number
+        layout.operator(operators.AddTerrainLayer.bl_idname, icon="ADD")
+
+
+class TerrainLookPanel(_Panel, bpy.types.Panel):
+    """How the terrain is shown"""
+
+    bl_idname = "LIBOCEAN_PT_terrain_look"
+    bl_parent_id = TerrainPanel.bl_idname
+    bl_label = "Look"
+
+    @never_raises
+    def draw(self, context) -> None:
+        layout, ob = self.layout, context.object
+        settings = ob.libocean_terrain
+        place_labels(layout)
+        layout.operator(material.AddTerrainMaterial.bl_idname, text="Material", icon="MATERIAL")
+        if settings.shape == "TILE":
+            listed = resolutions.listed("mesh_resolution")
+            field(layout, settings, listed, text="Mesh", context=translations.SEA)
+            layout.prop(settings, "tiles")
+        layout.prop(settings, "use_normal")
+        if is_narrow():
+            row = beside(layout, tr_label("Mask"), [])
+            row.prop_search(settings, "mask", ob, "vertex_groups", text="")
+        else:
+            layout.prop_search(settings, "mask", ob, "vertex_groups")
+        layout.prop(settings, "follow_world")
+
+
+class GroundPanel(_Panel, bpy.types.Panel):
+    """The material: where snow, forest, rock and sand lie"""
+
+    bl_idname = "LIBOCEAN_PT_terrain_ground"
+    bl_parent_id = TerrainLookPanel.bl_idname
+    bl_label = "Ground"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        return super().poll(context) and bool(material.grounds(context.object))
+
+    @never_raises
+    def draw(self, context) -> None:
+        layout = self.layout
+        place_labels(layout)
+        column = layout.column()
+        for ground in material.grounds(context.object)[:1]:
+            for socket in ground.inputs:
+                if socket.is_linked:
+                    continue
+                if socket.type == "RGBA":
+                    field(column, socket, "default_value", text=socket.name)
+                else:
+                    column.prop(socket, "default_value", text=socket.name)
+
+
+CLASSES = (
+    TerrainPanel,
+    LandPanel,
+    SpectrumPanel,
+    LayersPanel,
+    TerrainLookPanel,
+    GroundPanel,
+)
+
+register, unregister = bpy.utils.register_classes_factory(CLASSES)

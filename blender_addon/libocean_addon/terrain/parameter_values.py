@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The values of Object.libocean_terrain as those of a terrain file, and back."""
+
+from __future__ import annotations
+
+from ..shared import changes, property_texts
+from .parameters import PARAMETERS
+from .terrain_text import TerrainValues
+
+_BY_RANGE = {"rms": "", "mean": "0"}
+_BY_MEASURED = {"outer_scale": "0", "breaks": "[]"}
+
+
+def is_measured(group) -> bool:
+    """Returns whether the spectrum is that of a file."""
+    return bool(group.measured or group.measured_rings)
+
+
+def is_replaced(group, key: str) -> bool:
+    """Returns whether a parameter has no effect since another one takes its place: the range that
+    of rms and mean, the measured spectrum that of a law."""
+    if key in _BY_RANGE and group.use_range:
+        return True
+    return (key in _BY_MEASURED or key == "beta") and is_measured(group)
+
+
+def values_of(group) -> TerrainValues:
+    """Returns the values of the properties, those without effect as a file without them has them.
+    group: Object.libocean_terrain, evaluated or not."""
+    values = property_texts.texts_of(group, PARAMETERS, items=False)
+    if group.use_range:
+        values.update(_BY_RANGE)
+    if is_measured(group):
+        values.update(_BY_MEASURED)
+    layers = [property_texts.texts_of(layer, PARAMETERS, items=True) for layer in group.layers]
+    return TerrainValues(values, layers, group.measured_rings)
+
+
+def assign(group, terrain: TerrainValues) -> None:
+    """Puts a terrain into the properties."""
+    with changes.quiet():
+        group.exact = ""
+        property_texts.set_texts(group, terrain.values, PARAMETERS, items=False)
+        group.measured_rings = terrain.rings
+        group.layers.clear()
+        for layer in terrain.layers:
+            property_texts.set_texts(group.layers.add(), layer, PARAMETERS, items=True)
+    changes.tell(group.id_data)
