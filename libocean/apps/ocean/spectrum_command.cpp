@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // `ocean spectrum`: prints the directional spectrum of a sea as CSV, from the table that modes, CPU
-// and GPU share, and draws it as a plot.
+// and GPU share, or the rings of a terrain, and draws them as a plot.
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -19,9 +19,15 @@
 #include "ocean/io/png.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/seafile.hpp"
+#include "ocean/subject_kind.hpp"
+#include "ocean/terrainfile.hpp"
+#include "ocean/text.hpp"
 #include "plot/spectrum_plot.hpp"
+#include "plot/terrain_plot.hpp"
 #include "sea_argument.hpp"
 #include "spectrum_csv.hpp"
+#include "terrain_argument.hpp"
+#include "terrain_spectrum.hpp"
 
 namespace ocean::app {
 namespace {
@@ -33,10 +39,13 @@ struct SpectrumOptions {
     bool directional = false;
     std::string output;
     std::string plot;
+    std::string seeds;
 };
 
-std::vector<io::HeaderString> plot_strings(const Sea& sea) {
-    const io::Provenance provenance{.kind = std::string(kSeaKind), .text = write_sea(sea)};
+constexpr int kDefaultSeeds = 16;
+
+std::vector<io::HeaderString> plot_strings(std::string_view kind, const std::string& text) {
+    const io::Provenance provenance{.kind = std::string(kind), .text = text};
     std::vector<io::HeaderString> strings = io::provenance_strings(provenance);
     strings.push_back({std::string(kPlotString), "spectrum"});
     return strings;
@@ -52,9 +61,9 @@ bool is_plot(const std::string& path) {
     }
 }
 
-void run(const SpectrumOptions& options, const Context& context) {
-    const Sea sea = open_sea(options.sea);
-    const InputFiles inputs(options.sea.source, named_files(sea));
+/// Throws Error if an output is an input or replaces a file that is no plot.
+void check_outputs(const SpectrumOptions& options, const std::vector<std::string>& named) {
+    const InputFiles inputs(options.sea.source, named);
     for (const std::string& output : {options.output, options.plot}) inputs.spare(output);
     const std::filesystem::path picture = utf8_path(options.plot);
     if (picture.has_extension() && picture.extension() != ".png") {
@@ -65,22 +74,62 @@ void run(const SpectrumOptions& options, const Context& context) {
         io::refuse_to_replace_foreign_file(options.plot, "`ocean spectrum --plot`",
                                            [&] { return is_plot(options.plot); });
     }
-    Ocean ocean(sea, {.threads = context.options.threads});
-    const DirectionalSpectrum& spectrum = ocean.spectrum();
+}
+
+/// Writes plot and CSV; a plot alone prints no CSV.
+template <typename Plot, typename Csv>
+void write_results(const SpectrumOptions& options, const Context& context, const Plot& plot,
+                   const Csv& csv) {
     const auto write = [&](const std::string& path, const std::string& bytes) {
         write_output(context.interrupts, path, bytes);
         if (!context.options.quiet) context.console.data(path + "\n");
     };
-    if (!options.plot.empty()) {
-        const std::string png = plot_spectrum(ocean, options.sea.source, context.options.threads);
-        write(options.plot, io::with_png_strings(png, plot_strings(sea)));
+    if (!options.plot.empty()) write(options.plot, plot());
+    if (options.output.empty() && !options.plot.empty()) return;
+    if (options.output.empty()) return context.console.data(csv());
+    write(options.output, csv());
+}
+
+void run_for_terrain(const SpectrumOptions& options, const Context& context) {
+    if (options.directional) {
+        throw Error(ErrorKind::unsupported,
+                    "--directional: only a sea has it; a terrain is printed in rings");
     }
-    const bool wanted = !options.output.empty() || options.plot.empty();
-    if (!wanted) return;
-    const std::string csv =
-        options.directional ? directional_csv(spectrum) : frequency_csv(spectrum);
-    if (options.output.empty()) return context.console.data(csv);
-    write(options.output, csv);
+    const Terrain terrain = open_terrain({options.sea.source, options.sea.assignments});
+    check_outputs(options, named_files(terrain));
+    const int seeds = options.seeds.empty()
+                          ? kDefaultSeeds
+                          : parse_whole_number(options.seeds, "--seeds", 1, kMaxSpectrumSeeds);
+    Land land(terrain, {.threads = context.options.threads});
+    const auto report = progress_on(context.console, "tiles", static_cast<std::size_t>(seeds));
+    const std::vector<TerrainRing> rings =
+        terrain_rings(land, seeds, [&](int done, int) { report(static_cast<std::size_t>(done)); });
+    write_results(
+        options, context,
+        [&] {
+            return io::with_png_strings(plot_terrain(land, rings, seeds, options.sea.source),
+                                        plot_strings(kTerrainKind, write_terrain(terrain)));
+        },
+        [&] { return terrain_rings_csv(rings); });
+}
+
+void run(const SpectrumOptions& options, const Context& context) {
+    if (names_terrain(options.sea.source)) return run_for_terrain(options, context);
+    if (!options.seeds.empty()) {
+        throw Error(ErrorKind::unsupported, "--seeds: only a terrain has it, and this is a sea");
+    }
+    const Sea sea = open_sea(options.sea);
+    check_outputs(options, named_files(sea));
+    Ocean ocean(sea, {.threads = context.options.threads});
+    const DirectionalSpectrum& spectrum = ocean.spectrum();
+    write_results(
+        options, context,
+        [&] {
+            const std::string png =
+                plot_spectrum(ocean, options.sea.source, context.options.threads);
+            return io::with_png_strings(png, plot_strings(kSeaKind, write_sea(sea)));
+        },
+        [&] { return options.directional ? directional_csv(spectrum) : frequency_csv(spectrum); });
 }
 
 constexpr char kFooter[] =
@@ -90,7 +139,12 @@ table: the trapezoidal rule over them gives the variance m0, and 4 sqrt(m0) is
 the significant wave height.
 With --directional: frequency_hz, direction_deg, density_m2_per_hz_per_deg.
 Directions are in degrees counter-clockwise from +x (east), towards which the
-waves travel.)";
+waves travel.
+
+For a terrain a line for each ring of wavenumbers: wavenumber [rad/m], its waves
+(count), the density of this tile, that of the law (asked), and the mean of
+--seeds tiles with the scatter of one, in log10. All densities are over (kx, ky)
+[m^4]; a terrain file's `measured` reads the table.)";
 
 }  // namespace
 
@@ -104,6 +158,8 @@ Command spectrum_command() {
              {"Output",
               {{"--directional", &options->directional, "",
                 "Print the two-dimensional spectrum, with a line for each frequency and direction"},
+               {"--seeds", &options->seeds, "N",
+                "Tiles of a terrain that are made for mean and scatter; default 16"},
                {"-o,--output", &options->output, "FILE", "Write the CSV here"},
                {"--plot", &options->plot, "FILE.png",
                 "Draw both spectra as a PNG file; CSV is then written with -o only"}}},
