@@ -67,7 +67,7 @@ Preset gabilan_mesa() {
     terrain.beta = 1.3;
     terrain.breaks = {{174.0, 2.7}};
     terrain.ridge_wavelength = 174.0;
-    terrain.ridge_gain = 4.0;
+    terrain.ridge_gain = 9.0;
     terrain.ridge_width = 0.25;
     terrain.ridge_direction = 47.0;
     terrain.ridge_spread = 2.0;
@@ -83,8 +83,8 @@ Preset earth() {
     Terrain terrain;
     terrain.resolution = 1024;
     terrain.patch_size = 100000.0;
-    terrain.rms = 300.0;
-    terrain.mean = 800.0;
+    terrain.rms = 150.0;
+    terrain.mean = 400.0;
     terrain.beta = 1.5;
     terrain.outer_scale = 50000.0;
     return make_preset(

@@ -125,7 +125,7 @@ void draw_tile(Figure& figure, Land& land, const Box& box) {
 std::string plot_terrain(Land& land, std::span<const TerrainRing> rings, int seeds,
                          const std::string& name) {
     const TerrainState state = land.state();
-    Figure figure(1240.0, 660.0, 1.5);
+    Figure figure(1150.0, 660.0, 1.5);
     figure.text({82, 30}, name, 17.0, kInk, Anchor::left, false, true);
     figure.text({82, 54},
                 format_text("cell %.4g m     rms %.4g m     slopes of 50, 90, 99 %%: %.1f, %.1f, "
@@ -141,7 +141,7 @@ std::string plot_terrain(Land& land, std::span<const TerrainRing> rings, int see
     const LogAxes axes = density_axes(rings, {82, 84, 700, 460});
     draw_density(figure, rings, axes, seeds);
     draw_errors(figure, rings, axes, {82, 480, 700, 600});
-    draw_tile(figure, land, {750, 102, 1200, 552});
+    draw_tile(figure, land, {750, 102, 1110, 462});
     return figure.png();
 }
 
