@@ -4,7 +4,6 @@
 // Imports elevation models: see ocean/internal/elevation_import.hpp. A child process reads the file
 // and sends rows; this process keeps them, and trusts none.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -291,25 +290,6 @@ void crop(ElevationModel& model, const std::array<double, 4>& edges) {
 }
 
 }  // namespace
-
-std::optional<std::array<double, 2>> corner_of_name(std::string_view name) {
-    const auto degrees = [](std::string_view word, std::string_view letters, std::size_t digits,
-                            double most) -> std::optional<double> {
-        if (word.size() < digits + 1) return std::nullopt;
-        const char letter = static_cast<char>(word[0] >= 'a' ? word[0] - 32 : word[0]);
-        int value = 0;
-        const char* const end = word.data() + 1 + digits;
-        const auto [stop, error] = std::from_chars(word.data() + 1, end, value);
-        const bool good =
-            error == std::errc() && stop == end && letters.find(letter) != letters.npos;
-        if (!good || value < 0 || value > most) return std::nullopt;
-        return letter == letters[1] ? -value : value;
-    };
-    const auto north = degrees(name, "NS", 2, 90.0);
-    const auto east = degrees(name.substr(std::min<std::size_t>(3, name.size())), "EW", 3, 180.0);
-    if (!north || !east) return std::nullopt;
-    return std::array{*east, *north};
-}
 
 ElevationModel import_elevation(const std::string& path, const ElevationImport& request) {
     std::error_code ignored;

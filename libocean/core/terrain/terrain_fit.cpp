@@ -27,7 +27,8 @@ constexpr int kMaxSide = 2048;  // of tiles and windows: a seed then takes less 
 constexpr int kMinSide = 32;
 constexpr int kRingsPerOctave = 4;
 constexpr int kCorrectingSeeds = 16;  // of tiles of up to 1024 samples a side, else half of it
-constexpr int kRingRounds = 3;
+constexpr int kRingRounds = 12;       // a dip that is narrower than the window's needs the most
+constexpr int kLawRounds = 3;
 constexpr std::uint32_t kFirstCorrectingSeed = 1001;
 constexpr int kVarianceRounds = 2;
 
@@ -195,10 +196,16 @@ class RingTable {
 
     /// Corrects each density by what the mean of all seeds has: window, edges and the finite width
     /// of rings then cancel.
-    void correct_rings(const std::vector<Ring>& bed, const std::vector<double>& expected) {
+    /// Returns the largest change of a density, as a share of it.
+    double correct_rings(const std::vector<Ring>& bed, const std::vector<double>& expected) {
+        double change = 0.0;
         for (std::size_t i = 0; i < rings_.size(); ++i) {
-            if (expected[i] > 0.0) rings_[i].density *= limited(bed[i].density / expected[i]);
+            if (!(expected[i] > 0.0)) continue;
+            const double factor = limited(bed[i].density / expected[i]);
+            rings_[i].density *= factor;
+            change = std::max(change, std::abs(factor - 1.0));
         }
+        return change;
     }
     /// Gives the longest waves what the variance of the land lacks.
     void correct_variance(double bed, double found) {
@@ -218,9 +225,11 @@ void fit_table(Judge& judge, double bed_rms, Terrain& terrain) {
     constexpr double kBelow = 1.0 - 1e-9;  // the wave itself lies within the table
     RingTable table(kBelow * kTwoPi / terrain.patch_size, judge.bed_rings());
     const auto fit_rings = [&] {
+        constexpr double kFineEnough = 0.01;
+        double change = 1.0;
         terrain.rings = table.measured();
-        for (int round = 0; round < kRingRounds; ++round) {
-            table.correct_rings(judge.bed_rings(), judge.expected(terrain));
+        for (int round = 0; round < kRingRounds && change > kFineEnough; ++round) {
+            change = table.correct_rings(judge.bed_rings(), judge.expected(terrain));
             terrain.rings = table.measured();
         }
     };
@@ -236,7 +245,7 @@ std::vector<FittedParameter> fit_parameters(Judge& judge, const TerrainFitOption
                                             Terrain& terrain) {
     std::vector<Ring> rings = judge.bed_rings();
     LawFit fit = fit_law(rings, options.law, options.ridge, terrain);
-    for (int round = 0; round < kRingRounds; ++round) {
+    for (int round = 0; round < kLawRounds; ++round) {
         // What the window makes of this law is divided out, and the law fitted again.
         const std::vector<double> expected = judge.expected(terrain);
         const TerrainLaw law(terrain);
@@ -300,7 +309,7 @@ std::vector<FittedOctave> octaves_of(const std::vector<FittedRing>& rings, doubl
     return octaves;
 }
 
-void add_warnings(TerrainFit& fit) {
+void add_warnings(const Domain& bed, TerrainFit& fit) {
     constexpr double kGoodError = 0.05, kClearAnisotropy = 1.3, kClearSkewness = 0.5;
     for (const FittedParameter& parameter : fit.parameters) {
         if (!parameter.is_at_bound) continue;
@@ -314,6 +323,15 @@ void add_warnings(TerrainFit& fit) {
                                " in log10 in an octave; " +
                                (fit.terrain.rings != nullptr ? "the model has few waves there"
                                                              : "the table law follows the rings"));
+    }
+    const double longest = fit.terrain.patch_size / 2.0;
+    const double length = std::max(bed.size[0], bed.size[1]);
+    if (length > 1.1 * fit.terrain.patch_size) {
+        fit.warnings.push_back("the model is " + significant_text(length, 4) +
+                               " m long and the terrain repeats after " +
+                               significant_text(fit.terrain.patch_size, 4) +
+                               " m: waves longer than " + significant_text(longest, 4) +
+                               " m are not fitted; a model with larger cells has them");
     }
     if (fit.bed.anisotropy > kClearAnisotropy) {
         fit.warnings.push_back("the land is steeper along " + fixed_text(fit.bed.direction, 0) +
@@ -377,7 +395,7 @@ TerrainFit fit_terrain(const ElevationModel& model, const TerrainFitOptions& opt
     fit.cell = fit.terrain.patch_size / fit.terrain.resolution;
     judge_fit(judge, options.seeds, fit);
     fit.octaves = octaves_of(fit.rings, ring_limits(model.domain, {.max_side = kMaxSide})[0]);
-    add_warnings(fit);
+    add_warnings(model.domain, fit);
     return fit;
 }
 

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a child that reads a raster may send, whatever file has overrun it: decode gives a raster,
+// one fault, or a WireError.
+#include "raster_checks.hpp"
+#include "raster_wire.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace ocean;
+    const auto source = [&](void* to, std::size_t count) {
+        if (count > size) return false;
+        std::copy_n(data, count, static_cast<std::uint8_t*>(to));
+        data += count;
+        size -= count;
+        return true;
+    };
+    try {
+        fuzz::check_raster([&](const elevation::RasterReceiver& receiver) {
+            elevation::decode(source, receiver);
+        });
+    } catch (const sandbox::WireError&) {
+        return 0;
+    }
+    return 0;
+}
