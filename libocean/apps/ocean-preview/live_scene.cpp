@@ -87,6 +87,7 @@ void LiveScene::open(const OpenedScene& scene) {
     if (const auto* const sea = std::get_if<Sea>(&scene)) {
         if (sea_) return sea_->open(*sea);
         sea_ = make_sea(*sea);
+        sea_->paused = paused_;
         land_.reset();
         shown_ = preview::ShownSea{};
     } else {
@@ -95,6 +96,7 @@ void LiveScene::open(const OpenedScene& scene) {
         auto made = make_land(terrain);
         shown_ = made->show();  // the textures of the sea go with it
         land_ = std::move(made);
+        if (sea_) paused_ = sea_->paused;
         sea_.reset();
     }
 }

@@ -85,6 +85,7 @@ class LiveScene {
     Backend backend_;  // the chosen one
     std::unique_ptr<LiveSea> sea_;
     std::unique_ptr<LiveLand> land_;
+    bool paused_ = false;  // of the sea before a land
     preview::ShownScene shown_;
 };
 

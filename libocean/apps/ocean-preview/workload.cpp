@@ -110,8 +110,8 @@ int land_map_for(const PreviewOptions& options, const Terrain& terrain,
     return options.map.value_or(preview::land_map_resolution(terrain, live && context.software));
 }
 
-preview::RendererOptions renderer_for(const PreviewOptions& options,
-                                      const gl::ContextInfo& context, bool live) {
+preview::RendererOptions renderer_for(const PreviewOptions& options, const gl::ContextInfo& context,
+                                      bool live) {
     preview::RendererOptions renderer;
     if (context.software) renderer.cells = kSoftwareCells;
     if (context.software && live) {

@@ -37,8 +37,8 @@ int land_map_for(const PreviewOptions& options, const Terrain& terrain,
 /// Returns why a backend cannot compute a terrain in a context, or "" if it can.
 std::string why_not(const Backend& backend, const Terrain& terrain, const gl::ContextInfo& context);
 /// live: pictures follow each other in a window.
-preview::RendererOptions renderer_for(const PreviewOptions& options,
-                                      const gl::ContextInfo& context, bool live);
+preview::RendererOptions renderer_for(const PreviewOptions& options, const gl::ContextInfo& context,
+                                      bool live);
 /// Returns the samples of a pixel in a window.
 int live_samples(const PreviewOptions& options, const gl::ContextInfo& context);
 /// Returns the drawn pixels over the window's pixels, along a side.

@@ -25,8 +25,10 @@ bool try_to_set(LiveScene& scene, PanelState& state, const std::string& path,
 void open_with_undo(LiveScene& scene, PanelState& state, const OpenedScene& opened) {
     OpenedScene before = scene.opened();
     const std::string what = std::string("the ") + noun_of(scene.kind());
+    std::optional<double> time;
+    if (scene.sea() != nullptr && !std::holds_alternative<Sea>(opened)) time = scene.sea()->time();
     scene.open(opened);
-    state.changes.push_back({what, "what it was", std::move(before)});
+    state.changes.push_back({what, "what it was", std::move(before), {}, time});
 }
 
 void toggle_recording(LiveSea& sea, PanelState& state) {
@@ -60,7 +62,7 @@ void undo(LiveScene& scene, PanelState& state) {
     const Change change = state.changes.back();
     if (change.scene) {
         const std::optional<double> time =
-            scene.sea() != nullptr ? std::optional(scene.sea()->time()) : std::nullopt;
+            scene.sea() != nullptr ? std::optional(scene.sea()->time()) : change.time;
         scene.open(*change.scene);
         if (time && scene.sea() != nullptr) scene.sea()->go_to(*time);
         if (change.source) state.source = *change.source;

@@ -36,6 +36,7 @@ struct Change {
     std::string before;
     std::optional<OpenedScene> scene = {};
     std::optional<SeaArgument> source = {};  // of that scene, if another file was opened
+    std::optional<double> time = {};         // of the clock of a sea that a terrain replaced [s]
 };
 
 /// The bridge: one that the window has joined, or one of its own.

@@ -26,9 +26,6 @@
 namespace ocean::app {
 namespace {
 
-/// Frames after a change: the item under the mouse is known a frame late.
-constexpr int kFramesToSettle = 3;
-
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
         .count();
@@ -187,65 +184,6 @@ bool Session::step(double seconds) {
     return input.moves_camera() || acted;
 }
 
-void Session::carry_out(WindowCommand command) {
-    switch (command) {
-        case WindowCommand::close:
-            return glfwSetWindowShouldClose(window_, GLFW_TRUE);
-        case WindowCommand::pause:
-        case WindowCommand::record:
-            return carry_out_on_sea(command);
-        case WindowCommand::toggle_panel:
-            state_.shown = !state_.shown;
-            return;
-        case WindowCommand::toggle_wireframe:
-            state_.wireframe = !state_.wireframe;
-            return;
-        case WindowCommand::toggle_probe:
-            state_.probing = !state_.probing;
-            return;
-        case WindowCommand::next_view:
-            return next_view();
-        case WindowCommand::next_camera:
-            camera_.mode =
-                static_cast<CameraMode>((static_cast<int>(camera_.mode) + 1) % camera_modes(kind_));
-            return;
-        case WindowCommand::reset_camera:
-            return reset_camera();
-        case WindowCommand::undo:
-            guarded([&] { undo(scene_, state_); });
-            return;
-        case WindowCommand::reload:
-            return reload();
-        case WindowCommand::open:
-            return files_.ask_open();
-        case WindowCommand::save_as:
-            return files_.ask_save();
-        case WindowCommand::save_png:
-            picture_requested_ = ".png";
-            return;
-        case WindowCommand::save_exr:
-            picture_requested_ = ".exr";
-            return;
-    }
-}
-
-void Session::carry_out_on_sea(WindowCommand command) {
-    LiveSea* const sea = scene_.sea();
-    if (sea == nullptr) {
-        state_.message = "a terrain does not move: it has no clock and no recording";
-    } else if (command == WindowCommand::pause) {
-        sea->paused = !sea->paused;
-    } else {
-        toggle_recording(*sea, state_);
-    }
-}
-
-void Session::next_view() {
-    const std::vector<std::string> views = all_view_names(kind_);
-    const auto at = std::ranges::find(views, state_.view) - views.begin();
-    state_.view = views[static_cast<std::size_t>(at + 1) % views.size()];
-}
-
 void Session::draw() {
     int width = 0, height = 0;
     glfwGetFramebufferSize(window_, &width, &height);
@@ -311,21 +249,6 @@ void Session::lay_out_panel() {
     guarded([&] { draw_panel(scene_, camera_, state_); });
 }
 
-void Session::run_requests() {
-    const PanelRequests& requests = state_.requests;
-    if (requests.touched) frames_to_draw_ = kFramesToSettle;
-    if (requests.reset_camera) reset_camera();
-    if (requests.record) carry_out_on_sea(WindowCommand::record);
-    if (requests.reload) reload();
-    if (requests.bridge == PanelRequests::Bridge::start) guarded([&] { serve(); });
-    if (requests.bridge == PanelRequests::Bridge::stop) bridge_.leave();
-    if (requests.backend) choose_backend(*requests.backend);
-    if (requests.save_scene) save_scene();
-    if (files_.run(requests)) frames_to_draw_ = kFramesToSettle;
-    if (!requests.save_picture.empty()) save_picture(requests.save_picture);
-    if (!picture_requested_.empty()) save_picture(std::exchange(picture_requested_, ""));
-}
-
 void Session::look_under_mouse() {
     state_.under_mouse.clear();
     if (!state_.probing || ImGui::GetIO().WantCaptureMouse) return;
@@ -364,74 +287,10 @@ void Session::list_backends() {
     }
 }
 
-void Session::choose_backend(const std::string& name) {
-    guarded([&] {
-        scene_.choose_backend(name);
-        context_.console.note(std::string("the ") + noun_of(kind_) + " by " +
-                              std::string(scene_.backend().name));
-    });
-}
-
-void Session::serve() {
-    if (scene_.sea() == nullptr) return;
-    const std::string address = bridge_.serve(scene_.sea()->sea());
-    context_.console.note("a bridge at " + address);
-}
-
-/// Records as the bridge requests; a recording is saved when it ends, under the name of its take.
-void Session::record(bool on, const std::string& name) {
-    LiveSea* const sea = scene_.sea();
-    if (sea == nullptr || on == sea->recording()) return;
-    toggle_recording(*sea, state_);
-    if (!on) save_scene(name.substr(0, name.find('.')));
-    frames_to_draw_ = kFramesToSettle;
-}
-
-void Session::save_scene(const std::string& requested) {
-    write([&] { return saved_.save(scene_.opened(), requested); });
-}
-
-void Session::save_picture(const std::string& ending) {
-    write([&] {
-        return viewport_.save(saved_.stem(), ending, scene_.shown(), camera_.camera(), state_);
-    });
-}
-
-/// Reads the file of the scene again; the shown scene stays if the file is missing or bad.
-void Session::reload() {
-    guarded([&] {
-        open_with_undo(scene_, state_, open_scene(state_.source));
-        saved_.set_read(scene_.opened());
-        state_.message = "opened: " + state_.source.source;
-    });
-    frames_to_draw_ = kFramesToSettle;
-}
-
 void Session::show_title() {
     if (titled_ == state_.source.source) return;
     titled_ = state_.source.source;
     glfwSetWindowTitle(window_, ("ocean-preview: " + titled_).c_str());
-}
-
-template <typename Write>
-void Session::write(Write&& write) {
-    guarded([&] {
-        state_.message = "written: " + write();
-        context_.console.note(state_.message);
-    });
-    frames_to_draw_ = kFramesToSettle;
-}
-
-/// Returns whether the work was done; else the window's message says why not.
-template <typename Work>
-bool Session::guarded(Work&& work) {
-    try {
-        work();
-        return true;
-    } catch (const Error& error) {
-        state_.message = error.what();
-        return false;
-    }
 }
 
 }  // namespace ocean::app

@@ -9,7 +9,9 @@
 #include <string>
 
 #include "command.hpp"
+#include "console.hpp"
 #include "live_scene.hpp"
+#include "ocean/error.hpp"
 #include "panel/panel_state.hpp"
 #include "preview_options.hpp"
 #include "window/controls.hpp"
@@ -60,10 +62,29 @@ class Session {
     void save_picture(const std::string& ending);
     void reload();
     void show_title();
+    /// Writes a file by a function that returns its name, which the window shows.
     template <typename Write>
-    void write(Write&& write);
+    void write(Write&& write) {
+        guarded([&] {
+            state_.message = "written: " + write();
+            context_.console.note(state_.message);
+        });
+        frames_to_draw_ = kFramesToSettle;
+    }
+    /// Returns true if the work was done; else the window's message says why not.
     template <typename Work>
-    bool guarded(Work&& work);
+    bool guarded(Work&& work) {
+        try {
+            work();
+            return true;
+        } catch (const Error& error) {
+            state_.message = error.what();
+            return false;
+        }
+    }
+
+    /// Frames after a change: the item under the mouse is known a frame late.
+    static constexpr int kFramesToSettle = 3;
 
     const PreviewOptions& options_;
     const Context& context_;

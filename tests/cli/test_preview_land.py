@@ -1,0 +1,150 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Terrains in `ocean-preview`: pictures, probes, wrong options, and a window that a hand uses."""
+
+import subprocess
+import tomllib
+
+import numpy
+import pytest
+from test_preview import OCEAN, good, pictures, pixels, rms, run  # noqa: F401
+from test_preview import folder as sea_folder  # noqa: F401
+from test_preview_files import drop, hand, recent, shown, wait_for_title  # noqa: F401
+
+TERRAIN = """libocean = 1
+[terrain]
+kind = "tile"
+resolution = 64
+patch_size = 640.0
+rms = 30.0
+mean = 400.0
+"""
+
+
+@pytest.fixture
+def folder(sea_folder):  # noqa: F811
+    (sea_folder / "hills.toml").write_text(TERRAIN)
+    return sea_folder
+
+
+def test_a_terrain_is_recognised_by_its_file(folder):
+    baked = subprocess.run([OCEAN, "terrain", "hills.toml", "-q", "-o", "baked.exr"], cwd=folder)
+    assert baked.returncode == 0
+    small = ("--size", "64x36", "--samples", "1")
+    for source in ("hills.toml", "baked.exr"):
+        good(folder, source, "--offscreen", "one.png", *small)
+        if source == "hills.toml":
+            first = pixels(folder / "one.png")
+    assert numpy.array_equal(first, pixels(folder / "one.png"))
+    good(folder, "preset:tujunga", "--map", 256, "--offscreen", "one.png", *small)
+    assert rms(first, pixels(folder / "one.png")) > 0.01
+
+
+def test_the_probe_is_the_land(folder):
+    lines = good(folder, "hills.toml", "--probe", "110,50", "--probe", "-333.3,7.7").splitlines()
+    for line, place in zip(lines, ((110.0, 50.0), (-333.3, 7.7)), strict=True):
+        x, y, ground, mesh, of_map, slope = map(float, line.split(","))
+        assert (x, y) == place and 250.0 < ground < 550.0 and slope >= 0.0
+        assert of_map == pytest.approx(ground, abs=0.2) and mesh == pytest.approx(of_map, abs=0.2)
+    ground, of_map = (float(lines[0].split(",")[i]) for i in (2, 4))
+    assert of_map == pytest.approx(ground, abs=1e-5 * 30.0)  # a sample of the map
+
+
+def test_views_and_colours_are_other_pictures(folder):
+    views = ("shaded", "height", "normal", "slope", "noise", "transform", "filter", "spectrum")
+    lines = {f"{view}.png": f"--view {view}" for view in views}
+    lines |= {"seed.png": "--colours seed", "lines.png": "--wireframe"}
+    lines |= {"snow.png": "--snow-line 0"}
+    made = pictures(folder, lines, "hills.toml", "--size", "96x96", "--samples", "1")
+    names = list(made)
+    for i, name in enumerate(names):
+        for other in names[:i]:
+            assert rms(made[name], made[other]) > 0.02, f"{name} {other}"
+    # The same by compute shaders, and to the last bit by another reference of the same map.
+    small = ("hills.toml", "--size", "96x96", "--samples", "1", "--view", "height")
+    for backend in ("gl", "radix2"):
+        good(folder, *small, "--backend", backend, "--offscreen", f"{backend}.png")
+        assert rms(pixels(folder / f"{backend}.png"), made["height.png"]) < 0.01
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("hills.toml", "--view", "foam"), "a terrain has no view 'foam'; allowed: shaded, height"),
+        (("hills.toml", "--time", 3), "--time is for a sea; this is a terrain"),
+        (("hills.toml", "--look", "seed"), "--look seed is for a sea; this is a terrain"),
+        (("hills.toml", "--bridge", "127.0.0.1:1"), "--bridge is for a sea; this is a terrain"),
+        (("sea.toml", "--colours", "seed"), "--colours is for a terrain; this is a sea"),
+        (("sea.toml", "--eye", "1,2"), "--eye X,Y is for a terrain; this is a sea"),
+        (("sea.toml", "--view", "noise"), "a sea has no view 'noise'; allowed: shaded"),
+        (("hills.toml", "--set", "beta=99"), "allowed"),
+        (("hills.toml", "--set", "wind_speed=9"), "wind_speed"),
+        (("preset:tujungo",), "tujunga"),
+        (("hills.toml", "--snow-line", "1e9"), "--snow-line is 1e+09; allowed"),
+        (
+            ("hills.toml", "--backend", "dft", "--set", "resolution=128"),
+            "takes terrains of",
+        ),
+    ],
+)
+def test_what_is_wrong_is_said(folder, arguments, words):
+    done = run(folder, *arguments, "--offscreen", "one.png", "--size", "32x32")
+    assert done.returncode == 2 and words in done.stderr, done.stderr
+    assert len(done.stderr.splitlines()) == 1 and not (folder / "one.png").exists()
+
+
+def test_an_eye_in_the_ground_is_raised_and_that_is_said(folder):
+    eye = ("hills.toml", "--offscreen", "one.png", "--size", "32x32")
+    done = run(folder, *eye, "--eye", "0,0,8")
+    assert done.returncode == 0 and "is in the ground" in done.stderr
+    assert run(folder, *eye, "--eye", "0,0").stderr == ""
+
+
+def test_a_hand_goes_from_a_sea_to_a_terrain_and_back(hand, folder):  # noqa: F811
+    hand.key("space")
+    sea = shown(hand)
+
+    # A terrain takes the sea's place; keys of a sea say that it does not move.
+    drop(hand, folder / "hills.toml")
+    hand.wait_for_line(f"opened: {folder / 'hills.toml'}")
+    wait_for_title(hand, folder / "hills.toml")
+    hills = shown(hand)
+    assert rms(hills, sea) > 0.05
+    for key in ("space", "r", "p", "p"):
+        hand.key(key)
+    assert rms(shown(hand), hills) < 0.01
+
+    # A camera that walks stands on the ground, lower than at the start.
+    for key in ("c", "c", "c"):
+        hand.key(key)
+    low = shown(hand)
+    assert rms(low, hills) > 0.03
+    hills = low
+
+    # Its views, the stages among them, and back to the first one.
+    for _ in range(8):
+        hand.key("v")
+    assert rms(shown(hand), hills) < 0.01
+
+    # It is saved as a terrain file.
+    hand.key("ctrl+s")
+    hand.key("ctrl+a")
+    hand.type("saved")
+    hand.key("Return")
+    hand.wait_for_line("written: saved.toml")
+    saved = tomllib.loads((folder / "saved.toml").read_text())["terrain"]
+    assert (saved["rms"], saved["mean"], saved["resolution"]) == (30.0, 400.0, 64)
+
+    # A take is not for it, and a wrong terrain leaves it as it is.
+    (folder / "wrong.toml").write_text(TERRAIN.replace("rms", "rmz"))
+    (folder / "storm.take").write_text("1 wind_speed 12\n")
+    for wrong, reason in (("wrong.toml", "rmz"), ("storm.take", "a terrain has none")):
+        drop(hand, folder / wrong)
+        hand.wait_for(lambda reason=reason: any(reason in line for line in list(hand.lines)))
+    assert rms(shown(hand), hills) < 0.01
+
+    # Undo brings the sea back.
+    hand.key("ctrl+z")
+    wait_for_title(hand, "sea.toml")
+    assert rms(shown(hand), sea) < 0.01
+    assert str(folder / "hills.toml") in recent(hand)
