@@ -249,7 +249,9 @@ std::string volume_recipe(const BakePlan& plan, const VolumeSettings& settings,
 void adopt_volumes(const BakedHeader& header, BakeOptions& options) {
     options.set_default("box", header.text("box"));
     options.set_default("voxel", header.text("voxel"));
-    options.set_default("velocity-voxel", header.text("velocity_voxel"));
+    if (header.has(std::string(kSeaKind))) {  // other subjects do not have the option
+        options.set_default("velocity-voxel", header.text("velocity_voxel"));
+    }
     options.set_default("type", header.text("type"));
     if (!header.has("mist")) return;
     options.set_default("mist", header.text("mist"));
