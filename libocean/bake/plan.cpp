@@ -91,6 +91,16 @@ void refuse_foreign_options(const BakeOptions& options, const BakeFormat& format
                                             io::subject_words(subject.kind()).noun);
 }
 
+/// Refuses a displaced subject for files that hold heights of places only.
+void refuse_displaced(const BakePlan& draft) {
+    if (draft.format->holds_displaced || !is_displaced(*draft.subject)) return;
+    throw Error(ErrorKind::unsupported,
+                "files of type " + std::string(draft.format->extension) +
+                    " hold heights of places, and the points of " +
+                    io::subject_words(draft.subject->kind()).noun +
+                    " are displaced; its heights by place are a height field, .png");
+}
+
 /// Refuses options and products that only another kind of subject has.
 void refuse_foreign_subject(const BakeOptions& options, const Catalogue& catalogue,
                             const BakePlan& draft) {
@@ -284,6 +294,7 @@ BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
     if (plan.frames.empty()) plan.frames = {plan.subject->first_frame()};
     plan.all_frames = plan.frames;
     plan.resolution = find_resolution(options, *plan.subject);
+    refuse_displaced(plan);
     refuse_foreign_subject(options, catalogue, plan);
     FormatPlan<ErasedSettings> resolved = plan.format->resolve(plan);
     resolve_names(resolved, plan);

@@ -29,7 +29,9 @@ with rasterio.open(path) as grid, tifffile.TiffFile(path) as tiff:
                 "tile": [page.tilewidth, page.tilelength],
                 "compression": page.compression.name,
                 "predictor": page.predictor.name,
-                "keys": {k: str(int(v)) for k, v in tiff.geotiff_metadata.items() if isinstance(v, int)},
+                "keys": {
+                    k: str(int(v)) for k, v in tiff.geotiff_metadata.items() if isinstance(v, int)
+                },
                 "description": page.description,
             }
         )

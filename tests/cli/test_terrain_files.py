@@ -42,7 +42,9 @@ def read_exr(path):
     image = oiio.ImageInput.open(str(path))
     spec, pixels = image.spec(), image.read_image("float")
     image.close()
-    return pixels[::-1], {name: str(spec.channelformat(c)) for c, name in enumerate(spec.channelnames)}
+    return pixels[::-1], {
+        name: str(spec.channelformat(c)) for c, name in enumerate(spec.channelnames)
+    }
 
 
 class Hills:
@@ -96,7 +98,12 @@ def test_exr_has_heights_as_floats_and_normals_as_halves(hills):
     half, types = read_exr(hills.bake("half.exr", "--type", "half"))
     assert types == {"Y": "half"} and abs(half[:, :, 0] - hills.heights).max() > 0.4
     _, types = read_exr(hills.bake("l.exr", "--products", "height,normal", "--layout", "layered"))
-    assert types == {"height.V": "float", "normal.X": "half", "normal.Y": "half", "normal.Z": "half"}
+    assert types == {
+        "height.V": "float",
+        "normal.X": "half",
+        "normal.Y": "half",
+        "normal.Z": "half",
+    }
     for name in "reference.exr", "half.exr", "l.exr":
         hills.is_made_again_from(name, "again_" + name)
 
@@ -118,7 +125,9 @@ def test_a_png_states_its_range_and_is_right_to_half_its_quantum(hills):
     image = oiio.ImageInput.open(str(path))
     codes = image.read_image("uint16")[::-1, :, 0].astype(float)
     image.close()
-    texts = dict(content.split(b"\0", 1) for name, content in chunks(path.read_bytes()) if name == "tEXt")
+    texts = dict(
+        content.split(b"\0", 1) for name, content in chunks(path.read_bytes()) if name == "tEXt"
+    )
     low, high = (float(word) for word in texts[b"ocean:range"].split(b","))
     quantum = float(texts[b"ocean:quantum"])
     assert numpy.isclose(quantum, (high - low) / 65535)
@@ -151,7 +160,9 @@ def test_a_geotiff_has_the_heights_and_places_of_the_map(hills):
     assert said["readers_agree"] and said["type"] == "float32" and said["nodata"] is None
     assert said["first"] == [0.0, (hills.rows - 1) * CELL] and said["cell"] == [CELL, CELL]
     assert said["area_or_point"] == "Point"
-    assert 'LOCAL_CS["libocean: local grid in metres, x east, y north",UNIT["metre",1' in said["crs"]
+    assert (
+        'LOCAL_CS["libocean: local grid in metres, x east, y north",UNIT["metre",1' in said["crs"]
+    )
     assert said["keys"]["GTRasterTypeGeoKey"] == "2" and said["keys"]["GTModelTypeGeoKey"] == "1"
     assert said["compression"].endswith("DEFLATE") and said["predictor"] == "FLOATINGPOINT"
     assert said["tile"] == [256, 256]
@@ -189,7 +200,9 @@ def test_ply_and_obj_have_points_normals_and_uv(hills):
     assert len(ply.cells_dict["triangle"]) == 2 * hills.rows * hills.columns
     lines = hills.bake("t.obj").read_text().splitlines()
     rows = {
-        word: numpy.array([line.split()[1:4] for line in lines if line.startswith(word + " ")], float)
+        word: numpy.array(
+            [line.split()[1:4] for line in lines if line.startswith(word + " ")], float
+        )
         for word in ("v", "vn", "vt")
     }
     assert abs(rows["v"] - ply.points).max() <= 5e-4 and abs(rows["vn"] - normals).max() < 1e-4
@@ -237,7 +250,9 @@ def test_povray_files_have_heights_beyond_a_kilometre(hills):
     data = hills.bake("t.df3").read_bytes()
     assert struct.unpack(">3H", data[:6]) == (hills.columns, hills.rows, 3)
     codes = numpy.frombuffer(data[6:], ">u4").reshape(3, hills.rows, hills.columns)
-    words = dict(re.findall(r"#declare (Terrain_\w+) = (\S+);", (hills.folder / "t.df3.inc").read_text()))
+    words = dict(
+        re.findall(r"#declare (Terrain_\w+) = (\S+);", (hills.folder / "t.df3.inc").read_text())
+    )
     base, scale = float(words["Terrain_Base_"]), float(words["Terrain_Scale_"])
     assert abs(base + scale * codes[0] / (2.0**32 - 1) - hills.heights).max() <= scale / 2**32
     mesh = hills.bake("t.inc").read_text()
@@ -259,6 +274,9 @@ def test_povray_files_have_heights_beyond_a_kilometre(hills):
         ("t.vdb", ["--products", "density"], "only a sea has it, and this is a terrain"),
         ("t.usda", ["--products", "velocity"], "a terrain has no vx"),
         ("t.tif", ["--type", "half"], "--type half: only files of type .exr have it"),
+        ("t.inc", ["--eye", "0,0,8"], "eye"),
+        ("t.ply", ["--spray-density", "1"], "spray-density"),
+        ("t.df3", ["--detail-map"], "detail-map"),
         ("t.tiff", [], "the extension names the format; did you mean .tif?"),
     ],
 )

@@ -29,6 +29,9 @@ def test_every_example_and_every_macro_is_on_the_page():
         assert f"](examples/{example.name})" in page
         assert f"renders/povray/macros/{example.stem}.jpg" in page
         assert (ROOT / "renders" / "povray" / "macros" / f"{example.stem}.jpg").is_file()
-    macros = (ROOT / "povray_macros" / "ocean.inc").read_text()
-    for name in re.findall(r"^#macro (Ocean_\w*[^_\W])\(", macros, re.MULTILINE):
-        assert name in page, name
+    for file, prefix in ("ocean.inc", "Ocean"), ("terrain.inc", "Terrain"):
+        macros = (ROOT / "povray_macros" / file).read_text()
+        names = re.findall(rf"^#macro ({prefix}_\w*[^_\W])\(", macros, re.MULTILINE)
+        assert len(names) > 7
+        for name in names:
+            assert name in page, name

@@ -54,7 +54,9 @@ HelpRow option_row(const FormatOption& option) {
 
 /// Returns the command line of an example, on two lines if it is long.
 HelpRow example_of(const BakeFormat& format, const std::string& output) {
-    std::string line = "ocean bake preset:beaufort_5 -o " + output + " --frames 1-24";
+    std::string line = format.holds_displaced
+                           ? "ocean bake preset:beaufort_5 -o " + output + " --frames 1-24"
+                           : "ocean terrain preset:tujunga -o " + output;
     const std::string more(format.example);
     constexpr std::size_t kIndent = 4;
     const bool is_long = kIndent + line.size() + more.size() + 1 > kHelpColumns;
@@ -64,12 +66,15 @@ HelpRow example_of(const BakeFormat& format, const std::string& output) {
 
 HelpPage page_of(const BakeFormat& format, const Catalogue& catalogue) {
     const std::string extension(format.extension);
-    const std::string output = "out/sea.####" + extension;
-    HelpPage page{.names = {std::string(format.name)},
-                  .summary = format_text("%-5s  ", extension.c_str()) + std::string(format.summary),
-                  .title = std::string(format.summary),
-                  .usage = "ocean bake SEA -o " + output + " [OPTIONS]",
-                  .sections = {}};
+    const bool is_of_seas = format.holds_displaced;
+    const std::string output = (is_of_seas ? "out/sea.####" : "hills") + extension;
+    const std::string command = is_of_seas ? "ocean bake" : "ocean terrain";
+    HelpPage page{
+        .names = {std::string(format.name)},
+        .summary = format_text("%-5s  ", extension.c_str()) + std::string(format.summary),
+        .title = std::string(format.summary),
+        .usage = command + (is_of_seas ? " SEA" : " TERRAIN") + " -o " + output + " [OPTIONS]",
+        .sections = {}};
     if (extension.substr(1) != format.name) page.names.push_back(extension.substr(1));
     page.names.push_back(extension);
     if (const auto choice = format.product_choice(catalogue)) {
@@ -82,7 +87,7 @@ HelpPage page_of(const BakeFormat& format, const Catalogue& catalogue) {
     if (options.rows.empty()) options.rows.push_back({"It has none of its own.", ""});
     page.sections.push_back(std::move(options));
     page.sections.push_back({"Example", {example_of(format, output)}});
-    page.sections.push_back({"Options of all formats", {{"See `ocean bake --help`.", ""}}});
+    page.sections.push_back({"Options of all formats", {{"See `" + command + " --help`.", ""}}});
     return page;
 }
 

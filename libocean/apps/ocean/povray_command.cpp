@@ -143,8 +143,12 @@ void run(const Typed& typed, const Context& context) {
 
 std::vector<OptionGroup> povray_options(Typed& typed) {
     BakeOptions& bake = typed.bake;
+    OptionGroup source = sea_options(typed.sea);
+    source.options.front().help =
+        "A sea file or a terrain file, - for standard input (a sea), a file that was baked from "
+        "one, or preset:NAME";
     return {
-        sea_options(typed.sea),
+        source,
         {"Sea",
          {{"--fps", &bake.fps, "RATE", "Frames per second, in place of the sea's time.fps"}}},
         {"Output",

@@ -8,7 +8,6 @@
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/product_image.hpp"
-#include "ocean/io/subject_words.hpp"
 
 namespace ocean {
 namespace {
@@ -18,12 +17,6 @@ NoSettings read_options(const BakeOptions&, const Catalogue&) {
 }
 
 FormatPlan<NoSettings> resolve(const BakePlan& draft, const NoSettings&) {
-    if (is_displaced(*draft.subject)) {
-        throw Error(ErrorKind::unsupported,
-                    "a GeoTIFF holds heights of places, and the points of " +
-                        io::subject_words(draft.subject->kind()).noun +
-                        " are displaced; its heights by place are a height field, .png");
-    }
     return {{{Channel::height}, {draft.resolution}}, {}};
 }
 
@@ -70,6 +63,7 @@ constexpr BakeFormatOf<NoSettings> kOf = {
     .extension = ".tif",
     .family = "GeoTIFF",
     .summary = "GeoTIFF of a terrain: heights as floats, for GIS",
+    .holds_displaced = false,
     .read_options = read_options,
     .resolve = resolve,
     .files = list_files,

@@ -39,14 +39,17 @@ std::vector<FormatOption> spray_options() {
         {kLifetime, "SECONDS",
          "Maximum age of a particle of spray, 0.05 to 10, in a loop at most half of its period; "
          "default " +
-             shortest_text(defaults.lifetime)},
+             shortest_text(defaults.lifetime),
+         "", kSeaKind},
         {kDensity, "NUMBER",
          "Particles of spray for each m^2 that turns white, 0 to 1000; default " +
-             shortest_text(defaults.density)},
+             shortest_text(defaults.density),
+         "", kSeaKind},
         {kMaxSpray, "COUNT",
          "Approximate limit of particles of spray that are alive at once: a sea that would have "
          "more has them thinned out; default " +
-             std::to_string(defaults.most)},
+             std::to_string(defaults.most),
+         "", kSeaKind},
     };
 }
 

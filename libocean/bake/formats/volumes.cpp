@@ -94,11 +94,12 @@ std::vector<FormatOption> volume_options() {
          "from 2 Hs, at least 4 m, below still water to the crests"},
         {"voxel", "METRES", "Size of the surface's voxels; default the period / the resolution"},
         {"velocity-voxel", "METRES",
-         "Size of the voxels of velocity and density; default twice --voxel"},
+         "Size of the voxels of velocity and density; default twice --voxel", "", kSeaKind},
         {"mist", "NUMBER",
          "Cross-section of the mist, m^2 for each m^2 that turns white, 0 to 1000; "
          "default " +
-             shortest_text(VolumeSettings{}.mist)},
+             shortest_text(VolumeSettings{}.mist),
+         "", kSeaKind},
         {"type", "TYPE", "float or half; default float"},
         {"axes", "AXES", "zup (x, y, z) or yup (x, z, -y); default zup"}};
 }
@@ -248,7 +249,9 @@ std::string volume_recipe(const BakePlan& plan, const VolumeSettings& settings,
 void adopt_volumes(const BakedHeader& header, BakeOptions& options) {
     options.set_default("box", header.text("box"));
     options.set_default("voxel", header.text("voxel"));
-    options.set_default("velocity-voxel", header.text("velocity_voxel"));
+    if (header.has(std::string(kSeaKind))) {  // other subjects do not have the option
+        options.set_default("velocity-voxel", header.text("velocity_voxel"));
+    }
     options.set_default("type", header.text("type"));
     if (!header.has("mist")) return;
     options.set_default("mist", header.text("mist"));

@@ -31,11 +31,13 @@ struct CausticsRequest {
 std::vector<FormatOption> list_options() {
     return {
         {"caustics-depth", "METRES",
-         "Depth of the level plane that caustics fall on; default: the sea's depth, 10 at most"},
+         "Depth of the level plane that caustics fall on; default: the sea's depth, 10 at most", "",
+         kSeaKind},
         {"sun", "ALTITUDE,BEARING",
          "Direction of the sun for caustics, degrees above the horizon and counter-clockwise from "
          "+x; default " +
-             std::string(kDefaultSun)}};
+             std::string(kDefaultSun),
+         "", kSeaKind}};
 }
 
 CausticsRequest read(const BakeOptions& options) {

@@ -55,7 +55,8 @@ struct TileSettings {
 std::vector<FormatOption> list_options() {
     return {{"detail-samples", "N",
              "Samples along a side of each slope tile: 256, 512 or 1024; default " +
-                 std::to_string(kDefaultSamples)}};
+                 std::to_string(kDefaultSamples),
+             "", kSeaKind}};
 }
 
 TileSettings read(const BakeOptions& options) {

@@ -122,6 +122,7 @@ struct BakeFormat {
     std::string_view family;
     std::string_view summary;
     std::string_view example;
+    bool holds_displaced;
 
     Required<std::vector<FormatOption>(const Catalogue& catalogue)> options;
     Required<std::optional<ProductChoice>(const Catalogue& catalogue)> product_choice;

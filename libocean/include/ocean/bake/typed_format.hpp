@@ -49,6 +49,8 @@ struct BakeFormatOf {
     std::string_view family;                // heading of its options in help texts, "EXR files"
     std::string_view summary = {};          // what it writes, in a line of help; empty: `family`
     std::string_view example = {};          // options of its example in help, "--mist 0.1"
+    /// False if files hold heights of places only: a displaced subject, such as a sea, is refused.
+    bool holds_displaced = true;
 
     /// Returns the options that files of this format have.
     std::vector<FormatOption> (*options)(const Catalogue& catalogue) = [](const Catalogue&) {
@@ -123,6 +125,7 @@ constexpr BakeFormat bake_format() {
         .family = kOf.family,
         .summary = kOf.summary.empty() ? kOf.family : kOf.summary,
         .example = kOf.example,
+        .holds_displaced = kOf.holds_displaced,
         .options = kOf.options,
         .product_choice = kOf.product_choice,
         .read_options =
