@@ -31,9 +31,9 @@ def pixels(ocean, name):
 
 
 def test_a_terrain_is_one_channel_of_floats(land):
-    assert land.good("terrain", "land.toml", "-o", "land.exr", "-q") == "land.exr\n"
+    assert land.good("terrain", "land.toml", "-o", "land.exr") == "land.exr\n"
     heights, spec = pixels(land, "land.exr")
-    assert spec.nchannels == 1 and spec.channelnames == ("Y",) or list(spec.channelnames) == ["Y"]
+    assert list(spec.channelnames) == ["Y"]
     assert heights.shape == (64, 64, 1)
     assert heights.std() == pytest.approx(12.0, rel=1e-5)
     assert "[terrain]" in spec.getattribute("ocean:terrain")
