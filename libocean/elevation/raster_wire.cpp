@@ -9,6 +9,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "ocean/internal/checked_text.hpp"
+
 namespace ocean::elevation {
 namespace {
 
@@ -124,7 +126,10 @@ void decode(const sandbox::Source& source, const RasterReceiver& receiver) {
     std::vector<float> row;
     const auto next_is = [&](Kind kind) {
         const auto got = static_cast<Kind>(reader.count(UINT64_MAX));
-        if (got == Kind::fault) throw RasterFault(reader.text());
+        if (got == Kind::fault) {
+            const std::string words = text::printable(reader.text(), kMaxTextBytes);
+            throw RasterFault(words.empty() ? "cannot be read" : words);
+        }
         return got == kind;
     };
     if (!next_is(Kind::facts)) throw sandbox::WireError();

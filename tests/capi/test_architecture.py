@@ -32,6 +32,7 @@ HEADER_OWNER = {
     "ocean/internal/record_rules.hpp": "seafile",
     "ocean/sea_subject.hpp": "seafile",
     "ocean/seafile.hpp": "seafile",
+    "ocean/terrainfile.hpp": "seafile",
     "ocean/internal/toml_sections.hpp": "seafile",
     "ocean/internal/utc_time.hpp": "seafile",
 }

@@ -136,7 +136,7 @@ def test_what_cannot_be_fitted_is_a_sentence(ocean, bed):
         ("small.asc",): "a fit needs at least 32 x 32 cells, not 20 x 20",
         ("hole.asc",): "`ocean terrain import hole.asc --holes fill -o bed.flt`",
         ("gone.asc",): "gone.asc: no such file",
-        (bed, "--law", "tabel"): "did you mean table?",
+        (bed, "--law", "brken"): "did you mean broken?",
         (bed, "--ridge"): "--ridge is for --law broken",
         (bed, "--seeds", "2"): "--seeds",
         (bed, "-o", "land.tml"): "-o land.tml: allowed is NAME.toml",

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a child that reads a raster may send, whatever file has overrun it: decode gives a raster,
-// one fault, or a WireError.
+// A child that reads a raster may send any bytes, since a file may have overrun it: decode gives a
+// raster, one fault, or a WireError.
 #include "raster_checks.hpp"
 #include "raster_wire.hpp"
 

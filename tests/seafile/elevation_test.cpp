@@ -101,7 +101,7 @@ TEST(ElevationFile, HolesAreRefusedFilledOrKept) {
     EXPECT_NEAR(filled.heights[1], 2.0f, 1e-3f);
     ASSERT_EQ(filled.notes.size(), 1u);
     EXPECT_TRUE(refusal(kHeader + "-9999 2 3 4 5 6").refused);  // ESRI's default value
-    // A usual value that the header does not declare is no hole, and a note.
+    // A common mark that the header does not declare is no hole, and a note.
     EXPECT_EQ(parse(kHeader + "-32768 2 3 4 5 6").notes.size(), 1u);
     // No file means such a height.
     EXPECT_TRUE(std::isnan(

@@ -132,8 +132,8 @@ TEST(RingSpectrum, ACropNeedsItsWindow) {
             with += exponent(Taper::automatic) / kSeeds;
             without += exponent(Taper::none) / kSeeds;
         }
-        RecordProperty("beta_" + std::to_string(static_cast<int>(10.0 * beta)), " with " + std::to_string(with) +
-                                   " without " + std::to_string(without));
+        RecordProperty("beta_" + std::to_string(static_cast<int>(10.0 * beta)),
+                       " with " + std::to_string(with) + " without " + std::to_string(without));
         EXPECT_NEAR(with, beta, 0.02 * beta);
         EXPECT_GT(std::abs(without - beta), 0.15 * beta);
         EXPECT_NEAR(level, 0.0, 0.03);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The simplex of Nelder and Mead, with its usual coefficients: see nelder_mead.hpp.
+// The simplex of Nelder and Mead, with its standard coefficients: see nelder_mead.hpp.
 #include "nelder_mead.hpp"
 
 #include <algorithm>

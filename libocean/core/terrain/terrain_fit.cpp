@@ -27,7 +27,7 @@ constexpr int kMaxSide = 2048;  // of tiles and windows: a seed then takes less 
 constexpr int kMinSide = 32;
 constexpr int kRingsPerOctave = 4;
 constexpr int kCorrectingSeeds = 16;  // of tiles of up to 1024 samples a side, else half of it
-constexpr int kRingRounds = 12;       // a dip that is narrower than the window's needs the most
+constexpr int kRingRounds = 12;       // a narrow dip between high rings needs many
 constexpr int kLawRounds = 3;
 constexpr std::uint32_t kFirstCorrectingSeed = 1001;
 constexpr int kVarianceRounds = 2;
@@ -246,7 +246,7 @@ std::vector<FittedParameter> fit_parameters(Judge& judge, const TerrainFitOption
     std::vector<Ring> rings = judge.bed_rings();
     LawFit fit = fit_law(rings, options.law, options.ridge, terrain);
     for (int round = 0; round < kLawRounds; ++round) {
-        // What the window makes of this law is divided out, and the law fitted again.
+        // The law's own spectrum under the window is divided out, and the law fitted again.
         const std::vector<double> expected = judge.expected(terrain);
         const TerrainLaw law(terrain);
         for (std::size_t i = 0; i < rings.size(); ++i) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Coordinate reference systems as the text of a .prj file. Their definitions are in a database of
-// thousands; the zones of UTM, which most elevation models have, follow from their number.
+// thousands; the zones of UTM, which many elevation models have, follow from their number.
 #include <algorithm>
 #include <charconv>
 #include <optional>

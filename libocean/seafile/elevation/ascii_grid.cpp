@@ -19,7 +19,7 @@ using elevation::grid_number;
 using elevation::GridHeader;
 using elevation::GridHeaderReader;
 
-constexpr std::size_t kBlockBytes = std::size_t{1} << 20;
+constexpr std::size_t kBlockBytes = std::size_t{1} << 16;
 constexpr std::size_t kMaxWordBytes = 64;
 
 bool is_blank(char c) {

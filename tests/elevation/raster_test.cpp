@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Claims: what a child sends of a raster comes back, and no cut and no lie passes; geokeys place
+// the centres of cells; names of SRTM tiles are corners; a written model reads back to the same
+// bits.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <sstream>
+
+#include "geo_keys.hpp"
+#include "hgt_raster.hpp"
+#include "ocean/error.hpp"
+#include "ocean/internal/elevation_import.hpp"
+#include "ocean/io/elevation.hpp"
+#include "raster_wire.hpp"
+#include "temporary_folder.hpp"
+
+namespace ocean::elevation {
+namespace {
+
+/// A raster that was received.
+struct Received {
+    RasterFacts facts;
+    std::vector<float> heights;
+};
+
+RasterReceiver receiver_of(Received& received) {
+    return {.begin = [&](const RasterFacts& facts) { received.facts = facts; },
+            .row =
+                [&](std::span<const float> row) {
+                    received.heights.insert(received.heights.end(), row.begin(), row.end());
+                }};
+}
+
+Received decoded(std::string_view bytes) {
+    Received received;
+    decode(
+        [&](void* to, std::size_t count) {
+            if (count > bytes.size()) return false;
+            std::memcpy(to, bytes.data(), count);
+            bytes.remove_prefix(count);
+            return true;
+        },
+        receiver_of(received));
+    return received;
+}
+
+std::string encoded(const std::function<void(const RasterReceiver&)>& read) {
+    std::string bytes;
+    encode(read, [&](const void* from, std::size_t count) {
+        bytes.append(static_cast<const char*>(from), count);
+    });
+    return bytes;
+}
+
+RasterFacts some_facts() {
+    RasterFacts facts;
+    facts.columns = 3;
+    facts.rows = 2;
+    facts.has_place = true;
+    facts.south_west_centre = {15.0, -25.0};
+    facts.cell = {10.0, 12.0};
+    facts.is_geographic = false;
+    facts.metres_per_unit = 0.3048;
+    facts.height_unit = HeightUnit::us_survey_foot;
+    facts.declares_holes = true;
+    facts.crs = "EPSG:2229";
+    facts.notes = {"one", "two"};
+    return facts;
+}
+
+std::string some_raster() {
+    return encoded([](const RasterReceiver& receiver) {
+        receiver.begin(some_facts());
+        receiver.row(std::vector<float>{1, 2, 3});
+        receiver.row(std::vector<float>{4, 5, 6});
+    });
+}
+
+TEST(RasterWire, GivesBackWhatWasSent) {
+    const Received received = decoded(some_raster());
+    const RasterFacts expected = some_facts();
+    EXPECT_EQ(received.facts.columns, 3);
+    EXPECT_EQ(received.facts.rows, 2);
+    EXPECT_TRUE(received.facts.has_place);
+    EXPECT_EQ(received.facts.south_west_centre, expected.south_west_centre);
+    EXPECT_EQ(received.facts.cell, expected.cell);
+    EXPECT_EQ(received.facts.is_geographic, false);
+    EXPECT_EQ(received.facts.metres_per_unit, 0.3048);
+    EXPECT_EQ(received.facts.height_unit, HeightUnit::us_survey_foot);
+    EXPECT_TRUE(received.facts.declares_holes);
+    EXPECT_EQ(received.facts.crs, "EPSG:2229");
+    EXPECT_EQ(received.facts.notes, expected.notes);
+    EXPECT_EQ(received.heights, (std::vector<float>{1, 2, 3, 4, 5, 6}));
+}
+
+TEST(RasterWire, NoCutAndNoLiePasses) {
+    const std::string whole = some_raster();
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        EXPECT_THROW(decoded(whole.substr(0, size)), sandbox::WireError) << size;
+    }
+    std::string huge = whole;
+    huge[8 + 3] = '\x01';  // columns beyond the limit
+    EXPECT_THROW(decoded(huge), sandbox::WireError);
+    std::string endless = whole;
+    endless[8 + 8 + 8 + 8 + 7] = '\x7F';  // an origin that is not finite
+    endless[8 + 8 + 8 + 8 + 6] = '\xF0';
+    EXPECT_THROW(decoded(endless), sandbox::WireError);
+}
+
+TEST(RasterWire, AFaultIsPrintableEvenInTheMiddle) {
+    const std::string bytes = encoded([](const RasterReceiver& receiver) {
+        receiver.begin(some_facts());
+        receiver.row(std::vector<float>{1, 2, 3});
+        throw RasterFault("is cut\noff");
+    });
+    try {
+        decoded(bytes);
+        FAIL();
+    } catch (const RasterFault& fault) {
+        EXPECT_STREQ(fault.what(), "is cut?off");
+    }
+}
+
+GeoTags scaled(std::vector<std::uint16_t> keys) {
+    std::vector<std::uint16_t> directory = {1, 1, 0, static_cast<std::uint16_t>(keys.size() / 4)};
+    directory.insert(directory.end(), keys.begin(), keys.end());
+    return {.pixel_scale = {10.0, 20.0, 0.0},
+            .tie_points = {0.0, 0.0, 0.0, 1000.0, 5000.0, 0.0},
+            .transformation = {},
+            .directory = directory,
+            .doubles = {},
+            .texts = "a citation|"};
+}
+
+RasterFacts placed(const GeoTags& tags) {
+    RasterFacts facts;
+    facts.columns = 4;
+    facts.rows = 3;
+    apply_geo_tags(tags, facts);
+    return facts;
+}
+
+TEST(GeoKeys, PlaceTheCentreOfTheSouthWestCell) {
+    const RasterFacts area = placed(scaled({1024, 0, 1, 1, 1025, 0, 1, 1, 3072, 0, 1, 32611}));
+    EXPECT_EQ(area.south_west_centre, (std::array{1005.0, 4950.0}));
+    EXPECT_EQ(area.cell, (std::array{10.0, 20.0}));
+    EXPECT_EQ(area.crs, "EPSG:32611");
+    EXPECT_EQ(area.is_geographic, false);
+    EXPECT_TRUE(area.notes.empty());
+    const RasterFacts point = placed(scaled({1024, 0, 1, 2, 1025, 0, 1, 2, 2048, 0, 1, 4326}));
+    EXPECT_EQ(point.south_west_centre, (std::array{1000.0, 4960.0}));
+    EXPECT_EQ(point.is_geographic, true);
+    GeoTags matrix = scaled({});
+    matrix.transformation = {10, 0, 0, 1000, 0, -20, 0, 5000, 0, 0, 0, 0, 0, 0, 0, 1};
+    EXPECT_EQ(placed(matrix).south_west_centre, area.south_west_centre);
+    EXPECT_FALSE(placed({}).has_place);
+}
+
+TEST(GeoKeys, UnitsAreReadOrAssumedAloud) {
+    const RasterFacts feet =
+        placed(scaled({1024, 0, 1, 1, 3072, 0, 1, 2229, 3076, 0, 1, 9003, 4099, 0, 1, 9002}));
+    EXPECT_DOUBLE_EQ(feet.metres_per_unit, 1200.0 / 3937.0);
+    EXPECT_EQ(feet.height_unit, HeightUnit::foot);
+    const RasterFacts silent = placed(scaled({1024, 0, 1, 1, 3072, 0, 1, 2193}));
+    ASSERT_EQ(silent.notes.size(), 1u);
+    const RasterFacts named = placed(scaled({1024, 0, 1, 1, 1026, 34737, 11, 0, 3076, 0, 1, 9001}));
+    EXPECT_EQ(named.crs, "a citation");
+    EXPECT_THROW(placed(scaled({1024, 0, 1, 1, 3076, 0, 1, 9035})), RasterFault);
+    EXPECT_THROW(placed(scaled({1024, 0, 1, 3})), RasterFault);
+    EXPECT_THROW(placed(scaled({1024, 0, 1, 2, 2054, 0, 1, 9101})), RasterFault);
+}
+
+TEST(SrtmTile, ANameIsACorner) {
+    EXPECT_EQ(corner_of_name("N34W119.hgt"), (std::array{-119.0, 34.0}));
+    EXPECT_EQ(corner_of_name("s01e006.SRTMGL1.hgt"), (std::array{6.0, -1.0}));
+    for (const char* name : {"", "N34", "N3XW119", "N34W19", "N34W999", "X34W119", "N95W119"}) {
+        EXPECT_FALSE(corner_of_name(name)) << name;
+    }
+}
+
+TEST(SrtmTile, AVoidIsAHoleAndTheFirstRowLiesInTheNorth) {
+    constexpr std::size_t kSide = 1201;
+    std::string bytes(2 * kSide * kSide, '\0');
+    bytes[0] = '\x80';  // -32768
+    bytes[3] = '\x07';
+    std::istringstream stream(bytes);
+    Received received;
+    read_hgt(stream, bytes.size(), {-119.0, 34.0}, receiver_of(received));
+    EXPECT_TRUE(std::isnan(received.heights[0]));
+    EXPECT_EQ(received.heights[1], 7.0f);
+    EXPECT_EQ(received.heights.size(), kSide * kSide);
+    EXPECT_DOUBLE_EQ(received.facts.cell[0], 1.0 / 1200.0);
+    std::istringstream cut(bytes.substr(0, 5000));
+    EXPECT_THROW(read_hgt(cut, bytes.size(), {0.0, 0.0}, receiver_of(received)), RasterFault);
+}
+
+TEST(FloatGrid, AWrittenModelReadsBack) {
+    const test::TemporaryFolder folder;
+    for (const char* crs : {"", "EPSG:32611", "EPSG:2193", "PROJCS[\"mine\",UNIT[\"metre\",1]]"}) {
+        ElevationModel model;
+        model.domain = {.origin = {478015.25, 0.1},
+                        .size = {3 * 30.1, 2 * 30.1},
+                        .samples = {4, 3},
+                        .wraps = false};
+        model.crs = crs;
+        for (int i = 0; i < 12; ++i) model.heights.push_back(0.1f * static_cast<float>(i));
+        model.heights[5] = std::nanf("");
+        io::write_elevation(model, folder.file("bed.flt"));
+        const ElevationModel read =
+            read_elevation(folder.file("bed.flt"), {.holes = HolePolicy::keep});
+        EXPECT_EQ(std::memcmp(read.heights.data(), model.heights.data(), 12 * sizeof(float)), 0);
+        EXPECT_EQ(read.domain.origin, model.domain.origin);
+        EXPECT_DOUBLE_EQ(read.domain.step(0), 30.1);
+        const std::string expected =
+            crs == std::string("EPSG:32611") ? "WGS 84 / UTM zone 11N" : std::string(crs);
+        EXPECT_NE(read.crs.find(expected), std::string::npos) << read.crs;
+        EXPECT_TRUE(read.notes.empty());
+        EXPECT_TRUE(io::is_written_elevation(folder.file("bed.flt")));
+    }
+    EXPECT_THROW(io::write_elevation({}, folder.file("bed.tif")), Error);
+}
+
+TEST(FloatGrid, SmallCellsOfMetresAreNotTakenForDegrees) {
+    const test::TemporaryFolder folder;
+    ElevationModel model;
+    model.domain = {.origin = {10.0, 20.0}, .size = {1.0, 1.0}, .samples = {3, 3}, .wraps = false};
+    model.heights.assign(9, 1.0f);
+    io::write_elevation(model, folder.file("pond.flt"));
+    EXPECT_FALSE(read_elevation(folder.file("pond.flt")).was_degrees);
+    // Without the .prj file beside it the numbers look like degrees.
+    std::filesystem::remove(folder.file("pond.prj"));
+    EXPECT_TRUE(read_elevation(folder.file("pond.flt")).was_degrees);
+}
+
+}  // namespace
+}  // namespace ocean::elevation
