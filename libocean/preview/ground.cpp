@@ -28,6 +28,10 @@ Reach reach_of(const ShownLand& land, double eye_height) {
 
 }  // namespace
 
+std::string ground_defines(int taps) {
+    return "#define TAPS " + std::to_string(taps) + "\n" + view_defines(SceneKind::land);
+}
+
 Ground::Ground(const RendererOptions& options)
     : taps_(filter_taps(options)),
       shadow_steps_(options.shadow_steps),
@@ -35,7 +39,7 @@ Ground::Ground(const RendererOptions& options)
       lines_(std::min(options.cells, options.land_cells)),
       program_(
           {{GL_VERTEX_SHADER, "preview/ground.vert"}, {GL_FRAGMENT_SHADER, "preview/ground.frag"}},
-          "#define TAPS " + std::to_string(taps_) + "\n" + view_defines(SceneKind::land)),
+          ground_defines(taps_)),
       sampler_(make_footprint_sampler(taps_)),
       block_(BlockBinding::land) {}
 

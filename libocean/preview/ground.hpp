@@ -4,7 +4,7 @@
 // Land as a drawable: the repeated tile to its horizon on the clipmap.
 #pragma once
 
-#include <optional>
+#include <string>
 
 #include "clipmap.hpp"
 #include "drawable.hpp"
@@ -12,6 +12,10 @@
 #include "texture_units.hpp"
 
 namespace ocean::preview {
+
+/// Returns the defines that ground.vert and ground.frag are compiled with. taps: samples along a
+/// footprint; 0: the driver's anisotropic filter.
+std::string ground_defines(int taps);
 
 class Ground : public Drawable {
   public:

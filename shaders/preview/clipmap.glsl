@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A vertex of the clipmap: of a level that is morphed into the next coarser one as it goes away from
-// the eye, so that nothing jumps and nothing swims. The shader defines surface_point().
+// A vertex of the clipmap: of a level that is morphed into the next coarser one as it goes away
+// from the eye, so that nothing jumps and nothing swims. The shader defines surface_point().
 #include "preview/on_screen.glsl"
 
 layout(location = 0) in vec2 grid;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Noise that breaks up the edges of snow, rock and woods: values at the corners of a square grid
-// with cubic blends between them, of four cell sizes, because one size alone looks like the spots of
-// a leopard. It lies in the world and not in the tile, so that it does not repeat with the land.
+// with cubic blends between them, of four cell sizes, because one size alone looks like the spots
+// of a leopard. It lies in the world and not in the tile, so that it does not repeat with the land.
 #include "preview/land_block.glsl"
 #include "wave/copies.glsl"
 

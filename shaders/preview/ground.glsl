@@ -12,8 +12,8 @@ vec2 map_place(vec2 at) {
     return tile.xy + at * tile.z + vec2(0.5 * tile.w * tile.z);
 }
 
-// Returns the height [m] of the bicubic Hermite patch with the heights and slopes of its corners, as
-// LandImage::height_at.
+// Returns the height [m] of the bicubic Hermite patch with the heights and slopes of its corners,
+// as LandImage::height_at.
 float patch_height(vec2 at) {
     vec2 place = texel.xy + at / tile.w;
     vec2 cell = floor(place);

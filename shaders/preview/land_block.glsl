@@ -10,8 +10,8 @@ layout(std140) uniform LandBlock {
     ivec4 eye_texel;  // that texel; samples of the map along a side
     vec4 heights;   // mean, rms about it, lowest, highest [m]
     vec4 range;     // lowest and highest value that a view shows; cell of the terrain's grid [m]
-    vec4 snow;      // height of the snow line, half the width of its belt, its rise for a slope of 1
-                    // that faces the sun, its rise for wear of 1 [m]
+    vec4 snow;      // height of the snow line, half the width of its belt, its rise for a slope of
+                    // 1 that faces the sun, its rise for wear of 1 [m]
     vec4 shadow;    // steps towards the sun; distance of the last one [m]
     ivec4 colours;  // 0: of land, 1: the ramp of the teaching programs
     // The cover noise: place of the eye in its cell, 0 .. 1, 1/cell [1/m], cell [m]; that cell.

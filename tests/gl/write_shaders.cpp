@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "frame_plan.hpp"
+#include "ground.hpp"
 #include "shader_text.hpp"
 #include "water_program.hpp"
 
@@ -58,6 +59,10 @@ int main(int argc, char** argv) {
         write(std::string("preview_") + path[0], std::string("preview/") + path, "");
     }
     for (const int taps : {0, 2}) {
+        for (const char* kind : {".vert", ".frag"}) {
+            write("ground_" + std::to_string(taps), std::string("preview/ground") + kind,
+                  preview::ground_defines(taps));
+        }
         for (const std::size_t cascades : {1, 2, 5, 10}) {
             const std::size_t covers = cascades == 1 || cascades == 5 ? 1 : 2;
             const std::size_t tiles = taps == 0 ? 2 : 0;

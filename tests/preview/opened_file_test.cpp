@@ -92,7 +92,8 @@ TEST_F(OpenedFileTest, AWrongFileSaysWhy) {
     says(file("photo.jpg", std::string("\xff\xd8\xff\xe0\0\x10JFIF", 10)), "is none of these");
     says(file("broken.toml", "libocean = 1\n[grid]\nresolution = 100\n"), "allowed");
     says(file("steep.toml", "libocean = 1\n[terrain]\nbeta = 99\n"), "allowed");
-    says(file("both.toml", "libocean = 1\n[terrain]\n[grid]\n"), "is a sea file, not a terrain file");
+    says(file("both.toml", "libocean = 1\n[terrain]\n[grid]\n"),
+         "is a sea file, not a terrain file");
     says(file("bad.take", "1 wind_sped 3\n"), "did you mean waves.0.wind_speed?");
     says(file("late.take", "2 wind_speed 3\n1 wind_speed 3\n"), "late.take:2");
     says(file("cut.exr", "\x76\x2f\x31\x01"), "cut.exr");
