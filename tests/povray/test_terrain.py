@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The folder of a terrain and terrain.inc, as POV-Ray itself reads them.
 
-Claims: functions, mesh and height field have the heights and normals of the map, each to the quantum
-that is stated, for every format and 2000 m above the sea; copies of a tile meet without a crack; the
-cover follows slope and snow line; the haze hides the end of the land; the folder renders as it is,
-moved elsewhere; what does not belong is refused in a sentence.
+Claims: functions, mesh and height field have the heights and normals of the map, each to the
+quantum that is stated, for every format and 2000 m above the sea; copies of a tile meet without a
+crack; the cover follows slope and snow line; the haze hides the end of the land; the folder renders
+as it is, moved elsewhere; options and files that do not belong are refused in a sentence.
 """
 
 import re
@@ -129,8 +129,8 @@ def test_forms_lie_on_the_map(land, form):
 
 
 def test_copies_meet_without_a_crack(land, tmp_path):
-    """A light below the land would shine through a crack along a seam, in rough land too. The camera
-    stands off the axes: POV-Ray's rays pass through the very edge of two triangles."""
+    """A light below the land would shine through a crack along a seam, in rough land too. The
+    camera stands off the axes: POV-Ray's rays pass through the very edge of two triangles."""
     rough = HILLS.replace("shortest_wavelength = 100.0", "")
     land = Land(tmp_path, "--format", land.format, text=rough)
     scene = (
