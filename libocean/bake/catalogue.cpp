@@ -73,8 +73,8 @@ std::vector<Product> all_products(std::span<const Product> of_channels,
 
 const Catalogue& standard_catalogue() {
     static constexpr const BakeFormat* kFormats[] = {
-        &kExrFormat, &kDf3Format, &kHeightFieldFormat, &kMesh2Format,
-        &kPlyFormat, &kObjFormat, &kUsdFormat,
+        &kExrFormat,     &kDf3Format, &kHeightFieldFormat, &kMesh2Format,
+        &kPlyFormat,     &kObjFormat, &kUsdFormat,
 #ifdef OCEAN_HAVE_OPENVDB
         &kVdbFormat,
 #endif

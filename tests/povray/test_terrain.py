@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The folder of a terrain and terrain.inc, as POV-Ray itself reads them.
 
-Claims: functions, mesh and height field have the heights and normals of the map, each to the quantum
-that is stated, for every format and 2000 m above the sea; copies of a tile meet without a crack; the
-cover follows slope and snow line; the haze hides the end of the land; the folder renders as it is,
-moved elsewhere; what does not belong is refused in a sentence.
+Claims: functions, mesh and height field have the heights and normals of the map, each to the
+quantum that is stated, for every format and 2000 m above the sea; copies of a tile meet without a
+crack; the cover follows slope and snow line; the haze hides the end of the land; the folder renders
+as it is, moved elsewhere; options and files that do not belong are refused in a sentence.
 """
 
 import re
@@ -129,8 +129,10 @@ def test_forms_lie_on_the_map(land, form):
 
 
 def test_copies_meet_without_a_crack(land, tmp_path):
-    """A light below the land would shine through a crack along a seam, in rough land too. The camera
-    stands off the axes: POV-Ray's rays pass through the very edge of two triangles."""
+    """A light below the land would shine through a crack along a seam, in rough land too. The
+    camera looks aslant, as a step between two heights is seen only from the side, and stands off
+    the axes. A crack of one cell would be hundreds of pixels; in a hundred thousand rays POV-Ray
+    misses one or two at the edges of triangles, also within a tile."""
     rough = HILLS.replace("shortest_wavelength = 100.0", "")
     land = Land(tmp_path, "--format", land.format, text=rough)
     scene = (
@@ -139,15 +141,15 @@ def test_copies_meet_without_a_crack(land, tmp_path):
 #declare Tile = Terrain_Mesh()
 object { Terrain_Tiles(Tile, 3, 3) pigment { rgb 0 } finish { ambient 0 diffuse 0 } }
 plane { y, -10 pigment { rgb 1 } finish { ambient 0 emission 1 diffuse 0 } }
-camera { orthographic location <1000.0137, 9000, 1000.0373> direction -y up 60*z right 60*x }
+camera { location <850.0137, 2700, 870.0373> look_at <1000, 2000, 1000> angle 40 }
 """
     )
     land.run(scene, width=400, height=400)
-    assert read_png(land.path / "out.png").max() == 0.0
+    assert (read_png(land.path / "out.png") > 0).sum() < 18
     land.run(
         scene.replace("Tiles(Tile, 3, 3)", "Around(Tile, <0, 0, 0>, 2000)"), width=400, height=400
     )
-    assert read_png(land.path / "out.png").max() == 0.0
+    assert (read_png(land.path / "out.png") > 0).sum() < 18
 
 
 # The cover alone, seen from above over one tile: emission shows the albedo.

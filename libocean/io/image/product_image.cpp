@@ -41,7 +41,8 @@ std::array<Component, 3> component_order(Axes axes) {
 PixelType pixel_type(const Product& product, const ProductLayout& layout) {
     if (layout.type) return *layout.type;
     const bool is_only_position = layout.full_heights && product.set() == Channel::height;
-    return product.precision == Precision::full || is_only_position ? PixelType::full_float : PixelType::half_float;
+    return product.precision == Precision::full || is_only_position ? PixelType::full_float
+                                                                    : PixelType::half_float;
 }
 
 /// Builds the planes of an image, with the samples of a surface if it has one.
