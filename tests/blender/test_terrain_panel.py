@@ -93,7 +93,9 @@ def test_every_parameter_is_in_one_panel(terrain):
         listed = resolutions.listed(key) if key in PARAMETERS.resolutions else key
         wanted = {"numbers": 2, "pairs": 2}.get(entry["type"], 1)
         assert shown.count(listed) == (wanted if panels.is_used(settings, entry) else 0), key
-    assert {entry["key"] for entry in PARAMETERS.entries(items=True)} <= set(drawn_by(panels.LayersPanel))
+    assert {entry["key"] for entry in PARAMETERS.entries(items=True)} <= set(
+        drawn_by(panels.LayersPanel)
+    )
 
 
 def test_what_does_not_apply_is_not_there(terrain):
