@@ -239,7 +239,8 @@ std::string domain_lines(const BakePlan& plan) {
     if (plan.subject->kind() == kSeaKind) return "";
     const Domain domain = plan.domain();
     std::string text = "domain";
-    for (const double value : {domain.origin[0], domain.origin[1], domain.size[0], domain.size[1]}) {
+    for (const double value :
+         {domain.origin[0], domain.origin[1], domain.size[0], domain.size[1]}) {
         text += " " + shortest_text(value);
     }
     return text + "\n";

@@ -70,7 +70,7 @@ class StructArray {
 };
 
 inline QueryOptions query_options(std::int32_t resolution, std::int32_t refine, std::int32_t exact,
-                           bool foam) {
+                                  bool foam) {
     return {exact != 0, refine == 0 ? 1 : refine, foam, resolution};
 }
 

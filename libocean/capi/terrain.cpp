@@ -191,13 +191,12 @@ ocean_result ocean_terrain_provenance_json(const ocean_terrain* terrain, const c
     return guarded([&] {
         const Visit visit(terrain, kName);
         const Terrain& open = terrain->land->terrain();
-        auto strings =
-            provenance_strings({.kind = std::string(kTerrainKind),
-                                .text = write_terrain(open),
-                                .frame = 1,
-                                .time = 0.0,
-                                .domain = Domain::tile(open.patch_size),
-                                .backend = std::string(terrain->options.backend.name)});
+        auto strings = provenance_strings({.kind = std::string(kTerrainKind),
+                                           .text = write_terrain(open),
+                                           .frame = 1,
+                                           .time = 0.0,
+                                           .domain = Domain::tile(open.patch_size),
+                                           .backend = std::string(terrain->options.backend.name)});
         if (field != nullptr) {
             const Product* const product[] = {&find_product(field)};
             for (HeaderString& string : product_strings(product, axes_name(axes))) {

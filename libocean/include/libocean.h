@@ -606,8 +606,8 @@ OCEAN_API ocean_result ocean_terrain_parse(const char* toml, size_t length, cons
  * caller frees *out by ocean_terrain_free. */
 OCEAN_API ocean_result ocean_terrain_clone(const ocean_terrain* terrain,
                                            const ocean_options* options, ocean_terrain** out);
-/* ocean_terrain_free frees the terrain and all its memory; waits for a thread that is in it. NULL is
- * allowed. */
+/* ocean_terrain_free frees the terrain and all its memory; waits for a thread that is in it. NULL
+ * is allowed. */
 OCEAN_API void ocean_terrain_free(ocean_terrain* terrain);
 /* ocean_terrain_set sets the parameter `name` ("beta", "terrain.layer.0.gain") from text. A refused
  * value changes nothing. The next call redoes only what the parameter changes: `mean` nothing,

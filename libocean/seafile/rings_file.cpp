@@ -7,7 +7,10 @@
 #include <cmath>
 #include <cstddef>
 
+#include "ocean/elevation_file.hpp"
 #include "ocean/error.hpp"
+#include "ocean/ring_spectrum.hpp"
+#include "ocean/thread_pool.hpp"
 
 namespace ocean {
 
@@ -21,14 +24,23 @@ void validate_rings(const MeasuredRings& rings, const std::string& parameter) {
                rings.density[i] >= 0.0 && std::isfinite(rings.density[i]);
     }
     if (good) return;
-    throw Error(ErrorKind::invalid_value,
-                {.what = "needs 2 .. 4096 ascending wavenumbers above 0 with a density of 0 or more "
-                         "each",
-                 .parameter = parameter});
+    throw Error(
+        ErrorKind::invalid_value,
+        {.what = "needs 2 .. 4096 ascending wavenumbers above 0 with a density of 0 or more "
+                 "each",
+         .parameter = parameter});
 }
 
 MeasuredRings read_measured_rings(const std::string& path) {
-    throw Error(ErrorKind::unsupported, "cannot read '" + path + "'");
+    if (path.ends_with(".csv")) return read_rings(path);
+    const ElevationModel model = read_elevation(path, {.holes = HolePolicy::fill});
+    ThreadPool pool;
+    MeasuredRings rings;
+    for (const Ring& ring : measure_rings(model.domain, model.heights, pool)) {
+        rings.wavenumber.push_back(ring.wavenumber);
+        rings.density.push_back(ring.density);
+    }
+    return rings;
 }
 
 }  // namespace ocean

@@ -58,8 +58,8 @@ std::span<const FileKind> file_kinds() {
     static const std::vector<FileKind> kKinds = [] {
         FileKind sea{sea_table().kind, root_names(sea_table().sections)};
         sea.roots.push_back(kTakeSection);
-        return std::vector<FileKind>{
-            sea, {terrain_table().kind, root_names(terrain_table().sections)}};
+        return std::vector<FileKind>{sea,
+                                     {terrain_table().kind, root_names(terrain_table().sections)}};
     }();
     return kKinds;
 }

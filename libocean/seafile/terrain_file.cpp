@@ -78,11 +78,11 @@ class TerrainReader {
         if (section != kTerrainKind || entry.key != kRingsTable || table == nullptr) return false;
         auto wavenumber = numbers_at(*table, kWavenumber), density = numbers_at(*table, kDensity);
         if (!wavenumber || !density || table->size() != 2) {
-            throw reader_.file().fail(
-                entry.line, {.what = "is not a measured spectrum",
-                             .parameter = "terrain." + std::string(kRingsTable),
-                             .value = shown(*entry.node),
-                             .allowed = "wavenumber and density, two lists of numbers"});
+            throw reader_.file().fail(entry.line,
+                                      {.what = "is not a measured spectrum",
+                                       .parameter = "terrain." + std::string(kRingsTable),
+                                       .value = shown(*entry.node),
+                                       .allowed = "wavenumber and density, two lists of numbers"});
         }
         MeasuredRings rings{*std::move(wavenumber), *std::move(density)};
         try {
@@ -133,8 +133,7 @@ std::vector<std::string> named_files(const Terrain& terrain) {
     return {terrain.measured};
 }
 
-Terrain parse_terrain(std::string_view toml, const std::string& name,
-                      const std::string& base_dir) {
+Terrain parse_terrain(std::string_view toml, const std::string& name, const std::string& base_dir) {
     return TerrainReader(name, base_dir).read(toml);
 }
 

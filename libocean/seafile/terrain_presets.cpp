@@ -52,7 +52,8 @@ Preset seed_fbm(const std::string& name, double beta, const std::string& words) 
     return make_preset(
         name, "fractional Brownian terrain with beta = " + to_text(beta) + ", " + words,
         "The classic way: white noise, its Fourier transform, a filter 1 / f^beta, and back. Here\n"
-        "the mean is 0, the rms height is what the file says at any resolution, and the noise of a\n"
+        "the mean is 0, the rms height is what the file says at any resolution, and the noise of "
+        "a\n"
         "wave depends on its index alone. `ocean terrain --stage` shows each step.",
         terrain);
 }
@@ -123,7 +124,8 @@ Preset jacksboro() {
     terrain.outer_scale = 24000.0;
     return make_preset(
         "jacksboro", "wooded hills: slopes of 13 degrees in the middle, 28 at the steepest",
-        "The broken law fitted to an elevation model of the Jacksboro fault in Tennessee, cells of\n"
+        "The broken law fitted to an elevation model of the Jacksboro fault in Tennessee, cells "
+        "of\n"
         "3 seconds of arc: exponents 1.33 and 2.59, break at 1130 m, within 0.06 of log10 of the\n"
         "density. The rms height gives the model's median slope of 13 degrees.",
         terrain);
@@ -154,7 +156,8 @@ const Preset& find_terrain_preset(std::string_view name) {
         allowed += (allowed.empty() ? "" : ", ") + preset.name;
     }
     throw Error(ErrorKind::not_found, "no terrain preset is called '" + text::printable(name) +
-                                          "'" + did_you_mean(name, names) + "; allowed: " + allowed);
+                                          "'" + did_you_mean(name, names) +
+                                          "; allowed: " + allowed);
 }
 
 }  // namespace ocean

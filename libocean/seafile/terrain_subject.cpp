@@ -115,9 +115,7 @@ class TerrainSubject final : public Subject {
 
     ChannelSet channels() const override { return kTerrainChannels; }
     int default_resolution() const override { return terrain_.resolution; }
-    Domain domain(int resolution) const override {
-        return domain_of(terrain_, tiles_, resolution);
-    }
+    Domain domain(int resolution) const override { return domain_of(terrain_, tiles_, resolution); }
     double shortest_wave(int resolution) const override {
         const Lattice lattice{std::min(resolution, terrain_.resolution), terrain_.patch_size};
         return std::max(terrain_.shortest_wavelength, lattice.shortest_wavelength());

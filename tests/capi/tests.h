@@ -56,6 +56,10 @@
     TEST(bad_spray_requests_are_refused_and_write_nothing)      \
     TEST(foam_textures_are_uniform)                             \
     TEST(bad_foam_textures_are_refused_and_write_nothing)       \
+    TEST(terrains_fill_the_buffers_of_seas)                     \
+    TEST(terrains_answer_about_points)                          \
+    TEST(terrains_are_described_and_written)                    \
+    TEST(bad_terrain_calls_are_refused_and_write_nothing)       \
     TEST(handles_in_two_threads_give_equal_bits)                \
     TEST(a_host_runs_the_jobs_on_its_own_threads)               \
     TEST(errors_are_kept_per_thread)                            \

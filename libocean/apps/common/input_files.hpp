@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The input files of a command, which it must not overwrite: the user's sea or terrain, its spectra, a table
-// of points.
+// The input files of a command, which it must not overwrite: the user's sea or terrain, its
+// spectra, a table of points.
 #pragma once
 
 #include <string>

@@ -54,12 +54,13 @@ void assign(Terrain& terrain, const std::string& assignment) {
 }  // namespace
 
 OptionGroup terrain_options(TerrainArgument& argument, bool required) {
-    return {"Terrain",
-            {{"TERRAIN", &argument.source, "",
-              "A terrain file, - for standard input, a file that was baked from one, or preset:NAME",
-              required},
-             {"--set", &argument.assignments, "NAME=VALUE",
-              "Change a parameter, such as beta=2.2 or layer.0.gain=0.5; may be repeated"}}};
+    return {
+        "Terrain",
+        {{"TERRAIN", &argument.source, "",
+          "A terrain file, - for standard input, a file that was baked from one, or preset:NAME",
+          required},
+         {"--set", &argument.assignments, "NAME=VALUE",
+          "Change a parameter, such as beta=2.2 or layer.0.gain=0.5; may be repeated"}}};
 }
 
 Terrain open_terrain(const TerrainArgument& argument) {

@@ -30,9 +30,8 @@ int run_ocean(int argc, char** argv, const Catalogue& catalogue) {
               .footer = kFooter},
          .version = "ocean " OCEAN_VERSION "\n" OCEAN_LIBRARY_VERSIONS,
          .commands = {info_command(), bake_command(catalogue), terrain_command(catalogue),
-                      povray_command(), query_command(),
-                      gauge_command(), foam_texture_command(), spectrum_command(),
-                      records_command(), params_command(), presets_command()}});
+                      povray_command(), query_command(), gauge_command(), foam_texture_command(),
+                      spectrum_command(), records_command(), params_command(), presets_command()}});
 }
 
 }  // namespace ocean::app

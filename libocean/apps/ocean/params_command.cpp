@@ -20,8 +20,8 @@ std::vector<ListedParameter> rows_of(const std::string& kind) {
     if (kind.empty() || kind == kSeaKind) return listed(sea_table());
     if (kind == kTerrainKind) return listed(terrain_table());
     constexpr std::string_view kKinds[] = {kSeaKind, kTerrainKind};
-    throw Error(ErrorKind::invalid_value, "params " + kind + ": allowed are sea and terrain" +
-                                              did_you_mean(kind, kKinds));
+    throw Error(ErrorKind::invalid_value,
+                "params " + kind + ": allowed are sea and terrain" + did_you_mean(kind, kKinds));
 }
 
 }  // namespace

@@ -35,8 +35,7 @@ std::string presets_text() {
     for (const PresetList& list : preset_lists()) {
         text += (text.empty() ? "" : "\n") + std::string(list.title) + "\n";
         for (const Preset& preset : list.presets) {
-            text +=
-                format_text("  %-14s%s\n", preset.name.c_str(), preset.description.c_str());
+            text += format_text("  %-14s%s\n", preset.name.c_str(), preset.description.c_str());
         }
     }
     return text;

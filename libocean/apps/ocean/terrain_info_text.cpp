@@ -30,9 +30,9 @@ std::string law_text(const Terrain& terrain) {
         return row("Law", format_text("measured, %zu rings: %s", terrain.rings->wavenumber.size(),
                                       terrain.measured.c_str()));
     }
-    std::string text = row("Beta", format_text("%g (of amplitude; density k^-%g, H = %g, D = %g)",
-                                               terrain.beta, 2.0 * terrain.beta, terrain.beta - 1.0,
-                                               4.0 - terrain.beta));
+    std::string text =
+        row("Beta", format_text("%g (of amplitude; density k^-%g, H = %g, D = %g)", terrain.beta,
+                                2.0 * terrain.beta, terrain.beta - 1.0, 4.0 - terrain.beta));
     for (const auto& [wavelength, exponent] : terrain.breaks) {
         text += row("", format_text("%g below %g m", exponent, wavelength));
     }
@@ -46,11 +46,11 @@ std::string octaves_text(const TerrainState& state) {
         const std::string exponent = std::isnan(octave.exponent.resolved)
                                          ? "-"
                                          : format_text("%.2f", octave.exponent.resolved);
-        text += format_text(
-            "%-24s%-16s%-16s%-16s%s\n", format_text("%.4g m", octave.longest_wave).c_str(),
-            format_text("%.4g m", octave.rms.asked).c_str(),
-            format_text("%.4g m", octave.rms.resolved).c_str(),
-            format_text("%.2f", octave.exponent.asked).c_str(), exponent.c_str());
+        text += format_text("%-24s%-16s%-16s%-16s%s\n",
+                            format_text("%.4g m", octave.longest_wave).c_str(),
+                            format_text("%.4g m", octave.rms.asked).c_str(),
+                            format_text("%.4g m", octave.rms.resolved).c_str(),
+                            format_text("%.2f", octave.exponent.asked).c_str(), exponent.c_str());
     }
     return text;
 }

@@ -61,10 +61,11 @@ class PackedModes::Packing {
     }
 
     /// Packs a block. `dense`: from dense_block or from another block.
-    void pack(int block, const ModeGroup* groups, std::vector<float>& dense, float* packets) const {
+    void pack(int block, const ModeGroup* groups, Numbers numbers, std::vector<float>& dense,
+              float* packets) const {
         // One cascade has the same places in every block and overwrites them.
         if (modes_.cascades.size() > 1) std::fill(dense.begin(), dense.end(), 0.0f);
-        for (std::size_t c = 0; c < modes_.cascades.size(); ++c) gather(c, block, dense);
+        for (std::size_t c = 0; c < modes_.cascades.size(); ++c) gather(c, block, numbers, dense);
         const auto row = [&](Number number, std::size_t kx) {
             return dense.data() +
                    (static_cast<std::size_t>(number) * static_cast<std::size_t>(size_) + kx) *
@@ -82,6 +83,10 @@ class PackedModes::Packing {
                 const auto kx = kx_of(j, i);
                 append(kPRe, kQIm, kx.first);
                 append(kPRe, kQIm, kx.second);
+                if (numbers == Numbers::amplitudes) {
+                    to += (j == 0 ? 2 : 1) * (kNumbers - kRateHigh) * lanes_;
+                    continue;
+                }
                 // Either of a pair may be missing on a lattice, but then it has no energy.
                 append(kRateHigh, kDisplacement, kx.first);
                 if (j == 0) append(kRateHigh, kDisplacement, kx.second);
@@ -131,21 +136,21 @@ class PackedModes::Packing {
     }
 
     /// Puts the modes of one cascade in place, in tiles that stay in L1 while all lanes write.
-    void gather(std::size_t number, int block, std::vector<float>& dense) const {
+    void gather(std::size_t number, int block, Numbers numbers, std::vector<float>& dense) const {
         constexpr int kTile = 64;
         const CascadeModes& cascade = modes_.cascades[number];
         const int half = modes_.half(cascade);
         const std::vector<LaneRow> rows = rows_in(cascade, block);
         for (int n = -half + 1; n < half; n += kTile) {
             for (const LaneRow& row : rows) {
-                gather_row(number, row, n, std::min(n + kTile, half), dense);
+                gather_row(number, row, n, std::min(n + kTile, half), numbers, dense);
             }
         }
     }
 
     /// Gathers kx = first .. last - 1 of one lane.
     void gather_row(std::size_t number, const LaneRow& lane_row, int first, int last,
-                    std::vector<float>& dense) const {
+                    Numbers numbers, std::vector<float>& dense) const {
         const CascadeModes& cascade = modes_.cascades[number];
         const int width = cascade.lattice.resolution;
         const int stride = modes_.stride(cascade);
@@ -165,9 +170,11 @@ class PackedModes::Packing {
             float* to = dense.data() +
                         static_cast<std::size_t>(fft_index(n * stride, size_)) * lanes +
                         static_cast<std::size_t>(lane_row.lane);
-            to[kRateHigh * plane] = cascade.rate_high[at];
-            to[kRateLow * plane] = cascade.rate_low[at];
-            to[kDisplacement * plane] = scale.displacement * cascade.displacement[at];
+            if (numbers == Numbers::all) {
+                to[kRateHigh * plane] = cascade.rate_high[at];
+                to[kRateLow * plane] = cascade.rate_low[at];
+                to[kDisplacement * plane] = scale.displacement * cascade.displacement[at];
+            }
             // The bands share no mode: of the cascades that have this one, one has its energy.
             if (!alone && a == 0.0f && b == 0.0f) continue;
             to[kPRe * plane] = a.real() + b.real();
@@ -195,7 +202,8 @@ PackedModes::PackedModes(const MapModes& modes, ThreadPool& pool, SimdLevel leve
     const int lanes = kernel_code(level).lanes;
     const Packing packing(modes, factor, lanes);
     packets_ = PageVector<float>(packing.lay_out(columns_ / lanes, groups_));
-    pack_all(packing, pool);
+    if (!factor) lattice_revision_ = modes.lattice_revision;
+    pack_all(packing, Numbers::all, pool);
 }
 
 bool PackedModes::refill(const MapModes& modes, ThreadPool& pool, const ModeFactor& factor) {
@@ -210,18 +218,20 @@ bool PackedModes::refill(const MapModes& modes, ThreadPool& pool, const ModeFact
     if (groups != groups_) return false;
     rate_unit_ = modes.rate_unit;
     wavenumber_step_ = modes.wavenumber_step();
-    pack_all(packing, pool);
+    const bool same_lattice = !factor && modes.lattice_revision == lattice_revision_;
+    lattice_revision_ = factor ? Revision() : modes.lattice_revision;
+    pack_all(packing, same_lattice ? Numbers::amplitudes : Numbers::all, pool);
     return true;
 }
 
-void PackedModes::pack_all(const Packing& packing, ThreadPool& pool) {
+void PackedModes::pack_all(const Packing& packing, Numbers numbers, ThreadPool& pool) {
     const auto groups_per_block = static_cast<std::size_t>(size_ / first_factor(size_) / 2);
     std::vector<std::vector<float>> dense(static_cast<std::size_t>(pool.size()));
     pool.for_each_item(columns_ / kernel_code(level_).lanes, [&](int block, int thread) {
         std::vector<float>& mine = dense[static_cast<std::size_t>(thread)];
         if (mine.empty()) mine = packing.dense_block();
         packing.pack(block, groups_.data() + static_cast<std::size_t>(block) * groups_per_block,
-                     mine, packets_.data());
+                     numbers, mine, packets_.data());
     });
 }
 

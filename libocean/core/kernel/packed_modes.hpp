@@ -30,7 +30,8 @@ class PackedModes {
                 const ModeFactor& factor = {});
 
     /// Packs other modes into the same memory. Returns false and changes nothing if their lattices
-    /// or the map differ.
+    /// or the map differ. Modes with the lattice revision of those packed before keep their rates
+    /// and displacements there, which are more than half of what is read.
     bool refill(const MapModes& modes, ThreadPool& pool, const ModeFactor& factor = {});
 
     SimdLevel level() const { return level_; }
@@ -44,13 +45,16 @@ class PackedModes {
 
   private:
     class Packing;
-    void pack_all(const Packing& packing, ThreadPool& pool);
+    /// The numbers of a mode that are packed: all, or its amplitudes alone.
+    enum class Numbers { all, amplitudes };
+    void pack_all(const Packing& packing, Numbers numbers, ThreadPool& pool);
 
     SimdLevel level_;
     int size_;
     int columns_;
     double rate_unit_;
     double wavenumber_step_;
+    Revision lattice_revision_;  // of the rates and displacements; none if they were scaled
     std::vector<ModeGroup> groups_;
     PageVector<float> packets_;
 };

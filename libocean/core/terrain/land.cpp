@@ -28,9 +28,9 @@ void require_terrain_channels(std::span<const MapOutput> outputs) {
     for (int c = 0; c < kChannelCount; ++c) {
         const auto channel = static_cast<Channel>(c);
         if (kTerrainChannels.contains(channel) || !channels_of(outputs).contains(channel)) continue;
-        throw Error(ErrorKind::unsupported,
-                    "a terrain has no channel " + std::string(channel_info(channel).name) +
-                        "; it has height, normals and slopes");
+        throw Error(ErrorKind::unsupported, "a terrain has no channel " +
+                                                std::string(channel_info(channel).name) +
+                                                "; it has height, normals and slopes");
     }
 }
 

@@ -151,8 +151,8 @@ double TerrainLaw::exponent(double k) const {
         double sum = 0.0;
         for (int i = 0; i < kDirections; ++i) {
             const double theta = kTwoPi * i / kDirections;
-            const double k_scaled = std::sqrt(
-                scaled_square(at * std::cos(theta), at * std::sin(theta)));
+            const double k_scaled =
+                std::sqrt(scaled_square(at * std::cos(theta), at * std::sin(theta)));
             const double turned = ridge_turns_ ? 1.0 + ridge(k_scaled) * turning(theta) : 1.0;
             sum += radial(k_scaled) * turned;
         }
@@ -163,25 +163,38 @@ double TerrainLaw::exponent(double k) const {
 
 namespace {
 
-constexpr int kOctaveBits = 10;
-constexpr int kShift = 52 - kOctaveBits;
-
-std::int64_t cell_of(double square) {
-    return std::bit_cast<std::int64_t>(square) >> kShift;
-}
+constexpr int kShift = 52 - WavenumberCells::kOctaveBits;
 
 }  // namespace
 
+WavenumberCells::Place WavenumberCells::place_of(double square) {
+    constexpr std::uint64_t kBelow = (std::uint64_t{1} << kShift) - 1;
+    const auto bits = std::bit_cast<std::int64_t>(square);
+    // The bits below the cell's own, as a double without a conversion of 64 bits: 1.xxx - 1.
+    constexpr std::int64_t kOne = std::int64_t{1023} << 52;
+    const std::int64_t below = (bits & static_cast<std::int64_t>(kBelow)) << kOctaveBits;
+    return {bits >> kShift, std::bit_cast<double>(kOne | below) - 1.0};
+}
+
+double WavenumberCells::begin_of(std::int64_t cell) {
+    return std::bit_cast<double>(cell << kShift);
+}
+
 TerrainAmplitudes::TerrainAmplitudes(const TerrainLaw& law, double min_k, double max_k)
-    : law_(law), turns_(law.anisotropy_ != 1.0 || law.ridge_turns_) {
-    const double stretch = law.anisotropy_;
-    first_ = cell_of(min_k * min_k / stretch);
-    const std::int64_t last = cell_of(max_k * max_k * stretch) + 1;
+    : law_(law),
+      turns_(law.anisotropy_ != 1.0 || law.ridge_turns_),
+      min_k_(min_k),
+      max_k_(max_k),
+      first_(WavenumberCells::place_of(min_k * min_k / law.anisotropy_).cell) {
+    const std::int64_t last = WavenumberCells::place_of(max_k * max_k * law.anisotropy_).cell + 1;
     table_.reserve(static_cast<std::size_t>(last - first_ + 1));
     for (std::int64_t cell = first_; cell <= last; ++cell) {
-        const double square = std::bit_cast<double>(cell << kShift);
-        table_.push_back(std::sqrt(law.radial(std::sqrt(square))));
+        table_.push_back(std::sqrt(law.radial(std::sqrt(WavenumberCells::begin_of(cell)))));
     }
+}
+
+bool TerrainAmplitudes::has_limits() const {
+    return law_.min_k_ > min_k_ || law_.max_k_ < max_k_;
 }
 
 double TerrainAmplitudes::operator()(double kx, double ky) const {
@@ -190,15 +203,28 @@ double TerrainAmplitudes::operator()(double kx, double ky) const {
         return 0.0;
     }
     const double square = turns_ ? law_.scaled_square(kx, ky) : own;
-    const auto bits = std::bit_cast<std::uint64_t>(square);
-    constexpr std::uint64_t kBelow = (std::uint64_t{1} << kShift) - 1;
-    // The part of the cell, by the bits below its own.
-    const double part = static_cast<double>(bits & kBelow) * (1.0 / (kBelow + 1));
-    const auto at = static_cast<std::size_t>(cell_of(square) - first_);
+    const auto [cell, part] = WavenumberCells::place_of(square);
+    const auto at = static_cast<std::size_t>(cell - first_);
     const double amplitude = table_[at] + part * (table_[at + 1] - table_[at]);
     if (!law_.ridge_turns_) return amplitude;
     const double k = std::sqrt(square);
     return amplitude * std::sqrt(1.0 + law_.ridge(k) * law_.turning(std::atan2(ky, kx)));
+}
+
+void TerrainAmplitudes::row(double dk, double ky, std::span<double> row) const {
+    if (turns_ || has_limits()) {
+        for (std::size_t n = 0; n < row.size(); ++n)
+            row[n] = (*this)(static_cast<double>(n) * dk, ky);
+        return;
+    }
+    const double* const table = table_.data();
+    for (std::size_t n = ky == 0.0 ? 1 : 0; n < row.size(); ++n) {
+        const double kx = static_cast<double>(n) * dk;
+        const auto [cell, part] = WavenumberCells::place_of(kx * kx + ky * ky);
+        const double* const at = table + (cell - first_);
+        row[n] = at[0] + part * (at[1] - at[0]);
+    }
+    if (ky == 0.0) row[0] = 0.0;
 }
 
 }  // namespace ocean

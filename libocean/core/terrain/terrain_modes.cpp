@@ -25,8 +25,7 @@ struct NoiseSource {
 };
 
 std::vector<NoiseSource> noise_sources(const Terrain& terrain) {
-    std::vector<NoiseSource> sources = {
-        {terrain.seed, noise_stream(NoiseStream::terrain), 1, 1.0}};
+    std::vector<NoiseSource> sources = {{terrain.seed, noise_stream(NoiseStream::terrain), 1, 1.0}};
     for (const TerrainLayer& layer : terrain.layers) {
         sources.push_back({layer.seed, noise_stream(NoiseStream::terrain, 1),
                            static_cast<int>(std::lround(terrain.patch_size / layer.period)),
@@ -50,6 +49,7 @@ void add_noise(const NoiseSource& source, int m, std::span<std::complex<float>> 
 
 TerrainNoise::TerrainNoise(const Terrain& terrain, ThreadPool& pool)
     : resolution_(terrain.resolution),
+      wavenumber_step_(lattice_of(terrain).wavenumber_step()),
       values_(lattice_of(terrain).size() / 2) {
     const std::vector<NoiseSource> sources = noise_sources(terrain);
     const int half = resolution_ / 2;
@@ -65,6 +65,64 @@ TerrainNoise::TerrainNoise(const Terrain& terrain, ThreadPool& pool)
             if (m <= 0) row[0] = {};  // the mean, and the mirrored half of n = 0
         }
     });
+    add_moments();
+}
+
+void TerrainNoise::add_moments() {
+    const double dk = wavenumber_step_;
+    first_cell_ = WavenumberCells::place_of(dk * dk).cell;
+    const auto last = WavenumberCells::place_of(dk * dk * resolution_ * resolution_).cell;
+    moments_.resize(static_cast<std::size_t>(last - first_cell_ + 1));
+    const int half = resolution_ / 2;
+    for (int m = 1 - half; m < half; ++m) {
+        const std::span g = row(m);
+        const double ky = m * dk;
+        for (std::size_t n = m <= 0 ? 1 : 0; n < g.size(); ++n) {
+            const double kx = static_cast<double>(n) * dk;
+            const auto [cell, part] = WavenumberCells::place_of(kx * kx + ky * ky);
+            const double re = g[n].real(), im = g[n].imag();
+            const double square = re * re + im * im;
+            auto& sums = moments_[static_cast<std::size_t>(cell - first_cell_)].sums;
+            sums[0] += square;
+            sums[1] += square * part;
+            sums[2] += square * part * part;
+        }
+    }
+}
+
+double TerrainNoise::energy(const TerrainAmplitudes& amplitude, ThreadPool& pool) const {
+    if (!amplitude.turns() && !amplitude.has_limits()) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < moments_.size(); ++i) {
+            const auto& [sums] = moments_[i];
+            if (sums[0] == 0.0) continue;
+            const std::int64_t cell = first_cell_ + static_cast<std::int64_t>(i);
+            const double begin = amplitude.at_cell(cell);
+            const double rise = amplitude.at_cell(cell + 1) - begin;
+            sum += begin * begin * sums[0] + 2.0 * begin * rise * sums[1] + rise * rise * sums[2];
+        }
+        return sum;
+    }
+    const double dk = wavenumber_step_;
+    std::vector<double> rows(static_cast<std::size_t>(resolution_));
+    pool.for_each_range(resolution_, [&](int first, int last) {
+        std::vector<double> a(static_cast<std::size_t>(resolution_ / 2));
+        for (int index = first; index < last; ++index) {
+            const int m = signed_wavenumber(index, resolution_);
+            if (m == -resolution_ / 2) continue;
+            const std::span g = row(m);
+            amplitude.row(dk, m * dk, a);
+            double sum = 0.0;
+            for (std::size_t n = 0; n < g.size(); ++n) {
+                const double re = g[n].real(), im = g[n].imag();
+                sum += a[n] * a[n] * (re * re + im * im);
+            }
+            rows[static_cast<std::size_t>(index)] = sum;
+        }
+    });
+    double sum = 0.0;
+    for (const double row : rows) sum += row;
+    return sum;
 }
 
 std::span<const std::complex<float>> TerrainNoise::row(int m) const {
@@ -91,30 +149,58 @@ Modes empty_terrain_modes(const Terrain& terrain) {
 
 namespace {
 
-/// Returns sum |h(k)|^2 over both half planes for gain 1 [m^2], row by row in double, so that it
-/// does not depend on the number of threads.
-double energy(const TerrainNoise& noise, const TerrainAmplitudes& amplitude, double dk,
-              ThreadPool& pool) {
-    const int size = noise.resolution();
-    std::vector<double> rows(static_cast<std::size_t>(size));
-    pool.for_each_range(size, [&](int first, int last) {
-        for (int index = first; index < last; ++index) {
-            const int m = signed_wavenumber(index, size);
-            const std::span g = noise.row(m);
-            double sum = 0.0;
-            for (std::size_t n = 0; n < g.size(); ++n) {
-                const double a = amplitude(static_cast<double>(n) * dk, m * dk);
-                const double re = g[n].real(), im = g[n].imag();
-                sum += a * a * (re * re + im * im);
-            }
-            rows[static_cast<std::size_t>(index)] = sum;
+/// Writes h0 of the rows m and -m: h(n, m), and its mirror h(-n, -m) = conj h(n, m).
+class RowWriter {
+  public:
+    RowWriter(const TerrainNoise& noise, const TerrainAmplitudes& amplitude, double factor,
+              double dk, std::complex<float>* h0)
+        : noise_(noise),
+          amplitude_(amplitude),
+          factor_(factor),
+          dk_(dk),
+          h0_(h0),
+          a_(static_cast<std::size_t>(noise.resolution() / 2)) {}
+
+    /// Writes both rows of a wave index m >= 0.
+    void write(int m) {
+        amplitudes(m);
+        write_one(m);
+        if (m == 0) return;
+        if (amplitude_.turns()) amplitudes(-m);
+        write_one(-m);
+    }
+
+  private:
+    void amplitudes(int m) {
+        amplitude_.row(dk_, m * dk_, a_);
+        for (double& a : a_) a *= factor_;
+    }
+
+    void write_one(int m) const {
+        const int size = noise_.resolution();
+        const std::span g = noise_.row(m);
+        std::complex<float>* const right = h0_ + mode_index(0, m, size);
+        std::complex<float>* const mirror = h0_ + mode_index(0, -m, size) + size;
+        for (std::size_t n = 1; n < g.size(); ++n) {
+            const auto re = static_cast<float>(a_[n] * static_cast<double>(g[n].real()));
+            const auto im = static_cast<float>(a_[n] * static_cast<double>(g[n].imag()));
+            right[n] = {re, im};
+            mirror[-static_cast<std::ptrdiff_t>(n)] = {re, -im};
         }
-    });
-    double sum = 0.0;
-    for (const double row : rows) sum += row;
-    // |h|^2 = S / 2 |g|^2 dk^2, and each mode has a mirror.
-    return sum * dk * dk;
-}
+        if (m <= 0) return;
+        const std::complex<float> h = {static_cast<float>(a_[0] * g[0].real()),
+                                       static_cast<float>(a_[0] * g[0].imag())};
+        right[0] = h;
+        h0_[mode_index(0, -m, size)] = std::conj(h);
+    }
+
+    const TerrainNoise& noise_;
+    const TerrainAmplitudes& amplitude_;
+    double factor_;
+    double dk_;
+    std::complex<float>* h0_;
+    std::vector<double> a_;
+};
 
 }  // namespace
 
@@ -122,34 +208,18 @@ TerrainScale set_terrain_modes(const Terrain& terrain, const TerrainNoise& noise
                                std::optional<double> rms, ThreadPool& pool, Modes& modes) {
     const int size = noise.resolution();
     const double dk = kTwoPi / terrain.patch_size;
-    const TerrainLaw law(terrain);
-    const TerrainAmplitudes amplitude(law, dk, dk * size);
-    const double own_rms = std::sqrt(energy(noise, amplitude, dk, pool));
+    const TerrainAmplitudes amplitude(TerrainLaw(terrain), dk, dk * size);
+    // |h|^2 = S / 2 |g|^2 dk^2, and each mode has a mirror.
+    const double own_rms = dk * std::sqrt(noise.energy(amplitude, pool));
     TerrainScale scale{1.0, own_rms};
     if (rms) scale = {own_rms > 0.0 ? *rms / own_rms : 0.0, own_rms > 0.0 ? *rms : 0.0};
 
     constexpr double kRootHalf = 0.70710678118654752;
     const double factor = 0.5 * kRootHalf * dk * scale.gain;
-    PageVector<std::complex<float>>& h0 = modes.cascades.front().h0;
-    pool.for_each_range(size, [&](int first, int last) {
-        for (int index = first; index < last; ++index) {
-            const int m = signed_wavenumber(index, size);
-            const std::span g = noise.row(m);
-            std::complex<float>* const right = &h0[mode_index(0, m, size)];
-            std::complex<float>* const mirror = &h0[mode_index(0, -m, size)];
-            for (std::size_t n = 0; n < g.size(); ++n) {
-                const double a = factor * amplitude(static_cast<double>(n) * dk, m * dk);
-                const std::complex<float> h = {static_cast<float>(a * g[n].real()),
-                                               static_cast<float>(a * g[n].imag())};
-                if (n > 0) {
-                    right[n] = h;
-                    mirror[static_cast<std::size_t>(size) - n] = std::conj(h);
-                } else if (m > 0) {
-                    right[0] = h;
-                    mirror[0] = std::conj(h);
-                }
-            }
-        }
+    std::complex<float>* const h0 = modes.cascades.front().h0.data();
+    pool.for_each_range(size / 2, [&](int first, int last) {
+        RowWriter writer(noise, amplitude, factor, dk, h0);
+        for (int m = first; m < last; ++m) writer.write(m);
     });
     modes.revision = Revision::begin();
     return scale;

@@ -43,15 +43,16 @@ std::vector<RingSum> ring_sums(const Terrain& terrain, const Modes& modes,
     const CascadeModes& tile = modes.cascades.front();
     double layers = 1.0;  // the energy of all tiles, relative to the first
     for (const TerrainLayer& layer : terrain.layers) layers += layer.gain * layer.gain;
-    std::vector<RingSum> rings(static_cast<std::size_t>(
-        std::ceil(kRingsPerOctave * std::log2(0.75 * static_cast<double>(size)))) + 1);
+    std::vector<RingSum> rings(static_cast<std::size_t>(std::ceil(
+                                   kRingsPerOctave * std::log2(0.75 * static_cast<double>(size)))) +
+                               1);
     const int half = size / 2;
     for (int m = 1 - half; m < half; ++m) {
         for (int n = 1 - half; n < half; ++n) {
             if (n == 0 && m == 0) continue;
             const double index = std::hypot(n, m);
-            RingSum& ring = rings[static_cast<std::size_t>(
-                kRingsPerOctave * std::log2(index) + 1e-9)];
+            RingSum& ring =
+                rings[static_cast<std::size_t>(kRingsPerOctave * std::log2(index) + 1e-9)];
             const double a = scale.gain * dk * amplitude(n * dk, m * dk);
             const double energy =
                 4.0 * std::norm(std::complex<double>(tile.h0[mode_index(n, m, size)]));
@@ -114,8 +115,8 @@ std::vector<TerrainOctave> octaves_of(const Terrain& terrain, std::span<const Ri
     const int octaves = std::bit_width(static_cast<unsigned>(terrain.resolution)) - 2;
     std::vector<TerrainOctave> result;
     for (int octave = 0; octave < octaves; ++octave) {
-        const auto part = rings.subspan(static_cast<std::size_t>(octave) * kRingsPerOctave,
-                                        kRingsPerOctave);
+        const auto part =
+            rings.subspan(static_cast<std::size_t>(octave) * kRingsPerOctave, kRingsPerOctave);
         TerrainOctave row;
         row.longest_wave = terrain.patch_size / std::exp2(octave);
         for (const RingSum& ring : part) {
@@ -157,8 +158,9 @@ void add_warnings(const Terrain& terrain, TerrainState& state) {
         }
     }
     if (!state.octaves.empty() && state.octaves.back().rms.asked > 0.25 * state.rms.asked) {
-        warn("more than a quarter of the rms height is in waves of two to four samples: the land "
-             "will look like noise; a larger beta or more resolution is smoother");
+        warn(
+            "more than a quarter of the rms height is in waves of two to four samples: the land "
+            "will look like noise; a larger beta or more resolution is smoother");
     }
 }
 

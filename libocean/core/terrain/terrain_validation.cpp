@@ -14,10 +14,9 @@ namespace {
 
 [[noreturn]] void refuse(const char* parameter, const ParameterValue& value, const char* what,
                          const std::string& allowed) {
-    throw Error(ErrorKind::invalid_value, {.what = what,
-                                           .parameter = parameter,
-                                           .value = quoted_text(value),
-                                           .allowed = allowed});
+    throw Error(
+        ErrorKind::invalid_value,
+        {.what = what, .parameter = parameter, .value = quoted_text(value), .allowed = allowed});
 }
 
 void validate_range(const Terrain& terrain) {

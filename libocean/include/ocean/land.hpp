@@ -32,8 +32,8 @@ struct LandOptions {
 };
 
 /// The channels of a terrain, which has no displacement.
-inline constexpr ChannelSet kTerrainChannels = {Channel::height, Channel::nx,      Channel::ny,
-                                                Channel::nz,     Channel::slope_x, Channel::slope_y};
+inline constexpr ChannelSet kTerrainChannels = {
+    Channel::height, Channel::nx, Channel::ny, Channel::nz, Channel::slope_x, Channel::slope_y};
 
 /// How often each stage of a terrain ran, for tests and tools.
 struct TerrainRuns {
@@ -57,7 +57,8 @@ class Land {
     const Terrain& terrain() const;
     /// Replaces the terrain. Throws Error invalid_value and changes nothing if it is not valid.
     void set_terrain(Terrain terrain);
-    /// Sets one parameter from text. Throws as set_parameter and validate, and changes nothing then.
+    /// Sets one parameter from text. Throws as set_parameter and validate, and changes nothing
+    /// then.
     void set(std::string_view name, std::string_view value);
 
     /// Returns the modes, without the mean height.

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The spectrum of measured land as a table: the mean density in rings of the wavenumber plane. Files
-// of rings are CSV with the columns `wavenumber` [rad/m] and `density` [m^4]; further columns, such
-// as `count`, `model` and `residual`, are for people and are not read.
+// The spectrum of measured land as a table: the mean density in rings of the wavenumber plane.
+// Files of rings are CSV with the columns `wavenumber` [rad/m] and `density` [m^4]; further
+// columns, such as `count`, `model` and `residual`, are for people and are not read.
 #pragma once
 
 #include <cstddef>
@@ -26,8 +26,8 @@ struct MeasuredRings {
 };
 
 /// Reads a file of rings (library ocean::seafile). Throws Error bad_file "PATH:LINE: ..." unless it
-/// has kMinRings .. kMaxRings rows, the wavenumbers are positive and increase, and the densities are
-/// finite, at least 0 and not all 0.
+/// has kMinRings .. kMaxRings rows, the wavenumbers are positive and increase, and the densities
+/// are finite, at least 0 and not all 0.
 MeasuredRings read_rings(const std::string& path);
 /// Reads the text of such a file; `name` stands for the path in messages. Throws as read_rings.
 MeasuredRings parse_rings(std::string_view text, const std::string& name);

@@ -59,7 +59,8 @@ struct Terrain {
     std::string measured;
     std::vector<TerrainLayer> layers;
 
-    /// The rings of `measured`, read by ocean::seafile. Shared and never modified. Not in the table.
+    /// The rings of `measured`, read by ocean::seafile. Shared and never modified. Not in the
+    /// table.
     std::shared_ptr<const MeasuredRings> rings;
 
     /// Returns true if the heights keep the rms of the measured spectrum.

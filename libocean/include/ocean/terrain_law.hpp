@@ -16,7 +16,9 @@
 // terrain_law_test.cpp.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "ocean/terrain.hpp"
@@ -42,9 +44,9 @@ class TerrainLaw {
   private:
     friend class TerrainAmplitudes;
 
-    double radial(double k) const;        // P, with ridges that have no direction
-    double ridge(double k) const;         // g q(k)
-    double turning(double theta) const;   // cos^2s
+    double radial(double k) const;                     // P, with ridges that have no direction
+    double ridge(double k) const;                      // g q(k)
+    double turning(double theta) const;                // cos^2s
     double scaled_square(double kx, double ky) const;  // k'^2
     bool has_wave(double k) const;
     double measured(double log_k) const;  // log S
@@ -69,9 +71,24 @@ class TerrainLaw {
     double first_slope_ = 0.0, last_slope_ = 0.0;
 };
 
-/// sqrt(S) of a law, fast: P from a table of 1024 values an octave of k'^2 with straight lines
-/// between them, 3e-7 off the law where it is a power; the limits of wavelength are exact. A value
-/// depends on the law and on k alone, so that every grid gets the same bits.
+/// Cells of k^2, 1024 to an octave, with straight lines between them: the grid of a table over the
+/// wavenumber that costs no logarithm to read.
+struct WavenumberCells {
+    static constexpr int kOctaveBits = 10;
+
+    /// The cell of a k^2 [rad^2/m^2], and its part of the cell, 0 .. 1.
+    struct Place {
+        std::int64_t cell;
+        double part;
+    };
+    static Place place_of(double square);
+    /// Returns the k^2 at which a cell begins.
+    static double begin_of(std::int64_t cell);
+};
+
+/// sqrt(S) of a law, fast: P from a table over WavenumberCells, 3e-7 off the law where it is a
+/// power; the limits of wavelength are exact. A value depends on the law and on k alone, so that
+/// every grid gets the same bits.
 class TerrainAmplitudes {
   public:
     /// Makes the table for wavenumbers min_k .. max_k [rad/m], 0 < min_k <= max_k.
@@ -79,10 +96,22 @@ class TerrainAmplitudes {
 
     /// Returns sqrt(S(kx, ky)) with k within the range of the table.
     double operator()(double kx, double ky) const;
+    /// Writes row[n] = sqrt(S(n dk, ky)).
+    void row(double dk, double ky, std::span<double> row) const;
+
+    /// Returns true if S depends on the direction of k.
+    bool turns() const { return turns_; }
+    /// Returns true if waves of the lattice lie beyond the limits of wavelength.
+    bool has_limits() const;
+    /// Returns the value at the beginning of a cell.
+    double at_cell(std::int64_t cell) const {
+        return table_[static_cast<std::size_t>(cell - first_)];
+    }
 
   private:
     TerrainLaw law_;
-    bool turns_;  // S depends on more than k
+    bool turns_;
+    double min_k_, max_k_;
     std::int64_t first_;
     std::vector<double> table_;
 };

@@ -16,8 +16,8 @@ namespace ocean {
 
 /// The waves of one octave of wavelength.
 struct TerrainOctave {
-    double longest_wave = 0.0;   // [m]; the shortest is half of it
-    AskedResolved rms;           // of the heights of these waves [m]
+    double longest_wave = 0.0;  // [m]; the shortest is half of it
+    AskedResolved rms;          // of the heights of these waves [m]
     /// Exponent beta: `asked` of the law in the middle of the octave; `resolved` of a line through
     /// the densities of eight rings of this tile, NaN where the octave has fewer than 100 waves.
     AskedResolved exponent;
@@ -31,11 +31,11 @@ struct TerrainState {
     /// Slope angles [degrees] that 50, 90 and 99 % of the land do not exceed, from the mean square
     /// slope as of a Gaussian surface without direction.
     std::vector<AskedResolved> slope_angles;
-    double mean = 0.0;           // [m]
-    double shortest_wave = 0.0;  // within the limits, along an axis of the grid [m]
-    double longest_wave = 0.0;   // [m]
-    double period = 0.0;         // [m]
-    double cell = 0.0;           // distance of samples [m]
+    double mean = 0.0;                   // [m]
+    double shortest_wave = 0.0;          // within the limits, along an axis of the grid [m]
+    double longest_wave = 0.0;           // [m]
+    double period = 0.0;                 // [m]
+    double cell = 0.0;                   // distance of samples [m]
     std::vector<TerrainOctave> octaves;  // from the longest wave
     std::uint64_t memory_bytes = 0;      // of noise, modes and a map of height and slopes
     std::vector<std::string> warnings;   // full sentences, for people

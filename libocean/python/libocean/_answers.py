@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""The points that a Sea and a Terrain take, the values that they return beside maps, and the structs of libocean.h that they arrive in."""
+"""The points that a Sea and a Terrain take, the values that they return beside maps, and the
+structs of libocean.h that they arrive in."""
 
 from __future__ import annotations
 

@@ -59,8 +59,8 @@ PRODUCTS = {
 
 
 class Surface:
-    """The maps of one sea at one time, or of a terrain, as numpy arrays [j, i] or [j, i, component], float32. Each
-    field of PRODUCTS is a property."""
+    """The maps of one sea at one time, or of a terrain, as numpy arrays [j, i] or
+    [j, i, component], float32. Each field of PRODUCTS is a property."""
 
     height: Array
     displacement: Array
@@ -108,8 +108,9 @@ class Surface:
         with self._subject._lock:
             if self._changes != self._subject._changes:
                 raise _library.error(
-                    f"the {self._subject._noun} was changed after this surface was made, before {names[0]} was "
-                    "looked at: name it in surface(..., fields=[...]), or make a new surface",
+                    f"the {self._subject._noun} was changed after this surface was made, before "
+                    f"{names[0]} was looked at: name it in surface(..., fields=[...]), or make a "
+                    "new surface",
                     _library.INVALID_ARGUMENT,
                 )
             arrays = self._subject._evaluate(self.time, self.resolution, self._axes, names)

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Recognises the files of elevation models and opens them: see elevation_file.hpp.
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+#include "float_grid.hpp"
+#include "ocean/elevation_file.hpp"
+#include "ocean/internal/elevation_rules.hpp"
+#include "ocean/internal/line_reader.hpp"
+#include "ocean/internal/platform.hpp"
+
+namespace ocean {
+namespace {
+
+using namespace std::string_view_literals;
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxHeaderBytes = 65536;
+
+Error bad_file(const std::string& path, const std::string& message) {
+    return text::error_at(ErrorKind::bad_file, path, 0, message);
+}
+
+std::string lower_extension(const std::string& path) {
+    std::string extension = text::to_utf8(utf8_path(path).extension());
+    std::ranges::transform(extension, extension.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return extension;
+}
+
+/// A format that only a tool converts: its name, and how a file of it begins or is named.
+struct ForeignFormat {
+    std::string_view name;
+    std::string_view first_bytes;
+    std::array<std::string_view, 2> extensions;
+    bool is_imported;  // by `ocean terrain import`; else GDAL makes a GeoTIFF of it
+};
+constexpr std::array kForeignFormats = {
+    ForeignFormat{"TIFF", "II*\0"sv, {".tif", ".tiff"}, true},
+    ForeignFormat{"TIFF", "MM\0*"sv, {}, true},
+    ForeignFormat{"TIFF", "II+\0"sv, {}, true},
+    ForeignFormat{"TIFF", "MM\0+"sv, {}, true},
+    ForeignFormat{"PNG", "\x89PNG"sv, {".png", ""}, true},
+    ForeignFormat{"OpenEXR", "\x76\x2f\x31\x01"sv, {".exr", ""}, true},
+    ForeignFormat{"SRTM", {}, {".hgt", ""}, true},
+    ForeignFormat{"NetCDF", "CDF"sv, {".nc", ".grd"}, false},
+    ForeignFormat{"HDF", "\x89HDF"sv, {".h5", ".hdf"}, false},
+    ForeignFormat{"DTED", "UHL1"sv, {".dt1", ".dt2"}, false},
+    ForeignFormat{"raster of integers", {}, {".bil", ".img"}, false},
+    ForeignFormat{"USGS DEM", {}, {".dem", ".ddf"}, false},
+};
+
+/// Throws the sentence that names the command for a file of another format.
+[[noreturn]] void refuse(const std::string& path, const ForeignFormat& format) {
+    const std::string name = text::printable(path, 200);
+    const std::string import = "`ocean terrain import " + name + " -o bed.flt`";
+    const std::string other = "`gdal_translate -ot Float32 " + name +
+                              " bed.tif` and `ocean terrain import bed.tif -o bed.flt`";
+    throw text::error_at(ErrorKind::unsupported, path, 0,
+                         "is a file of the format " + std::string(format.name) +
+                             ": convert it by " + (format.is_imported ? import : other));
+}
+
+const ForeignFormat* foreign_format(std::string_view first_bytes, std::string_view extension) {
+    for (const ForeignFormat& format : kForeignFormats) {
+        if (!format.first_bytes.empty() && first_bytes.starts_with(format.first_bytes)) {
+            return &format;
+        }
+    }
+    for (const ForeignFormat& format : kForeignFormats) {
+        const auto& known = format.extensions;
+        if (!extension.empty() && std::ranges::find(known, extension) != known.end()) {
+            return &format;
+        }
+    }
+    return nullptr;
+}
+
+/// Returns true if the text's first word that is no comment is a key of a grid's header.
+bool begins_as_ascii_grid(std::string_view bytes) {
+    LineReader lines(bytes, "");
+    while (lines.next_filled()) {
+        std::string_view rest = lines.line();
+        const std::string_view word = next_word(rest);
+        if (word.starts_with('#') || word.starts_with("//")) continue;
+        return elevation::GridHeaderReader::knows(word) && word.size() > 1;
+    }
+    return false;
+}
+
+void require_file(const std::string& path) {
+    const fs::path file = utf8_path(path);
+    std::error_code ignored;
+    if (path.find('\0') != path.npos) throw bad_file(path, "has a NUL in its name");
+    if (!fs::exists(file, ignored)) throw bad_file(path, "no such file");
+    if (fs::is_directory(file, ignored)) throw bad_file(path, "is a directory, not a file");
+    if (!fs::is_regular_file(file, ignored)) {
+        throw bad_file(path, "is a pipe or a device, not a file");
+    }
+}
+
+std::ifstream opened(const std::string& path) {
+    std::ifstream stream(utf8_path(path), std::ios::binary);
+    if (!stream) throw bad_file(path, "cannot be read: no permission");
+    return stream;
+}
+
+/// Returns the existing file with one of two extensions; nothing without one.
+std::string beside(const std::string& path, std::array<const char*, 2> extensions) {
+    for (const char* extension : extensions) {
+        fs::path file = utf8_path(path);
+        file.replace_extension(extension);
+        std::error_code ignored;
+        if (fs::is_regular_file(file, ignored)) return text::to_utf8(file);
+    }
+    return "";
+}
+
+ElevationModel read_floats(const std::string& path, const ElevationOptions& options) {
+    const std::string header = beside(path, {".hdr", ".HDR"});
+    if (header.empty()) {
+        throw bad_file(path, "has no header beside it: a .flt file needs a .hdr file of its name");
+    }
+    const elevation::GridHeader grid =
+        elevation::parse_float_header(text::read_file(header, kMaxHeaderBytes), header);
+    std::ifstream stream = opened(path);
+    return elevation::read_float_grid(grid, stream, fs::file_size(utf8_path(path)), path,
+                                      elevation::read_projection(path), options);
+}
+
+}  // namespace
+
+ElevationModel read_elevation(const std::string& path, const ElevationOptions& options) {
+    require_file(path);
+    const std::string extension = lower_extension(path);
+    if (extension == ".flt") return read_floats(path, options);
+    if (extension == ".hdr") {
+        const std::string floats = beside(path, {".flt", ".FLT"});
+        if (!floats.empty()) return read_floats(floats, options);
+        throw bad_file(path, "has no .flt file of its name beside it");
+    }
+    const std::string first = text::first_bytes(path, 1024);
+    if (extension == ".asc" || begins_as_ascii_grid(first)) {
+        std::ifstream stream = opened(path);
+        return parse_ascii_grid(stream, fs::file_size(utf8_path(path)), path,
+                                elevation::read_projection(path), options);
+    }
+    if (const ForeignFormat* format = foreign_format(first, extension)) refuse(path, *format);
+    throw bad_file(path,
+                   "is no elevation model: .asc, or .flt with .hdr, are read, and `ocean terrain "
+                   "import` converts GeoTIFF, .hgt, PNG and EXR");
+}
+
+}  // namespace ocean

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Terrains through libocean.h: what lands in a host's buffers, and what is refused.
+#include <math.h>
+#include <stdint.h>
+
+#include "tests.h"
+
+enum { kSide = 64, kUntouched = 77 };
+static const char kLand[] =
+    "libocean = 1\n[terrain]\nresolution = 64\npatch_size = 640.0\nrms = 12.0\nmean = 100.0\n";
+
+static ocean_terrain* open_land(void) {
+    ocean_terrain* terrain = NULL;
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_parse(kLand, strlen(kLand), NULL, NULL, &terrain));
+    return terrain;
+}
+
+static ocean_result evaluate(ocean_terrain* terrain, float* data, int32_t channel) {
+    ocean_output output = {.data = data, .count = kSide * kSide, .channels = 1};
+    ocean_request request = {.struct_size = sizeof(ocean_request), .output_count = 1};
+    output.channel[0] = channel;
+    request.outputs = &output;
+    request.output_size = sizeof(ocean_output);
+    return ocean_terrain_evaluate(terrain, &request);
+}
+
+void terrains_fill_the_buffers_of_seas(void) {
+    static float heights[kSide * kSide], clone_heights[kSide * kSide];
+    ocean_terrain* terrain = open_land();
+    CHECK_RESULT(OCEAN_OK, evaluate(terrain, heights, OCEAN_HEIGHT));
+    double sum = 0.0, squares = 0.0;
+    for (int i = 0; i < kSide * kSide; ++i) sum += heights[i] / (kSide * kSide);
+    for (int i = 0; i < kSide * kSide; ++i) squares += pow(heights[i] - sum, 2.0);
+    CHECK(fabs(sum - 100.0) < 1e-3);
+    CHECK(fabs(sqrt(squares) / kSide / 12.0 - 1.0) < 1e-5);
+
+    ocean_terrain* clone = NULL;
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_clone(terrain, NULL, &clone));
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_set(terrain, "beta", "2.5"));
+    CHECK_RESULT(OCEAN_OK, evaluate(clone, clone_heights, OCEAN_HEIGHT));
+    CHECK(memcmp(heights, clone_heights, sizeof(heights)) == 0);
+    CHECK_RESULT(OCEAN_OK, evaluate(terrain, clone_heights, OCEAN_HEIGHT));
+    CHECK(memcmp(heights, clone_heights, sizeof(heights)) != 0);
+    ocean_terrain_free(clone);
+    ocean_terrain_free(terrain);
+    ocean_terrain_free(NULL);
+}
+
+void terrains_answer_about_points(void) {
+    static float heights[kSide * kSide];
+    ocean_terrain* terrain = open_land();
+    CHECK_RESULT(OCEAN_OK, evaluate(terrain, heights, OCEAN_HEIGHT));
+    double xy[20];
+    ocean_sample samples[10];
+    double error = -1.0;
+    for (int p = 0; p < 10; ++p) {
+        xy[2 * p] = 10.0 * (7 * p % kSide) - 640.0;  // a period away
+        xy[2 * p + 1] = 10.0 * (5 * p % kSide);
+    }
+    ocean_query_request request = {.struct_size = sizeof(request),
+                                   .xy = xy,
+                                   .count = 10,
+                                   .samples = samples,
+                                   .sample_size = sizeof(ocean_sample),
+                                   .exact = 1,
+                                   .height_error = &error};
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_query_points(terrain, &request));
+    for (int p = 0; p < 10; ++p) {
+        const float expected = heights[5 * p % kSide * kSide + 7 * p % kSide];
+        CHECK(fabs(samples[p].height - expected) < 1e-4);
+        CHECK(samples[p].normal[2] > 0.0f && samples[p].foam == 0.0f);
+        CHECK(samples[p].velocity[2] == 0.0f);
+    }
+    CHECK(error >= 0.0);
+    ocean_terrain_free(terrain);
+}
+
+void terrains_are_described_and_written(void) {
+    ocean_terrain* terrain = open_land();
+    char text[4096];
+    size_t size = sizeof(text);
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_text(terrain, text, &size));
+    ocean_terrain* again = NULL;
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_parse(text, size - 1, NULL, NULL, &again));
+    char other[4096];
+    size = sizeof(other);
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_text(again, other, &size));
+    CHECK(strcmp(text, other) == 0);
+    ocean_terrain_free(again);
+
+    char value[64];
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_get(terrain, "rms", value, sizeof(value)));
+    CHECK(strcmp(value, "12") == 0);
+    size = 0;
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_state_json(terrain, NULL, &size));
+    CHECK(size > 100);
+    size = sizeof(other);
+    CHECK_RESULT(OCEAN_OK,
+                 ocean_terrain_provenance_json(terrain, "height", OCEAN_TNB, other, &size));
+    CHECK(strstr(other, "\"ocean:terrain\"") != NULL && strstr(other, "\"ocean:field\"") != NULL);
+    size = sizeof(other);
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_preset(NULL, other, &size));
+    CHECK(strstr(other, "\"tujunga\"") != NULL);
+    size = sizeof(other);
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_preset("tujunga", other, &size));
+    CHECK(strstr(other, "[terrain]") != NULL);
+    size = 0;
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_parameters_json(NULL, &size));
+    static float noise[kSide * kSide];
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_stage(terrain, "noise", noise, kSide * kSide));
+    double squares = 0.0;
+    for (int i = 0; i < kSide * kSide; ++i) squares += noise[i] * noise[i];
+    CHECK(fabs(squares / (kSide * kSide) - 1.0) < 0.1);
+    ocean_terrain_free(terrain);
+}
+
+void bad_terrain_calls_are_refused_and_write_nothing(void) {
+    static float heights[kSide * kSide];
+    ocean_terrain* terrain = open_land();
+    heights[0] = kUntouched;
+    CHECK_RESULT(OCEAN_UNSUPPORTED, evaluate(terrain, heights, OCEAN_FOAM));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, evaluate(terrain, heights, 99));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, evaluate(NULL, heights, OCEAN_HEIGHT));
+    CHECK(heights[0] == kUntouched);
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_terrain_set(terrain, "beta", "9"));
+    CHECK(strcmp(ocean_last_error_field(OCEAN_ERROR_PARAMETER), "terrain.beta") == 0);
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_terrain_set(terrain, "wind_speed", "9"));
+    const char* const names[] = {"longest_wavelength", "shortest_wavelength"};
+    const char* const values[] = {"50", "60"};
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_terrain_set_all(terrain, names, values, 2));
+    char value[64];
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_get(terrain, "longest_wavelength", value, sizeof(value)));
+    CHECK(strcmp(value, "0") == 0);
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_terrain_stage(terrain, "noise", heights, 5));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT,
+                 ocean_terrain_stage(terrain, "smoke", heights, kSide * kSide));
+    ocean_terrain* none = NULL;
+    const char sea[] = "libocean = 1\n[water]\n";
+    CHECK_RESULT(OCEAN_BAD_FILE, ocean_terrain_parse(sea, sizeof(sea) - 1, NULL, NULL, &none));
+    CHECK_RESULT(OCEAN_BAD_FILE, ocean_terrain_open("/nonexistent.toml", NULL, &none));
+    CHECK_RESULT(OCEAN_NOT_FOUND, ocean_terrain_preset("nowhere", value, &(size_t){sizeof(value)}));
+    CHECK(none == NULL);
+    ocean_terrain_free(terrain);
+}

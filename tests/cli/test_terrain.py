@@ -1,0 +1,144 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""`ocean terrain`, and what `info`, `params` and `presets` say of terrains."""
+
+import json
+
+import numpy as np
+import OpenImageIO
+import pytest
+
+LAND = """libocean = 1
+[terrain]
+resolution = 64
+patch_size = 640.0
+beta = 1.9
+rms = 12.0
+mean = 1000.0
+"""
+
+
+@pytest.fixture
+def land(ocean):
+    ocean.write("land.toml", LAND)
+    return ocean
+
+
+def pixels(ocean, name):
+    image = OpenImageIO.ImageBuf(str(ocean.folder / name))
+    assert not image.has_error, image.geterror()
+    return image.get_pixels()[::-1, :, :], image.spec()
+
+
+def test_a_terrain_is_one_channel_of_floats(land):
+    assert land.good("terrain", "land.toml", "-o", "land.exr", "-q") == "land.exr\n"
+    heights, spec = pixels(land, "land.exr")
+    assert spec.nchannels == 1 and spec.channelnames == ("Y",) or list(spec.channelnames) == ["Y"]
+    assert heights.shape == (64, 64, 1)
+    assert heights.std() == pytest.approx(12.0, rel=1e-5)
+    assert "[terrain]" in spec.getattribute("ocean:terrain")
+
+
+def test_threads_and_runs_give_the_same_bytes(land):
+    for threads, name in ((1, "a.exr"), (2, "b.exr")):
+        land.good("terrain", "land.toml", "-o", name, "--threads", threads, "-q")
+    assert (land.folder / "a.exr").read_bytes() == (land.folder / "b.exr").read_bytes()
+    land.good("terrain", "--from", "a.exr", "-o", "c.exr", "-q")
+    assert (land.folder / "c.exr").read_bytes() == (land.folder / "a.exr").read_bytes()
+
+
+def test_tiles_repeat_and_are_remembered(land):
+    land.good("terrain", "land.toml", "-o", "one.exr", "-q")
+    land.good("terrain", "land.toml", "--tiles", "2x3", "-o", "many.exr", "-q")
+    one, _ = pixels(land, "one.exr")
+    many, _ = pixels(land, "many.exr")
+    np.testing.assert_array_equal(many, np.tile(one, (3, 2, 1)))
+    land.good("terrain", "--from", "many.exr", "-o", "again.exr", "-q")
+    again, _ = pixels(land, "again.exr")
+    np.testing.assert_array_equal(again, many)
+    # A file of other tiles is not kept.
+    done = land("terrain", "land.toml", "-o", "many.exr", "--skip-existing")
+    assert "skipped" not in done.stderr
+    for wrong in ("2", "0x2", "2x2x2", "axb", "65x1"):
+        assert "--tiles" in land.bad("terrain", "land.toml", "-o", "x.exr", "--tiles", wrong)
+
+
+def test_stages_are_images(land):
+    for stage in ("noise", "transform", "filter", "filtered", "height"):
+        land.good("terrain", "land.toml", "--stage", stage, "-o", f"{stage}.exr", "-q")
+    noise, _ = pixels(land, "noise.exr")
+    filtered, spec = pixels(land, "filtered.exr")
+    assert noise.std() == pytest.approx(1.0, abs=0.05)
+    assert np.sqrt(np.sum(filtered.astype(float) ** 2)) == pytest.approx(12.0, rel=1e-5)
+    assert spec.getattribute("ocean:unit") == "m"
+    said = land.bad("terrain", "land.toml", "--stage", "noise", "--resolution", 128, "-o", "x.exr")
+    assert "the terrain's own resolution" in said
+    assert "--stage" in land.bad(
+        "terrain", "land.toml", "--stage", "noise", "--products", "height", "-o", "x.exr"
+    )
+    assert "unknown" in land.bad("terrain", "land.toml", "--stage", "smoke", "-o", "x.exr")
+
+
+def test_a_sea_and_a_terrain_are_told_apart(land):
+    land.write("sea.toml", "libocean = 1\n[grid]\nresolution = 64\n")
+    said = land.bad("terrain", "sea.toml", "-o", "x.exr")
+    assert "sea.toml:2: is a sea file, not a terrain file" in said
+    said = land.bad("bake", "land.toml", "-o", "x.exr")
+    assert "land.toml:2: is a terrain file, not a sea file" in said
+    assert "is a terrain, not a sea" in land.bad("bake", "preset:tujunga", "-o", "x.exr")
+    assert "is a sea, not a terrain" in land.bad("terrain", "preset:beaufort_5", "-o", "x.exr")
+    land.good("terrain", "land.toml", "-o", "land.exr", "-q")
+    assert "shows a terrain instead of a sea" in land.bad("bake", "land.exr", "-o", "x.exr")
+
+
+def test_what_only_a_sea_has_is_refused(land):
+    for products in ("foam", "displacement,normal", "caustics"):
+        said = land.bad("terrain", "land.toml", "-o", "x.exr", "--products", products, code=2)
+        assert "terrain" in said
+    said = land.bad("bake", "preset:beaufort_5", "-o", "x.exr", "--products", "noise")
+    assert "only a terrain has it" in said
+    assert not list(land.folder.glob("x*"))
+
+
+def test_the_input_is_not_overwritten(land):
+    land.good("terrain", "land.toml", "-o", "land.exr", "-q")
+    assert "is an input" in land.bad("terrain", "land.exr", "-o", "land.exr", code=2)
+
+
+def test_info_says_what_was_asked_for_and_what_the_tile_holds(land):
+    state = json.loads(land.good("info", "--json", "land.toml"))
+    assert state["rms"]["asked"] == pytest.approx(12.0)
+    assert state["rms"]["resolved"] == pytest.approx(12.0, rel=1e-6)
+    assert state["mean"] == 1000.0 and state["cell"] == 10.0
+    total = sum(octave["rms"]["resolved"] ** 2 for octave in state["octaves"])
+    assert np.sqrt(total) == pytest.approx(12.0, rel=0.01)
+    text = land.good("info", "land.toml")
+    assert "density k^-3.8, H = 0.9, D = 2.1" in text
+    land.good("terrain", "land.toml", "-o", "land.ply", "-q")
+    assert json.loads(land.good("info", "--json", "land.ply"))["rms"] == state["rms"]
+    resolved = land.good("info", "--sea-file", "land.ply")
+    assert resolved.startswith("# A terrain") and "beta = 1.9" in resolved
+
+
+def test_set_changes_a_parameter(land):
+    land.good("terrain", "land.toml", "--set", "rms=3", "--set", "beta=2.5", "-o", "x.exr", "-q")
+    heights, _ = pixels(land, "x.exr")
+    assert heights.std() == pytest.approx(3.0, rel=1e-5)
+    said = land.bad("terrain", "land.toml", "--set", "wind_speed=3", "-o", "y.exr")
+    assert "unknown parameter" in said
+    assert "NAME=VALUE" in land.bad("terrain", "land.toml", "--set", "beta", "-o", "y.exr")
+
+
+def test_presets_and_parameters_are_listed_by_kind(ocean):
+    listed = ocean.good("presets")
+    assert listed.index("Seas\n") < listed.index("beaufort_0") < listed.index("Terrains\n")
+    assert listed.index("Terrains\n") < listed.index("tujunga")
+    kinds = {row["name"]: row["kind"] for row in json.loads(ocean.good("presets", "--json"))}
+    assert kinds["tujunga"] == "terrain" and kinds["beaufort_5"] == "sea"
+    assert "[terrain]" in ocean.good("presets", "tujunga")
+    assert "did you mean tujunga?" in ocean.bad("presets", "tujungo")
+    assert "beta = 2" in ocean.good("params", "terrain")
+    assert "wind_speed" in ocean.good("params", "sea")
+    keys = {row["key"] for row in json.loads(ocean.good("params", "terrain", "--json"))}
+    assert {"beta", "breaks", "range", "period"} <= keys
+    assert "allowed are sea and terrain" in ocean.bad("params", "terrains")

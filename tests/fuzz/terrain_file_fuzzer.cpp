@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Any bytes as a terrain file: either a terrain that survives a round trip, or one Error whose
+// message is safe to print. Small terrains are also made. Anything else is a finding.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "ocean/error.hpp"
+#include "ocean/land.hpp"
+#include "ocean/terrainfile.hpp"
+
+namespace {
+
+void require(bool condition) {
+    if (!condition) std::abort();
+}
+
+void require_printable(std::string_view message) {
+    require(!message.empty() && message.size() < 4096);
+    for (char c : message) require(static_cast<unsigned char>(c) >= 0x20);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    ocean::Terrain terrain;
+    try {
+        terrain = ocean::parse_terrain(text, "fuzz.toml", "/nonexistent");
+    } catch (const ocean::Error& error) {
+        require_printable(error.what());
+        return 0;
+    }
+    const std::string written = ocean::write_terrain(terrain);
+    const ocean::Terrain again = ocean::parse_terrain(written, "written.toml", "/nonexistent");
+    require(ocean::write_terrain(again) == written);
+    if (terrain.resolution > 64) return 0;
+    ocean::Land land(terrain, {.threads = 1});
+    const ocean::Surface map = land.surface({ocean::Channel::height});
+    for (const float height : map.channel(ocean::Channel::height)) require(std::isfinite(height));
+    land.state();
+    return 0;
+}

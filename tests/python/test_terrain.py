@@ -1,0 +1,113 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Terrains through the Python wrapper."""
+
+import threading
+
+import numpy as np
+import pytest
+
+import libocean
+
+
+@pytest.fixture
+def land():
+    with libocean.terrain(resolution=128, patch_size=1280.0, rms=20.0, mean=300.0) as terrain:
+        yield terrain
+
+
+def test_a_terrain_has_what_was_asked_for(land):
+    surface = land.surface()
+    assert surface.height.shape == (128, 128) and surface.normal.shape == (128, 128, 3)
+    assert surface.height.std() == pytest.approx(20.0, rel=1e-5)
+    assert surface.height.mean() == pytest.approx(300.0, abs=1e-3)
+    assert land.state["rms"]["resolved"] == pytest.approx(20.0, rel=1e-6)
+    slope = np.arccos(surface.normal[..., 2])
+    steep = np.arctan(np.hypot(surface.slope[..., 0], surface.slope[..., 1]))
+    np.testing.assert_allclose(slope, steep, atol=1e-3)
+
+
+def test_a_finer_map_shows_the_same_waves(land):
+    land.set("shortest_wavelength", 60.0)
+    coarse, fine = land.surface().height, land.surface(512).height
+    np.testing.assert_allclose(fine[::4, ::4], coarse, atol=1e-3)
+    land.set("resolution", 512)
+    np.testing.assert_allclose(land.surface().height, fine, atol=1e-3)
+
+
+def test_queries_meet_the_map_at_any_distance(land):
+    heights = land.surface().height
+    j, i = np.random.default_rng(3).integers(0, 128, (2, 200))
+    points = np.column_stack([10.0 * i + 12800.0, 10.0 * j - 1280.0])
+    exact = land.query(points, exact=True)
+    np.testing.assert_allclose(exact.height, heights[j, i], atol=1e-3)
+    found = land.query(points)
+    assert np.std(found.height - exact.height) < 2e-3 * 20.0
+    assert found.height_error < 1e-3 * 20.0
+    np.testing.assert_allclose(np.linalg.norm(found.normal, axis=1), 1.0, atol=1e-6)
+
+
+def test_stages_end_in_the_height(land):
+    height = land.surface().height
+    assert np.std(land.stage("height") - height) < 2e-6 * 20.0 + 1e-5
+    assert land.stage("noise").std() == pytest.approx(1.0, abs=0.03)
+    filtered = land.stage("filtered")
+    assert np.sqrt(np.sum(filtered.astype(float) ** 2)) == pytest.approx(20.0, rel=1e-5)
+    # The transform of the height, which numpy finds, is the filtered one.
+    found = np.abs(np.fft.fftshift(np.fft.fft2(height - 300.0))) / 128**2
+    np.testing.assert_allclose(found[1:, 1:], filtered[1:, 1:], atol=2e-4)
+    with pytest.raises(libocean.InvalidValueError, match="unknown step"):
+        land.stage("smoke")
+
+
+def test_text_presets_and_parameters(land):
+    with libocean.parse_terrain(land.text) as again:
+        assert again.text == land.text
+        np.testing.assert_array_equal(again.surface().height, land.surface().height)
+    assert "tujunga" in libocean.terrain_presets()
+    with libocean.terrain_preset("seed_smooth") as preset:
+        assert preset.get("beta") == "2.4"
+    rows = {row["key"]: row for row in libocean.terrain_parameters()}
+    assert rows["breaks"]["type"] == "pairs" and rows["range"]["type"] == "numbers"
+    land.set("breaks", [(300.0, 2.5), (20.0, 1.9)])
+    assert land.get("breaks") == "[[300, 2.5], [20, 1.9]]"
+    assert "ocean:terrain" in land.provenance("height")
+
+
+def test_what_a_terrain_does_not_have_is_refused(land):
+    with pytest.raises(libocean.UnsupportedError, match="a terrain has no channel foam"):
+        land.surface(fields=["foam"])
+    with pytest.raises(libocean.InvalidValueError, match="terrain.beta"):
+        land.set("beta", 9)
+    with pytest.raises(libocean.InvalidValueError, match="unknown parameter"):
+        libocean.terrain(wind_speed=9)
+    surface = land.surface()
+    land.set("beta", 2.5)
+    with pytest.raises(libocean.InvalidValueError, match="the terrain was changed"):
+        surface._field("height")
+
+
+def test_buffers_with_a_seam_are_filled(land):
+    buffer = np.empty((129, 129, 4), np.float32)
+    land.fill([(buffer, ("height", "nx", "ny", "nz"))], seam=True)
+    np.testing.assert_array_equal(buffer[:128, :128, 0], land.surface().height)
+    np.testing.assert_array_equal(buffer[128], buffer[0])
+    np.testing.assert_array_equal(buffer[:, 128], buffer[:, 0])
+
+
+def test_clones_work_in_other_threads(land):
+    expected = land.surface().height
+    found = []
+
+    def work():
+        with land.clone() as clone:
+            found.append(clone.surface().height)
+
+    threads = [threading.Thread(target=work) for _ in range(3)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(found) == 3
+    for heights in found:
+        np.testing.assert_array_equal(heights, expected)

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Terrain files: strict reading with line numbers, round trips, presets, and the subject.
+#include "ocean/terrainfile.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+#include "helpers.hpp"
+#include "ocean/land.hpp"
+#include "ocean/terrain_subject.hpp"
+#include "ocean/terrain_table.hpp"
+#include "temporary_folder.hpp"
+
+namespace ocean::test {
+namespace {
+
+/// Parses `body` under the lines "libocean = 1" and "[terrain]": it begins on line 3.
+Terrain parse_body(const std::string& body) {
+    return parse_terrain("libocean = 1\n[terrain]\n" + body, "test.toml", "");
+}
+
+constexpr const char* kRings =
+    "[terrain.measured_rings]\nwavenumber = [0.01, 0.1, 1.0]\ndensity = [5.0, 0.5, 0.001]\n";
+
+struct BadFile {
+    std::string body;
+    std::string says;  // with the line where it stands
+};
+
+class BadTerrain : public testing::TestWithParam<BadFile> {};
+INSTANTIATE_TEST_SUITE_P(
+    TerrainFile, BadTerrain,
+    testing::Values(
+        BadFile{"betta = 2.0\n", "test.toml:3: terrain.betta = 2.0: unknown parameter"},
+        BadFile{"\nbeta = 7\n", "test.toml:4: terrain.beta = 7: is out of range"},
+        BadFile{"beta = -1\n", "0 .. 6"}, BadFile{"beta = nan\n", "terrain.beta"},
+        BadFile{"beta = \"2\"\n", "is not a number"},
+        BadFile{"resolution = 500\n", "is not a power of two"},
+        BadFile{"resolution = 16\n", "is out of range"},
+        BadFile{"resolution = 512.5\n", "is not a whole number"},
+        BadFile{"kind = \"endless\"\n", "one of tile"},
+        BadFile{"kind = \"tiles\"\n", "did you mean tile?"},
+        BadFile{"patch_size = 0\n", "is out of range"}, BadFile{"rms = -3\n", "is out of range"},
+        BadFile{"range = [3, 1]\n", "test.toml:3: terrain.range = [3, 1]: is not a range"},
+        BadFile{"range = [1, 2, 3]\n", "more than 2 numbers"},
+        BadFile{"range = 5\n", "is not a list of numbers"},
+        BadFile{"range = [\"a\", 2]\n", "is not a list of numbers"},
+        BadFile{"rms = 3\nrange = [1, 2]\n", "test.toml:4: terrain.range = [1, 2]: contradicts"},
+        BadFile{"mean = 3\nrange = [1, 2]\n", "contradicts terrain.mean"},
+        BadFile{"breaks = [500, 2.5]\n", "is not a list of pairs"},
+        BadFile{"breaks = [[500, 2.5, 1]]\n", "is not a list of pairs"},
+        BadFile{"breaks = [[500, 9]]\n", "holds 9, out of range"},
+        BadFile{"breaks = [[20, 2], [500, 1]]\n", "are not ordered"},
+        BadFile{"longest_wavelength = 5\nshortest_wavelength = 9\n", "test.toml:3:"},
+        BadFile{"measured = \"missing.csv\"\n", "test.toml:3: terrain.measured = \"missing.csv\":"},
+        BadFile{"[[terrain.layer]]\nperiod = 300\n", "test.toml:4: terrain.layer.0.period = 300"},
+        BadFile{"[terrain.layer]\nperiod = 500\n", "[[terrain.layer]], in double brackets"},
+        BadFile{"[terrain.measured_rings]\nwavenumber = [1, 2]\n", "is not a measured spectrum"},
+        BadFile{"[terrain.measured_rings]\nwavenumber = [2, 1]\ndensity = [1, 1]\n",
+                "test.toml:3: terrain.measured_rings"},
+        BadFile{std::string("breaks = [[50, 2]]\n") + kRings, "has no effect beside"},
+        BadFile{std::string("outer_scale = 50\n") + kRings, "has no effect beside"},
+        BadFile{"[waves]\n", "test.toml:3: is a sea file, not a terrain file"},
+        BadFile{"[colour]\n", "no such section"}, BadFile{"seed = 1\nseed = 2\n", "test.toml:4"},
+        BadFile{"[terrain.gullies]\ndepth = 1\n", "terrain.gullies"}));
+
+TEST_P(BadTerrain, GetsASentenceWithItsLine) {
+    const Refusal refusal = refusal_of([] { parse_body(GetParam().body); });
+    EXPECT_TRUE(refusal.refused);
+    EXPECT_TRUE(refusal.says("test.toml:")) << refusal.message;
+    EXPECT_TRUE(refusal.says(GetParam().says)) << refusal.message;
+}
+
+TEST(TerrainFile, ASeaSaysThatItIsNone) {
+    EXPECT_TRUE(refusal_of([] {
+                    parse_terrain("libocean = 1\n[water]\n", "x.toml", "");
+                }).says("x.toml:2: is a sea file, not a terrain file"));
+    EXPECT_TRUE(refusal_of([] {
+                    parse_sea("libocean = 1\n[terrain]\n", "x.toml", "");
+                }).says("x.toml:2: is a terrain file, not a sea file"));
+    EXPECT_TRUE(refusal_of([] {
+                    parse_terrain("[terrain]\n", "x.toml", "");
+                }).says("the line 'libocean = 1' is missing"));
+    EXPECT_EQ(kind_of_file_text("libocean = 1\n[terrain]\n"), "terrain");
+    EXPECT_EQ(kind_of_file_text("libocean = 1\n[[waves]]\n"), "sea");
+    EXPECT_EQ(kind_of_file_text("libocean = "), "");
+}
+
+TEST(TerrainFile, AWrittenTerrainReadsBackToTheSameText) {
+    const std::string body =
+        "resolution = 64\npatch_size = 1200.0\nbeta = 1.7\nrms = 33.25\nmean = -4\n"
+        "breaks = [[300, 2.5], [20.5, 1.9]]\nridge_wavelength = 100\nridge_direction = 30\n"
+        "outer_scale = 900\nanisotropy = 1.5\ndirection = -20\n"
+        "[[terrain.layer]]\nperiod = 400\ngain = 0.5\n[[terrain.layer]]\nperiod = 1200\nseed = 9\n";
+    const Terrain terrain = parse_body(body);
+    EXPECT_EQ(terrain.breaks[1][0], 20.5);
+    EXPECT_EQ(terrain.layers.size(), 2u);
+    const std::string written = write_terrain(terrain);
+    EXPECT_EQ(write_terrain(parse_terrain(written, "written.toml", "")), written);
+    EXPECT_NE(written.find("breaks = [[300.0, 2.5], [20.5, 1.9]]"), std::string::npos);
+}
+
+TEST(TerrainFile, MeasuredRingsAreInlined) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() + "/rings.csv")
+        << "wavenumber,density,count\n0.01,5,4\n0.1,0.5,40\n1,0.001,400\n";
+    std::ofstream(folder.path() + "/land.toml")
+        << "libocean = 1\n[terrain]\nresolution = 64\nmeasured = \"rings.csv\"\n";
+    const Terrain terrain = read_terrain(folder.path() + "/land.toml");
+    EXPECT_EQ(named_files(terrain), std::vector<std::string>{"rings.csv"});
+    const Terrain again = parse_terrain(write_terrain(terrain), "written.toml", "/nowhere");
+    EXPECT_EQ(*again.rings, *terrain.rings);
+    Land a(terrain), b(again);
+    const Surface one = a.surface({Channel::height}), two = b.surface({Channel::height});
+    EXPECT_TRUE(std::ranges::equal(one.channel(Channel::height), two.channel(Channel::height)));
+    Terrain other = again;
+    set_parameter(other, "measured", "else.csv");
+    EXPECT_EQ(other.rings, nullptr);  // they belong to the other name
+}
+
+TEST(TerrainFile, AGeoTiffIsAnsweredWithTheCommandThatConvertsIt) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() + "/land.tif") << "II*";
+    EXPECT_TRUE(refusal_of([&] {
+                    parse_terrain("libocean = 1\n[terrain]\nmeasured = \"land.tif\"\n", "land.toml",
+                                  folder.path());
+                }).says("ocean terrain import"));
+}
+
+TEST(TerrainFile, AnElevationModelIsMeasuredWhenItIsNamed) {
+    const TemporaryFolder folder;
+    std::ofstream model(folder.path() + "/bed.asc");
+    model << "ncols 32\nnrows 32\nxllcorner 500000\nyllcorner 4000000\ncellsize 30\n";
+    for (int j = 0; j < 32; ++j) {
+        for (int i = 0; i < 32; ++i) model << (i * 7 + j * j * 3) % 101 << ' ';
+        model << '\n';
+    }
+    model.close();
+    const Terrain terrain =
+        parse_terrain("libocean = 1\n[terrain]\nresolution = 32\nmeasured = \"bed.asc\"\n",
+                      "land.toml", folder.path());
+    ASSERT_NE(terrain.rings, nullptr);
+    EXPECT_GE(terrain.rings->wavenumber.size(), 4u);
+    EXPECT_GT(Land(terrain).state().rms.resolved, 1.0);
+}
+
+TEST(TerrainPresets, AreWholeFilesWithTheirSource) {
+    ASSERT_GE(terrain_presets().size(), 6u);
+    for (const Preset& preset : terrain_presets()) {
+        const Terrain terrain = parse_terrain(preset.toml, preset.name, "");
+        EXPECT_TRUE(preset.toml.starts_with("# " + preset.name + ": " + preset.description));
+        Land land(terrain);
+        const TerrainState state = land.state();
+        EXPECT_EQ(state.warnings, std::vector<std::string>{}) << preset.name;
+        EXPECT_NEAR(state.rms.resolved / *terrain.rms, 1.0, 1e-6) << preset.name;
+    }
+    EXPECT_EQ(parse_terrain(find_terrain_preset("seed_smooth").toml, "", "").beta, 2.4);
+    EXPECT_EQ(parse_terrain(find_terrain_preset("seed_rough").toml, "", "").beta, 2.0);
+    EXPECT_TRUE(refusal_of([] { find_terrain_preset("tujungo"); }).says("did you mean tujunga?"));
+}
+
+TEST(TerrainPresets, HaveTheSlopesOfTheirLand) {
+    const auto median = [](const char* name) {
+        Land land(parse_terrain(find_terrain_preset(name).toml, name, ""));
+        return land.state().slope_angles[0].asked;
+    };
+    EXPECT_NEAR(median("tujunga"), 22.1, 0.5);    // of its elevation model, cells of 30 m
+    EXPECT_NEAR(median("jacksboro"), 13.3, 0.5);  // cells of 90 m
+}
+
+TEST(TerrainSubject, RepeatsItsTile) {
+    Terrain terrain;
+    terrain.resolution = 64;
+    const auto subject = make_subject(terrain, {2, 3});
+    EXPECT_EQ(subject->kind(), "terrain");
+    const Domain domain = subject->domain(32);
+    EXPECT_EQ(domain.samples, (std::array{64, 96}));
+    EXPECT_EQ(domain.size, (std::array{2000.0, 3000.0}));
+    const auto maps = subject->open({});
+    const int resolutions[] = {32};
+    const Surface map = maps->levels(0.0, {Channel::height, Channel::nz}, resolutions).front();
+    const auto h = std::as_const(map).channel(Channel::height);
+    ASSERT_EQ(h.size(), 64u * 96u);
+    for (std::size_t j = 0; j < 64; ++j) {
+        for (std::size_t i = 0; i < 32; ++i) {
+            ASSERT_EQ(h[j * 64 + i], h[j * 64 + i + 32]);
+            ASSERT_EQ(h[j * 64 + i], h[(j + 32) * 64 + i]);
+        }
+    }
+    const auto back = parse_terrain_subject(subject->text(), "again");
+    EXPECT_EQ(back->text(), subject->text());
+    EXPECT_EQ(find_terrain(*back)->resolution, 64);
+}
+
+}  // namespace
+}  // namespace ocean::test

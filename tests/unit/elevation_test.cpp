@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Claims: degrees become the metres of the ellipsoid; filled holes continue the land around them
+// and leave what is known alone.
+#include "ocean/elevation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "ocean/error.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr float kHole = std::numeric_limits<float>::quiet_NaN();
+
+// Values of the WGS 84 ellipsoid: 2 pi a / 360 at the equator, the rest by the radii of curvature
+// as published in the National Geospatial-Intelligence Agency's length-of-a-degree calculator.
+TEST(Elevation, ADegreeHasTheLengthThatItHasOnTheEllipsoid) {
+    EXPECT_NEAR(metres_per_degree(0.0)[0], 111319.491, 0.001);
+    EXPECT_NEAR(metres_per_degree(0.0)[1], 110574.276, 0.001);
+    EXPECT_NEAR(metres_per_degree(45.0)[0], 78846.835, 0.001);
+    EXPECT_NEAR(metres_per_degree(45.0)[1], 111131.777, 0.002);
+    EXPECT_NEAR(metres_per_degree(-60.0)[0], 55800.002, 0.001);
+    EXPECT_NEAR(metres_per_degree(90.0)[0], 0.0, 1e-6);
+    EXPECT_NEAR(metres_per_degree(90.0)[1], 111693.980, 0.002);
+}
+
+TEST(Elevation, CellsOfDegreesAreScaledByTheLatitudeOfTheCentre) {
+    ElevationModel model;
+    model.domain = {
+        .origin = {-119.0, 44.0}, .size = {1.0, 2.0}, .samples = {11, 21}, .wraps = false};
+    scale_degrees(model);
+    EXPECT_TRUE(model.was_degrees);
+    EXPECT_EQ(model.geographic_origin, (std::array{-119.0, 44.0}));
+    EXPECT_DOUBLE_EQ(model.geographic_cell[0], 0.1);
+    EXPECT_EQ(model.domain.origin, (std::array{0.0, 0.0}));
+    EXPECT_NEAR(model.domain.step(0), 7884.6835, 1e-4);
+    EXPECT_NEAR(model.domain.step(1), 11113.1777, 2e-4);
+    model.domain = {.origin = {0.0, 89.0}, .size = {1.0, 2.0}, .samples = {11, 21}, .wraps = false};
+    EXPECT_THROW(scale_degrees(model), Error);
+}
+
+TEST(Elevation, TheSummaryLeavesHolesOut) {
+    ElevationModel model;
+    model.heights = {1.0f, kHole, 3.0f, 5.0f};
+    const ElevationSummary summary = summarize(model);
+    EXPECT_EQ(summary.lowest, 1.0f);
+    EXPECT_EQ(summary.highest, 5.0f);
+    EXPECT_EQ(summary.holes, 1u);
+    EXPECT_DOUBLE_EQ(summary.mean, 3.0);
+    EXPECT_NEAR(summary.rms, std::sqrt(8.0 / 3.0), 1e-12);
+    model.heights = {kHole, kHole};
+    EXPECT_EQ(summarize(model).holes, 2u);
+    EXPECT_EQ(summarize(model).highest, 0.0f);
+}
+
+/// A slope with a curved part that solves Laplace's equation: x^2 - y^2.
+float land(int i, int j) {
+    const double x = 0.1 * (i - 30), y = 0.1 * (j - 20);
+    return static_cast<float>(300.0 + 4.0 * x - 7.0 * y + 2.0 * (x * x - y * y));
+}
+
+TEST(Elevation, FilledHolesContinueTheLandAroundThem) {
+    constexpr int kColumns = 61, kRows = 40;
+    std::vector<float> heights;
+    for (int j = 0; j < kRows; ++j) {
+        for (int i = 0; i < kColumns; ++i) {
+            const bool lake = std::hypot(i - 25, j - 18) < 11.0;
+            const bool speck = i == 50 && j % 9 == 4;
+            heights.push_back(lake || speck ? kHole : land(i, j));
+        }
+    }
+    const std::vector<float> before = heights;
+    fill_holes(heights, kColumns);
+    for (std::size_t n = 0; n < heights.size(); ++n) {
+        const int i = static_cast<int>(n) % kColumns, j = static_cast<int>(n) / kColumns;
+        if (std::isnan(before[n])) {
+            EXPECT_NEAR(heights[n], land(i, j), 0.01) << i << " " << j;
+        } else {
+            EXPECT_EQ(std::memcmp(&heights[n], &before[n], sizeof(float)), 0);
+        }
+    }
+}
+
+TEST(Elevation, AHoleAtTheEdgeIsFilledAndAModelOfHolesIsNot) {
+    std::vector<float> edge = {kHole, kHole, kHole, 4.0f, 4.0f, 4.0f};
+    fill_holes(edge, 3);
+    for (const float height : edge) EXPECT_NEAR(height, 4.0f, 1e-3f);
+    std::vector<float> holes(6, kHole);
+    EXPECT_THROW(fill_holes(holes, 3), Error);
+}
+
+}  // namespace
+}  // namespace ocean
