@@ -92,10 +92,9 @@ def complete() -> None:
         live.complete_meshes()
         terrain_live.complete_meshes()
         return
-    if not is_whole or live.has_draft_meshes():
-        print("libocean: the render shows a draft of the sea", flush=True)
-    if not is_whole or terrain_live.has_draft_meshes():
-        print("libocean: the render shows a draft of the terrain", flush=True)
+    if not is_whole or live.has_draft_meshes() or terrain_live.has_draft_meshes():
+        subject = "sea" if live.ocean_objects() else "terrain"
+        print(f"libocean: the render shows a draft of the {subject}", flush=True)
 
 
 @persistent
@@ -139,11 +138,6 @@ def _remove_handlers() -> None:
             handlers.remove(handler)
 
 
-def _property_changed(ob) -> None:
-    live.parameters_changed(ob)
-    terrain_live.parameters_changed(ob)
-
-
 def _make_draft_job(name: str) -> drafts.Job | None:
     return live.make_draft_job(name) or terrain_live.make_draft_job(name)
 
@@ -158,7 +152,10 @@ def register() -> None:
         getattr(bpy.app.handlers, name).append(handler)
     hooks.connect(
         hooks.Hooks(
-            property_changed=_property_changed,
+            property_changed={
+                "sea": live.parameters_changed,
+                "terrain": terrain_live.parameters_changed,
+            },
             make_draft_job=_make_draft_job,
             finish_draft_job=_finish_draft_job,
             followers=(floating.ride_all, spray.show_all),

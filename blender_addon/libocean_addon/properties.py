@@ -27,6 +27,8 @@ _EXACT = bpy.props.StringProperty(options={"HIDDEN"})
 class OceanWaves(bpy.types.PropertyGroup):
     """One wave system of a sea: a wind sea, a swell, a measured spectrum"""
 
+    subject = "sea"
+
     __annotations__ = {
         **_parameters(waves=True),
         "exact": _EXACT,
@@ -179,6 +181,8 @@ def _set_divisors(settings, wanted: bool) -> None:
 @overridable
 class OceanSettings(bpy.types.PropertyGroup):
     """The sea of an object and how it is shown"""
+
+    subject = "sea"
 
     def __setattr__(self, name: str, value) -> None:
         """Raises ValueError where a script sets a resolution that a sea file would refuse: Blender

@@ -87,7 +87,7 @@ def test_a_render_in_a_thread_leaves_the_data_to_the_main_thread(waiting, small,
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(horizon_mesh, "follow_horizon", noted)
-        render = threading.Thread(target=live.complete)
+        render = threading.Thread(target=handlers.complete)
         render.start()
         while render.is_alive():
             drafts.step()
@@ -100,7 +100,7 @@ def test_a_render_in_a_thread_leaves_the_data_to_the_main_thread(waiting, small,
 def test_a_render_without_a_timer_says_that_it_shows_a_draft(waiting, small, monkeypatch, capsys):
     bpy.ops.libocean.add(kind="HORIZON", use_material=False)
     monkeypatch.setattr(drafts, "_PATIENCE", 0.05)
-    render = threading.Thread(target=live.complete)
+    render = threading.Thread(target=handlers.complete)
     render.start()
     render.join()
     assert "the render shows a draft of the sea" in capsys.readouterr().out

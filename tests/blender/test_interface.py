@@ -65,6 +65,7 @@ def test_true_and_false_are_a_property_and_words_of_the_file():
     table = parameter_values.PARAMETERS
 
     class Toy(bpy.types.PropertyGroup):
+        subject = "sea"
         __annotations__ = table_properties.properties_of(entry, table, OF_SEA)
 
     bpy.utils.register_class(Toy)

@@ -190,3 +190,29 @@ def test_no_memory_is_said_in_the_panel(terrain, waiting, monkeypatch):
     monkeypatch.undo()
     terrain.libocean_terrain.seed = 9
     assert terrain.libocean_terrain.problem == ""
+
+
+def test_a_coarse_grid_stands_in_for_a_large_mesh_while_values_move(
+    terrain, waiting, monkeypatch, scene
+):
+    """The library is quick here: Blender takes its time with the vertices."""
+    rest()
+    monkeypatch.setattr(open_terrain.OpenTerrain, "is_quick", lambda _self: True)
+    monkeypatch.setattr(live, "LARGE", 100000)
+    settings = terrain.libocean_terrain
+    whole = len(terrain.data.vertices)
+    assert whole == 513**2
+    for tiles in (1, 2):
+        settings.tiles = tiles
+        rest()
+        settings.rms = 5.0 + tiles
+        heights = positions(terrain)
+        assert len(heights) < whole / 3  # the mesh itself is as it was
+        assert np.ptp(heights[:, 0]) == pytest.approx(tiles * settings.patch_size)
+        assert heights[:, 2].std() == pytest.approx(settings.rms, rel=0.05)
+        rest()
+        assert len(positions(terrain)) == (512 * tiles + 1) ** 2
+    settings.rms = 9.0
+    handlers.complete()
+    assert len(positions(terrain)) == (512 * 2 + 1) ** 2
+    assert positions(terrain)[:, 2].std() == pytest.approx(9.0, rel=0.05)

@@ -29,6 +29,19 @@ def water_type_property():
     )
 
 
+def visibility_property():
+    return bpy.props.FloatProperty(
+        name="Visibility",
+        description="How far one sees through the air, 9 km in haze to 60 km in clear weather; 0: "
+        "without end",
+        subtype="DISTANCE",
+        default=0.0,
+        min=0.0,
+        soft_max=6e4,
+        max=1e6,
+    )
+
+
 def make(water_type: str, *, foam: bool = True, underwater: bool = False):
     """A material of this water."""
     kind = WATER_TYPES[water_type]
@@ -228,16 +241,7 @@ class AddMaterial(bpy.types.Operator):
         min=0.1,
         max=100.0,
     )
-    visibility: bpy.props.FloatProperty(
-        name="Visibility",
-        description="How far one sees through the air, 9 km in haze to 60 km in clear weather; 0: "
-        "without end",
-        subtype="DISTANCE",
-        default=0.0,
-        min=0.0,
-        soft_max=6e4,
-        max=1e6,
-    )
+    visibility: visibility_property()
 
     @classmethod
     def poll(cls, context) -> bool:

@@ -27,7 +27,7 @@ def is_quiet() -> bool:
     return _silence > 0
 
 
-def tell(ob) -> None:
-    """Has an object shown whose properties were set."""
+def tell(ob, subject: str = "sea") -> None:
+    """Has the sea or the terrain of an object shown whose properties were set."""
     if not is_quiet():
-        hooks.connected().property_changed(ob)
+        hooks.connected().property_changed[subject](ob)

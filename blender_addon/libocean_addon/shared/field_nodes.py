@@ -54,21 +54,30 @@ def toward_up(b: Builder, normal, share):
 
 
 def branches(
-    b: Builder, inputs, displaced: Callable, *, name: str, on_samples=None, euler=None
-) -> object:
+    b: Builder,
+    inputs,
+    displaced: Callable,
+    *,
+    name: str,
+    on_samples=None,
+    euler=None,
+    geometry=None,
+):
     """Returns the geometry of displaced(b, inputs, turn, interpolation), in a nested group for each
     way to look: level, turned and, where `on_samples` holds, from the nearest sample, to the bit.
     name: of the nested groups. on_samples: an output, None without that way; euler: the object's
-    turn in the world."""
-    names = [socket.name for socket in inputs if socket.name]
+    turn in the world; geometry: in place of the input Geometry."""
+    given = {socket.name: socket for socket in inputs if socket.name}
+    if geometry is not None:
+        given["Geometry"] = geometry
 
     def branch(*, turned: bool, interpolation: str = "Linear"):
         def make(b: Builder, *sockets):
-            inside = dict(zip(names, sockets, strict=True))
+            inside = dict(zip(given, sockets, strict=True))
             return [displaced(b, inside, turned, interpolation)]
 
         variant = "turned" if turned else interpolation.lower()
-        return b.nested(f"{name} {variant}", make, *(inputs[name] for name in names))[0]
+        return b.nested(f"{name} {variant}", make, *given.values())[0]
 
     level = branch(turned=False)
     if on_samples is not None:

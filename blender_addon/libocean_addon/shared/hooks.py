@@ -9,7 +9,7 @@ registers. So no module imports one that imports it.
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 
@@ -17,8 +17,8 @@ from typing import Any
 class Hooks:
     """Each of them is required: a module that is left out fails when the add-on registers."""
 
-    property_changed: Callable[[Any], None]
-    """Shows an object whose properties were set."""
+    property_changed: Mapping[str, Callable[[Any], None]]
+    """Shows an object whose properties were set, by the subject, "sea" or "terrain"."""
     make_draft_job: Callable[[str], Any]
     """Returns the job of the whole subject of an object, by its full name; None without a job."""
     finish_draft_job: Callable[[str, Any], None]
@@ -28,7 +28,7 @@ class Hooks:
 
 
 _NONE = Hooks(
-    property_changed=lambda _ob: None,
+    property_changed={"sea": lambda _ob: None, "terrain": lambda _ob: None},
     make_draft_job=lambda _name: None,
     finish_draft_job=lambda _name, job: job.close(),
     followers=(),

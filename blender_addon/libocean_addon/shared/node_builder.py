@@ -15,6 +15,8 @@ _SOCKETS = {
     "BOOLEAN": "NodeSocketBool",
     "GEOMETRY": "NodeSocketGeometry",
     "IMAGE": "NodeSocketImage",
+    "INT": "NodeSocketInt",
+    "MATERIAL": "NodeSocketMaterial",
     "OBJECT": "NodeSocketObject",
     "RGBA": "NodeSocketColor",
     "SHADER": "NodeSocketShader",

@@ -57,7 +57,7 @@ def _update(name: str):
         if allowed != value:
             setattr(self, name, allowed)  # which comes back here
             return
-        changes.tell(self.id_data)
+        changes.tell(self.id_data, self.subject)
 
     return update
 

@@ -27,7 +27,8 @@ def _description(entry: dict[str, Any], file_kind: str) -> str:
 
 
 def changed(self, _context) -> None:
-    changes.tell(self.id_data)
+    """The update function of a property. The group has the attribute `subject`."""
+    changes.tell(self.id_data, self.subject)
 
 
 def _switched_on(switch: str):

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import bpy
 
+from ..look import air, crest_nodes
 from ..shared import compat
 from ..shared.shader_builder import Tree, facing, stored_normal
 from .node_group import HEIGHT, NORMAL
@@ -53,6 +54,13 @@ _NUMBERS = (
     ("Scree Slope", 0.50, 0.0, 10.0, "Slope at which scree begins, everywhere at 0.18 more"),
     ("Noise Size", 1100.0, 0.001, 1e6, "Largest of the four scales of the noise [m]"),
     ("Noise Amount", 1.0, 0.0, 10.0, "How much the noise moves edges and colours; 0: none"),
+    (
+        "Visibility",
+        0.0,
+        0.0,
+        1e6,
+        "Distance through the air at which 2 % of the contrast are left [m]; 0: no haze",
+    ),
     ("Roughness", 0.5, 0.0, 1.0, "Of the ground, as Oren and Nayar have it: 0 is smooth and matt"),
 )
 _SHADE = 0.35  # share of a colour that the finer noise takes or adds
@@ -76,6 +84,13 @@ def _declare(group) -> None:
         )
     for name, albedo in ALBEDOS.items():
         compat.add_socket(group, f"{name} Colour", "NodeSocketColor", default_value=(*albedo, 1.0))
+    compat.add_socket(
+        group,
+        air.SOCKET,
+        "NodeSocketColor",
+        default_value=(0.0, 0.0, 0.0, 1.0),
+        description="Of the sky at the horizon, behind the haze",
+    )
     compat.add_socket(group, "Surface", "NodeSocketShader", output=True)
     compat.add_socket(group, "Colour", "NodeSocketColor", output=True)
 
@@ -139,7 +154,7 @@ def _covers(t: Tree, inputs, height, slopes, noise) -> list:
     """Returns the share of each cover over those before it: sand, forest, scree, rock, snow."""
     slope = t.math("LENGTH", slopes, result="Value")
     width = inputs["Line Width"]
-    rough = t.number("MULTIPLY_ADD", t.number("MULTIPLY", noise, 0.85), width, height)
+    rough = t.number("MULTIPLY_ADD", t.number("MULTIPLY", noise, 0.7), width, height)
     level = t.number("SUBTRACT", 1.0, t.eased(0.20, 0.35, slope))
     narrow = t.number("MULTIPLY", width, 0.1)
     sand = t.number("MULTIPLY", _below(t, inputs["Sand Line"], narrow, rough), level)
@@ -148,8 +163,8 @@ def _covers(t: Tree, inputs, height, slopes, noise) -> list:
     forest = t.number("MULTIPLY", grows, t.eased(-0.55, 0.15, t.number("ADD", noise, 0.2)))
     below = _below(t, inputs["Forest Line"], t.number("MULTIPLY", width, 0.64), rough)
     forest = t.number("MULTIPLY", forest, below)
-    scree = _from(t, inputs["Scree Slope"], 0.18, slope, noise, 0.10)
-    rock = _from(t, inputs["Rock Slope"], 0.30, slope, noise, 0.12)
+    scree = _from(t, inputs["Scree Slope"], 0.18, slope, noise, 0.20)
+    rock = _from(t, inputs["Rock Slope"], 0.30, slope, noise, 0.22)
     melt = t.number("MULTIPLY", inputs["Sun Melt"], _sunward(t, slopes, inputs["Sun Bearing"]))
     snow_line = t.number("ADD", inputs["Snow Line"], melt)
     snow = t.number("SUBTRACT", 1.0, _below(t, snow_line, width, rough))
@@ -182,7 +197,9 @@ def _build(group) -> None:
         "ShaderNodeBsdfDiffuse", Color=colour, Roughness=inputs["Roughness"], Normal=normal
     )
     output = t.node("NodeGroupOutput")
-    t.link(ground, output.inputs["Surface"])
+    haze = t.shader("ShaderNodeEmission", Color=inputs[air.SOCKET])
+    hazy = t.mix_shaders(crest_nodes.seen_haze(t, inputs), ground, haze)
+    t.link(hazy, output.inputs["Surface"])
     t.link(colour, output.inputs["Colour"])
     t.arrange(rows=4)
 

@@ -51,7 +51,8 @@ def _show_in(ob, seen, terrain: OpenTerrain, modifier, *, moving: bool, again: b
         modifier_groups.assign(modifier, {node_group.GROUND: image})
     # Drafts go by the names of objects, of which a sea on the same one would have taken this one.
     may_wait = (moving or (again and drafts.wants(name, key))) and not sea_group.modifiers(ob)
-    if may_wait and not terrain.is_ready():
+    draft = may_wait and not terrain.is_whole() and (_is_large(ob) or not terrain.is_quick())
+    if draft:
         terrain.show_draft(image)
         drafts.ask(name, key, rest=not drafts.is_playing())
     else:
@@ -60,11 +61,33 @@ def _show_in(ob, seen, terrain: OpenTerrain, modifier, *, moving: bool, again: b
         drafts.forget(name, key, more_follows=False)
         if meshes.is_draft(ob.data):
             follow_mesh(ob)
-    _set_inputs(ob, seen, terrain, modifier, image.size[0])
+    _set_inputs(ob, seen, terrain, modifier, image.size[0], draft=draft)
 
 
-def _set_inputs(ob, seen, terrain: OpenTerrain, modifier, samples: int) -> None:
+LARGE = 400000
+"""The vertices of a mesh of which Blender takes longer than a user waits."""
+
+
+def _is_large(ob) -> bool:
+    is_tile = ob.libocean_terrain.shape == "TILE"
+    return is_tile and isinstance(ob.data, bpy.types.Mesh) and len(ob.data.vertices) > LARGE
+
+
+def _draft_inputs(ob, period: float) -> dict:
+    """Returns the inputs by which the node group shows a coarse grid in place of a large mesh."""
+    tiles = ob.libocean_terrain.tiles
+    cells = max(2, meshes.fitting(meshes.DRAFT_SAMPLES // tiles)) * tiles
+    material = ob.material_slots[0].material if ob.material_slots else None
+    return {
+        node_group.DRAFT_CELLS: cells,
+        "Draft Size": period * tiles,
+        "Draft Material": material,
+    }
+
+
+def _set_inputs(ob, seen, terrain: OpenTerrain, modifier, samples: int, *, draft: bool) -> None:
     settings = ob.libocean_terrain
+    shows_grid = draft and _is_large(ob)
     period = float(terrain.values.values["patch_size"])
     # Only the place within a tile counts, and in single precision it counts most near 0.
     place, turn = (0.0, 0.0), (0.0, 0.0, 0.0)
@@ -78,10 +101,14 @@ def _set_inputs(ob, seen, terrain: OpenTerrain, modifier, samples: int) -> None:
             "Half Texel": 0.5 / samples,
             "Origin": (place[0] % period, place[1] % period, 0.0),
             "Turn": turn,
-            "On Samples": settings.shape == "TILE" and meshes.is_on_samples(ob.data, samples),
+            "On Samples": settings.shape == "TILE"
+            and not shows_grid
+            and meshes.is_on_samples(ob.data, samples),
+            node_group.DRAFT_CELLS: 0,
             "Mask": settings.mask,
             "Use Mask": bool(settings.mask),
             "Use Normal": settings.use_normal,
+            **(_draft_inputs(ob, period) if shows_grid else {}),
         },
     )
 

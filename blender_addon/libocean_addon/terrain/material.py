@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import bpy
 
+from ..look import air
+from ..look.material import visibility_property
 from ..shared import compat
 from ..shared.compat import tr
 from ..shared.shader_builder import Tree
@@ -44,6 +46,7 @@ def make(values: dict[str, float]):
         ground.inputs[name].default_value = value
     output = tree.node("ShaderNodeOutputMaterial")
     tree.feed(ground.outputs["Surface"], output.inputs["Surface"])
+    compat.light_nothing(material)
     # In the viewport's solid mode, which shows no nodes.
     material.diffuse_color = (*(channel**0.5 for channel in ground_shader.ALBEDOS["Grass"]), 1.0)
     material.roughness = 0.9
@@ -67,10 +70,15 @@ def assign(ob, material) -> None:
         ob.libocean_terrain.use_normal = True
 
 
-def give(ob) -> None:
-    """Gives an object with a terrain a new material that is fitted to it."""
+def give(ob, world, *, visibility: float = 0.0) -> None:
+    """Gives an object with a terrain a new material that is fitted to it. world: whose sky lends
+    the haze its light; visibility: the distance at which haze hides the land [m], 0: no haze."""
     terrain = terrain_of(ob.name_full)
-    assign(ob, make(look_of(terrain.read_state()) if terrain.terrain is not None else {}))
+    values = look_of(terrain.read_state()) if terrain.terrain is not None else {}
+    material = make({**values, "Visibility": visibility})
+    assign(ob, material)
+    for ground in grounds(ob):
+        air.follow(material.node_tree, ground, world)
 
 
 class AddTerrainMaterial(bpy.types.Operator):
@@ -80,6 +88,8 @@ class AddTerrainMaterial(bpy.types.Operator):
     bl_idname = "libocean.add_terrain_material"
     bl_label = "Terrain Material"
     bl_options = {"REGISTER", "UNDO"}
+
+    visibility: visibility_property()
 
     @classmethod
     def poll(cls, context) -> bool:
@@ -95,7 +105,7 @@ class AddTerrainMaterial(bpy.types.Operator):
             return {"CANCELLED"}
         for ob in terrains:
             live.show(ob)
-            give(ob)
+            give(ob, context.scene.world, visibility=self.visibility)
         return {"FINISHED"}
 
 

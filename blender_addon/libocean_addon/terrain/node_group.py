@@ -21,6 +21,7 @@ GROUND = "Ground"
 CHANNELS = ("nx", "ny", "nz", "height")
 BLANK = (0.0, 0.0, 1.0, 0.0)
 """Level ground: the colour of an image that nothing fills."""
+DRAFT_CELLS = "Draft Cells"
 NORMAL, HEIGHT = "terrain_normal", "terrain_height"
 
 
@@ -40,10 +41,37 @@ def _declare(group) -> None:
         "NodeSocketBool",
         description="Each vertex lies on a sample of the map, and takes it as it is",
     )
+    socket(
+        group,
+        DRAFT_CELLS,
+        "NodeSocketInt",
+        description="Cells along a side of the grid that the viewport shows while values move, in "
+        "place of a mesh of many vertices; 0: none",
+    )
+    socket(group, "Draft Size", "NodeSocketFloat", description="Side of that grid [m]")
+    socket(group, "Draft Material", "NodeSocketMaterial", description="Material of that grid")
     socket(group, "Mask", "NodeSocketString")
     for name in ("Use Mask", "Use Normal"):
         socket(group, name, "NodeSocketBool")
     socket(group, "Geometry", "NodeSocketGeometry", output=True)
+
+
+def _or_draft(b: Builder, inputs):
+    """Returns the mesh or, in a viewport while values move, a coarse grid in its place."""
+    vertices = b.number("ADD", inputs[DRAFT_CELLS], 1.0)
+    grid = b.node("GeometryNodeMeshGrid")
+    for axis in ("X", "Y"):
+        b.link(inputs["Draft Size"], grid.inputs[f"Size {axis}"])
+        b.link(vertices, grid.inputs[f"Vertices {axis}"])
+    smooth = b.node("GeometryNodeSetShadeSmooth")
+    b.link(grid.outputs["Mesh"], smooth.inputs["Geometry"])
+    coloured = b.node("GeometryNodeSetMaterial")
+    b.link(smooth.outputs[0], coloured.inputs["Geometry"])
+    b.link(inputs["Draft Material"], coloured.inputs["Material"])
+    is_draft = b.number("GREATER_THAN", inputs[DRAFT_CELLS], 0.5)
+    viewport = b.node("GeometryNodeIsViewport").outputs[0]
+    is_shown = b.number("MULTIPLY", is_draft, viewport)
+    return b.switch("GEOMETRY", is_shown, inputs["Geometry"], coloured.outputs[0])
 
 
 def _raised(b: Builder, inputs, turned: bool, interpolation: str):
@@ -89,6 +117,7 @@ def get():
         name=name.removeprefix(".libocean."),
         on_samples=inputs["On Samples"],
         euler=inputs["Turn"],
+        geometry=_or_draft(b, inputs),
     )
     b.link(raised, b.node("NodeGroupOutput").inputs[0])
     b.arrange(rows=4, height=240)

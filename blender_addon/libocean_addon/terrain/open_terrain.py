@@ -71,6 +71,7 @@ class OpenTerrain:
         self._draft_values: TerrainValues | None = None
         self._pixels: np.ndarray | None = None
         self._filled: tuple | None = None  # changes and size of the map in _pixels
+        self._whole: tuple | None = None  # changes and size of the last whole map
         self._shown: dict[str, tuple] = {}  # by image: the changes and size of its map
         self._seconds = _FIRST  # a sample of the last whole map
 
@@ -103,14 +104,13 @@ class OpenTerrain:
             self.state = self.terrain.state
         return self.state
 
-    def is_ready(self) -> bool:
-        """Returns whether the whole map is there or made at once."""
-        is_filled = self._filled == (self.changes, self.size)
-        return is_filled or self.pace.size >= self.size or self.is_quick()
+    def is_whole(self) -> bool:
+        """Returns whether the whole map of these values was shown or made for it."""
+        return self._whole == (self.changes, self.size)
 
     def is_quick(self) -> bool:
         """Returns whether a whole map takes less time than a user notices."""
-        return self._seconds * self.size**2 < drafts.SECONDS / 2
+        return self.pace.size >= self.size or self._seconds * self.size**2 < drafts.SECONDS / 2
 
     def show(self, image) -> None:
         """Fills the image with the whole map."""
@@ -122,6 +122,7 @@ class OpenTerrain:
                     self._fill(self.terrain, size)
                     self._seconds = (time.perf_counter() - begun) / size**2
                 self._put(image)
+        self._whole = (self.changes, size)
 
     def show_draft(self, image) -> None:
         """Fills the image with the map of the same terrain with fewer samples, and so without its
@@ -176,7 +177,7 @@ class OpenTerrain:
         with self.lock:
             self.terrain.close()
             self.terrain, self.state = job.terrain, job.state
-            self._pixels, self._filled = job.pixels, job.key
+            self._pixels, self._filled, self._whole = job.pixels, job.key, job.key
             self._seconds = job.seconds_a_sample
         return True
 

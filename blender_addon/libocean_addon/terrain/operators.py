@@ -117,7 +117,7 @@ class AddTerrain(bpy.types.Operator, object_utils.AddObjectHelper):
         parameter_values.assign(settings, values)
         if self.use_material:
             with console.work(ob.name_full, "material"):
-                material.give(ob)
+                material.give(ob, context.scene.world)
         return ob
 
 
@@ -227,7 +227,7 @@ class AddTerrainLayer(OnTerrain, bpy.types.Operator):
             layer = settings.layers.add()
             layer.period = settings.patch_size / 2.0
             layer.seed = 1 + len(settings.layers)
-        changes.tell(context.object)
+        changes.tell(context.object, settings.subject)
         return {"FINISHED"}
 
 
@@ -248,7 +248,7 @@ class RemoveTerrainLayer(OnTerrain, bpy.types.Operator):
             self.report({"ERROR"}, tr("The terrain has no layer {}", self.number + 1))
             return {"CANCELLED"}
         settings.layers.remove(self.number)
-        changes.tell(context.object)
+        changes.tell(context.object, settings.subject)
         return {"FINISHED"}
 
 

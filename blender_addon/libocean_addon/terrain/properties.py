@@ -21,6 +21,8 @@ _HIDDEN_TEXT = bpy.props.StringProperty(options={"HIDDEN"})
 class TerrainLayer(bpy.types.PropertyGroup):
     """A further tile over the first one, with a period and a noise of its own"""
 
+    subject = "terrain"
+
     __annotations__ = {
         **annotations(PARAMETERS, RESOLUTIONS, items=True),
         "exact": _HIDDEN_TEXT,
@@ -30,6 +32,8 @@ class TerrainLayer(bpy.types.PropertyGroup):
 @overridable
 class TerrainSettings(bpy.types.PropertyGroup):
     """The terrain of an object and how it is shown"""
+
+    subject = "terrain"
 
     def __setattr__(self, name: str, value) -> None:
         """Raises ValueError where a script sets a resolution that a terrain file would refuse:
