@@ -165,9 +165,10 @@ class RingTable {
         double change = 0.0;
         for (std::size_t i = 0; i < rings_.size(); ++i) {
             if (!(expected[i] > 0.0)) continue;
-            const double factor = limited(bed[i].density / expected[i]);
-            rings_[i].density *= factor;
-            change = std::max(change, std::abs(factor - 1.0));
+            const double before = rings_[i].density;
+            // A dip that no land has under this window would be deepened for ever.
+            rings_[i].density = bed[i].density * limited(before / expected[i]);
+            change = std::max(change, std::abs(rings_[i].density / before - 1.0));
         }
         return change;
     }
@@ -177,7 +178,7 @@ class RingTable {
     }
 
   private:
-    static double limited(double factor) { return std::clamp(factor, 0.25, 4.0); }
+    static double limited(double factor) { return std::clamp(factor, 1.0 / 12.0, 12.0); }
 
     double longest_wavenumber_;  // [rad/m]
     double longest_density_;     // [m^4]
@@ -251,24 +252,24 @@ void judge_fit(Judge& judge, int seeds, TerrainFit& fit) {
     }
 }
 
-/// Groups rings by octaves from the lowest one.
+/// Groups rings by octaves from the lowest one; a ring weighs as many waves as it has.
 std::vector<FittedOctave> octaves_of(const std::vector<FittedRing>& rings, double lowest) {
     std::vector<FittedOctave> octaves;
-    std::vector<int> counts;
+    std::vector<double> waves;
     for (const FittedRing& ring : rings) {
         const auto octave = static_cast<std::size_t>(
             std::max(0.0, std::floor(std::log2(ring.wavenumber / lowest) + 1e-9)));
         while (octaves.size() <= octave) {
             octaves.push_back({kTwoPi / lowest / std::exp2(static_cast<double>(octaves.size()))});
-            counts.push_back(0);
+            waves.push_back(0.0);
         }
-        octaves[octave].error += ring.residual() * ring.residual();
-        octaves[octave].scatter += ring.scatter * ring.scatter;
-        ++counts[octave];
+        octaves[octave].error += ring.count * ring.residual() * ring.residual();
+        octaves[octave].scatter += ring.count * ring.scatter * ring.scatter;
+        waves[octave] += ring.count;
     }
     for (std::size_t i = 0; i < octaves.size(); ++i) {
-        octaves[i].error = std::sqrt(octaves[i].error / std::max(counts[i], 1));
-        octaves[i].scatter = std::sqrt(octaves[i].scatter / std::max(counts[i], 1));
+        octaves[i].error = std::sqrt(octaves[i].error / std::max(waves[i], 1.0));
+        octaves[i].scatter = std::sqrt(octaves[i].scatter / std::max(waves[i], 1.0));
     }
     return octaves;
 }
