@@ -44,8 +44,11 @@ def numpy_rings(heights, dx, dy, edges):
 
 
 def test_the_rings_are_those_that_numpy_measures(ocean, bed):
-    imported = json.loads(ocean.good("terrain", "import", bed, "--json"))
-    (dx, dy), n = imported["cell"], imported["samples"][0]
+    n = 256  # a power of two: nothing is padded, and both sum the same waves
+    dx, dy = json.loads(ocean.good("terrain", "import", bed, "--json"))["cell"]
+    edges = f"0,0,{(n - 0.5) * dx},{(n - 0.5) * dy}"
+    ocean.good("terrain", "import", bed, "-o", "square.flt", "--crop", edges)
+    bed = "square.flt"
     heights = numpy.fromfile(ocean.folder / bed, "<f4").reshape(n, n).astype(float)
     lowest = 2 * 2 * numpy.pi / (n * min(dx, dy))
     end = 0.8 * numpy.pi / max(dx, dy)
@@ -56,7 +59,6 @@ def test_the_rings_are_those_that_numpy_measures(ocean, bed):
     rings = numpy.genfromtxt(ocean.folder / "rings.csv", delimiter=",", names=True)
     assert rings.dtype.names == (
         "wavenumber", "density", "count", "model", "scatter", "residual")  # fmt: skip
-    # 256 is a power of two: nothing is padded, and both sum the same waves.
     assert rings["density"] == pytest.approx(expected, rel=1e-6)
     assert (rings["wavenumber"] >= edges[:-1]).all() and (rings["wavenumber"] < edges[1:]).all()
 
@@ -79,7 +81,7 @@ def test_the_table_law_has_the_density_of_the_land(ocean, bed):
     assert 'measured = "bed.flt"' in text and "[terrain.measured_rings]" in text
     ocean.good("terrain", "land.toml", "-o", "land.exr")
     heights = OpenImageIO.ImageBuf(str(ocean.folder / "land.exr")).get_pixels()[:, :, 0]
-    assert heights.shape == (256, 256)
+    assert heights.shape == (512, 512)
     assert heights.std() == pytest.approx(model["rms"], rel=0.6)  # one seed
 
 
@@ -118,7 +120,7 @@ def test_the_report_can_be_read(ocean, bed):
     done = ocean("terrain", "fit", bed, "--seeds", "4")
     assert done.returncode == 0
     lines = done.stdout.splitlines()
-    assert lines[0].startswith("model    256 x 256 cells, 19.08 km x 23.67 km")
+    assert lines[0].startswith("model    403 x 344 cells, 30.05 km x 31.81 km")
     assert any(line.startswith("slope 99 %") for line in lines)
     assert max(len(line) for line in lines) <= 80
 

@@ -97,4 +97,38 @@ Relief relief_of(const Domain& domain, std::span<const float> heights) {
     return relief;
 }
 
+void add(Relief& sum, const Relief& one, double share) {
+    sum.rms += share * one.rms;
+    sum.skewness += share * one.skewness;
+    sum.anisotropy += share * one.anisotropy;
+    for (std::size_t i = 0; i < sum.slopes.size(); ++i) sum.slopes[i] += share * one.slopes[i];
+}
+
+Relief relief_of_parts(const ElevationModel& bed, int max_side) {
+    const std::array<int, 2>& samples = bed.domain.samples;
+    const Relief whole = relief_of(bed.domain, bed.heights);
+    if (std::max(samples[0], samples[1]) <= max_side) return whole;
+    constexpr int kParts = 3;  // along each side
+    Domain part = bed.domain;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        part.samples[axis] = std::min(samples[axis], max_side);
+        part.size[axis] = bed.domain.step(axis) * (part.samples[axis] - 1);
+    }
+    Relief mean;
+    mean.anisotropy = 0.0;
+    for (int p = 0; p < kParts * kParts; ++p) {
+        const int left = (samples[0] - part.samples[0]) * (p % kParts) / (kParts - 1);
+        const int low = (samples[1] - part.samples[1]) * (p / kParts) / (kParts - 1);
+        std::vector<float> heights;
+        heights.reserve(part.count());
+        for (int j = low; j < low + part.samples[1]; ++j) {
+            const auto row = bed.heights.begin() + std::ptrdiff_t{j} * samples[0] + left;
+            heights.insert(heights.end(), row, row + part.samples[0]);
+        }
+        add(mean, relief_of(part, heights), 1.0 / (kParts * kParts));
+    }
+    mean.direction = whole.direction;
+    return mean;
+}
+
 }  // namespace ocean

@@ -140,42 +140,6 @@ class Judge {
     int done_ = 0;
 };
 
-void add(Relief& sum, const Relief& one, double share) {
-    sum.rms += share * one.rms;
-    sum.skewness += share * one.skewness;
-    sum.anisotropy += share * one.anisotropy;
-    for (std::size_t i = 0; i < sum.slopes.size(); ++i) sum.slopes[i] += share * one.slopes[i];
-}
-
-/// Returns the relief of a model; of one that is larger than a tile, the mean of nine parts of a
-/// tile's size, because a longer piece of land is higher.
-Relief relief_of_bed(const ElevationModel& bed) {
-    const std::array<int, 2>& samples = bed.domain.samples;
-    const Relief whole = relief_of(bed.domain, bed.heights);
-    if (std::max(samples[0], samples[1]) <= kMaxSide) return whole;
-    constexpr int kParts = 3;  // along each side
-    Domain part = bed.domain;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        part.samples[axis] = std::min(samples[axis], kMaxSide);
-        part.size[axis] = bed.domain.step(axis) * (part.samples[axis] - 1);
-    }
-    Relief mean;
-    mean.anisotropy = 0.0;
-    for (int p = 0; p < kParts * kParts; ++p) {
-        const int left = (samples[0] - part.samples[0]) * (p % kParts) / (kParts - 1);
-        const int low = (samples[1] - part.samples[1]) * (p / kParts) / (kParts - 1);
-        std::vector<float> heights;
-        heights.reserve(part.count());
-        for (int j = low; j < low + part.samples[1]; ++j) {
-            const auto row = bed.heights.begin() + std::ptrdiff_t{j} * samples[0] + left;
-            heights.insert(heights.end(), row, row + part.samples[0]);
-        }
-        add(mean, relief_of(part, heights), 1.0 / (kParts * kParts));
-    }
-    mean.direction = whole.direction;
-    return mean;
-}
-
 /// The table law: rings, and one point for the waves that are too long for them. It lies at the
 /// longest wave of the tile, so that the law is a line from there to the first ring.
 class RingTable {
@@ -201,9 +165,10 @@ class RingTable {
         double change = 0.0;
         for (std::size_t i = 0; i < rings_.size(); ++i) {
             if (!(expected[i] > 0.0)) continue;
-            const double factor = limited(bed[i].density / expected[i]);
-            rings_[i].density *= factor;
-            change = std::max(change, std::abs(factor - 1.0));
+            const double before = rings_[i].density;
+            // A dip that no land has under this window would be deepened for ever.
+            rings_[i].density = bed[i].density * limited(before / expected[i]);
+            change = std::max(change, std::abs(rings_[i].density / before - 1.0));
         }
         return change;
     }
@@ -213,7 +178,7 @@ class RingTable {
     }
 
   private:
-    static double limited(double factor) { return std::clamp(factor, 0.25, 4.0); }
+    static double limited(double factor) { return std::clamp(factor, 1.0 / 12.0, 12.0); }
 
     double longest_wavenumber_;  // [rad/m]
     double longest_density_;     // [m^4]
@@ -287,26 +252,31 @@ void judge_fit(Judge& judge, int seeds, TerrainFit& fit) {
     }
 }
 
-/// Groups rings by octaves from the lowest one.
+/// Groups rings by octaves from the lowest one; a ring weighs as many waves as it has.
 std::vector<FittedOctave> octaves_of(const std::vector<FittedRing>& rings, double lowest) {
     std::vector<FittedOctave> octaves;
-    std::vector<int> counts;
+    std::vector<double> waves;
     for (const FittedRing& ring : rings) {
         const auto octave = static_cast<std::size_t>(
             std::max(0.0, std::floor(std::log2(ring.wavenumber / lowest) + 1e-9)));
         while (octaves.size() <= octave) {
             octaves.push_back({kTwoPi / lowest / std::exp2(static_cast<double>(octaves.size()))});
-            counts.push_back(0);
+            waves.push_back(0.0);
         }
-        octaves[octave].error += ring.residual() * ring.residual();
-        octaves[octave].scatter += ring.scatter * ring.scatter;
-        ++counts[octave];
+        octaves[octave].error += ring.count * ring.residual() * ring.residual();
+        octaves[octave].scatter += ring.count * ring.scatter * ring.scatter;
+        waves[octave] += ring.count;
     }
     for (std::size_t i = 0; i < octaves.size(); ++i) {
-        octaves[i].error = std::sqrt(octaves[i].error / std::max(counts[i], 1));
-        octaves[i].scatter = std::sqrt(octaves[i].scatter / std::max(counts[i], 1));
+        octaves[i].error = std::sqrt(octaves[i].error / std::max(waves[i], 1.0));
+        octaves[i].scatter = std::sqrt(octaves[i].scatter / std::max(waves[i], 1.0));
     }
     return octaves;
+}
+
+std::string length_text(double metres) {
+    return metres < 10'000.0 ? significant_text(metres, 4) + " m"
+                             : significant_text(metres / 1e3, 4) + " km";
 }
 
 void add_warnings(const Domain& bed, TerrainFit& fit) {
@@ -327,11 +297,10 @@ void add_warnings(const Domain& bed, TerrainFit& fit) {
     const double longest = fit.terrain.patch_size / 2.0;
     const double length = std::max(bed.size[0], bed.size[1]);
     if (length > 1.1 * fit.terrain.patch_size) {
-        fit.warnings.push_back("the model is " + significant_text(length, 4) +
-                               " m long and the terrain repeats after " +
-                               significant_text(fit.terrain.patch_size, 4) +
-                               " m: waves longer than " + significant_text(longest, 4) +
-                               " m are not fitted; a model with larger cells has them");
+        fit.warnings.push_back(
+            "the model is " + length_text(length) + " long and the terrain repeats after " +
+            length_text(fit.terrain.patch_size) + ": waves longer than " + length_text(longest) +
+            " are not fitted; a model with larger cells has them");
     }
     if (fit.bed.anisotropy > kClearAnisotropy) {
         fit.warnings.push_back("the land is steeper along " + fixed_text(fit.bed.direction, 0) +
@@ -384,7 +353,7 @@ TerrainFit fit_terrain(const ElevationModel& model, const TerrainFitOptions& opt
     }
     TerrainFit fit;
     fit.terrain = judge.tile();
-    fit.bed = relief_of_bed(model);
+    fit.bed = relief_of_parts(model, kMaxSide);
     if (options.law == FitLaw::table) {
         fit_table(judge, fit.bed.rms, fit.terrain);
     } else {

@@ -52,8 +52,8 @@ struct FittedRing {
 /// The rings of an octave.
 struct FittedOctave {
     double longest_wave = 0.0;  // [m]; the shortest is half of it
-    double error = 0.0;         // root mean square of the rings' residuals
-    double scatter = 0.0;       // root mean square of the rings' scatters
+    double error = 0.0;         // root mean square of the rings' residuals, weighted by count
+    double scatter = 0.0;       // the same mean of the rings' scatters
 };
 
 struct FittedParameter {
