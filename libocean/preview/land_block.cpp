@@ -13,9 +13,9 @@ namespace {
 
 // The belt of the snow line, in rms heights: half its width, its rise on slopes that face the sun
 // and on crests. Of a land with an rms of 350 m: 140 m, 220 m and 260 m.
-constexpr double kSnowBelt = 0.4;
-constexpr double kSunnyRise = 0.63;
-constexpr double kWornRise = 0.74;
+constexpr float kSnowBelt = 0.4f;
+constexpr float kSunnyRise = 0.63f;
+constexpr float kWornRise = 0.74f;
 
 constexpr double kSmallestCover = 0.4;  // [m]
 constexpr double kMinRise = 0.01;       // of a line to the sun, where it is near the horizon
@@ -31,7 +31,7 @@ int whole(double x) {
 
 /// Returns the lowest and the highest value that a view shows where DrawOptions give none.
 std::array<double, 2> default_range(ViewRange range, const ShownLand& land) {
-    const double height = std::max(2.0 * land.rms, 1e-3);
+    const double height = 2.0 * colour_scale(land);
     const double slope = std::max(4.0 * std::sqrt(0.5) * land.rms_slope, 1e-6);
     switch (range) {
         case ViewRange::height:
@@ -51,7 +51,7 @@ void set_map(LandBlock& b, const ShownLand& land, const Camera& camera) {
     const double x = camera.eye[0] / texel, y = camera.eye[1] / texel;
     b.texel = glm::vec4(fraction(x), fraction(y), 0.0, 0.0);
     b.eye_texel = glm::ivec4(whole(x), whole(y), land.image->resolution, 0);
-    b.heights = glm::vec4(land.mean, land.rms, land.heights[0], land.heights[1]);
+    b.heights = glm::vec4(land.mean, colour_scale(land), land.heights[0], land.heights[1]);
 }
 
 /// Sets the sizes of the cover noise, in equal ratios from a part of the tile to less than a cell
@@ -79,7 +79,8 @@ LandBlock make_land_block(const ShownLand& land, const Camera& camera, const Loo
         is_given ? options.range : default_range(row_of(options.view).range, land);
     b.range = glm::vec4(low, high, land.cell, 0.0);
     const double line = look.snow_line.value_or(default_snow_line(land));
-    b.snow = glm::vec4(line, kSnowBelt * land.rms, kSunnyRise * land.rms, kWornRise * land.rms);
+    b.snow = glm::vec4(
+        line, glm::vec3(kSnowBelt, kSunnyRise, kWornRise) * static_cast<float>(colour_scale(land)));
     const glm::dvec3 sun(make_sky(look).sun_direction);
     const double rise = std::max(sun.z / std::max(std::hypot(sun.x, sun.y), 1e-6), kMinRise);
     const double reach = std::min((land.heights[1] - land.heights[0]) / rise, land.image->period);

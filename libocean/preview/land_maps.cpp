@@ -77,9 +77,13 @@ double texel_of(const ShownLand& land) {
     return land.image->period / land.image->resolution;
 }
 
+double colour_scale(const ShownLand& land) {
+    return land.rms > 0.0 ? land.rms : 1.0;
+}
+
 double default_snow_line(const ShownLand& land) {
     constexpr double kRise = 1.3;
-    return land.mean + kRise * land.rms;
+    return land.mean + kRise * colour_scale(land);
 }
 
 int land_map_resolution(const Terrain& terrain, bool quick) {

@@ -101,7 +101,10 @@ def test_dropped_files_open_and_wrong_ones_say_why(hand):
     (folder / "photo.jpg").write_bytes(b"\xff\xd8\xff\xe0\0\x10JFIF")
     for wrong, reason in (
         (folder / "broken.toml", "did you mean waves.0.wind_speed?"),
-        (folder / "photo.jpg", "a window opens seas, terrains, takes, baked files and skies (.exr)"),
+        (
+            folder / "photo.jpg",
+            "a window opens seas, terrains, takes, baked files and skies (.exr)",
+        ),
         (folder, "is a folder"),
     ):
         before = shown(hand)

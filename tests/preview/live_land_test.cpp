@@ -70,6 +70,9 @@ TEST_F(LiveLandTest, ASliderRedoesTheStagesThatItDirties) {
     EXPECT_EQ(runs_of("seed", "9"), (TerrainRuns{0, 0, 0}));
     EXPECT_THROW(scene.set("beta", "99"), Error);
     EXPECT_EQ(scene.land()->terrain().beta, 2.4);
+    // Undo unsets a number that was unset.
+    scene.set("rms", "");
+    EXPECT_FALSE(scene.land()->terrain().rms);
 }
 
 TEST_F(LiveLandTest, ASeaAndATerrainTakeEachOthersPlace) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "ocean/error.hpp"
 #include "ocean/io/png.hpp"
 #include "panel/panel_length.hpp"
 #include "picture_file.hpp"
@@ -61,12 +62,27 @@ preview::DrawOptions Viewport::draw_options(const PanelState& state,
 }
 
 StagePicture Viewport::make_stage(LiveScene& scene, const PanelState& state) {
-    if (scene.land() != nullptr) {
-        return make_stage_picture(terrain_stages(scene.land()->land()), state.view);
-    }
+    if (scene.land() != nullptr) return make_land_stage(scene.land()->land(), state.view);
     LiveSea& sea = *scene.sea();
     const auto cascade = static_cast<std::size_t>(std::max(0, state.cascade));
     return make_stage_picture(stages_, sea.ocean(), sea.time(), cascade, state.view);
+}
+
+const StagePicture& Viewport::make_land_stage(Land& land, const std::string& view) {
+    constexpr int kMaxResolution = 2048;  // a few seconds
+    const int resolution = land.terrain().resolution;
+    if (resolution > kMaxResolution) {
+        throw Error(ErrorKind::invalid_value,
+                    "view " + view + ": a window shows stages of at most " +
+                        std::to_string(kMaxResolution) + " samples a side; resolution is " +
+                        std::to_string(resolution) + "; --offscreen shows any");
+    }
+    const Revision revision = land.modes().revision;
+    if (revision == land_revision_ && view == land_view_) return land_stage_;
+    land_stage_ = make_stage_picture(terrain_stages(land), view);
+    land_view_ = view;
+    land_revision_ = revision;
+    return land_stage_;
 }
 
 void Viewport::draw_stage(LiveScene& scene, const PanelState& state) {

@@ -44,6 +44,7 @@ class Viewport {
   private:
     preview::DrawOptions draw_options(const PanelState& state, preview::SceneKind kind) const;
     StagePicture make_stage(LiveScene& scene, const PanelState& state);
+    const StagePicture& make_land_stage(Land& land, const std::string& view);
     void draw_stage(LiveScene& scene, const PanelState& state);
 
     const PreviewOptions& options_;
@@ -55,6 +56,10 @@ class Viewport {
     int width_ = 0, height_ = 0;
     gl::StageMaker stages_;
     StagePicture stage_;
+    // A stage of a land, which takes longer than a frame, and of which modes it is.
+    StagePicture land_stage_;
+    std::string land_view_;
+    Revision land_revision_;
     gl::Texture stage_texture_;
     float beside_panel_ = 1.0f;  // share of the window's width that the panel left free
 };

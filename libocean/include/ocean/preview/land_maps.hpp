@@ -38,7 +38,9 @@ struct ShownLand {
 /// Returns the distance of the map's samples [m].
 double texel_of(const ShownLand& land);
 
-/// Returns the height above which snow lies on level ground by default [m]: 1.3 rms heights above
+/// Returns the height that the colours of land scale with [m]: its rms height, of flat land 1 m.
+double colour_scale(const ShownLand& land);
+/// Returns the height above which snow lies on level ground by default [m]: 1.3 colour scales above
 /// the mean.
 double default_snow_line(const ShownLand& land);
 
