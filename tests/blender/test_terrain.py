@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from conftest import attribute, evaluated_mesh, plane, positions, rest
 from libocean_addon.bundled import libocean
-from libocean_addon.terrain import node_group, parameter_values, terrain_text
+from libocean_addon.shared import changes
+from libocean_addon.terrain import live, node_group, parameter_values, terrain_text
 from libocean_addon.terrain.parameters import PARAMETERS
 
 
@@ -205,6 +206,16 @@ def test_a_measured_spectrum_is_kept_without_its_file(measured, tmp_path):
     assert bpy.ops.libocean.save_terrain(filepath=str(tmp_path / "saved.toml")) == {"FINISHED"}
     with libocean.open_terrain(tmp_path / "measured.toml") as library:
         assert (tmp_path / "saved.toml").read_text() == library.text
+
+
+def test_the_spectrum_of_a_file_is_kept_in_the_settings(measured):
+    settings = measured.libocean_terrain
+    kept = settings.measured_rings
+    assert not live._keep_spectrum(measured)  # it is
+    with changes.quiet():
+        settings.measured_rings = ""  # as the property of the file's name leaves it
+    assert live._keep_spectrum(measured)
+    assert settings.measured_rings == kept
 
 
 def test_a_file_that_is_gone_is_said_and_the_law_comes_back(measured):

@@ -33,19 +33,24 @@ LABEL = "label"
 UV_MAP = "UVMap"
 
 
-def _write_labels(mesh, period: float, *, with_uv: bool = compat.SHARES_LAYERS) -> None:
-    """Writes the undisplaced coordinate of each vertex [m] as the attribute `label`, z = 0, and its
-    share of the period as a UV map. A node group with foam stores a label of the world over it.
-    with_uv: false leaves the UV map out. Without shared layers it costs a seventh of each frame of
-    a sea, 12 bytes a corner: older Blenders get the label alone."""
+OF_SEA = {LABEL, UV_MAP} if compat.SHARES_LAYERS else {LABEL}
+"""The layers of a sea's mesh. Without shared layers the UV map costs a seventh of each frame, 12
+bytes a corner: older Blenders get the label alone."""
+
+
+def _write_labels(mesh, period: float, layers: set[str] = OF_SEA) -> None:
+    """Writes these layers: the undisplaced coordinate of each vertex [m] as the attribute `label`,
+    z = 0, its share of the period as a UV map. A node group with foam stores a label of the world
+    over it."""
     places = np.empty(3 * len(mesh.vertices), np.float32)
     mesh.vertices.foreach_get("co", places)
     places = places.reshape(-1, 3)
     places[:, 2] = 0.0
-    # One after the other: a layer that is added moves the memory of those before it.
-    label = mesh.attributes.get(LABEL) or mesh.attributes.new(LABEL, "FLOAT_VECTOR", "POINT")
-    label.data.foreach_set("vector", places.ravel())
-    if not with_uv:
+    if LABEL in layers:
+        # One after the other: a layer that is added moves the memory of those before it.
+        label = mesh.attributes.get(LABEL) or mesh.attributes.new(LABEL, "FLOAT_VECTOR", "POINT")
+        label.data.foreach_set("vector", places.ravel())
+    if UV_MAP not in layers:
         return
     corners = np.empty(len(mesh.loops), np.int32)
     mesh.loops.foreach_get("vertex_index", corners)
@@ -53,8 +58,8 @@ def _write_labels(mesh, period: float, *, with_uv: bool = compat.SHARES_LAYERS) 
     uv.data.foreach_set("uv", (places[:, :2] / np.float32(period))[corners].ravel())
 
 
-def _is_labelled(mesh, *, with_uv: bool = compat.SHARES_LAYERS) -> bool:
-    return LABEL in mesh.attributes and (not with_uv or UV_MAP in mesh.uv_layers)
+def _is_labelled(mesh, layers: set[str] = OF_SEA) -> bool:
+    return all(name in mesh.attributes or name in mesh.uv_layers for name in layers)
 
 
 _LABELLED = "libocean_label"  # custom property of a user's mesh: the period of its UV map [m]
@@ -175,10 +180,10 @@ def follow_patch(
     *,
     tiles: int = 1,
     draft: bool = False,
-    with_uv: bool = compat.SHARES_LAYERS,
+    layers: set[str] = OF_SEA,
 ) -> None:
     """Makes a patch's mesh again if its period [m], its samples or its tiles, per side, have
-    changed. draft: with few vertices."""
+    changed. draft: with few vertices; layers: those of _write_labels."""
     draft = draft and samples * tiles > DRAFT_SAMPLES
     if draft:
         samples = max(2, fitting(DRAFT_SAMPLES // tiles))
@@ -191,13 +196,13 @@ def follow_patch(
             mesh.update()
         else:
             fill(mesh, vertices, _patch_faces(cells))
-        _write_labels(mesh, size, with_uv=with_uv)
+        _write_labels(mesh, size, layers)
 
     made_of = f"patch {size!r} {samples}" + (f" {tiles}" if tiles > 1 else "")
     follow(ob, draft_of(made_of) if draft else made_of, make)
-    is_of_earlier_version = not _is_labelled(ob.data, with_uv=with_uv)
+    is_of_earlier_version = not _is_labelled(ob.data, layers)
     if is_of_earlier_version and ob.data.library is None:
-        _write_labels(ob.data, size, with_uv=with_uv)
+        _write_labels(ob.data, size, layers)
 
 
 STAND_IN = "stand-in"

@@ -165,7 +165,9 @@ def follow_mesh(ob, *, draft: bool = False) -> None:
             meshes.label_users(ob.data, period)
         else:
             samples, tiles = samples_of(settings, terrain.size), settings.tiles
-            meshes.follow_patch(ob, period, samples, tiles=tiles, draft=draft, with_uv=True)
+            meshes.follow_patch(
+                ob, period, samples, tiles=tiles, draft=draft, layers={meshes.UV_MAP}
+            )
             for modifier in node_group.modifiers(ob):
                 image = modifier_groups.value(modifier, node_group.GROUND)
                 on_samples = image is not None and meshes.is_on_samples(ob.data, image.size[0])
