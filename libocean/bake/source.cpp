@@ -38,8 +38,8 @@ BakedHeader::BakedHeader(const std::string& path, const Catalogue& catalogue) : 
     const BakeFormat* format = catalogue.find_format_of_frame(OutputPattern(path).extension());
     if (format == nullptr) format = &kExrFormat;  // its reader explains what is wrong
     if (format->read_header == nullptr) {
-        refuse_source(
-            path, "a file of type " + std::string(format->extension) + " does not name its sea");
+        refuse_source(path, "a file of type " + std::string(format->extension) +
+                                " does not name its subject");
     }
     for (io::HeaderString& string : format->read_header(path)) {
         strings_[string.name] = std::move(string.text);

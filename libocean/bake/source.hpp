@@ -32,6 +32,8 @@ class BakedHeader {
     int resolution() const;
     /// Returns the subject that the header describes. Throws Error as its reader.
     std::unique_ptr<Subject> subject(const Catalogue& catalogue) const;
+    /// Returns true for an EXR file.
+    bool has_layout() const { return layout_.has_value(); }
     /// Returns the layout of an EXR file.
     const io::ExrLayout& layout() const { return *layout_; }
 

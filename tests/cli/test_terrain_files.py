@@ -142,6 +142,11 @@ def test_a_png_states_its_range_and_is_right_to_half_its_quantum(hills):
     beside = (hills.folder / "t.png.txt").read_text()
     assert f"base = {base.decode()}\n" in beside and f"scale = {scale.decode()}\n" in beside
     hills.is_made_again_from("t.png", "u.png", "t.png", "t.png.txt", "t.png.inc")
+    # Another format, from it.
+    hills.ocean.good("terrain", "--from", "t.png", "-o", "from_png.exr")
+    assert (hills.folder / "from_png.exr").read_bytes() == (
+        hills.folder / "reference.exr"
+    ).read_bytes()
 
 
 def test_a_geotiff_has_the_heights_and_places_of_the_map(hills):

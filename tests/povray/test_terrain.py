@@ -220,6 +220,20 @@ camera { location <500, 2600, 500> look_at <500, 2000, 501> angle 60 }
     assert "rror" not in log and image.std(axis=(0, 1)).max() < 0.02 and image.mean() > 0.5
 
 
+def test_the_sky_goes_on_below_the_horizon(land):
+    """Land that ends near the eye ends before the horizon, and no dark line is seen between."""
+    land.run(
+        LOAD
+        + """
+Terrain_Eye_At(<0, 40, 0>, 4)
+Terrain_Sun(50, -60)
+Terrain_Sky(0)
+camera { location <0, 40, 0> look_at <100, 35, 0> angle 4 }
+"""
+    )
+    assert read_png(land.path / "out.png")[:, :, :3].min() > 0.5
+
+
 def test_two_terrains_share_a_scene(tmp_path):
     Land(tmp_path / "north")
     Land(tmp_path / "south", "--format", "height_field", text=HILLS.replace("2000", "100"))
@@ -264,7 +278,9 @@ def test_sources_of_every_kind_are_recognised(tmp_path):
     done = ocean(tmp_path, "povray", "preset:seed_rough", "-o", "c", "--dry-run")
     assert done.returncode == 0 and not (tmp_path / "c").exists()
     assert "c/terrain.inc" in done.stdout and "c/land.df3" in done.stdout
-    assert re.search(r"2\d\.\d s|\d+ s to read a Terrain_Mesh", done.stderr)
+    assert re.search(r"\d+ s to read a Terrain_Mesh", done.stderr)
+    done = ocean(tmp_path, "povray", "preset:tujunja", "-o", "d")
+    assert done.returncode == 2 and "did you mean tujunga?" in done.stderr
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/read_provenance.hpp"
 #include "ocean/subject_kind.hpp"
@@ -83,6 +84,19 @@ bool names_terrain(const std::string& source) {
     } catch (const Error&) {
         return false;  // its reader explains what is wrong
     }
+}
+
+void refuse_unknown_preset(const std::string& source) {
+    if (!source.starts_with(kPresetPrefix)) return;
+    const std::string name = source.substr(kPresetPrefix.size());
+    std::vector<std::string_view> names;
+    for (const std::span<const Preset> list : {presets(), terrain_presets()}) {
+        if (is_preset_of(list, name)) return;
+        for (const Preset& preset : list) names.push_back(preset.name);
+    }
+    throw Error(ErrorKind::not_found, "no preset is called '" + text::printable(name) + "'" +
+                                          did_you_mean(name, names) +
+                                          "; `ocean presets` lists those of seas and terrains");
 }
 
 }  // namespace ocean::app

@@ -28,5 +28,8 @@ Terrain open_terrain(const TerrainArgument& argument);
 /// [terrain]. False for everything else, also for what cannot be read. Standard input and pipes are
 /// not looked into.
 bool names_terrain(const std::string& source);
+/// Throws Error not_found, with the nearest names, for "preset:NAME" that is neither a sea's nor a
+/// terrain's.
+void refuse_unknown_preset(const std::string& source);
 
 }  // namespace ocean::app

@@ -110,6 +110,7 @@ void refuse_folder_of_a_terrain(const std::string& folder) {
 
 void run(const Typed& typed, const Context& context) {
     const std::string folder = typed.folder.empty() ? "." : typed.folder;
+    refuse_unknown_preset(typed.sea.source);
     if (names_terrain(typed.sea.source)) {
         refuse_options_of_seas(typed);
         BakeOptions options = typed.bake;

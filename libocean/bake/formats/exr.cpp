@@ -295,7 +295,10 @@ void adopt_channels(const io::ExrLayout& stored, bool full_heights,
     refuse_source(options.from, "its channels are not those that `ocean bake` writes");
 }
 
+/// Sets nothing from a file of another format: meshes and volumes have products and axes of their
+/// own.
 void adopt(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& options) {
+    if (!header.has_layout()) return;
     const io::ExrLayout& stored = header.layout();
     const std::vector<const Product*> products = find_products(header.text("field"), catalogue);
     // A product that is not a vector is the same in all axes, and its header does not name them.
