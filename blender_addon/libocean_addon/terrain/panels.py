@@ -248,10 +248,11 @@ class GroundPanel(_Panel, bpy.types.Panel):
             for socket in ground.inputs:
                 if socket.is_linked:
                     continue
+                name = {"text": socket.name}
                 if socket.type == "RGBA":
-                    field(column, socket, "default_value", text=socket.name)
+                    field(column, socket, "default_value", context=translations.SEA, **name)
                 else:
-                    column.prop(socket, "default_value", text=socket.name)
+                    column.prop(socket, "default_value", text_ctxt=translations.SEA, **name)
 
 
 CLASSES = (
