@@ -248,11 +248,11 @@ class GroundPanel(_Panel, bpy.types.Panel):
             for socket in ground.inputs:
                 if socket.is_linked:
                     continue
-                name = {"text": socket.name}
+                label, context = socket.name, translations.SEA
                 if socket.type == "RGBA":
-                    field(column, socket, "default_value", context=translations.SEA, **name)
+                    field(column, socket, "default_value", text=label, context=context)
                 else:
-                    column.prop(socket, "default_value", text_ctxt=translations.SEA, **name)
+                    column.prop(socket, "default_value", text=label, text_ctxt=context)
 
 
 CLASSES = (
