@@ -37,6 +37,25 @@ TERMS = {
     # Facts about the land.
     "Median slope": "Mittlere Neigung",
     "Steepest 1 %": "Steilstes 1 %",
+    # Sockets of the material, of which Blender has words of its own for some.
+    "Snow Line": "Schneegrenze",
+    "Forest Line": "Waldgrenze",
+    "Sand Line": "Sandgrenze",
+    "Line Width": "Saumbreite",
+    "Sun Melt": "Schmelze",
+    "Sun Bearing": "Sonnenrichtung",
+    "Snow Slope": "Schneehang",
+    "Rock Slope": "Felshang",
+    "Scree Slope": "Geröllhang",
+    "Noise Size": "Fleckengröße",
+    "Noise Amount": "Flecken",
+    "Snow Colour": "Schneefarbe",
+    "Rock Colour": "Felsfarbe",
+    "Scree Colour": "Geröllfarbe",
+    "Grass Colour": "Grasfarbe",
+    "Forest Colour": "Waldfarbe",
+    "Sand Colour": "Sandfarbe",
+    "Colour": "Farbe",
 }
 
 OPERATORS = {
@@ -85,25 +104,6 @@ TEXTS = {
     "Two terrain modifiers raise the mesh twice": (
         "Zwei Gelände-Modifikatoren heben das Mesh doppelt"
     ),
-    # Material.
-    "Snow Line": "Schneegrenze",
-    "Forest Line": "Waldgrenze",
-    "Sand Line": "Sandgrenze",
-    "Line Width": "Saumbreite",
-    "Sun Melt": "Schmelze",
-    "Sun Bearing": "Sonnenrichtung",
-    "Snow Slope": "Schneehang",
-    "Rock Slope": "Felshang",
-    "Scree Slope": "Geröllhang",
-    "Noise Size": "Fleckengröße",
-    "Noise Amount": "Flecken",
-    "Snow Colour": "Schneefarbe",
-    "Rock Colour": "Felsfarbe",
-    "Scree Colour": "Geröllfarbe",
-    "Grass Colour": "Grasfarbe",
-    "Forest Colour": "Waldfarbe",
-    "Sand Colour": "Sandfarbe",
-    "Colour": "Farbe",
     # Why something cannot be done.
     "No terrain is selected": "Kein Gelände ist gewählt",
     "The active object has no terrain modifier": "Das aktive Objekt hat keinen Geländemodifikator",

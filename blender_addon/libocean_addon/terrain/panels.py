@@ -248,10 +248,11 @@ class GroundPanel(_Panel, bpy.types.Panel):
             for socket in ground.inputs:
                 if socket.is_linked:
                     continue
+                label, context = socket.name, translations.SEA
                 if socket.type == "RGBA":
-                    field(column, socket, "default_value", text=socket.name)
+                    field(column, socket, "default_value", text=label, context=context)
                 else:
-                    column.prop(socket, "default_value", text=socket.name)
+                    column.prop(socket, "default_value", text=label, text_ctxt=context)
 
 
 CLASSES = (
