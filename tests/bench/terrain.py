@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""How fast a terrain is: heights and both slopes on one thread, against 11 octaves of Perlin noise by
-FastNoiseSIMD, whose heights have no slopes, and against numpy's transforms, interleaved.
+"""How fast a terrain is on one thread: heights and both slopes, against eleven octaves of Perlin
+noise by FastNoiseSIMD, whose heights have no slopes, and against numpy's transforms, interleaved.
 
 usage: terrain.py [SIDE ...]     in a Python with numpy; FastNoiseSIMD where pyfastnoisesimd imports
 """

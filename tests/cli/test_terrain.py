@@ -91,6 +91,32 @@ def test_a_sea_and_a_terrain_are_told_apart(land):
     assert "shows a terrain instead of a sea" in land.bad("bake", "land.exr", "-o", "x.exr")
 
 
+def test_an_elevation_model_is_answered_with_the_command_that_fits_one(land):
+    land.write("bed.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 9\n1 2\n3 4\n")
+    for command in (["terrain", "bed.asc", "-o", "x.exr"], ["info", "bed.asc"]):
+        assert "`ocean terrain fit bed.asc -o land.toml`" in land.bad(*command)
+    for command in (["info", "preset:tujungo"], ["spectrum", "preset:tujungo"]):
+        assert "did you mean tujunga?" in land.bad(*command)
+
+
+def test_the_spectrum_of_a_terrain_is_its_rings(land):
+    header, *rows = land.good("spectrum", "land.toml", "--seeds", 4).splitlines()
+    assert header.startswith("wavenumber,wavelength_m,count,density,asked_m4")
+    table = np.array([[float(cell) for cell in row.split(",")] for row in rows])
+    slope = np.polyfit(np.log(table[4:, 0]), np.log(table[4:, 4]), 1)[0]
+    assert slope == pytest.approx(-3.8, abs=0.02)
+    assert np.abs(np.log10(table[6:, 5] / table[6:, 4])).max() < 0.2
+    land.good("spectrum", "land.toml", "--plot", "plot.png", "-o", "rings.csv")
+    of_plot = json.loads(land.good("info", "--json", "plot.png"))
+    assert of_plot["rms"]["asked"] == pytest.approx(12.0)
+    land.write("again.toml", LAND.replace("beta = 1.9\n", 'measured = "rings.csv"\n'))
+    land.good("terrain", "again.toml", "-o", "again.exr", "-q")
+    for wrong in ("0", "257", "x"):
+        assert "--seeds" in land.bad("spectrum", "land.toml", "--seeds", wrong)
+    assert "only a sea has it" in land.bad("spectrum", "land.toml", "--directional")
+    assert "only a terrain has it" in land.bad("spectrum", "preset:beaufort_5", "--seeds", 4)
+
+
 def test_what_only_a_sea_has_is_refused(land):
     for products in ("foam", "displacement,normal", "caustics"):
         said = land.bad("terrain", "land.toml", "-o", "x.exr", "--products", products, code=2)

@@ -124,7 +124,10 @@ def test_headers_and_libraries_are_there(everything):
     installed = {path.relative_to(include) for path in include.rglob("*") if path.is_file()}
     assert installed == {path for path in theirs if path.parts[:2] != ("ocean", "internal")}
     libraries = {path.stem.removeprefix("libocean_") for path in everything.rglob("*.a")}
-    formats = ("elevation", "exr", "file", "image", "mesh", "png", "povray", "provenance", "vdb")
+    formats = (
+        *("elevation", "exr", "file", "geotiff", "image", "mesh", "png", "povray", "provenance"),
+        "vdb",
+    )
     io = {f"io_{name}" for name in formats}
     assert libraries == {"core", "seafile", "bake", "bridge", "gl", "preview"} | io
 
@@ -178,6 +181,7 @@ def test_a_c_program_by_pkg_config(c_host, sea_and_height, tmp_path):
         (
             "COMPONENTS bake",
             "ocean::bake;ocean::core;ocean::io_elevation;ocean::io_exr;ocean::io_file;"
+            "ocean::io_geotiff;"
             "ocean::io_image;ocean::io_mesh;ocean::io_png;ocean::io_povray;"
             "ocean::io_provenance;ocean::io_vdb;ocean::seafile",
         ),

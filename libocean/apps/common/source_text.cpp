@@ -4,6 +4,8 @@
 // See source_text.hpp.
 #include "source_text.hpp"
 
+#include <algorithm>
+
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/platform.hpp"
@@ -13,6 +15,20 @@
 #include "standard_input.hpp"
 
 namespace ocean::app {
+namespace {
+
+/// Throws Error for the file of an elevation model, from which a terrain can be fitted.
+void refuse_elevation_model(const std::string& source, std::string_view kind) {
+    constexpr std::string_view kExtensions[] = {".asc", ".flt", ".hdr", ".hgt"};
+    const std::string extension = text::to_utf8(utf8_path(source).extension());
+    if (std::ranges::find(kExtensions, extension) == std::ranges::end(kExtensions)) return;
+    throw Error(ErrorKind::bad_file, source + ": is an elevation model, not " +
+                                         io::subject_words(kind).noun + "; `ocean terrain fit " +
+                                         source + " -o land.toml` makes a terrain with its " +
+                                         "spectrum");
+}
+
+}  // namespace
 
 SourceText read_source_text(const std::string& source, std::string_view kind) {
     if (source == kStandardInput) {
@@ -24,6 +40,7 @@ SourceText read_source_text(const std::string& source, std::string_view kind) {
     }
     const auto provenance = io::read_provenance(source);
     if (!provenance) {
+        refuse_elevation_model(source, kind);
         return {text::read_file(source, kMaxSeaFileBytes), source,
                 text::to_utf8(utf8_path(source).parent_path())};
     }

@@ -38,6 +38,7 @@ void run_for_terrain(const InfoOptions& info, const Context& context) {
 }
 
 void run(const InfoOptions& info, const Context& context) {
+    refuse_unknown_preset(info.sea.source);
     if (names_terrain(info.sea.source)) return run_for_terrain(info, context);
     const Sea sea = open_sea(info.sea);
     if (info.sea_file) return context.console.data(write_sea(sea));

@@ -114,6 +114,7 @@ void run_for_terrain(const SpectrumOptions& options, const Context& context) {
 }
 
 void run(const SpectrumOptions& options, const Context& context) {
+    refuse_unknown_preset(options.sea.source);
     if (names_terrain(options.sea.source)) return run_for_terrain(options, context);
     if (!options.seeds.empty()) {
         throw Error(ErrorKind::unsupported, "--seeds: only a terrain has it, and this is a sea");
