@@ -67,6 +67,21 @@ def valley(scene):
     scenes.camera(scene, place, place + 100.0 * way, 26.0)
 
 
+def render(scene, picture: str, samples: int, size=(1280, 720), percent: int = 100) -> None:
+    render = scene.render
+    render.engine = "CYCLES"
+    scene.cycles.samples, scene.cycles.max_bounces = samples, 4
+    scene.cycles.use_denoising = scenes.can_denoise()
+    render.resolution_x, render.resolution_y = size
+    render.resolution_percentage = percent
+    render.image_settings.file_format = "JPEG" if picture.endswith(".jpg") else "PNG"
+    render.image_settings.quality = 92
+    scene.view_settings.view_transform = "Filmic"
+    scene.view_settings.look = "Medium High Contrast"
+    render.filepath = os.path.abspath(picture)
+    bpy.ops.render.render(write_still=True)
+
+
 def main(picture: str, samples: int = 64, percent: int = 100) -> None:
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scenes.enable_addon()
@@ -76,17 +91,7 @@ def main(picture: str, samples: int = 64, percent: int = 100) -> None:
     sky = next(node for node in scene.world.node_tree.nodes if node.type == "TEX_SKY")
     sky.altitude = 1500.0  # [m] of the camera
     valley(scene)
-    render = scene.render
-    render.engine = "CYCLES"
-    scene.cycles.samples, scene.cycles.max_bounces = samples, 4
-    scene.cycles.use_denoising = scenes.can_denoise()
-    render.resolution_x, render.resolution_y, render.resolution_percentage = 1280, 720, percent
-    render.image_settings.file_format = "JPEG" if picture.endswith(".jpg") else "PNG"
-    render.image_settings.quality = 92
-    scene.view_settings.view_transform = "Filmic"
-    scene.view_settings.look = "Medium High Contrast"
-    render.filepath = os.path.abspath(picture)
-    bpy.ops.render.render(write_still=True)
+    render(scene, picture, samples, percent=percent)
 
 
 if __name__ == "__main__":

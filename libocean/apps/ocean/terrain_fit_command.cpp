@@ -146,7 +146,8 @@ void write_outputs(const FitOptions& options, const ElevationModel& bed, const T
                                         .text = write_terrain(fit.terrain)};
         std::vector<io::HeaderString> strings = io::provenance_strings(provenance);
         strings.push_back({std::string(kPlotString), std::string(kPlotWord)});
-        const std::string png = plot_fit(bed, fit, options.bed, context.options.threads);
+        const std::string name = text::to_utf8(utf8_path(options.bed).filename());
+        const std::string png = plot_fit(bed, fit, name, context.options.threads);
         write(options.plot, io::with_png_strings(png, strings));
     }
     if (!options.output.empty()) write(options.output, terrain_text(options, fit));
