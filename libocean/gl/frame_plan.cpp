@@ -33,10 +33,40 @@ std::string define(std::string_view name, long long value) {
     return define(name, std::to_string(value));
 }
 
+/// Returns the real factor of a field's coefficient, which is h or dh/dt, times i or not, times it.
+std::string real_factor(Linear field) {
+    const LinearShape shape = linear_shape(field);
+    std::string factor = shape.sign < 0 ? "-1.0" : "1.0";
+    for (int i = 0; i < shape.x_power; ++i) factor += " * kx";
+    for (int i = 0; i < shape.y_power; ++i) factor += " * ky";
+    if (shape.displacement) factor += " * u";
+    if (field == Linear::gradient_xy) factor += " * gradient_scale";
+    return factor;
+}
+
+std::string state_of(Linear field) {
+    return linear_shape(field).rate ? "h_rate" : "h";
+}
+
+/// Returns the first field's coefficient plus i times the second's: the state times f + i g, times i
+/// or not, since both fields of a pair have the same state. Written as a sum of two coefficients,
+/// a + times_i(b), it was compiled by NVIDIA's driver 580 without the second times_i.
 std::string coefficients(const FieldPair& pack) {
     if (pack.real == pack.imaginary) return coefficient(pack.real);
-    return "pair(" + coefficient(pack.real) + ", " + coefficient(pack.imaginary) + ")";
+    const std::string together = "product(" + state_of(pack.real) + ", vec2(" +
+                                 real_factor(pack.real) + ", " + real_factor(pack.imaginary) + "))";
+    return linear_shape(pack.real).odd ? "times_i(" + together + ")" : together;
 }
+
+/// Returns true if the fields of each pair are made of one state, as coefficients() needs.
+constexpr bool pairs_share_a_state() {
+    for (const FieldPair& pack : kFieldPairs) {
+        const LinearShape a = linear_shape(pack.real), b = linear_shape(pack.imaginary);
+        if (a.odd != b.odd || a.rate != b.rate) return false;
+    }
+    return true;
+}
+static_assert(pairs_share_a_state());
 
 std::string value_of(Quantity quantity) {
     if (quantity.is_linear()) return "p." + std::string(name_of(quantity.linear()));
@@ -79,14 +109,9 @@ std::string shared_defines(const FramePlan& plan) {
 }  // namespace
 
 std::string coefficient(Linear field) {
-    const LinearShape shape = linear_shape(field);
-    std::string factor = shape.sign < 0 ? "-1.0" : "1.0";
-    for (int i = 0; i < shape.x_power; ++i) factor += " * kx";
-    for (int i = 0; i < shape.y_power; ++i) factor += " * ky";
-    if (shape.displacement) factor += " * u";
-    if (field == Linear::gradient_xy) factor += " * gradient_scale";
-    const std::string of = shape.rate ? "h_rate" : "h";
-    return (shape.odd ? "times_i(" + of + ")" : of) + " * (" + factor + ")";
+    const std::string of = state_of(field);
+    const bool odd = linear_shape(field).odd;
+    return (odd ? "times_i(" + of + ")" : of) + " * (" + real_factor(field) + ")";
 }
 
 PassShape pass_shape(int resolution, int shared_bytes, int workgroup_threads) {

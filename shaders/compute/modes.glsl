@@ -30,9 +30,3 @@ ModeState mode_at(uint x, uint y) {
     float turns = phase_turns(turn_rate.x, turn_rate.y, tau.x, tau.y);
     return mode_state(own.x, own.y, mirror.x, mirror.y, turns, turn_rate.x * rate_factor);
 }
-
-// The first field's coefficient and i times the second's.
-vec2 pair(vec2 a, vec2 b) {
-    precise vec2 sum = a + times_i(b);
-    return sum;
-}
