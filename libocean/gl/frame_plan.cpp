@@ -48,9 +48,11 @@ std::string state_of(Linear field) {
     return linear_shape(field).rate ? "h_rate" : "h";
 }
 
-/// Returns the first field's coefficient plus i times the second's: the state times f + i g, times i
-/// or not, since both fields of a pair have the same state. Written as a sum of two coefficients,
-/// a + times_i(b), it was compiled by NVIDIA's driver 580 without the second times_i.
+}  // namespace
+
+/// The state times f + i g, times i or not, since both fields of a pair have the same state.
+/// Written as a sum of two coefficients, a + times_i(b), it was compiled by NVIDIA's driver 580
+/// without the second times_i.
 std::string coefficients(const FieldPair& pack) {
     if (pack.real == pack.imaginary) return coefficient(pack.real);
     const std::string together = "product(" + state_of(pack.real) + ", vec2(" +
@@ -67,6 +69,8 @@ constexpr bool pairs_share_a_state() {
     return true;
 }
 static_assert(pairs_share_a_state());
+
+namespace {
 
 std::string value_of(Quantity quantity) {
     if (quantity.is_linear()) return "p." + std::string(name_of(quantity.linear()));

@@ -44,6 +44,10 @@ inline constexpr FieldPair kFieldPairs[] = {
     {Linear::height_rate, Linear::height_rate},
 };
 
+/// Returns the GLSL of the coefficient of a pair, the first field's plus i times the second's, of
+/// the variables h, h_rate, kx, ky, u and gradient_scale.
+std::string coefficients(const FieldPair& pack);
+
 /// Up to four quantities in one texture.
 struct MapTexture {
     std::vector<Quantity> quantities;

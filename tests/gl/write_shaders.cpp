@@ -9,6 +9,7 @@
 
 #include "frame_plan.hpp"
 #include "ground.hpp"
+#include "self_check.hpp"
 #include "shader_text.hpp"
 #include "water_program.hpp"
 
@@ -85,7 +86,7 @@ int main(int argc, char** argv) {
     write("moments", "compute/moments.comp", "");
     write("stage", "compute/thesis/stage.comp", "");
     write("permutation", "compute/thesis/permutation.comp", "");
-    write("self_check", "compute/self_check.comp", "");
+    write("self_check", "compute/self_check.comp", self_check_defines());
     for (int resolution = 32; resolution <= 8192; resolution *= 2) {
         // With little shared memory and with much.
         for (const int shared : {32768, 49152}) {
