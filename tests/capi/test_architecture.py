@@ -93,11 +93,12 @@ LIBRARIES = {
             "exr": ("Imf",),
             "file": (*SYSTEM, "io.h", "process.h"),
             "mesh": ("wave/",),
+            "geotiff": ("tiffio.h",),
             "png": ("png.h", "zlib.h"),
             "povray": ("png.h", "wave/"),
             "vdb": ("openvdb/", "tbb/"),
         },
-        links=("OpenEXR::OpenEXR", "OpenVDB::openvdb", "PNG::PNG", "ZLIB::ZLIB"),
+        links=("OpenEXR::OpenEXR", "OpenVDB::openvdb", "PNG::PNG", "TIFF::TIFF", "ZLIB::ZLIB"),
     ),
     "gl": Library(
         below=("core", "seafile"),

@@ -19,7 +19,7 @@ namespace ocean::app {
 namespace {
 
 constexpr char kFooter[] =
-    R"(SEA is a sea file, a terrain file, a file that was baked from one, or preset:NAME
+    R"(SEA is a sea file, a terrain file, a file baked from one, or preset:NAME
 of either; `ocean presets` lists them.
 Keys: W A S D Q E move, Shift is fast, dragging turns, the wheel zooms; Space
 pauses, R records, V changes the view, C the camera, F shows the mesh, P probes,
