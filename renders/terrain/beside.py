@@ -3,7 +3,7 @@
 """The ridge of beside.jpg in Blender: the eye and the sun that the preview and POV-Ray have in the
 other columns.
 
-usage: blender --background --python renders/terrain/beside.py -- PICTURE ELEVATION BEARING [SAMPLES]
+usage: blender --background --python renders/terrain/beside.py -- PICTURE ELEVATION BEARING
 
 The add-on must be installed. ELEVATION and BEARING are those of the sun, in degrees, the bearing
 counter-clockwise from +x.
