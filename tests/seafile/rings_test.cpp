@@ -50,9 +50,9 @@ TEST(Rings, EachBadTableGetsItsSentence) {
         {"wavenumber,density\n1,1\n2\n",
          "r.csv:3: fewer cells than the 2 columns of the header line"},
     };
-    for (const auto& [text, sentence] : all) {
-        const auto refused = refusal_of([&] { parse_rings(text, "r.csv"); });
-        EXPECT_EQ(refused.message, sentence);
+    for (const auto& bad : all) {
+        const auto refused = refusal_of([&] { parse_rings(bad.first, "r.csv"); });
+        EXPECT_EQ(refused.message, bad.second);
         EXPECT_EQ(refused.kind, ErrorKind::bad_file);
     }
     std::string many = "wavenumber,density\n";

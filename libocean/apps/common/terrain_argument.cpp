@@ -61,7 +61,7 @@ OptionGroup terrain_options(TerrainArgument& argument, bool required) {
           "A terrain file, - for standard input, a file that was baked from one, or preset:NAME",
           required},
          {"--set", &argument.assignments, "NAME=VALUE",
-          "Change a parameter, such as beta=2.2 or layer.0.gain=0.5; may be repeated"}}};
+          "Change a parameter, such as beta=2.2 or terrain.layer.0.gain=0.5; may be repeated"}}};
 }
 
 Terrain open_terrain(const TerrainArgument& argument) {

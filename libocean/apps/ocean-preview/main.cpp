@@ -29,6 +29,11 @@ saved then. Ctrl O opens a file, Ctrl S saves the sea under a name; a sea, a
 take, a baked file or a sky can also be dropped on the window. A gamepad's
 sticks move and turn, its A pauses, B changes the camera, X the view, Y returns
 to the start.
+--view of a sea: shaded, height, displacement_x, displacement_y, normal, slope,
+jacobian, whitecap, foam, and with a pixel for each wave h0, spectrum (h(k, t))
+and butterfly. Of a terrain: shaded, height, normal, slope, noise with a pixel
+for each sample, and its transform, filter and spectrum (transform times
+filter).
 --probe prints x,y, the height of the mesh and of the maps at that place (m),
 the square of the shown slope, the mean square slope that the light receives as
 roughness, and the share of foam; only x,y where no water is drawn. Of land it

@@ -231,10 +231,7 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
            "a GPU)",
            kOptional, Within{1, 64}},
           {"--view", &words.view, "VIEW",
-           "The field to show. Of a sea, h0, spectrum (h(k, t)) and butterfly have a pixel for "
-           "each "
-           "wave; of a terrain, transform, filter and spectrum (the filtered transform); noise has "
-           "one for each sample. A terrain has shaded, height, normal and slope beside",
+           "The field to show (default shaded); below are those of a sea and of a terrain",
            kOptional, OneOf{all_view_names()}},
           {"--look", &words.look, "LOOK",
            "physical (default), or seed: ten by ten periods in plain light and fog, as teaching "

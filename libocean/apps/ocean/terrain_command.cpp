@@ -129,7 +129,7 @@ Command terrain_command(const Catalogue& catalogue) {
     groups.push_back(run_options("Progress, warnings and errors as JSON lines"));
     return {
         .name = "terrain",
-        .summary = "Write a fractional terrain: EXR, PNG, PLY, OBJ, USD, VDB",
+        .summary = "Write a fractional terrain: EXR, PNG, GeoTIFF, PLY, OBJ, USD, VDB",
         .options = std::move(groups),
         .footer = kFooter,
         .run = [typed, &catalogue](const Context& context) { run(*typed, catalogue, context); },
