@@ -6,12 +6,9 @@
 #include <array>
 #include <vector>
 
-#include "ocean/error.hpp"
-#include "ocean/internal/checked_text.hpp"
-#include "ocean/internal/nearest_name.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
-#include "table_writer.hpp"
+#include "preset_text.hpp"
 
 namespace ocean {
 namespace {
@@ -73,31 +70,19 @@ std::string plain(double value) {
     return to_text(ParameterValue(value));
 }
 
-/// Returns the line of a key that differs from its default, or that a reader looks for first: the
-/// spectrum and the resolution. With unit and label.
-std::string preset_line(const Parameters& parameters, const ParameterRef& ref) {
+/// Returns whether a preset has the line of a key: one that differs from its default, or that a
+/// reader looks for first, the spectrum and the resolution.
+bool is_shown(const ParameterRef& ref, const std::string& line) {
     static const Parameters kDefaults;
-    const std::string line = parameter_line(parameters, ref);
-    const bool is_named =
-        ref.info->holds<&WaveSystem::spectrum>() || ref.info->holds<&Grid::resolution>();
-    if (!is_named && line == parameter_line(kDefaults, {ref.info, 0})) return "";
-    const std::string unit = ref.info->unit.empty() ? "" : std::string(ref.info->unit) + ": ";
-    return line.substr(0, line.size() - 1) + "  # " + unit + std::string(ref.info->label) + "\n";
-}
-
-std::string commented(std::string_view lines) {
-    std::string out = "# ";
-    for (char c : lines) out += c == '\n' ? std::string("\n# ") : std::string(1, c);
-    return out + "\n";
+    return ref.info->holds<&WaveSystem::spectrum>() || ref.info->holds<&Grid::resolution>() ||
+           line != parameter_line(kDefaults, {ref.info, 0});
 }
 
 /// Makes a preset. `notes` are lines that follow the description as comments.
 Preset make_preset(const std::string& name, const std::string& description, std::string_view notes,
                    const Parameters& parameters) {
-    std::string toml = commented(name + ": " + description) + commented(notes);
-    const auto line = [&](const ParameterRef& ref) { return preset_line(parameters, ref); };
-    toml += table_text<Parameters>(sea_table(), parameters, line);
-    return {name, description, toml};
+    return described_preset(name, description, notes,
+                            preset_keys(sea_table(), parameters, is_shown));
 }
 
 Parameters wind_sea(double wind_speed, double fetch, double patch_size) {
@@ -237,15 +222,9 @@ std::span<const Preset> presets() {
 }
 
 const Preset& find_preset(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const Preset& preset : presets()) {
-        if (preset.name == name) return preset;
-        names.push_back(preset.name);
-    }
-    throw Error(ErrorKind::not_found,
-                "no preset is called '" + text::printable(name) + "'" + did_you_mean(name, names) +
-                    "; allowed: beaufort_0 .. beaufort_12, douglas_0 .. douglas_9, "
-                    "seed_lantz, seed_thesis");
+    return find_preset_in(
+        presets(), name, "preset",
+        "beaufort_0 .. beaufort_12, douglas_0 .. douglas_9, seed_lantz, seed_thesis");
 }
 
 }  // namespace ocean

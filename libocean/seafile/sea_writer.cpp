@@ -19,16 +19,6 @@ namespace {
 constexpr std::string_view kOpening =
     "# A sea, for libocean. All units are SI, angles in degrees.\n";
 
-std::string array_text(const std::vector<double>& values) {
-    constexpr std::size_t kPerLine = 8;
-    std::string out = "[";
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        out += i % kPerLine == 0 ? "\n    " : " ";
-        out += toml_number(values[i]) + ",";
-    }
-    return out + "\n]";
-}
-
 std::string text_if_known(const std::string& value) {
     return value.empty() ? "" : toml_string(value);
 }
@@ -41,7 +31,8 @@ std::string text_if_known(const std::vector<std::string>& texts) {
     return out.empty() ? "" : "[" + out + "\n]";
 }
 std::string text_if_known(const std::vector<double>& values) {
-    return values.empty() ? "" : array_text(values);
+    constexpr std::size_t kPerLine = 8;
+    return values.empty() ? "" : toml_lines(values, kPerLine);
 }
 
 std::string measured_record_text(const WaveSystem& system) {

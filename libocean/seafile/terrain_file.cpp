@@ -99,21 +99,12 @@ class TerrainReader {
     TableReader<Terrain> reader_;
 };
 
-std::string list_text(const std::vector<double>& values) {
-    constexpr std::size_t kPerLine = 6;
-    std::string out = "[";
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        out += i % kPerLine == 0 ? "\n    " : " ";
-        out += toml_number(values[i]) + ",";
-    }
-    return out + "\n]";
-}
-
 std::string rings_text(const Terrain& terrain) {
     if (terrain.rings == nullptr) return "";
+    constexpr std::size_t kPerLine = 6;
     return "\n[terrain." + std::string(kRingsTable) + "]\n" + std::string(kWavenumber) + " = " +
-           list_text(terrain.rings->wavenumber) + "\n" + std::string(kDensity) + " = " +
-           list_text(terrain.rings->density) + "\n";
+           toml_lines(terrain.rings->wavenumber, kPerLine) + "\n" + std::string(kDensity) + " = " +
+           toml_lines(terrain.rings->density, kPerLine) + "\n";
 }
 
 }  // namespace

@@ -5,42 +5,27 @@
 // whose laws were measured. A preset is a few numbers; its file is written from them.
 #include <vector>
 
-#include "ocean/error.hpp"
-#include "ocean/internal/checked_text.hpp"
-#include "ocean/internal/nearest_name.hpp"
 #include "ocean/terrain_table.hpp"
 #include "ocean/terrainfile.hpp"
-#include "table_writer.hpp"
+#include "preset_text.hpp"
 
 namespace ocean {
 namespace {
 
-/// Returns the line of a key that differs from its default, or that a reader looks for first: the
-/// resolution, the size and beta. With unit and label.
-std::string preset_line(const Terrain& terrain, const RefOf<Terrain>& ref) {
+/// Returns whether a preset has the line of a key: one that differs from its default, or that a
+/// reader looks for first, the resolution, the size and beta.
+bool is_shown(const RefOf<Terrain>& ref, const std::string& line) {
     static const Terrain kDefaults;
-    const std::string line = parameter_line(terrain, ref);
-    const bool is_named = ref.info->holds<&Terrain::resolution>() ||
-                          ref.info->holds<&Terrain::patch_size>() ||
-                          ref.info->holds<&Terrain::beta>();
-    const bool is_default = !ref.info->in_list() && line == parameter_line(kDefaults, ref);
-    if (line.empty() || (is_default && !is_named)) return "";
-    const std::string unit = ref.info->unit.empty() ? "" : std::string(ref.info->unit) + ": ";
-    return line.substr(0, line.size() - 1) + "  # " + unit + std::string(ref.info->label) + "\n";
+    return ref.info->holds<&Terrain::resolution>() || ref.info->holds<&Terrain::patch_size>() ||
+           ref.info->holds<&Terrain::beta>() || ref.info->in_list() ||
+           line != parameter_line(kDefaults, ref);
 }
 
-std::string commented(std::string_view lines) {
-    std::string out = "# ";
-    for (const char c : lines) out += c == '\n' ? std::string("\n# ") : std::string(1, c);
-    return out + "\n";
-}
-
+/// Makes a preset. `notes` are lines that follow the description as comments.
 Preset make_preset(const std::string& name, const std::string& description, std::string_view notes,
                    const Terrain& terrain) {
-    std::string toml = commented(name + ": " + description) + commented(notes);
-    const auto line = [&](const RefOf<Terrain>& ref) { return preset_line(terrain, ref); };
-    toml += table_text<Terrain>(terrain_table(), terrain, line);
-    return {name, description, toml};
+    return described_preset(name, description, notes,
+                            preset_keys(terrain_table(), terrain, is_shown));
 }
 
 Preset seed_fbm(const std::string& name, double beta, const std::string& words) {
@@ -148,16 +133,11 @@ std::span<const Preset> terrain_presets() {
 }
 
 const Preset& find_terrain_preset(std::string_view name) {
-    std::vector<std::string_view> names;
     std::string allowed;
     for (const Preset& preset : terrain_presets()) {
-        if (preset.name == name) return preset;
-        names.push_back(preset.name);
         allowed += (allowed.empty() ? "" : ", ") + preset.name;
     }
-    throw Error(ErrorKind::not_found, "no terrain preset is called '" + text::printable(name) +
-                                          "'" + did_you_mean(name, names) +
-                                          "; allowed: " + allowed);
+    return find_preset_in(terrain_presets(), name, "terrain preset", allowed);
 }
 
 }  // namespace ocean

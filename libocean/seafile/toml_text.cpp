@@ -57,4 +57,13 @@ std::string toml_value(const ParameterValue& value) {
                       [](std::int64_t item) { return std::to_string(item); });
 }
 
+std::string toml_lines(const std::vector<double>& values, std::size_t per_line) {
+    std::string out = "[";
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        out += i % per_line == 0 ? "\n    " : " ";
+        out += toml_number(values[i]) + ",";
+    }
+    return out + "\n]";
+}
+
 }  // namespace ocean

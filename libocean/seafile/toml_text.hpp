@@ -4,8 +4,10 @@
 // Values in TOML's spelling: the right-hand sides of "key =" in sea files and presets.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "ocean/table.hpp"
 
@@ -17,5 +19,7 @@ std::string toml_string(std::string_view text);
 /// "inf", "nan".
 std::string toml_number(double value);
 std::string toml_value(const ParameterValue& value);
+/// Returns an array of many numbers, so many on each line.
+std::string toml_lines(const std::vector<double>& values, std::size_t per_line);
 
 }  // namespace ocean

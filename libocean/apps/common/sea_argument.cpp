@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "any_spectra.hpp"
+#include "assignment.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/platform.hpp"
@@ -41,15 +42,6 @@ void assign(Parameters& parameters, const std::string& name, std::string value) 
     set_parameter(parameters, name, value);
 }
 
-void assign_text(Parameters& parameters, const std::string& assignment) {
-    const std::size_t equals = assignment.find('=');
-    if (equals == std::string::npos || equals == 0) {
-        throw Error(ErrorKind::invalid_value,
-                    "--set " + assignment + ": allowed is NAME=VALUE, such as wind_speed=12");
-    }
-    assign(parameters, assignment.substr(0, equals), assignment.substr(equals + 1));
-}
-
 }  // namespace
 
 OptionGroup sea_options(SeaArgument& argument, bool required) {
@@ -65,8 +57,9 @@ OptionGroup sea_options(SeaArgument& argument, bool required) {
 
 Sea open_sea(const SeaArgument& argument) {
     Sea sea = read_source(argument.source);
-    for (const std::string& assignment : argument.assignments) {
-        assign_text(sea.parameters, assignment);
+    for (const std::string& text : argument.assignments) {
+        const Assignment set = parse_assignment(text, "wind_speed=12");
+        assign(sea.parameters, set.name, set.value);
     }
     resolve_files(sea, utf8_path(argument.source).parent_path().string(), read_any_spectra);
     validate(sea);

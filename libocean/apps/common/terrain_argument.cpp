@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "assignment.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/nearest_name.hpp"
@@ -37,14 +38,7 @@ Terrain read_source(const std::string& source) {
     return parse_terrain(found.text, found.name, found.base_dir);
 }
 
-void assign(Terrain& terrain, const std::string& assignment) {
-    const std::size_t equals = assignment.find('=');
-    if (equals == std::string::npos || equals == 0) {
-        throw Error(ErrorKind::invalid_value,
-                    "--set " + assignment + ": allowed is NAME=VALUE, such as beta=2.2");
-    }
-    const std::string name = assignment.substr(0, equals);
-    std::string value = assignment.substr(equals + 1);
+void assign(Terrain& terrain, const std::string& name, std::string value) {
     const auto ref = find_parameter(terrain_table(), name);
     if (ref.info->holds<&Terrain::measured>() && !value.empty()) {
         value = text::to_utf8(std::filesystem::absolute(utf8_path(value)));
@@ -66,7 +60,10 @@ OptionGroup terrain_options(TerrainArgument& argument, bool required) {
 
 Terrain open_terrain(const TerrainArgument& argument) {
     Terrain terrain = read_source(argument.source);
-    for (const std::string& assignment : argument.assignments) assign(terrain, assignment);
+    for (const std::string& text : argument.assignments) {
+        const Assignment set = parse_assignment(text, "beta=2.2");
+        assign(terrain, set.name, set.value);
+    }
     resolve_files(terrain, "");
     validate(terrain);
     return terrain;

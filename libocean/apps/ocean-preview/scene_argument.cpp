@@ -2,35 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene_argument.hpp"
 
-#include <algorithm>
-#include <span>
-#include <string_view>
-#include <vector>
-
-#include "ocean/error.hpp"
-#include "ocean/internal/checked_text.hpp"
-#include "ocean/internal/nearest_name.hpp"
-#include "ocean/seafile.hpp"
-#include "ocean/terrainfile.hpp"
-#include "source_text.hpp"
 #include "terrain_argument.hpp"
 
 namespace ocean::app {
-namespace {
-
-/// Throws Error not_found that names the nearest presets of both kinds.
-void require_preset(const std::string& name) {
-    std::vector<std::string_view> names;
-    for (const std::span<const Preset> list : {presets(), terrain_presets()}) {
-        for (const Preset& preset : list) names.push_back(preset.name);
-    }
-    if (std::ranges::find(names, name) != names.end()) return;
-    throw Error(ErrorKind::not_found, "no preset is called '" + text::printable(name) + "'" +
-                                          did_you_mean(name, names) +
-                                          "; `ocean presets` lists those of seas and terrains");
-}
-
-}  // namespace
 
 preview::SceneKind kind_of(const OpenedScene& scene) {
     return std::holds_alternative<Sea>(scene) ? preview::SceneKind::sea : preview::SceneKind::land;
@@ -48,9 +22,7 @@ OptionGroup scene_options(SeaArgument& argument) {
 }
 
 OpenedScene open_scene(const SeaArgument& argument) {
-    if (argument.source.starts_with(kPresetPrefix)) {
-        require_preset(argument.source.substr(kPresetPrefix.size()));
-    }
+    refuse_unknown_preset(argument.source);
     if (names_terrain(argument.source)) {
         return open_terrain({argument.source, argument.assignments});
     }

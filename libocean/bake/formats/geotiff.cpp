@@ -5,9 +5,9 @@
 #include "ocean/io/geotiff.hpp"
 
 #include "formats/formats.hpp"
+#include "formats/height_image.hpp"
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
-#include "ocean/io/product_image.hpp"
 
 namespace ocean {
 namespace {
@@ -45,9 +45,7 @@ std::uint64_t max_bytes(const BakePlan& plan, const NoSettings&, const BakeFile&
 }
 
 void write(const FrameWork& work, const NoSettings&, std::span<const BakeFile> files) {
-    const Product* const heights[] = {&find_product("height")};
-    io::Image image = io::product_image(heights, {}, work.provenance(), work.maps.front());
-    image.strings.push_back({"ocean:resolution", std::to_string(work.plan.resolution)});
+    const io::Image image = height_image(work);
     const std::string& path = files.front().path;
     work.write_and_verify(files.front(), [&] { io::write_geotiff(image, path); });
 }

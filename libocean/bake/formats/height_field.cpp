@@ -5,13 +5,13 @@
 // for people (.txt) and for scenes (.inc).
 #include "ocean/io/height_field.hpp"
 #include "formats/formats.hpp"
+#include "formats/height_image.hpp"
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/png.hpp"
 #include "ocean/io/povray_declarations.hpp"
-#include "ocean/io/product_image.hpp"
 
 namespace ocean {
 namespace {
@@ -86,9 +86,7 @@ std::uint64_t max_bytes(const BakePlan& plan, const NoSettings&, const BakeFile&
 }
 
 void write(const FrameWork& work, const NoSettings&, std::span<const BakeFile> files) {
-    const Product* const heights[] = {&find_product("height")};
-    io::Image image = io::product_image(heights, {}, work.provenance(), work.maps.front());
-    image.strings.push_back({"ocean:resolution", std::to_string(work.plan.resolution)});
+    const io::Image image = height_image(work);
     work.write_and_verify(files[kImage],
                           [&] { io::write_height_field(image, files[kImage].path); });
     work.write_and_verify(files[kDescription], [&] {
