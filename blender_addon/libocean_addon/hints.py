@@ -11,10 +11,8 @@ import math
 import bpy
 
 from .sea import facts, node_group, open_sea
-from .shared import compat, meshes
+from .shared import compat, meshes, object_faults
 from .shared.compat import tr, tr_label
-
-_EVEN = 1e-4  # of scales that are meant to be one
 
 
 def of_size(ob) -> list[str]:
@@ -39,20 +37,17 @@ def of_size(ob) -> list[str]:
 
 
 def _of_scale(ob) -> str:
-    scale = [abs(part) for part in ob.matrix_world.to_scale()]
-    if max(scale) - min(scale) > _EVEN * max(scale):
+    scale = object_faults.uniform_scale(ob)
+    if scale is None:
         return tr_label("The object is scaled unevenly, and so are its waves: apply the scale")
-    if abs(scale[0] - 1.0) > _EVEN:
-        return tr_label("The object is scaled by {:.3g}, and so are its waves", scale[0])
+    if scale != 1.0:
+        return tr_label("The object is scaled by {:.3g}, and so are its waves", scale)
     return ""
 
 
 def _of_mask(ob, seen) -> str:
     mask = ob.libocean.mask
-    if not mask or mask in ob.vertex_groups:
-        return ""
-    meshes_of = [data for data in (ob.data, seen.data) if hasattr(data, "attributes")]
-    if any(mask in data.attributes for data in meshes_of):
+    if not object_faults.lacks_mask(ob, seen, mask):
         return ""
     return tr_label("{} is no vertex group or attribute: the sea stands still", mask)
 

@@ -12,7 +12,7 @@ from . import translations
 from .look import foam_images, material
 from .sea import live, messages, node_group, parameter_values, sea_text
 from .sea.resolutions import OF_SEA
-from .shared import changes, compat, console, meshes, paths
+from .shared import changes, compat, console, meshes, modifier_groups, paths
 from .shared.compat import tr
 from .shared.messages import of_file
 from .shared.native import libocean
@@ -34,11 +34,7 @@ def take_over(ob, sea) -> None:
 
 def add_modifier(ob, kind: str = "MESH"):
     """The ocean modifier on an object that has no sea, or already one."""
-    modifier = ob.modifiers.new("Ocean", "NODES")
-    with console.work(ob.name_full, "nodes"):
-        modifier.node_group = node_group.get(kind)
-    modifier.show_expanded = False  # its inputs are the add-on's business; the panel is below
-    return modifier
+    return modifier_groups.add(ob, "Ocean", lambda: node_group.get(kind))
 
 
 def _start_sea(ob, preset: str) -> None:
@@ -131,7 +127,7 @@ class AddModifier(bpy.types.Operator):
     @classmethod
     def poll(cls, context) -> bool:
         ob = context.object
-        if ob is None or ob.type not in {"MESH", "CURVE", "SURFACE", "FONT"}:
+        if ob is None or ob.type not in modifier_groups.DISPLACED:
             cls.poll_message_set(tr("The active object is no mesh, curve or text"))
             return False
         if node_group.modifiers(ob):
@@ -190,8 +186,7 @@ class SaveSea(OnOcean, bpy.types.Operator, ExportHelper):
         try:
             with libocean.parse(values.text()) as sea:
                 text = sea.text
-            with open(paths.absolute(self.filepath), "w", encoding="utf-8") as file:
-                file.write(text)
+            paths.write_text(self.filepath, text)
         except libocean.Error as failure:
             self.report({"ERROR"}, messages.of_error(failure))
             return {"CANCELLED"}

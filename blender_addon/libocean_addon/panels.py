@@ -16,7 +16,15 @@ from .sea import facts, node_group, parameter_values, records
 from .sea.parameter_values import PARAMETERS
 from .shared import file_row, parameter_fields, resolutions
 from .shared.compat import tr_label
-from .shared.drawing import beside, field, is_narrow, never_raises, place_labels, say
+from .shared.drawing import (
+    field,
+    is_narrow,
+    mask_field,
+    never_raises,
+    place_labels,
+    say,
+    say_state,
+)
 from .spray import spray
 from .volumes import volumes
 
@@ -161,10 +169,7 @@ def _draw_state(layout, ob) -> None:
     if state is None:
         return
     box = layout.box().column(align=True)
-    for label, text in state:
-        row = box.split(factor=0.62)
-        row.label(text=label, text_ctxt=translations.SEA)
-        row.label(text=text, translate=False)
+    say_state(box, state)
     for text in hints.of_size(ob):
         say(box, text)
     for warning in facts.warnings_of(ob):
@@ -239,11 +244,7 @@ class LookPanel(_Panel, bpy.types.Panel):
         column.active = settings.use_foam and settings.use_normal
         column.prop(settings, "use_detail")
         _draw_parameters(layout, settings, FOAM)
-        if is_narrow():
-            row = beside(layout, tr_label("Mask"), [])
-            row.prop_search(settings, "mask", ob, "vertex_groups", text="")
-        else:
-            layout.prop_search(settings, "mask", ob, "vertex_groups")
+        mask_field(layout, settings, ob)
         layout.prop(settings, "follow_world")
 
 

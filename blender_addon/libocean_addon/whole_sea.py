@@ -44,16 +44,21 @@ class FinishDraft(bpy.types.Operator):
 def draw(layout, name: str) -> None:
     """Draws the progress behind a draft of the object with that full name; nothing without a
     draft."""
-    share = drafts.progress(name)
-    if share is not None:
+    share = drafts.progress(name) or 0.0
+    working = tr_label("A draft; the whole sea: {:.0%}", share)
+    draw_draft(layout, name, working, tr_label("A draft, without the past of its foam"))
+
+
+def draw_draft(layout, name: str, working: str, stopped: str) -> None:
+    """Draws the button that stops the work on the whole of a draft, or goes on with it, each behind
+    its sentence; nothing without a draft."""
+    if drafts.progress(name) is not None:
         row = layout.row()
-        said = tr_label("A draft; the whole sea: {:.0%}", share)
-        say(row, said, "SORTTIME", beside=BUTTON)
+        say(row, working, "SORTTIME", beside=BUTTON)
         row.operator(StopDraft.bl_idname, text="", icon="X").name = name
     elif drafts.is_stopped(name):
         row = layout.row()
-        said = tr_label("A draft, without the past of its foam")
-        say(row, said, "INFO", beside=3 * BUTTON)
+        say(row, stopped, "INFO", beside=3 * BUTTON)
         row.operator(FinishDraft.bl_idname, text="Finish").name = name
 
 

@@ -196,22 +196,21 @@ def give_body(ob, *, wanted: bool) -> None:
         ob.modifiers.remove(modifier)
 
 
-def assign(ob, material) -> None:
-    """Puts it into the first slot, in the place of what is there."""
+def put_in_first_slot(ob, material) -> None:
+    """Puts a material into the first slot, in the place of what is there."""
     if ob.material_slots:
         ob.material_slots[0].material = material
     else:
         ob.data.materials.append(material)
+
+
+def assign(ob, material) -> None:
+    """Puts it into the first slot, in the place of what is there."""
+    put_in_first_slot(ob, material)
     # The points must carry the attributes that it reads.
     for name in ("use_foam", "use_velocity", "use_normal"):
         if not getattr(ob.libocean, name):
             setattr(ob.libocean, name, True)
-
-
-def _oceans(context) -> list:
-    """The oceans that are selected, and the active object if it is one."""
-    chosen = dict.fromkeys([*context.selected_objects, context.object])
-    return [ob for ob in chosen if ob is not None and node_group.modifiers(ob)]
 
 
 class AddMaterial(bpy.types.Operator):
@@ -245,7 +244,7 @@ class AddMaterial(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context) -> bool:
-        if _oceans(context):
+        if node_group.FAMILY.selected(context):
             return True
         cls.poll_message_set(tr("No ocean is selected"))
         return False
@@ -261,7 +260,7 @@ class AddMaterial(bpy.types.Operator):
                 layout.prop(self, "focus_depth")
 
     def execute(self, context):
-        oceans = [ob for ob in _oceans(context) if ob.data.library is None]
+        oceans = [ob for ob in node_group.FAMILY.selected(context) if ob.data.library is None]
         if not oceans:
             self.report({"ERROR"}, tr("Linked data keeps its material"))
             return {"CANCELLED"}

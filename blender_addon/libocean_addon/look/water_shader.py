@@ -13,11 +13,9 @@ is glass with absorption and scattering.
 
 from __future__ import annotations
 
-import bpy
-
 from ..shared import compat
 from ..shared.native import libocean
-from ..shared.shader_builder import Tree, facing, stored_normal
+from ..shared.shader_builder import Tree, facing, shader_group, stored_normal
 from . import crest_nodes, foam_nodes
 
 GROUP = "Ocean Water"
@@ -356,10 +354,4 @@ def waters(tree) -> list:
 
 def get_group():
     """The node group: made when there is none."""
-    for group in bpy.data.node_groups:
-        if group.get(MARK) == VERSION and group.library is None:
-            return group
-    group = bpy.data.node_groups.new(GROUP, "ShaderNodeTree")
-    group[MARK] = VERSION
-    _build(group)
-    return group
+    return shader_group(MARK, VERSION, GROUP, _build)

@@ -14,6 +14,7 @@ import numpy as np
 
 from ..shared import drafts, images
 from ..shared.native import libocean
+from ..shared.open_by_object import OpenByObject
 from . import atlas, messages, node_group, sea_text
 from .sea_job import SeaJob
 
@@ -225,34 +226,21 @@ class OpenSea:
             self.shown[image.name_full] = state
         return True
 
+    def forget_images(self) -> None:
+        """Forgets, after undo and loading, what images hold."""
+        self.shown.clear()
+
     def close(self) -> None:
         for handle in (self.sea, self.point_sea):
             if handle is not None:
                 handle.close()
 
 
-_seas: dict[str, OpenSea] = {}
-
-
-def sea_of(name: str) -> OpenSea:
-    """Returns the open sea of the object with that full name."""
-    if name not in _seas:
-        _seas[name] = OpenSea()
-    return _seas[name]
-
-
-def forget(names: set[str]) -> None:
-    """Forgets, after undo and loading, the content of images, and closes the seas of objects
-    without one of these names."""
-    for name in list(_seas):
-        if name in names:
-            _seas[name].shown.clear()
-        else:
-            _seas.pop(name).close()
+_seas = OpenByObject(OpenSea)
+sea_of = _seas.of
+forget = _seas.forget
 
 
 def close_all() -> None:
     drafts.close()
-    for sea in _seas.values():
-        sea.close()
-    _seas.clear()
+    _seas.close_all()

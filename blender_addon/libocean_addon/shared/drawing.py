@@ -9,6 +9,7 @@ import traceback
 
 import bpy
 
+from .. import translations
 from . import compat
 from .compat import tr_label
 
@@ -105,6 +106,15 @@ def field(layout, owner, name: str, *, text: str | None = None, context: str = "
     beside(layout, label, _choices(owner, name)).prop(owner, name, text="")
 
 
+def mask_field(layout, settings, ob) -> None:
+    """Draws the field of a mask, which lists the vertex groups of the object."""
+    if is_narrow():
+        row = beside(layout, tr_label("Mask"), [])
+        row.prop_search(settings, "mask", ob, "vertex_groups", text="")
+    else:
+        layout.prop_search(settings, "mask", ob, "vertex_groups")
+
+
 def lines(text: str, space: float) -> list[str]:
     """Returns a sentence in lines that fit into so many pixels. A word that is too long alone, such
     as a path, is divided."""
@@ -136,3 +146,11 @@ def say(layout, text: str, icon: str = "NONE", *, beside: float = 0.0) -> None:
     for number, line in enumerate(lines(text, space)):
         mark = icon if number == 0 else "NONE" if icon == "NONE" else "BLANK1"
         column.label(text=line, icon=mark, translate=False)
+
+
+def say_state(box, state: list[tuple[str, str]]) -> None:
+    """Draws a line for each label and its text."""
+    for label, text in state:
+        row = box.split(factor=0.62)
+        row.label(text=label, text_ctxt=translations.SEA)
+        row.label(text=text, translate=False)

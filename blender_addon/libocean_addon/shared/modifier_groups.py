@@ -9,7 +9,10 @@ from __future__ import annotations
 
 import bpy
 
-from . import compat, meshes
+from . import compat, console, meshes
+
+DISPLACED = {"MESH", "CURVE", "SURFACE", "FONT"}
+"""Types of objects whose points such a modifier moves."""
 
 
 class Family:
@@ -41,6 +44,12 @@ class Family:
             group.is_modifier = True
         return group
 
+    def selected(self, context) -> list:
+        """Returns the selected objects with such a modifier, and the active object if it has
+        one."""
+        chosen = dict.fromkeys([*context.selected_objects, context.object])
+        return [ob for ob in chosen if ob is not None and self.modifiers(ob)]
+
     def all_modifiers(self, ob) -> list:
         """Returns all modifiers of an object with such a group, replaced ones of its library
         included."""
@@ -66,6 +75,15 @@ class Family:
             if not is_dormant and self.modifiers(ob):
                 found[ob.library is None, ob.name_full] = ob
         return [found[key] for key in sorted(found)]
+
+
+def add(ob, name: str, make_group):
+    """Returns a new modifier of an object, with the node group that make_group() returns."""
+    modifier = ob.modifiers.new(name, "NODES")
+    with console.work(ob.name_full, "nodes"):
+        modifier.node_group = make_group()
+    modifier.show_expanded = False  # its inputs are the add-on's business; the panel is below
+    return modifier
 
 
 def assign(modifier, values: dict) -> None:

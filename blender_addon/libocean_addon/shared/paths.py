@@ -31,6 +31,12 @@ def absolute(path: str, library=None) -> Path:
     return Path(os.path.normpath(bpy.path.abspath(normal(path), library=library)))
 
 
+def write_text(path: str, text: str) -> None:
+    """Writes a file where a path leads. Raises OSError."""
+    with open(absolute(path), "w", encoding="utf-8") as file:
+        file.write(text)
+
+
 def library_of(group, key: str):
     """Returns the library that a path in a property is relative to, None for the open file. group:
     of an object's settings; an override has the paths of its library until it has its own."""

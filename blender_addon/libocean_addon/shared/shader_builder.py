@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import bpy
+
 from . import compat
 from .node_builder import Builder
 
@@ -35,6 +37,18 @@ class Tree(Builder):
         for name, given in (("Value", value), ("From Min", low), ("From Max", high)):
             self.feed(given, compat.active(made.inputs, name))
         return compat.active(made.outputs, "Result")
+
+
+def shader_group(mark: str, version, name: str, build):
+    """Returns the node group of a version of the add-on, made by build(group) if it is missing.
+    mark: the custom property that holds the version."""
+    for group in bpy.data.node_groups:
+        if group.get(mark) == version and group.library is None:
+            return group
+    group = bpy.data.node_groups.new(name, "ShaderNodeTree")
+    group[mark] = version
+    build(group)
+    return group
 
 
 def facing(t: Tree):

@@ -6,13 +6,11 @@ settings that do something else than they seem to. A panel does not wait for a t
 
 from __future__ import annotations
 
-from ..shared import drafts, meshes
+from ..shared import drafts, meshes, object_faults
 from ..shared.compat import tr_label
 from . import node_group
 from .open_terrain import OpenTerrain, terrain_of
 from .parameters import WORDS
-
-_EVEN = 1e-4  # of scales that are meant to be one
 
 
 def _state(ob, terrain: OpenTerrain) -> dict:
@@ -71,20 +69,17 @@ def warnings_of(ob) -> list[str]:
 
 
 def _of_scale(ob) -> str:
-    scale = [abs(part) for part in ob.matrix_world.to_scale()]
-    if max(scale) - min(scale) > _EVEN * max(scale):
+    scale = object_faults.uniform_scale(ob)
+    if scale is None:
         return tr_label("The object is scaled unevenly, and so are its slopes: apply the scale")
-    if abs(scale[0] - 1.0) > _EVEN:
-        return tr_label("The object is scaled by {:.3g}, and so is its land", scale[0])
+    if scale != 1.0:
+        return tr_label("The object is scaled by {:.3g}, and so is its land", scale)
     return ""
 
 
 def _of_mask(ob, seen) -> str:
     mask = ob.libocean_terrain.mask
-    if not mask or mask in ob.vertex_groups:
-        return ""
-    meshes_of = [data for data in (ob.data, seen.data) if hasattr(data, "attributes")]
-    if any(mask in data.attributes for data in meshes_of):
+    if not object_faults.lacks_mask(ob, seen, mask):
         return ""
     return tr_label("{} is no vertex group or attribute: the land is flat", mask)
 

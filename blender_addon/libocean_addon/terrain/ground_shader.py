@@ -12,11 +12,9 @@ single scale would make spots all of one size.
 
 from __future__ import annotations
 
-import bpy
-
 from ..look import air, crest_nodes
 from ..shared import compat
-from ..shared.shader_builder import Tree, facing, stored_normal
+from ..shared.shader_builder import Tree, facing, shader_group, stored_normal
 from .node_group import HEIGHT, NORMAL
 
 GROUP = "Terrain Ground"
@@ -206,13 +204,7 @@ def _build(group) -> None:
 
 def get_group():
     """Returns the node group, made if it is missing."""
-    for group in bpy.data.node_groups:
-        if group.get(MARK) == VERSION and group.library is None:
-            return group
-    group = bpy.data.node_groups.new(GROUP, "ShaderNodeTree")
-    group[MARK] = VERSION
-    _build(group)
-    return group
+    return shader_group(MARK, VERSION, GROUP, _build)
 
 
 def is_ground(node) -> bool:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import bpy
 
 from ..look import air
-from ..look.material import visibility_property
+from ..look.material import put_in_first_slot, visibility_property
 from ..shared import compat
 from ..shared.compat import tr
 from ..shared.shader_builder import Tree
@@ -62,10 +62,7 @@ def grounds(ob) -> list:
 
 def assign(ob, material) -> None:
     """Puts a material into the first slot, in the place of the one in it."""
-    if ob.material_slots:
-        ob.material_slots[0].material = material
-    else:
-        ob.data.materials.append(material)
+    put_in_first_slot(ob, material)
     if not ob.libocean_terrain.use_normal:  # the points must carry the attribute that it reads
         ob.libocean_terrain.use_normal = True
 
@@ -93,13 +90,13 @@ class AddTerrainMaterial(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context) -> bool:
-        if _terrains(context):
+        if node_group.FAMILY.selected(context):
             return True
         cls.poll_message_set(tr("No terrain is selected"))
         return False
 
     def execute(self, context):
-        terrains = [ob for ob in _terrains(context) if ob.data.library is None]
+        terrains = [ob for ob in node_group.FAMILY.selected(context) if ob.data.library is None]
         if not terrains:
             self.report({"ERROR"}, tr("Linked data keeps its material"))
             return {"CANCELLED"}
@@ -107,12 +104,6 @@ class AddTerrainMaterial(bpy.types.Operator):
             live.show(ob)
             give(ob, context.scene.world, visibility=self.visibility)
         return {"FINISHED"}
-
-
-def _terrains(context) -> list:
-    """Returns the terrains that are selected, and the active object if it is one."""
-    chosen = dict.fromkeys([*context.selected_objects, context.object])
-    return [ob for ob in chosen if ob is not None and node_group.modifiers(ob)]
 
 
 CLASSES = (AddTerrainMaterial,)

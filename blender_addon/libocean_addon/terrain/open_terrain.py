@@ -17,6 +17,7 @@ import numpy as np
 from ..shared import drafts, images
 from ..shared.compat import tr_label
 from ..shared.native import libocean
+from ..shared.open_by_object import OpenByObject
 from .node_group import CHANNELS
 from .terrain_text import TerrainValues
 
@@ -197,27 +198,7 @@ def _changed(before: TerrainValues, now: TerrainValues) -> dict[str, str]:
     return dict(now.by_name().items() - before.by_name().items())
 
 
-_terrains: dict[str, OpenTerrain] = {}
-
-
-def terrain_of(name: str) -> OpenTerrain:
-    """Returns the open terrain of the object with that full name."""
-    if name not in _terrains:
-        _terrains[name] = OpenTerrain()
-    return _terrains[name]
-
-
-def forget(names: set[str]) -> None:
-    """Forgets, after undo and loading, the content of images, and closes the terrains of objects
-    without one of these names."""
-    for name in list(_terrains):
-        if name in names:
-            _terrains[name].forget_images()
-        else:
-            _terrains.pop(name).close()
-
-
-def close_all() -> None:
-    for terrain in _terrains.values():
-        terrain.close()
-    _terrains.clear()
+_terrains = OpenByObject(OpenTerrain)
+terrain_of = _terrains.of
+forget = _terrains.forget
+close_all = _terrains.close_all

@@ -10,7 +10,7 @@ from bpy_extras.io_utils import ExportHelper, ImportHelper
 
 from .. import translations
 from ..sea import node_group as sea_group
-from ..shared import changes, compat, console, meshes, paths
+from ..shared import changes, compat, console, meshes, modifier_groups, paths
 from ..shared.compat import tr
 from ..shared.messages import of_file
 from ..shared.native import libocean
@@ -33,10 +33,7 @@ def take_over(ob, terrain) -> None:
 
 def add_modifier(ob) -> None:
     """Adds the terrain modifier to an object."""
-    modifier = ob.modifiers.new("Terrain", "NODES")
-    with console.work(ob.name_full, "nodes"):
-        modifier.node_group = node_group.get()
-    modifier.show_expanded = False  # its inputs are the add-on's business; the panel is below
+    modifier_groups.add(ob, "Terrain", node_group.get)
 
 
 class OnTerrain:
@@ -131,7 +128,7 @@ class AddTerrainModifier(bpy.types.Operator):
     @classmethod
     def poll(cls, context) -> bool:
         ob = context.object
-        if ob is None or ob.type not in {"MESH", "CURVE", "SURFACE", "FONT"}:
+        if ob is None or ob.type not in modifier_groups.DISPLACED:
             cls.poll_message_set(tr("The active object is no mesh, curve or text"))
             return False
         if node_group.modifiers(ob) or sea_group.modifiers(ob):
@@ -181,8 +178,7 @@ class SaveTerrain(OnTerrain, bpy.types.Operator, ExportHelper):
         try:
             with libocean.parse_terrain(values.text(), base_dir=base_dir) as terrain:
                 text = terrain.text
-            with open(paths.absolute(self.filepath), "w", encoding="utf-8") as file:
-                file.write(text)
+            paths.write_text(self.filepath, text)
         except libocean.Error as failure:
             self.report({"ERROR"}, WORDS.of_error(failure, len(values.layers)))
             return {"CANCELLED"}

@@ -8,12 +8,11 @@ from __future__ import annotations
 
 import bpy
 
-from .. import translations
-from ..shared import drafts, file_row, parameter_fields, resolutions
+from .. import translations, whole_sea
+from ..shared import file_row, parameter_fields, resolutions
 from ..shared.compat import tr_label
-from ..shared.drawing import BUTTON, beside, field, is_narrow, never_raises, place_labels, say
+from ..shared.drawing import field, mask_field, never_raises, place_labels, say, say_state
 from ..shared.property_texts import pairs_of
-from ..whole_sea import FinishDraft, StopDraft
 from . import facts, material, node_group, operators
 from .parameter_values import is_measured, is_replaced
 from .parameters import PARAMETERS
@@ -96,18 +95,6 @@ class _Panel:
         return context.object is not None and bool(node_group.modifiers(context.object))
 
 
-def _draw_draft(layout, name: str) -> None:
-    """Draws the button that stops the work on the whole terrain, or goes on with it."""
-    if drafts.progress(name) is not None:
-        row = layout.row()
-        say(row, tr_label("A draft; the whole land follows"), "SORTTIME", beside=BUTTON)
-        row.operator(StopDraft.bl_idname, text="", icon="X").name = name
-    elif drafts.is_stopped(name):
-        row = layout.row()
-        say(row, tr_label("A draft, with fewer samples"), "INFO", beside=3 * BUTTON)
-        row.operator(FinishDraft.bl_idname, text="Finish").name = name
-
-
 class TerrainPanel(_Panel, bpy.types.Panel):
     """The terrain of the active object"""
 
@@ -128,7 +115,12 @@ class TerrainPanel(_Panel, bpy.types.Panel):
             say(layout, ob.libocean_terrain.problem, "ERROR")
         if context.scene.unit_settings.scale_length != 1.0:
             say(layout, tr_label("The land takes a Blender unit for a metre"), "INFO")
-        _draw_draft(layout, ob.name_full)
+        whole_sea.draw_draft(
+            layout,
+            ob.name_full,
+            tr_label("A draft; the whole land follows"),
+            tr_label("A draft, with fewer samples"),
+        )
         _draw_state(layout, ob)
         seen = ob.evaluated_get(context.view_layer.depsgraph)
         for text in facts.hints_of(ob, seen, context.scene):
@@ -140,10 +132,7 @@ def _draw_state(layout, ob) -> None:
     if state is None:
         return
     box = layout.box().column(align=True)
-    for label, text in state:
-        row = box.split(factor=0.62)
-        row.label(text=label, text_ctxt=translations.SEA)
-        row.label(text=text, translate=False)
+    say_state(box, state)
     for text in facts.sizes_of(ob):
         say(box, text)
     for warning in facts.warnings_of(ob):
@@ -219,11 +208,7 @@ class TerrainLookPanel(_Panel, bpy.types.Panel):
             field(layout, settings, listed, text="Mesh", context=translations.SEA)
             layout.prop(settings, "tiles")
         layout.prop(settings, "use_normal")
-        if is_narrow():
-            row = beside(layout, tr_label("Mask"), [])
-            row.prop_search(settings, "mask", ob, "vertex_groups", text="")
-        else:
-            layout.prop_search(settings, "mask", ob, "vertex_groups")
+        mask_field(layout, settings, ob)
         layout.prop(settings, "follow_world")
 
 
