@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -18,14 +17,12 @@
 #include "ocean/io/png.hpp"
 #include "ocean/io/usd.hpp"
 #include "ocean/io/vdb.hpp"
+#include "require.hpp"
 
 namespace {
 
 using namespace ocean;
-
-void require(bool condition) {
-    if (!condition) std::abort();
-}
+using ocean::fuzz::require;
 
 /// Bytes as a file that is on no disk.
 class File {

@@ -5,19 +5,16 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 #include <vector>
 
 #include "firmata_protocol.hpp"
+#include "require.hpp"
 
 namespace {
 
 using namespace ocean::bridge;
-
-void require(bool condition) {
-    if (!condition) std::abort();
-}
+using ocean::fuzz::require;
 
 }  // namespace
 

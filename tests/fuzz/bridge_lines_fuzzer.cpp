@@ -7,7 +7,6 @@
 // refused as a whole.
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,15 +14,13 @@
 #include "ocean/bridge/line_protocol.hpp"
 #include "ocean/bridge/value_table.hpp"
 #include "ocean/error.hpp"
+#include "require.hpp"
 
 namespace {
 
 using namespace ocean;
 using namespace ocean::bridge;
-
-void require(bool condition) {
-    if (!condition) std::abort();
-}
+using ocean::fuzz::require;
 
 void require_one_line(std::string_view line) {
     require(!line.empty() && line.size() <= kMaxLineBytes + 64);

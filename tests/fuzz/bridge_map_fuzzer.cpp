@@ -6,21 +6,19 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string_view>
 
 #include "ocean/bridge/control_map.hpp"
 #include "ocean/error.hpp"
 #include "ocean/text.hpp"
+#include "require.hpp"
 
 namespace {
 
 using namespace ocean;
 using namespace ocean::bridge;
-
-void require(bool condition) {
-    if (!condition) std::abort();
-}
+using ocean::fuzz::check_message;
+using ocean::fuzz::require;
 
 void set_all(const std::vector<Setting>& settings, ValueTable& values) {
     for (const Setting& setting : settings) {
@@ -42,9 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         file = parse_control_map({reinterpret_cast<const char*>(data), size}, "fuzz.toml", values);
     } catch (const Error& error) {
-        const std::string_view message = error.what();
-        require(!message.empty() && message.size() < 4096);
-        for (const char c : message) require(static_cast<unsigned char>(c) >= 0x20);
+        check_message(error.what());
         return 0;
     }
     ControlMap map(file, values);

@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,16 +16,14 @@
 #include "midi_messages.hpp"
 #include "ocean/bridge/control_map_file.hpp"
 #include "ocean/bridge/learner.hpp"
+#include "require.hpp"
 
 namespace {
 
 using namespace ocean::bridge;
+using ocean::fuzz::require;
 
 constexpr Clock::time_point kStart{std::chrono::hours(1)};
-
-void require(bool condition) {
-    if (!condition) std::abort();
-}
 
 void check(const MidiReport& report) {
     const bool is_number = report.kind == MidiKind::nrpn || report.kind == MidiKind::rpn;

@@ -5,22 +5,19 @@
 // that are the same after they were written, one by one and as bundles, and reasons for the others.
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "ocean/error.hpp"
 #include "osc_message.hpp"
+#include "require.hpp"
 
 namespace {
 
 using namespace ocean;
 using namespace ocean::bridge;
-
-void require(bool condition) {
-    if (!condition) std::abort();
-}
+using ocean::fuzz::require;
 
 /// By their bytes: a NaN is no other after it was written, though it is not equal to itself.
 void require_same(const OscMessage& message, const OscMessage& written) {

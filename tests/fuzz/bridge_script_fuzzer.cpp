@@ -6,19 +6,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string_view>
 
 #include "ocean/bridge/script_sources.hpp"
 #include "ocean/error.hpp"
+#include "require.hpp"
 
-namespace {
-
-void require(bool condition) {
-    if (!condition) std::abort();
-}
-
-}  // namespace
+using ocean::fuzz::check_message;
+using ocean::fuzz::require;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace ocean;
@@ -34,9 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         bridge::make_replay_source(script);
         bridge::make_dummy_source(script);
     } catch (const Error& error) {
-        const std::string_view message = error.what();
-        require(!message.empty() && message.size() < 4096);
-        for (const char c : message) require(static_cast<unsigned char>(c) >= 0x20);
+        check_message(error.what());
     }
     return 0;
 }

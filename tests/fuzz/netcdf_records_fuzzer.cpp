@@ -3,6 +3,7 @@
 //
 // What a child that reads NetCDF may send, whatever file has overrun it: decode and records_from
 // give records, each good or with a fault, or one exception with a message that is safe to print.
+#include "child_bytes.hpp"
 #include "netcdf_records.hpp"
 #include "netcdf_wire.hpp"
 #include "ocean/internal/checked_text.hpp"
@@ -11,13 +12,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace ocean;
-    const auto source = [&](void* to, std::size_t count) {
-        if (count > size) return false;
-        std::copy_n(data, count, static_cast<std::uint8_t*>(to));
-        data += count;
-        size -= count;
-        return true;
-    };
+    const sandbox::Source source = fuzz::child_bytes(data, size);
     try {
         std::vector<SpectrumRecord> records = netcdf::records_from(netcdf::decode(source));
         for (SpectrumRecord& record : records) {

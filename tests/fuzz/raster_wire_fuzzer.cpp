@@ -3,18 +3,13 @@
 //
 // A child that reads a raster may send any bytes, since a file may have overrun it: decode gives a
 // raster, one fault, or a WireError.
+#include "child_bytes.hpp"
 #include "raster_checks.hpp"
 #include "raster_wire.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace ocean;
-    const auto source = [&](void* to, std::size_t count) {
-        if (count > size) return false;
-        std::copy_n(data, count, static_cast<std::uint8_t*>(to));
-        data += count;
-        size -= count;
-        return true;
-    };
+    const sandbox::Source source = fuzz::child_bytes(data, size);
     try {
         fuzz::check_raster([&](const elevation::RasterReceiver& receiver) {
             elevation::decode(source, receiver);

@@ -10,25 +10,16 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "ocean/error.hpp"
 #include "ocean/seafile.hpp"
+#include "require.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::fuzz {
-
-inline void require(bool condition) {
-    if (!condition) std::abort();
-}
-
-inline void check_message(std::string_view message) {
-    require(!message.empty() && message.size() < 4096);
-    for (const char c : message) require(static_cast<unsigned char>(c) >= 0x20);
-}
 
 inline void check(const SpectrumRecord& record) {
     require(record.warnings.size() <= kMaxRecordWarnings);

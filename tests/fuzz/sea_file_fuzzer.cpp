@@ -5,24 +5,14 @@
 // safe to print. Anything else is a finding.
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string_view>
 
 #include "ocean/error.hpp"
 #include "ocean/seafile.hpp"
+#include "require.hpp"
 
-namespace {
-
-void require(bool condition) {
-    if (!condition) std::abort();
-}
-
-void require_printable(std::string_view message) {
-    require(!message.empty() && message.size() < 4096);
-    for (char c : message) require(static_cast<unsigned char>(c) >= 0x20);
-}
-
-}  // namespace
+using ocean::fuzz::check_message;
+using ocean::fuzz::require;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
@@ -30,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         sea = ocean::parse_sea(text, "fuzz.toml", "/nonexistent");
     } catch (const ocean::Error& error) {
-        require_printable(error.what());
+        check_message(error.what());
         return 0;
     }
     const std::string written = ocean::write_sea(sea);

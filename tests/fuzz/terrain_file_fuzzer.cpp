@@ -6,25 +6,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string_view>
 
 #include "ocean/error.hpp"
 #include "ocean/land.hpp"
 #include "ocean/terrainfile.hpp"
+#include "require.hpp"
 
-namespace {
-
-void require(bool condition) {
-    if (!condition) std::abort();
-}
-
-void require_printable(std::string_view message) {
-    require(!message.empty() && message.size() < 4096);
-    for (char c : message) require(static_cast<unsigned char>(c) >= 0x20);
-}
-
-}  // namespace
+using ocean::fuzz::check_message;
+using ocean::fuzz::require;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
@@ -32,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         terrain = ocean::parse_terrain(text, "fuzz.toml", "/nonexistent");
     } catch (const ocean::Error& error) {
-        require_printable(error.what());
+        check_message(error.what());
         return 0;
     }
     const std::string written = ocean::write_terrain(terrain);
