@@ -162,6 +162,16 @@ void choose_fast_backend(const Catalogue& catalogue, int resolution, BakePlan& p
 /// Sets the backend for the largest of the plan's maps. Throws Error no_gpu for one that does not
 /// run on this machine.
 void resolve_backend(const Catalogue& catalogue, const std::string& name, BakePlan& plan) {
+    if (!plan.subject->uses_backends()) {
+        if (!name.empty() && name != kAutoBackend && name != "cpu") {
+            throw Error(ErrorKind::unsupported,
+                        "--backend " + name + ": land with gullies, streams, a shore or a place of "
+                        "its own is made on the CPU alone");
+        }
+        plan.backend = Backend::cpu;
+        plan.backend_note = "backend cpu";
+        return;
+    }
     const int resolution = std::max(plan.maps.finer, std::ranges::max(plan.maps.resolutions));
     if (name == kAutoBackend) return choose_fast_backend(catalogue, resolution, plan);
     plan.backend = backend_by_name(catalogue, name.empty() ? "cpu" : name);

@@ -13,6 +13,7 @@
 
 #include "ocean/channel.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/land_mask.hpp"
 
 namespace ocean::capi {
 namespace {
@@ -52,10 +53,24 @@ static_assert(std::ranges::equal(kNamed, kChannels,
                                  }),
               "libocean.h has other channels than core's table");
 
+/// The masks of libocean.h, with the names that they have in core's table.
+constexpr NamedChannel kNamedMasks[] = {
+    {OCEAN_WEAR, "wear"},       {OCEAN_GULLY, "gully"},     {OCEAN_RIDGE, "ridge"},
+    {OCEAN_FLOW, "flow"},       {OCEAN_DEPOSIT, "deposit"}, {OCEAN_STREAMBED, "streambed"},
+    {OCEAN_WETNESS, "wetness"}, {OCEAN_BEACH, "beach"},     {OCEAN_CLIFF, "cliff"},
+    {OCEAN_SHELTER, "shelter"},
+};
+static_assert(std::ranges::equal(kNamedMasks, kMaskProducts,
+                                 [number = kFirstMask](const NamedChannel& ours,
+                                                       const Product& core) mutable {
+                                     return ours.number == number++ && ours.name == core.name;
+                                 }),
+              "libocean.h has other masks than core's table");
+
 /// "OCEAN_DX"
-std::string c_name(int channel) {
+std::string c_name(std::string_view channel) {
     std::string name = "OCEAN_";
-    for (const char c : kNamed[channel].name) {
+    for (const char c : channel) {
         name += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     }
     return name;
@@ -63,10 +78,10 @@ std::string c_name(int channel) {
 
 /// Returns the floats of the smallest buffer that holds the map. Throws CallError if no buffer can
 /// be so large.
-std::size_t needed_floats(const MapOutput& map, int resolution, const std::string& name) {
-    const std::size_t width = map.width(resolution);
-    const std::size_t rows = width / static_cast<std::size_t>(map.components);
-    const std::size_t pitch = map.pitch(resolution);
+std::size_t needed_floats(const MapOutput& map, int columns, std::size_t rows,
+                          const std::string& name) {
+    const std::size_t width = map.width(columns);
+    const std::size_t pitch = map.pitch(columns);
     if (pitch < width || pitch > SIZE_MAX / sizeof(float) / rows) {
         refuse({.parameter = name + ".row_pitch",
                 .value = std::to_string(pitch),
@@ -93,12 +108,15 @@ void check_output(const ocean_output& output, const std::string& name) {
     require(output.data, (name + ".data").c_str());
     for (int c = 0; c < output.channels; ++c) {
         if (output.channel[c] == kUntouched) continue;
-        if (output.channel[c] < 0 || output.channel[c] >= kChannelCount) {
-            refuse({.parameter = name + ".channel[" + std::to_string(c) + "]",
-                    .value = std::to_string(output.channel[c]),
-                    .allowed = c_name(0) + " .. " + c_name(kChannelCount - 1) +
-                               ", or -1 to leave that component as it is"});
-        }
+        const std::int32_t channel = output.channel[c];
+        if (channel >= 0 && channel < kChannelCount) continue;
+        if (is_mask(static_cast<Channel>(channel))) continue;
+        refuse({.parameter = name + ".channel[" + std::to_string(c) + "]",
+                .value = std::to_string(channel),
+                .allowed = c_name(kChannels.front().name) + " .. " + c_name(kChannels.back().name) +
+                           ", of a terrain also " + c_name(kMaskProducts.front().name) + " .. " +
+                           c_name(kMaskProducts.back().name) +
+                           ", or -1 to leave that component as it is"});
     }
 }
 
@@ -133,13 +151,14 @@ std::array<Source, kMaxComponents> turned(const ocean_output& output) {
 
 }  // namespace
 
-MapOutput map_output(const ocean_output& output, const std::string& name, int resolution) {
+MapOutput map_output(const ocean_output& output, const std::string& name, int columns, int rows) {
     check_output(output, name);
     MapOutput map{output.data, output.channels, {}, output.row_pitch, output.seam != 0};
-    const std::size_t needed = needed_floats(map, resolution, name);
+    const std::size_t needed =
+        needed_floats(map, columns, static_cast<std::size_t>(rows) + (map.seam ? 1 : 0), name);
     if (output.count < needed) {
         refuse(name + ".count = " + std::to_string(output.count) + "; a map of " +
-               std::to_string(resolution) + " x " + std::to_string(resolution) + " samples of " +
+               std::to_string(columns) + " x " + std::to_string(rows) + " samples of " +
                std::to_string(output.channels) + " channels needs " + std::to_string(needed));
     }
     const auto sources = turned(output);
@@ -167,12 +186,21 @@ std::string_view axes_name(std::int32_t axes) {
     return kNames[static_cast<std::size_t>(axes)];
 }
 
+MapOutput map_output(const ocean_output& output, const std::string& name, int resolution) {
+    return map_output(output, name, resolution, resolution);
+}
+
 void read_outputs(const ocean_request& asked, std::size_t caller_struct_size, int resolution,
                   std::vector<MapOutput>& maps) {
-    const OutputArray outputs(asked, caller_struct_size);
+    read_outputs(OutputArray(asked, caller_struct_size), asked.output_count, resolution, resolution,
+                 maps);
+}
+
+void read_outputs(const OutputArray& outputs, std::size_t count, int columns, int rows,
+                  std::vector<MapOutput>& maps) {
     maps.clear();
-    for (std::size_t i = 0; i < asked.output_count; ++i) {
-        maps.push_back(map_output(outputs[i], "outputs[" + std::to_string(i) + "]", resolution));
+    for (std::size_t i = 0; i < count; ++i) {
+        maps.push_back(map_output(outputs[i], "outputs[" + std::to_string(i) + "]", columns, rows));
     }
     if (channels_of(maps).empty()) {
         refuse("no output names a channel: there is nothing to compute");

@@ -45,9 +45,14 @@ class OutputArray {
 /// Returns the output as a map of `resolution` samples a side. `name` is that of the output in
 /// messages. Throws CallError for what libocean.h does not allow.
 MapOutput map_output(const ocean_output& output, const std::string& name, int resolution);
+/// Returns the output as a map of columns x rows samples. Throws as the other.
+MapOutput map_output(const ocean_output& output, const std::string& name, int columns, int rows);
 /// Writes all outputs of a request as maps of `resolution` samples to `maps`. Throws CallError as
 /// map_output, and for outputs without any channel.
 void read_outputs(const ocean_request& asked, std::size_t caller_struct_size, int resolution,
+                  std::vector<MapOutput>& maps);
+/// Writes `count` outputs as maps of columns x rows samples to `maps`. Throws as the other.
+void read_outputs(const OutputArray& outputs, std::size_t count, int columns, int rows,
                   std::vector<MapOutput>& maps);
 /// Returns the word of OCEAN_ZUP, OCEAN_YUP or OCEAN_TNB. Throws CallError for another number.
 std::string_view axes_name(std::int32_t axes);

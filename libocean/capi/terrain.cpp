@@ -18,8 +18,10 @@
 #include "ocean/land.hpp"
 #include "ocean/provenance.hpp"
 #include "ocean/terrain_stages.hpp"
+#include "ocean/terrain_subject.hpp"
 #include "ocean/terrain_table.hpp"
 #include "ocean/terrainfile.hpp"
+#include "ocean/text.hpp"
 #include "outputs.hpp"
 #include "query_buffers.hpp"
 #include "sea_handle.hpp"
@@ -195,7 +197,7 @@ ocean_result ocean_terrain_provenance_json(const ocean_terrain* terrain, const c
                                            .text = write_terrain(open),
                                            .frame = 1,
                                            .time = 0.0,
-                                           .domain = Domain::tile(open.patch_size),
+                                           .domain = terrain->land->domain(),
                                            .backend = std::string(terrain->options.backend.name)});
         if (field != nullptr) {
             const Product* const product[] = {&find_product(field)};
@@ -218,10 +220,66 @@ ocean_result ocean_terrain_evaluate(ocean_terrain* terrain, const ocean_request*
         require_reserved(asked.cascade, "cascade");
         require_reserved(asked.reserved, "reserved");
         const int resolution =
-            map_resolution(asked.resolution, terrain->land->terrain().resolution);
+            map_resolution(asked.resolution, terrain->land->domain().samples[0]);
         std::vector<MapOutput>& maps = terrain->map_outputs;
         read_outputs(asked, request->struct_size, resolution, maps);
         terrain->land->surface_into(maps, resolution);
+    });
+}
+
+ocean_result ocean_terrain_domain(const ocean_terrain* terrain, ocean_domain* domain) {
+    return guarded([&] {
+        const Visit visit(terrain, kName);
+        require(domain, "domain");
+        require_struct_size(domain->struct_size, sizeof(ocean_domain), "struct_size",
+                            "ocean_domain", sizeof(ocean_domain));
+        const Domain own = terrain->land->domain();
+        *domain = {.struct_size = sizeof(ocean_domain),
+                   .x = own.origin[0],
+                   .y = own.origin[1],
+                   .cell = own.step(0),
+                   .columns = own.samples[0],
+                   .rows = own.samples[1],
+                   .wraps = own.wraps ? 1 : 0,
+                   .reserved = 0};
+    });
+}
+
+ocean_result ocean_terrain_region(ocean_terrain* terrain, const ocean_region_request* request) {
+    return guarded([&] {
+        const Visit visit(terrain, kName);
+        require(request, "request");
+        const auto asked =
+            read_struct(request, sizeof(ocean_region_request), "ocean_region_request");
+        const auto require_side = [](const char* name, std::int32_t side) {
+            if (side >= 2 && side <= kMaxRegionSide) return;
+            refuse({.parameter = name,
+                    .value = std::to_string(side),
+                    .allowed = "2 .. " + std::to_string(kMaxRegionSide)});
+        };
+        require_side("columns", asked.columns);
+        require_side("rows", asked.rows);
+        const auto require_number = [](const char* name, double value, double lowest) {
+            constexpr double kFarthest = 1e8;  // [m]
+            if (value >= lowest && value <= kFarthest) return;
+            refuse({.parameter = name,
+                    .value = shortest_text(value),
+                    .allowed = shortest_text(lowest) + " .. " + shortest_text(kFarthest) + " m"});
+        };
+        require_number("x", asked.x, -1e8);
+        require_number("y", asked.y, -1e8);
+        require_number("cell", asked.cell, 1e-3);
+        std::vector<MapOutput>& maps = terrain->map_outputs;
+        read_outputs(OutputArray(asked.outputs, asked.output_count, asked.output_size),
+                     asked.output_count, asked.columns, asked.rows, maps);
+        for (const MapOutput& map : maps) {
+            if (map.seam) refuse("outputs: a region has no seam");
+        }
+        const Domain region{{asked.x, asked.y},
+                            {asked.cell * (asked.columns - 1), asked.cell * (asked.rows - 1)},
+                            {asked.columns, asked.rows},
+                            false};
+        terrain->land->region_into(region, maps);
     });
 }
 

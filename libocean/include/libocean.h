@@ -96,7 +96,18 @@ enum {
     OCEAN_DX_X, /* derivatives of the offset by label: d dx/dx; then d dy/dy, d dx/dy = d dy/dx */
     OCEAN_DY_Y,
     OCEAN_DX_Y,
-    OCEAN_COVER /* the share of the water that foam hides; its mean is the foam seen from afar */
+    OCEAN_COVER, /* the share of the water that foam hides; its mean is the foam seen from afar */
+    /* Masks of terrains whose files have the section that makes them; no sea has them. */
+    OCEAN_WEAR = 40, /* floors of gullies -1 .. crests 1: [terrain.gullies] */
+    OCEAN_GULLY,     /* 0 .. 1 */
+    OCEAN_RIDGE,     /* 0 .. 1 */
+    OCEAN_FLOW,      /* area that drains through the place [m2]: [terrain.stream] */
+    OCEAN_DEPOSIT,   /* 0 .. 1 */
+    OCEAN_STREAMBED, /* 0 .. 1 */
+    OCEAN_WETNESS,   /* 0 .. 1 */
+    OCEAN_BEACH,     /* 0 .. 1: [terrain.coast] */
+    OCEAN_CLIFF,     /* 0 .. 1 */
+    OCEAN_SHELTER    /* 0 .. 1 */
 };
 
 /* Axes in which a vector (x, y, z) is stored: (x, y, z), (x, z, -y) or (x, z, y). */
@@ -644,13 +655,49 @@ OCEAN_API ocean_result ocean_terrain_provenance_json(const ocean_terrain* terrai
                                                      const char* field, int32_t axes, char* out,
                                                      size_t* size);
 /* ocean_terrain_evaluate computes all outputs of the request together, as ocean_evaluate does; time
- * has no effect, cascade must be 0, resolution 0 = terrain.resolution. UNSUPPORTED. */
+ * has no effect, cascade must be 0, resolution 0 = terrain.resolution. A land that exists once has
+ * maps from edge to edge, without a seam, and must be a square; others have ocean_terrain_region.
+ * UNSUPPORTED. */
 OCEAN_API ocean_result ocean_terrain_evaluate(ocean_terrain* terrain, const ocean_request* request);
 /* ocean_terrain_query_points finds height and normal at world points, as ocean_query_points does;
  * time and foam have no effect, velocity and foam of the samples are 0, and label is the point.
  * INVALID_VALUE for a refine or a resolution that is not allowed. */
 OCEAN_API ocean_result ocean_terrain_query_points(ocean_terrain* terrain,
                                                   const ocean_query_request* request);
+/* The samples of a terrain's own map: sample (0, 0) lies at (x, y), and samples `cell` apart [m].
+ * wraps: 1 = a tile that repeats after columns * cell; 0 = a land that exists once. struct_size =
+ * sizeof(ocean_domain), set by the caller. */
+typedef struct {
+    size_t struct_size;
+    double x;
+    double y;
+    double cell;
+    int32_t columns;
+    int32_t rows;
+    int32_t wraps;
+    int32_t reserved;
+} ocean_domain;
+OCEAN_API ocean_result ocean_terrain_domain(const ocean_terrain* terrain, ocean_domain* domain);
+/* A region of a terrain: columns x rows samples, 2 .. 32768 each, `cell` apart [m], sample (0, 0)
+ * at (x, y). struct_size = sizeof(ocean_region_request), output_size = sizeof(ocean_output). The
+ * outputs are as those of ocean_request, with `columns` samples in a row; seam must be 0. */
+typedef struct {
+    size_t struct_size;
+    double x;
+    double y;
+    double cell;
+    int32_t columns;
+    int32_t rows;
+    const ocean_output* outputs;
+    size_t output_count;
+    size_t output_size;
+} ocean_region_request;
+/* ocean_terrain_region computes all outputs of a region together. A tile repeats, and beyond the
+ * rectangle of a land that exists once the heights are those of its edge. Regions of one cell whose
+ * corners are whole numbers of cells from (0, 0) join bit by bit. UNSUPPORTED for channels that
+ * the terrain does not have. */
+OCEAN_API ocean_result ocean_terrain_region(ocean_terrain* terrain,
+                                            const ocean_region_request* request);
 /* ocean_terrain_stage writes one step of the synthesis, R x R floats with R = terrain.resolution,
  * row-major from the south: "noise" (white, in space), "transform" (the magnitudes of its Fourier
  * transform), "filter" and "filtered" [m], these three with k = 0 at (R / 2, R / 2), or "height"

@@ -25,6 +25,8 @@ struct OwnParts {
     /// Reads a key of a section that is no parameter; false if the model does not know it either.
     std::function<bool(Model&, std::string_view section, std::size_t item, const TomlEntry&)>
         read_key = nullptr;
+    /// Is called for each section of the table before its keys are read, but not for lists.
+    std::function<void(Model&, std::string_view section)> begin_section = nullptr;
 };
 
 template <typename Model>
@@ -75,7 +77,9 @@ class TableReader {
     void read_section(const TomlEntry& entry, const std::string& name) {
         const TableSection* section = find_section(name);
         if (section == nullptr || !section->is_list()) {
-            return read_keys(file_.section_of(entry, name), name, 0, name);
+            const toml::table& table = file_.section_of(entry, name);
+            if (section != nullptr && own_.begin_section) own_.begin_section(model_, name);
+            return read_keys(table, name, 0, name);
         }
         const toml::array& list = file_.list_of(entry, *section);
         const auto first = std::ranges::find(table_.rows, section->name, &TableRow<Model>::section);

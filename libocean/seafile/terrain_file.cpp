@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Reads and writes terrain files through the table of a terrain. A resolved file needs no other
-// one: the rings of a measured spectrum stand in [terrain.measured_rings].
+// one: the rings of a measured spectrum stand in [terrain.measured_rings], a base of at most 1 MB in
+// [terrain.base_heights].
 #include "ocean/terrainfile.hpp"
 
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "base_file.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/platform.hpp"
@@ -51,6 +53,7 @@ class TerrainReader {
         Terrain terrain = reader_.read(root);
         try {
             resolve_files(terrain, base_dir_);
+            require_hash(terrain);
         } catch (const Error& error) {
             const ErrorFields& fields = error.fields();
             throw reader_.file().in_front(error, reader_.file().line_of_parameter(fields.parameter),
@@ -68,8 +71,49 @@ class TerrainReader {
     OwnParts<Terrain> parts() {
         return {.read_key = [this](Terrain& terrain, std::string_view section, std::size_t,
                                    const TomlEntry& entry) {
-            return read_rings_table(terrain, section, entry);
-        }};
+            return read_rings_table(terrain, section, entry) ||
+                   read_base_table(terrain, section, entry);
+        },
+                .begin_section = switch_on};
+    }
+
+    /// Gives the first key of a section of erosion or shore a typical value, which the section's
+    /// own keys may replace: the section alone switches it on.
+    static void switch_on(Terrain& terrain, std::string_view section) {
+        if (section == "terrain.gullies") terrain.gullies.depth = GullySettings{}.depth;
+        if (section == "terrain.stream") terrain.stream.slope = StreamSettings{}.slope;
+        if (section == "terrain.coast") terrain.coast.beach_slope = CoastSettings{}.beach_slope;
+    }
+
+    bool read_base_table(Terrain& terrain, std::string_view section, const TomlEntry& entry) {
+        const toml::table* table = entry.node->as_table();
+        if (section != kTerrainKind || entry.key != kBaseTable || table == nullptr) return false;
+        try {
+            BaseHeights base = ocean::read_base_table(*table);
+            terrain.base_model = std::move(base.model);
+            base_hash_ = std::move(base.hash);
+        } catch (const Error& error) {
+            throw reader_.file().in_front(error, entry.line);
+        }
+        return true;
+    }
+
+    /// Throws if the file of the base is not the one that the text knows.
+    void require_hash(const Terrain& terrain) const {
+        if (base_hash_.empty()) return;
+        if (terrain.base_model == nullptr) {
+            throw Error(ErrorKind::invalid_value,
+                        {.what = "has a hash, but no file",
+                         .parameter = "terrain.base",
+                         .value = quoted_text(terrain.base),
+                         .allowed = "the path of its elevation model"});
+        }
+        if (terrain.base_model->hash == base_hash_) return;
+        throw Error(ErrorKind::invalid_value,
+                    {.what = "is another elevation model: its hash is " + terrain.base_model->hash,
+                     .parameter = "terrain.base",
+                     .value = quoted_text(terrain.base),
+                     .allowed = "the model with the hash " + base_hash_});
     }
 
     bool read_rings_table(Terrain& terrain, std::string_view section,
@@ -96,6 +140,7 @@ class TerrainReader {
 
     const std::string& name_;
     const std::string& base_dir_;
+    std::string base_hash_;  // of [terrain.base_heights]
     TableReader<Terrain> reader_;
 };
 
@@ -109,19 +154,39 @@ std::string rings_text(const Terrain& terrain) {
 
 }  // namespace
 
-void resolve_files(Terrain& terrain, const std::string& base_dir) {
-    if (terrain.measured.empty() || terrain.rings != nullptr) return;
+namespace {
+
+/// Calls read(path) with the path of a file that a parameter names, relative to base_dir.
+template <typename Read>
+void read_named(const std::string& base_dir, const char* parameter, const std::string& file,
+                const Read& read) {
     try {
-        const std::string path = text::to_utf8(utf8_path(base_dir) / utf8_path(terrain.measured));
-        terrain.rings = std::make_shared<const MeasuredRings>(read_measured_rings(path));
+        read(text::to_utf8(utf8_path(base_dir) / utf8_path(file)));
     } catch (const Error& error) {
-        throw text::error_of_text(error, "terrain.measured", terrain.measured);
+        throw text::error_of_text(error, parameter, file);
+    }
+}
+
+}  // namespace
+
+void resolve_files(Terrain& terrain, const std::string& base_dir) {
+    if (!terrain.measured.empty() && terrain.rings == nullptr) {
+        read_named(base_dir, "terrain.measured", terrain.measured, [&](const std::string& path) {
+            terrain.rings = std::make_shared<const MeasuredRings>(read_measured_rings(path));
+        });
+    }
+    if (!terrain.base.empty() && terrain.base_model == nullptr) {
+        read_named(base_dir, "terrain.base", terrain.base,
+                   [&](const std::string& path) { terrain.base_model = read_base(path); });
     }
 }
 
 std::vector<std::string> named_files(const Terrain& terrain) {
-    if (terrain.measured.empty()) return {};
-    return {terrain.measured};
+    std::vector<std::string> files;
+    for (const std::string& file : {terrain.measured, terrain.base}) {
+        if (!file.empty()) files.push_back(file);
+    }
+    return files;
 }
 
 Terrain parse_terrain(std::string_view toml, const std::string& name, const std::string& base_dir) {
@@ -137,7 +202,9 @@ std::string write_terrain(const Terrain& terrain) {
     validate(terrain);
     const auto line = [&](const RefOf<Terrain>& ref) { return parameter_line(terrain, ref); };
     const auto rings = [&](std::string_view section, std::size_t) {
-        return section == kTerrainKind ? rings_text(terrain) : std::string();
+        if (section != kTerrainKind) return std::string();
+        return rings_text(terrain) +
+               (terrain.base_model != nullptr ? base_text(*terrain.base_model) : "");
     };
     return std::string(kOpening) + table_text<Terrain>(terrain_table(), terrain, line, rings);
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "ocean/cascades.hpp"
@@ -14,6 +15,7 @@
 #include "ocean/internal/memory.hpp"
 #include "ocean/terrain_table.hpp"
 #include "ocean/terrainfile.hpp"
+#include "ocean/text.hpp"
 
 namespace ocean {
 namespace {
@@ -22,7 +24,7 @@ LandOptions land_options(const MapsOptions& options) {
     return {.threads = options.threads, .backend = options.backend};
 }
 
-Domain domain_of(const Terrain& terrain, TerrainTiles tiles, int resolution) {
+Domain repeated_domain(const Terrain& terrain, TerrainTiles tiles, int resolution) {
     return {{0.0, 0.0},
             {tiles.x * terrain.patch_size, tiles.y * terrain.patch_size},
             {tiles.x * resolution, tiles.y * resolution},
@@ -50,14 +52,47 @@ Surface repeated(const Surface& tile, const Domain& domain) {
     return all;
 }
 
+/// The part of a terrain that a subject shows: tiles, a placed land as a whole, or a region.
+struct ShownPart {
+    TerrainTiles tiles;
+    std::optional<Domain> region;
+
+    /// Returns the domain of a map of `resolution` samples along the side of a tile, else along the
+    /// longer side.
+    Domain domain(const Terrain& terrain, int resolution) const {
+        if (!region) {
+            return terrain.is_placed() ? terrain_domain(terrain, resolution)
+                                       : repeated_domain(terrain, tiles, resolution);
+        }
+        const int longer = std::max(region->samples[0], region->samples[1]);
+        if (resolution == longer) return *region;
+        Domain scaled = *region;
+        const double cell = std::max(region->size[0], region->size[1]) / (resolution - 1);
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const int steps = static_cast<int>(std::floor(region->size[axis] / cell + 1e-6));
+            scaled.samples[axis] = std::max(steps, 1) + 1;
+            scaled.size[axis] = cell * (scaled.samples[axis] - 1);
+        }
+        return scaled;
+    }
+    int default_resolution(const Terrain& terrain) const {
+        const Domain shown = region ? *region : terrain_domain(terrain);
+        return std::max(shown.samples[0], shown.samples[1]);
+    }
+};
+
 class TerrainMaps final : public SubjectMaps {
   public:
-    TerrainMaps(const Terrain& terrain, TerrainTiles tiles, const MapsOptions& options)
-        : land_(terrain, land_options(options)), tiles_(tiles) {
-        land_.modes();
+    TerrainMaps(const Terrain& terrain, const ShownPart& part, const MapsOptions& options)
+        : land_(terrain, land_options(options)), part_(part) {
+        if (part.region || terrain.is_shaped()) {
+            land_.field();
+        } else {
+            land_.modes();
+        }
     }
     TerrainMaps(const TerrainMaps& built, const MapsOptions& options)
-        : land_(built.land_, land_options(options)), tiles_(built.tiles_) {}
+        : land_(built.land_, land_options(options)), part_(built.part_) {}
 
     Land& land() { return land_; }
 
@@ -83,19 +118,21 @@ class TerrainMaps final : public SubjectMaps {
 
   private:
     Surface map(ChannelSet channels, int resolution) {
+        const Domain domain = part_.domain(land_.terrain(), resolution);
+        if (!domain.wraps) return land_.region(domain, channels);
         Surface tile = land_.surface(channels, resolution);
-        if (tiles_ == TerrainTiles{}) return tile;
-        return repeated(tile, domain_of(land_.terrain(), tiles_, resolution));
+        if (part_.tiles == TerrainTiles{}) return tile;
+        return repeated(tile, domain);
     }
 
     Land land_;
-    TerrainTiles tiles_;
+    ShownPart part_;
 };
 
 class TerrainSubject final : public Subject {
   public:
-    TerrainSubject(Terrain terrain, TerrainTiles tiles)
-        : terrain_(std::move(terrain)), tiles_(tiles) {}
+    TerrainSubject(Terrain terrain, ShownPart part)
+        : terrain_(std::move(terrain)), part_(std::move(part)) {}
 
     const Terrain& terrain() const { return terrain_; }
 
@@ -113,30 +150,42 @@ class TerrainSubject final : public Subject {
     bool plays_take() const override { return false; }
     std::vector<std::string> warnings(double) const override { return {}; }
 
-    ChannelSet channels() const override { return kTerrainChannels; }
-    int default_resolution() const override { return terrain_.resolution; }
-    Domain domain(int resolution) const override { return domain_of(terrain_, tiles_, resolution); }
+    ChannelSet channels() const override { return terrain_channels(terrain_); }
+    int default_resolution() const override { return part_.default_resolution(terrain_); }
+    Domain domain(int resolution) const override { return part_.domain(terrain_, resolution); }
+    bool uses_backends() const override { return !part_.region && !terrain_.is_shaped(); }
     double shortest_wave(int resolution) const override {
+        if (!uses_backends()) return 2.0 * domain(resolution).step(0);
         const Lattice lattice{std::min(resolution, terrain_.resolution), terrain_.patch_size};
         return std::max(terrain_.shortest_wavelength, lattice.shortest_wavelength());
     }
     HeightRange height_range() const override {
         Land land(terrain_);
+        if (!uses_backends()) {
+            constexpr int kCoarse = 512;
+            const Domain own = domain(std::min(default_resolution(), kCoarse));
+            const Surface map = land.region(own, {Channel::height});
+            const auto [low, high] = std::ranges::minmax(map.channel(Channel::height));
+            const double margin = 0.1 * static_cast<double>(high - low) + own.step(0);
+            return {static_cast<double>(low) - margin, static_cast<double>(high) + margin};
+        }
         constexpr double kMaxSigmas = 5.0;  // beyond the highest of 8192^2 samples
         const double reach = kMaxSigmas * land.scale().rms;
         return {land.offset() - reach, land.offset() + reach};
     }
 
     std::unique_ptr<SubjectMaps> open(const MapsOptions& options) const override {
-        return std::make_unique<TerrainMaps>(terrain_, tiles_, options);
+        return std::make_unique<TerrainMaps>(terrain_, part_, options);
     }
     std::uint64_t bytes(int) const override { return Land::bytes(terrain_); }
     std::uint64_t work_bytes(const MapsOptions& options, ChannelSet channels,
                              int resolution) const override {
+        if (!uses_backends()) return 0;
         return ocean::work_bytes(grid(), options.backend, channels, resolution, options.channels);
     }
     std::uint64_t by_place_bytes(int) const override { return 0; }
     std::uint64_t query_bytes(const QueryOptions& options) const override {
+        if (terrain_.is_shaped()) return 0;
         return SurfaceQuery::map_bytes(terrain_.resolution, options);
     }
 
@@ -149,13 +198,48 @@ class TerrainSubject final : public Subject {
     }
 
     Terrain terrain_;
-    TerrainTiles tiles_;
+    ShownPart part_;
 };
 
 }  // namespace
 
 std::unique_ptr<Subject> make_subject(Terrain terrain, TerrainTiles tiles) {
-    return std::make_unique<TerrainSubject>(std::move(terrain), tiles);
+    return std::make_unique<TerrainSubject>(std::move(terrain), ShownPart{tiles, {}});
+}
+
+std::unique_ptr<Subject> make_subject(Terrain terrain, const TerrainRegion& region) {
+    const Domain domain = domain_of(terrain, region);
+    return std::make_unique<TerrainSubject>(std::move(terrain), ShownPart{{}, domain});
+}
+
+Domain domain_of(const Terrain& terrain, const TerrainRegion& region) {
+    Domain domain{region.origin, {}, {}, false};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const double steps = std::floor(region.size[axis] / region.cell * (1.0 + 1e-12) + 1e-9);
+        if (!(steps >= 1.0 && steps < kMaxRegionSide)) {
+            throw Error(ErrorKind::invalid_value,
+                        "the region has " + fixed_text(steps + 1.0, 0) + " samples along " +
+                            (axis == 0 ? "x" : "y") + " at a cell of " +
+                            shortest_text(region.cell) + " m; allowed: 2 .. " +
+                            std::to_string(kMaxRegionSide));
+        }
+        domain.samples[axis] = static_cast<int>(steps) + 1;
+        domain.size[axis] = steps * region.cell;
+    }
+    if (!terrain.is_placed()) return domain;
+    const Domain land = terrain_domain(terrain);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const double slack = 1e-6 * land.size[axis];
+        const double end = domain.origin[axis] + domain.size[axis];
+        const double land_end = land.origin[axis] + land.size[axis];
+        if (domain.origin[axis] >= land.origin[axis] - slack && end <= land_end + slack) continue;
+        throw Error(ErrorKind::invalid_value,
+                    std::string("the region reaches from ") + (axis == 0 ? "x = " : "y = ") +
+                        shortest_text(domain.origin[axis]) + " to " + shortest_text(end) +
+                        " m, and the land from " + shortest_text(land.origin[axis]) + " to " +
+                        shortest_text(land_end) + " m");
+    }
+    return domain;
 }
 
 std::unique_ptr<Subject> parse_terrain_subject(std::string_view text, const std::string& name) {

@@ -3,8 +3,11 @@
 //
 // `ocean terrain`: writes a terrain as files for other programs. It is a bake of one frame;
 // make_bake_plan resolves its options, and the options of a format come from the format.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "bake_options.hpp"
@@ -25,7 +28,7 @@ struct Typed {
     BakeOptions bake;
     TerrainArgument terrain;
     FormatFlags format_options;
-    std::string stage, tiles;
+    std::string stage, tiles, region, cell;
     bool dry_run = false;
 };
 
@@ -39,7 +42,12 @@ std::vector<OptionGroup> terrain_bake_options(Typed& typed, const Catalogue& cat
            "Take the terrain and all options below that are not given from a baked file, in place "
            "of TERRAIN"},
           {"--tiles", &typed.tiles, "NxM",
-           "Repeat the tile N times to the east and M times to the north; default 1x1"}}},
+           "Repeat the tile N times to the east and M times to the north; default 1x1"},
+          {"--region", &typed.region, "X0,Y0,X1,Y1",
+           "Only this rectangle [m], of the function of the place that a land is; needs --cell"},
+          {"--cell", &typed.cell, "METRES",
+           "Distance of the samples of --region: neighbouring regions of one cell that share an "
+           "edge join without a seam"}}},
         {"Output",
          {
              {"-o,--output", &bake.output, "FILE",
@@ -74,14 +82,52 @@ TerrainTiles parse_tiles(const std::string& text) {
             parse_whole_number(counts[1], "--tiles", 1, kMaxTerrainTiles)};
 }
 
-/// Returns the tiles that a baked file of the terrain shows.
-TerrainTiles tiles_of(const std::string& path, const Terrain& terrain) {
+/// Returns the region that is typed, if one is. Throws Error invalid_value.
+std::optional<TerrainRegion> parse_region(const Typed& typed) {
+    if (typed.region.empty() && typed.cell.empty()) return std::nullopt;
+    if (typed.region.empty() || typed.cell.empty()) {
+        throw Error(ErrorKind::invalid_value,
+                    "--region and --cell: give both, such as --region 0,0,500,500 --cell 2");
+    }
+    if (!typed.tiles.empty() || !typed.bake.resolution.empty() || !typed.stage.empty()) {
+        throw Error(ErrorKind::invalid_value,
+                    "--region: its samples are those of --cell; --tiles, --resolution and --stage "
+                    "are for whole tiles");
+    }
+    const std::vector<std::string> numbers = split(typed.region, ',');
+    std::array<double, 4> corner{};
+    for (std::size_t i = 0; i < corner.size(); ++i) {
+        if (numbers.size() != corner.size()) {
+            throw Error(ErrorKind::invalid_value,
+                        "--region " + typed.region + ": four numbers are needed, X0,Y0,X1,Y1");
+        }
+        corner[i] = parse_number(numbers[i], "--region", -1e8, 1e8);
+    }
+    if (!(corner[2] > corner[0] && corner[3] > corner[1])) {
+        throw Error(ErrorKind::invalid_value,
+                    "--region " + typed.region + ": X1 must be above X0, and Y1 above Y0");
+    }
+    return TerrainRegion{{corner[0], corner[1]},
+                         {corner[2] - corner[0], corner[3] - corner[1]},
+                         parse_number(typed.cell, "--cell", 1e-3, 1e6)};
+}
+
+/// Returns the part of the terrain that a baked file shows: tiles, a whole placed land or a region.
+std::unique_ptr<Subject> subject_of_file(const std::string& path, Terrain terrain) {
     const auto provenance = io::read_provenance(path);
-    if (!provenance || !provenance->domain) return {};
-    const auto count = [&](double size) {
-        return static_cast<int>(std::lround(size / terrain.patch_size));
-    };
-    return {count(provenance->domain->size[0]), count(provenance->domain->size[1])};
+    if (!provenance || !provenance->domain) return make_subject(std::move(terrain));
+    const Domain& shown = *provenance->domain;
+    if (shown.wraps) {
+        const auto count = [&](double size) {
+            return static_cast<int>(std::lround(size / terrain.patch_size));
+        };
+        const TerrainTiles tiles{count(shown.size[0]), count(shown.size[1])};
+        return make_subject(std::move(terrain), tiles);
+    }
+    const int longer = std::max(shown.samples[0], shown.samples[1]);
+    const bool is_whole = terrain.is_placed() && terrain_domain(terrain, longer) == shown;
+    if (is_whole) return make_subject(std::move(terrain));
+    return make_subject(std::move(terrain), {shown.origin, shown.size, shown.step(0)});
 }
 
 /// A stage is a product of its own; the height is the terrain's.
@@ -100,11 +146,17 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
     options.source = typed.terrain.source;
     options.threads = context.options.threads;
     const TerrainTiles tiles = parse_tiles(typed.tiles);
+    const std::optional<TerrainRegion> region = parse_region(typed);
     options.open_subject = [&](const std::string& source) {
         Terrain terrain = open_terrain({source, typed.terrain.assignments});
+        if (region) return make_subject(std::move(terrain), *region);
         const bool from_file = !options.from.empty() && typed.tiles.empty();
-        const TerrainTiles shown = from_file ? tiles_of(source, terrain) : tiles;
-        return make_subject(std::move(terrain), shown);
+        if (from_file) return subject_of_file(source, std::move(terrain));
+        if (terrain.is_placed() && !typed.tiles.empty()) {
+            throw Error(ErrorKind::invalid_value,
+                        "--tiles " + typed.tiles + ": this land exists once; a tile repeats");
+        }
+        return make_subject(std::move(terrain), tiles);
     };
     const BakePlan plan = make_bake_plan(options, catalogue);
     InputFiles inputs(typed.terrain.source, plan.subject->named_files());

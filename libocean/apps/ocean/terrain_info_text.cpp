@@ -39,6 +39,39 @@ std::string law_text(const Terrain& terrain) {
     return text;
 }
 
+/// Returns the lines about the place of a land, its base and what shapes it.
+std::string shape_text(const Terrain& terrain, const TerrainState& state) {
+    std::string text;
+    if (terrain.is_placed()) {
+        text += row("Placed land",
+                    format_text("%.6g x %.6g m, a cell of %.4g m", state.size[0], state.size[1],
+                                state.cell));
+    } else {
+        text += row("Tile", format_text("%g m, %d samples, a cell of %.4g m", state.period,
+                                        terrain.resolution, state.cell));
+    }
+    if (terrain.base_model != nullptr) {
+        const Domain& domain = terrain.base_model->model.domain;
+        text += row("Base", format_text("%s, %d x %d samples", terrain.base.c_str(),
+                                        domain.samples[0], domain.samples[1]));
+    }
+    if (terrain.has_gullies()) {
+        text += row("Gullies", format_text("%d sizes from %g m", terrain.gullies.octaves,
+                                           terrain.gullies.longest));
+    }
+    if (terrain.has_streams()) {
+        text += row("Streams", format_text("slope %g at %g m2, falling with area^%g, age %g",
+                                           terrain.stream.slope, terrain.stream.hillslope_area,
+                                           terrain.stream.exponent, terrain.stream.age));
+    }
+    if (terrain.has_coast()) {
+        text += row("Shore", format_text("water at %g m, beaches 1 in %.3g",
+                                         terrain.coast_level.value_or(0.0),
+                                         1.0 / terrain.coast.beach_slope));
+    }
+    return text;
+}
+
 std::string octaves_text(const TerrainState& state) {
     std::string text = format_text("\n%-24s%-16s%-16s%-16s%s\n", "Octave, longest wave",
                                    "rms asked", "resolved", "beta asked", "resolved");
@@ -60,22 +93,26 @@ std::string octaves_text(const TerrainState& state) {
 std::string terrain_info_text(const Terrain& terrain, const std::string& name,
                               const TerrainState& state) {
     std::string text = row("Terrain", name);
-    text += row("Tile", format_text("%g m, %d samples, a cell of %.4g m", state.period,
-                                    terrain.resolution, state.cell));
+    text += shape_text(terrain, state);
     for (const TerrainLayer& layer : terrain.layers) {
         text += row("Layer", format_text("repeats every %g m, gain %g", layer.period, layer.gain));
     }
-    text += law_text(terrain);
+    if (terrain.base_model == nullptr) text += law_text(terrain);
     text += row("Waves", format_text("%.4g to %.4g m", state.shortest_wave, state.longest_wave));
     text += row("Mean height", format_text("%.4g m", state.mean));
-    text += format_text("\n%-24s%-16s%s\n", "", "asked", "in this tile");
+    if (state.lowest < state.highest) {
+        text += row("Heights", format_text("%.6g to %.6g m", state.lowest, state.highest));
+    }
+    text += terrain.is_shaped() ? format_text("\n%-24s%-16s%s\n", "", "of its waves", "of the land")
+                                : format_text("\n%-24s%-16s%s\n", "", "asked", "in this tile");
     text += asked_resolved("RMS height", state.rms, " m");
     text += asked_resolved("RMS slope", state.rms_slope, "");
     constexpr const char* kShares[] = {"Slopes, 50 % up to", "        90 %", "        99 %"};
     for (std::size_t i = 0; i < state.slope_angles.size(); ++i) {
         text += asked_resolved(kShares[i], state.slope_angles[i], " deg", "%.1f");
     }
-    return text + octaves_text(state) + "\n" + row("Memory", bytes_text(state.memory_bytes));
+    if (!state.octaves.empty()) text += octaves_text(state);
+    return text + "\n" + row("Memory", bytes_text(state.memory_bytes));
 }
 
 }  // namespace ocean::app

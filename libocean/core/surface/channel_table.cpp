@@ -2,22 +2,49 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Look-ups in the tables of channels and products.
+#include <algorithm>
+#include <array>
 #include <string>
 
 #include "ocean/channel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/nearest_name.hpp"
+#include "ocean/land_mask.hpp"
 
 namespace ocean {
+namespace {
+
+/// Rows of the masks, which are not computed from fields of waves.
+constexpr auto kMaskRows = [] {
+    std::array<ChannelInfo, kMaskProducts.size()> rows{};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i].name = kMaskProducts[i].name;
+        rows[i].unit = kMaskProducts[i].unit;
+    }
+    return rows;
+}();
+
+constexpr auto kAllProducts = [] {
+    std::array<Product, kProducts.size() + kMaskProducts.size()> all{};
+    std::ranges::copy(kMaskProducts, std::ranges::copy(kProducts, all.begin()).out);
+    return all;
+}();
+
+[[noreturn]] void refuse_channel(int channel, std::size_t host_channels) {
+    throw Error(ErrorKind::invalid_value,
+                "channel " + std::to_string(channel) + " is not known; allowed: 0 .. " +
+                    std::to_string(kChannels.size() + host_channels - 1));
+}
+
+}  // namespace
 
 const ChannelInfo& channel_info(Channel channel, std::span<const ChannelInfo> host_channels) {
     const auto index = static_cast<std::size_t>(channel);
     if (index < kChannels.size()) return kChannels[index];
+    if (is_mask(channel)) return kMaskRows[index - kFirstMask];
     const std::size_t count = kChannels.size() + host_channels.size();
     if (index < count) return host_channels[index - kChannels.size()];
-    throw Error(ErrorKind::invalid_value, "channel " + std::to_string(static_cast<int>(channel)) +
-                                              " is not known; allowed: 0 .. " +
-                                              std::to_string(count - 1));
+    refuse_channel(static_cast<int>(channel), host_channels.size());
 }
 
 namespace {
@@ -30,8 +57,9 @@ void for_each_channel(ChannelSet channels, std::span<const ChannelInfo> host_cha
         const auto channel = static_cast<Channel>(c);
         if (channels.contains(channel)) visit(channel_info(channel, host_channels));
     }
-    const auto none = static_cast<Channel>(kMaxChannels);
-    if (channels.contains(none)) channel_info(none, host_channels.first(0));  // throws
+    for (int c = kMaxChannels; c <= kChannelNumbers; ++c) {
+        if (channels.contains(static_cast<Channel>(c))) refuse_channel(c, host_channels.size());
+    }
 }
 
 }  // namespace
@@ -56,7 +84,7 @@ FoamUse foam_use(ChannelSet channels, std::span<const ChannelInfo> host_channels
 }
 
 std::span<const Product> product_table() {
-    return kProducts;
+    return kAllProducts;
 }
 
 const Product& find_product(std::string_view name, std::span<const Product> products) {

@@ -32,7 +32,7 @@ std::span<float> Surface::channel(Channel channel) {
 
 std::vector<MapOutput> outputs_of(Surface& surface) {
     std::vector<MapOutput> outputs;
-    for (int c = 0; c < kMaxChannels; ++c) {
+    for (int c = 0; c < kChannelNumbers; ++c) {
         const auto channel = static_cast<Channel>(c);
         if (!surface.has(channel)) continue;
         outputs.push_back({surface.channel(channel).data(), 1, {{{channel, 1.0f}}}});

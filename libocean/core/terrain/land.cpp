@@ -5,11 +5,16 @@
 #include "ocean/land.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "ocean/error.hpp"
+#include "land/build_field.hpp"
 #include "ocean/internal/memory.hpp"
+#include "ocean/land_field.hpp"
+#include "ocean/land_mask.hpp"
 #include "ocean/terrain_table.hpp"
 #include "ocean/thread_pool.hpp"
 #include "surface/map_writer.hpp"
@@ -24,12 +29,17 @@ SurfaceSettings flat_settings() {
     return settings;
 }
 
-void require_terrain_channels(std::span<const MapOutput> outputs) {
-    for (int c = 0; c < kChannelCount; ++c) {
+/// Throws for channels that the land does not have.
+void require_terrain_channels(ChannelSet wanted, ChannelSet available) {
+    for (int c = 0; c <= kChannelNumbers; ++c) {
         const auto channel = static_cast<Channel>(c);
-        if (kTerrainChannels.contains(channel) || !channels_of(outputs).contains(channel)) continue;
-        throw Error(ErrorKind::unsupported, "a terrain has no channel " +
-                                                std::string(channel_info(channel).name) +
+        if (!wanted.contains(channel) || available.contains(channel)) continue;
+        const std::string name(channel_info(channel).name);
+        if (is_mask(channel)) {
+            throw Error(ErrorKind::unsupported, "this terrain has no mask " + name +
+                                                    ": its file has no section that makes it");
+        }
+        throw Error(ErrorKind::unsupported, "a terrain has no channel " + name +
                                                 "; it has height, normals and slopes");
     }
 }
@@ -57,6 +67,7 @@ struct Land::Impl {
           pool(options.threads, options.run_jobs),
           writer(options.backend) {
         pool.set_interrupt(options.interrupt);
+        progress = options.progress;
     }
     Impl(const Impl& other, const LandOptions& options)
         : terrain(other.terrain),
@@ -66,8 +77,11 @@ struct Land::Impl {
           modes(other.modes),
           is_filtered(other.is_filtered),
           scale(other.scale),
-          offset(other.offset) {
+          offset(other.offset),
+          field(other.field),
+          carved(other.carved) {
         pool.set_interrupt(options.interrupt);
+        progress = options.progress;
         if (!(options.backend == other.writer.backend())) writer = MapWriter(options.backend);
     }
 
@@ -77,6 +91,7 @@ struct Land::Impl {
         terrain = std::move(next);
         if (!dirty) return;
         if (*dirty == TerrainStage::noise) noise = nullptr;
+        field = nullptr;
         if (*dirty <= TerrainStage::filter) {
             is_filtered = false;
             query.reset();
@@ -87,6 +102,10 @@ struct Land::Impl {
 
     void make_noise() {
         if (noise != nullptr) return;
+        if (terrain.base_model != nullptr) {
+            throw Error(ErrorKind::unsupported,
+                        "the land of an elevation model has no waves of a law: terrain.base");
+        }
         require_memory(Land::bytes(terrain), "the terrain");
         noise = std::make_shared<const TerrainNoise>(terrain, pool);
         ++runs.noise;
@@ -103,9 +122,7 @@ struct Land::Impl {
         if (!reusable) modes = std::make_shared<Modes>(empty_terrain_modes(terrain));
         ++runs.filter;
         offset = terrain.mean;
-        std::optional<double> rms = terrain.rms;
-        if (!rms && !terrain.has_measured_rms()) rms = kDefaultTerrainRms;
-        scale = set_terrain_modes(terrain, *noise, rms, pool, *modes);
+        scale = set_terrain_modes(terrain, *noise, asked_rms(), pool, *modes);
         if (!terrain.range.empty()) fit_range();
         is_filtered = true;
     }
@@ -120,6 +137,33 @@ struct Land::Impl {
         const double gain = spread > 0.0 ? (terrain.range[1] - terrain.range[0]) / spread : 0.0;
         offset = terrain.range[0] - gain * static_cast<double>(low);
         scale = set_terrain_modes(terrain, *noise, gain * scale.rms, pool, *modes);
+    }
+
+    std::optional<double> asked_rms() const {
+        if (terrain.rms || terrain.has_measured_rms()) return terrain.rms;
+        return kDefaultTerrainRms;
+    }
+
+    const LandField& shape() {
+        if (field != nullptr) return *field;
+        require_memory(field_bytes(terrain), "the terrain");
+        LandWaves waves;
+        if (terrain.base_model == nullptr) {
+            filter();
+            waves = {noise.get(), asked_rms(), scale.gain};
+        }
+        if (terrain.is_shaped()) {
+            const auto before = carved.land;
+            field = std::make_shared<const LandField>(
+                build_field(terrain, waves, pool, carved, progress));
+            if (carved.land != before) ++runs.streams;
+        } else {
+            waves.rms = scale.rms;  // that of `range` too
+            field = std::make_shared<const LandField>(
+                build_tile_field(terrain, waves, offset, pool));
+        }
+        ++runs.shape;
+        return *field;
     }
 
     /// Returns the query with these options; keeps it for the next call.
@@ -144,6 +188,9 @@ struct Land::Impl {
     TerrainScale scale;
     double offset = 0.0;
     TerrainRuns runs;
+    std::shared_ptr<const LandField> field;
+    CarvedLand carved;
+    LandProgress progress;
 
     struct CachedQuery {
         QueryOptions options;
@@ -193,23 +240,68 @@ TerrainScale Land::scale() {
 }
 
 TerrainState Land::state() {
-    impl_->filter();
-    return terrain_state(impl_->terrain, *impl_->modes, impl_->scale, impl_->offset);
+    TerrainState state;
+    if (impl_->terrain.base_model == nullptr) {
+        impl_->filter();
+        state = terrain_state(impl_->terrain, *impl_->modes, impl_->scale, impl_->offset);
+    } else {
+        constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+        state.rms.asked = state.rms_slope.asked = kUnknown;
+        const Domain land = domain();
+        state.longest_wave = std::max(land.size[0], land.size[1]);
+        state.memory_bytes = bytes(impl_->terrain);
+    }
+    if (!impl_->terrain.is_shaped()) return state;
+    constexpr int kMaxMeasured = 1024;  // samples: as fine as the land's own grid up to here
+    const Domain own = domain();
+    const int longer = std::max(own.samples[0], own.samples[1]);
+    const Domain measured = longer > kMaxMeasured ? domain(kMaxMeasured) : own;
+    measure_shaped(region(measured, {Channel::height, Channel::slope_x, Channel::slope_y}), state);
+    return state;
+}
+
+std::shared_ptr<const LandField> Land::field() {
+    impl_->shape();
+    return impl_->field;
+}
+
+ChannelSet Land::channels() const {
+    return terrain_channels(impl_->terrain);
+}
+
+Domain Land::domain(int resolution) const {
+    return terrain_domain(impl_->terrain, resolution);
 }
 
 Surface Land::surface(ChannelSet channels, int resolution) {
-    if (resolution == 0) resolution = impl_->terrain.resolution;
-    require_resolution(resolution);
-    require_channels(channels);
-    Surface surface(Lattice{resolution, impl_->terrain.patch_size}, 0.0, channels);
-    surface_into(outputs_of(surface), resolution);
+    require_terrain_channels(channels, this->channels());
+    const Domain domain = this->domain(resolution);
+    if (impl_->terrain.is_shaped()) return region(domain, channels);
+    require_resolution(domain.samples[0]);
+    Surface surface(domain, 0.0, channels);
+    surface_into(outputs_of(surface), domain.samples[0]);
     return surface;
 }
 
+Surface Land::region(const Domain& region, ChannelSet channels) {
+    require_terrain_channels(channels, this->channels());
+    const LandField& field = impl_->shape();
+    ++impl_->runs.maps;
+    return field.surface(region, channels, impl_->pool);
+}
+
+void Land::region_into(const Domain& region, std::span<const MapOutput> outputs) {
+    require_terrain_channels(channels_of(outputs), channels());
+    const LandField& field = impl_->shape();
+    ++impl_->runs.maps;
+    field.write(region, outputs, impl_->pool);
+}
+
 void Land::surface_into(std::span<const MapOutput> outputs, int resolution) {
+    require_terrain_channels(channels_of(outputs), channels());
+    if (impl_->terrain.is_shaped()) return shaped_into(outputs, resolution);
     if (resolution == 0) resolution = impl_->terrain.resolution;
     require_resolution(resolution);
-    require_terrain_channels(outputs);
     const Modes& modes = this->modes();
     impl_->writer.write({map_modes(modes, 0.0, resolution), flat_settings(), outputs, {}},
                         impl_->pool);
@@ -226,13 +318,37 @@ void Land::surface_into(std::span<const MapOutput> outputs, int resolution) {
     }
 }
 
+void Land::shaped_into(std::span<const MapOutput> outputs, int resolution) {
+    const Domain domain = this->domain(resolution);
+    if (domain.samples[0] != domain.samples[1]) {
+        throw Error(ErrorKind::unsupported,
+                    "this land is not a square: its maps have " +
+                        std::to_string(domain.samples[0]) + " x " +
+                        std::to_string(domain.samples[1]) + " samples; ask for a region");
+    }
+    for (const MapOutput& output : outputs) {
+        if (!output.seam || domain.wraps) continue;
+        throw Error(ErrorKind::unsupported, "a land that exists once has no seam");
+    }
+    const LandField& field = impl_->shape();
+    ++impl_->runs.maps;
+    field.write(domain, outputs, impl_->pool);
+}
+
 void Land::query(std::span<const WorldPoint> points, std::span<QuerySample> samples,
                  const QueryOptions& options) {
+    if (impl_->terrain.is_shaped()) {
+        const LandField& field = impl_->shape();
+        const double cell =
+            options.resolution > 0 ? domain(options.resolution).step(0) : domain().step(0);
+        return field.query(points, samples, cell, impl_->pool);
+    }
     impl_->surface_query(options).sample(points, samples, impl_->pool);
     for (QuerySample& sample : samples.first(points.size())) sample.height += impl_->offset;
 }
 
 double Land::query_height_error(const QueryOptions& options) {
+    if (impl_->terrain.is_shaped()) return 0.0;  // the function itself is the land
     return impl_->surface_query(options).height_error();
 }
 
@@ -244,7 +360,35 @@ ThreadPool& Land::pool() {
     return impl_->pool;
 }
 
+ChannelSet terrain_channels(const Terrain& terrain) {
+    ChannelSet channels = kTerrainChannels;
+    const auto add = [&](std::initializer_list<LandMask> masks) {
+        for (const LandMask mask : masks) channels = channels | channel_of(mask);
+    };
+    using enum LandMask;
+    if (terrain.has_gullies()) add({wear, gully, ridge});
+    if (terrain.has_streams()) add({flow, deposit, streambed, wetness});
+    if (terrain.has_coast()) add({beach, cliff, shelter});
+    return channels;
+}
+
+Domain terrain_domain(const Terrain& terrain, int resolution) {
+    if (!terrain.is_placed()) {
+        return Domain::tile(terrain.patch_size, resolution == 0 ? terrain.resolution : resolution);
+    }
+    Domain domain = placed_domain(terrain);
+    if (resolution == 0) return domain;
+    const double cell = std::max(domain.size[0], domain.size[1]) / (resolution - 1);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const auto steps = static_cast<int>(std::floor(domain.size[axis] / cell + 1e-6));
+        domain.samples[axis] = std::max(steps, 1) + 1;
+        domain.size[axis] = (domain.samples[axis] - 1) * cell;
+    }
+    return domain;
+}
+
 std::uint64_t Land::bytes(const Terrain& terrain) {
+    if (terrain.is_shaped()) return field_bytes(terrain);
     Grid grid;
     grid.resolution = terrain.resolution;
     return modes_bytes(grid) + lattice_of(terrain).size() / 2 * sizeof(std::complex<float>);

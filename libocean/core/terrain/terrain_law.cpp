@@ -24,6 +24,13 @@ double log_one_plus_exp(double x) {
     return x > 40.0 ? x : std::log1p(std::exp(x));
 }
 
+/// Waves this many times longer than the largest gullies are the first that steer them.
+constexpr double kSteering = 7.0 / 3.0;
+
+double smallest_gully(const GullySettings& gullies) {
+    return gullies.longest * std::exp2(1 - gullies.octaves);
+}
+
 /// Returns the slope of the straight line through the points, by least squares.
 double fitted_slope(std::vector<double>::const_iterator x, std::vector<double>::const_iterator y,
                     std::ptrdiff_t count) {
@@ -41,13 +48,18 @@ double fitted_slope(std::vector<double>::const_iterator x, std::vector<double>::
 
 }  // namespace
 
-TerrainLaw::TerrainLaw(const Terrain& terrain)
+TerrainLaw::TerrainLaw(const Terrain& terrain, LawPart part)
     : exponent_(terrain.beta),
       min_k_(terrain.longest_wavelength > 0.0 ? kTwoPi / terrain.longest_wavelength : 0.0),
       max_k_(terrain.shortest_wavelength > 0.0 ? kTwoPi / terrain.shortest_wavelength : kEndless),
       anisotropy_(terrain.anisotropy),
       cosine_(std::cos(terrain.direction * kRadians)),
-      sine_(std::sin(terrain.direction * kRadians)) {
+      sine_(std::sin(terrain.direction * kRadians)),
+      part_(terrain.has_gullies() || part == LawPart::fine ? part : LawPart::whole) {
+    const double wavelength = part == LawPart::fine ? smallest_gully(terrain.gullies)
+                                                    : kSteering * terrain.gullies.longest;
+    log_part_k_ = std::log(kTwoPi / wavelength);
+    if (part == LawPart::fine && !terrain.has_gullies()) log_part_k_ = kEndless;
     // A wave of exactly a limit's length stays, whichever way its k was rounded.
     constexpr double kRounding = 1e-9;
     min_k_ *= 1.0 - kRounding;
@@ -97,6 +109,19 @@ double TerrainLaw::measured(double log_k) const {
     return log_s_[i - 1] + part * (log_s_[i] - log_s_[i - 1]);
 }
 
+double TerrainLaw::log_part(double log_k) const {
+    const double distance = log_k - log_part_k_;
+    switch (part_) {
+        case LawPart::whole:
+            break;
+        case LawPart::smooth:
+            return -0.9 * log_one_plus_exp(4.0 * distance);
+        case LawPart::fine:
+            return -log_one_plus_exp(-8.0 * distance);
+    }
+    return 0.0;
+}
+
 double TerrainLaw::ridge(double k) const {
     const double distance = (std::log(k) - ridge_log_k_) / ridge_width_;
     return ridge_gain_ * std::exp(-0.5 * distance * distance);
@@ -118,7 +143,7 @@ double TerrainLaw::radial(double k) const {
             log_density -= 0.5 * part.change * log_one_plus_exp(4.0 * (log_k - part.log_k));
         }
     }
-    const double density = std::exp(log_density);
+    const double density = std::exp(log_density + log_part(log_k));
     return ridge_gain_ > 0.0 && !ridge_turns_ ? density * (1.0 + ridge(k)) : density;
 }
 

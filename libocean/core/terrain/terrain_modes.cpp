@@ -205,12 +205,16 @@ class RowWriter {
 }  // namespace
 
 TerrainScale set_terrain_modes(const Terrain& terrain, const TerrainNoise& noise,
-                               std::optional<double> rms, ThreadPool& pool, Modes& modes) {
+                               std::optional<double> rms, ThreadPool& pool, Modes& modes,
+                               LawPart part) {
     const int size = noise.resolution();
     const double dk = kTwoPi / terrain.patch_size;
-    const TerrainAmplitudes amplitude(TerrainLaw(terrain), dk, dk * size);
+    const TerrainAmplitudes whole(TerrainLaw(terrain), dk, dk * size);
     // |h|^2 = S / 2 |g|^2 dk^2, and each mode has a mirror.
-    const double own_rms = dk * std::sqrt(noise.energy(amplitude, pool));
+    const double own_rms = dk * std::sqrt(noise.energy(whole, pool));
+    std::optional<TerrainAmplitudes> of_part;
+    if (part != LawPart::whole) of_part.emplace(TerrainLaw(terrain, part), dk, dk * size);
+    const TerrainAmplitudes& amplitude = of_part ? *of_part : whole;
     TerrainScale scale{1.0, own_rms};
     if (rms) scale = {own_rms > 0.0 ? *rms / own_rms : 0.0, own_rms > 0.0 ? *rms : 0.0};
 

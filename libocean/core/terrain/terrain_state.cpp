@@ -5,6 +5,7 @@
 #include "ocean/terrain_state.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -23,6 +24,8 @@ namespace {
 
 constexpr int kRingsPerOctave = 8;
 constexpr double kRadians = kTwoPi / 360.0;
+/// Shares of the land whose slope angles are stated.
+constexpr std::array kSlopeShares = {0.5, 0.9, 0.99};
 
 /// Sums over the modes of a ring.
 struct RingSum {
@@ -178,12 +181,13 @@ TerrainState terrain_state(const Terrain& terrain, const Modes& modes, const Ter
     TerrainState state;
     state.rms = {std::sqrt(sum.asked), std::sqrt(sum.resolved)};
     state.rms_slope = {std::sqrt(sum.asked_slope), std::sqrt(sum.resolved_slope)};
-    for (const double share : {0.5, 0.9, 0.99}) {
+    for (const double share : kSlopeShares) {
         state.slope_angles.push_back(
             {slope_angle(sum.asked_slope, share), slope_angle(sum.resolved_slope, share)});
     }
     state.mean = offset;
     state.period = terrain.patch_size;
+    state.size = {terrain.patch_size, terrain.patch_size};
     state.cell = terrain.patch_size / terrain.resolution;
     state.shortest_wave =
         std::max(terrain.shortest_wavelength, modes.lattice.shortest_wavelength());
@@ -194,6 +198,41 @@ TerrainState terrain_state(const Terrain& terrain, const Modes& modes, const Ter
     state.memory_bytes = Land::bytes(terrain) + maps_bytes(terrain.resolution, 3);
     add_warnings(terrain, state);
     return state;
+}
+
+void measure_shaped(const Surface& map, TerrainState& state) {
+    const auto height = map.channel(Channel::height);
+    const auto slope_x = map.channel(Channel::slope_x), slope_y = map.channel(Channel::slope_y);
+    const auto count = static_cast<double>(height.size());
+    double sum = 0.0, squares = 0.0, slope_squares = 0.0;
+    std::vector<float> slopes;
+    slopes.reserve(height.size());
+    for (std::size_t i = 0; i < height.size(); ++i) {
+        sum += static_cast<double>(height[i]);
+        slopes.push_back(std::hypot(slope_x[i], slope_y[i]));
+        slope_squares += static_cast<double>(slopes.back()) * static_cast<double>(slopes.back());
+    }
+    state.mean = sum / count;
+    for (const float h : height) {
+        const double difference = static_cast<double>(h) - state.mean;
+        squares += difference * difference;
+    }
+    state.rms.resolved = std::sqrt(squares / count);
+    state.rms_slope.resolved = std::sqrt(slope_squares / count);
+    const auto [low, high] = std::ranges::minmax(height);
+    state.lowest = static_cast<double>(low);
+    state.highest = static_cast<double>(high);
+    state.slope_angles.resize(kSlopeShares.size(), {std::nan(""), 0.0});
+    for (std::size_t i = 0; i < kSlopeShares.size(); ++i) {
+        const auto at = static_cast<std::ptrdiff_t>(kSlopeShares[i] * (count - 1.0));
+        std::nth_element(slopes.begin(), slopes.begin() + at, slopes.end());
+        state.slope_angles[i].resolved =
+            std::atan(static_cast<double>(slopes[static_cast<std::size_t>(at)])) / kRadians;
+    }
+    state.cell = map.domain().step(0);
+    state.shortest_wave = 2.0 * state.cell;
+    state.size = map.domain().size;
+    state.period = map.domain().wraps ? map.domain().size[0] : 0.0;
 }
 
 namespace {
@@ -220,6 +259,10 @@ std::string terrain_state_json(const TerrainState& state) {
     json.add("slope_angles", angles).add("mean", state.mean);
     json.add("shortest_wave", state.shortest_wave).add("longest_wave", state.longest_wave);
     json.add("period", state.period).add("cell", state.cell).add("octaves", octaves);
+    if (state.lowest < state.highest) {
+        json.add("size", json_array(state.size));
+        json.add("lowest", state.lowest).add("highest", state.highest);
+    }
     json.add("memory_bytes", state.memory_bytes);
     json.add("warnings", json_array(state.warnings));
     return json.text();

@@ -15,7 +15,10 @@ namespace {
 
 constexpr TableSection kTerrain{"terrain"};
 constexpr TableSection kLayer{"terrain.layer", "terrain layer", kMaxTerrainLayers};
-constexpr TableSection kSections[] = {kTerrain, kLayer};
+constexpr TableSection kGullies{"terrain.gullies"};
+constexpr TableSection kStream{"terrain.stream"};
+constexpr TableSection kCoast{"terrain.coast"};
+constexpr TableSection kSections[] = {kTerrain, kLayer, kGullies, kStream, kCoast};
 
 constexpr ParameterClass kLive = ParameterClass::live;
 constexpr ParameterClass kRebuild = ParameterClass::rebuild;
@@ -23,8 +26,9 @@ constexpr double kMaxLength = 1e7;  // [m]
 constexpr double kMaxBeta = 6.0;
 
 constexpr TableRow<Terrain> kRows[] = {
-    {kTerrain, "kind", "", "Kind", "tile: a square that repeats.", member<&Terrain::kind>(), 0, 0,
-     0, 0, kRebuild, TerrainStage::noise},
+    {kTerrain, "kind", "", "Kind",
+     "tile: a square that repeats; placed: a rectangle that exists once.",
+     member<&Terrain::kind>(), 0, 0, 0, 0, kRebuild, TerrainStage::noise},
     {kTerrain, "resolution", "samples", "Resolution",
      "Samples along each side, and with them the shortest waves; a power of two. A finer terrain "
      "keeps the noise of the waves that it shares with a coarser one, and their amplitudes too if "
@@ -98,6 +102,35 @@ constexpr TableRow<Terrain> kRows[] = {
      "`ocean terrain fit`, or an elevation model (.asc, .flt); relative to the terrain file.",
      member<&Terrain::measured>(), 0, 0, 0, 0, kRebuild, TerrainStage::filter},
 
+    {kTerrain, "origin", "m", "Origin",
+     "Where the south-west corner of a placed land lies: [EAST, NORTH]; empty means [0, 0].",
+     member<&Terrain::origin>(), -1e8, 1e8, -10000.0, 10000.0, kRebuild, TerrainStage::shape,
+     OptionalColumns{.max_length = 2, .neutral = "[]"}},
+    {kTerrain, "size", "m", "Size",
+     "Sides of a placed land, [EAST, NORTH]; empty means patch_size both ways, or the sides of the "
+     "base.",
+     member<&Terrain::size>(), 1.0, kMaxLength, 100.0, 100000.0, kRebuild, TerrainStage::shape,
+     OptionalColumns{.max_length = 2, .neutral = "[]"}},
+    {kTerrain, "island", "m", "Island",
+     "Height that a placed land loses from its middle to its border, in a straight line, so that "
+     "a sea surrounds it; 0 means none.",
+     member<&Terrain::island>(), 0.0, 1e5, 0.0, 3000.0, kRebuild, TerrainStage::shape,
+     OptionalColumns{.neutral = "0"}},
+    {kTerrain, "base", "", "Base",
+     "Elevation model (.asc, .flt) that is the placed land, relative to the terrain file; waves "
+     "below its cell are added by its own measured spectrum.",
+     member<&Terrain::base>(), 0, 0, 0, 0, kRebuild, TerrainStage::noise,
+     OptionalColumns{.neutral = ""}},
+    {kTerrain, "base_error", "m", "Base error",
+     "Limit of the rms by which these waves move the samples of the base. Unset means a tenth of "
+     "its rms slope times its cell.",
+     member<&Terrain::base_error>(), 0.0, 1000.0, 0.0, 10.0, kRebuild, TerrainStage::shape},
+    {kTerrain, "detail_wavelength", "m", "Detail wavelength",
+     "Shortest wave below the cell of a placed land, added without repetition; 0 means none. Unset "
+     "means a thirtieth of the cell of the base, without a base none.",
+     member<&Terrain::detail_wavelength>(), 0.0, 1e5, 0.0, 10.0, kRebuild, TerrainStage::shape,
+     OptionalColumns{.min_nonzero = 0.01}},
+
     {kLayer, "period", "m", "Period",
      "Side of the layer's square: patch_size divided by a whole number.",
      member<&Terrain::layers, &TerrainLayer::period>(), 0.01, kMaxLength, 10.0, 10000.0, kRebuild,
@@ -108,6 +141,92 @@ constexpr TableRow<Terrain> kRows[] = {
     {kLayer, "seed", "", "Seed", "Number that selects the layer's noise.",
      member<&Terrain::layers, &TerrainLayer::seed>(), 0.0, 4294967295.0, 0.0, 1000.0, kRebuild,
      TerrainStage::noise},
+
+    {kGullies, "depth", "", "Gully depth",
+     "Depth of gullies relative to their distance: stripes along the fall line, which shape slopes "
+     "as rain does; 0 means none. The section alone means 0.055.",
+     member<&Terrain::gullies, &GullySettings::depth>(), 0.0, 1.0, 0.0, 0.15, kRebuild,
+     TerrainStage::filter, OptionalColumns{.neutral = "0"}},
+    {kGullies, "longest", "m", "Gully distance",
+     "Distance of the largest gullies. Waves of the land that are shorter fade out: gullies take "
+     "their place.",
+     member<&Terrain::gullies, &GullySettings::longest>(), 0.1, 1e6, 10.0, 5000.0, kRebuild,
+     TerrainStage::filter, OptionalColumns{.neutral = "1500"}},
+    {kGullies, "octaves", "", "Gully octaves",
+     "Sizes of gullies, each half as large as the one before.",
+     member<&Terrain::gullies, &GullySettings::octaves>(), 1, 12, 1, 10, kRebuild,
+     TerrainStage::filter, OptionalColumns{.neutral = "6"}},
+    {kGullies, "crease", "", "Crease", "Sharpness of the crests between gullies.",
+     member<&Terrain::gullies, &GullySettings::crease>(), 0.0, 1.0, 0.0, 1.0, kRebuild,
+     TerrainStage::shape, OptionalColumns{.neutral = "0.7"}},
+    {kGullies, "flat", "", "Flat slope",
+     "Slope at which gullies have half their depth: they fade out where the ground is flatter.",
+     member<&Terrain::gullies, &GullySettings::flat>(), 0.001, 10.0, 0.02, 1.0, kRebuild,
+     TerrainStage::shape, OptionalColumns{.neutral = "0.2"}},
+    {kGullies, "seed", "", "Gully seed", "Number that selects one of many such gullies.",
+     member<&Terrain::gullies, &GullySettings::seed>(), 0.0, 4294967295.0, 0.0, 1000.0, kRebuild,
+     TerrainStage::shape, OptionalColumns{.neutral = "1"}},
+
+    {kStream, "slope", "", "Stream slope",
+     "Steady slope of hillslopes where the land rises fastest: streams cut a placed land until "
+     "they carry away what rises; 0 means none. The section alone means 0.62.",
+     member<&Terrain::stream, &StreamSettings::slope>(), 0.0, 10.0, 0.0, 2.0, kRebuild,
+     TerrainStage::shape, OptionalColumns{.neutral = "0"}},
+    {kStream, "exponent", "", "Area exponent",
+     "Exponent by which the slope of a stream falls with the area that drains into it.",
+     member<&Terrain::stream, &StreamSettings::exponent>(), 0.0, 1.0, 0.2, 0.7, kRebuild,
+     TerrainStage::shape, OptionalColumns{.neutral = "0.45"}},
+    {kStream, "hillslope_area", "m2", "Hillslope area",
+     "Drained area at which hillslopes end and streams begin.",
+     member<&Terrain::stream, &StreamSettings::hillslope_area>(), 1.0, 1e9, 1000.0, 100000.0,
+     kRebuild, TerrainStage::shape, OptionalColumns{.neutral = "12000"}},
+    {kStream, "max_slope", "", "Max slope", "Slope at which ground slides.",
+     member<&Terrain::stream, &StreamSettings::max_slope>(), 0.01, 10.0, 0.3, 2.0, kRebuild,
+     TerrainStage::shape, OptionalColumns{.neutral = "0.8"}},
+    {kStream, "age", "", "Age",
+     "Part of the time after which the last summit no longer rises: 1 is steady, lower values keep "
+     "a plateau between young valleys.",
+     member<&Terrain::stream, &StreamSettings::age>(), 0.001, 1.0, 0.05, 1.0, kRebuild,
+     TerrainStage::shape, OptionalColumns{.neutral = "1"}},
+    {kStream, "creep", "m", "Creep", "Reach of soil that creeps and rounds crests; 0 means none.",
+     member<&Terrain::stream, &StreamSettings::creep>(), 0.0, 1000.0, 0.0, 200.0, kRebuild,
+     TerrainStage::shape, OptionalColumns{.neutral = "55"}},
+    {kStream, "seed", "", "Stream seed", "Number that selects one of many such networks.",
+     member<&Terrain::stream, &StreamSettings::seed>(), 0.0, 4294967295.0, 0.0, 1000.0, kRebuild,
+     TerrainStage::shape, OptionalColumns{.neutral = "1"}},
+
+    {kCoast, "slope", "", "Beach slope",
+     "Slope of the bed below sheltered beaches: shapes the shore of a placed land, beaches where "
+     "it is sheltered and cliffs where it is exposed; 0 means none. The section alone means 1 in "
+     "30.",
+     member<&Terrain::coast, &CoastSettings::beach_slope>(), 0.0, 1.0, 0.0, 0.1, kRebuild,
+     TerrainStage::shape, OptionalColumns{.neutral = "0"}},
+    {kCoast, "level", "m", "Water level",
+     "Height of the water that the shore is shaped for. Unset means that of the sea that floods "
+     "it, alone 0.",
+     member<&Terrain::coast_level>(), -1e5, 1e5, -100.0, 1000.0, kRebuild, TerrainStage::shape},
+    {kCoast, "berm", "m", "Berm", "Height of a beach's berm over the water.",
+     member<&Terrain::coast, &CoastSettings::berm>(), 0.0, 100.0, 0.0, 5.0, kRebuild,
+     TerrainStage::shape, OptionalColumns{.neutral = "2.2"}},
+    {kCoast, "face", "", "Beach face", "Slope of a beach at the water line.",
+     member<&Terrain::coast, &CoastSettings::face>(), 0.001, 1.0, 0.02, 0.3, kRebuild,
+     TerrainStage::shape, OptionalColumns{.neutral = "0.1"}},
+    {kCoast, "closure", "m", "Closure depth", "Depth to which the slope of a beach reaches.",
+     member<&Terrain::coast, &CoastSettings::closure>(), 0.1, 1000.0, 2.0, 20.0, kRebuild,
+     TerrainStage::shape, OptionalColumns{.neutral = "9"}},
+    {kCoast, "shelf", "m", "Shelf depth", "Depth of the shelf that the bed runs out into.",
+     member<&Terrain::coast, &CoastSettings::shelf>(), 0.1, 10000.0, 10.0, 200.0, kRebuild,
+     TerrainStage::shape, OptionalColumns{.neutral = "45"}},
+    {kCoast, "smooth", "m", "Shore smoothing", "Length over which the shore line is smoothed.",
+     member<&Terrain::coast, &CoastSettings::smooth>(), 0.0, 10000.0, 0.0, 200.0, kRebuild,
+     TerrainStage::shape, OptionalColumns{.neutral = "40"}},
+    {kCoast, "shelter", "m", "Shelter radius",
+     "Radius in which land shelters a shore: bays get beaches, headlands cliffs.",
+     member<&Terrain::coast, &CoastSettings::shelter>(), 1.0, 1e5, 50.0, 2000.0, kRebuild,
+     TerrainStage::shape, OptionalColumns{.neutral = "450"}},
+    {kCoast, "width", "m", "Beach width", "Width of a beach above the water.",
+     member<&Terrain::coast, &CoastSettings::width>(), 0.0, 10000.0, 10.0, 400.0, kRebuild,
+     TerrainStage::shape, OptionalColumns{.neutral = "130"}},
 };
 constexpr Table<Terrain> kTable{kTerrainKind, kSections, kRows};
 static_assert(is_consistent(kTable));
@@ -123,6 +242,7 @@ void set_parameter(Terrain& terrain, std::string_view name, std::string_view tex
     Terrain changed = terrain;
     assign(changed, ref, parse_value(*ref.info, ref.item, text));
     if (changed.measured != terrain.measured) changed.rings = nullptr;
+    if (changed.base != terrain.base) changed.base_model = nullptr;
     terrain = std::move(changed);
 }
 
@@ -134,6 +254,7 @@ std::optional<TerrainStage> first_dirty_stage(const Terrain& before, const Terra
     if (before.layers.size() != after.layers.size()) return TerrainStage::noise;
     std::optional<TerrainStage> first;
     if (before.rings != after.rings) first = TerrainStage::filter;
+    if (before.base_model != after.base_model) first = TerrainStage::filter;
     for (const TerrainRow& row : kTable.rows) {
         if (first && *first <= row.dirties) continue;
         for (std::size_t item = 0; item < row.member.items(before); ++item) {

@@ -4,7 +4,10 @@
 // Rules between the parameters of a terrain. After this its stages check nothing.
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "ocean/error.hpp"
 #include "ocean/terrain_table.hpp"
@@ -81,9 +84,110 @@ void validate_layer(const Terrain& terrain, std::size_t item) {
                to_text(terrain.patch_size / (fewer + 1.0)));
 }
 
+void validate_pair(const char* parameter, const std::vector<double>& pair) {
+    if (pair.empty() || pair.size() == 2) return;
+    refuse(parameter, pair, "does not have two numbers", "[EAST, NORTH] in metres");
+}
+
+/// Throws if a parameter has a value that only a placed land uses.
+void require_placed(const Terrain& terrain) {
+    const auto require = [](bool unused, const char* parameter, const ParameterValue& value) {
+        if (unused) return;
+        refuse(parameter, value, "needs a land that exists once", "terrain.kind = \"placed\"");
+    };
+    require(terrain.origin.empty(), "terrain.origin", terrain.origin);
+    require(terrain.size.empty(), "terrain.size", terrain.size);
+    require(terrain.island == 0.0, "terrain.island", terrain.island);
+    require(terrain.base.empty() && terrain.base_model == nullptr, "terrain.base", terrain.base);
+    require(terrain.detail_wavelength.value_or(0.0) == 0.0, "terrain.detail_wavelength",
+            terrain.detail_wavelength.value_or(0.0));
+    require(!terrain.has_streams(), "terrain.stream.slope", terrain.stream.slope);
+    require(!terrain.has_coast(), "terrain.coast.slope", terrain.coast.beach_slope);
+}
+
+void validate_base(const Terrain& terrain) {
+    if (terrain.base.empty() && terrain.base_model == nullptr) {
+        if (!terrain.base_error) return;
+        refuse("terrain.base_error", *terrain.base_error, "has no effect without terrain.base",
+               "a base, or no base_error");
+    }
+    if (terrain.base_model == nullptr) {
+        refuse("terrain.base", terrain.base, "has not been read", "an elevation model");
+    }
+    const auto contradicts = [](bool unused, const char* parameter, const ParameterValue& value) {
+        if (unused) return;
+        refuse(parameter, value, "contradicts terrain.base, whose heights are the land",
+               "one of them");
+    };
+    contradicts(terrain.size.empty(), "terrain.size", terrain.size);
+    contradicts(!terrain.rms, "terrain.rms", terrain.rms.value_or(0.0));
+    contradicts(terrain.measured.empty(), "terrain.measured", terrain.measured);
+    contradicts(terrain.breaks.empty(), "terrain.breaks", terrain.breaks);
+    contradicts(terrain.layers.empty(), "terrain.layer",
+                static_cast<std::int64_t>(terrain.layers.size()));
+}
+
+void validate_placed(const Terrain& terrain) {
+    if (!terrain.is_placed()) return require_placed(terrain);
+    validate_pair("terrain.origin", terrain.origin);
+    validate_pair("terrain.size", terrain.size);
+    for (const double side : terrain.size) {
+        if (side <= terrain.patch_size) continue;
+        refuse("terrain.size", terrain.size, "is larger than the patch after which waves repeat",
+               "at most terrain.patch_size = " + to_text(terrain.patch_size) + " m");
+    }
+    if (terrain.has_streams() && terrain.has_gullies()) {
+        refuse("terrain.gullies.depth", terrain.gullies.depth,
+               "contradicts terrain.stream, which cuts valleys of its own", "one of them");
+    }
+}
+
+void validate_gullies(const Terrain& terrain) {
+    if (!terrain.has_gullies() || terrain.is_placed()) return;
+    const double most = 0.25 * terrain.patch_size;
+    if (terrain.gullies.longest <= most) return;
+    refuse("terrain.gullies.longest", terrain.gullies.longest, "is too long for the tile",
+           "at most a quarter of terrain.patch_size, " + to_text(most) + " m");
+}
+
+/// Throws if a key of a section has another value than its neutral one while the section's first
+/// key, which switches it on, is 0.
+void validate_switched_off(const Terrain& terrain) {
+    std::string_view section, key;
+    bool is_off = false;
+    for (const TerrainRow& row : terrain_table().rows) {
+        if (!row.section.starts_with("terrain.") || row.in_list()) continue;
+        const ParameterValue value = row.member.get(terrain, 0);
+        if (row.section != section) {
+            section = row.section;
+            key = row.key;
+            is_off = value == ParameterValue(0.0);
+            continue;
+        }
+        if (!is_off || row.is_left_out(value)) continue;
+        const std::string path = row.path();
+        const std::string first = std::string(section) + "." + std::string(key);
+        refuse(path.c_str(), value, ("has no effect while " + first + " is 0").c_str(),
+               "no value, or another " + first);
+    }
+}
+
+/// Throws for a range of a land that is more than waves, which alone could be scaled to it.
+void validate_shaped_range(const Terrain& terrain) {
+    if (terrain.range.empty() || !terrain.is_shaped()) return;
+    refuse("terrain.range", terrain.range,
+           "is for a tile without gullies: erosion does not scale with the height",
+           "rms and mean");
+}
+
 }  // namespace
 
 void validate(const Terrain& terrain) {
+    validate_switched_off(terrain);
+    validate_placed(terrain);
+    validate_base(terrain);
+    validate_gullies(terrain);
+    validate_shaped_range(terrain);
     validate_range(terrain);
     validate_band(terrain);
     validate_breaks(terrain);

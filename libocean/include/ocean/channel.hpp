@@ -76,6 +76,10 @@ inline constexpr int kChannelCount = static_cast<int>(enum_count<Channel>());
 /// The max of channels with those of a host (OceanOptions::channels): Channel(kChannelCount + i) is
 /// row i of these.
 inline constexpr int kMaxChannels = 32;
+/// Numbers of channels are below this. From kFirstMask on they are the masks of land_mask.hpp,
+/// which no sea has: the gap keeps a host's first excess channel an error.
+inline constexpr int kFirstMask = 40;
+inline constexpr int kChannelNumbers = 56;
 
 /// A set of channels or of linear fields, as bits.
 template <typename Value>
@@ -101,10 +105,10 @@ class SetOf {
 
   private:
     constexpr explicit SetOf(std::uint64_t bits) : bits_(bits) {}
-    /// The last bit stands for every value beyond kMaxChannels, so that such a value is noticed.
+    /// The last bit stands for every value beyond kChannelNumbers, so that such a value is noticed.
     static constexpr std::uint64_t bit(Value value) {
         const int index = static_cast<int>(value);
-        return std::uint64_t{1} << (index >= 0 && index < kMaxChannels ? index : 63);
+        return std::uint64_t{1} << (index >= 0 && index < kChannelNumbers ? index : 63);
     }
     std::uint64_t bits_ = 0;
 };
@@ -276,10 +280,10 @@ static_assert(std::ranges::none_of(kChannels, &std::string_view::empty, &Channel
               "a channel without a row");
 static_assert(kChannelCount <= kMaxChannels);
 
-/// Returns the channel's row; `host_channels` are the rows that a host adds. Throws Error
-/// invalid_value for a channel without a row.
+/// Returns the channel's row, also that of a mask; `host_channels` are the rows that a host adds.
+/// Throws Error invalid_value for a channel without a row.
 const ChannelInfo& channel_info(Channel channel, std::span<const ChannelInfo> host_channels = {});
-/// Throws Error invalid_value if one of the channels has no row.
+/// Throws Error invalid_value if one of the channels has no row or is a mask of a land.
 void require_channels(ChannelSet channels, std::span<const ChannelInfo> host_channels = {});
 /// Returns the linear fields that the channels are computed from; `flat`: at choppiness 0.
 LinearSet fields_of(ChannelSet channels, bool flat = false,
@@ -392,8 +396,8 @@ static_assert(products_fit_channels());
 
 }  // namespace detail
 
-/// Returns height, displacement, slope, normal, jacobian, whitecap, foam, velocity, derivatives and
-/// cover.
+/// Returns height, displacement, slope, normal, jacobian, whitecap, foam, velocity, derivatives,
+/// cover, and the masks of lands.
 std::span<const Product> product_table();
 /// Returns the product of that name. Throws Error invalid_value for an unknown name, with a list of
 /// the known ones.

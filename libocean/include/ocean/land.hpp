@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Land: the facade of a terrain, as Ocean is of a sea. It keeps noise, modes and what backends
-// derive from them, and redoes only the stages that a changed parameter dirties.
+// derive from them, and the function of a land that erosion and shore have shaped; it redoes only
+// the stages that a changed parameter dirties.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +14,7 @@
 #include <string_view>
 
 #include "ocean/backend.hpp"
+#include "ocean/domain.hpp"
 #include "ocean/query.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/terrain.hpp"
@@ -22,6 +24,8 @@
 
 namespace ocean {
 
+class LandField;
+
 struct LandOptions {
     int threads = 0;                    // 0 = the cores this process may use
     ThreadPool::RunJobs run_jobs = {};  // runs jobs on a host's own threads
@@ -29,9 +33,12 @@ struct LandOptions {
     /// Called by the calling thread about 100 times a second during a computation; may throw to
     /// stop it. The Land can still be used.
     std::function<void()> interrupt = {};
+    /// Is called by the calling thread while a shaped land is built, with what is being computed
+    /// and the share of it that is done, 0 .. 1; may throw to stop, as interrupt.
+    std::function<void(std::string_view work, double share)> progress = {};
 };
 
-/// The channels of a terrain, which has no displacement.
+/// The channels of every terrain, which has no displacement; some lands have masks too.
 inline constexpr ChannelSet kTerrainChannels = {
     Channel::height, Channel::nx, Channel::ny, Channel::nz, Channel::slope_x, Channel::slope_y};
 
@@ -40,6 +47,8 @@ struct TerrainRuns {
     int noise = 0;
     int filter = 0;
     int maps = 0;
+    int shape = 0;    // of the function of a shaped land
+    int streams = 0;  // of these, with streams carved anew
 
     bool operator==(const TerrainRuns&) const = default;
 };
@@ -68,11 +77,26 @@ class Land {
     TerrainScale scale();
     TerrainState state();
 
-    /// Returns one map of `resolution` samples (0 = the terrain's own): all waves below its Nyquist
-    /// line. Throws Error invalid_value for other channels than kTerrainChannels.
+    /// Returns the land as a function of the place; of a tile without gullies too, whose own maps
+    /// are made by transforms. It is built by the first call, and stays valid after changes.
+    std::shared_ptr<const LandField> field();
+    /// Returns the channels of its maps: kTerrainChannels, and the masks of a shaped land.
+    ChannelSet channels() const;
+    /// Returns the domain of a map of `resolution` samples (0 = the terrain's own): a tile has that
+    /// many along each side, a placed land along its longer one.
+    Domain domain(int resolution = 0) const;
+
+    /// Returns one map of domain(resolution): of a tile all waves below its Nyquist line. Throws
+    /// Error unsupported for channels that the land does not have.
     Surface surface(ChannelSet channels, int resolution = 0);
-    /// Writes such a map into buffers of the caller.
+    /// Writes such a map into buffers of the caller. Throws as surface(), and Error unsupported for
+    /// a placed land that is not a square.
     void surface_into(std::span<const MapOutput> outputs, int resolution = 0);
+    /// Returns the map of a region at any place, of samples that lie region.step() apart; a tile
+    /// repeats, and a placed land is clamped to its rectangle. Throws as surface().
+    Surface region(const Domain& region, ChannelSet channels);
+    /// Writes such a map into buffers of the caller, rows of region.samples[0] samples.
+    void region_into(const Domain& region, std::span<const MapOutput> outputs);
 
     /// Writes height and normal at each point; velocity and foam are 0. Throws Error invalid_value
     /// for a point that is not finite.
@@ -89,8 +113,15 @@ class Land {
     static std::uint64_t bytes(const Terrain& terrain);
 
   private:
+    void shaped_into(std::span<const MapOutput> outputs, int resolution);
+
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+/// Returns the channels that a terrain's sections give it: see Land::channels.
+ChannelSet terrain_channels(const Terrain& terrain);
+/// Returns the domain of its maps: see Land::domain. A base must have been read.
+Domain terrain_domain(const Terrain& terrain, int resolution = 0);
 
 }  // namespace ocean

@@ -97,6 +97,10 @@ class Subject {
     virtual double shortest_wave(int resolution) const = 0;
     virtual HeightRange height_range() const = 0;
 
+    /// Returns true if the backends make its maps; false if it has a function of the place of its
+    /// own, which runs on the CPU alone.
+    virtual bool uses_backends() const { return true; }
+
     /// Returns maps that have computed what all its copies share.
     virtual std::unique_ptr<SubjectMaps> open(const MapsOptions& options) const = 0;
     /// Returns the bytes of `sharing` SubjectMaps that share, without those that a map needs.

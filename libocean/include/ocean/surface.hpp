@@ -55,7 +55,7 @@ class Surface {
     Domain domain_;
     double time_ = 0.0;
     ChannelSet channels_;
-    std::array<PageVector<float>, kMaxChannels> maps_;
+    std::array<PageVector<float>, kChannelNumbers> maps_;
 };
 
 /// Returns an output for each channel of a surface, which writes into its planes.

@@ -13,14 +13,26 @@
 #include <string>
 #include <vector>
 
+#include "ocean/coast_profile.hpp"
+#include "ocean/elevation.hpp"
+#include "ocean/gullies.hpp"
 #include "ocean/measured_rings.hpp"
+#include "ocean/stream_power.hpp"
 
 namespace ocean {
 
-/// How a terrain lies in the world. tile: a square that repeats.
-enum class TerrainKind { tile };
+/// How a terrain lies in the world. tile: a square that repeats. placed: a rectangle that exists
+/// once.
+enum class TerrainKind { tile, placed };
 
 inline constexpr double kDefaultTerrainRms = 10.0;  // [m]
+
+/// An elevation model as the base of a land.
+struct TerrainBase {
+    ElevationModel model;  // without holes; its origin is that of its own system
+    MeasuredRings rings;   // its spectrum
+    std::string hash;      // SHA-256 of samples and heights, in hexadecimal
+};
 
 /// A further tile over the first one, with a period and a noise of its own: the same law, so that
 /// its waves add energy at the same wavelengths.
@@ -57,11 +69,30 @@ struct Terrain {
     double anisotropy = 1.0;
     double direction = 0.0;
     std::string measured;
+    std::vector<double> origin;  // of a placed land: its south-west corner [m]; empty: (0, 0)
+    std::vector<double> size;    // its sides [m]; empty: patch_size, or those of `base`
+    double island = 0.0;         // fall of the heights from the middle to the border [m]
+    std::string base;            // the file of an elevation model that is the land
+    std::optional<double> base_error;         // [m]; unset: a tenth of its slope times its cell
+    std::optional<double> detail_wavelength;  // [m]; unset: a thirtieth of the base's cell
     std::vector<TerrainLayer> layers;
+    GullySettings gullies{.depth = 0.0};       // depth 0: none
+    StreamSettings stream{.slope = 0.0};       // slope 0: none
+    CoastSettings coast{.beach_slope = 0.0};   // beach_slope 0: none
+    std::optional<double> coast_level;         // [m]; unset: 0
 
     /// The rings of `measured`, read by ocean::seafile. Shared and never modified. Not in the
     /// table.
     std::shared_ptr<const MeasuredRings> rings;
+    /// The elevation model of `base`, as `rings`, and the rings measured in it. Not in the table.
+    std::shared_ptr<const TerrainBase> base_model;
+
+    bool has_gullies() const { return gullies.depth > 0.0; }
+    bool has_streams() const { return stream.slope > 0.0; }
+    bool has_coast() const { return coast.beach_slope > 0.0; }
+    bool is_placed() const { return kind == TerrainKind::placed; }
+    /// Returns true if the land is more than a sum of waves that repeats: a function of the place.
+    bool is_shaped() const { return is_placed() || has_gullies(); }
 
     /// Returns true if the heights keep the rms of the measured spectrum.
     bool has_measured_rms() const { return rings != nullptr && !rms && range.empty(); }

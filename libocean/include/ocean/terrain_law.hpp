@@ -25,10 +25,19 @@
 
 namespace ocean {
 
+/// The waves of a land with gullies in two parts, because gullies take the place of the waves
+/// between them: `smooth` has the waves that are longer and that steer the gullies, `fine` those
+/// that are shorter than the smallest gully. With k1 = 2 pi / (7/3 longest), k2 = 2 pi / smallest:
+///
+///   S_smooth = S (1 + (k / k1)^4)^-0.9,   S_fine = S / (1 + (k2 / k)^8)
+///
+/// Without gullies `smooth` is the whole and `fine` is nothing.
+enum class LawPart { whole, smooth, fine };
+
 class TerrainLaw {
   public:
     /// Needs a validated terrain.
-    explicit TerrainLaw(const Terrain& terrain);
+    explicit TerrainLaw(const Terrain& terrain, LawPart part = LawPart::whole);
 
     /// Returns S at (kx, ky) [rad/m]; 0 at k = 0.
     double density(double kx, double ky) const;
@@ -50,6 +59,7 @@ class TerrainLaw {
     double scaled_square(double kx, double ky) const;  // k'^2
     bool has_wave(double k) const;
     double measured(double log_k) const;  // log S
+    double log_part(double log_k) const;  // log of the part's share of S
 
     double exponent_;
     double outer_square_ = 0.0;  // ko^2 [rad^2/m^2]
@@ -67,6 +77,8 @@ class TerrainLaw {
     double min_k_, max_k_;  // of the limits of wavelength
     double anisotropy_, cosine_, sine_;
     bool absolute_ = false;
+    LawPart part_;
+    double log_part_k_ = 0.0;            // of k1 or k2
     std::vector<double> log_k_, log_s_;  // of measured rings
     double first_slope_ = 0.0, last_slope_ = 0.0;
 };

@@ -71,9 +71,11 @@ struct TerrainScale {
 
 /// Writes h0 = h / 2 of each mode, with h(k) = gain sqrt(S / 2) dk g and h(-k) = conj h(k), dk = 2
 /// pi / patch_size, so that the height is the sum of h(k) exp(i k x). Scales them to `rms` [m], or
-/// leaves them as the law has them if it is not given. `modes` are of empty_terrain_modes. The bits
+/// leaves them as the law has them if it is not given; of a land with gullies only a part of the
+/// waves may be written, with the scale of the whole. `modes` are of empty_terrain_modes. The bits
 /// are the same for any number of threads.
 TerrainScale set_terrain_modes(const Terrain& terrain, const TerrainNoise& noise,
-                               std::optional<double> rms, ThreadPool& pool, Modes& modes);
+                               std::optional<double> rms, ThreadPool& pool, Modes& modes,
+                               LawPart part = LawPart::whole);
 
 }  // namespace ocean

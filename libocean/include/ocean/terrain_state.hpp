@@ -4,11 +4,13 @@
 // The statistics of a terrain, as its law asks for and as its tile holds them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "ocean/sea_state.hpp"
+#include "ocean/surface.hpp"
 #include "ocean/terrain.hpp"
 #include "ocean/terrain_modes.hpp"
 
@@ -24,7 +26,9 @@ struct TerrainOctave {
 };
 
 /// `asked` is the mean of all seeds, a sum over the modes of the lattice without their noise;
-/// `resolved` is this very tile.
+/// `resolved` is this very tile. A land with erosion, a shore or a place of its own is measured on
+/// a map instead: `resolved` is that map, `asked` its waves before they were shaped, NaN for an
+/// elevation model.
 struct TerrainState {
     AskedResolved rms;        // [m]
     AskedResolved rms_slope;  // root of the mean square slope
@@ -34,7 +38,10 @@ struct TerrainState {
     double mean = 0.0;                   // [m]
     double shortest_wave = 0.0;          // within the limits, along an axis of the grid [m]
     double longest_wave = 0.0;           // [m]
-    double period = 0.0;                 // [m]
+    double period = 0.0;                 // [m]; 0 for a land that exists once
+    std::array<double, 2> size{};        // of such a land, or of the tile [m]
+    double lowest = 0.0;                 // of the map that was measured [m]; 0 if none was
+    double highest = 0.0;
     double cell = 0.0;                   // distance of samples [m]
     std::vector<TerrainOctave> octaves;  // from the longest wave
     std::uint64_t memory_bytes = 0;      // of noise, modes and a map of height and slopes
@@ -44,6 +51,8 @@ struct TerrainState {
 /// Returns the statistics of a terrain with these modes; offset is the height added to them.
 TerrainState terrain_state(const Terrain& terrain, const Modes& modes, const TerrainScale& scale,
                            double offset);
+/// Replaces what a shaped land changes by what its map has. `map` has heights and slopes.
+void measure_shaped(const Surface& map, TerrainState& state);
 /// Returns the JSON object of `ocean info --json`.
 std::string terrain_state_json(const TerrainState& state);
 

@@ -16,8 +16,9 @@
 namespace ocean {
 
 /// The stages of a terrain, in their order. A row names the first one that a change of its
-/// parameter dirties: the noise of its waves, their amplitudes, or the height added to all samples.
-enum class TerrainStage { noise, filter, offset };
+/// parameter dirties: the noise of its waves, their amplitudes, the shape that erosion and shore
+/// give it, or the height added to all samples.
+enum class TerrainStage { noise, filter, shape, offset };
 template <>
 struct StagesOf<Terrain> {
     using type = TerrainStage;
@@ -29,7 +30,7 @@ using TerrainRow = TableRow<Terrain>;
 const Table<Terrain>& terrain_table();
 
 /// Sets a parameter from text. Rules between parameters are not checked, so that several can be set
-/// in any order; call validate afterwards. A new `measured` drops the rings read for the old one.
+/// in any order; call validate afterwards. A new `measured` or `base` drops what was read for the old one.
 /// Throws Error invalid_value and changes nothing if the name or the value is refused.
 void set_parameter(Terrain& terrain, std::string_view name, std::string_view text);
 /// Returns a parameter as text: numbers in the shortest form that reads back to the same bits, ""

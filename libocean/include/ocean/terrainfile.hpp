@@ -20,13 +20,14 @@ Terrain read_terrain(const std::string& path);
 /// Reads the text of a terrain file. `name` stands for the path in messages; a relative `measured`
 /// is relative to base_dir (empty: the current directory). Throws as read_terrain.
 Terrain parse_terrain(std::string_view toml, const std::string& name, const std::string& base_dir);
-/// Reads the rings that `measured` names, if the terrain has not read them yet. Throws Error of the
-/// parameter that names the file.
+/// Reads the rings that `measured` names and the elevation model that `base` names, if the terrain
+/// has not read them yet. Throws Error of the parameter that names the file.
 void resolve_files(Terrain& terrain, const std::string& base_dir);
 /// Returns the files that a terrain names, as its own file spells them.
 std::vector<std::string> named_files(const Terrain& terrain);
 /// Returns the resolved terrain as text, with the rings of `measured` inlined as
-/// [terrain.measured_rings], which a reader prefers to the file. parse_terrain(write_terrain(t))
+/// [terrain.measured_rings] and a base of at most 1 MB as [terrain.base_heights], which a reader
+/// prefers to the files; of a larger base the text has the hash. parse_terrain(write_terrain(t))
 /// gives the same terrain bit by bit. Throws Error invalid_value for a terrain that is not valid.
 std::string write_terrain(const Terrain& terrain);
 

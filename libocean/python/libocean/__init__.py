@@ -33,7 +33,7 @@ from ._library import (
 )
 from ._sea import Sea
 from ._surface import Surface
-from ._terrain import GroundSamples, Terrain
+from ._terrain import GroundSamples, Terrain, TerrainDomain
 
 __all__ = [
     "CancelledError",
@@ -49,6 +49,7 @@ __all__ = [
     "Spray",
     "Surface",
     "Terrain",
+    "TerrainDomain",
     "UnsupportedError",
     "Water",
     "foam_texture",

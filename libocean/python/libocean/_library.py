@@ -83,6 +83,33 @@ class Request(ctypes.Structure):
     ]
 
 
+class RegionRequest(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("x", c_double),
+        ("y", c_double),
+        ("cell", c_double),
+        ("columns", c_int32),
+        ("rows", c_int32),
+        ("outputs", POINTER(Output)),
+        ("output_count", c_size_t),
+        ("output_size", c_size_t),
+    ]
+
+
+class DomainStruct(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("x", c_double),
+        ("y", c_double),
+        ("cell", c_double),
+        ("columns", c_int32),
+        ("rows", c_int32),
+        ("wraps", c_int32),
+        ("reserved", c_int32),
+    ]
+
+
 class QueryRequest(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_size_t),
@@ -318,6 +345,8 @@ _SIGNATURES: dict[str, list[Any]] = {
     "ocean_terrain_preset": [c_char_p, *_TEXT],
     "ocean_terrain_provenance_json": [c_void_p, c_char_p, c_int32, *_TEXT],
     "ocean_terrain_evaluate": [c_void_p, POINTER(Request)],
+    "ocean_terrain_domain": [c_void_p, POINTER(DomainStruct)],
+    "ocean_terrain_region": [c_void_p, POINTER(RegionRequest)],
     "ocean_terrain_query_points": [c_void_p, POINTER(QueryRequest)],
     "ocean_terrain_stage": [c_void_p, c_char_p, c_void_p, c_size_t],
     "ocean_foam_texture": [

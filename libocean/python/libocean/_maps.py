@@ -14,19 +14,19 @@ from . import _library
 from ._answers import DETAIL_BAND, SPRAY_PARTICLE, Array, Detail, DetailBand, Spray
 from ._handle import Handle, SeaHandle
 from ._library import DetailRequest, Output, Request, SprayRequest, choose
-from ._surface import CHANNELS, PRODUCTS
+from ._surface import PRODUCTS, channel_number
 
 Map = tuple[Array, tuple[int, ...]]
 """An array and the numbers of its channels."""
 
 
-def _outputs_of(maps: list[Map]) -> Any:
+def outputs_of(maps: list[Map]) -> Any:
     """Returns the structs by which the library writes into these arrays."""
     outputs = (Output * len(maps))()
     for output, (array, channels) in zip(outputs, maps, strict=True):
         output.data = array.ctypes.data_as(ctypes.POINTER(ctypes.c_float))
         output.row_pitch = array.strides[0] // 4
-        output.count = (len(array) - 1) * output.row_pitch + len(array) * len(channels)
+        output.count = (len(array) - 1) * output.row_pitch + array.shape[1] * len(channels)
         output.channel[: len(channels)] = channels
         output.channels = len(channels)
     return outputs
@@ -65,7 +65,7 @@ class MapWriter(Handle):
             raise _library.error("arrays of different R in one call", _library.INVALID_ARGUMENT)
         if maps:
             outputs = [
-                (array, tuple(choose("channel", name, CHANNELS) for name in names))
+                (array, tuple(channel_number(name) for name in names))
                 for array, names in maps
             ]
             turn = choose("axes", axes, _library.AXES)
@@ -82,7 +82,7 @@ class MapWriter(Handle):
         seam: bool = False,
         cascade: int = 0,
     ) -> None:
-        outputs = _outputs_of(maps)
+        outputs = outputs_of(maps)
         for output in outputs:
             output.seam = seam
             output.axes = axes
@@ -101,7 +101,7 @@ class MapWriter(Handle):
         """Returns one new array for each field, filled by the library."""
         maps: list[Map] = []
         for name in names:
-            channels = tuple(CHANNELS.index(channel) for channel in PRODUCTS[name].channels)
+            channels = tuple(channel_number(channel) for channel in PRODUCTS[name].channels)
             vector = (len(channels),) if len(channels) > 1 else ()
             maps.append((np.empty((resolution, resolution, *vector), np.float32), channels))
         self._write_maps(time, resolution, axes, maps)

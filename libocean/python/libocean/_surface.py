@@ -20,7 +20,22 @@ CHANNELS = (
     *("jacobian", "whitecap", "foam", "vx", "vy", "vz", "dx_x", "dy_y", "dx_y"),
     "cover",
 )
-"""The channels, in the order of the C enum."""
+"""The channels of waves, in the order of the C enum."""
+
+MASKS = (
+    *("wear", "gully", "ridge", "flow", "deposit", "streambed", "wetness"),
+    *("beach", "cliff", "shelter"),
+)
+"""The masks of terrains, in the order of the C enum."""
+
+_FIRST_MASK = 40
+
+
+def channel_number(name: str) -> int:
+    """Returns the number of a channel or a mask in the C enum."""
+    if name in MASKS:
+        return _FIRST_MASK + MASKS.index(name)
+    return choose("channel", name, CHANNELS)
 
 
 class Product(NamedTuple):
@@ -54,8 +69,18 @@ PRODUCTS = {
         "The share of the water that foam hides, 0 .. 1, (R, R); its mean is the foam seen from "
         "afar.",
     ),
+    "wear": Product(("wear",), "Floors of gullies -1 .. crests between them 1, (R, R)."),
+    "gully": Product(("gully",), "Floors of gullies, 0 .. 1, (R, R)."),
+    "ridge": Product(("ridge",), "Crests between gullies, 0 .. 1, (R, R)."),
+    "flow": Product(("flow",), "The area that drains through each sample [m2], (R, R)."),
+    "deposit": Product(("deposit",), "Ground that streams laid down, 0 .. 1, (R, R)."),
+    "streambed": Product(("streambed",), "Channels of streams, 0 .. 1, (R, R)."),
+    "wetness": Product(("wetness",), "Wetness of the ground by its drainage, 0 .. 1, (R, R)."),
+    "beach": Product(("beach",), "Sand of beaches, above and under water, 0 .. 1, (R, R)."),
+    "cliff": Product(("cliff",), "Cliffs and rocks of exposed shores, 0 .. 1, (R, R)."),
+    "shelter": Product(("shelter",), "Shelter of the nearest shore from the sea, 0 .. 1, (R, R)."),
 }
-"""The fields of a Surface by name."""
+"""The fields of a Surface by name; the last ten are masks of terrains that make them."""
 
 
 class Surface:
@@ -72,6 +97,16 @@ class Surface:
     velocity: Array
     derivatives: Array
     cover: Array
+    wear: Array
+    gully: Array
+    ridge: Array
+    flow: Array
+    deposit: Array
+    streambed: Array
+    wetness: Array
+    beach: Array
+    cliff: Array
+    shelter: Array
 
     def __init__(
         self,
@@ -95,7 +130,7 @@ class Surface:
         if resolution is None:
             return self._subject.map_resolution()
         # Checked here, before an array of that size is made.
-        if resolution not in [32 << n for n in range(9)]:
+        if resolution not in [32 << n for n in range(9)] + [self._subject.map_resolution()]:
             raise _library.error(
                 f"resolution = {resolution}; allowed: a power of two, 32 .. 8192",
                 _library.INVALID_ARGUMENT,

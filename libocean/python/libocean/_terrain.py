@@ -14,9 +14,9 @@ import numpy.typing as npt
 
 from . import _library
 from ._answers import SAMPLE, Array, rows_of
-from ._library import QueryRequest, call, choose
-from ._maps import MapWriter
-from ._surface import Surface
+from ._library import DomainStruct, Output, QueryRequest, RegionRequest, call, choose
+from ._maps import MapWriter, outputs_of
+from ._surface import PRODUCTS, Surface, channel_number
 
 STAGES = ("noise", "transform", "filter", "filtered", "height")
 """The steps of the synthesis, in their order."""
@@ -31,6 +31,19 @@ class GroundSamples(NamedTuple):
     """(n, 3), unit, up."""
     height_error: float
     """The rms difference of the heights from the exact sum over all waves [m]."""
+
+
+class TerrainDomain(NamedTuple):
+    """The samples of a terrain's own map."""
+
+    origin: tuple[float, float]
+    """The place of sample (0, 0) [m]."""
+    cell: float
+    """The distance of samples [m]."""
+    samples: tuple[int, int]
+    """Columns and rows."""
+    wraps: bool
+    """True for a tile that repeats, False for a land that exists once."""
 
 
 class Terrain(MapWriter):
@@ -54,9 +67,50 @@ class Terrain(MapWriter):
         with self._lock:
             return Terrain(share, *self._options)
 
+    @property
+    def domain(self) -> TerrainDomain:
+        """The samples of the terrain's own map."""
+        own = DomainStruct(ctypes.sizeof(DomainStruct))
+        self._call("ocean_terrain_domain", ctypes.byref(own))
+        return TerrainDomain(
+            (own.x, own.y), own.cell, (own.columns, own.rows), bool(own.wraps)
+        )
+
     def map_resolution(self) -> int:
         """Returns the samples per side of a map whose resolution is not given."""
-        return int(self.get("terrain.resolution"))
+        return self.domain.samples[0]
+
+    def region(
+        self,
+        origin: tuple[float, float],
+        samples: tuple[int, int],
+        cell: float,
+        fields: Iterable[str] = ("height",),
+        axes: str = "zup",
+    ) -> dict[str, Array]:
+        """Returns fields of a region by name, arrays (rows, columns) or (rows, columns, 3). origin:
+        the place of sample (0, 0) [m]; samples: columns and rows, `cell` apart [m]. A tile repeats;
+        beyond the rectangle of a land that exists once the heights are those of its edge. Regions
+        of one cell join bit by bit where their corners are whole numbers of cells from (0, 0)."""
+        columns, rows = samples
+        turn = choose("axes", axes, _library.AXES)
+        maps: list[tuple[Array, tuple[int, ...]]] = []
+        names = list(fields)
+        for name in names:
+            choose("field", name, tuple(PRODUCTS))
+            channels = tuple(channel_number(channel) for channel in PRODUCTS[name].channels)
+            vector = (len(channels),) if len(channels) > 1 else ()
+            maps.append((np.empty((rows, columns, *vector), np.float32), channels))
+        outputs = outputs_of(maps)
+        for output in outputs:
+            output.axes = turn
+        request = RegionRequest(
+            ctypes.sizeof(RegionRequest),
+            *(float(origin[0]), float(origin[1]), float(cell)),
+            *(columns, rows, outputs, len(maps), ctypes.sizeof(Output)),
+        )
+        self._call("ocean_terrain_region", ctypes.byref(request))
+        return dict(zip(names, (array for array, _ in maps), strict=True))
 
     def surface(
         self,

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// From a terrain and its noise to its LandField: waves or elevation model, gullies, streams, shore,
+// detail, in this order.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string_view>
+
+#include "ocean/land_field.hpp"
+#include "ocean/stream_power.hpp"
+#include "ocean/terrain.hpp"
+#include "ocean/terrain_modes.hpp"
+
+namespace ocean {
+
+/// Receives what is being computed and the share of it that is done, 0 .. 1; may throw to stop.
+using LandProgress = std::function<void(std::string_view work, double share)>;
+
+/// What streams have carved, kept for terrains that differ only in what comes after them.
+struct CarvedLand {
+    Terrain of;
+    std::shared_ptr<const StreamLand> land;
+};
+
+/// The waves of a terrain.
+struct LandWaves {
+    const TerrainNoise* noise = nullptr;  // null for a terrain with a base
+    std::optional<double> rms;            // as set_terrain_modes
+    double gain = 1.0;                    // of sqrt(S) to metres
+};
+
+/// Returns the function of a shaped terrain. `carved` is used if it fits, and replaced if not.
+LandField build_field(const Terrain& terrain, const LandWaves& waves, ThreadPool& pool,
+                      CarvedLand& carved, const LandProgress& progress);
+/// Returns the function of a tile without gullies, whose maps are made by transforms: for regions.
+LandField build_tile_field(const Terrain& terrain, const LandWaves& waves, double offset,
+                           ThreadPool& pool);
+
+/// Returns the samples of a placed land: its rectangle at its own cell.
+Domain placed_domain(const Terrain& terrain);
+/// Returns the shortest wave of the detail [m]; 0 for a land without.
+double detail_wavelength(const Terrain& terrain);
+/// Returns the bytes that the function needs while it is built.
+std::uint64_t field_bytes(const Terrain& terrain);
+
+}  // namespace ocean

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A mask on a grid, read between its samples by straight lines, so that it keeps its range.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "ocean/domain.hpp"
+#include "ocean/page_vector.hpp"
+
+namespace ocean {
+
+class MaskGrid {
+  public:
+    /// values: row-major, one for each sample of a domain that exists once.
+    MaskGrid(const Domain& domain, PageVector<float> values)
+        : domain_(domain), values_(std::move(values)) {}
+
+    /// Returns the value at a place; beyond the domain that of its edge.
+    float at(double x, double y) const {
+        const auto [i, u] = place(x, 0);
+        const auto [j, v] = place(y, 1);
+        const auto columns = static_cast<std::size_t>(domain_.samples[0]);
+        const float* const low = values_.data() + j * columns + i;
+        const float* const high = low + columns;
+        const double below = low[0] + u * (low[1] - low[0]);
+        const double above = high[0] + u * (high[1] - high[0]);
+        return static_cast<float>(below + v * (above - below));
+    }
+    std::size_t bytes() const { return sizeof(float) * values_.size(); }
+
+  private:
+    /// Returns the sample before a coordinate and the part of the step to the next one.
+    std::pair<std::size_t, double> place(double at, std::size_t axis) const {
+        const double last = domain_.samples[axis] - 1;
+        const double u =
+            std::clamp((at - domain_.origin[axis]) / domain_.step(axis), 0.0, last);
+        const double i = std::min(std::floor(u), last - 1.0);
+        return {static_cast<std::size_t>(i), u - i};
+    }
+
+    Domain domain_;
+    PageVector<float> values_;
+};
+
+}  // namespace ocean

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Heights at any place of a grid: the cubic B-spline through its samples, with its gradient, and
+// the pyramid of such grids that coarser maps are read from.
+//
+//   s(u, v) = sum c_ij B(u - i) B(v - j),   u, v in samples
+//
+// The coefficients c are the samples filtered by the inverse of (1 4 1)/6 along both axes, by a
+// causal and an anticausal recursion with the pole sqrt(3) - 2 [Unser 1999]. A grid that wraps
+// continues on its other side; one that exists once is mirrored about its outermost samples, and a
+// place beyond them has the height of the nearest place on the edge. Test: land_field_test.cpp.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "ocean/domain.hpp"
+#include "ocean/page_vector.hpp"
+#include "ocean/thread_pool.hpp"
+
+namespace ocean {
+
+/// A height [m] and its slopes.
+struct GroundJet {
+    double height = 0.0;
+    double slope_x = 0.0;
+    double slope_y = 0.0;
+};
+
+class SplineGrid {
+  public:
+    /// Makes the spline through a row-major array of domain.count() finite samples.
+    SplineGrid(const Domain& domain, std::span<const float> samples, ThreadPool& pool);
+
+    const Domain& domain() const { return domain_; }
+    /// Returns the value and its derivatives at a finite place [m]. A pure function of the place.
+    GroundJet at(double x, double y) const;
+    /// Returns the value alone, with the bits of at().
+    double value_at(double x, double y) const;
+    static std::size_t bytes(const Domain& domain);
+
+  private:
+    struct Place {
+        const float* corner;  // the coefficient below and left of the place's cell
+        double u, v;          // the place in its cell, 0 .. 1
+    };
+    Place place(double x, double y) const;
+
+    Domain domain_;
+    std::array<double, 2> per_metre_;
+    std::size_t pitch_;  // of a row with the coefficients beyond both ends
+    PageVector<float> coefficients_;
+};
+
+/// Returns every other sample of a grid, from the first on, after the half-band filter (-1 0 9 16 9
+/// 0 -1) / 32, which keeps waves of four new samples to 2 % [Deslauriers and Dubuc 1989]. A domain
+/// that wraps needs even counts of samples; one that exists once ends at its last even sample.
+std::vector<float> halved(const Domain& domain, std::span<const float> samples, ThreadPool& pool);
+/// Returns the domain of these samples.
+Domain halved(const Domain& domain);
+
+/// Splines of a grid and of its halved versions.
+class SplinePyramid {
+  public:
+    /// Makes the levels down to about 16 samples along the shorter side.
+    SplinePyramid(const Domain& domain, std::span<const float> samples, ThreadPool& pool);
+
+    /// Returns the level for maps whose samples lie `cell` apart [m]: the coarsest whose samples
+    /// are no farther apart.
+    const SplineGrid& level(double cell) const;
+    const SplineGrid& finest() const { return levels_.front(); }
+    static std::size_t bytes(const Domain& domain);
+
+  private:
+    std::vector<SplineGrid> levels_;
+};
+
+}  // namespace ocean

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Start, uplift and outlets of streams; see stream_source.hpp.
+#include "land/stream_source.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "ocean/terrain_table.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr double kWavesOfShore = 64.0;  // along the longer side
+constexpr double kMinUplift = 0.25;     // relative, at the shore
+constexpr double kFullUplift = 0.5;     // relative height from which uplift is 1
+/// Summits of the start over those of hillslopes from the shore to the middle of the land: low, so
+/// that valleys find their own way.
+constexpr double kStartRelief = 0.1;
+constexpr float kOutletDepth = 0.5f;  // below the level [m]
+
+/// Heights before erosion on the cells of a level.
+struct Cells {
+    int columns, rows;
+    std::vector<float> height;  // of all waves
+    std::vector<float> smooth;  // of the waves of shore and uplift
+};
+
+Cells cells_of(const SplinePyramid& base, double offset, const Domain& domain, int columns,
+               int rows, double cell) {
+    const double longer = std::max(domain.size[0], domain.size[1]);
+    const double smooth_cell = std::max(cell, 0.5 * longer / kWavesOfShore);
+    const SplineGrid& all = base.level(cell);
+    const SplineGrid& smooth = base.level(smooth_cell);
+    const double half = 0.5 * domain.step(0);
+    Cells cells{columns, rows, {}, {}};
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            const double x = domain.origin[0] - half + (i + 0.5) * cell;
+            const double y = domain.origin[1] - half + (j + 0.5) * cell;
+            cells.height.push_back(static_cast<float>(all.value_at(x, y) + offset));
+            cells.smooth.push_back(static_cast<float>(smooth.value_at(x, y) + offset));
+        }
+    }
+    return cells;
+}
+
+/// Returns 1 for the cells below `level` that are connected to the border by such cells.
+std::vector<std::uint8_t> seas_of(const Cells& cells, double level) {
+    std::vector<std::uint8_t> sea(cells.smooth.size());
+    std::vector<std::pair<int, int>> front;
+    const auto enter = [&](int i, int j) {
+        if (i < 0 || j < 0 || i >= cells.columns || j >= cells.rows) return;
+        const auto at = static_cast<std::size_t>(j) * static_cast<std::size_t>(cells.columns) +
+                        static_cast<std::size_t>(i);
+        if (sea[at] != 0 || static_cast<double>(cells.smooth[at]) >= level) return;
+        sea[at] = 1;
+        front.emplace_back(i, j);
+    };
+    for (int i = 0; i < cells.columns; ++i) {
+        enter(i, 0);
+        enter(i, cells.rows - 1);
+    }
+    for (int j = 0; j < cells.rows; ++j) {
+        enter(0, j);
+        enter(cells.columns - 1, j);
+    }
+    while (!front.empty()) {
+        const auto [i, j] = front.back();
+        front.pop_back();
+        enter(i + 1, j);
+        enter(i - 1, j);
+        enter(i, j + 1);
+        enter(i, j - 1);
+    }
+    return sea;
+}
+
+}  // namespace
+
+StreamSource stream_source(const Terrain& terrain, const SplinePyramid& base, double offset,
+                           const Domain& domain, double level) {
+    const double side = std::min(domain.size[0], domain.size[1]);
+    const double summit = kStartRelief * terrain.stream.slope * 0.5 * side;
+    return [&base, offset, domain, level, summit](int columns, int rows, double cell) {
+        const Cells cells = cells_of(base, offset, domain, columns, rows, cell);
+        StreamLevel land;
+        land.outlet = seas_of(cells, level);
+        double foot = level;
+        if (std::ranges::find(land.outlet, std::uint8_t{1}) == land.outlet.end()) {
+            foot = static_cast<double>(std::ranges::min(cells.smooth));
+            for (int j = 0; j < rows; ++j) {
+                for (int i = 0; i < columns; ++i) {
+                    const bool at_border =
+                        i == 0 || j == 0 || i == columns - 1 || j == rows - 1;
+                    if (at_border) {
+                        land.outlet[static_cast<std::size_t>(j) *
+                                        static_cast<std::size_t>(columns) +
+                                    static_cast<std::size_t>(i)] = 1;
+                    }
+                }
+            }
+        }
+        const double highest =
+            std::max(static_cast<double>(std::ranges::max(cells.smooth)) - foot, 1e-3);
+        const double scale = std::min(1.0, summit / highest);
+        land.start.reserve(cells.height.size());
+        land.uplift.reserve(cells.height.size());
+        for (std::size_t i = 0; i < cells.height.size(); ++i) {
+            const double above = static_cast<double>(cells.height[i]) - foot;
+            const double rise = (static_cast<double>(cells.smooth[i]) - foot) / highest;
+            land.start.push_back(land.outlet[i] != 0
+                                     ? static_cast<float>(foot) - kOutletDepth
+                                     : static_cast<float>(foot + scale * std::max(above, 0.0)));
+            land.uplift.push_back(static_cast<float>(
+                kMinUplift + (1.0 - kMinUplift) * std::clamp(rise / kFullUplift, 0.0, 1.0)));
+        }
+        return land;
+    };
+}
+
+std::vector<float> with_sea_bed(const StreamLand& land, const SplinePyramid& base, double offset,
+                                const Domain& domain, double level, ThreadPool& pool) {
+    std::vector<float> heights(land.height.begin(), land.height.end());
+    const double cell = domain.step(0);
+    const Cells cells =
+        cells_of(base, offset, domain, domain.samples[0], domain.samples[1], cell);
+    const std::vector<std::uint8_t> sea = seas_of(cells, level);
+    const SplineGrid& bed = base.level(cell);
+    const auto columns = static_cast<std::size_t>(domain.samples[0]);
+    pool.for_each_range(domain.samples[1], [&](int first, int last) {
+        for (int j = first; j < last; ++j) {
+            for (int i = 0; i < domain.samples[0]; ++i) {
+                const auto at = static_cast<std::size_t>(j) * columns + static_cast<std::size_t>(i);
+                if (sea[at] == 0) continue;
+                const auto [x, y] = domain.place(i, j);
+                heights[at] = std::min(static_cast<float>(bed.value_at(x, y) + offset),
+                                       static_cast<float>(level) - kOutletDepth);
+            }
+        }
+    });
+    return heights;
+}
+
+bool same_streams(const Terrain& a, const Terrain& b) {
+    if (a.rings != b.rings || a.base_model != b.base_model) return false;
+    if (a.layers.size() != b.layers.size()) return false;
+    for (const TerrainRow& row : terrain_table().rows) {
+        // Detail moves the samples of a base, but nothing else that streams begin with.
+        const bool comes_later = (row.holds<&Terrain::detail_wavelength>() &&
+                                  a.base_model == nullptr) ||
+                                 (row.section == "terrain.coast" && row.key != "level");
+        if (comes_later) continue;
+        for (std::size_t item = 0; item < row.member.items(a); ++item) {
+            if (row.member.get(a, item) != row.member.get(b, item)) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace ocean

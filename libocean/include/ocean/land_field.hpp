@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A land as a function of the place: its heights, slopes and masks anywhere, for maps of any region
+// and cell. Every host reads the same function, so that neighbouring regions join without a seam.
+//
+//   h(x) = g(b(x)) + f(x) + d(x)
+//
+// b is the base: a spline through the waves of a tile, an elevation model, or the grid that streams
+// and shore have shaped. g adds gullies to it, f the waves that are finer than gullies, d those
+// below the cells of a placed land. `cell` is the spacing of a map: what is shorter than two cells
+// fades out, in g and d by their formulas, in b and f by the levels of a pyramid.
+//
+// Slopes are derivatives of h; with gullies, whose formula has no exact gradient, central
+// differences over one cell.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "ocean/domain.hpp"
+#include "ocean/land_mask.hpp"
+#include "ocean/map_output.hpp"
+#include "ocean/query.hpp"
+#include "ocean/surface.hpp"
+#include "ocean/thread_pool.hpp"
+
+namespace ocean {
+
+struct LandFieldParts;
+
+/// Immutable; several threads may read it at once.
+class LandField {
+  public:
+    explicit LandField(LandFieldParts parts);
+    ~LandField();
+    LandField(LandField&&) noexcept;
+
+    /// Returns the tile after which the land repeats, or the rectangle that it is; the samples are
+    /// those of its own grid.
+    const Domain& domain() const;
+    /// Returns the spacing of its own grid [m].
+    double cell() const;
+    /// Returns height, slopes, normal and the masks that it has.
+    ChannelSet channels() const;
+
+    /// Writes maps of samples `cell` apart [m], sample (i, j) at region.place(i, j); region.step()
+    /// is `cell`. The region of a land that exists once is clamped to it. A place has the same bits
+    /// in every region whose origin is a whole number of cells from (0, 0) or that begins where the
+    /// land does. Throws Error unsupported for channels that it does not have.
+    void write(const Domain& region, std::span<const MapOutput> outputs, ThreadPool& pool) const;
+    Surface surface(const Domain& region, ChannelSet channels, ThreadPool& pool) const;
+
+    /// Writes height and normal at each point, for maps of `cell` [m]. Throws Error invalid_value
+    /// for a point that is not finite.
+    void query(std::span<const WorldPoint> points, std::span<QuerySample> samples, double cell,
+               ThreadPool& pool) const;
+
+    std::uint64_t bytes() const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<const Impl> impl_;
+};
+
+}  // namespace ocean

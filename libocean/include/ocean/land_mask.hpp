@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Masks of a land: scalar maps beside its heights that say what made the ground, for materials and
+// scattered plants. A new mask is an enumerator and a row here, an enumerator of libocean.h and a
+// name in python/libocean/_surface.py.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "ocean/channel.hpp"
+#include "ocean/enum_words.hpp"
+#include "ocean/subject_kind.hpp"
+
+namespace ocean {
+
+/// The order is that of libocean.h.
+enum class LandMask { wear, gully, ridge, flow, deposit, streambed, wetness, beach, cliff, shelter };
+inline constexpr int kMaskCount = static_cast<int>(enum_count<LandMask>());
+static_assert(kFirstMask + kMaskCount <= kChannelNumbers);
+
+/// Returns the mask as a channel of maps.
+constexpr Channel channel_of(LandMask mask) {
+    return static_cast<Channel>(kFirstMask + static_cast<int>(mask));
+}
+/// Returns true for a channel that is a mask.
+constexpr bool is_mask(Channel channel) {
+    const int index = static_cast<int>(channel) - kFirstMask;
+    return index >= 0 && index < kMaskCount;
+}
+
+namespace detail {
+
+constexpr Product mask(LandMask mask, std::string_view unit, Precision precision,
+                       std::string_view help) {
+    return {.name = word_of(mask),
+            .channels = {channel_of(mask)},
+            .count = 1,
+            .unit = unit,
+            .subject = kTerrainKind,
+            .precision = precision,
+            .run_lengths = RunLengths::always,
+            .help = help};
+}
+
+}  // namespace detail
+
+/// The masks as products, in the order of the enumerators.
+inline constexpr auto kMaskProducts = [] {
+    using enum LandMask;
+    using enum Precision;
+    return std::to_array<Product>({
+        detail::mask(wear, "", half, "Floors of gullies -1 .. crests between them 1"),
+        detail::mask(gully, "", half, "Floors of gullies, 0 .. 1"),
+        detail::mask(ridge, "", half, "Crests between gullies, 0 .. 1"),
+        detail::mask(flow, "m2", full, "Area that drains through the place [m2]"),
+        detail::mask(deposit, "", half, "Ground that streams laid down, 0 .. 1"),
+        detail::mask(streambed, "", half, "Channels of streams, 0 .. 1"),
+        detail::mask(wetness, "", half, "Wetness of the ground by its drainage, 0 .. 1"),
+        detail::mask(beach, "", half, "Sand of beaches, above and under water, 0 .. 1"),
+        detail::mask(cliff, "", half, "Cliffs and rocks of exposed shores, 0 .. 1"),
+        detail::mask(shelter, "", half, "Shelter of the nearest shore from the sea, 0 .. 1"),
+    });
+}();
+static_assert(kMaskProducts.size() == static_cast<std::size_t>(kMaskCount));
+
+/// All masks, as a set of channels.
+inline constexpr ChannelSet kEveryMask = [] {
+    ChannelSet all;
+    for (const Product& product : kMaskProducts) all = all | product.set();
+    return all;
+}();
+
+}  // namespace ocean

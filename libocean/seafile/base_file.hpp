@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The elevation model that is a terrain's base: its file, and its text in a resolved terrain file,
+// [terrain.base_heights]. A model of at most 1 MB stands there whole; a larger one is known by its
+// hash, and its file must lie where `base` says.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "ocean/terrain.hpp"
+#include "toml_input.hpp"
+
+namespace ocean {
+
+inline constexpr std::string_view kBaseTable = "base_heights";
+
+/// Reads the model and measures its spectrum. Throws Error bad_file.
+std::shared_ptr<const TerrainBase> read_base(const std::string& path);
+/// Returns the lines of [terrain.base_heights].
+std::string base_text(const TerrainBase& base);
+
+/// [terrain.base_heights] as read: a model, or only the hash of one.
+struct BaseHeights {
+    std::shared_ptr<const TerrainBase> model;
+    std::string hash;
+};
+/// Reads the table. Throws Error invalid_value.
+BaseHeights read_base_table(const toml::table& table);
+
+}  // namespace ocean

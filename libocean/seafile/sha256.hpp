@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// SHA-256 without a library, for libocean.so, which depends on the C library alone. Bakes, which
+// hash gigabytes, use OpenSSL's.
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace ocean::seafile {
+
+/// Returns the SHA-256 of the bytes [FIPS 180-4] as 64 hexadecimal digits in lower case.
+std::string sha256_hex(std::span<const std::byte> bytes);
+
+}  // namespace ocean::seafile
