@@ -12,13 +12,13 @@
 // An octave of wavelength l has a lattice of spacing l whose points p are jittered, each with a
 // phase, both hashed. With t the unit vector along the contour line of the slope so far, weights
 // w = (1 - |x - p|^2 / R^2)^3 (C2) and a(p) = (x - p).t / l + phase(p) in turns,
-//     (c, s) = sum of w (cos a, sin a), made a unit vector, or less: divided by at least F sum w.
-// So neighbouring stripes meet with their full depth unless they cancel. The height it adds is
+//     (c, s) = sum of w (cos a, sin a), made a unit vector, or less: divided by at least F sum w
+// [Tricard 2019]. So neighbouring stripes meet with their full depth unless they cancel. The height it adds is
 //     depth l g m k (q - E q),   q = 1 - 2 (sqrt((1 - c)/2 + e^2) - e),
 // q a ridge with a crease of roundness e at c = 1 and a round floor at c = -1, E q its mean over a
 // random phase. g is the share of an octave that the cells can hold, m = slope^2 / (slope^2 +
 // flat^2) leaves flats and summits alone, and k = product over the longer octaves of
-// (1 - D g m max(-q, 0)) keeps their floors smooth.
+// (1 - D m max(-q, 0)) keeps their floors smooth.
 //
 // Masks. With p = -1 on a floor .. 1 on a ridge, a straight line of q, and 0.6^o an octave's weight,
 //     wear = sum of 0.6^o g m k p / sum of 0.6^o,
@@ -46,7 +46,6 @@ struct GullyRule {
 struct GullyOctave {
     real height;     // depth l g [m]
     real steepness;  // 2 pi depth g
-    real share;      // g
     real weight;     // in the masks, times g
     uint key;        // of the hashes
     uint last;       // lattice points of a period, less 1; 0xFFFFFFFF: does not repeat
@@ -203,8 +202,7 @@ formula GullyState gully_octave(GullyState state, GullyRule rule, GullyOctave oc
     real turn = gully_steer * octave.steepness * share * (real(-0.5) * stripes.sine / root);
     state.slope_x = state.slope_x + turn * along_x;
     state.slope_y = state.slope_y + turn * along_y;
-    state.keep =
-        state.keep * (real(1.0) - gully_damping * octave.share * steep * max(-q, real(0.0)));
+    state.keep = state.keep * (real(1.0) - gully_damping * steep * max(-q, real(0.0)));
 
     real p = real(1.0) - rule.profile * (root - e);
     real seen = octave.weight * share;

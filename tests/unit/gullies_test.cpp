@@ -108,8 +108,7 @@ std::vector<SimdLevel> levels() {
             const GullyLatticePoint y = nearest_lattice_point(lattice, points.y[p]);           \
             state = formulas::gully_octave(                                                    \
                 state, rule,                                                                   \
-                {octave.height, octave.steepness, octave.share, octave.weight, octave.key,     \
-                 octave.last},                                                                 \
+                {octave.height, octave.steepness, octave.weight, octave.key, octave.last},     \
                 {x.index, y.index, static_cast<real>(x.offset), static_cast<real>(y.offset)}); \
         }                                                                                      \
         return {static_cast<real>(points.value[0][p]) + state.height,                          \
@@ -287,6 +286,29 @@ TEST(Gullies, RepeatExactlyWithThePeriod) {
     EXPECT_GT(differ, 3000);
 }
 
+TEST(Gullies, AreContinuousWhereTheNearestLatticePointChanges) {
+    for (const double period : {0.0, 6100.0}) {
+        const GullyFilter filter({.octaves = 1, .period = period});
+        const double spacing = filter.octaves()[0].wavelength;
+        // On both sides of the lines between lattice points, through two periods.
+        Points points(2 * 2 * 9 * 50);
+        for (std::size_t p = 0; p < points.size(); ++p) {
+            const std::size_t line = p / 2 % 9, place = p / 36;
+            const double at = spacing * (static_cast<double>(line) - 4.5);
+            const double along = 173.0 * static_cast<double>(place) - 4000.0;
+            const double beside = at + (p % 2 == 0 ? 1e-6 : -1e-6);
+            points.x[p] = p / 18 % 2 == 0 ? beside : along;
+            points.y[p] = p / 18 % 2 == 0 ? along : beside;
+            points.value[1][p] = 0.2f;
+            points.value[2][p] = 0.3f;
+        }
+        filter.apply(points.spans(), 0.0);
+        for (std::size_t p = 0; p < points.size(); p += 2) {
+            ASSERT_NEAR(points.value[0][p], points.value[0][p + 1], 1e-3) << p;
+        }
+    }
+}
+
 TEST(Gullies, StripesFollowTheFallLine) {
     const GullyFilter filter({.octaves = 1});
     for (const double degrees : {0.0, 90.0, 200.0}) {
@@ -356,7 +378,7 @@ TEST(Gullies, OctavesFadeOutBetweenFourAndTwoCells) {
     Points three = before;
     GullyFilter({.octaves = 3}).apply(three.spans(), 0.0);
     EXPECT_EQ(at(93.75), three.value[0]);
-    for (const double cell : {46.9, 60.0, 93.7, 120.0, 700.0}) {
+    for (const double cell : {46.9, 62.49, 93.7, 124.98, 700.0}) {
         const auto a = at(cell), b = at(1.0005 * cell);
         for (std::size_t p = 0; p < a.size(); ++p) EXPECT_NEAR(a[p], b[p], 0.05) << cell;
     }

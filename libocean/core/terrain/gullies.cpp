@@ -96,7 +96,6 @@ GullyOctaveTask octave_task(const GullyOctave& octave, double depth, double shar
     task.periods_per_point = count > 0.0 ? 1.0 / count : 0.0;
     task.height = static_cast<float>(depth * octave.wavelength * share);
     task.steepness = static_cast<float>(kTwoPi * depth * share);
-    task.share = static_cast<float>(share);
     task.weight = static_cast<float>(octave.weight * share);
     task.key = octave.key;
     task.last = octave.count - 1u;

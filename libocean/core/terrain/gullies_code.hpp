@@ -125,8 +125,7 @@ OCEAN_INLINE void add_gullies(const GullyTask& task, const GullyArrays& points, 
         const LatticeLanes along_x = nearest_points(points.x + first, octave);
         const LatticeLanes along_y = nearest_points(points.y + first, octave);
         state = land::gully_octave(
-            state, rule,
-            {octave.height, octave.steepness, octave.share, octave.weight, octave.key, octave.last},
+            state, rule, {octave.height, octave.steepness, octave.weight, octave.key, octave.last},
             {along_x.index, along_y.index, along_x.offset, along_y.offset});
     }
     store_unaligned(points.height + first, load_unaligned(points.height + first) + state.height);

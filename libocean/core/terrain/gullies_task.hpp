@@ -21,7 +21,6 @@ struct GullyOctaveTask {
     double periods_per_point;
     float height;
     float steepness;
-    float share;
     float weight;
     std::uint32_t key;
     std::uint32_t last;
