@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a coast is made of, on small grids: blurs have the variance that was requested, distances
+// Parts of a coast on small grids: blurs have the variance that was requested, distances
 // are those to the line, seas are found, and no grid is too small.
 #include <gtest/gtest.h>
 
@@ -16,7 +16,6 @@
 #include "ocean/error.hpp"
 #include "terrain/coast_blur.hpp"
 #include "terrain/coast_distance.hpp"
-#include "terrain/coast_law.hpp"
 #include "terrain/coast_seas.hpp"
 
 namespace ocean {
@@ -201,6 +200,14 @@ TEST(CoastDistance, IsExactBesideAStraightLineOfAnyDirection) {
     }
 }
 
+TEST(CoastDistance, LandOnTheLineIsLand) {
+    const Distances found({2, 2}, {1e-38f, -1e5f, 0.0f, -3.0f});
+    EXPECT_GT(found.distance[0], 0.0f);
+    EXPECT_LT(found.distance[0], 1e-5f);
+    EXPECT_EQ(found.distance[2], 0.0f);
+    EXPECT_LT(found.distance[1], -0.9f);
+}
+
 // ---- Seas
 
 /// Returns the picture after raise_cut_off_seas: '.' is water, '#' land.
@@ -244,6 +251,13 @@ TEST(CoastSeas, WaterThatDoesNotReachTheBorderIsRaised) {
     EXPECT_EQ(raised(two), two);
     const std::vector<std::string> comb = {"#######", "#.#.#.#", "#.#.#.#", "#.....#", "###.###"};
     EXPECT_EQ(raised(comb), comb);
+    // Each side of the border counts.
+    for (const std::vector<std::string>& bay : {std::vector<std::string>{"####", "##..", "####"},
+                                                {"####", "..##", "####"},
+                                                {"#.##", "#.##", "####"},
+                                                {"####", "#.##", "#.##"}}) {
+        EXPECT_EQ(raised(bay), bay);
+    }
     EXPECT_EQ(raised({"..", ".."}), (std::vector<std::string>{"..", ".."}));
 }
 
@@ -349,6 +363,8 @@ TEST(CoastProfile, RefusesWhatItCannotShape) {
     };
     Domain bad = good;
     bad.wraps = true;
+    bad.size = {64.0, 48.0};
+    EXPECT_EQ(bad.step(0), bad.step(1));
     EXPECT_TRUE(refuses(bad, {}));
     bad = good;
     bad.size[1] *= 1.01;

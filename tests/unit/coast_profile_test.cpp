@@ -61,7 +61,7 @@ Coast made_of(int columns, int rows, double cell, const Height& height) {
 }
 
 /// An island of 10 km on a tile of 16 km: waves of a terrain of 512 samples on cells of 8 m (or
-/// more), and a drop towards the border.
+/// more), a drop towards the border, and a lake inland that smoothing does not close.
 Coast island(int side = 2048, std::uint32_t seed = 3) {
     Terrain terrain;
     terrain.resolution = 512;
@@ -76,7 +76,8 @@ Coast island(int side = 2048, std::uint32_t seed = 3) {
     std::size_t at = 0;
     return made_of(side, side, terrain.patch_size / side, [&](double x, double y) {
         const double r = std::hypot(x / 8192.0 - 1.0, y / 8192.0 - 1.0);
-        return double{heights[at++]} + 250.0 - 900.0 * r * r;
+        const double u = (x - 8700.0) / 400.0, v = (y - 9000.0) / 400.0;
+        return double{heights[at++]} + 250.0 - 900.0 * r * r - 800.0 * std::exp(-u * u - v * v);
     });
 }
 
@@ -205,6 +206,15 @@ TEST(CoastProfile, OneSeaAndNoPools) {
     raw.after = raw.before;
     EXPECT_GT(seas_of(raw)[1], 0) << "the island needs pools to lose";
     EXPECT_EQ(seas_of(coast), (std::array{1, 0}));
+    // The lake, too, is land, at the least height of land away from beaches.
+    const std::size_t lake = coast.index(8700 / 8, 9000 / 8);
+    EXPECT_LT(coast.before[lake], -50.0f);
+    EXPECT_FLOAT_EQ(coast.after[lake], 3.0f);
+    for (std::size_t at = 0; at < coast.after.size(); ++at) {
+        if (coast.maps.distance[at] > 130.0f) {
+            ASSERT_GE(coast.after[at], 3.0f);
+        }
+    }
 }
 
 TEST(CoastProfile, TheWaterLineLiesWithinHalfACellOfTheShoreLine) {
@@ -232,7 +242,7 @@ TEST(CoastProfile, TheWaterLineLiesWithinHalfACellOfTheShoreLine) {
 TEST(CoastProfile, MasksAreSharesAndSmooth) {
     const Coast& coast = shaped_island();
     std::size_t outside = 0, sand_and_rock = 0, beaches = 0, cliffs = 0;
-    float step = 0.0f;
+    float step = 0.0f, shelter_step = 0.0f;
     for_each_inside(coast, [&](std::size_t at, int i, int j) {
         const float d = coast.maps.distance[at];
         for (const PageVector<float>* map :
@@ -242,6 +252,8 @@ TEST(CoastProfile, MasksAreSharesAndSmooth) {
             step = std::max({step, std::abs(here - (*map)[coast.index(i + 1, j)]),
                              std::abs(here - (*map)[coast.index(i, j + 1)])});
         }
+        shelter_step =
+            std::max(shelter_step, std::abs(coast.maps.shelter[at] - coast.maps.shelter[at - 1]));
         const float beach = coast.maps.beach[at], cliff = coast.maps.cliff[at];
         outside += beach > 0.0f && (d > 130.0f || d < -270.0f);
         outside += cliff > 0.0f && (d > 75.0f || d < -20.0f);
@@ -255,6 +267,28 @@ TEST(CoastProfile, MasksAreSharesAndSmooth) {
     EXPECT_GT(cliffs, 1000u);
     // The narrowest step of a mask is the 20 m below a cliff: 1.9 / 20 a metre.
     EXPECT_LT(step, 0.75f);
+    // A jump after a Gaussian of 60 m: 0.4 / 60 a metre.
+    EXPECT_LT(shelter_step, 0.06f);
+}
+
+TEST(CoastProfile, OnlySteepExposedShoresHaveCliffs) {
+    ThreadPool pool(2);
+    for (const double slope : {0.05, 0.6}) {
+        // A cone, exposed all round.
+        Coast cone = made_of(160, 160, 8.0, [=](double x, double y) {
+            return slope * (350.0 - std::hypot(x - 636.0, y - 636.0));
+        });
+        cone.shape(pool);
+        float highest = 0.0f;
+        for_each_inside(cone, [&](std::size_t at, int, int) {
+            highest = std::max(highest, cone.maps.cliff[at]);
+        });
+        if (slope < 0.1) {
+            EXPECT_EQ(highest, 0.0f);
+        } else {
+            EXPECT_GT(highest, 0.9f);
+        }
+    }
 }
 
 // ---- The shore line is that of a Gaussian
@@ -335,6 +369,11 @@ TEST(CoastProfile, AStraightShoreHasTheDepthsOfItsLaw) {
         ++compared;
     }
     EXPECT_GT(compared, 90);
+    // Far out lies the land's own bed, but no shoal.
+    EXPECT_NEAR(double{coast.after[350]}, double{coast.before[350]}, 1e-3);
+    Coast shoal = straight_shore(0.0, 0.0, 0.005, 700);
+    shoal.shape(pool);
+    EXPECT_NEAR(double{shoal.after[350]}, -36.0, 1e-3);
 }
 
 /// Returns the farthest place of a water line from the straight shore [cells], along columns.

@@ -16,8 +16,9 @@ namespace ocean {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::infinity();
-constexpr double kExact = 2.5;  // [samples]
-constexpr int kExactReach = 3;  // squares to each side that contain all lines so near
+constexpr float kLeast = 1e-6f;  // of land, so that the sign says it [samples]
+constexpr double kExact = 2.5;   // [samples]
+constexpr int kExactReach = 3;   // squares to each side that contain all lines so near
 
 struct Point {
     double x, y;
@@ -245,7 +246,7 @@ void shore_distance(std::span<const float> map, const CoastGrid& grid, std::span
                     }
                 }
                 const auto length = static_cast<float>(std::sqrt(least));
-                distance[at] = is_land(map[at]) ? length : -length;
+                distance[at] = is_land(map[at]) ? std::max(length, kLeast) : -length;
             }
         }
     });

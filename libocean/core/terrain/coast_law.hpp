@@ -72,13 +72,13 @@ class CoastLaw {
         return 1.0 - ease(0.35 * settings_.width, settings_.width, y);
     }
 
-    /// Returns the depth less the shelf's, softly: d / (1 + (d / shelf)^4)^(1/4).
     double depth(double z, double x, double b) const {
         const double bed =
             b * on_shelf(sheltered_.depth(x)) + (1.0 - b) * on_shelf(kExposedBed.depth(x));
         const double far = ease(900.0, 2600.0, x);
         return (1.0 - far) * bed + far * std::max(-z, 0.8 * settings_.shelf);
     }
+    /// Returns a depth that the shelf's bounds softly: depth / (1 + (depth / shelf)^4)^(1/4).
     double on_shelf(double depth) const {
         const double u = depth / settings_.shelf;
         return depth / std::sqrt(std::sqrt(1.0 + u * u * u * u));

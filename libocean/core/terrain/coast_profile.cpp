@@ -72,7 +72,7 @@ void check(std::span<const float> heights, const Domain& domain, const CoastSett
     }
 }
 
-/// Whether a map has samples on either side of 0.
+/// The sides of a level on which a map has samples.
 struct Sides {
     bool land = false;
     bool sea = false;

@@ -8,7 +8,7 @@
 // The shore line is the zero line of height - level after a Gaussian of deviation `smooth`; seas
 // that this leaves without a connection to the border of the grid become land. Symbols: D signed
 // distance to the shore line [m], + on land; B shelter at the nearest point of it, 0 .. 1.
-//   sea   depth = B bed(beach_slope to closure, then 1:90) + (1 - B) bed(0.16 to 7 m, then 1:45),
+//   sea   depth = B bed(beach_slope to closure, then 1:90) + (1 - B) bed(0.16 to 7 m, then 1:40),
 //         both flattened to `shelf`; from 900 to 2600 m off the shore the land's own depth takes
 //         over, where it is deeper than 0.8 shelf
 //   land  a beach of slope `face` up to `berm`, then 0.012, as wide as `width`, where B is 1; else
@@ -66,9 +66,10 @@ struct CoastMaps {
 ///
 /// `progress` is called with the share that is done, 0 .. 1, from the calling thread; it may throw
 /// to stop, and then the heights are unchanged. Equal inputs give equal bits for any number of
-/// threads. Blocks until the pool is done. Throws Error invalid_value for a domain that wraps, is
-/// smaller than 2 x 2 or has cells that are not square, for another number of heights, for a height
-/// that is not finite and for settings out of range, before it changes anything; out_of_memory.
+/// threads. Blocks until the pool is done. Throws Error invalid_value, before it changes anything,
+/// for a domain that wraps, has less than 2 or more than 65535 samples along a side or cells that
+/// are not square, for another number of heights, for a height that is not finite and for settings
+/// out of range; out_of_memory.
 CoastMaps shape_coast(std::span<float> heights, const Domain& domain, const CoastSettings& settings,
                       ThreadPool& pool, const std::function<void(double share)>& progress = {});
 
