@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The patches of a view as one mesh. Equal vertices of neighbouring patches are found by the bits
+// of their positions: a border that is not closed stays open instead of being hidden.
+#include "ocean/land_mesh.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "ocean/error.hpp"
+
+namespace ocean {
+namespace {
+
+using Position = std::array<double, 3>;
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// The vertices of a patch by their indices.
+struct PatchLattice {
+    std::int64_t i0, j0;
+    int quads;
+
+    PatchLattice(const QuadtreeSettings& settings, const LandPatch& patch)
+        : i0(patch.i * patch.quads(settings)),
+          j0(patch.j * patch.quads(settings)),
+          quads(patch.quads(settings)) {}
+
+    std::size_t side() const { return static_cast<std::size_t>(quads) + 1; }
+    std::size_t count() const { return side() * side(); }
+    LandIndex index(int i, int j) const { return {i0 + i, j0 + j}; }
+    /// Returns the place of a vertex of the next level, by an index of this one, among those of the
+    /// patch.
+    std::size_t parent(LandIndex v) const {
+        const auto i = static_cast<std::size_t>((v.i - i0) / 2);
+        const auto j = static_cast<std::size_t>((v.j - j0) / 2);
+        return j * (side() / 2 + 1) + i;
+    }
+};
+
+/// Makes vertices of equal positions one.
+class Welder {
+  public:
+    Welder(std::uint64_t max_vertices, std::vector<Position>& positions)
+        : slots_(std::bit_ceil(max_vertices + max_vertices / 2 + 1), kNone),
+          positions_(positions) {}
+
+    static std::uint64_t bytes(std::uint64_t max_vertices) {
+        return std::bit_ceil(max_vertices + max_vertices / 2 + 1) * sizeof(std::uint32_t);
+    }
+
+    std::uint32_t weld(const Position& position) {
+        for (std::uint64_t at = hash(position);; ++at) {
+            std::uint32_t& slot = slots_[at & (slots_.size() - 1)];
+            if (slot == kNone) {
+                slot = static_cast<std::uint32_t>(positions_.size());
+                positions_.push_back(position);
+                return slot;
+            }
+            if (positions_[slot] == position) return slot;
+        }
+    }
+
+  private:
+    /// Returns a mixed number of the bits [Steele 2014].
+    static std::uint64_t hash(const Position& position) {
+        std::uint64_t h = 0;
+        for (const double value : position) {
+            h = (h ^ std::bit_cast<std::uint64_t>(value)) + 0x9e3779b97f4a7c15ull;
+            h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ull;
+            h = (h ^ (h >> 27)) * 0x94d049bb133111ebull;
+            h ^= h >> 31;
+        }
+        return h;
+    }
+
+    std::vector<std::uint32_t> slots_;
+    std::vector<Position>& positions_;
+};
+
+std::uint64_t vertices_of(const QuadtreeSettings& settings, std::span<const LandPatch> patches) {
+    std::uint64_t vertices = 0;
+    for (const LandPatch& patch : patches) vertices += PatchLattice(settings, patch).count();
+    return vertices;
+}
+
+}  // namespace
+
+void place_patch(const QuadtreeSettings& settings, const LandView& view, const LandPatch& patch,
+                 const HeightSampler& sampler, std::vector<Position>& positions) {
+    const PatchLattice lattice(settings, patch);
+    std::vector<LandVertex> vertices;
+    std::vector<WorldPoint> labels, coarse_labels;
+    bool has_fine = false, has_coarse = false;
+    for (int j = 0; j <= lattice.quads; ++j) {
+        for (int i = 0; i <= lattice.quads; ++i) {
+            const LandVertex vertex = land_vertex(settings, view, patch.level, lattice.index(i, j));
+            has_fine |= vertex.share < 1.0;
+            has_coarse |= vertex.share > 0.0;
+            vertices.push_back(vertex);
+            labels.push_back(vertex.label);
+            // The label of an even vertex is that of a vertex of the next level.
+            if (i % 2 == 0 && j % 2 == 0) coarse_labels.push_back(vertex.label);
+        }
+    }
+    std::vector<float> own(labels.size()), coarse(coarse_labels.size());
+    const double spacing = settings.spacing_of(patch.level);
+    if (has_fine) sampler(labels, spacing, own);
+    if (has_coarse) sampler(coarse_labels, 2.0 * spacing, coarse);
+    positions.resize(vertices.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+        const LandVertex& vertex = vertices[v];
+        const double z = vertex.height(own[v], coarse[lattice.parent(vertex.parents[0])],
+                                       coarse[lattice.parent(vertex.parents[1])]);
+        positions[v] = {vertex.shown.x + 0.0, vertex.shown.y + 0.0, z + 0.0};  // no -0
+    }
+}
+
+std::uint64_t land_mesh_bytes(const QuadtreeSettings& settings,
+                              std::span<const LandPatch> patches) {
+    const std::uint64_t vertices = vertices_of(settings, patches);
+    const std::uint64_t triangles = triangles_of(settings, patches);
+    // Vectors that grow hold up to three times their elements while they are copied.
+    return 3 * (vertices * sizeof(Position) + triangles * sizeof(std::array<std::uint32_t, 3>)) +
+           Welder::bytes(vertices);
+}
+
+LandMesh make_land_mesh(const QuadtreeSettings& settings, std::span<const LandPatch> patches,
+                        const LandView& view, const HeightSampler& sampler) {
+    validate(settings);
+    const std::uint64_t max_vertices = vertices_of(settings, patches);
+    if (max_vertices >= kNone) {
+        throw Error(ErrorKind::invalid_value,
+                    ErrorFields{.what = "have too many vertices", .parameter = "patches"});
+    }
+    LandMesh mesh;
+    Welder welder(max_vertices, mesh.positions);
+    std::vector<Position> positions;
+    std::vector<std::uint32_t> welded;
+    const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+        const Position &p = positions[a], &q = positions[b], &r = positions[c];
+        if (p == q || q == r || r == p) return;
+        for (const std::size_t v : {a, b, c}) {
+            if (welded[v] == kNone) welded[v] = welder.weld(positions[v]);
+        }
+        mesh.triangles.push_back({welded[a], welded[b], welded[c]});
+    };
+    for (const LandPatch& patch : patches) {
+        const PatchLattice lattice(settings, patch);
+        place_patch(settings, view, patch, sampler, positions);
+        welded.assign(positions.size(), kNone);
+        for (int j = 0; j < lattice.quads; ++j) {
+            for (int i = 0; i < lattice.quads; ++i) {
+                const std::size_t low =
+                    static_cast<std::size_t>(j) * lattice.side() + static_cast<std::size_t>(i);
+                const std::size_t high = low + lattice.side();
+                add(low, low + 1, high + 1);
+                add(low, high + 1, high);
+            }
+        }
+    }
+    return mesh;
+}
+
+}  // namespace ocean
