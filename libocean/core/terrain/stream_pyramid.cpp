@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Coarse to fine: each level begins with the heights of the coarser one, to which it adds its finer
+// waves, and repeats tree and steady heights until they agree.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ocean/error.hpp"
+#include "terrain/stream_heights.hpp"
+#include "terrain/stream_land.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr int kRoundsOfCoarsest = 12;
+constexpr int kRounds = 4;
+constexpr double kRoundWork = kReceiverWork + 6.0 + kCountWork + kWalkWork;
+constexpr double kStartWork = 10.0;
+
+/// Returns the grids from the coarsest, of at most 64 x 64 cells or with a side below 8, to the
+/// finest.
+std::vector<StreamGrid> levels_of(const StreamGrid& finest) {
+    constexpr std::size_t kCells = 64 * 64;
+    constexpr int kMinSide = 8;
+    std::vector<StreamGrid> levels = {finest};
+    while (levels.back().size() > kCells &&
+           std::min(levels.back().columns, levels.back().rows) >= kMinSide) {
+        const StreamGrid fine = levels.back();
+        levels.push_back({(fine.columns + 1) / 2, (fine.rows + 1) / 2, 2.0 * fine.cell});
+    }
+    std::ranges::reverse(levels);
+    return levels;
+}
+
+[[noreturn]] void refuse(const std::string& what) {
+    throw Error(ErrorKind::invalid_value, "the land of a level " + what);
+}
+
+/// Makes the lowest cell of the border an outlet if there is none.
+void ensure_outlet(const StreamGrid& grid, const StreamLevel& level,
+                   std::span<std::uint8_t> directions) {
+    if (std::ranges::find(directions, kOutlet) != directions.end()) return;
+    CellIndex lowest = 0;
+    for (int j = 0; j < grid.rows; ++j) {
+        const bool is_edge = j == 0 || j == grid.rows - 1;
+        for (int i = 0; i < grid.columns; i += is_edge ? 1 : std::max(1, grid.columns - 1)) {
+            const CellIndex p = grid.index(i, j);
+            if (level.start[p] < level.start[lowest]) lowest = p;
+        }
+    }
+    directions[lowest] = kOutlet;
+}
+
+/// Checks a level, and writes kOutlet or kUnseen for each cell.
+void set_outlets(const StreamGrid& grid, const StreamLevel& level,
+                 std::span<std::uint8_t> directions, StreamWork& work) {
+    const std::size_t size = grid.size();
+    if (level.start.size() != size || level.uplift.size() != size || level.outlet.size() != size) {
+        refuse("must have a height, an uplift and an outlet for each of its " +
+               std::to_string(grid.columns) + " x " + std::to_string(grid.rows) + " cells");
+    }
+    work.rows(grid, 0.5 * kStartWork, [&](int first, int last) {
+        constexpr float kMaxHeight = 1e5f;
+        for (CellIndex p = grid.index(0, first); p < grid.index(0, last); ++p) {
+            if (!(std::abs(level.start[p]) <= kMaxHeight)) {
+                refuse("has a height that is not within -100000 .. 100000 m");
+            }
+            if (!(level.uplift[p] >= 0.0f && level.uplift[p] <= 1.0f)) {
+                refuse("has an uplift that is not within 0 .. 1");
+            }
+            directions[p] = level.outlet[p] != 0 ? kOutlet : kUnseen;
+        }
+    });
+    ensure_outlet(grid, level, directions);
+}
+
+/// What a finer level begins with.
+struct CoarseHeights {
+    StreamGrid grid{0, 0, 0.0};
+    PageVector<float> change;  // heights less start [m]
+};
+
+/// A place between two cells of a coarser grid.
+struct Between {
+    int low;
+    int high;
+    float part;  // of high
+};
+
+/// Returns the place of the centre of a fine cell.
+Between between(int fine, int count) {
+    const int other = fine / 2 + (fine % 2 == 0 ? -1 : 1);
+    return {std::min(fine / 2, count - 1), std::clamp(other, 0, count - 1), 0.25f};
+}
+
+/// Writes start plus the change of the coarser level, bilinear between the centres of its cells.
+/// Outlets keep start.
+void set_heights(const StreamGrid& grid, const StreamLevel& level, const CoarseHeights& coarse,
+                 std::span<const std::uint8_t> directions, std::span<float> heights,
+                 StreamWork& work) {
+    work.rows(grid, 0.5 * kStartWork, [&](int first, int last) {
+        for (int j = first; j < last; ++j) {
+            for (int i = 0; i < grid.columns; ++i) {
+                const CellIndex p = grid.index(i, j);
+                heights[p] = level.start[p];
+                if (directions[p] == kOutlet || coarse.change.empty()) continue;
+                const Between x = between(i, coarse.grid.columns);
+                const Between y = between(j, coarse.grid.rows);
+                const auto along = [&](int row) {
+                    const float low = coarse.change[coarse.grid.index(x.low, row)];
+                    const float high = coarse.change[coarse.grid.index(x.high, row)];
+                    return low + x.part * (high - low);
+                };
+                const float low = along(y.low);
+                heights[p] += low + y.part * (along(y.high) - low);
+            }
+        }
+    });
+}
+
+}  // namespace
+
+double work_of_levels(const StreamGrid& finest) {
+    double work = 0.0;
+    for (const StreamGrid& grid : levels_of(finest)) {
+        const bool is_first = work == 0.0;
+        const int rounds = is_first ? kRoundsOfCoarsest : kRounds;
+        work += static_cast<double>(grid.size()) * (kStartWork + kFloodWork + rounds * kRoundWork);
+    }
+    return work;
+}
+
+std::shared_ptr<StreamTree> solve_levels(const StreamSettings& settings, const StreamGrid& finest,
+                                         const StreamSource& source,
+                                         PageVector<std::uint32_t>& counts, StreamWork& work) {
+    CoarseHeights coarse;
+    std::shared_ptr<StreamTree> tree;
+    for (const StreamGrid& grid : levels_of(finest)) {
+        const StreamLevel level = source(grid.columns, grid.rows, grid.cell);
+        const bool is_finest = grid.size() == finest.size();
+        tree = std::make_shared<StreamTree>(grid);
+        set_outlets(grid, level, tree->directions, work);
+        set_heights(grid, level, coarse, tree->directions, tree->steady, work);
+        flood(grid, FloodTo::carve, tree->steady, tree->directions, work);
+
+        PageVector<std::uint8_t> pending(grid.size());
+        counts = PageVector<std::uint32_t>(grid.size());
+        const int rounds = coarse.change.empty() ? kRoundsOfCoarsest : kRounds;
+        for (int round = 0; round < rounds; ++round) {
+            const bool is_last = is_finest && round == rounds - 1;
+            choose_receivers(grid, settings.seed, tree->steady, tree->directions, work);
+            find_donors(grid, tree->directions, tree->donors, work);
+            count_cells(grid, tree->directions, tree->donors, pending, counts, work);
+            tree->walk = std::make_unique<StreamWalk>(grid, tree->directions, tree->donors, counts,
+                                                      work);
+            if (is_last) std::ranges::fill(tree->response, 0.0f);
+            set_steady(grid, settings, *tree->walk, counts, level.uplift, tree->steady,
+                       is_last ? std::span<float>(tree->response) : std::span<float>(), work);
+        }
+        if (is_finest) break;
+        coarse.grid = grid;
+        coarse.change = PageVector<float>(grid.size());
+        for (std::size_t p = 0; p < grid.size(); ++p) {
+            coarse.change[p] = tree->steady[p] - level.start[p];
+        }
+    }
+    for (const float response : tree->response) {
+        tree->last_response = std::max(tree->last_response, response);
+    }
+    return tree;
+}
+
+}  // namespace ocean

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Receivers, donors, areas and stems: see stream_tree.hpp.
+#include "terrain/stream_tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace ocean {
+namespace {
+
+/// Returns 64 random bits of a cell: the finaliser of SplitMix64 [Steele 2014].
+std::uint64_t hash_of(std::uint32_t seed, int i, int j) {
+    std::uint64_t h = (static_cast<std::uint64_t>(j) << 32 | static_cast<std::uint32_t>(i)) +
+                      (std::uint64_t{seed} + 1) * 0x9E3779B97F4A7C15u;
+    h = (h ^ (h >> 30)) * 0xBF58476D1CE4E5B9u;
+    h = (h ^ (h >> 27)) * 0x94D049BB133111EBu;
+    return h ^ (h >> 31);
+}
+
+constexpr float kTurn = 0.3f;  // range of the weights
+
+/// Returns the direction of the steepest weighted slope among the neighbours of a mask, or
+/// `otherwise` if none is lower.
+template <bool kInside>
+std::uint8_t steepest(const float* at, const std::array<std::int64_t, 8>& offsets,
+                      std::uint64_t hash, unsigned mask, std::uint8_t otherwise) {
+    constexpr float kDiagonal = 0.70710678f;
+    const float height = *at;
+    float best = 0.0f;
+    std::uint8_t direction = otherwise;
+    for (int q = 0; q < kDirections; ++q) {
+        if constexpr (!kInside) {
+            if (((mask >> q) & 1) == 0) continue;
+        }
+        const float turn =
+            1.0f - 0.5f * kTurn + kTurn / 255.0f * static_cast<float>((hash >> (8 * q)) & 0xFF);
+        const float drop = height - at[offsets[static_cast<std::size_t>(q)]];
+        const float slope = drop * turn * ((q & 1) != 0 ? kDiagonal : 1.0f);
+        if (slope > best) {
+            best = slope;
+            direction = static_cast<std::uint8_t>(q);
+        }
+    }
+    return direction;
+}
+
+/// Returns a bit for each neighbour of a cell in the grid.
+unsigned neighbours_inside(const StreamGrid& grid, int i, int j) {
+    unsigned mask = 0;
+    for (int q = 0; q < kDirections; ++q) {
+        const auto at = static_cast<std::size_t>(q);
+        if (grid.contains(i + kStepX[at], j + kStepY[at])) mask |= 1u << q;
+    }
+    return mask;
+}
+
+}  // namespace
+
+void choose_receivers(const StreamGrid& grid, std::uint32_t seed, std::span<const float> heights,
+                      std::span<std::uint8_t> directions, StreamWork& work) {
+    const std::array<std::int64_t, 8> offsets = grid.offsets();
+    work.rows(grid, kReceiverWork, [&](int first, int last) {
+        for (int j = first; j < last; ++j) {
+            for (int i = 0; i < grid.columns; ++i) {
+                const CellIndex p = grid.index(i, j);
+                std::uint8_t& direction = directions[p];
+                if ((direction & ~kDirectionBits) != 0) continue;
+                const std::uint64_t hash = hash_of(seed, i, j);
+                const float* const at = heights.data() + p;
+                if (i > 0 && j > 0 && i < grid.columns - 1 && j < grid.rows - 1) {
+                    direction = steepest<true>(at, offsets, hash, 0xFF, direction);
+                } else {
+                    const unsigned mask = neighbours_inside(grid, i, j);
+                    direction = steepest<false>(at, offsets, hash, mask, direction);
+                }
+            }
+        }
+    });
+}
+
+void find_donors(const StreamGrid& grid, std::span<std::uint8_t> directions,
+                 std::span<std::uint8_t> donors, StreamWork& work) {
+    const std::array<std::int64_t, 8> offsets = grid.offsets();
+    work.rows(grid, 1.0, [&](int first, int last) {
+        for (CellIndex p = grid.index(0, first); p < grid.index(0, last); ++p) {
+            directions[p] &= static_cast<std::uint8_t>(~kFlooded);
+        }
+    });
+    work.rows(grid, 5.0, [&](int first, int last) {
+        for (int j = first; j < last; ++j) {
+            for (int i = 0; i < grid.columns; ++i) {
+                const CellIndex p = grid.index(i, j);
+                const bool inside =
+                    i > 0 && j > 0 && i < grid.columns - 1 && j < grid.rows - 1;
+                const unsigned mask = inside ? 0xFFu : neighbours_inside(grid, i, j);
+                unsigned bits = 0;
+                for (int q = 0; q < kDirections; ++q) {
+                    if (((mask >> q) & 1) == 0) continue;
+                    const std::uint8_t there =
+                        directions[static_cast<std::size_t>(p + offsets[static_cast<std::size_t>(q)])];
+                    bits |= static_cast<unsigned>(there == opposite(q)) << q;
+                }
+                donors[p] = static_cast<std::uint8_t>(bits);
+            }
+        }
+    });
+}
+
+void count_cells(const StreamGrid& grid, std::span<const std::uint8_t> directions,
+                 std::span<const std::uint8_t> donors, std::span<std::uint8_t> pending,
+                 std::span<std::uint32_t> counts, StreamWork& work) {
+    const Neighbours neighbours(grid);
+    std::ranges::copy(donors, pending.begin());
+    std::ranges::fill(counts, 1u);
+    const auto follow = [&](CellIndex p) {
+        // A cell passes its water on when its last donor has come.
+        while (directions[p] != kOutlet) {
+            const int q = directions[p];
+            const CellIndex receiver = neighbours.towards(p, q);
+            counts[receiver] += counts[p];
+            pending[receiver] &= static_cast<std::uint8_t>(~(1u << opposite(q)));
+            if (pending[receiver] != 0) return;
+            p = receiver;
+        }
+    };
+    constexpr CellIndex kReport = CellIndex{1} << 18;
+    const auto size = static_cast<CellIndex>(grid.size());
+    for (CellIndex first = 0; first < size;) {
+        const CellIndex last = first + std::min(kReport, size - first);
+        for (CellIndex p = first; p < last; ++p) {
+            if (donors[p] == 0) follow(p);
+        }
+        work.add(kCountWork * (last - first));
+        first = last;
+    }
+}
+
+StreamWalk::StreamWalk(const StreamGrid& grid, std::span<const std::uint8_t> directions,
+                       std::span<const std::uint8_t> donors,
+                       std::span<const std::uint32_t> counts, StreamWork& work)
+    : neighbours_(grid), directions_(directions), donors_(donors), stem_bits_(grid.size() / 64 + 1) {
+    constexpr std::uint32_t kMaxBranch = 1 << 12;  // cells
+    constexpr std::uint64_t kGroup = 1 << 16;
+    std::uint64_t cells = kGroup;
+    std::vector<CellIndex> open;
+    const auto size = static_cast<CellIndex>(grid.size());
+    for (CellIndex p = 0; p < size; ++p) {
+        if (p % (1 << 20) == 0) work.add(0.0);
+        if (directions[p] != kOutlet || donors[p] == 0) continue;
+        open.push_back(p);
+        while (!open.empty()) {
+            const CellIndex stem = open.back();
+            open.pop_back();
+            if (cells >= kGroup) {
+                groups_.push_back(stems_.size());
+                cells = 0;
+            }
+            stems_.push_back(stem);
+            stem_bits_[stem >> 6] |= std::uint64_t{1} << (stem & 63);
+            ++cells;
+            for (unsigned bits = donors[stem]; bits != 0; bits &= bits - 1) {
+                const CellIndex donor = neighbours_.towards(stem, std::countr_zero(bits));
+                if (counts[donor] > kMaxBranch) {
+                    open.push_back(donor);
+                } else {
+                    cells += counts[donor];
+                }
+            }
+        }
+    }
+    groups_.push_back(stems_.size());
+}
+
+std::vector<CellIndex> StreamWalk::path_to(CellIndex p) const {
+    std::vector<CellIndex> path = {p};
+    while (directions_[p] != kOutlet) {
+        p = receiver_of(p);
+        path.push_back(p);
+    }
+    std::ranges::reverse(path);
+    return path;
+}
+
+void StreamWalk::open_branches(CellIndex stem, std::vector<CellIndex>& open) const {
+    for (unsigned bits = donors_[stem]; bits != 0; bits &= bits - 1) {
+        const CellIndex donor = neighbours_.towards(stem, std::countr_zero(bits));
+        if (!is_stem(donor)) open.push_back(donor);
+    }
+}
+
+void StreamWalk::each_group(
+    StreamWork& work, const std::function<void(std::size_t first, std::size_t last)>& body) const {
+    const int count = static_cast<int>(groups_.size()) - 1;
+    constexpr double kCells = 1 << 16;
+    work.each(count, kWalkWork * kCells, [&](int group) {
+        body(groups_[static_cast<std::size_t>(group)], groups_[static_cast<std::size_t>(group) + 1]);
+    });
+}
+
+}  // namespace ocean
