@@ -5,11 +5,13 @@
 // waves, and repeats tree and steady heights until they agree.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "ocean/error.hpp"
+#include "terrain/stream_coarse.hpp"
 #include "terrain/stream_heights.hpp"
 #include "terrain/stream_land.hpp"
 
@@ -19,7 +21,6 @@ namespace {
 constexpr int kRoundsOfCoarsest = 12;
 constexpr int kRounds = 4;
 constexpr double kRoundWork = kReceiverWork + 6.0 + kCountWork + kWalkWork;
-constexpr double kStartWork = 10.0;
 
 /// Returns the grids from the coarsest, of at most 64 x 64 cells or with a side below 8, to the
 /// finest.
@@ -63,7 +64,7 @@ void set_outlets(const StreamGrid& grid, const StreamLevel& level,
         refuse("must have a height, an uplift and an outlet for each of its " +
                std::to_string(grid.columns) + " x " + std::to_string(grid.rows) + " cells");
     }
-    work.rows(grid, 0.5 * kStartWork, [&](int first, int last) {
+    work.rows(grid, 0.2 * kStartWork, [&](int first, int last) {
         constexpr float kMaxHeight = 1e5f;
         for (CellIndex p = grid.index(0, first); p < grid.index(0, last); ++p) {
             if (!(std::abs(level.start[p]) <= kMaxHeight)) {
@@ -78,45 +79,17 @@ void set_outlets(const StreamGrid& grid, const StreamLevel& level,
     ensure_outlet(grid, level, directions);
 }
 
-/// What a finer level begins with.
-struct CoarseHeights {
-    StreamGrid grid{0, 0, 0.0};
-    PageVector<float> change;  // heights less start [m]
-};
-
-/// A place between two cells of a coarser grid.
-struct Between {
-    int low;
-    int high;
-    float part;  // of high
-};
-
-/// Returns the place of the centre of a fine cell.
-Between between(int fine, int count) {
-    const int other = fine / 2 + (fine % 2 == 0 ? -1 : 1);
-    return {std::min(fine / 2, count - 1), std::clamp(other, 0, count - 1), 0.25f};
-}
-
-/// Writes start plus the change of the coarser level, bilinear between the centres of its cells.
-/// Outlets keep start.
-void set_heights(const StreamGrid& grid, const StreamLevel& level, const CoarseHeights& coarse,
+/// Writes the heights that a level begins with. Outlets keep start.
+void set_heights(const StreamGrid& grid, const StreamLevel& level,
+                 const std::optional<CoarseHeights>& coarse,
                  std::span<const std::uint8_t> directions, std::span<float> heights,
                  StreamWork& work) {
-    work.rows(grid, 0.5 * kStartWork, [&](int first, int last) {
+    work.rows(grid, 0.8 * kStartWork, [&](int first, int last) {
         for (int j = first; j < last; ++j) {
             for (int i = 0; i < grid.columns; ++i) {
                 const CellIndex p = grid.index(i, j);
-                heights[p] = level.start[p];
-                if (directions[p] == kOutlet || coarse.change.empty()) continue;
-                const Between x = between(i, coarse.grid.columns);
-                const Between y = between(j, coarse.grid.rows);
-                const auto along = [&](int row) {
-                    const float low = coarse.change[coarse.grid.index(x.low, row)];
-                    const float high = coarse.change[coarse.grid.index(x.high, row)];
-                    return low + x.part * (high - low);
-                };
-                const float low = along(y.low);
-                heights[p] += low + y.part * (along(y.high) - low);
+                const bool is_land = coarse && directions[p] != kOutlet;
+                heights[p] = level.start[p] + (is_land ? coarse->change_at(i, j) : 0.0f);
             }
         }
     });
@@ -137,7 +110,7 @@ double work_of_levels(const StreamGrid& finest) {
 std::shared_ptr<StreamTree> solve_levels(const StreamSettings& settings, const StreamGrid& finest,
                                          const StreamSource& source,
                                          PageVector<std::uint32_t>& counts, StreamWork& work) {
-    CoarseHeights coarse;
+    std::optional<CoarseHeights> coarse;
     std::shared_ptr<StreamTree> tree;
     for (const StreamGrid& grid : levels_of(finest)) {
         const StreamLevel level = source(grid.columns, grid.rows, grid.cell);
@@ -149,7 +122,7 @@ std::shared_ptr<StreamTree> solve_levels(const StreamSettings& settings, const S
 
         PageVector<std::uint8_t> pending(grid.size());
         counts = PageVector<std::uint32_t>(grid.size());
-        const int rounds = coarse.change.empty() ? kRoundsOfCoarsest : kRounds;
+        const int rounds = coarse ? kRounds : kRoundsOfCoarsest;
         for (int round = 0; round < rounds; ++round) {
             const bool is_last = is_finest && round == rounds - 1;
             choose_receivers(grid, settings.seed, tree->steady, tree->directions, work);
@@ -162,11 +135,7 @@ std::shared_ptr<StreamTree> solve_levels(const StreamSettings& settings, const S
                        is_last ? std::span<float>(tree->response) : std::span<float>(), work);
         }
         if (is_finest) break;
-        coarse.grid = grid;
-        coarse.change = PageVector<float>(grid.size());
-        for (std::size_t p = 0; p < grid.size(); ++p) {
-            coarse.change[p] = tree->steady[p] - level.start[p];
-        }
+        coarse.emplace(settings.seed, grid, level.start, tree->steady);
     }
     for (const float response : tree->response) {
         tree->last_response = std::max(tree->last_response, response);

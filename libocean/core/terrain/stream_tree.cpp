@@ -11,15 +11,6 @@
 namespace ocean {
 namespace {
 
-/// Returns 64 random bits of a cell: the finaliser of SplitMix64 [Steele 2014].
-std::uint64_t hash_of(std::uint32_t seed, int i, int j) {
-    std::uint64_t h = (static_cast<std::uint64_t>(j) << 32 | static_cast<std::uint32_t>(i)) +
-                      (std::uint64_t{seed} + 1) * 0x9E3779B97F4A7C15u;
-    h = (h ^ (h >> 30)) * 0xBF58476D1CE4E5B9u;
-    h = (h ^ (h >> 27)) * 0x94D049BB133111EBu;
-    return h ^ (h >> 31);
-}
-
 constexpr float kTurn = 0.3f;  // range of the weights
 
 /// Returns the direction of the steepest weighted slope among the neighbours of a mask, or
