@@ -41,8 +41,9 @@ class StreamIsland {
         for (std::size_t p = 0; p < size; ++p) {
             const float s = std::clamp(shore[p], 0.0f, 1.0f);
             level.uplift.push_back(0.25f + 0.75f * std::min(s / 0.35f, 1.0f));
-            level.start.push_back(
-                level.outlet[p] != 0 ? 0.0f : 40.0f * noise[p] * std::min(s / 0.1f, 1.0f) + 300.0f * s);
+            level.start.push_back(level.outlet[p] != 0
+                                      ? 0.0f
+                                      : 40.0f * noise[p] * std::min(s / 0.1f, 1.0f) + 300.0f * s);
         }
         return level;
     }
@@ -66,9 +67,9 @@ class StreamIsland {
         std::vector<float> centres;
         for (int j = 1; j < map; j += 2) {
             for (int i = 1; i < map; i += 2) {
-                centres.push_back(heights[static_cast<std::size_t>(j) *
-                                              static_cast<std::size_t>(map) +
-                                          static_cast<std::size_t>(i)]);
+                centres.push_back(
+                    heights[static_cast<std::size_t>(j) * static_cast<std::size_t>(map) +
+                            static_cast<std::size_t>(i)]);
             }
         }
         return centres;

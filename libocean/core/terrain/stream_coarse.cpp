@@ -53,11 +53,11 @@ CoarseHeights::Shift CoarseHeights::shift_at(int i, int j) const {
     const auto part = [](int cell) {
         return ease((static_cast<float>(cell % kCells) + 0.5f) * (1.0f / kCells));
     };
-    const Shift* const south = shifts_.data() + static_cast<std::ptrdiff_t>(j / kCells) * nodes_along_ +
-                               i / kCells;
+    const Shift* const south =
+        shifts_.data() + static_cast<std::ptrdiff_t>(j / kCells) * nodes_along_ + i / kCells;
     const Shift* const north = south + nodes_along_;
     const float x = part(i), y = part(j);
-    const auto mix = [&](float Shift::* axis) {
+    const auto mix = [&](float Shift::*axis) {
         const float low = south[0].*axis + x * (south[1].*axis - south[0].*axis);
         const float high = north[0].*axis + x * (north[1].*axis - north[0].*axis);
         return low + y * (high - low);

@@ -26,27 +26,43 @@ class Flood {
   public:
     Flood(const StreamGrid& grid, FloodTo to, std::span<float> heights,
           std::span<std::uint8_t> directions, StreamWork& work)
-        : neighbours_(grid), to_(to), heights_(heights), directions_(directions), work_(work) {}
+        : columns_(static_cast<CellIndex>(grid.columns)),
+          neighbours_(grid),
+          to_(to),
+          heights_(heights),
+          directions_(directions),
+          work_(work) {}
 
     void run() {
         const auto size = static_cast<CellIndex>(heights_.size());
         for (CellIndex p = 0; p < size; ++p) {
-            if (directions_[p] == kOutlet) climb(p);
+            if (directions_[p] == kOutlet && !is_open_sea(p)) climb(p);
         }
+        settle();
         while (!rims_.empty()) {
             const auto p = static_cast<CellIndex>(rims_.top());
             rims_.pop();
             pour_from(p);
         }
-        work_.add(kFloodWork * (static_cast<double>(size) - static_cast<double>(reported_)));
+        work_.add(kFloodWork * static_cast<double>(size - reported_));
     }
 
   private:
-    using Heap =
-        std::priority_queue<std::uint64_t, std::vector<std::uint64_t>, std::greater<>>;
+    using Heap = std::priority_queue<std::uint64_t, std::vector<std::uint64_t>, std::greater<>>;
+
+    /// Returns true for an outlet among outlets, found without the column of the cell: around the
+    /// border it may take cells of the other side for neighbours, and returns false too often.
+    bool is_open_sea(CellIndex p) const {
+        if (p <= columns_ || p + columns_ + 1 >= directions_.size()) return false;
+        const auto three = [&](CellIndex q) {
+            return directions_[q - 1] == kOutlet && directions_[q] == kOutlet &&
+                   directions_[q + 1] == kOutlet;
+        };
+        return three(p) && three(p - columns_) && three(p + columns_);
+    }
 
     /// Reaches all cells that rise from a drained one. Those from which water could fall into cells
-    /// that it has not reached become rims.
+    /// that it has not reached are candidates for rims.
     void climb(CellIndex start) {
         above_.push_back(start);
         while (!above_.empty()) {
@@ -64,11 +80,21 @@ class Flood {
                     is_rim = true;
                 }
             });
-            if (is_rim) rims_.push(key_of(height, p));
+            if (is_rim) candidates_.push_back(p);
         }
     }
 
-    /// Fills the hollows beyond a rim.
+    /// Makes rims of the candidates from which water can still fall.
+    void settle() {
+        for (const CellIndex p : candidates_) {
+            bool is_rim = false;
+            neighbours_.each(p, [&](int, CellIndex r) { is_rim |= directions_[r] == kUnseen; });
+            if (is_rim) rims_.push(key_of(heights_[p], p));
+        }
+        candidates_.clear();
+    }
+
+    /// Fills the hollows beyond a rim, or what is next to it of a hollow that is to drain.
     void pour_from(CellIndex rim) {
         reach_from(rim);
         while (!hollow_.empty()) {
@@ -77,6 +103,7 @@ class Flood {
             count();
             reach_from(p);
         }
+        settle();
     }
 
     void reach_from(CellIndex p) {
@@ -89,29 +116,38 @@ class Flood {
                 return;
             }
             directions_[r] |= kFlooded;
-            const float ground = heights_[r];
-            heights_[r] = to_ == FloodTo::carve ? level : risen(level, kDrop);
-            hollow_.push(key_of(to_ == FloodTo::carve ? ground : heights_[r], r));
+            if (to_ == FloodTo::carve) {
+                // The way out goes from the deepest place up: lowest ground first.
+                hollow_.push(key_of(heights_[r], r));
+                heights_[r] = level;
+            } else {
+                // Water that rises joins that of other rims, so that level ground drains to all.
+                heights_[r] = risen(level, kDrop);
+                rims_.push(key_of(heights_[r], r));
+                count();
+            }
         });
     }
 
     void count() {
-        constexpr std::uint64_t kReport = std::uint64_t{1} << 18;
+        constexpr CellIndex kReport = CellIndex{1} << 18;
         if (++counted_ % kReport != 0) return;
         work_.add(kFloodWork * static_cast<double>(kReport));
         reported_ = counted_;
     }
 
+    CellIndex columns_;
     Neighbours neighbours_;
     FloodTo to_;
     std::span<float> heights_;
     std::span<std::uint8_t> directions_;
     StreamWork& work_;
     std::vector<CellIndex> above_;
+    std::vector<CellIndex> candidates_;
     Heap rims_;
     Heap hollow_;
-    std::uint64_t counted_ = 0;
-    std::uint64_t reported_ = 0;
+    CellIndex counted_ = 0;   // cells that were walked
+    CellIndex reported_ = 0;  // of them
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ enum class FloodTo {
     drain,  // every cell gets a lower neighbour: hollows rise strictly from their way out
 };
 
-inline constexpr double kFloodWork = 60.0;  // [ns] a cell
+inline constexpr double kFloodWork = 30.0;  // [ns] a cell
 
 /// Raises the heights of hollows and writes the direction from which the flood came into each cell
 /// that is kUnseen, with kFlooded where it raised it. Outlets are kOutlet and keep their heights.

@@ -95,9 +95,9 @@ inline float risen(float h, float rise) {
 
 /// Returns 64 random bits of a place on a grid: the finaliser of SplitMix64 [Steele 2014].
 inline std::uint64_t hash_of(std::uint32_t seed, int i, int j) {
-    std::uint64_t h = (std::uint64_t{static_cast<std::uint32_t>(j)} << 32 |
-                       static_cast<std::uint32_t>(i)) +
-                      (std::uint64_t{seed} + 1) * 0x9E3779B97F4A7C15u;
+    std::uint64_t h =
+        (std::uint64_t{static_cast<std::uint32_t>(j)} << 32 | static_cast<std::uint32_t>(i)) +
+        (std::uint64_t{seed} + 1) * 0x9E3779B97F4A7C15u;
     h = (h ^ (h >> 30)) * 0xBF58476D1CE4E5B9u;
     h = (h ^ (h >> 27)) * 0x94D049BB133111EBu;
     return h ^ (h >> 31);

@@ -45,7 +45,8 @@ double exact_exp2_of_minus(double y) {
 
 }  // namespace
 
-SteadySlope::SteadySlope(const StreamSettings& settings, double cell) {
+SteadySlope::SteadySlope(const StreamSettings& settings, double cell)
+    : max_(static_cast<float>(settings.max_slope)) {
     constexpr int kOctaves = 32;
     for (int node = 0; node <= kOctaves << kNodeBits; ++node) {
         const auto bits = (kFirstNode + static_cast<std::uint32_t>(node)) << kShift;
@@ -63,17 +64,15 @@ float SteadySlope::operator()(std::uint32_t count) const {
     return node[0] + part * (node[1] - node[0]);
 }
 
-void set_steady(const StreamGrid& grid, const StreamSettings& settings, const StreamWalk& walk,
+void set_steady(const StreamGrid& grid, const SteadySlope& slope, const StreamWalk& walk,
                 std::span<const std::uint32_t> counts, std::span<const float> uplift,
                 std::span<float> heights, std::span<float> response, StreamWork& work) {
-    const SteadySlope slope(settings, grid.cell);
-    const auto max_slope = static_cast<float>(settings.max_slope);
     const auto straight = static_cast<float>(grid.distance(0));
     const auto diagonal = static_cast<float>(grid.distance(1));
     walk.up(work, [&](CellIndex p, CellIndex receiver, int direction) {
         const float u = std::max(uplift[p], kMinUplift);
         const float distance = (direction & 1) != 0 ? diagonal : straight;
-        const float rise = std::min(u * slope(counts[p]), max_slope) * distance;
+        const float rise = std::min(u * slope(counts[p]), slope.max()) * distance;
         heights[p] = risen(heights[receiver], rise);
         if (!response.empty()) response[p] = risen(response[receiver], rise / u);
     });
@@ -90,8 +89,8 @@ void set_aged(const StreamWalk& walk, double time, std::span<const float> steady
             return;
         }
         // The slope that arrives now set out between two cells of the path.
-        const auto above = std::ranges::upper_bound(path, target, {},
-                                                    [&](CellIndex q) { return response[q]; });
+        const auto above =
+            std::ranges::upper_bound(path, target, {}, [&](CellIndex q) { return response[q]; });
         const CellIndex upper = above == path.end() ? p : *above;
         const CellIndex lower = *(above - 1);
         const float span = response[upper] - response[lower];

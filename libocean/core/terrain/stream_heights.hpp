@@ -22,8 +22,10 @@ class SteadySlope {
     SteadySlope(const StreamSettings& settings, double cell);
 
     float operator()(std::uint32_t count) const;
+    float max() const { return max_; }  // settings.max_slope
 
   private:
+    float max_;
     std::vector<float> nodes_;
 };
 
@@ -33,7 +35,7 @@ inline constexpr float kMinUplift = 1e-3f;
 /// Writes the steady heights Z of all cells but the outlets, which keep theirs: the slope is U
 /// times the steady one, at most max_slope, and rises strictly upstream. With `response` not empty
 /// writes there the time that a slope takes from the outlet, dtau = dZ / U [m per unit of uplift].
-void set_steady(const StreamGrid& grid, const StreamSettings& settings, const StreamWalk& walk,
+void set_steady(const StreamGrid& grid, const SteadySlope& slope, const StreamWalk& walk,
                 std::span<const std::uint32_t> counts, std::span<const float> uplift,
                 std::span<float> heights, std::span<float> response, StreamWork& work);
 

@@ -16,7 +16,10 @@ namespace ocean {
 /// The solution of the finest level: 10 bytes a cell, and stems.
 struct StreamTree {
     explicit StreamTree(const StreamGrid& of)
-        : grid(of), directions(of.size()), donors(of.size()), steady(of.size()),
+        : grid(of),
+          directions(of.size()),
+          donors(of.size()),
+          steady(of.size()),
           response(of.size()) {}
 
     StreamGrid grid;

@@ -65,48 +65,51 @@ float wetness_of(float area, float width, float slope) {
 
 }  // namespace
 
-void set_channel(const StreamGrid& grid, std::span<const std::uint8_t> directions,
-                 StreamLand& land, StreamWork& work) {
+float channel_of(float area) {
     constexpr auto kScale = static_cast<float>(1.0 / kChannelArea);
-    work.rows(grid, 0.1 * kMaskWork, [&](int first, int last) {
-        for (CellIndex p = grid.index(0, first); p < grid.index(0, last); ++p) {
-            const float ratio = land.area[p] * kScale;
-            land.channel[p] =
-                directions[p] == kOutlet ? 0.0f : 1.0f - 1.0f / (1.0f + ratio * ratio);
+    const float ratio = area * kScale;
+    return 1.0f - 1.0f / (1.0f + ratio * ratio);
+}
+
+void set_wetness(const StreamGrid& grid, std::span<const std::uint8_t> directions,
+                 std::span<const float> area, std::span<const float> height,
+                 std::span<float> wetness, StreamWork& work) {
+    const auto width = static_cast<float>(grid.cell);
+    work.rows(grid, 0.4 * kMaskWork, [&](int first, int last) {
+        for (int j = first; j < last; ++j) {
+            for (int i = 0; i < grid.columns; ++i) {
+                const CellIndex p = grid.index(i, j);
+                const bool is_outlet = directions[p] == kOutlet;
+                wetness[p] =
+                    is_outlet ? 1.0f : wetness_of(area[p], width, slope_at(grid, height, i, j));
+            }
         }
     });
 }
 
-void set_wetness_and_deposit(const StreamGrid& grid, const StreamWalk& walk,
-                             std::span<const std::uint8_t> directions, StreamLand& land,
-                             StreamWork& work) {
+void set_deposit(const StreamGrid& grid, const StreamWalk& walk,
+                 std::span<const std::uint8_t> directions, std::span<const float> area,
+                 std::span<const float> height, std::span<float> bed, StreamWork& work) {
     // The channel below each cell: the first one downstream, or the outlet.
     PageVector<CellIndex> channel(grid.size());
     work.rows(grid, 0.1 * kMaskWork, [&](int first, int last) {
         for (CellIndex p = grid.index(0, first); p < grid.index(0, last); ++p) channel[p] = p;
     });
     walk.up(work, [&](CellIndex p, CellIndex receiver, int) {
-        if (land.area[p] < static_cast<float>(kChannelArea)) channel[p] = channel[receiver];
+        if (area[p] < static_cast<float>(kChannelArea)) channel[p] = channel[receiver];
     });
-    const auto width = static_cast<float>(grid.cell);
-    work.rows(grid, 0.6 * kMaskWork, [&](int first, int last) {
-        for (int j = first; j < last; ++j) {
-            for (int i = 0; i < grid.columns; ++i) {
-                const CellIndex p = grid.index(i, j);
-                if (directions[p] == kOutlet) {
-                    land.wetness[p] = 1.0f;
-                    land.deposit[p] = 0.0f;
-                    continue;
-                }
-                const float slope = slope_at(grid, land.height, i, j);
-                land.wetness[p] = wetness_of(land.area[p], width, slope);
-                const CellIndex q = channel[p];
-                const float above = std::max(land.height[p] - land.height[q], 0.0f);
-                const float low = std::max(1.0f - above / flood_depth(land.area[q]), 0.0f);
-                const float flat =
-                    std::max(1.0f - slope / static_cast<float>(kMaxDepositSlope), 0.0f);
-                land.deposit[p] = low * flat;
+    work.rows(grid, 0.2 * kMaskWork, [&](int first, int last) {
+        for (CellIndex p = grid.index(0, first); p < grid.index(0, last); ++p) {
+            if (directions[p] == kOutlet) {
+                bed[p] = 0.0f;
+                continue;
             }
+            const float thickness = std::max(height[p] - bed[p], 0.0f);
+            const float soil = thickness / (thickness + static_cast<float>(kSoilDepth));
+            const CellIndex q = channel[p];
+            const float above = std::max(height[p] - height[q], 0.0f);
+            const float alluvium = std::max(1.0f - above / flood_depth(area[q]), 0.0f);
+            bed[p] = std::max(soil, alluvium);
         }
     });
 }

@@ -7,19 +7,20 @@
 #include <cstdint>
 #include <span>
 
-#include "ocean/stream_power.hpp"
 #include "terrain/stream_tree.hpp"
 
 namespace ocean {
 
-inline constexpr double kMaskWork = 60.0;  // [ns] a cell
+inline constexpr double kMaskWork = 60.0;  // [ns] a cell, with the walk
 
-/// Writes `channel` from `area`.
-void set_channel(const StreamGrid& grid, std::span<const std::uint8_t> directions,
-                 StreamLand& land, StreamWork& work);
-/// Writes `wetness` and `deposit` from area and height.
-void set_wetness_and_deposit(const StreamGrid& grid, const StreamWalk& walk,
-                             std::span<const std::uint8_t> directions, StreamLand& land,
-                             StreamWork& work);
+/// Returns the share of a channel in a cell with a drainage area [m2].
+float channel_of(float area);
+void set_wetness(const StreamGrid& grid, std::span<const std::uint8_t> directions,
+                 std::span<const float> area, std::span<const float> height,
+                 std::span<float> wetness, StreamWork& work);
+/// Replaces the heights of the bed by the mask of deposits on it.
+void set_deposit(const StreamGrid& grid, const StreamWalk& walk,
+                 std::span<const std::uint8_t> directions, std::span<const float> area,
+                 std::span<const float> height, std::span<float> bed, StreamWork& work);
 
 }  // namespace ocean

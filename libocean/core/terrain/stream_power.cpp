@@ -52,25 +52,58 @@ void validate(const StreamSettings& settings, int columns, int rows, double cell
     require(is_within(cell, 1e-3, 1e6), "cell", cell, "0.001 .. 1e+06 m");
 }
 
-/// Writes heights of the land's age, and what depends on them. Requires area and channel.
-void finish(StreamLand& land, StreamWork& work) {
+/// The maps that depend on age.
+struct AgedMaps {
+    PageVector<float> height;
+    PageVector<float> wetness;
+    PageVector<float> deposit;
+};
+
+/// Returns the maps of an age. Requires area and channel of the land.
+AgedMaps aged_maps(const StreamLand& land, double age, StreamWork& work) {
     const StreamTree& tree = *land.tree;
-    land.height = tree.steady;
-    if (land.settings.age < 1.0) {
-        set_aged(*tree.walk, land.settings.age * double{tree.last_response}, tree.steady,
-                 tree.response, land.height, work);
+    const StreamGrid& grid = tree.grid;
+    AgedMaps maps{PageVector<float>(grid.size()), PageVector<float>(grid.size()),
+                  PageVector<float>(grid.size())};
+    if (age < 1.0) {
+        set_aged(*tree.walk, age * double{tree.last_response}, tree.steady, tree.response,
+                 maps.deposit, work);
     }
-    creep(tree.grid, land.settings.creep, land.channel, tree.directions, land.height, work);
-    {
-        PageVector<std::uint8_t> directions(tree.grid.size());
-        for (std::size_t p = 0; p < directions.size(); ++p) {
-            directions[p] = tree.directions[p] == kOutlet ? kOutlet : kUnseen;
+    PageVector<std::uint8_t> directions(grid.size());
+    work.rows(grid, 12.0, [&](int first, int last) {
+        for (CellIndex p = grid.index(0, first); p < grid.index(0, last); ++p) {
+            const bool is_outlet = tree.directions[p] == kOutlet;
+            directions[p] = is_outlet ? kOutlet : kUnseen;
+            if (is_outlet || age >= 1.0) maps.deposit[p] = tree.steady[p];
+            maps.height[p] = maps.deposit[p];  // the bed, which creep and the flood cover
         }
-        flood(tree.grid, FloodTo::drain, land.height, directions, work);
-    }
-    land.wetness = PageVector<float>(tree.grid.size());
-    land.deposit = PageVector<float>(tree.grid.size());
-    set_wetness_and_deposit(tree.grid, *tree.walk, tree.directions, land, work);
+    });
+    creep(grid, land.settings.creep, land.channel, tree.directions, maps.height, work);
+    flood(grid, FloodTo::drain, maps.height, directions, work);
+    set_wetness(grid, tree.directions, land.area, maps.height, maps.wetness, work);
+    set_deposit(grid, *tree.walk, tree.directions, land.area, maps.height, maps.deposit, work);
+    return maps;
+}
+
+void replace(AgedMaps& maps, double age, StreamLand& land) {
+    land.height.swap(maps.height);
+    land.wetness.swap(maps.wetness);
+    land.deposit.swap(maps.deposit);
+    land.settings.age = age;
+}
+
+/// Writes the drainage areas and the channels.
+void set_areas(const StreamTree& tree, std::span<const std::uint32_t> counts, StreamLand& land,
+               StreamWork& work) {
+    const double cell_area = tree.grid.cell * tree.grid.cell;
+    land.area = PageVector<float>(tree.grid.size());
+    land.channel = PageVector<float>(tree.grid.size());
+    work.rows(tree.grid, 12.0, [&](int first, int last) {
+        for (CellIndex p = tree.grid.index(0, first); p < tree.grid.index(0, last); ++p) {
+            land.area[p] = static_cast<float>(counts[p] * cell_area);
+            land.channel[p] = tree.directions[p] == kOutlet ? 0.0f : channel_of(land.area[p]);
+        }
+    });
 }
 
 }  // namespace
@@ -93,14 +126,10 @@ StreamLand carve(const StreamSettings& settings, int columns, int rows, double c
     {
         PageVector<std::uint32_t> counts;
         land.tree = solve_levels(settings, grid, source, counts, work);
-        land.area = PageVector<float>(grid.size());
-        for (std::size_t p = 0; p < counts.size(); ++p) {
-            land.area[p] = static_cast<float>(counts[p] * (cell * cell));
-        }
+        set_areas(*land.tree, counts, land, work);
     }
-    land.channel = PageVector<float>(grid.size());
-    set_channel(grid, land.tree->directions, land, work);
-    finish(land, work);
+    AgedMaps maps = aged_maps(land, settings.age, work);
+    replace(maps, settings.age, land);
     if (progress) progress(1.0);
     return land;
 }
@@ -109,11 +138,9 @@ void set_age(StreamLand& land, double age, ThreadPool& pool, const StreamProgres
     require_age(age);
     if (land.tree == nullptr) throw Error(ErrorKind::invalid_value, "the land was not carved");
     StreamWork work(pool, progress, work_of_land(land.tree->grid));
-    StreamLand aged = land;
-    aged.settings.age = age;
-    finish(aged, work);
-    land = std::move(aged);
+    AgedMaps maps = aged_maps(land, age, work);
     if (progress) progress(1.0);
+    replace(maps, age, land);
 }
 
 std::uint64_t stream_bytes(int columns, int rows) {

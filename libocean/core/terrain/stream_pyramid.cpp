@@ -95,6 +95,24 @@ void set_heights(const StreamGrid& grid, const StreamLevel& level,
     });
 }
 
+void clear(const StreamGrid& grid, std::span<float> values, StreamWork& work) {
+    work.rows(grid, 1.0, [&](int first, int last) {
+        for (CellIndex p = grid.index(0, first); p < grid.index(0, last); ++p) values[p] = 0.0f;
+    });
+}
+
+/// Returns the greatest of the values, at least 0.
+float greatest(const StreamGrid& grid, std::span<const float> values, StreamWork& work) {
+    std::vector<float> of_rows(static_cast<std::size_t>(grid.rows), 0.0f);
+    work.rows(grid, 1.0, [&](int first, int last) {
+        for (int j = first; j < last; ++j) {
+            float& most = of_rows[static_cast<std::size_t>(j)];
+            for (int i = 0; i < grid.columns; ++i) most = std::max(most, values[grid.index(i, j)]);
+        }
+    });
+    return std::ranges::max(of_rows);
+}
+
 }  // namespace
 
 double work_of_levels(const StreamGrid& finest) {
@@ -120,6 +138,7 @@ std::shared_ptr<StreamTree> solve_levels(const StreamSettings& settings, const S
         set_heights(grid, level, coarse, tree->directions, tree->steady, work);
         flood(grid, FloodTo::carve, tree->steady, tree->directions, work);
 
+        const SteadySlope slope(settings, grid.cell);
         PageVector<std::uint8_t> pending(grid.size());
         counts = PageVector<std::uint32_t>(grid.size());
         const int rounds = coarse ? kRounds : kRoundsOfCoarsest;
@@ -128,18 +147,16 @@ std::shared_ptr<StreamTree> solve_levels(const StreamSettings& settings, const S
             choose_receivers(grid, settings.seed, tree->steady, tree->directions, work);
             find_donors(grid, tree->directions, tree->donors, work);
             count_cells(grid, tree->directions, tree->donors, pending, counts, work);
-            tree->walk = std::make_unique<StreamWalk>(grid, tree->directions, tree->donors, counts,
-                                                      work);
-            if (is_last) std::ranges::fill(tree->response, 0.0f);
-            set_steady(grid, settings, *tree->walk, counts, level.uplift, tree->steady,
+            tree->walk.reset();
+            tree->walk =
+                std::make_unique<StreamWalk>(grid, tree->directions, tree->donors, counts, work);
+            if (is_last) clear(grid, tree->response, work);
+            set_steady(grid, slope, *tree->walk, counts, level.uplift, tree->steady,
                        is_last ? std::span<float>(tree->response) : std::span<float>(), work);
         }
-        if (is_finest) break;
-        coarse.emplace(settings.seed, grid, level.start, tree->steady);
+        if (!is_finest) coarse.emplace(settings.seed, grid, level.start, tree->steady);
     }
-    for (const float response : tree->response) {
-        tree->last_response = std::max(tree->last_response, response);
-    }
+    tree->last_response = greatest(finest, tree->response, work);
     return tree;
 }
 

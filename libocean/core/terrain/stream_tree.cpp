@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 namespace ocean {
 namespace {
@@ -48,6 +47,23 @@ unsigned neighbours_inside(const StreamGrid& grid, int i, int j) {
     return mask;
 }
 
+/// Writes the donors of a row between the borders, many cells at once.
+void donors_of_row(const StreamGrid& grid, int j, const std::uint8_t* directions,
+                   std::uint8_t* donors) {
+    const std::uint8_t* const south = directions + grid.index(0, j - 1);
+    const std::uint8_t* const here = directions + grid.index(0, j);
+    const std::uint8_t* const north = directions + grid.index(0, j + 1);
+    std::uint8_t* const to = donors + grid.index(0, j);
+    for (int i = 1; i < grid.columns - 1; ++i) {
+        const auto bit = [](std::uint8_t there, int q) {
+            return static_cast<std::uint8_t>(there == opposite(q) ? 1u << q : 0u);
+        };
+        to[i] = static_cast<std::uint8_t>(
+            bit(here[i + 1], 0) | bit(north[i + 1], 1) | bit(north[i], 2) | bit(north[i - 1], 3) |
+            bit(here[i - 1], 4) | bit(south[i - 1], 5) | bit(south[i], 6) | bit(south[i + 1], 7));
+    }
+}
+
 }  // namespace
 
 void choose_receivers(const StreamGrid& grid, std::uint32_t seed, std::span<const float> heights,
@@ -74,25 +90,24 @@ void choose_receivers(const StreamGrid& grid, std::uint32_t seed, std::span<cons
 
 void find_donors(const StreamGrid& grid, std::span<std::uint8_t> directions,
                  std::span<std::uint8_t> donors, StreamWork& work) {
-    const std::array<std::int64_t, 8> offsets = grid.offsets();
+    const Neighbours neighbours(grid);
     work.rows(grid, 1.0, [&](int first, int last) {
         for (CellIndex p = grid.index(0, first); p < grid.index(0, last); ++p) {
             directions[p] &= static_cast<std::uint8_t>(~kFlooded);
         }
     });
-    work.rows(grid, 5.0, [&](int first, int last) {
+    work.rows(grid, 3.0, [&](int first, int last) {
         for (int j = first; j < last; ++j) {
-            for (int i = 0; i < grid.columns; ++i) {
+            const bool is_edge = j == 0 || j == grid.rows - 1;
+            if (!is_edge) donors_of_row(grid, j, directions.data(), donors.data());
+            for (int i = 0; i < grid.columns; i += is_edge ? 1 : grid.columns - 1) {
                 const CellIndex p = grid.index(i, j);
-                const bool inside =
-                    i > 0 && j > 0 && i < grid.columns - 1 && j < grid.rows - 1;
-                const unsigned mask = inside ? 0xFFu : neighbours_inside(grid, i, j);
+                const unsigned inside = neighbours_inside(grid, i, j);
                 unsigned bits = 0;
                 for (int q = 0; q < kDirections; ++q) {
-                    if (((mask >> q) & 1) == 0) continue;
-                    const std::uint8_t there =
-                        directions[static_cast<std::size_t>(p + offsets[static_cast<std::size_t>(q)])];
-                    bits |= static_cast<unsigned>(there == opposite(q)) << q;
+                    if (((inside >> q) & 1) == 0) continue;
+                    const bool is_donor = directions[neighbours.towards(p, q)] == opposite(q);
+                    bits |= static_cast<unsigned>(is_donor) << q;
                 }
                 donors[p] = static_cast<std::uint8_t>(bits);
             }
@@ -104,8 +119,12 @@ void count_cells(const StreamGrid& grid, std::span<const std::uint8_t> direction
                  std::span<const std::uint8_t> donors, std::span<std::uint8_t> pending,
                  std::span<std::uint32_t> counts, StreamWork& work) {
     const Neighbours neighbours(grid);
-    std::ranges::copy(donors, pending.begin());
-    std::ranges::fill(counts, 1u);
+    work.rows(grid, 1.0, [&](int first, int last) {
+        for (CellIndex p = grid.index(0, first); p < grid.index(0, last); ++p) {
+            pending[p] = donors[p];
+            counts[p] = 1;
+        }
+    });
     const auto follow = [&](CellIndex p) {
         // A cell passes its water on when its last donor has come.
         while (directions[p] != kOutlet) {
@@ -130,16 +149,19 @@ void count_cells(const StreamGrid& grid, std::span<const std::uint8_t> direction
 }
 
 StreamWalk::StreamWalk(const StreamGrid& grid, std::span<const std::uint8_t> directions,
-                       std::span<const std::uint8_t> donors,
-                       std::span<const std::uint32_t> counts, StreamWork& work)
-    : neighbours_(grid), directions_(directions), donors_(donors), stem_bits_(grid.size() / 64 + 1) {
+                       std::span<const std::uint8_t> donors, std::span<const std::uint32_t> counts,
+                       StreamWork& work)
+    : neighbours_(grid),
+      directions_(directions),
+      donors_(donors),
+      stem_bits_(grid.size() / 64 + 1) {
     constexpr std::uint32_t kMaxBranch = 1 << 12;  // cells
     constexpr std::uint64_t kGroup = 1 << 16;
     std::uint64_t cells = kGroup;
     std::vector<CellIndex> open;
     const auto size = static_cast<CellIndex>(grid.size());
     for (CellIndex p = 0; p < size; ++p) {
-        if (p % (1 << 20) == 0) work.add(0.0);
+        if (p % (1 << 18) == 0) work.add(0.0);
         if (directions[p] != kOutlet || donors[p] == 0) continue;
         open.push_back(p);
         while (!open.empty()) {
@@ -187,7 +209,8 @@ void StreamWalk::each_group(
     const int count = static_cast<int>(groups_.size()) - 1;
     constexpr double kCells = 1 << 16;
     work.each(count, kWalkWork * kCells, [&](int group) {
-        body(groups_[static_cast<std::size_t>(group)], groups_[static_cast<std::size_t>(group) + 1]);
+        body(groups_[static_cast<std::size_t>(group)],
+             groups_[static_cast<std::size_t>(group) + 1]);
     });
 }
 

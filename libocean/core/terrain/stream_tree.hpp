@@ -35,7 +35,8 @@ void choose_receivers(const StreamGrid& grid, std::uint32_t seed, std::span<cons
 void find_donors(const StreamGrid& grid, std::span<std::uint8_t> directions,
                  std::span<std::uint8_t> donors, StreamWork& work);
 
-/// Writes the number of cells that drain through each cell, with itself. `pending` is scratch.
+/// Writes the number of cells that drain through each cell, with itself. Loses what is in
+/// `pending`.
 void count_cells(const StreamGrid& grid, std::span<const std::uint8_t> directions,
                  std::span<const std::uint8_t> donors, std::span<std::uint8_t> pending,
                  std::span<std::uint32_t> counts, StreamWork& work);
@@ -121,9 +122,9 @@ class StreamWalk {
     Neighbours neighbours_;
     std::span<const std::uint8_t> directions_;
     std::span<const std::uint8_t> donors_;
-    std::vector<CellIndex> stems_;         // outlets with donors among them; receivers first
+    std::vector<CellIndex> stems_;  // outlets with donors among them; receivers first
     std::vector<std::uint64_t> stem_bits_;
-    std::vector<std::size_t> groups_;      // the first stem of each group, and the end
+    std::vector<std::size_t> groups_;  // the first stem of each group, and the end
 };
 
 }  // namespace ocean

@@ -18,7 +18,7 @@ void StreamWork::add(double work) {
 }
 
 void StreamWork::each(int count, double work, const std::function<void(int item)>& body) {
-    constexpr double kBatch = 6e7;  // nanoseconds of one thread
+    constexpr double kBatch = 1.5e7;  // nanoseconds of one thread
     const int batch = static_cast<int>(std::clamp(kBatch / work, 16.0, 1e6));
     for (int first = 0; first < count; first += batch) {
         const int items = std::min(batch, count - first);
@@ -32,9 +32,8 @@ void StreamWork::rows(const StreamGrid& grid, double cost,
     constexpr int kCells = 1 << 14;  // of a block
     const int height = std::max(1, kCells / grid.columns);
     const int blocks = (grid.rows + height - 1) / height;
-    each(blocks, cost * height * grid.columns, [&](int block) {
-        body(block * height, std::min(grid.rows, (block + 1) * height));
-    });
+    each(blocks, cost * height * grid.columns,
+         [&](int block) { body(block * height, std::min(grid.rows, (block + 1) * height)); });
 }
 
 }  // namespace ocean

@@ -5,11 +5,11 @@
 //
 //   dz/dt = U - K A^m S,   S = dz/dx downstream, A the drainage area [Whipple and Tucker 1999]
 //
-// Its steady state has the slope S = U / (K A^m) along every stream. Slope, outlets and areas belong
-// to a drainage tree, and the tree to the heights: both are found in turn, from a grid of about
-// 64 x 64 cells to the finest one, so that trunk valleys are those of the coarse land at every
-// resolution. Areas are in square metres and never below `hillslope_area`, so that the cell drops
-// out. Soil creep rounds the crests, and at last every cell drains to an outlet. Tests:
+// Its steady state has the slope S = U / (K A^m) along every stream. Slope, outlets and areas
+// belong to a drainage tree, and the tree to the heights: both are found in turn, from a grid of
+// about 64 x 64 cells to the finest one, so that trunk valleys are those of the coarse land at
+// every resolution. Areas are in square metres and never below `hillslope_area`, so that the cell
+// drops out. Soil creep rounds the crests, and at last every cell drains to an outlet. Tests:
 // stream_power_test.cpp.
 //
 // This is no simulation of time: there is one solution for each `age`, found without time steps.
@@ -27,13 +27,13 @@ namespace ocean {
 
 /// The laws of erosion, the same on every level.
 struct StreamSettings {
-    double exponent = 0.45;          // m of the drainage area, 0 .. 1
-    double hillslope_area = 1.2e4;   // [m2]; smaller areas erode as this one
-    double slope = 0.62;             // at the hillslope area where uplift is 1
-    double max_slope = 0.8;          // of hillsides
-    double age = 1.0;                // share of the time after which the last slope is steady, 0..1
-    double creep = 55.0;             // reach of soil creep between channels [m]; 0: none
-    std::uint32_t seed = 1;          // of the valleys' turns within the grid
+    double exponent = 0.45;         // m of the drainage area, 0 .. 1
+    double hillslope_area = 1.2e4;  // [m2]; smaller areas erode as this one
+    double slope = 0.62;            // at the hillslope area where uplift is 1
+    double max_slope = 0.8;         // of hillsides
+    double age = 1.0;               // share of the time after which the last slope is steady, 0..1
+    double creep = 55.0;            // reach of soil creep between channels [m]; 0: none
+    std::uint32_t seed = 1;         // of the valleys' turns within the grid
 
     bool operator==(const StreamSettings&) const = default;
 };
@@ -61,27 +61,27 @@ struct StreamTree;
 struct StreamLand {
     int columns = 0;
     int rows = 0;
-    double cell = 0.0;          // [m]
-    PageVector<float> height;   // [m]; every cell that is no outlet has a lower neighbour
-    PageVector<float> area;     // that drains through the cell, with its own [m2]
+    double cell = 0.0;         // [m]
+    PageVector<float> height;  // [m]; every cell that is no outlet has a lower neighbour
+    PageVector<float> area;    // that drains through the cell, with its own [m2]
     /// 0 .. 1: A^2 / (A^2 + a^2) of the drainage area A, a = kChannelArea; 0 in outlets.
     PageVector<float> channel;
     /// 0 .. 1: ln(A / (w S)) [Beven and Kirkby 1979] from kDryIndex to kWetIndex, with the cell's
     /// width w [m] and the slope S of the surface, at least 0.001; 1 in outlets.
     PageVector<float> wetness;
     /// 0 .. 1: ground that the nearest channel downstream floods, with sediment: (1 - d / f) (1 - S
-    /// / kMaxDepositSlope), the height d above that channel [Nobre 2011] and the depth of its floods
-    /// f = kFloodDepth (A / 1 km2)^0.4 [Leopold and Maddock 1953]; 0 in outlets.
+    /// / kMaxDepositSlope), the height d above that channel [Nobre 2011] and the depth of its
+    /// floods f = kFloodDepth (A / 1 km2)^0.4 [Leopold and Maddock 1953]; 0 in outlets.
     PageVector<float> deposit;
     StreamSettings settings;
     std::shared_ptr<const StreamTree> tree;
 };
 
-inline constexpr double kChannelArea = 6e4;       // [m2]
-inline constexpr double kDryIndex = 4.0;          // ln of [1]
+inline constexpr double kChannelArea = 6e4;  // [m2]
+inline constexpr double kDryIndex = 4.0;     // ln of [1]
 inline constexpr double kWetIndex = 13.0;
-inline constexpr double kFloodDepth = 3.0;        // at 1 km2 [m]
-inline constexpr double kMaxDepositSlope = 0.25;
+inline constexpr double kFloodDepth = 3.0;  // at 1 km2 [m]
+inline constexpr double kSoilDepth = 4.0;   // [m]
 
 /// Sides of the finest level, and its cells: indices of cells have 31 bits.
 inline constexpr int kMinStreamSide = 2;
