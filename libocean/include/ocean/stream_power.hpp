@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Land that rivers have carved: uplift against erosion by stream power, on a grid that exists once.
+//
+//   dz/dt = U - K A^m S,   S = dz/dx downstream, A the drainage area [Whipple and Tucker 1999]
+//
+// Its steady state has the slope S = U / (K A^m) along every stream. Slope, outlets and areas
+// belong to a drainage tree, and the tree to the heights: both are found in turn, from a grid of
+// about 64 x 64 cells to the finest one, so that trunk valleys are those of the coarse land at
+// every resolution. Areas are in square metres and never below `hillslope_area`, so that the cell
+// drops out. Soil creep rounds the crests, and at last every cell drains to an outlet. Tests:
+// stream_power_test.cpp.
+//
+// This is no simulation of time: there is one solution for each `age`, found without time steps.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "ocean/page_vector.hpp"
+#include "ocean/thread_pool.hpp"
+
+namespace ocean {
+
+/// The laws of erosion, the same on every level.
+struct StreamSettings {
+    double exponent = 0.45;         // m of the drainage area, 0 .. 1
+    double hillslope_area = 1.2e4;  // [m2]; smaller areas erode as this one
+    double slope = 0.62;            // at the hillslope area where uplift is 1
+    double max_slope = 0.8;         // of hillsides
+    double age = 1.0;               // share of the time after which the last slope is steady, 0..1
+    double creep = 55.0;            // reach of soil creep between channels [m]; 0: none
+    std::uint32_t seed = 1;         // of the valleys' turns within the grid
+
+    bool operator==(const StreamSettings&) const = default;
+};
+
+/// The land of one level, row-major from the south-west.
+struct StreamLevel {
+    std::vector<float> start;          // heights before erosion [m]
+    std::vector<float> uplift;         // relative, 0 .. 1; less than 0.001 counts as that
+    std::vector<std::uint8_t> outlet;  // 1: water leaves here, and the height stays `start`
+};
+
+/// Returns the land of columns x rows cells of side `cell` [m] from the south-west corner of the
+/// finest level. The sides of coarser levels are rounded up, so they may reach beyond the others by
+/// less than a cell of their own. Called once for each level, from the coarsest.
+using StreamSource = std::function<StreamLevel(int columns, int rows, double cell)>;
+
+/// Receives the share of the work done, 0 .. 1. Called by the calling thread at least five times a
+/// second, except while the source works. If it throws, the call ends with that exception.
+using StreamProgress = std::function<void(double share)>;
+
+/// The steady land and its drainage, from which the land of any age follows. Never modified.
+struct StreamTree;
+
+/// Carved land. All maps are row-major from the south-west, columns x rows cells.
+struct StreamLand {
+    int columns = 0;
+    int rows = 0;
+    double cell = 0.0;         // [m]
+    PageVector<float> height;  // [m]; every cell that is no outlet has a lower neighbour
+    PageVector<float> area;    // that drains through the cell, with its own [m2]
+    /// 0 .. 1: A^2 / (A^2 + a^2) of the drainage area A, a = kChannelArea; 0 in outlets.
+    PageVector<float> channel;
+    /// 0 .. 1: ln(A / (w S)) [Beven and Kirkby 1979] from kDryIndex to kWetIndex, with the cell's
+    /// width w [m] and the slope S of the surface, at least 0.001; 1 in outlets.
+    PageVector<float> wetness;
+    /// 0 .. 1: ground that the nearest channel downstream floods, with sediment: (1 - d / f) (1 - S
+    /// / kMaxDepositSlope), the height d above that channel [Nobre 2011] and the depth of its
+    /// floods f = kFloodDepth (A / 1 km2)^0.4 [Leopold and Maddock 1953]; 0 in outlets.
+    PageVector<float> deposit;
+    StreamSettings settings;
+    std::shared_ptr<const StreamTree> tree;
+};
+
+inline constexpr double kChannelArea = 6e4;  // [m2]
+inline constexpr double kDryIndex = 4.0;     // ln of [1]
+inline constexpr double kWetIndex = 13.0;
+inline constexpr double kFloodDepth = 3.0;  // at 1 km2 [m]
+inline constexpr double kSoilDepth = 4.0;   // [m]
+
+/// Sides of the finest level, and its cells: indices of cells have 31 bits.
+inline constexpr int kMinStreamSide = 2;
+inline constexpr std::int64_t kMaxStreamCells = std::int64_t{1} << 31;
+
+/// Carves the land of a source. If a level has no outlet, its lowest cell of the border is one, the
+/// first of several. The bits are the same for any number of threads. Throws Error invalid_value
+/// for settings or sides out of range, and for a level of another size or with heights or uplifts
+/// that are no numbers; std::bad_alloc.
+StreamLand carve(const StreamSettings& settings, int columns, int rows, double cell,
+                 const StreamSource& source, ThreadPool& pool, const StreamProgress& progress = {});
+
+/// Changes the age of carved land, 0 .. 1: heights, wetness and deposit, without another solution
+/// of the tree. The result is that of carve with this age, bit by bit. Throws Error invalid_value;
+/// if progress throws, the land is unchanged.
+///
+/// Young land is flat at the height of its outlet, and rises by U t until the slopes that travel
+/// upstream from the outlet pass: with the time tau that they take from there,
+///   z(p, t) = Z(p) - Z(q) + Z(outlet),   tau(q) = tau(p) - t on the way down from p,
+/// the exact solution for any uplift, Z the steady heights [Royden and Perron 2013].
+void set_age(StreamLand& land, double age, ThreadPool& pool, const StreamProgress& progress = {});
+
+/// Returns the bytes that carve needs at most for the finest level, with what the source returns
+/// and with the land that it gives back. Typical land needs two thirds of them.
+std::uint64_t stream_bytes(int columns, int rows);
+
+}  // namespace ocean

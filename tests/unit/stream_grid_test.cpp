@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Carved land on small grids: sides, borders, outlets, hollows, refusals, progress.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <tuple>
+#include <vector>
+
+#include "ocean/error.hpp"
+#include "ocean/stream_power.hpp"
+#include "terrain/stream_flood.hpp"
+#include "terrain/stream_heights.hpp"
+#include "terrain/stream_tree.hpp"
+
+namespace ocean {
+namespace {
+
+/// Returns rough land without a direction; its west side is an outlet, or it has none.
+StreamLevel rough_level(int columns, int rows, bool has_outlets = true) {
+    StreamLevel level;
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            level.start.push_back(static_cast<float>(hash_of(7, i, j) % 1000) * 0.05f);
+            level.uplift.push_back(0.1f +
+                                   0.9f * static_cast<float>(hash_of(8, i, j) % 100) / 100.0f);
+            level.outlet.push_back(has_outlets && i == 0 ? 1 : 0);
+        }
+    }
+    return level;
+}
+
+StreamSource rough_source() {
+    return [](int columns, int rows, double) { return rough_level(columns, rows); };
+}
+
+/// Returns the number of cells without a lower neighbour that are no outlets.
+int pits(int columns, int rows, std::span<const float> heights,
+         const std::vector<std::uint8_t>& outlets) {
+    const Neighbours neighbours({columns, rows, 1.0});
+    int count = 0;
+    for (CellIndex p = 0; p < heights.size(); ++p) {
+        bool drains = outlets[p] != 0;
+        neighbours.each(p, [&](int, CellIndex r) { drains |= heights[r] < heights[p]; });
+        count += drains ? 0 : 1;
+    }
+    return count;
+}
+
+TEST(StreamGrid, LandOfAnySidesDrainsToItsOutlets) {
+    ThreadPool pool(2);
+    constexpr std::array<std::array<int, 2>, 7> kSides = {
+        {{2, 2}, {2, 300}, {300, 2}, {65, 37}, {129, 97}, {9, 700}, {128, 128}}};
+    for (const auto& [columns, rows] : kSides) {
+        for (const double age : {1.0, 0.3}) {
+            StreamSettings settings;
+            settings.age = age;
+            const StreamLand land = carve(settings, columns, rows, 20.0, rough_source(), pool);
+            const StreamLevel level = rough_level(columns, rows);
+            EXPECT_EQ(pits(columns, rows, land.height, level.outlet), 0)
+                << columns << " x " << rows << ", age " << age;
+            EXPECT_TRUE(std::ranges::all_of(land.height, [](float h) { return std::isfinite(h); }));
+        }
+    }
+}
+
+TEST(StreamGrid, SourceIsAskedForHalvedSidesFromTheCoarsest) {
+    ThreadPool pool(1);
+    std::vector<std::tuple<int, int, double>> asked;
+    const StreamSource source = [&](int columns, int rows, double cell) {
+        asked.emplace_back(columns, rows, cell);
+        return rough_level(columns, rows);
+    };
+    carve({}, 201, 130, 10.0, source, pool);
+    const std::vector<std::tuple<int, int, double>> expected = {
+        {51, 33, 40.0}, {101, 65, 20.0}, {201, 130, 10.0}};
+    EXPECT_EQ(asked, expected);
+}
+
+TEST(StreamGrid, OutletsKeepTheirHeights) {
+    ThreadPool pool(1);
+    StreamLevel fine;
+    const StreamSource source = [&](int columns, int rows, double) {
+        fine = rough_level(columns, rows);
+        for (std::size_t p = 0; p < fine.start.size(); ++p) {
+            if (fine.outlet[p] != 0) fine.start[p] = -static_cast<float>(p % 40);
+        }
+        return fine;
+    };
+    const StreamLand land = carve({}, 100, 90, 15.0, source, pool);
+    for (std::size_t p = 0; p < land.height.size(); ++p) {
+        if (fine.outlet[p] == 0) continue;
+        EXPECT_EQ(land.height[p], fine.start[p]);
+        EXPECT_EQ(land.channel[p], 0.0f);
+        EXPECT_EQ(land.wetness[p], 1.0f);
+        EXPECT_EQ(land.deposit[p], 0.0f);
+    }
+}
+
+TEST(StreamGrid, AllWaterLeavesByTheOutlets) {
+    ThreadPool pool(2);
+    const int columns = 130, rows = 97;
+    const StreamLand land = carve({}, columns, rows, 3.0, rough_source(), pool);
+    const StreamLevel level = rough_level(columns, rows);
+    double sum = 0.0;
+    for (std::size_t p = 0; p < land.area.size(); ++p) {
+        EXPECT_GE(land.area[p], 9.0f);
+        if (level.outlet[p] != 0) sum += static_cast<double>(land.area[p]);
+    }
+    EXPECT_EQ(sum, 9.0 * columns * rows);
+}
+
+TEST(StreamGrid, LandWithoutOutletsDrainsToTheLowestCellOfTheBorder) {
+    ThreadPool pool(1);
+    const int columns = 40, rows = 30;
+    StreamLevel level = rough_level(columns, rows, false);
+    level.start[15 * columns + 20] = -50.0f;         // inside: no way out
+    level.start[7 * columns + columns - 1] = -3.0f;  // on the east side
+    level.start[12 * columns] = -3.0f;               // as low, but later
+    const StreamLand land = carve(
+        {}, columns, rows, 30.0, [&](int, int, double) { return level; }, pool);
+    EXPECT_EQ(land.area[7 * columns + columns - 1], 900.0f * columns * rows);
+    EXPECT_EQ(land.height[7 * columns + columns - 1], -3.0f);
+}
+
+TEST(StreamGrid, UpliftOfZeroStillDrains) {
+    ThreadPool pool(1);
+    StreamLevel level = rough_level(64, 64);
+    std::ranges::fill(level.uplift, 0.0f);
+    for (float& h : level.start) h += 5000.0f;  // a float's steps there are 0.0005 m
+    const StreamLand land = carve(
+        {}, 64, 64, 1.0, [&](int, int, double) { return level; }, pool);
+    EXPECT_EQ(pits(64, 64, land.height, level.outlet), 0);
+}
+
+TEST(StreamGrid, FloodLeavesAHollowByItsLowestRim) {
+    // A hollow of depth 1 within a rim of 9, which has a gap of 5 to the east; the border is 0.
+    const StreamGrid grid{7, 7, 1.0};
+    std::vector<float> heights(grid.size(), 0.0f);
+    std::vector<std::uint8_t> directions(grid.size(), kUnseen);
+    for (int j = 0; j < 7; ++j) {
+        for (int i = 0; i < 7; ++i) {
+            const int ring = std::max(std::abs(i - 3), std::abs(j - 3));
+            heights[grid.index(i, j)] = ring == 3 ? 0.0f : ring == 2 ? 9.0f : 2.0f;
+            if (ring == 3) directions[grid.index(i, j)] = kOutlet;
+        }
+    }
+    heights[grid.index(5, 3)] = 5.0f;
+    heights[grid.index(3, 3)] = 1.0f;
+    ThreadPool pool(1);
+    const StreamProgress none;
+    StreamWork work(pool, none, 1.0);
+    std::vector<float> level = heights;
+    std::vector<std::uint8_t> ways = directions;
+    flood(grid, FloodTo::carve, level, ways, work);
+    for (int j = 2; j <= 4; ++j) {
+        for (int i = 2; i <= 4; ++i) EXPECT_EQ(level[grid.index(i, j)], 5.0f);
+    }
+    EXPECT_EQ(level[grid.index(5, 3)], 5.0f);
+    EXPECT_EQ(level[grid.index(1, 3)], 9.0f);
+    EXPECT_EQ(ways[grid.index(4, 3)], kFlooded | 0);  // to the gap in the east
+
+    flood(grid, FloodTo::drain, heights, directions, work);
+    std::vector<std::uint8_t> outlets(grid.size());
+    for (std::size_t p = 0; p < grid.size(); ++p) outlets[p] = directions[p] == kOutlet ? 1 : 0;
+    EXPECT_EQ(pits(7, 7, heights, outlets), 0);
+    EXPECT_NEAR(heights[grid.index(3, 3)], 5.0f, 1e-3f);
+}
+
+TEST(StreamGrid, FloodTiesGoByIndex) {
+    // Level ground of two outlets: each cell joins the way that came first.
+    const StreamGrid grid{9, 3, 1.0};
+    std::vector<float> heights(grid.size(), 4.0f);
+    std::vector<std::uint8_t> directions(grid.size(), kUnseen);
+    directions[grid.index(0, 1)] = directions[grid.index(8, 1)] = kOutlet;
+    ThreadPool pool(1);
+    const StreamProgress none;
+    StreamWork work(pool, none, 1.0);
+    flood(grid, FloodTo::drain, heights, directions, work);
+    EXPECT_LT(heights[grid.index(3, 1)], heights[grid.index(4, 1)]);
+    EXPECT_LT(heights[grid.index(5, 1)], heights[grid.index(4, 1)]);
+    EXPECT_EQ(heights[grid.index(3, 1)], heights[grid.index(5, 1)]);
+    // (4, 0) is reached from (3, 0), the first of the cells of its height.
+    EXPECT_EQ(directions[grid.index(4, 0)] & kDirectionBits, 4);
+}
+
+TEST(StreamGrid, SteadySlopeIsThePowerLawOfArea) {
+    StreamSettings settings;
+    settings.exponent = 0.45;
+    for (const double cell : {0.5, 16.0}) {
+        const SteadySlope slope(settings, cell);
+        for (const std::uint32_t count :
+             {1u, 2u, 3u, 77u, 1000u, 123456u, 98765432u, 0xFFFFFFFFu}) {
+            const double ratio = std::max(1.0, count * cell * cell / settings.hillslope_area);
+            const double law = settings.slope * std::pow(ratio, -settings.exponent);
+            EXPECT_NEAR(slope(count) / law, 1.0, 3e-6) << count << " cells of " << cell << " m";
+        }
+    }
+}
+
+TEST(StreamGrid, ProgressRisesToOne) {
+    ThreadPool pool(2);
+    std::vector<double> shares;
+    carve({}, 300, 300, 10.0, rough_source(), pool, [&](double share) { shares.push_back(share); });
+    EXPECT_TRUE(std::ranges::is_sorted(shares));
+    ASSERT_FALSE(shares.empty());
+    EXPECT_GE(shares.front(), 0.0);
+    EXPECT_EQ(shares.back(), 1.0);
+}
+
+TEST(StreamGrid, ProgressThatThrowsStopsAndLeavesTheLandAsItWas) {
+    ThreadPool pool(2);
+    const StreamProgress stop = [](double) { throw std::runtime_error("stopped"); };
+    EXPECT_THROW(carve({}, 64, 64, 10.0, rough_source(), pool, stop), std::runtime_error);
+    StreamLand land = carve({}, 64, 64, 10.0, rough_source(), pool);
+    const PageVector<float> before = land.height;
+    EXPECT_THROW(set_age(land, 0.2, pool, stop), std::runtime_error);
+    EXPECT_EQ(land.height, before);
+    EXPECT_EQ(land.settings.age, 1.0);
+    set_age(land, 0.2, pool);
+    EXPECT_NE(land.height, before);
+}
+
+/// Returns the kind of error that carve throws, or unsupported if it throws none.
+ErrorKind refusal(const StreamSettings& settings, int columns, int rows, double cell,
+                  const StreamSource& source) {
+    ThreadPool pool(1);
+    try {
+        carve(settings, columns, rows, cell, source, pool);
+    } catch (const Error& error) {
+        return error.kind();
+    }
+    return ErrorKind::unsupported;
+}
+
+TEST(StreamGrid, RefusesSettingsOutOfRange) {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    const auto refused = [&](double StreamSettings::*member, double value) {
+        StreamSettings settings;
+        settings.*member = value;
+        return refusal(settings, 16, 16, 10.0, rough_source()) == ErrorKind::invalid_value;
+    };
+    EXPECT_FALSE(refused(&StreamSettings::age, 0.0));
+    for (const double age : {-0.1, 1.1, kNan}) EXPECT_TRUE(refused(&StreamSettings::age, age));
+    EXPECT_TRUE(refused(&StreamSettings::exponent, -1.0));
+    EXPECT_TRUE(refused(&StreamSettings::hillslope_area, 0.0));
+    EXPECT_TRUE(refused(&StreamSettings::slope, 0.0));
+    EXPECT_TRUE(refused(&StreamSettings::max_slope, kNan));
+    EXPECT_TRUE(refused(&StreamSettings::creep, -1.0));
+    const auto invalid = ErrorKind::invalid_value;
+    EXPECT_EQ(refusal({}, 1, 16, 10.0, rough_source()), invalid);
+    EXPECT_EQ(refusal({}, 16, 0, 10.0, rough_source()), invalid);
+    EXPECT_EQ(refusal({}, 65536, 65536, 10.0, rough_source()), invalid);
+    EXPECT_EQ(refusal({}, 16, 16, 0.0, rough_source()), invalid);
+}
+
+TEST(StreamGrid, RefusesLevelsOfWrongSizesOrNumbers) {
+    const auto refused = [](const std::function<void(StreamLevel&)>& spoil) {
+        return refusal({}, 16, 16, 10.0, [&](int columns, int rows, double) {
+                   StreamLevel level = rough_level(columns, rows);
+                   spoil(level);
+                   return level;
+               }) == ErrorKind::invalid_value;
+    };
+    EXPECT_FALSE(refused([](StreamLevel&) {}));
+    EXPECT_TRUE(refused([](StreamLevel& level) { level.start.pop_back(); }));
+    EXPECT_TRUE(refused([](StreamLevel& level) { level.uplift.clear(); }));
+    EXPECT_TRUE(refused([](StreamLevel& level) { level.outlet.push_back(0); }));
+    EXPECT_TRUE(refused([](StreamLevel& level) { level.start[200] = std::nanf(""); }));
+    EXPECT_TRUE(refused([](StreamLevel& level) { level.start[200] = 1e30f; }));
+    EXPECT_TRUE(refused([](StreamLevel& level) { level.uplift[255] = 1.5f; }));
+    EXPECT_TRUE(refused([](StreamLevel& level) { level.uplift[255] = std::nanf(""); }));
+}
+
+}  // namespace
+}  // namespace ocean
