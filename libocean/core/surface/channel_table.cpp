@@ -49,7 +49,7 @@ const ChannelInfo& channel_info(Channel channel, std::span<const ChannelInfo> ho
 
 namespace {
 
-/// Calls visit(row) for each channel of the set.
+/// Calls visit(row) for each channel of the set that is no mask. Throws for those without a row.
 template <typename Visit>
 void for_each_channel(ChannelSet channels, std::span<const ChannelInfo> host_channels,
                       const Visit& visit) {
@@ -58,7 +58,10 @@ void for_each_channel(ChannelSet channels, std::span<const ChannelInfo> host_cha
         if (channels.contains(channel)) visit(channel_info(channel, host_channels));
     }
     for (int c = kMaxChannels; c <= kChannelNumbers; ++c) {
-        if (channels.contains(static_cast<Channel>(c))) refuse_channel(c, host_channels.size());
+        const auto channel = static_cast<Channel>(c);
+        if (channels.contains(channel) && !is_mask(channel)) {
+            refuse_channel(c, host_channels.size());
+        }
     }
 }
 
@@ -66,6 +69,11 @@ void for_each_channel(ChannelSet channels, std::span<const ChannelInfo> host_cha
 
 void require_channels(ChannelSet channels, std::span<const ChannelInfo> host_channels) {
     for_each_channel(channels, host_channels, [](const ChannelInfo&) {});
+    for (const Product& mask : kMaskProducts) {
+        if (!channels.intersects(mask.set())) continue;
+        throw Error(ErrorKind::unsupported,
+                    "only a terrain has the mask " + std::string(mask.name));
+    }
 }
 
 LinearSet fields_of(ChannelSet channels, bool flat, std::span<const ChannelInfo> host_channels) {

@@ -283,7 +283,8 @@ static_assert(kChannelCount <= kMaxChannels);
 /// Returns the channel's row, also that of a mask; `host_channels` are the rows that a host adds.
 /// Throws Error invalid_value for a channel without a row.
 const ChannelInfo& channel_info(Channel channel, std::span<const ChannelInfo> host_channels = {});
-/// Throws Error invalid_value if one of the channels has no row or is a mask of a land.
+/// Throws Error invalid_value if one of the channels has no row, and unsupported for a mask of a
+/// land, which no waves have.
 void require_channels(ChannelSet channels, std::span<const ChannelInfo> host_channels = {});
 /// Returns the linear fields that the channels are computed from; `flat`: at choppiness 0.
 LinearSet fields_of(ChannelSet channels, bool flat = false,
