@@ -10,7 +10,7 @@
 // about 64 x 64 cells to the finest one, so that trunk valleys are those of the coarse land at
 // every resolution. Areas are in square metres and never below `hillslope_area`, so that the cell
 // drops out. Soil creep rounds the crests, and at last every cell drains to an outlet. Tests:
-// stream_power_test.cpp.
+// stream_power_test.cpp, stream_grid_test.cpp.
 //
 // This is no simulation of time: there is one solution for each `age`, found without time steps.
 #pragma once
@@ -40,9 +40,11 @@ struct StreamSettings {
 
 /// The land of one level, row-major from the south-west.
 struct StreamLevel {
-    std::vector<float> start;          // heights before erosion [m]
-    std::vector<float> uplift;         // relative, 0 .. 1; less than 0.001 counts as that
-    std::vector<std::uint8_t> outlet;  // 1: water leaves here, and the height stays `start`
+    std::vector<float> start;   // heights before erosion [m]
+    std::vector<float> uplift;  // relative, 0 .. 1; less than 0.001 counts as that
+    /// 1: water leaves here, and the height stays `start`. Creep carries soil of the land into
+    /// outlets, down to their own heights: outlets along a coast are at sea level, not at its bed.
+    std::vector<std::uint8_t> outlet;
 };
 
 /// Returns the land of columns x rows cells of side `cell` [m], from the south-west corner of the
