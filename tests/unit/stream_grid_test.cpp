@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -14,6 +15,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/stream_power.hpp"
+#include "terrain/stream_coarse.hpp"
 #include "terrain/stream_flood.hpp"
 #include "terrain/stream_heights.hpp"
 #include "terrain/stream_tree.hpp"
@@ -172,6 +174,27 @@ TEST(StreamGrid, FloodLeavesAHollowByItsLowestRim) {
     EXPECT_NEAR(heights[grid.index(3, 3)], 5.0f, 1e-3f);
 }
 
+TEST(StreamGrid, TheWayOutOfAHollowFollowsItsValley) {
+    // A floor of 2 with a trench of 1 along j = 3, within a rim of 9 whose gap is at the trench.
+    const StreamGrid grid{9, 5, 1.0};
+    std::vector<float> heights(grid.size(), 2.0f);
+    std::vector<std::uint8_t> directions(grid.size(), kUnseen);
+    for (int j = 0; j < 5; ++j) {
+        heights[grid.index(0, j)] = heights[grid.index(7, j)] = 9.0f;
+        heights[grid.index(8, j)] = 0.0f;
+        directions[grid.index(8, j)] = kOutlet;
+    }
+    for (int i = 1; i < 7; ++i) heights[grid.index(i, 3)] = 1.0f;
+    heights[grid.index(7, 3)] = 5.0f;
+    ThreadPool pool(1);
+    const StreamProgress none;
+    StreamWork work(pool, none, 1.0);
+    flood(grid, FloodTo::carve, heights, directions, work);
+    for (int i = 1; i < 7; ++i) {
+        EXPECT_EQ(directions[grid.index(i, 3)], kFlooded | 0) << "cell " << i;  // to the east
+    }
+}
+
 TEST(StreamGrid, FloodTiesGoByIndex) {
     // Level ground of two outlets: each cell joins the way that came first.
     const StreamGrid grid{9, 3, 1.0};
@@ -187,6 +210,87 @@ TEST(StreamGrid, FloodTiesGoByIndex) {
     EXPECT_EQ(heights[grid.index(3, 1)], heights[grid.index(5, 1)]);
     // (4, 0) is reached from (3, 0), the first of the cells of its height.
     EXPECT_EQ(directions[grid.index(4, 0)] & kDirectionBits, 4);
+}
+
+/// Returns the share of cells of a plane, inside its border, that drain to direction 0, east, or
+/// else to direction 1, of a plane that falls at `angle` [degrees] from east to north.
+std::array<double, 2> shares_of_plane(double angle, std::uint32_t seed) {
+    const StreamGrid grid{64, 64, 10.0};
+    std::vector<float> heights(grid.size());
+    std::vector<std::uint8_t> directions(grid.size(), 6);
+    const double turn = angle / 180.0 * 3.14159265358979;
+    for (int j = 0; j < 64; ++j) {
+        for (int i = 0; i < 64; ++i) {
+            heights[grid.index(i, j)] =
+                static_cast<float>(-5.0 * (std::cos(turn) * i + std::sin(turn) * j));
+        }
+    }
+    ThreadPool pool(1);
+    const StreamProgress none;
+    StreamWork work(pool, none, 1.0);
+    choose_receivers(grid, seed, heights, directions, work);
+    std::array<double, 2> shares{};
+    for (int j = 1; j < 63; ++j) {
+        for (int i = 1; i < 63; ++i) {
+            const std::uint8_t q = directions[grid.index(i, j)];
+            if (q < 2) shares[q] += 1.0 / (62.0 * 62.0);
+        }
+    }
+    return shares;
+}
+
+TEST(StreamGrid, CellsDrainDownTheSteepestSlopeAndTakeTurnsBetweenTwo) {
+    EXPECT_GT(shares_of_plane(2.0, 1)[0], 0.99);
+    EXPECT_GT(shares_of_plane(43.0, 1)[1], 0.99);
+    const std::array<double, 2> between = shares_of_plane(22.5, 1);
+    EXPECT_NEAR(between[0], 0.5, 0.05);
+    EXPECT_NEAR(between[1], 0.5, 0.05);
+    const std::array<double, 2> nearer = shares_of_plane(18.0, 1);
+    EXPECT_NEAR(nearer[0], 0.7, 0.05);
+    EXPECT_NEAR(nearer[1], 0.3, 0.05);
+    EXPECT_NE(between, shares_of_plane(22.5, 2));
+}
+
+TEST(StreamGrid, AFinerLevelReadsTheChangeOfTheCoarserOneAroundItsPlace) {
+    const StreamGrid grid{40, 30, 8.0};
+    std::vector<float> start(grid.size()), heights(grid.size());
+    for (int j = 0; j < grid.rows; ++j) {
+        for (int i = 0; i < grid.columns; ++i) {
+            const CellIndex p = grid.index(i, j);
+            start[p] = static_cast<float>(hash_of(3, i, j) % 1000);
+            heights[p] = start[p] + 5.0f * static_cast<float>(i) + 3.0f * static_cast<float>(j);
+        }
+    }
+    const CoarseHeights coarse(1, grid, start, heights), other(2, grid, start, heights);
+    double sum = 0.0, square = 0.0, seeds = 0.0;
+    for (int j = 4; j < 56; ++j) {
+        for (int i = 4; i < 76; ++i) {
+            const double at_centre = 5.0 * (0.5 * i - 0.25) + 3.0 * (0.5 * j - 0.25);
+            const double shift = static_cast<double>(coarse.change_at(i, j)) - at_centre;
+            ASSERT_LE(std::abs(shift), 0.6 * (5.0 + 3.0) + 1e-3);
+            sum += shift / (72.0 * 52.0);
+            square += shift * shift / (72.0 * 52.0);
+            seeds += std::abs(static_cast<double>(coarse.change_at(i, j) - other.change_at(i, j)));
+        }
+    }
+    EXPECT_NEAR(sum, 0.0, 0.2);
+    EXPECT_GT(std::sqrt(square), 0.5);
+    EXPECT_GT(seeds, 1.0);
+}
+
+TEST(StreamGrid, YoungLandIsAtTheHeightOfItsOutlets) {
+    ThreadPool pool(1);
+    StreamSettings settings;
+    settings.age = 0.0;
+    StreamLevel level = rough_level(60, 50);
+    for (std::size_t p = 0; p < level.start.size(); ++p) {
+        if (level.outlet[p] != 0) level.start[p] = -700.0f;
+    }
+    const StreamLand land = carve(
+        settings, 60, 50, 10.0, [&](int, int, double) { return level; }, pool);
+    const auto [low, high] = std::ranges::minmax(land.height);
+    EXPECT_EQ(low, -700.0f);
+    EXPECT_LT(high, -699.9f);
 }
 
 TEST(StreamGrid, SteadySlopeIsThePowerLawOfArea) {

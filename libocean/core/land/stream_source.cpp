@@ -20,7 +20,7 @@ constexpr double kFullUplift = 0.5;     // relative height from which uplift is 
 /// Summits of the start over those of hillslopes from the shore to the middle of the land: low, so
 /// that valleys find their own way.
 constexpr double kStartRelief = 0.1;
-constexpr float kOutletDepth = 0.5f;  // below the level [m]
+constexpr float kMinDepth = 0.5f;  // of the sea [m]
 
 /// Heights before erosion on the cells of a level.
 struct Cells {
@@ -113,7 +113,7 @@ StreamSource stream_source(const Terrain& terrain, const SplinePyramid& base, do
             const double above = static_cast<double>(cells.height[i]) - foot;
             const double rise = (static_cast<double>(cells.smooth[i]) - foot) / highest;
             land.start.push_back(land.outlet[i] != 0
-                                     ? static_cast<float>(foot) - kOutletDepth
+                                     ? static_cast<float>(foot)
                                      : static_cast<float>(foot + scale * std::max(above, 0.0)));
             land.uplift.push_back(static_cast<float>(
                 kMinUplift + (1.0 - kMinUplift) * std::clamp(rise / kFullUplift, 0.0, 1.0)));
@@ -138,7 +138,7 @@ std::vector<float> with_sea_bed(const StreamLand& land, const SplinePyramid& bas
                 if (sea[at] == 0) continue;
                 const auto [x, y] = domain.place(i, j);
                 heights[at] = std::min(static_cast<float>(bed.value_at(x, y) + offset),
-                                       static_cast<float>(level) - kOutletDepth);
+                                       static_cast<float>(level) - kMinDepth);
             }
         }
     });

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a level hands to the next finer one: by how much erosion has changed its heights.
+// The change of heights by erosion that a level hands to the next finer one.
 #pragma once
 
 #include <cstdint>

@@ -146,10 +146,12 @@ void set_age(StreamLand& land, double age, ThreadPool& pool, const StreamProgres
 std::uint64_t stream_bytes(int columns, int rows) {
     const std::uint64_t cells =
         static_cast<std::uint64_t>(columns) * static_cast<std::uint64_t>(rows);
-    constexpr std::uint64_t kLevel = 4 + 4 + 1;
-    constexpr std::uint64_t kTree = 10 + 1;
-    constexpr std::uint64_t kSolve = kLevel + kTree + 4 + 1 + 2 + 16;
-    return cells * kSolve;
+    // While the age is set: five maps and the tree; three new maps, directions and channels; lists
+    // of the flood and the stems. carve: 40.
+    constexpr std::uint64_t kLand = 5 * 4 + 10;
+    constexpr std::uint64_t kNewMaps = 3 * 4 + 1 + 4;
+    constexpr std::uint64_t kLists = 7;  // at most 5.5 for any land that was tried
+    return cells * (kLand + kNewMaps + kLists);
 }
 
 }  // namespace ocean

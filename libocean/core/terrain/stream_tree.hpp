@@ -26,8 +26,9 @@ inline constexpr double kCountWork = 15.0;
 inline constexpr double kWalkWork = 20.0;
 
 /// Points each cell that is neither an outlet nor kFlooded to its steepest lower neighbour, and
-/// leaves the direction of one that has none. A hash of the place weights the slopes by up to 15 %,
-/// because valleys would else keep to the eight directions of the grid.
+/// leaves the direction of one that has none. A hash of the place weights the slopes by up to 15 %
+/// to each side, because valleys would else keep to the eight directions of the grid: a choice by
+/// chance between neighbours, as in [Fairfield and Leymarie 1991].
 void choose_receivers(const StreamGrid& grid, std::uint32_t seed, std::span<const float> heights,
                       std::span<std::uint8_t> directions, StreamWork& work);
 

@@ -16,7 +16,7 @@ namespace ocean {
 
 class StreamWork {
   public:
-    /// total: the cells that all passes will visit, weighted by cost_ns of each pass.
+    /// total: the work of all passes [ns of one thread], as all work here; a rough measure.
     StreamWork(ThreadPool& pool, const StreamProgress& progress, double total)
         : pool_(pool), progress_(progress), total_(total) {}
 
@@ -24,7 +24,7 @@ class StreamWork {
     /// calling thread after at most 0.1 s of work.
     void add(double work);
     /// Calls body(item) for items of about `work` each on all threads, with calls of progress
-    /// between batches. Which thread runs an item is open: items are independent.
+    /// between batches. Any thread runs an item: they are independent.
     void each(int count, double work, const std::function<void(int item)>& body);
     /// Calls body(first, last) for blocks of rows of a grid; `cost` is the work of a cell.
     void rows(const StreamGrid& grid, double cost,

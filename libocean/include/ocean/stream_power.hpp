@@ -10,7 +10,7 @@
 // about 64 x 64 cells to the finest one, so that trunk valleys are those of the coarse land at
 // every resolution. Areas are in square metres and never below `hillslope_area`, so that the cell
 // drops out. Soil creep rounds the crests, and at last every cell drains to an outlet. Tests:
-// stream_power_test.cpp.
+// stream_power_test.cpp, stream_grid_test.cpp.
 //
 // This is no simulation of time: there is one solution for each `age`, found without time steps.
 #pragma once
@@ -40,14 +40,17 @@ struct StreamSettings {
 
 /// The land of one level, row-major from the south-west.
 struct StreamLevel {
-    std::vector<float> start;          // heights before erosion [m]
-    std::vector<float> uplift;         // relative, 0 .. 1; less than 0.001 counts as that
-    std::vector<std::uint8_t> outlet;  // 1: water leaves here, and the height stays `start`
+    std::vector<float> start;   // heights before erosion [m]
+    std::vector<float> uplift;  // relative, 0 .. 1; less than 0.001 counts as that
+    /// 1: water leaves here, and the height stays `start`. Creep carries soil of the land into
+    /// outlets, down to their own heights: outlets along a coast are at sea level, not at its bed.
+    std::vector<std::uint8_t> outlet;
 };
 
-/// Returns the land of columns x rows cells of side `cell` [m] from the south-west corner of the
-/// finest level. The sides of coarser levels are rounded up, so they may reach beyond the others by
-/// less than a cell of their own. Called once for each level, from the coarsest.
+/// Returns the land of columns x rows cells of side `cell` [m], from the south-west corner of the
+/// finest level on. Coarser levels have half as many cells a side, rounded up, of twice the side,
+/// so that they may reach beyond finer ones by a part of a cell. Called once for each level, from
+/// the coarsest, by the calling thread.
 using StreamSource = std::function<StreamLevel(int columns, int rows, double cell)>;
 
 /// Receives the share of the work done, 0 .. 1. Called by the calling thread at least five times a
@@ -64,21 +67,23 @@ struct StreamLand {
     double cell = 0.0;         // [m]
     PageVector<float> height;  // [m]; every cell that is no outlet has a lower neighbour
     PageVector<float> area;    // that drains through the cell, with its own [m2]
-    /// 0 .. 1: A^2 / (A^2 + a^2) of the drainage area A, a = kChannelArea; 0 in outlets.
+    /// 0 .. 1: A^2 / (A^2 + a^2), the drainage area A, a = kChannelArea; 0 in outlets.
     PageVector<float> channel;
-    /// 0 .. 1: ln(A / (w S)) [Beven and Kirkby 1979] from kDryIndex to kWetIndex, with the cell's
-    /// width w [m] and the slope S of the surface, at least 0.001; 1 in outlets.
+    /// 0 .. 1: ln(A / (w S)) [Beven and Kirkby 1979] from kDryIndex to kWetIndex, the width w of a
+    /// cell [m], the slope S of the surface, at least 0.001; 1 in outlets.
     PageVector<float> wetness;
-    /// 0 .. 1: ground that the nearest channel downstream floods, with sediment: (1 - d / f) (1 - S
-    /// / kMaxDepositSlope), the height d above that channel [Nobre 2011] and the depth of its
-    /// floods f = kFloodDepth (A / 1 km2)^0.4 [Leopold and Maddock 1953]; 0 in outlets.
+    /// 0 .. 1: loose ground, the greater of soil and alluvium; 0 in outlets. Soil is d / (d +
+    /// kSoilDepth), d the thickness by which creep and the last flood cover the carved bed.
+    /// Alluvium is 1 - h / f where that is positive, h the height above the nearest channel
+    /// downstream, of kChannelArea at least [Nobre 2011], and f the depth of its floods,
+    /// kFloodDepth (A / 1 km2)^0.4 [Leopold and Maddock 1953].
     PageVector<float> deposit;
     StreamSettings settings;
     std::shared_ptr<const StreamTree> tree;
 };
 
 inline constexpr double kChannelArea = 6e4;  // [m2]
-inline constexpr double kDryIndex = 4.0;     // ln of [1]
+inline constexpr double kDryIndex = 4.0;
 inline constexpr double kWetIndex = 13.0;
 inline constexpr double kFloodDepth = 3.0;  // at 1 km2 [m]
 inline constexpr double kSoilDepth = 4.0;   // [m]
@@ -104,8 +109,8 @@ StreamLand carve(const StreamSettings& settings, int columns, int rows, double c
 /// the exact solution for any uplift, Z the steady heights [Royden and Perron 2013].
 void set_age(StreamLand& land, double age, ThreadPool& pool, const StreamProgress& progress = {});
 
-/// Returns the bytes that carve needs at most for the finest level, with what the source returns
-/// and with the land that it gives back. Typical land needs two thirds of them.
+/// Returns the bytes that carve or a later set_age needs at most, with the finest level of the
+/// source and with the land: 54 a cell. The land alone has 30 a cell, and 2 for its stems.
 std::uint64_t stream_bytes(int columns, int rows);
 
 }  // namespace ocean
