@@ -6,6 +6,7 @@
 // [terrain.base_heights].
 #include "ocean/terrainfile.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -198,9 +199,27 @@ Terrain read_terrain(const std::string& path) {
     return parse_terrain(content, path, text::to_utf8(utf8_path(path).parent_path()));
 }
 
+namespace {
+
+/// Returns true if a section has a key of another value than its neutral one: its text then has a
+/// header, which a reader takes as switched on unless its switch says otherwise.
+bool has_other_keys(const Terrain& terrain, const TerrainRow& first) {
+    return std::ranges::any_of(terrain_table().rows, [&](const TerrainRow& row) {
+        return row.section == first.section && &row != &first &&
+               !row.is_left_out(row.member.get(terrain, 0));
+    });
+}
+
+}  // namespace
+
 std::string write_terrain(const Terrain& terrain) {
     validate(terrain);
-    const auto line = [&](const RefOf<Terrain>& ref) { return parameter_line(terrain, ref); };
+    const auto line = [&](const RefOf<Terrain>& ref) {
+        const std::string own = parameter_line(terrain, ref);
+        const bool must_say_off = own.empty() && switch_of(*ref.info) == ref.info &&
+                                  has_other_keys(terrain, *ref.info);
+        return must_say_off ? std::string(ref.info->key) + " = 0.0\n" : own;
+    };
     const auto rings = [&](std::string_view section, std::size_t) {
         if (section != kTerrainKind) return std::string();
         return rings_text(terrain) +

@@ -116,11 +116,55 @@ Preset jacksboro() {
         terrain);
 }
 
+Preset big_tujunga() {
+    Terrain terrain;
+    terrain.resolution = 1024;
+    terrain.patch_size = 16384.0;
+    terrain.rms = 300.0;
+    terrain.mean = 1200.0;
+    terrain.beta = 1.67;
+    terrain.breaks = {{440.0, 2.65}};
+    terrain.outer_scale = 12000.0;
+    terrain.gullies.depth = 0.05;
+    terrain.gullies.longest = 700.0;
+    return make_preset(
+        "big_tujunga", "steep mountains cut by gullies: slopes of 22 degrees, 42 at the steepest",
+        "The law of `tujunga`, whose waves below 1.6 km gave way to gullies along the fall line.\n"
+        "The slopes that 50, 90 and 99 % of the land do not exceed are within 3 degrees of those\n"
+        "of the elevation model, 22.1, 33.4 and 41.5 degrees at cells of 30 m.",
+        terrain);
+}
+
+Preset bay_island() {
+    Terrain terrain;
+    terrain.kind = TerrainKind::placed;
+    terrain.resolution = 1024;
+    terrain.patch_size = 16384.0;
+    terrain.seed = 8;
+    terrain.rms = 200.0;
+    terrain.mean = 620.0;
+    terrain.island = 1000.0;
+    terrain.beta = 1.9;
+    terrain.breaks = {{1500.0, 2.5}};
+    terrain.outer_scale = 9000.0;
+    terrain.detail_wavelength = 1.0;
+    terrain.stream.slope = StreamSettings{}.slope;
+    terrain.coast.beach_slope = 0.0333;
+    return make_preset(
+        "bay_island", "an island with valleys, beaches in its bays and cliffs at its capes",
+        "A land that exists once: streams cut it until they carry away what rises, the shore has\n"
+        "beaches of 1 in 30 where it is sheltered, and waves down to 1 m are added below the cell\n"
+        "of 16 m. Heights are over the water.",
+        terrain);
+}
+
 std::vector<Preset> make_presets() {
     return {gabilan_mesa(),
             earth(),
             tujunga(),
             jacksboro(),
+            big_tujunga(),
+            bay_island(),
             seed_fbm("seed_smooth", 2.4, "smooth"),
             seed_fbm("seed_rough", 2.0, "rougher")};
 }

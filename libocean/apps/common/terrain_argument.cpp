@@ -40,10 +40,21 @@ Terrain read_source(const std::string& source) {
 
 void assign(Terrain& terrain, const std::string& name, std::string value) {
     const auto ref = find_parameter(terrain_table(), name);
-    if (ref.info->holds<&Terrain::measured>() && !value.empty()) {
+    const bool names_file =
+        ref.info->holds<&Terrain::measured>() || ref.info->holds<&Terrain::base>();
+    if (names_file && !value.empty()) {
         value = text::to_utf8(std::filesystem::absolute(utf8_path(value)));
     }
     set_parameter(terrain, name, value);
+}
+
+/// Throws for a parameter of a section that is switched off: setting it would do nothing.
+void require_effect(const Terrain& terrain, const std::string& name) {
+    const auto ref = find_parameter(terrain_table(), name);
+    const TerrainRow* const first = switch_of(*ref.info);
+    if (first == ref.info || !is_switched_off(terrain, *ref.info)) return;
+    throw Error(ErrorKind::invalid_value,
+                "--set " + name + ": has no effect while " + first->path() + " is 0; set that too");
 }
 
 }  // namespace
@@ -63,6 +74,9 @@ Terrain open_terrain(const TerrainArgument& argument) {
     for (const std::string& text : argument.assignments) {
         const Assignment set = parse_assignment(text, "beta=2.2");
         assign(terrain, set.name, set.value);
+    }
+    for (const std::string& text : argument.assignments) {
+        require_effect(terrain, parse_assignment(text, "beta=2.2").name);
     }
     resolve_files(terrain, "");
     validate(terrain);

@@ -8,8 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <memory>
-#include <vector>
 
 #include "ocean/grid.hpp"
 #include "ocean/terrain_law.hpp"
@@ -51,6 +49,7 @@ BaseDetail::BaseDetail(const TerrainBase& base, double shortest)
       cell_(std::sqrt(base.model.domain.step(0) * base.model.domain.step(1))),
       nyquist_(kPi / cell_),
       longest_(kTwoPi / (kFirstDetail * nyquist_)),
+      shortest_(shortest),
       has_waves_(shortest > 0.0 && shortest < longest_) {
     double count = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
     const auto fit = [&](double low, double high) {
@@ -109,21 +108,8 @@ double BaseDetail::of_base(double k) const {
 }
 
 RadialDensity BaseDetail::density() const {
-    // A table over log k: the tiles ask for each of their waves.
-    constexpr int kPerOctave = 32;
-    constexpr double kOctaves = 16.0;
-    const double first = kFirstDetail * nyquist_;
-    auto table = std::make_shared<std::vector<double>>();
-    for (int i = 0; i <= static_cast<int>(kOctaves * kPerOctave) + 1; ++i) {
-        const double k = first * std::exp2(static_cast<double>(i) / kPerOctave);
-        table->push_back(std::max(0.0, law(k) - of_base(k)));
-    }
-    return [table, first](double k) {
-        const double at = kPerOctave * std::log2(k / first);
-        if (!(at >= 0.0) || at >= static_cast<double>(table->size() - 1)) return 0.0;
-        const auto i = static_cast<std::size_t>(at);
-        return (*table)[i] + (at - static_cast<double>(i)) * ((*table)[i + 1] - (*table)[i]);
-    };
+    return tabulated([this](double k) { return std::max(0.0, law(k) - of_base(k)); },
+                     kTwoPi / longest_, kTwoPi / shortest_);
 }
 
 double default_base_error(const TerrainBase& base) {
@@ -147,17 +133,19 @@ double default_base_error(const TerrainBase& base) {
     return 0.1 * slope * std::max(domain.step(0), domain.step(1));
 }
 
-RadialDensity waves_below_lattice(const Terrain& terrain, double gain) {
+RadialDensity waves_below_lattice(const Terrain& terrain, double gain, double shortest) {
     const TerrainLaw law(terrain);
     const double nyquist = kPi / (terrain.patch_size / terrain.resolution);
-    return [law, nyquist, gain](double k) {
+    const auto density = [&](double k) {
         return gain * gain * mean_of_directions([&](double cosine, double sine) {
-                   // Both diagonals of the quarter, for laws with a direction.
+                   // The lattice has the waves within the square; both diagonals of the quarter,
+                   // for laws with a direction.
                    if (k * std::max(cosine, sine) < nyquist) return 0.0;
                    return 0.5 * (law.density(k * cosine, k * sine) +
                                  law.density(-k * sine, k * cosine));
                });
     };
+    return tabulated(density, nyquist, kTwoPi / shortest);
 }
 
 }  // namespace ocean

@@ -36,15 +36,15 @@ class BaseDetail {
     double cell_;
     double nyquist_;
     double log_density_ = 0.0, slope_ = 0.0;  // of the law: at log k = 0
-    double longest_;
+    double longest_, shortest_;
     bool has_waves_;
 };
 
 /// Returns a tenth of the rms slope of the base times its cell [m].
 double default_base_error(const TerrainBase& base);
 
-/// Returns the density of the waves that a terrain's law has and its lattice does not: beyond the
-/// square of its Nyquist lines, the mean of all directions.
-RadialDensity waves_below_lattice(const Terrain& terrain, double gain);
+/// Returns the density of the waves down to `shortest` [m] that a terrain's law has and its lattice
+/// does not: beyond the square of its Nyquist lines, the mean of all directions.
+RadialDensity waves_below_lattice(const Terrain& terrain, double gain, double shortest);
 
 }  // namespace ocean

@@ -5,6 +5,7 @@
 #include "land/build_field.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -40,7 +41,9 @@ std::shared_ptr<const SplinePyramid> wave_pyramid(const Terrain& terrain, const 
         make_surface(modes, flat, 0.0, {Channel::height}, Backend::cpu, pool, side);
     Domain domain = Domain::tile(terrain.patch_size, side);
     domain.origin = origin;
-    return std::make_shared<const SplinePyramid>(domain, map.channel(Channel::height), pool);
+    const int oversampled = std::bit_width(static_cast<unsigned>(side / terrain.resolution)) - 1;
+    return std::make_shared<const SplinePyramid>(domain, map.channel(Channel::height), pool,
+                                                 oversampled);
 }
 
 /// Returns true if waves finer than the smallest gullies fit on the terrain's grid.
@@ -283,11 +286,11 @@ class Builder {
     void add_detail() {
         const double shortest = detail_wavelength(terrain_);
         if (shortest <= 0.0 || terrain_.base_model != nullptr) return;
-        const RadialDensity density = waves_below_lattice(terrain_, waves_.gain);
         const double longest = lattice_of(terrain_).shortest_wavelength();
         if (shortest >= longest) return;
-        parts_.detail = std::make_shared<const FineWaves>(density, longest, shortest,
-                                                          terrain_.seed, pool_);
+        parts_.detail = std::make_shared<const FineWaves>(
+            waves_below_lattice(terrain_, waves_.gain, shortest), longest, shortest, terrain_.seed,
+            pool_);
     }
 
     const Terrain& terrain_;

@@ -134,13 +134,28 @@ double ring_variance(const RadialDensity& density, double k0, double k1) {
     return kTwoPi * step * sum;
 }
 
+RadialDensity tabulated(const RadialDensity& density, double k0, double k1) {
+    constexpr int kPerOctave = 64;
+    std::vector<double> table;
+    const int last = static_cast<int>(std::ceil(kPerOctave * std::log2(k1 / k0))) + 1;
+    for (int i = 0; i <= last; ++i) {
+        table.push_back(density(k0 * std::exp2(static_cast<double>(i) / kPerOctave)));
+    }
+    return [table = std::move(table), k0](double k) {
+        const double at = kPerOctave * std::log2(k / k0);
+        if (!(at >= 0.0) || at >= static_cast<double>(table.size() - 1)) return 0.0;
+        const auto i = static_cast<std::size_t>(at);
+        return table[i] + (at - static_cast<double>(i)) * (table[i + 1] - table[i]);
+    };
+}
+
 FineWaves::FineWaves(const RadialDensity& density, double longest, double shortest,
                      std::uint32_t seed, ThreadPool& pool) {
     for (const Band& band : bands_of(longest, shortest)) {
         const auto number = static_cast<std::uint32_t>(tiles_.size());
         const std::uint32_t own_seed = place_hash(number, 0x66696E65u, seed);
         tiles_.push_back({SplinePyramid(Domain::tile(band.period(), band.resolution()),
-                                        tile_heights(density, band, own_seed, pool), pool),
+                                        tile_heights(density, band, own_seed, pool), pool, 1),
                           band.period(), kWavesOfSpacing * band.longest, band.longest, own_seed});
         const Rings rings(band);
         for (std::size_t r = 0; r < rings.count(); ++r) {

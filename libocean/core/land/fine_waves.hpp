@@ -56,6 +56,9 @@ class FineWaves {
     double variance_ = 0.0;
 };
 
+/// Returns the density as a table from k0 to k1 [rad/m], straight lines over log k, 64 to an octave;
+/// 0 beyond. Tiles ask for the density of each of their waves.
+RadialDensity tabulated(const RadialDensity& density, double k0, double k1);
 /// Returns the integral of the density over the ring of k0 .. k1 [rad/m]: a variance [m^2].
 double ring_variance(const RadialDensity& density, double k0, double k1);
 

@@ -232,13 +232,28 @@ bool can_be_halved(const Domain& domain) {
 
 }  // namespace
 
-SplinePyramid::SplinePyramid(const Domain& domain, std::span<const float> samples,
-                             ThreadPool& pool) {
+std::vector<float> decimated(const Domain& domain, std::span<const float> samples) {
+    const Domain half = halved(domain);
+    std::vector<float> result;
+    result.reserve(half.count());
+    for (int j = 0; j < half.samples[1]; ++j) {
+        for (int i = 0; i < half.samples[0]; ++i) {
+            result.push_back(samples[static_cast<std::size_t>(2 * j) *
+                                         static_cast<std::size_t>(domain.samples[0]) +
+                                     static_cast<std::size_t>(2 * i)]);
+        }
+    }
+    return result;
+}
+
+SplinePyramid::SplinePyramid(const Domain& domain, std::span<const float> samples, ThreadPool& pool,
+                             int oversampled) {
     levels_.emplace_back(domain, samples, pool);
     Domain at = domain;
     std::vector<float> coarse;
     while (can_be_halved(at)) {
-        coarse = halved(at, coarse.empty() ? samples : std::span<const float>(coarse), pool);
+        const std::span<const float> finer = coarse.empty() ? samples : std::span(coarse);
+        coarse = oversampled-- > 0 ? decimated(at, finer) : halved(at, finer, pool);
         at = halved(at);
         levels_.emplace_back(at, coarse, pool);
     }

@@ -58,14 +58,18 @@ class SplineGrid {
 /// 0 -1) / 32, which keeps waves of four new samples to 2 % [Deslauriers and Dubuc 1989]. A domain
 /// that wraps needs even counts of samples; one that exists once ends at its last even sample.
 std::vector<float> halved(const Domain& domain, std::span<const float> samples, ThreadPool& pool);
+/// Returns every other sample as it is.
+std::vector<float> decimated(const Domain& domain, std::span<const float> samples);
 /// Returns the domain of these samples.
 Domain halved(const Domain& domain);
 
 /// Splines of a grid and of its halved versions.
 class SplinePyramid {
   public:
-    /// Makes the levels down to about 16 samples along the shorter side.
-    SplinePyramid(const Domain& domain, std::span<const float> samples, ThreadPool& pool);
+    /// Makes the levels down to about 16 samples along the shorter side. A map whose shortest wave
+    /// has 2^(n + 1) samples is `oversampled` n times: so many levels keep its samples unfiltered.
+    SplinePyramid(const Domain& domain, std::span<const float> samples, ThreadPool& pool,
+                  int oversampled = 0);
 
     /// Returns the level for maps whose samples lie `cell` apart [m]: the coarsest whose samples
     /// are no farther apart.

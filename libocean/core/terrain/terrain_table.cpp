@@ -250,6 +250,19 @@ std::string get_parameter(const Terrain& terrain, std::string_view name) {
     return to_text(value_of(terrain, find_parameter(kTable, name)));
 }
 
+const TerrainRow* switch_of(const TerrainRow& row) {
+    if (!row.section.starts_with("terrain.") || row.in_list()) return nullptr;
+    for (const TerrainRow& first : kTable.rows) {
+        if (first.section == row.section) return &first;
+    }
+    return nullptr;
+}
+
+bool is_switched_off(const Terrain& terrain, const TerrainRow& row) {
+    const TerrainRow* const first = switch_of(row);
+    return first != nullptr && first->member.get(terrain, 0) == ParameterValue(0.0);
+}
+
 std::optional<TerrainStage> first_dirty_stage(const Terrain& before, const Terrain& after) {
     if (before.layers.size() != after.layers.size()) return TerrainStage::noise;
     std::optional<TerrainStage> first;

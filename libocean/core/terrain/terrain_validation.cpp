@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "ocean/error.hpp"
@@ -150,28 +149,6 @@ void validate_gullies(const Terrain& terrain) {
            "at most a quarter of terrain.patch_size, " + to_text(most) + " m");
 }
 
-/// Throws if a key of a section has another value than its neutral one while the section's first
-/// key, which switches it on, is 0.
-void validate_switched_off(const Terrain& terrain) {
-    std::string_view section, key;
-    bool is_off = false;
-    for (const TerrainRow& row : terrain_table().rows) {
-        if (!row.section.starts_with("terrain.") || row.in_list()) continue;
-        const ParameterValue value = row.member.get(terrain, 0);
-        if (row.section != section) {
-            section = row.section;
-            key = row.key;
-            is_off = value == ParameterValue(0.0);
-            continue;
-        }
-        if (!is_off || row.is_left_out(value)) continue;
-        const std::string path = row.path();
-        const std::string first = std::string(section) + "." + std::string(key);
-        refuse(path.c_str(), value, ("has no effect while " + first + " is 0").c_str(),
-               "no value, or another " + first);
-    }
-}
-
 /// Throws for a range of a land that is more than waves, which alone could be scaled to it.
 void validate_shaped_range(const Terrain& terrain) {
     if (terrain.range.empty() || !terrain.is_shaped()) return;
@@ -183,7 +160,6 @@ void validate_shaped_range(const Terrain& terrain) {
 }  // namespace
 
 void validate(const Terrain& terrain) {
-    validate_switched_off(terrain);
     validate_placed(terrain);
     validate_base(terrain);
     validate_gullies(terrain);

@@ -37,6 +37,12 @@ void set_parameter(Terrain& terrain, std::string_view name, std::string_view tex
 /// for an unset one. Throws Error invalid_value for an unknown name.
 std::string get_parameter(const Terrain& terrain, std::string_view name);
 
+/// Returns the row that switches the row's section on, the first of [terrain.gullies],
+/// [terrain.stream] or [terrain.coast]: 0 is off. Null for a row of another section.
+const TerrainRow* switch_of(const TerrainRow& row);
+/// Returns true if the row's section is off, so that the parameter has no effect.
+bool is_switched_off(const Terrain& terrain, const TerrainRow& row);
+
 /// Returns the first stage that a change from `before` to `after` dirties; none if they are equal.
 std::optional<TerrainStage> first_dirty_stage(const Terrain& before, const Terrain& after);
 

@@ -1,0 +1,540 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Lands as functions of the place: splines, fine waves, elevation models with detail, gullies,
+// streams and shores together.
+#include "ocean/land_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "land/base_detail.hpp"
+#include "land/fine_waves.hpp"
+#include "land/place_hash.hpp"
+#include "land/spline_grid.hpp"
+#include "ocean/error.hpp"
+#include "ocean/grid.hpp"
+#include "ocean/land.hpp"
+#include "ocean/ring_spectrum.hpp"
+#include "ocean/terrain_table.hpp"
+
+namespace ocean {
+namespace {
+
+double rms_of(std::span<const float> values) {
+    double sum = 0.0, squares = 0.0;
+    for (const float v : values) {
+        sum += static_cast<double>(v);
+        squares += static_cast<double>(v) * static_cast<double>(v);
+    }
+    const auto n = static_cast<double>(values.size());
+    return std::sqrt(squares / n - sum / n * sum / n);
+}
+
+double largest_difference(std::span<const float> a, std::span<const float> b) {
+    double most = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        most = std::max(most, std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])));
+    }
+    return most;
+}
+
+/// Returns the angles [degrees] that 50, 90 and 99 % of a map's slopes do not exceed.
+std::array<double, 3> slope_angles(const Surface& map) {
+    std::vector<float> slopes;
+    const auto x = map.channel(Channel::slope_x), y = map.channel(Channel::slope_y);
+    for (std::size_t i = 0; i < x.size(); ++i) slopes.push_back(std::hypot(x[i], y[i]));
+    std::ranges::sort(slopes);
+    const auto angle = [&](double share) {
+        const auto at = static_cast<std::size_t>(share * static_cast<double>(slopes.size() - 1));
+        return std::atan(static_cast<double>(slopes[at])) * 360.0 / kTwoPi;
+    };
+    return {angle(0.5), angle(0.9), angle(0.99)};
+}
+
+Terrain gullied_tile(int resolution) {
+    Terrain terrain;
+    terrain.resolution = resolution;
+    terrain.patch_size = 16.0 * resolution;
+    terrain.beta = 1.8;
+    terrain.breaks = {{600.0, 2.6}};
+    terrain.outer_scale = 9000.0;
+    terrain.rms = 200.0;
+    terrain.gullies.depth = 0.055;
+    terrain.gullies.longest = 0.25 * std::min(terrain.patch_size, 2800.0);
+    return terrain;
+}
+
+Terrain island(int resolution) {
+    Terrain terrain;
+    terrain.kind = TerrainKind::placed;
+    terrain.resolution = resolution;
+    terrain.patch_size = 16384.0;
+    terrain.seed = 8;
+    terrain.rms = 200.0;
+    terrain.mean = 620.0;
+    terrain.island = 1000.0;
+    terrain.beta = 1.9;
+    terrain.breaks = {{1500.0, 2.5}};
+    terrain.outer_scale = 9000.0;
+    terrain.stream.slope = 0.62;
+    terrain.coast.beach_slope = 1.0 / 30.0;
+    return terrain;
+}
+
+/// Returns a base: every `stride`-th sample of a tile of beta 2.2.
+TerrainBase sampled_base(int side, int stride, double cell) {
+    Terrain tile;
+    tile.resolution = 2048;
+    tile.patch_size = cell / stride * 2048.0;
+    tile.beta = 2.2;
+    tile.rms = 150.0;
+    tile.outer_scale = 0.5 * tile.patch_size;
+    Land land(tile);
+    const Surface map = land.surface({Channel::height});
+    TerrainBase base;
+    Domain& domain = base.model.domain;
+    domain = {{0.0, 0.0}, {cell * (side - 1), cell * (side - 1)}, {side, side}, false};
+    const auto heights = map.channel(Channel::height);
+    for (int j = 0; j < side; ++j) {
+        for (int i = 0; i < side; ++i) {
+            const auto at = static_cast<std::size_t>(j * stride) * 2048 +
+                            static_cast<std::size_t>(i * stride);
+            base.model.heights.push_back(heights[at]);
+        }
+    }
+    ThreadPool pool;
+    for (const Ring& ring : measure_rings(domain, base.model.heights, pool)) {
+        base.rings.wavenumber.push_back(ring.wavenumber);
+        base.rings.density.push_back(ring.density);
+    }
+    return base;
+}
+
+// ---- Splines
+
+std::vector<float> noise(std::size_t count) {
+    std::vector<float> values;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        values.push_back(static_cast<float>(place_hash(i, 7, 3) >> 8) / 16777216.0f - 0.5f);
+    }
+    return values;
+}
+
+TEST(SplineGrids, PassThroughTheirSamplesAndWrapOrEnd) {
+    ThreadPool pool;
+    for (const bool wraps : {false, true}) {
+        const double width = wraps ? 37.0 : 36.0, height = wraps ? 23.0 : 22.0;
+        const Domain domain{{-3.0, 11.0}, {2.0 * width, 2.5 * height}, {37, 23}, wraps};
+        const std::vector<float> samples = noise(domain.count());
+        const SplineGrid grid(domain, samples, pool);
+        for (int j = 0; j < 23; ++j) {
+            for (int i = 0; i < 37; ++i) {
+                const auto [x, y] = domain.place(i, j);
+                const float sample = samples[static_cast<std::size_t>(j * 37 + i)];
+                EXPECT_NEAR(grid.value_at(x, y), static_cast<double>(sample), 1e-6);
+                if (!wraps) continue;
+                EXPECT_NEAR(grid.value_at(x + 3.0 * domain.size[0], y - domain.size[1]),
+                            static_cast<double>(sample), 1e-5);
+            }
+        }
+        if (wraps) continue;
+        EXPECT_EQ(grid.value_at(-100.0, 1e6), grid.value_at(-3.0, 11.0 + domain.size[1]));
+    }
+}
+
+TEST(SplineGrids, HaveTheGradientOfTheirValues) {
+    ThreadPool pool;
+    const Domain domain = Domain::tile(64.0, 32);
+    const SplineGrid grid(domain, noise(domain.count()), pool);
+    constexpr double kStep = 1e-4;
+    for (const auto& [x, y] : {std::array{3.3, 60.1}, {17.0, 20.5}, {63.9, 0.2}}) {
+        const GroundJet jet = grid.at(x, y);
+        EXPECT_EQ(jet.height, grid.value_at(x, y));
+        const double by_x = grid.value_at(x + kStep, y) - grid.value_at(x - kStep, y);
+        const double by_y = grid.value_at(x, y + kStep) - grid.value_at(x, y - kStep);
+        EXPECT_NEAR(jet.slope_x, by_x / (2.0 * kStep), 1e-6);
+        EXPECT_NEAR(jet.slope_y, by_y / (2.0 * kStep), 1e-6);
+    }
+}
+
+TEST(SplinePyramids, KeepLongWavesOnCoarserLevelsAndTheirPlace) {
+    ThreadPool pool;
+    constexpr int kSide = 256;
+    for (const bool wraps : {false, true}) {
+        const Domain domain{{0.0, 0.0},
+                            {wraps ? 256.0 : 255.0, wraps ? 256.0 : 255.0},
+                            {kSide, kSide},
+                            wraps};
+        std::vector<float> samples;
+        for (int j = 0; j < kSide; ++j) {
+            for (int i = 0; i < kSide; ++i) {
+                samples.push_back(
+                    static_cast<float>(std::sin(kTwoPi * i / 64.0) + std::cos(kTwoPi * j / 64.0)));
+            }
+        }
+        const SplinePyramid pyramid(domain, samples, pool);
+        EXPECT_EQ(pyramid.level(1.0).domain().samples[0], kSide);
+        EXPECT_EQ(pyramid.level(3.9).domain().samples[0], kSide / 2);
+        const SplineGrid& coarse = pyramid.level(4.0);
+        EXPECT_EQ(coarse.domain().samples[0], kSide / 4);
+        for (const double x : {40.0, 71.3, 128.0, 200.9}) {
+            EXPECT_NEAR(coarse.value_at(x, x), pyramid.finest().value_at(x, x), 5e-3);
+        }
+    }
+}
+
+// ---- Fine waves
+
+TEST(FineWaves, HaveTheEnergyOfTheirDensityInEachOctaveAndItsGradient) {
+    ThreadPool pool;
+    const RadialDensity density = [](double k) { return 1e-3 * std::pow(k, -4.4); };
+    const FineWaves waves(density, 64.0, 2.0, 5, pool);
+    const double variance = ring_variance(density, kTwoPi / 64.0, kTwoPi / 2.0);
+    EXPECT_NEAR(waves.variance(), variance, 1e-3 * variance);
+    // Places far apart, so that they are independent.
+    double sum = 0.0;
+    constexpr int kPlaces = 40000;
+    for (int i = 0; i < kPlaces; ++i) {
+        const double x = 97.31 * (i % 200), y = 101.7 * (i / 200) - 5000.0;
+        const double h = waves.at(x, y, 0.0).height;
+        sum += h * h;
+    }
+    EXPECT_NEAR(sum / kPlaces, variance, 0.03 * variance);
+    constexpr double kStep = 1e-4;
+    for (const auto& [x, y] : {std::array{12.3, -4567.8}, {1e5, 3.0}, {0.0, 0.0}}) {
+        const GroundJet jet = waves.at(x, y, 0.0);
+        const double by_x = waves.at(x + kStep, y, 0.0).height - waves.at(x - kStep, y, 0.0).height;
+        const double by_y = waves.at(x, y + kStep, 0.0).height - waves.at(x, y - kStep, 0.0).height;
+        EXPECT_NEAR(jet.slope_x, by_x / (2.0 * kStep), 1e-5);
+        EXPECT_NEAR(jet.slope_y, by_y / (2.0 * kStep), 1e-5);
+    }
+    EXPECT_EQ(waves.at(5.0, 5.0, 32.0).height, 0.0);
+    EXPECT_GE(FineWaves::bytes(64.0, 2.0), 1024u * 1024u * 4u);
+}
+
+TEST(FineWaves, DoNotRepeat) {
+    ThreadPool pool;
+    const FineWaves waves([](double k) { return std::pow(k, -5.0); }, 32.0, 4.0, 1, pool);
+    const double period = 8.0 * 32.0;
+    for (const auto& [x, y] : {std::array{period, 0.0}, {0.0, period}, {96.0 * 8.0, 0.0}}) {
+        double product = 0.0;
+        constexpr int kPlaces = 4000;
+        for (int i = 0; i < kPlaces; ++i) {
+            const double u = 61.7 * (i % 64), v = 59.3 * (i / 64);
+            product += waves.at(u, v, 0.0).height * waves.at(u + x, v + y, 0.0).height;
+        }
+        EXPECT_LT(std::abs(product / kPlaces), 0.1 * waves.variance()) << x << " " << y;
+    }
+}
+
+// ---- Elevation models
+
+TEST(BaseDetail, ContinuesTheSpectrumAcrossTheCellWithin15HundredthsOfADecade) {
+    constexpr double kCell = 30.0;
+    Terrain terrain;
+    terrain.kind = TerrainKind::placed;
+    terrain.base = "made";
+    terrain.base_model = std::make_shared<const TerrainBase>(sampled_base(256, 4, kCell));
+    terrain.detail_wavelength = 7.5;
+    Land land(terrain);
+    ThreadPool pool;
+    // The tile that the base was sampled from is the truth, down to its own cell of 7.5 m.
+    Terrain truth;
+    truth.resolution = 2048;
+    truth.patch_size = 7.5 * 2048.0;
+    truth.beta = 2.2;
+    truth.rms = 150.0;
+    truth.outer_scale = 0.5 * truth.patch_size;
+    Land true_land(truth);
+    const Domain window{{100.0, 100.0}, {3.75 * 1535, 3.75 * 1535}, {1536, 1536}, false};
+    const Surface shown = land.region(window, {Channel::height});
+    const Surface real = true_land.region(window, {Channel::height});
+    const auto rings = measure_rings(window, shown.channel(Channel::height), pool);
+    const auto wanted = measure_rings(window, real.channel(Channel::height), pool);
+    ASSERT_EQ(rings.size(), wanted.size());
+    const double nyquist = kPi / kCell;
+    int compared = 0;
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+        const double k = rings[i].wavenumber;
+        if (k < 0.1 * nyquist || k > 3.0 * nyquist) continue;
+        EXPECT_NEAR(std::log10(rings[i].density), std::log10(wanted[i].density), 0.15)
+            << k / nyquist;
+        ++compared;
+    }
+    EXPECT_GE(compared, 15);
+}
+
+TEST(BaseDetail, MovesTheSamplesByAtMostBaseError) {
+    Terrain terrain;
+    terrain.kind = TerrainKind::placed;
+    terrain.base = "made";
+    terrain.base_model = std::make_shared<const TerrainBase>(sampled_base(128, 8, 30.0));
+    terrain.detail_wavelength = 1.0;
+    const double default_error = default_base_error(*terrain.base_model);
+    EXPECT_GT(default_error, 0.0);
+    for (const double asked : {-1.0, 0.5, 0.0}) {
+        if (asked >= 0.0) terrain.base_error = asked;
+        Land land(terrain);
+        std::vector<WorldPoint> places;
+        for (int j = 0; j < 128; ++j) {
+            for (int i = 0; i < 128; ++i) places.push_back({30.0 * i, 30.0 * j});
+        }
+        std::vector<QuerySample> samples(places.size());
+        // The land itself, with all its waves.
+        land.field()->query(places, samples, 0.01, land.pool());
+        double sum = 0.0;
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const double moved =
+                samples[i].height - static_cast<double>(terrain.base_model->model.heights[i]);
+            sum += moved * moved;
+        }
+        const double limit = asked >= 0.0 ? asked : default_error;
+        // The waves that the seed happens to have at these places scatter by 2 %.
+        EXPECT_LE(std::sqrt(sum / static_cast<double>(samples.size())), 1.05 * limit + 1e-3)
+            << asked;
+    }
+}
+
+// ---- Lands
+
+/// Counts the values of a region that differ from the same places of another one.
+std::size_t differing(const Surface& large, const Surface& small, int i0, int j0) {
+    std::size_t count = 0;
+    for (int c = 0; c < kChannelNumbers; ++c) {
+        const auto channel = static_cast<Channel>(c);
+        if (!small.has(channel)) continue;
+        const auto a = large.channel(channel), b = small.channel(channel);
+        for (int j = 0; j < small.domain().samples[1]; ++j) {
+            const auto at = static_cast<std::size_t>((j + j0) * large.domain().samples[0] + i0);
+            const auto width = static_cast<std::size_t>(small.domain().samples[0]);
+            if (std::memcmp(&a[at], &b[static_cast<std::size_t>(j) * width], 4 * width) != 0) {
+                ++count;
+            }
+        }
+    }
+    return count;
+}
+
+TEST(LandFields, HaveTheSameBitsInEveryRegion) {
+    Terrain with_detail = island(128);
+    with_detail.detail_wavelength = 2.0;
+    Terrain model;
+    model.kind = TerrainKind::placed;
+    model.base = "made";
+    model.base_model = std::make_shared<const TerrainBase>(sampled_base(64, 8, 30.0));
+    for (const Terrain& terrain : {gullied_tile(256), with_detail, model}) {
+        Land land(terrain, {.threads = 2});
+        const double cell = 0.7;
+        const int columns = 400, rows = 150;
+        const double x0 = cell * 1500, y0 = cell * 900;
+        const Domain whole{{x0, y0}, {cell * (columns - 1), cell * (rows - 1)}, {columns, rows},
+                           false};
+        const ChannelSet channels = land.channels();
+        const Surface large = land.region(whole, channels);
+        Land other(terrain, {.threads = 1});
+        for (std::uint32_t n = 0; n < 70; ++n) {
+            const int i0 = static_cast<int>(place_hash(n, 0, 1) % (columns - 2));
+            const int j0 = static_cast<int>(place_hash(n, 0, 2) % (rows - 2));
+            const int width = 2 + static_cast<int>(place_hash(n, 0, 3) % 30);
+            const int height = 2 + static_cast<int>(place_hash(n, 0, 4) % 20);
+            const int w = std::min(width, columns - i0), h = std::min(height, rows - j0);
+            const Domain part{{x0 + cell * i0, y0 + cell * j0}, {cell * (w - 1), cell * (h - 1)},
+                              {w, h}, false};
+            EXPECT_EQ(differing(large, other.region(part, channels), i0, j0), 0u) << n;
+        }
+    }
+}
+
+TEST(LandFields, OfTilesRepeatAndJoinTheirOwnMaps) {
+    Land land(gullied_tile(256));
+    const Surface map = land.surface({Channel::height, Channel::slope_x});
+    const double cell = 16.0, period = land.terrain().patch_size;
+    const Domain beyond{{-period, 2.0 * period}, {cell * 255, cell * 255}, {256, 256}, false};
+    const Surface copy = land.region(beyond, {Channel::height, Channel::slope_x});
+    const double rms = rms_of(map.channel(Channel::height));
+    EXPECT_LT(largest_difference(map.channel(Channel::height), copy.channel(Channel::height)),
+              1e-5 * rms);
+    EXPECT_LT(largest_difference(map.channel(Channel::slope_x), copy.channel(Channel::slope_x)),
+              1e-4);
+    // A plain tile, whose maps are made by transforms.
+    Terrain plain = gullied_tile(256);
+    plain.gullies.depth = 0.0;
+    Land waves(plain);
+    const Domain own{{0.0, 0.0}, {cell * 255, cell * 255}, {256, 256}, false};
+    EXPECT_LT(largest_difference(waves.surface({Channel::height}).channel(Channel::height),
+                                 waves.region(own, {Channel::height}).channel(Channel::height)),
+              1e-5 * 200.0);
+}
+
+TEST(LandFields, AnswerQueriesWithTheirMaps) {
+    for (const Terrain& terrain : {gullied_tile(128), island(128)}) {
+        Land land(terrain);
+        const Surface map = land.surface({Channel::height, Channel::nx, Channel::nz});
+        std::vector<WorldPoint> places;
+        for (int j = 1; j < 127; j += 7) {
+            for (int i = 1; i < 127; i += 5) {
+                const auto [x, y] = map.domain().place(i, j);
+                places.push_back({x, y});
+            }
+        }
+        std::vector<QuerySample> samples(places.size());
+        land.query(places, samples);
+        const double rms = rms_of(map.channel(Channel::height));
+        std::size_t n = 0;
+        for (int j = 1; j < 127; j += 7) {
+            for (int i = 1; i < 127; i += 5, ++n) {
+                const auto at = static_cast<std::size_t>(j * 128 + i);
+                EXPECT_NEAR(samples[n].height,
+                            static_cast<double>(map.channel(Channel::height)[at]), 1e-5 * rms);
+                EXPECT_NEAR(samples[n].normal[0],
+                            static_cast<double>(map.channel(Channel::nx)[at]), 1e-4);
+            }
+        }
+        const WorldPoint nowhere[] = {{std::nan(""), 0.0}};
+        EXPECT_THROW(land.query(nowhere, samples), Error);
+    }
+}
+
+TEST(Gullies, GiveTheTujungaItsSlopes) {
+    Terrain terrain;
+    terrain.resolution = 1024;
+    terrain.patch_size = 16384.0;
+    terrain.rms = 300.0;
+    terrain.beta = 1.67;
+    terrain.breaks = {{440.0, 2.65}};
+    terrain.outer_scale = 12000.0;
+    terrain.gullies.depth = 0.05;
+    terrain.gullies.longest = 700.0;
+    const std::array measured = {22.1, 33.4, 41.5};  // of the elevation model, cells of 30 m
+    std::array<double, 3> mean{};
+    constexpr int kSeeds = 3;
+    for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+        terrain.seed = seed;
+        Land land(terrain);
+        const Domain cells{{0.0, 0.0}, {30.0 * 545, 30.0 * 545}, {546, 546}, false};
+        const auto angles = slope_angles(land.region(cells, {Channel::slope_x, Channel::slope_y}));
+        for (std::size_t i = 0; i < 3; ++i) mean[i] += angles[i] / kSeeds;
+    }
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(mean[i], measured[i], 3.0) << i;
+}
+
+TEST(Islands, HaveOneSeaWithBeachesOfOneInThirty) {
+    Land land(island(512));
+    const Domain own = land.domain();
+    const Surface map = land.region(own, {Channel::height, channel_of(LandMask::shelter),
+                                          channel_of(LandMask::beach), Channel::slope_x,
+                                          Channel::slope_y});
+    const auto height = map.channel(Channel::height);
+    const int side = own.samples[0];
+    std::vector<float> beds;
+    for (std::size_t i = 0; i < height.size(); ++i) {
+        if (height[i] > -1.0f || height[i] < -6.0f) continue;
+        if (map.channel(channel_of(LandMask::shelter))[i] <= 0.95f) continue;
+        beds.push_back(std::hypot(map.channel(Channel::slope_x)[i],
+                                  map.channel(Channel::slope_y)[i]));
+    }
+    ASSERT_GT(beds.size(), 100u);
+    std::ranges::nth_element(beds, beds.begin() + static_cast<std::ptrdiff_t>(beds.size() / 2));
+    const double slope = static_cast<double>(beds[beds.size() / 2]);
+    EXPECT_GT(slope, 1.0 / 33.0);
+    EXPECT_LT(slope, 1.0 / 27.0);
+    // Every cell of water is reached from the corner.
+    std::vector<char> seen(height.size());
+    std::vector<int> front = {0};
+    std::size_t reached = 0;
+    while (!front.empty()) {
+        const int at = front.back();
+        front.pop_back();
+        if (seen[static_cast<std::size_t>(at)] != 0) continue;
+        if (height[static_cast<std::size_t>(at)] >= 0.0f) continue;
+        seen[static_cast<std::size_t>(at)] = 1;
+        ++reached;
+        if (at % side > 0) front.push_back(at - 1);
+        if (at % side < side - 1) front.push_back(at + 1);
+        if (at >= side) front.push_back(at - side);
+        if (at + side < side * side) front.push_back(at + side);
+    }
+    const auto wet = std::ranges::count_if(height, [](float h) { return h < 0.0f; });
+    EXPECT_EQ(reached, static_cast<std::size_t>(wet));
+    EXPECT_GT(wet, static_cast<std::ptrdiff_t>(height.size() / 4));
+}
+
+TEST(Islands, KeepTheirStreamsWhileTheShoreChanges) {
+    Land land(island(256));
+    land.field();
+    EXPECT_EQ(land.runs().streams, 1);
+    land.set("terrain.coast.berm", "3");
+    const auto field = land.field();
+    EXPECT_EQ(land.runs().streams, 1);
+    EXPECT_EQ(land.runs().shape, 2);
+    land.set("terrain.stream.age", "0.5");
+    land.field();
+    EXPECT_EQ(land.runs().streams, 2);
+    EXPECT_TRUE(field->channels().contains(channel_of(LandMask::beach)));
+}
+
+TEST(Islands, ReportProgressAndStop) {
+    struct Stop {};
+    int calls = 0;
+    Land land(island(256), {.progress = [&](std::string_view work, double share) {
+                  EXPECT_TRUE(share >= 0.0 && share <= 1.0);
+                  if (work == "streams" && ++calls == 2) throw Stop();
+              }});
+    EXPECT_THROW(land.field(), Stop);
+    EXPECT_NO_THROW(land.field());
+    EXPECT_GE(calls, 3);
+}
+
+TEST(Lands, HaveTheMasksOfTheirSectionsAndRefuseOthers) {
+    Land tile(gullied_tile(64));
+    EXPECT_TRUE(tile.channels().contains(channel_of(LandMask::wear)));
+    EXPECT_FALSE(tile.channels().contains(channel_of(LandMask::beach)));
+    EXPECT_THROW(tile.surface({channel_of(LandMask::flow)}), Error);
+    EXPECT_THROW(tile.surface({Channel::foam}), Error);
+    const Surface map = tile.surface({channel_of(LandMask::gully), channel_of(LandMask::ridge)});
+    EXPECT_GT(rms_of(map.channel(channel_of(LandMask::gully))), 0.01);
+}
+
+TEST(Lands, RefuseWhatTheyCannotBe) {
+    const auto message = [](const Terrain& terrain) -> std::string {
+        try {
+            validate(terrain);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    };
+    Terrain tile;
+    tile.island = 100.0;
+    EXPECT_NE(message(tile).find("terrain.kind = \"placed\""), std::string::npos);
+    Terrain placed;
+    placed.kind = TerrainKind::placed;
+    EXPECT_EQ(message(placed), "");
+    placed.size = {2000.0, 500.0};
+    EXPECT_NE(message(placed).find("larger than the patch"), std::string::npos);
+    placed.size = {500.0};
+    EXPECT_NE(message(placed).find("two numbers"), std::string::npos);
+    placed.size = {};
+    placed.stream.slope = 0.5;
+    EXPECT_EQ(message(placed), "");
+    placed.gullies.depth = 0.05;
+    EXPECT_NE(message(placed).find("contradicts terrain.stream"), std::string::npos);
+    placed.gullies.depth = 0.0;
+    placed.range = {0.0, 10.0};
+    EXPECT_NE(message(placed).find("erosion does not scale"), std::string::npos);
+    Terrain gullied;
+    gullied.gullies.depth = 0.05;
+    EXPECT_NE(message(gullied).find("too long for the tile"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ocean
