@@ -207,7 +207,7 @@ std::unique_ptr<Subject> make_subject(Terrain terrain, TerrainTiles tiles) {
     return std::make_unique<TerrainSubject>(std::move(terrain), ShownPart{tiles, {}});
 }
 
-std::unique_ptr<Subject> make_subject(Terrain terrain, const TerrainRegion& region) {
+std::unique_ptr<Subject> make_region_subject(Terrain terrain, const TerrainRegion& region) {
     const Domain domain = domain_of(terrain, region);
     return std::make_unique<TerrainSubject>(std::move(terrain), ShownPart{{}, domain});
 }

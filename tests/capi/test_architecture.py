@@ -59,7 +59,7 @@ LIBRARIES = {
         # The one file that may know the operating system, that which reads its files, and those
         # that know the processor.
         foreign={
-            "": ("wave/",),
+            "": ("wave/", "land/land.hpp", "land/gullies.glsl"),  # formulas of shaders/
             "base/control_groups.cpp": ("fstream",),
             "base/platform.cpp": (
                 "fstream",
@@ -108,7 +108,7 @@ LIBRARIES = {
     ),
     "preview": Library(
         below=("core", "seafile", "gl"),
-        foreign={"": ("epoxy/", "glm/", "wave/")},
+        foreign={"": ("epoxy/", "glm/", "wave/", "land/land.hpp")},
         links=("PkgConfig::epoxy", "glm::glm"),
     ),
     "bridge": Library(

@@ -36,11 +36,14 @@ def test_struct_fields_and_channels_are_those_of_the_header():
     header = re.sub(r"/\*.*?\*/", "", header, flags=re.S)  # comments have semicolons too
     assert int(re.search(r"OCEAN_ABI_VERSION (\d+)", header)[1]) == _library.ABI_VERSION
     channels = re.search(r"enum \{\s*(OCEAN_DX,.*?)\}", header, re.S)[1]
-    assert [name.lower() for name in re.findall(r"OCEAN_(\w+)", channels)] == list(
-        _surface.CHANNELS
-    )
+    waves, masks = channels.split(f"OCEAN_WEAR = {_surface.channel_number('wear')},")
+    names = [name.lower() for name in re.findall(r"OCEAN_(\w+)", waves)]
+    assert names == list(_surface.CHANNELS)
+    names = [name.lower() for name in re.findall(r"OCEAN_(\w+)", masks)]
+    assert ("wear", *names) == _surface.MASKS
     table = (ROOT / "libocean/include/ocean/channel.hpp").read_text()
     products = re.findall(r'detail::(?:product|vector)\("(\w+)", \{(.+?)\}, \w+, \w+,', table)
+    products += [(name, name) for name in _surface.MASKS]
     known = {name: product.channels for name, product in _surface.PRODUCTS.items()}
     assert {name: tuple(channels.split(", ")) for name, channels in products} == known
     assert list(libocean.Surface.__annotations__) == list(known)

@@ -127,7 +127,8 @@ std::unique_ptr<Subject> subject_of_file(const std::string& path, Terrain terrai
     const int longer = std::max(shown.samples[0], shown.samples[1]);
     const bool is_whole = terrain.is_placed() && terrain_domain(terrain, longer) == shown;
     if (is_whole) return make_subject(std::move(terrain));
-    return make_subject(std::move(terrain), {shown.origin, shown.size, shown.step(0)});
+    return make_region_subject(std::move(terrain),
+                               {shown.origin, shown.size, shown.step(0)});
 }
 
 /// A stage is a product of its own; the height is the terrain's.
@@ -149,7 +150,7 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
     const std::optional<TerrainRegion> region = parse_region(typed);
     options.open_subject = [&](const std::string& source) {
         Terrain terrain = open_terrain({source, typed.terrain.assignments});
-        if (region) return make_subject(std::move(terrain), *region);
+        if (region) return make_region_subject(std::move(terrain), *region);
         const bool from_file = !options.from.empty() && typed.tiles.empty();
         if (from_file) return subject_of_file(source, std::move(terrain));
         if (terrain.is_placed() && !typed.tiles.empty()) {

@@ -7,9 +7,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 
+#include "ocean/page_vector.hpp"
 #include "ocean/terrain_table.hpp"
+#include "terrain/stream_creep.hpp"
+#include "terrain/stream_flood.hpp"
+#include "terrain/stream_work.hpp"
 
 namespace ocean {
 namespace {
@@ -79,6 +84,39 @@ std::vector<std::uint8_t> seas_of(const Cells& cells, double level) {
     return sea;
 }
 
+/// Rounds the floors of channels, which are one cell wide and turn by 45 degrees: maps that are
+/// finer than the grid would show them as stairs. A deviation of one cell; then every cell drains
+/// again. `outlets` keep their heights.
+void round_floors(const StreamGrid& grid, std::span<const std::uint8_t> outlets,
+                  std::span<float> heights, ThreadPool& pool) {
+    constexpr double kReachOfDeviation = 1.4142135623730951;
+    const StreamProgress none;  // StreamWork refers to it
+    StreamWork work(pool, none, 1.0);
+    PageVector<std::uint8_t> directions(grid.size());
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        directions[i] = outlets[i] != 0 ? kOutlet : kUnseen;
+    }
+    const std::vector<float> no_channel(grid.size(), 0.0f);
+    creep(grid, kReachOfDeviation * grid.cell, no_channel, directions, heights, work);
+    flood(grid, FloodTo::drain, heights, directions, work);
+}
+
+/// Returns 1 in the cells by which water leaves: the sea, or all cells of the border.
+std::vector<std::uint8_t> outlets_of(const Cells& cells, double level) {
+    std::vector<std::uint8_t> outlets = seas_of(cells, level);
+    if (std::ranges::find(outlets, std::uint8_t{1}) != outlets.end()) return outlets;
+    for (int j = 0; j < cells.rows; ++j) {
+        for (int i = 0; i < cells.columns; ++i) {
+            const bool at_border =
+                i == 0 || j == 0 || i == cells.columns - 1 || j == cells.rows - 1;
+            const auto at = static_cast<std::size_t>(j) * static_cast<std::size_t>(cells.columns) +
+                            static_cast<std::size_t>(i);
+            if (at_border) outlets[at] = 1;
+        }
+    }
+    return outlets;
+}
+
 }  // namespace
 
 StreamSource stream_source(const Terrain& terrain, const SplinePyramid& base, double offset,
@@ -88,22 +126,11 @@ StreamSource stream_source(const Terrain& terrain, const SplinePyramid& base, do
     return [&base, offset, domain, level, summit](int columns, int rows, double cell) {
         const Cells cells = cells_of(base, offset, domain, columns, rows, cell);
         StreamLevel land;
-        land.outlet = seas_of(cells, level);
-        double foot = level;
-        if (std::ranges::find(land.outlet, std::uint8_t{1}) == land.outlet.end()) {
-            foot = static_cast<double>(std::ranges::min(cells.smooth));
-            for (int j = 0; j < rows; ++j) {
-                for (int i = 0; i < columns; ++i) {
-                    const bool at_border =
-                        i == 0 || j == 0 || i == columns - 1 || j == rows - 1;
-                    if (at_border) {
-                        land.outlet[static_cast<std::size_t>(j) *
-                                        static_cast<std::size_t>(columns) +
-                                    static_cast<std::size_t>(i)] = 1;
-                    }
-                }
-            }
-        }
+        land.outlet = outlets_of(cells, level);
+        const bool has_sea = std::ranges::min(cells.smooth) < static_cast<float>(level) &&
+                             seas_of(cells, level) == land.outlet;
+        const double foot =
+            has_sea ? level : static_cast<double>(std::ranges::min(cells.smooth));
         const double highest =
             std::max(static_cast<double>(std::ranges::max(cells.smooth)) - foot, 1e-3);
         const double scale = std::min(1.0, summit / highest);
@@ -128,6 +155,8 @@ std::vector<float> with_sea_bed(const StreamLand& land, const SplinePyramid& bas
     const double cell = domain.step(0);
     const Cells cells =
         cells_of(base, offset, domain, domain.samples[0], domain.samples[1], cell);
+    round_floors({domain.samples[0], domain.samples[1], cell}, outlets_of(cells, level), heights,
+                 pool);
     const std::vector<std::uint8_t> sea = seas_of(cells, level);
     const SplineGrid& bed = base.level(cell);
     const auto columns = static_cast<std::size_t>(domain.samples[0]);

@@ -79,13 +79,6 @@ AgedMaps aged_maps(const StreamLand& land, double age, StreamWork& work) {
         }
     });
     creep(grid, land.settings.creep, land.channel, tree.directions, maps.height, work);
-    if (land.settings.creep > 0.0) {
-        // A channel is one cell wide and turns by 45 degrees. Maps that are finer than the grid
-        // need floors that are round: a deviation of one cell.
-        constexpr double kReachOfDeviation = 1.4142135623730951;
-        const PageVector<float> none(grid.size(), 0.0f);
-        creep(grid, kReachOfDeviation * grid.cell, none, tree.directions, maps.height, work);
-    }
     flood(grid, FloodTo::drain, maps.height, directions, work);
     set_wetness(grid, tree.directions, land.area, maps.height, maps.wetness, work);
     set_deposit(grid, *tree.walk, tree.directions, land.area, maps.height, maps.deposit, work);

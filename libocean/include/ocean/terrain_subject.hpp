@@ -39,7 +39,7 @@ Domain domain_of(const Terrain& terrain, const TerrainRegion& region);
 inline constexpr int kMaxRegionSide = 32768;
 
 /// Returns a region of a valid, resolved terrain as a subject.
-std::unique_ptr<Subject> make_subject(Terrain terrain, const TerrainRegion& region);
+std::unique_ptr<Subject> make_region_subject(Terrain terrain, const TerrainRegion& region);
 /// Returns a valid, resolved terrain as a subject. The domain of its maps has the tile that often;
 /// a resolution is that of one tile.
 std::unique_ptr<Subject> make_subject(Terrain terrain, TerrainTiles tiles = {});

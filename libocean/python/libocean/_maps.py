@@ -162,7 +162,7 @@ class Maps(MapWriter, SeaHandle):
             self._call("ocean_detail", ctypes.byref(request), ctypes.byref(count), None)
             found = np.empty(count.value, dtype=DETAIL_BAND)
             slopes = [np.empty((samples, samples, 2), np.float32) for _ in found]
-            channels = tuple(CHANNELS.index(name) for name in PRODUCTS["slope"].channels)
+            channels = tuple(channel_number(name) for name in PRODUCTS["slope"].channels)
             outputs = _outputs_of([(array, channels) for array in slopes])
             request.bands, request.band_count = found.ctypes.data, len(found)
             request.band_size = found.itemsize
