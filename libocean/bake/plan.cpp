@@ -165,8 +165,9 @@ void resolve_backend(const Catalogue& catalogue, const std::string& name, BakePl
     if (!plan.subject->uses_backends()) {
         if (!name.empty() && name != kAutoBackend && name != "cpu") {
             throw Error(ErrorKind::unsupported,
-                        "--backend " + name + ": land with gullies, streams, a shore or a place of "
-                        "its own is made on the CPU alone");
+                        "--backend " + name +
+                            ": land with gullies, streams, a shore or a place of "
+                            "its own is made on the CPU alone");
         }
         plan.backend = Backend::cpu;
         plan.backend_note = "backend cpu";

@@ -219,8 +219,7 @@ ocean_result ocean_terrain_evaluate(ocean_terrain* terrain, const ocean_request*
             read_struct(request, offsetof(ocean_request, output_size), "ocean_request");
         require_reserved(asked.cascade, "cascade");
         require_reserved(asked.reserved, "reserved");
-        const int resolution =
-            map_resolution(asked.resolution, terrain->land->domain().samples[0]);
+        const int resolution = map_resolution(asked.resolution, terrain->land->domain().samples[0]);
         std::vector<MapOutput>& maps = terrain->map_outputs;
         read_outputs(asked, request->struct_size, resolution, maps);
         terrain->land->surface_into(maps, resolution);

@@ -173,8 +173,8 @@ std::string base_text(const TerrainBase& base) {
     if (sizeof(float) * model.heights.size() > kMaxInlined) return text;
     text += "samples = [" + std::to_string(domain.samples[0]) + ", " +
             std::to_string(domain.samples[1]) + "]\n";
-    text += "cell = [" + shortest_text(domain.step(0)) + ", " + shortest_text(domain.step(1)) +
-            "]\n";
+    text +=
+        "cell = [" + shortest_text(domain.step(0)) + ", " + shortest_text(domain.step(1)) + "]\n";
     text += "heights = [\n";
     for (const std::string& line : encoded(model.heights)) text += "    \"" + line + "\",\n";
     return text + "]\n";

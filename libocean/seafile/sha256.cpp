@@ -42,8 +42,8 @@ void add_block(std::array<std::uint32_t, 8>& hash, Block block) {
     for (std::size_t t = 0; t < 64; ++t) {
         const std::uint32_t t1 = h + (std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25)) +
                                  ((e & f) ^ (~e & g)) + kRound[t] + w[t];
-        const std::uint32_t t2 = (std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22)) +
-                                 ((a & b) ^ (a & c) ^ (b & c));
+        const std::uint32_t t2 =
+            (std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22)) + ((a & b) ^ (a & c) ^ (b & c));
         h = g;
         g = f;
         f = e;
@@ -72,7 +72,8 @@ std::string sha256_hex(std::span<const std::byte> bytes) {
     const std::size_t size = rest.size() < 56 ? 64 : 128;
     const std::uint64_t bits = 8 * static_cast<std::uint64_t>(bytes.size());
     for (std::size_t i = 0; i < 8; ++i) end[size - 1 - i] = static_cast<std::byte>(bits >> (8 * i));
-    for (std::size_t i = 0; i < size; i += 64) add_block(hash, Block(std::span(end).subspan(i).first<64>()));
+    for (std::size_t i = 0; i < size; i += 64)
+        add_block(hash, Block(std::span(end).subspan(i).first<64>()));
     std::string text;
     for (const std::uint32_t word : hash) {
         for (int shift = 28; shift >= 0; shift -= 4) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Reads and writes terrain files through the table of a terrain. A resolved file needs no other
-// one: the rings of a measured spectrum stand in [terrain.measured_rings], a base of at most 1 MB in
-// [terrain.base_heights].
+// one: the rings of a measured spectrum stand in [terrain.measured_rings], a base of at most 1 MB
+// in [terrain.base_heights].
 #include "ocean/terrainfile.hpp"
 
 #include <algorithm>
@@ -70,11 +70,12 @@ class TerrainReader {
 
   private:
     OwnParts<Terrain> parts() {
-        return {.read_key = [this](Terrain& terrain, std::string_view section, std::size_t,
-                                   const TomlEntry& entry) {
-            return read_rings_table(terrain, section, entry) ||
-                   read_base_table(terrain, section, entry);
-        },
+        return {.read_key =
+                    [this](Terrain& terrain, std::string_view section, std::size_t,
+                           const TomlEntry& entry) {
+                        return read_rings_table(terrain, section, entry) ||
+                               read_base_table(terrain, section, entry);
+                    },
                 .begin_section = switch_on};
     }
 
@@ -103,11 +104,10 @@ class TerrainReader {
     void require_hash(const Terrain& terrain) const {
         if (base_hash_.empty()) return;
         if (terrain.base_model == nullptr) {
-            throw Error(ErrorKind::invalid_value,
-                        {.what = "has a hash, but no file",
-                         .parameter = "terrain.base",
-                         .value = quoted_text(terrain.base),
-                         .allowed = "the path of its elevation model"});
+            throw Error(ErrorKind::invalid_value, {.what = "has a hash, but no file",
+                                                   .parameter = "terrain.base",
+                                                   .value = quoted_text(terrain.base),
+                                                   .allowed = "the path of its elevation model"});
         }
         if (terrain.base_model->hash == base_hash_) return;
         throw Error(ErrorKind::invalid_value,
@@ -216,8 +216,8 @@ std::string write_terrain(const Terrain& terrain) {
     validate(terrain);
     const auto line = [&](const RefOf<Terrain>& ref) {
         const std::string own = parameter_line(terrain, ref);
-        const bool must_say_off = own.empty() && switch_of(*ref.info) == ref.info &&
-                                  has_other_keys(terrain, *ref.info);
+        const bool must_say_off =
+            own.empty() && switch_of(*ref.info) == ref.info && has_other_keys(terrain, *ref.info);
         return must_say_off ? std::string(ref.info->key) + " = 0.0\n" : own;
     };
     const auto rings = [&](std::string_view section, std::size_t) {

@@ -13,14 +13,16 @@
 // phase, both hashed. With t the unit vector along the contour line of the slope so far, weights
 // w = (1 - |x - p|^2 / R^2)^3 (C2) and a(p) = (x - p).t / l + phase(p) in turns,
 //     (c, s) = sum of w (cos a, sin a), made a unit vector, or less: divided by at least F sum w
-// [Tricard 2019]. So neighbouring stripes meet with their full depth unless they cancel. The height it adds is
+// [Tricard 2019]. So neighbouring stripes meet with their full depth unless they cancel. The height
+// that it adds is
 //     depth l g m k (q - E q),   q = 1 - 2 (sqrt((1 - c)/2 + e^2) - e),
 // q a ridge with a crease of roundness e at c = 1 and a round floor at c = -1, E q its mean over a
 // random phase. g is the share of an octave that the cells can hold, m = slope^2 / (slope^2 +
 // flat^2) leaves flats and summits alone, and k = product over the longer octaves of
 // (1 - D m max(-q, 0)) keeps their floors smooth.
 //
-// Masks. With p = -1 on a floor .. 1 on a ridge, a straight line of q, and 0.6^o an octave's weight,
+// Masks. With p = -1 on a floor .. 1 on a ridge, a straight line of q, and 0.6^o the weight of an
+// octave,
 //     wear = sum of 0.6^o g m k p / sum of 0.6^o,
 //     ridge = 1 - product of (1 - 0.6^o g m k eased(p)),   gully the same of -p:
 // the mean over octaves, and the union of their ridges and floors. On flats all are 0.

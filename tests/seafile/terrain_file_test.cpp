@@ -209,9 +209,7 @@ TEST(LandFile, TextsReadBackToTheSameLandSwitchedOffOrOn) {
 }
 
 TEST(LandFile, RefusesWhatHasNoPlaceOrNoEffect) {
-    const auto says = [](const std::string& keys) {
-        return refusal_of([&] { read_text(keys); });
-    };
+    const auto says = [](const std::string& keys) { return refusal_of([&] { read_text(keys); }); };
     EXPECT_TRUE(says("island = 5\n").says("terrain.kind = \"placed\""));
     EXPECT_TRUE(says("[terrain.stream]\n").says("needs a land that exists once"));
     EXPECT_TRUE(says("kind = \"placed\"\norigin = [1]\n").says("two numbers"));
@@ -251,7 +249,8 @@ TEST(LandFile, ASmallBaseIsInlinedAndALargeOneIsKnownByItsHash) {
     EXPECT_EQ(write_terrain(again), text);
     std::string lied = text;
     lied.replace(lied.find("heights = [") + 18, 8, "AAAAAAAA");
-    EXPECT_TRUE(refusal_of([&] { parse_terrain(lied, "", ""); }).says("not the one that it states"));
+    EXPECT_TRUE(
+        refusal_of([&] { parse_terrain(lied, "", ""); }).says("not the one that it states"));
 
     write_grid(folder.path() + "/bed.asc", 520);
     const Terrain large = parse_terrain(keys, "land.toml", folder.path());

@@ -106,8 +106,8 @@ TerrainBase sampled_base(int side, int stride, double cell) {
     const auto heights = map.channel(Channel::height);
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
-            const auto at = static_cast<std::size_t>(j * stride) * 2048 +
-                            static_cast<std::size_t>(i * stride);
+            const auto at =
+                static_cast<std::size_t>(j * stride) * 2048 + static_cast<std::size_t>(i * stride);
             base.model.heights.push_back(heights[at]);
         }
     }
@@ -170,10 +170,8 @@ TEST(SplinePyramids, KeepLongWavesOnCoarserLevelsAndTheirPlace) {
     ThreadPool pool;
     constexpr int kSide = 256;
     for (const bool wraps : {false, true}) {
-        const Domain domain{{0.0, 0.0},
-                            {wraps ? 256.0 : 255.0, wraps ? 256.0 : 255.0},
-                            {kSide, kSide},
-                            wraps};
+        const Domain domain{
+            {0.0, 0.0}, {wraps ? 256.0 : 255.0, wraps ? 256.0 : 255.0}, {kSide, kSide}, wraps};
         std::vector<float> samples;
         for (int j = 0; j < kSide; ++j) {
             for (int i = 0; i < kSide; ++i) {
@@ -336,8 +334,8 @@ TEST(LandFields, HaveTheSameBitsInEveryRegion) {
         const double cell = 0.7;
         const int columns = 400, rows = 150;
         const double x0 = cell * 1500, y0 = cell * 900;
-        const Domain whole{{x0, y0}, {cell * (columns - 1), cell * (rows - 1)}, {columns, rows},
-                           false};
+        const Domain whole{
+            {x0, y0}, {cell * (columns - 1), cell * (rows - 1)}, {columns, rows}, false};
         const ChannelSet channels = land.channels();
         const Surface large = land.region(whole, channels);
         Land other(terrain, {.threads = 1});
@@ -347,8 +345,8 @@ TEST(LandFields, HaveTheSameBitsInEveryRegion) {
             const int width = 2 + static_cast<int>(place_hash(n, 0, 3) % 30);
             const int height = 2 + static_cast<int>(place_hash(n, 0, 4) % 20);
             const int w = std::min(width, columns - i0), h = std::min(height, rows - j0);
-            const Domain part{{x0 + cell * i0, y0 + cell * j0}, {cell * (w - 1), cell * (h - 1)},
-                              {w, h}, false};
+            const Domain part{
+                {x0 + cell * i0, y0 + cell * j0}, {cell * (w - 1), cell * (h - 1)}, {w, h}, false};
             EXPECT_EQ(differing(large, other.region(part, channels), i0, j0), 0u) << n;
         }
     }
@@ -395,8 +393,8 @@ TEST(LandFields, AnswerQueriesWithTheirMaps) {
                 const auto at = static_cast<std::size_t>(j * 128 + i);
                 EXPECT_NEAR(samples[n].height,
                             static_cast<double>(map.channel(Channel::height)[at]), 1e-5 * rms);
-                EXPECT_NEAR(samples[n].normal[0],
-                            static_cast<double>(map.channel(Channel::nx)[at]), 1e-4);
+                EXPECT_NEAR(samples[n].normal[0], static_cast<double>(map.channel(Channel::nx)[at]),
+                            1e-4);
             }
         }
         const WorldPoint nowhere[] = {{std::nan(""), 0.0}};
@@ -430,17 +428,17 @@ TEST(Gullies, GiveTheTujungaItsSlopes) {
 TEST(Islands, HaveOneSeaWithBeachesOfOneInThirty) {
     Land land(island(512));
     const Domain own = land.domain();
-    const Surface map = land.region(own, {Channel::height, channel_of(LandMask::shelter),
-                                          channel_of(LandMask::beach), Channel::slope_x,
-                                          Channel::slope_y});
+    const Surface map =
+        land.region(own, {Channel::height, channel_of(LandMask::shelter),
+                          channel_of(LandMask::beach), Channel::slope_x, Channel::slope_y});
     const auto height = map.channel(Channel::height);
     const int side = own.samples[0];
     std::vector<float> beds;
     for (std::size_t i = 0; i < height.size(); ++i) {
         if (height[i] > -1.0f || height[i] < -6.0f) continue;
         if (map.channel(channel_of(LandMask::shelter))[i] <= 0.95f) continue;
-        beds.push_back(std::hypot(map.channel(Channel::slope_x)[i],
-                                  map.channel(Channel::slope_y)[i]));
+        beds.push_back(
+            std::hypot(map.channel(Channel::slope_x)[i], map.channel(Channel::slope_y)[i]));
     }
     ASSERT_GT(beds.size(), 100u);
     std::ranges::nth_element(beds, beds.begin() + static_cast<std::ptrdiff_t>(beds.size() / 2));

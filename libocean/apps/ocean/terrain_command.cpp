@@ -127,8 +127,7 @@ std::unique_ptr<Subject> subject_of_file(const std::string& path, Terrain terrai
     const int longer = std::max(shown.samples[0], shown.samples[1]);
     const bool is_whole = terrain.is_placed() && terrain_domain(terrain, longer) == shown;
     if (is_whole) return make_subject(std::move(terrain));
-    return make_region_subject(std::move(terrain),
-                               {shown.origin, shown.size, shown.step(0)});
+    return make_region_subject(std::move(terrain), {shown.origin, shown.size, shown.step(0)});
 }
 
 /// A stage is a product of its own; the height is the terrain's.

@@ -43,9 +43,8 @@ std::string law_text(const Terrain& terrain) {
 std::string shape_text(const Terrain& terrain, const TerrainState& state) {
     std::string text;
     if (terrain.is_placed()) {
-        text += row("Placed land",
-                    format_text("%.6g x %.6g m, a cell of %.4g m", state.size[0], state.size[1],
-                                state.cell));
+        text += row("Placed land", format_text("%.6g x %.6g m, a cell of %.4g m", state.size[0],
+                                               state.size[1], state.cell));
     } else {
         text += row("Tile", format_text("%g m, %d samples, a cell of %.4g m", state.period,
                                         terrain.resolution, state.cell));

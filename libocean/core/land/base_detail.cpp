@@ -84,8 +84,7 @@ double BaseDetail::measured(double k) const {
     if (k >= at.back()) {
         // The last rings go on to the Nyquist wavenumber.
         const std::size_t last = at.size() - 1, before = last > 3 ? last - 3 : 0;
-        const double fall =
-            (log_s(last) - log_s(before)) / std::log(at[last] / at[before]);
+        const double fall = (log_s(last) - log_s(before)) / std::log(at[last] / at[before]);
         return std::exp(log_s(last) + std::min(fall, 0.0) * std::log(k / at[last]));
     }
     const auto above = std::ranges::upper_bound(at, k);
@@ -141,8 +140,8 @@ RadialDensity waves_below_lattice(const Terrain& terrain, double gain, double sh
                    // The lattice has the waves within the square; both diagonals of the quarter,
                    // for laws with a direction.
                    if (k * std::max(cosine, sine) < nyquist) return 0.0;
-                   return 0.5 * (law.density(k * cosine, k * sine) +
-                                 law.density(-k * sine, k * cosine));
+                   return 0.5 *
+                          (law.density(k * cosine, k * sine) + law.density(-k * sine, k * cosine));
                });
     };
     return tabulated(density, nyquist, kTwoPi / shortest);

@@ -37,8 +37,7 @@ std::shared_ptr<const SplinePyramid> wave_pyramid(const Terrain& terrain, const 
     set_terrain_modes(terrain, *waves.noise, waves.rms, pool, modes, part);
     SurfaceSettings flat;
     flat.choppiness = 0.0;
-    const Surface map =
-        make_surface(modes, flat, 0.0, {Channel::height}, Backend::cpu, pool, side);
+    const Surface map = make_surface(modes, flat, 0.0, {Channel::height}, Backend::cpu, pool, side);
     Domain domain = Domain::tile(terrain.patch_size, side);
     domain.origin = origin;
     const int oversampled = std::bit_width(static_cast<unsigned>(side / terrain.resolution)) - 1;
@@ -117,8 +116,8 @@ class Builder {
     void start_from_waves() {
         const auto origin = origin_of(terrain_);
         const LawPart part = terrain_.has_gullies() ? LawPart::smooth : LawPart::whole;
-        const int side = part == LawPart::smooth ? terrain_.resolution
-                                                 : fine_side(terrain_.resolution);
+        const int side =
+            part == LawPart::smooth ? terrain_.resolution : fine_side(terrain_.resolution);
         parts_.base = wave_pyramid(terrain_, waves_, part, side, origin, pool_);
         if (has_fine_waves(terrain_)) {
             parts_.fine = wave_pyramid(terrain_, waves_, LawPart::fine,
@@ -135,8 +134,8 @@ class Builder {
         const double shortest = detail_wavelength(terrain_);
         const BaseDetail detail(*terrain_.base_model, shortest);
         if (detail.has_waves()) {
-            parts_.detail = std::make_shared<const FineWaves>(
-                detail.density(), detail.longest(), shortest, terrain_.seed, pool_);
+            parts_.detail = std::make_shared<const FineWaves>(detail.density(), detail.longest(),
+                                                              shortest, terrain_.seed, pool_);
             hold_samples(domain, moved);
         }
         parts_.base = std::make_shared<const SplinePyramid>(domain, moved, pool_);
@@ -196,8 +195,9 @@ class Builder {
     }
 
     void keep(LandMask mask, const Domain& domain, std::span<const float> values) {
-        parts_.masks.emplace_back(mask, std::make_shared<const MaskGrid>(
-                                            domain, PageVector<float>(values.begin(), values.end())));
+        parts_.masks.emplace_back(mask,
+                                  std::make_shared<const MaskGrid>(
+                                      domain, PageVector<float>(values.begin(), values.end())));
     }
 
     /// Lowers the base, not what gullies make of it.
@@ -222,8 +222,8 @@ class Builder {
             const auto source =
                 stream_source(terrain_, *parts_.base, parts_.offset, domain, level());
             carved_.land = std::make_shared<const StreamLand>(
-                carve(terrain_.stream, domain.samples[0], domain.samples[1], domain.step(0),
-                      source, pool_, reporter("streams")));
+                carve(terrain_.stream, domain.samples[0], domain.samples[1], domain.step(0), source,
+                      pool_, reporter("streams")));
             carved_.of = terrain_;
         }
         const StreamLand& land = *carved_.land;
@@ -241,8 +241,7 @@ class Builder {
         settings.level = level();
         const Domain domain = shore_domain(settings);
         std::vector<float> heights = heights_on(domain);
-        const CoastMaps maps =
-            shape_coast(heights, domain, settings, pool_, reporter("shore"));
+        const CoastMaps maps = shape_coast(heights, domain, settings, pool_, reporter("shore"));
         rest_on_grid(domain, heights);
         keep(LandMask::beach, domain, maps.beach);
         keep(LandMask::cliff, domain, maps.cliff);
@@ -288,9 +287,9 @@ class Builder {
         if (shortest <= 0.0 || terrain_.base_model != nullptr) return;
         const double longest = lattice_of(terrain_).shortest_wavelength();
         if (shortest >= longest) return;
-        parts_.detail = std::make_shared<const FineWaves>(
-            waves_below_lattice(terrain_, waves_.gain, shortest), longest, shortest, terrain_.seed,
-            pool_);
+        parts_.detail =
+            std::make_shared<const FineWaves>(waves_below_lattice(terrain_, waves_.gain, shortest),
+                                              longest, shortest, terrain_.seed, pool_);
     }
 
     const Terrain& terrain_;
@@ -312,8 +311,8 @@ LandField build_tile_field(const Terrain& terrain, const LandWaves& waves, doubl
                            ThreadPool& pool) {
     LandFieldParts parts;
     parts.domain = Domain::tile(terrain.patch_size, terrain.resolution);
-    parts.base = wave_pyramid(terrain, waves, LawPart::whole, fine_side(terrain.resolution), {},
-                              pool);
+    parts.base =
+        wave_pyramid(terrain, waves, LawPart::whole, fine_side(terrain.resolution), {}, pool);
     parts.offset = offset;
     return LandField(std::move(parts));
 }
@@ -325,9 +324,9 @@ Domain placed_domain(const Terrain& terrain) {
         domain.samples = terrain.base_model->model.domain.samples;
         return domain;
     }
-    const std::array<double, 2> sides =
-        terrain.size.size() == 2 ? std::array{terrain.size[0], terrain.size[1]}
-                                 : std::array{terrain.patch_size, terrain.patch_size};
+    const std::array<double, 2> sides = terrain.size.size() == 2
+                                            ? std::array{terrain.size[0], terrain.size[1]}
+                                            : std::array{terrain.patch_size, terrain.patch_size};
     const double cell = std::max(sides[0], sides[1]) / (terrain.resolution - 1);
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const int steps = std::max(1, static_cast<int>(std::floor(sides[axis] / cell + 1e-6)));

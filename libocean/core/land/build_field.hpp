@@ -19,7 +19,7 @@ namespace ocean {
 /// Receives what is being computed and the share of it that is done, 0 .. 1; may throw to stop.
 using LandProgress = std::function<void(std::string_view work, double share)>;
 
-/// What streams have carved, kept for terrains that differ only in what comes after them.
+/// The land that streams have carved, kept for terrains that differ in later steps alone.
 struct CarvedLand {
     Terrain of;
     std::shared_ptr<const StreamLand> land;

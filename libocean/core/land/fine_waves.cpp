@@ -31,8 +31,8 @@ struct Band {
 
     double period() const { return kWavesOfTile * longest; }
     int resolution() const {
-        const auto samples = static_cast<unsigned>(
-            std::ceil(kSamplesOfWave * period() / shortest * (1.0 - 1e-9)));
+        const auto samples =
+            static_cast<unsigned>(std::ceil(kSamplesOfWave * period() / shortest * (1.0 - 1e-9)));
         return std::max(kMinResolution, static_cast<int>(std::bit_ceil(samples)));
     }
 };
@@ -194,10 +194,8 @@ GroundJet FineWaves::read(const Tile& tile, double x, double y, double cell) {
                                              ry * cosine - rx * sine + unit * (shifts >> 16));
             const double z = sign * jet.height;
             sum.height += w * z;
-            sum.slope_x +=
-                w * sign * (jet.slope_x * cosine - jet.slope_y * sine) + dw * rx * z;
-            sum.slope_y +=
-                w * sign * (jet.slope_x * sine + jet.slope_y * cosine) + dw * ry * z;
+            sum.slope_x += w * sign * (jet.slope_x * cosine - jet.slope_y * sine) + dw * rx * z;
+            sum.slope_y += w * sign * (jet.slope_x * sine + jet.slope_y * cosine) + dw * ry * z;
             squares += w * w;
             squares_x += w * dw * rx;
             squares_y += w * dw * ry;

@@ -11,7 +11,7 @@
 // read at a place are independent, so that the variance is that of the tile everywhere [Heitz and
 // Neyret 2018]; the weights are C2. A tile has the energy of its density exactly in each third of
 // an octave, because one tile's own chance would show everywhere. Extra variance of slopes by the
-// weights: 0.2 %. Test: fine_waves_test.cpp.
+// weights: 0.2 %. Test: land_field_test.cpp.
 #pragma once
 
 #include <cstdint>
@@ -45,9 +45,9 @@ class FineWaves {
   private:
     struct Tile {
         SplinePyramid samples;
-        double period;     // [m]
-        double spacing;    // of the lattice of readings [m]
-        double longest;    // [m]
+        double period;   // [m]
+        double spacing;  // of the lattice of readings [m]
+        double longest;  // [m]
         std::uint32_t seed;
     };
     static GroundJet read(const Tile& tile, double x, double y, double cell);
@@ -56,8 +56,8 @@ class FineWaves {
     double variance_ = 0.0;
 };
 
-/// Returns the density as a table from k0 to k1 [rad/m], straight lines over log k, 64 to an octave;
-/// 0 beyond. Tiles ask for the density of each of their waves.
+/// Returns the density as a table from k0 to k1 [rad/m], straight lines over log k, 64 to an
+/// octave; 0 beyond. Tiles ask for the density of each of their waves.
 RadialDensity tabulated(const RadialDensity& density, double k0, double k1);
 /// Returns the integral of the density over the ring of k0 .. k1 [rad/m]: a variance [m^2].
 double ring_variance(const RadialDensity& density, double k0, double k1);

@@ -122,7 +122,8 @@ struct LandField::Impl {
                               .gully = row.masks[1],
                               .ridge = row.masks[2]},
                              cell);
-        for (std::size_t i = 0; i < n; ++i) row.height[i] += static_cast<double>(row.part_height[i]);
+        for (std::size_t i = 0; i < n; ++i)
+            row.height[i] += static_cast<double>(row.part_height[i]);
     }
 
     LandFieldParts parts;
@@ -205,8 +206,7 @@ class RowWriter {
                 const Channel channel = channel_of_quantity(quantity);
                 for (int i = 0; i < columns; ++i) {
                     const auto at = static_cast<std::size_t>(i + margin_);
-                    to[static_cast<std::size_t>(i) * step + c] =
-                        factor * value(row, at, channel);
+                    to[static_cast<std::size_t>(i) * step + c] = factor * value(row, at, channel);
                 }
                 if (output.seam) to[static_cast<std::size_t>(columns) * step + c] = to[c];
             }
@@ -218,8 +218,7 @@ class RowWriter {
         for (const MapOutput& output : outputs_) {
             if (!output.seam) continue;
             const std::size_t pitch = output.pitch(region_.samples[0]);
-            float* const last =
-                output.data + static_cast<std::size_t>(region_.samples[1]) * pitch;
+            float* const last = output.data + static_cast<std::size_t>(region_.samples[1]) * pitch;
             for (std::size_t i = 0; i < output.width(region_.samples[0]); ++i) {
                 const std::size_t component = i % static_cast<std::size_t>(output.components);
                 if (output.component[component].quantity == Quantity()) continue;
@@ -353,8 +352,8 @@ void LandField::query(std::span<const WorldPoint> points, std::span<QuerySample>
     const auto count = static_cast<int>(points.size());
     pool.for_each_item((count + kPointsOfItem - 1) / kPointsOfItem, [&](int item, int) {
         const auto first = static_cast<std::size_t>(item) * kPointsOfItem;
-        const auto part = points.subspan(first, std::min<std::size_t>(kPointsOfItem,
-                                                                      points.size() - first));
+        const auto part =
+            points.subspan(first, std::min<std::size_t>(kPointsOfItem, points.size() - first));
         // With gullies four neighbours follow the points, for differences.
         const bool by_difference = impl_->parts.gullies.has_value();
         const std::size_t n = part.size();

@@ -37,8 +37,7 @@ class MaskGrid {
     /// Returns the sample before a coordinate and the part of the step to the next one.
     std::pair<std::size_t, double> place(double at, std::size_t axis) const {
         const double last = domain_.samples[axis] - 1;
-        const double u =
-            std::clamp((at - domain_.origin[axis]) / domain_.step(axis), 0.0, last);
+        const double u = std::clamp((at - domain_.origin[axis]) / domain_.step(axis), 0.0, last);
         const double i = std::min(std::floor(u), last - 1.0);
         return {static_cast<std::size_t>(i), u - i};
     }

@@ -188,7 +188,7 @@ Domain halved(const Domain& domain) {
 }
 
 std::vector<float> halved(const Domain& domain, std::span<const float> samples, ThreadPool& pool) {
-    constexpr std::array<double, 7> kFilter = {-1.0 / 32.0, 0.0,        9.0 / 32.0, 16.0 / 32.0,
+    constexpr std::array<double, 7> kFilter = {-1.0 / 32.0, 0.0, 9.0 / 32.0, 16.0 / 32.0,
                                                9.0 / 32.0,  0.0, -1.0 / 32.0};
     constexpr int kHalf = 3;
     const Domain half = halved(domain);

@@ -129,8 +129,7 @@ StreamSource stream_source(const Terrain& terrain, const SplinePyramid& base, do
         land.outlet = outlets_of(cells, level);
         const bool has_sea = std::ranges::min(cells.smooth) < static_cast<float>(level) &&
                              seas_of(cells, level) == land.outlet;
-        const double foot =
-            has_sea ? level : static_cast<double>(std::ranges::min(cells.smooth));
+        const double foot = has_sea ? level : static_cast<double>(std::ranges::min(cells.smooth));
         const double highest =
             std::max(static_cast<double>(std::ranges::max(cells.smooth)) - foot, 1e-3);
         const double scale = std::min(1.0, summit / highest);
@@ -153,8 +152,7 @@ std::vector<float> with_sea_bed(const StreamLand& land, const SplinePyramid& bas
                                 const Domain& domain, double level, ThreadPool& pool) {
     std::vector<float> heights(land.height.begin(), land.height.end());
     const double cell = domain.step(0);
-    const Cells cells =
-        cells_of(base, offset, domain, domain.samples[0], domain.samples[1], cell);
+    const Cells cells = cells_of(base, offset, domain, domain.samples[0], domain.samples[1], cell);
     round_floors({domain.samples[0], domain.samples[1], cell}, outlets_of(cells, level), heights,
                  pool);
     const std::vector<std::uint8_t> sea = seas_of(cells, level);
@@ -179,9 +177,9 @@ bool same_streams(const Terrain& a, const Terrain& b) {
     if (a.layers.size() != b.layers.size()) return false;
     for (const TerrainRow& row : terrain_table().rows) {
         // Detail moves the samples of a base, but nothing else that streams begin with.
-        const bool comes_later = (row.holds<&Terrain::detail_wavelength>() &&
-                                  a.base_model == nullptr) ||
-                                 (row.section == "terrain.coast" && row.key != "level");
+        const bool comes_later =
+            (row.holds<&Terrain::detail_wavelength>() && a.base_model == nullptr) ||
+            (row.section == "terrain.coast" && row.key != "level");
         if (comes_later) continue;
         for (std::size_t item = 0; item < row.member.items(a); ++item) {
             if (row.member.get(a, item) != row.member.get(b, item)) return false;

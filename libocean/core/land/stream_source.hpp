@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What streams begin with: the land of the waves as start, uplift and outlets for each level of
-// their pyramid, and the land that they leave, with the bed of the sea around it.
+// The start of streams: the land of the waves as heights, uplift and outlets for each level of
+// their pyramid; and their end, carved land with the bed of the sea around it.
 #pragma once
 
 #include <vector>

@@ -31,9 +31,9 @@ constexpr auto kAllProducts = [] {
 }();
 
 [[noreturn]] void refuse_channel(int channel, std::size_t host_channels) {
-    throw Error(ErrorKind::invalid_value,
-                "channel " + std::to_string(channel) + " is not known; allowed: 0 .. " +
-                    std::to_string(kChannels.size() + host_channels - 1));
+    throw Error(ErrorKind::invalid_value, "channel " + std::to_string(channel) +
+                                              " is not known; allowed: 0 .. " +
+                                              std::to_string(kChannels.size() + host_channels - 1));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct Uint {
     Uint() = default;
     OCEAN_INLINE Uint(UintLanes lanes) : v(lanes) {}
     OCEAN_INLINE Uint(std::uint32_t x) : v(x - UintLanes{}) {}
-    /// Of integers below 2^31.
+    /// Takes integers below 2^31.
     OCEAN_INLINE explicit operator Vec() const {
         return Lanes(__builtin_convertvector(reinterpret_cast<IntLanes>(v), Lanes));
     }

@@ -10,8 +10,8 @@
 #include <limits>
 #include <utility>
 
-#include "ocean/error.hpp"
 #include "land/build_field.hpp"
+#include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/land_field.hpp"
 #include "ocean/land_mask.hpp"
@@ -39,8 +39,8 @@ void require_terrain_channels(ChannelSet wanted, ChannelSet available) {
             throw Error(ErrorKind::unsupported, "this terrain has no mask " + name +
                                                     ": its file has no section that makes it");
         }
-        throw Error(ErrorKind::unsupported, "a terrain has no channel " + name +
-                                                "; it has height, normals and slopes");
+        throw Error(ErrorKind::unsupported,
+                    "a terrain has no channel " + name + "; it has height, normals and slopes");
     }
 }
 
@@ -159,8 +159,8 @@ struct Land::Impl {
             if (carved.land != before) ++runs.streams;
         } else {
             waves.rms = scale.rms;  // that of `range` too
-            field = std::make_shared<const LandField>(
-                build_tile_field(terrain, waves, offset, pool));
+            field =
+                std::make_shared<const LandField>(build_tile_field(terrain, waves, offset, pool));
         }
         ++runs.shape;
         return *field;
@@ -321,10 +321,10 @@ void Land::surface_into(std::span<const MapOutput> outputs, int resolution) {
 void Land::shaped_into(std::span<const MapOutput> outputs, int resolution) {
     const Domain domain = this->domain(resolution);
     if (domain.samples[0] != domain.samples[1]) {
-        throw Error(ErrorKind::unsupported,
-                    "this land is not a square: its maps have " +
-                        std::to_string(domain.samples[0]) + " x " +
-                        std::to_string(domain.samples[1]) + " samples; ask for a region");
+        throw Error(ErrorKind::unsupported, "this land is not a square: its maps have " +
+                                                std::to_string(domain.samples[0]) + " x " +
+                                                std::to_string(domain.samples[1]) +
+                                                " samples; ask for a region");
     }
     for (const MapOutput& output : outputs) {
         if (!output.seam || domain.wraps) continue;

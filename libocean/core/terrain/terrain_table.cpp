@@ -27,8 +27,8 @@ constexpr double kMaxBeta = 6.0;
 
 constexpr TableRow<Terrain> kRows[] = {
     {kTerrain, "kind", "", "Kind",
-     "tile: a square that repeats; placed: a rectangle that exists once.",
-     member<&Terrain::kind>(), 0, 0, 0, 0, kRebuild, TerrainStage::noise},
+     "tile: a square that repeats; placed: a rectangle that exists once.", member<&Terrain::kind>(),
+     0, 0, 0, 0, kRebuild, TerrainStage::noise},
     {kTerrain, "resolution", "samples", "Resolution",
      "Samples along each side, and with them the shortest waves; a power of two. A finer terrain "
      "keeps the noise of the waves that it shares with a coarser one, and their amplitudes too if "

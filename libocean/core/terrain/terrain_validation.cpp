@@ -153,8 +153,7 @@ void validate_gullies(const Terrain& terrain) {
 void validate_shaped_range(const Terrain& terrain) {
     if (terrain.range.empty() || !terrain.is_shaped()) return;
     refuse("terrain.range", terrain.range,
-           "is for a tile without gullies: erosion does not scale with the height",
-           "rms and mean");
+           "is for a tile without gullies: erosion does not scale with the height", "rms and mean");
 }
 
 }  // namespace

@@ -18,7 +18,18 @@
 namespace ocean {
 
 /// The order is that of libocean.h.
-enum class LandMask { wear, gully, ridge, flow, deposit, streambed, wetness, beach, cliff, shelter };
+enum class LandMask {
+    wear,
+    gully,
+    ridge,
+    flow,
+    deposit,
+    streambed,
+    wetness,
+    beach,
+    cliff,
+    shelter
+};
 inline constexpr int kMaskCount = static_cast<int>(enum_count<LandMask>());
 static_assert(kFirstMask + kMaskCount <= kChannelNumbers);
 

@@ -69,17 +69,17 @@ struct Terrain {
     double anisotropy = 1.0;
     double direction = 0.0;
     std::string measured;
-    std::vector<double> origin;  // of a placed land: its south-west corner [m]; empty: (0, 0)
-    std::vector<double> size;    // its sides [m]; empty: patch_size, or those of `base`
-    double island = 0.0;         // fall of the heights from the middle to the border [m]
-    std::string base;            // the file of an elevation model that is the land
-    std::optional<double> base_error;         // [m]; unset: a tenth of its slope times its cell
+    std::vector<double> origin;        // of a placed land: its south-west corner [m]; empty: (0, 0)
+    std::vector<double> size;          // its sides [m]; empty: patch_size, or those of `base`
+    double island = 0.0;               // fall of the heights from the middle to the border [m]
+    std::string base;                  // the file of an elevation model that is the land
+    std::optional<double> base_error;  // [m]; unset: a tenth of its slope times its cell
     std::optional<double> detail_wavelength;  // [m]; unset: a thirtieth of the base's cell
     std::vector<TerrainLayer> layers;
-    GullySettings gullies{.depth = 0.0};       // depth 0: none
-    StreamSettings stream{.slope = 0.0};       // slope 0: none
-    CoastSettings coast{.beach_slope = 0.0};   // beach_slope 0: none
-    std::optional<double> coast_level;         // [m]; unset: 0
+    GullySettings gullies{.depth = 0.0};      // depth 0: none
+    StreamSettings stream{.slope = 0.0};      // slope 0: none
+    CoastSettings coast{.beach_slope = 0.0};  // beach_slope 0: none
+    std::optional<double> coast_level;        // [m]; unset: 0
 
     /// The rings of `measured`, read by ocean::seafile. Shared and never modified. Not in the
     /// table.

@@ -35,12 +35,12 @@ struct TerrainState {
     /// Slope angles [degrees] that 50, 90 and 99 % of the land do not exceed, from the mean square
     /// slope as of a Gaussian surface without direction.
     std::vector<AskedResolved> slope_angles;
-    double mean = 0.0;                   // [m]
-    double shortest_wave = 0.0;          // within the limits, along an axis of the grid [m]
-    double longest_wave = 0.0;           // [m]
-    double period = 0.0;                 // [m]; 0 for a land that exists once
-    std::array<double, 2> size{};        // of such a land, or of the tile [m]
-    double lowest = 0.0;                 // of the map that was measured [m]; 0 if none was
+    double mean = 0.0;             // [m]
+    double shortest_wave = 0.0;    // within the limits, along an axis of the grid [m]
+    double longest_wave = 0.0;     // [m]
+    double period = 0.0;           // [m]; 0 for a land that exists once
+    std::array<double, 2> size{};  // of such a land, or of the tile [m]
+    double lowest = 0.0;           // of the map that was measured [m]; 0 if none was
     double highest = 0.0;
     double cell = 0.0;                   // distance of samples [m]
     std::vector<TerrainOctave> octaves;  // from the longest wave

@@ -30,8 +30,8 @@ using TerrainRow = TableRow<Terrain>;
 const Table<Terrain>& terrain_table();
 
 /// Sets a parameter from text. Rules between parameters are not checked, so that several can be set
-/// in any order; call validate afterwards. A new `measured` or `base` drops what was read for the old one.
-/// Throws Error invalid_value and changes nothing if the name or the value is refused.
+/// in any order; call validate afterwards. A new `measured` or `base` drops what was read for the
+/// old one. Throws Error invalid_value and changes nothing if the name or the value is refused.
 void set_parameter(Terrain& terrain, std::string_view name, std::string_view text);
 /// Returns a parameter as text: numbers in the shortest form that reads back to the same bits, ""
 /// for an unset one. Throws Error invalid_value for an unknown name.

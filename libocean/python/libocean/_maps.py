@@ -65,8 +65,7 @@ class MapWriter(Handle):
             raise _library.error("arrays of different R in one call", _library.INVALID_ARGUMENT)
         if maps:
             outputs = [
-                (array, tuple(channel_number(name) for name in names))
-                for array, names in maps
+                (array, tuple(channel_number(name) for name in names)) for array, names in maps
             ]
             turn = choose("axes", axes, _library.AXES)
             resolution = len(maps[0][0]) - seam
@@ -163,7 +162,7 @@ class Maps(MapWriter, SeaHandle):
             found = np.empty(count.value, dtype=DETAIL_BAND)
             slopes = [np.empty((samples, samples, 2), np.float32) for _ in found]
             channels = tuple(channel_number(name) for name in PRODUCTS["slope"].channels)
-            outputs = _outputs_of([(array, channels) for array in slopes])
+            outputs = outputs_of([(array, channels) for array in slopes])
             request.bands, request.band_count = found.ctypes.data, len(found)
             request.band_size = found.itemsize
             request.outputs, request.output_count = outputs, len(outputs)
