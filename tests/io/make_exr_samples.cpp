@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
                       io::find_exr_compression(codec));
     };
     std::vector<const Product*> all;
-    for (const Product& product : product_table()) {
+    for (const Product& product : kProducts) {
         all.push_back(&product);
         const std::string name(product.name);
         write({&product}, {}, name);

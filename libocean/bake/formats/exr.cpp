@@ -16,6 +16,7 @@
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/io/product_image.hpp"
+#include "ocean/land_mask.hpp"
 #include "products/requested_families.hpp"
 #include "sha256.hpp"
 #include "source.hpp"
@@ -44,13 +45,17 @@ struct ExrSettings {
 };
 
 /// Returns the names of the library's products that have that value in that column: "slope, foam
-/// and cover".
+/// and cover"; "masks" for all masks of lands.
 template <typename Value>
 std::string names_of(Value Product::*column, Value value) {
     std::vector<std::string> names;
+    std::vector<std::string> masks;
     for (const Product& product : product_table()) {
-        if (product.*column == value) names.emplace_back(product.name);
+        if (product.*column != value) continue;
+        (is_mask(product.channels[0]) ? masks : names).emplace_back(product.name);
     }
+    if (masks.size() == kMaskProducts.size()) masks = {"masks"};
+    names.insert(names.end(), masks.begin(), masks.end());
     return listing(names, "and");
 }
 
@@ -60,16 +65,14 @@ std::vector<FormatOption> list_options(const Catalogue& catalogue) {
          "Comma list of products, listed above; default " + std::string(kDefaultProducts)},
         {"type", "TYPE",
          "float or half; default: float for " + names_of(&Product::precision, Precision::full) +
-             ", and for the height of a subject that is not displaced, such as a terrain; half for "
-             "the "
-             "rest"},
+             ", and for the height of a terrain; half for the rest"},
         {"axes", "AXES",
          "Order of vectors: tnb (x, z, y), zup (x, y, z), yup (x, z, -y); default tnb"},
         {"layout", "LAYOUT",
          "separate (a file for each product) or layered (one file); default separate"},
         {"compression", "CODEC",
          "none, rle, zips, zip, piz or pxr24; default rle for " +
-             names_of(&Product::run_lengths, RunLengths::always) + ", and in half floats for " +
+             names_of(&Product::run_lengths, RunLengths::always) + ", for halves of " +
              names_of(&Product::run_lengths, RunLengths::of_halves) + ", else none"},
     };
     std::ranges::move(family_options(catalogue), std::back_inserter(options));

@@ -67,7 +67,7 @@ inline constexpr auto kMaskProducts = [] {
         detail::mask(wear, "", half, "Floors of gullies -1 .. crests between them 1"),
         detail::mask(gully, "", half, "Floors of gullies, 0 .. 1"),
         detail::mask(ridge, "", half, "Crests between gullies, 0 .. 1"),
-        detail::mask(flow, "m2", full, "Area that drains through the place [m2]"),
+        detail::mask(flow, "m2", full, "Area that drains through the place"),
         detail::mask(deposit, "", half, "Ground that streams laid down, 0 .. 1"),
         detail::mask(streambed, "", half, "Channels of streams, 0 .. 1"),
         detail::mask(wetness, "", half, "Wetness of the ground by its drainage, 0 .. 1"),
