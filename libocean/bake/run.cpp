@@ -284,7 +284,9 @@ void run_bake(const BakePlan& plan, BakeHost& host) {
     host.note(format_text("%d frames at a time, %d threads each", share.frames_at_a_time,
                           share.threads_each));
     warn_of_subject(plan, host);
-    const auto source = plan.subject->open({.threads = plan.threads});  // once, for all workers
+    // Once, for all workers.
+    const auto source = plan.subject->open(
+        {.threads = plan.threads, .build_progress = host.build_progress()});
     const Bake bake{plan, *source, manifest, host};
     ManifestSaver saver(bake);
     const ManifestOnInterrupt on_interrupt(manifest, host);

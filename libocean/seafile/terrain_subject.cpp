@@ -21,7 +21,9 @@ namespace ocean {
 namespace {
 
 LandOptions land_options(const MapsOptions& options) {
-    return {.threads = options.threads, .backend = options.backend};
+    return {.threads = options.threads,
+            .backend = options.backend,
+            .progress = options.build_progress};
 }
 
 Domain repeated_domain(const Terrain& terrain, TerrainTiles tiles, int resolution) {

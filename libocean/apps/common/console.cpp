@@ -201,6 +201,17 @@ std::function<void(std::int64_t, std::int64_t)> foam_progress_on(Console& consol
     };
 }
 
+std::function<void(std::string_view, double)> build_progress_on(Console& console) {
+    constexpr double kInterval = 2.0;  // [s]
+    return [&console, last_report = now()](std::string_view work, double share) mutable {
+        if (now() - last_report < kInterval) return;
+        last_report = now();
+        console.report("build",
+                       format_text("computing %s: %.0f %%", std::string(work).c_str(), 100.0 * share),
+                       {{"work", std::string(work)}, {"share", Json(share, decimals<2>)}});
+    };
+}
+
 std::function<void(std::size_t)> progress_on(Console& console, const std::string& steps,
                                              std::size_t total) {
     constexpr double kInterval = 5.0;  // [s]

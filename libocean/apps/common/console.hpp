@@ -82,6 +82,9 @@ class Console {
 
 /// Returns a function that reports the progress of computing earlier foam every few seconds.
 std::function<void(std::int64_t done, std::int64_t total)> foam_progress_on(Console& console);
+/// Returns a function that reports every few seconds what is being computed and the share of it
+/// that is done.
+std::function<void(std::string_view work, double share)> build_progress_on(Console& console);
 /// Returns a function that reports every few seconds how many of `total` steps, such as "times",
 /// are done.
 std::function<void(std::size_t done)> progress_on(Console& console, const std::string& steps,

@@ -60,6 +60,10 @@ std::function<void(std::int64_t, std::int64_t)> ConsoleHost::foam_progress() {
     return foam_progress_on(context_.console);
 }
 
+std::function<void(std::string_view, double)> ConsoleHost::build_progress() {
+    return build_progress_on(context_.console);
+}
+
 void ConsoleHost::run_uninterrupted(const std::function<void()>& write) {
     const InterruptWatch::Hold hold = context_.interrupts.hold();
     write();

@@ -25,6 +25,7 @@ class ConsoleHost final : public BakeHost {
     void note(const std::string& text) override;
     void warning(const std::string& text) override;
     std::function<void(std::int64_t done, std::int64_t total)> foam_progress() override;
+    std::function<void(std::string_view work, double share)> build_progress() override;
     void run_uninterrupted(const std::function<void()>& write) override;
     void set_interrupt_handler(std::function<void()> handler) override;
 

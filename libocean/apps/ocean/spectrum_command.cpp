@@ -100,6 +100,15 @@ void run_for_terrain(const SpectrumOptions& options, const Context& context) {
     const int seeds = options.seeds.empty()
                           ? kDefaultSeeds
                           : parse_whole_number(options.seeds, "--seeds", 1, kMaxSpectrumSeeds);
+    if (terrain.base_model != nullptr) {
+        throw Error(ErrorKind::unsupported,
+                    options.sea.source + ": the land of an elevation model has no law; `ocean "
+                    "terrain fit " + terrain.base + "` measures its spectrum");
+    }
+    if (terrain.is_shaped()) {
+        context.console.warning(
+            "the spectrum is that of the waves, before gullies, streams and shore shape them");
+    }
     Land land(terrain, {.threads = context.options.threads});
     const auto report = progress_on(context.console, "tiles", static_cast<std::size_t>(seeds));
     const std::vector<TerrainRing> rings =

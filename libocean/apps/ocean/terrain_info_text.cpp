@@ -110,6 +110,16 @@ std::string terrain_info_text(const Terrain& terrain, const std::string& name,
     for (std::size_t i = 0; i < state.slope_angles.size(); ++i) {
         text += asked_resolved(kShares[i], state.slope_angles[i], " deg", "%.1f");
     }
+    if (state.repeat) {
+        const auto peak = [](const RepeatPeak& at) {
+            return at.correlation > 0.0 ? format_text("%.2f at %.4g m", at.correlation, at.distance)
+                                        : std::string("none");
+        };
+        text += row("Repeats", format_text("after %g m; highest correlation before that: height %s, "
+                                           "slope %s",
+                                           terrain.patch_size, peak(state.repeat->height).c_str(),
+                                           peak(state.repeat->slope).c_str()));
+    }
     if (!state.octaves.empty()) text += octaves_text(state);
     return text + "\n" + row("Memory", bytes_text(state.memory_bytes));
 }

@@ -195,6 +195,7 @@ TerrainState terrain_state(const Terrain& terrain, const Modes& modes, const Ter
                              ? std::min(terrain.longest_wavelength, terrain.patch_size)
                              : terrain.patch_size;
     state.octaves = octaves_of(terrain, rings);
+    if (!terrain.is_placed()) state.repeat = find_repeat(modes);
     state.memory_bytes = Land::bytes(terrain) + maps_bytes(terrain.resolution, 3);
     add_warnings(terrain, state);
     return state;
@@ -259,6 +260,14 @@ std::string terrain_state_json(const TerrainState& state) {
     json.add("slope_angles", angles).add("mean", state.mean);
     json.add("shortest_wave", state.shortest_wave).add("longest_wave", state.longest_wave);
     json.add("period", state.period).add("cell", state.cell).add("octaves", octaves);
+    const auto peak_json = [](const RepeatPeak& peak) {
+        return JsonObject().add("correlation", peak.correlation).add("distance", peak.distance);
+    };
+    if (state.repeat) {
+        json.add("repeat", JsonObject()
+                               .add("height", peak_json(state.repeat->height))
+                               .add("slope", peak_json(state.repeat->slope)));
+    }
     if (state.lowest < state.highest) {
         json.add("size", json_array(state.size));
         json.add("lowest", state.lowest).add("highest", state.highest);

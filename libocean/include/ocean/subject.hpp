@@ -28,6 +28,9 @@ struct MapsOptions {
     /// Called while foam is followed from its beginning; may throw to stop the call.
     std::function<void(std::int64_t done, std::int64_t total)> foam_progress = {};
     std::span<const ChannelInfo> channels = {};  // beside those of the table
+    /// Called while a subject is built that takes its time, with what is being computed and the
+    /// share of it that is done; may throw to stop the call.
+    std::function<void(std::string_view work, double share)> build_progress = {};
 };
 
 /// A map of heights by world position instead of by label.

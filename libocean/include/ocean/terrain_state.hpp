@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "ocean/surface.hpp"
 #include "ocean/terrain.hpp"
 #include "ocean/terrain_modes.hpp"
+#include "ocean/terrain_repeat.hpp"
 
 namespace ocean {
 
@@ -44,6 +46,9 @@ struct TerrainState {
     double highest = 0.0;
     double cell = 0.0;                   // distance of samples [m]
     std::vector<TerrainOctave> octaves;  // from the longest wave
+    /// The highest peaks within the period; without gullies, which add to both. Unset for a land
+    /// that exists once.
+    std::optional<TerrainRepeat> repeat;
     std::uint64_t memory_bytes = 0;      // of noise, modes and a map of height and slopes
     std::vector<std::string> warnings;   // full sentences, for people
 };

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ocean/bake/estimate.hpp"
@@ -36,6 +37,10 @@ class BakeHost {
     virtual std::function<void(std::int64_t done, std::int64_t total)> foam_progress() {
         return {};
     }
+
+    /// Returns the function that is called while the subject is built, with what is being computed
+    /// and the share of it that is done; may be empty.
+    virtual std::function<void(std::string_view work, double share)> build_progress() { return {}; }
 
     /// Calls `write`; the process should not end before it returns.
     virtual void run_uninterrupted(const std::function<void()>& write) { write(); }
