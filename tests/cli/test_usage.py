@@ -166,7 +166,7 @@ def test_every_preset_is_listed_and_is_a_file(ocean):
     names = [entry["name"] for entry in json.loads(ocean.good("presets", "--json"))]
     listed = [line for line in ocean.good("presets").splitlines() if line.startswith("  ")]
     assert names == [line.split()[0] for line in listed]
-    assert len(names) == 13 + 10 + 2 + 6
+    assert len(names) == 13 + 10 + 2 + 8
     for name in names:
         ocean.write("preset.toml", ocean.good("presets", name))
         state = ocean.good("info", "preset.toml", "--json")
