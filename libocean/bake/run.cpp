@@ -285,8 +285,8 @@ void run_bake(const BakePlan& plan, BakeHost& host) {
                           share.threads_each));
     warn_of_subject(plan, host);
     // Once, for all workers.
-    const auto source = plan.subject->open(
-        {.threads = plan.threads, .build_progress = host.build_progress()});
+    const auto source =
+        plan.subject->open({.threads = plan.threads, .build_progress = host.build_progress()});
     const Bake bake{plan, *source, manifest, host};
     ManifestSaver saver(bake);
     const ManifestOnInterrupt on_interrupt(manifest, host);

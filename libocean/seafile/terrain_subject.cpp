@@ -21,9 +21,8 @@ namespace ocean {
 namespace {
 
 LandOptions land_options(const MapsOptions& options) {
-    return {.threads = options.threads,
-            .backend = options.backend,
-            .progress = options.build_progress};
+    return {
+        .threads = options.threads, .backend = options.backend, .progress = options.build_progress};
 }
 
 Domain repeated_domain(const Terrain& terrain, TerrainTiles tiles, int resolution) {

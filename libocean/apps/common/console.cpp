@@ -206,9 +206,9 @@ std::function<void(std::string_view, double)> build_progress_on(Console& console
     return [&console, last_report = now()](std::string_view work, double share) mutable {
         if (now() - last_report < kInterval) return;
         last_report = now();
-        console.report("build",
-                       format_text("computing %s: %.0f %%", std::string(work).c_str(), 100.0 * share),
-                       {{"work", std::string(work)}, {"share", Json(share, decimals<2>)}});
+        console.report(
+            "build", format_text("computing %s: %.0f %%", std::string(work).c_str(), 100.0 * share),
+            {{"work", std::string(work)}, {"share", Json(share, decimals<2>)}});
     };
 }
 

@@ -102,8 +102,10 @@ void run_for_terrain(const SpectrumOptions& options, const Context& context) {
                           : parse_whole_number(options.seeds, "--seeds", 1, kMaxSpectrumSeeds);
     if (terrain.base_model != nullptr) {
         throw Error(ErrorKind::unsupported,
-                    options.sea.source + ": the land of an elevation model has no law; `ocean "
-                    "terrain fit " + terrain.base + "` measures its spectrum");
+                    options.sea.source +
+                        ": the land of an elevation model has no law; `ocean "
+                        "terrain fit " +
+                        terrain.base + "` measures its spectrum");
     }
     if (terrain.is_shaped()) {
         context.console.warning(

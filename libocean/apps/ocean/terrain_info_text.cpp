@@ -115,10 +115,11 @@ std::string terrain_info_text(const Terrain& terrain, const std::string& name,
             return at.correlation > 0.0 ? format_text("%.2f at %.4g m", at.correlation, at.distance)
                                         : std::string("none");
         };
-        text += row("Repeats", format_text("after %g m; highest correlation before that: height %s, "
-                                           "slope %s",
-                                           terrain.patch_size, peak(state.repeat->height).c_str(),
-                                           peak(state.repeat->slope).c_str()));
+        text +=
+            row("Repeats", format_text("after %g m; highest correlation before that: height %s, "
+                                       "slope %s",
+                                       terrain.patch_size, peak(state.repeat->height).c_str(),
+                                       peak(state.repeat->slope).c_str()));
     }
     if (!state.octaves.empty()) text += octaves_text(state);
     return text + "\n" + row("Memory", bytes_text(state.memory_bytes));

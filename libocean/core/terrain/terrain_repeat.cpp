@@ -91,8 +91,7 @@ TerrainRepeat find_repeat(const Modes& modes) {
     Plane plane(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
     for (int m = 1 - side / 2; m < side / 2; ++m) {
         for (int n = 1 - side / 2; n < side / 2; ++n) {
-            const double power =
-                std::norm(std::complex<double>(tile.h0[mode_index(n, m, own)]));
+            const double power = std::norm(std::complex<double>(tile.h0[mode_index(n, m, own)]));
             const double k_square = dk * dk * (n * n + m * m);
             plane[mode_index(n, m, side)] = {static_cast<float>(power),
                                              static_cast<float>(power * k_square)};

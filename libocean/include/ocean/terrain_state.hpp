@@ -49,8 +49,8 @@ struct TerrainState {
     /// The highest peaks within the period; without gullies, which add to both. Unset for a land
     /// that exists once.
     std::optional<TerrainRepeat> repeat;
-    std::uint64_t memory_bytes = 0;      // of noise, modes and a map of height and slopes
-    std::vector<std::string> warnings;   // full sentences, for people
+    std::uint64_t memory_bytes = 0;     // of noise, modes and a map of height and slopes
+    std::vector<std::string> warnings;  // full sentences, for people
 };
 
 /// Returns the statistics of a terrain with these modes; offset is the height added to them.
