@@ -59,6 +59,18 @@ std::vector<FormatOption> options_of(const BakeFormat& format, const Catalogue& 
     return format.options(catalogue);
 }
 
+/// Returns the extensions of the formats that have an option, ".ply, .obj and .usda".
+std::string homes_of(const std::string& option, const Catalogue& catalogue) {
+    std::vector<std::string> homes;
+    for (const BakeFormat* format : catalogue.formats) {
+        const std::vector<FormatOption> known = options_of(*format, catalogue);
+        const bool has_it = std::ranges::any_of(
+            known, [&](const FormatOption& one) { return one.name == option; });
+        if (has_it) homes.emplace_back(format->extension);
+    }
+    return listing(homes, "and");
+}
+
 /// Refuses options that only other formats have, and options whose companion is missing.
 void refuse_foreign_options(const BakeOptions& options, const BakeFormat& format,
                             const Catalogue& catalogue) {
@@ -78,7 +90,8 @@ void refuse_foreign_options(const BakeOptions& options, const BakeFormat& format
                 refuse(typed + "needs --" + option.needs);
             }
             if (!knows(option.name)) {
-                refuse(typed + "only files of type " + std::string(home->extension) + " have it");
+                refuse(typed + "only files of type " + homes_of(option.name, catalogue) +
+                       " have it");
             }
         }
     }
@@ -311,6 +324,7 @@ BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
     plan.maps = std::move(resolved.maps);
     require_channels(plan);
     plan.settings = std::move(resolved.settings);
+    plan.format_note = std::move(resolved.note);
     resolve_backend(catalogue, options.backend, plan);
     plan.shard = options.shard;
     if (!options.shard.empty()) plan.frames = parse_shard(options.shard).of(plan.frames);

@@ -93,6 +93,22 @@ std::optional<TerrainRegion> region_of(const Typed& typed) {
     return region;
 }
 
+/// Throws Error invalid_value for --lod beside options of maps: its vertices are not theirs.
+void refuse_lod_of_maps(const Typed& typed, const BakeOptions& options) {
+    if (options.format_option("lod").empty()) return;
+    const std::pair<const char*, const std::string*> of_maps[] = {
+        {"--tiles", &typed.tiles},
+        {"--region", &typed.region.region},
+        {"--cell", &typed.region.cell},
+        {"--resolution", &typed.bake.resolution},
+        {"--stage", &typed.stage}};
+    for (const auto& [option, text] : of_maps) {
+        if (text->empty()) continue;
+        throw Error(ErrorKind::invalid_value, "--lod: its vertices follow from the eye; " +
+                                                  std::string(option) + " is for maps");
+    }
+}
+
 /// Returns the part of the terrain that a baked file shows: tiles, a whole placed land or a region.
 std::unique_ptr<Subject> subject_of_file(const std::string& path, Terrain terrain) {
     const auto provenance = io::read_provenance(path);
@@ -124,6 +140,7 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
     BakeOptions options = typed.bake;
     add_given(typed.format_options, options);
     request_stage(typed.stage, options);
+    refuse_lod_of_maps(typed, options);
     options.source = typed.terrain.source;
     options.threads = context.options.threads;
     const TerrainTiles tiles = parse_tiles(typed.tiles);
