@@ -54,7 +54,9 @@ std::vector<const Product*> list_products(const BakePlan&, const MeshOrSpray& se
 FormatPlan<MeshOrSpray> resolve(const BakePlan& draft, const MeshOrSpray& requested) {
     if (spray_of(requested)) return {spray_maps(draft), requested};
     FormatPlan<PlainMesh> mesh = resolve_plain_mesh(draft, mesh_of(requested));
-    return {std::move(mesh.maps), std::move(mesh.settings)};
+    return {.maps = std::move(mesh.maps),
+            .settings = std::move(mesh.settings),
+            .note = std::move(mesh.note)};
 }
 
 std::vector<BakeFile> list_files(const BakePlan& plan, const MeshOrSpray& settings, int frame) {
