@@ -13,6 +13,7 @@
 #include "ocean/internal/csv_rows.hpp"
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/io/subject_words.hpp"
+#include "ocean/land_mask.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
@@ -140,6 +141,13 @@ void require_channels(const BakePlan& plan) {
         if (!plan.maps.channels.contains(channel) || available.contains(channel)) continue;
         throw Error(ErrorKind::unsupported, "a " + std::string(plan.subject->kind()) + " has no " +
                                                 std::string(channel_info(channel).name));
+    }
+    for (const Product& mask : kMaskProducts) {
+        const ChannelSet set = mask.set();
+        if (!plan.maps.channels.intersects(set) || available.contains(set)) continue;
+        throw Error(ErrorKind::unsupported, "this " + std::string(plan.subject->kind()) +
+                                                " has no mask " + std::string(mask.name) +
+                                                ": its file has no section that makes it");
     }
 }
 
