@@ -15,6 +15,7 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/io/exr.hpp"
+#include "ocean/land_mask.hpp"
 #include "ocean/io/product_image.hpp"
 #include "products/requested_families.hpp"
 #include "sha256.hpp"
@@ -44,13 +45,18 @@ struct ExrSettings {
 };
 
 /// Returns the names of the library's products that have that value in that column: "slope, foam
-/// and cover".
+/// and cover". Masks of a land, of which there are many, are "masks".
 template <typename Value>
 std::string names_of(Value Product::*column, Value value) {
     std::vector<std::string> names;
+    bool has_masks = false;
     for (const Product& product : product_table()) {
-        if (product.*column == value) names.emplace_back(product.name);
+        if (product.*column != value) continue;
+        const bool is_one = product.count == 1 && is_mask(product.channels[0]);
+        has_masks |= is_one && product.unit.empty();
+        if (!is_one || !product.unit.empty()) names.emplace_back(product.name);
     }
+    if (has_masks) names.emplace_back("masks");
     return listing(names, "and");
 }
 
@@ -60,17 +66,15 @@ std::vector<FormatOption> list_options(const Catalogue& catalogue) {
          "Comma list of products, listed above; default " + std::string(kDefaultProducts)},
         {"type", "TYPE",
          "float or half; default: float for " + names_of(&Product::precision, Precision::full) +
-             ", and for the height of a subject that is not displaced, such as a terrain; half for "
-             "the "
-             "rest"},
+             " and for heights of what is not displaced, such as a terrain; half for the rest"},
         {"axes", "AXES",
          "Order of vectors: tnb (x, z, y), zup (x, y, z), yup (x, z, -y); default tnb"},
         {"layout", "LAYOUT",
          "separate (a file for each product) or layered (one file); default separate"},
         {"compression", "CODEC",
          "none, rle, zips, zip, piz or pxr24; default rle for " +
-             names_of(&Product::run_lengths, RunLengths::always) + ", and in half floats for " +
-             names_of(&Product::run_lengths, RunLengths::of_halves) + ", else none"},
+             names_of(&Product::run_lengths, RunLengths::always) + "; as halves also for " +
+             names_of(&Product::run_lengths, RunLengths::of_halves)},
     };
     std::ranges::move(family_options(catalogue), std::back_inserter(options));
     return options;

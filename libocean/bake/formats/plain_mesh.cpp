@@ -45,9 +45,8 @@ std::uint64_t PlainMesh::floats() const {
 std::vector<FormatOption> plain_mesh_options(std::string_view products, bool all) {
     std::vector<FormatOption> options = {
         {"products", "LIST",
-         "Comma list of " + std::string(products) +
-             " and the masks of a land, such as beach, or position for the vertices alone; default " +
-             (all ? std::string(products) : std::string(kNormalAlone))},
+         "Comma list of " + std::string(products) + " and the masks of a land, or position; default " +
+             std::string(all ? products : kNormalAlone)},
         {"axes", "AXES", "zup (x, y, z) or yup (x, z, -y); default zup"}};
     for (FormatOption& option : land_lod_options()) options.push_back(std::move(option));
     return options;
