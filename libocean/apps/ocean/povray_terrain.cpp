@@ -58,7 +58,15 @@ std::vector<BakePlan> make_plans(const PovrayTerrainRequest& request, const Cont
         }
         options.output = request.folder + "/" + std::string(kMapName) + povray_extension(format);
         plans.push_back(make_bake_plan(options, standard_catalogue()));
-        if (!is_image) refuse_large_mesh(plans.back().resolution);
+        if (is_image) continue;
+        const int samples = plans.back().resolution;
+        if (region && samples > kMaxPovrayResolution) {
+            throw Error(ErrorKind::invalid_value,
+                        format_text("--region: it has %d samples along its longer side; allowed "
+                                    "are at most %d, for which POV-Ray makes a mesh of 2 GiB",
+                                    samples, kMaxPovrayResolution));
+        }
+        refuse_large_mesh(samples);
     }
     return plans;
 }
