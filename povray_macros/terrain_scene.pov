@@ -32,10 +32,10 @@ Terrain_Load("land")
     #declare Has_Water = false;
 #else
     #declare Middle = Terrain_Corner + Terrain_Extent/2;
-    #declare Eye = Middle - 0.62*Terrain_Extent;
-    #declare Eye = Eye + (Terrain_Highest + 0.15*Longer_Side)*y;
+    #declare Eye = Middle - 0.6*Terrain_Extent;
+    #declare Eye = Eye + (Terrain_Highest + 0.24*Longer_Side)*y;
     #declare Target = Middle + (0.6*Terrain_Water_Level + 0.4*Summit.y)*y;
-    #declare Terrain_Visibility = max(40000, 6*Longer_Side);
+    #declare Terrain_Visibility = max(40000, 15*Longer_Side);
     #declare Has_Water = (Terrain_Lowest < Terrain_Water_Level);
 #end
 camera { location Eye right x*image_width/image_height angle View_Angle look_at Target }

@@ -65,8 +65,8 @@ std::string homes_of(const std::string& option, const Catalogue& catalogue) {
     std::vector<std::string> homes;
     for (const BakeFormat* format : catalogue.formats) {
         const std::vector<FormatOption> known = options_of(*format, catalogue);
-        const bool has_it = std::ranges::any_of(
-            known, [&](const FormatOption& one) { return one.name == option; });
+        const bool has_it =
+            std::ranges::any_of(known, [&](const FormatOption& one) { return one.name == option; });
         if (has_it) homes.emplace_back(format->extension);
     }
     return listing(homes, "and");
@@ -186,8 +186,9 @@ void resolve_backend(const Catalogue& catalogue, const std::string& name, BakePl
     if (!plan.subject->uses_backends()) {
         if (!name.empty() && name != kAutoBackend && name != "cpu") {
             throw Error(ErrorKind::unsupported,
-                        "--backend " + name + ": land with gullies, streams, a shore or a place of "
-                        "its own is made on the CPU alone");
+                        "--backend " + name +
+                            ": land with gullies, streams, a shore or a place of "
+                            "its own is made on the CPU alone");
         }
         plan.backend = Backend::cpu;
         plan.backend_note = "backend cpu";

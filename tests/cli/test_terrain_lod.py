@@ -127,7 +127,9 @@ def test_vertices_have_the_heights_and_normals_of_the_land(ocean, land):
         # Those of this level: a lattice that no finer vertex shares.
         same = error < 1e-4
         distance = numpy.hypot(*(mesh.points[on, :2] - middle).T)
-        drop = abs(mesh.points[numpy.argmin(numpy.hypot(*(mesh.points[:, :2] - middle).T)), 2] - 0.5)
+        drop = abs(
+            mesh.points[numpy.argmin(numpy.hypot(*(mesh.points[:, :2] - middle).T)), 2] - 0.5
+        )
         d = numpy.hypot(distance, drop)
         own = (d > 70 * cell * 1.03) & (d < 0.585 * 140 * cell * 0.97)
         if own.sum() == 0:
@@ -169,7 +171,9 @@ def test_ply_obj_and_usd_hold_one_mesh_and_make_it_again(ocean):
     lines = (ocean.folder / "l.obj").read_text().splitlines()
     points = numpy.array([line.split()[1:4] for line in lines if line.startswith("v ")], float)
     assert abs(points - mesh.points).max() < 1e-3
-    faces = [[part.split("/")[0] for part in line.split()[1:]] for line in lines if line[:2] == "f "]
+    faces = [
+        [part.split("/")[0] for part in line.split()[1:]] for line in lines if line[:2] == "f "
+    ]
     assert (numpy.array(faces, int) - 1 == mesh.triangles).all()
     try:
         from pxr import Usd, UsdGeom

@@ -144,7 +144,9 @@ def test_meshes_have_masks_as_attributes(part):
     part.bake("m.exr", "--products", mask, "--type", "float")
     truth = read_exr(part.ocean.folder / "m.exr")
     assert (ply.point_data[mask].reshape(ROWS, COLUMNS) == truth).all() and truth.max() > 0.3
-    line = check_failure(part.ocean("terrain", "land.toml", "-o", "x.ply", "--products", "slope"), 2)
+    line = check_failure(
+        part.ocean("terrain", "land.toml", "-o", "x.ply", "--products", "slope"), 2
+    )
     assert "a mesh has no slope" in line and "the masks of a land" in line
 
 

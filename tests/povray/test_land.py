@@ -85,7 +85,8 @@ def for_samples(land, body, step=1):
     return f"""
 #for (J, 0, {land.samples[1] - 1}, {step})
     #for (I, 0, {land.samples[0] - 1}, {step})
-        #local X = {land.origin[0]} + I*{land.cell:.12f}; #local Z = {land.origin[1]} + J*{land.cell:.12f};
+        #local X = {land.origin[0]} + I*{land.cell:.12f};
+        #local Z = {land.origin[1]} + J*{land.cell:.12f};
         {body}
     #end
 #end
@@ -116,7 +117,9 @@ def land(tmp_path_factory, request):
 def test_functions_have_the_values_of_the_library_at_their_places(land):
     assert land.samples[0] > land.samples[1]
     names = [f"Terrain_{mask.capitalize()}(X, Z)" for mask in land.masks]
-    body = "#local N_ = Terrain_Normal(X, Z);" + tell("Terrain_Height(X, Z)", "N_.x", "N_.z", *names)
+    body = "#local N_ = Terrain_Normal(X, Z);" + tell(
+        "Terrain_Height(X, Z)", "N_.x", "N_.z", *names
+    )
     log = land.run(LOAD + tell("Terrain_Quantum") + for_samples(land, body))
     quantum, *told = floats_of(log)
     told = numpy.array(told).reshape(*land.heights.shape, -1)
@@ -182,7 +185,8 @@ def test_macros_that_repeat_leave_it_alone(land):
             + "#declare All = Terrain_Around(Form, 0, 9000) #declare N = <0, 0, 0>;\n"
             + f"#declare P = trace(All, <{east - 7.7}, 9000, {north}>, -y, N);"
             + tell("vlength(N)")
-            + f"#declare N = <0, 0, 0>; #declare P = trace(All, <{east + 7.7}, 9000, {north}>, -y, N);"
+            + "#declare N = <0, 0, 0>;"
+            + f"#declare P = trace(All, <{east + 7.7}, 9000, {north}>, -y, N);"
             + tell("vlength(N)")
         )
     )
@@ -212,11 +216,20 @@ VIEW = """
 #declare Forward = vnormalize({forward});
 camera {{ location Eye right x*image_width/image_height angle 70 look_at Eye + Forward }}
 background {{ rgb <1, 0, 1> }}
-#macro Plain(Colour) texture {{ pigment {{ rgb Colour }} finish {{ ambient 0 diffuse 0 emission 1 }} }} #end
+#macro Plain(Colour)
+    texture {{ pigment {{ rgb Colour }} finish {{ ambient 0 diffuse 0 emission 1 }} }}
+#end
 object {{ Terrain_View(Eye, Eye + Forward, 70, 3) Plain(<0, 1, 0>) }}
 {water}
-""" + tell("Eye.y", "Forward.x", "Forward.y", "Forward.z", "Terrain_Lowest", "Terrain_View_Vertices",
-               "Terrain_Beach(Eye.x, Eye.z)")
+""" + tell(
+    "Eye.y",
+    "Forward.x",
+    "Forward.y",
+    "Forward.z",
+    "Terrain_Lowest",
+    "Terrain_View_Vertices",
+    "Terrain_Beach(Eye.x, Eye.z)",
+)
 WIDTH, HEIGHT = 200, 112
 
 
@@ -295,8 +308,8 @@ def test_a_view_has_the_heights_of_the_land_and_ends_at_its_sides(tmp_path):
 
 def test_still_water_lies_at_its_level(tmp_path):
     land = Land(tmp_path, ISLAND)
-    probe = (
-        "#declare N = <0, 0, 0>; #declare P = trace(Water, <{x}, 900, 100>, -y, N);" + tell("P.y")
+    probe = "#declare N = <0, 0, 0>; #declare P = trace(Water, <{x}, 900, 100>, -y, N);" + tell(
+        "P.y"
     )
     scene = (
         LOAD

@@ -95,8 +95,8 @@ std::optional<TerrainRegion> parse_region(const RegionArgument& argument) {
         corner[i] = parse_number(numbers[i], "--region", -1e8, 1e8);
     }
     if (!(corner[2] > corner[0] && corner[3] > corner[1])) {
-        throw Error(ErrorKind::invalid_value, "--region " + argument.region +
-                                                  ": X1 must be above X0, and Y1 above Y0");
+        throw Error(ErrorKind::invalid_value,
+                    "--region " + argument.region + ": X1 must be above X0, and Y1 above Y0");
     }
     return TerrainRegion{{corner[0], corner[1]},
                          {corner[2] - corner[0], corner[3] - corner[1]},

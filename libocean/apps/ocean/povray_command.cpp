@@ -116,9 +116,9 @@ void run(const Typed& typed, const Context& context) {
         refuse_options_of_seas(typed);
         BakeOptions options = typed.bake;
         options.source = typed.sea.source;
-        return write_povray_terrain({options, typed.sea.assignments, folder, typed.format,
-                                     typed.region, typed.dry_run},
-                                    context);
+        return write_povray_terrain(
+            {options, typed.sea.assignments, folder, typed.format, typed.region, typed.dry_run},
+            context);
     }
     if (!typed.region.region.empty() || !typed.region.cell.empty()) {
         throw Error(ErrorKind::unsupported,

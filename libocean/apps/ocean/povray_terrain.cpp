@@ -38,8 +38,9 @@ std::vector<BakePlan> make_plans(const PovrayTerrainRequest& request, const Cont
     }
     const std::optional<TerrainRegion> region = parse_region(request.region);
     if (region && !options.resolution.empty()) {
-        throw Error(ErrorKind::invalid_value, "--region: its samples are those of --cell, and "
-                                              "--resolution is for a whole land");
+        throw Error(ErrorKind::invalid_value,
+                    "--region: its samples are those of --cell, and "
+                    "--resolution is for a whole land");
     }
     // A region has the samples of its cell.
     if (region) options.max_resolution = 0;

@@ -41,7 +41,8 @@ std::vector<FormatOption> list_options(const Catalogue&) {
          "of its data from 512 samples on",
          "", kSeaKind},
         {"mask-map", "",
-         "Write the masks of the land too, such as beach and cliff, a byte each; not flow, which is "
+         "Write the masks of the land too, such as beach and cliff, a byte each; not flow, which "
+         "is "
          "an area",
          "", kTerrainKind}};
 }
@@ -52,8 +53,8 @@ struct Df3Settings {
     bool detail_map = false;
     bool mask_map = false;
     DetailSettings detail = {};
-    int detail_bands = 0;       // in the file; 0: no file
-    io::Df3Slices slices = {};  // of the subject's maps
+    int detail_bands = 0;             // in the file; 0: no file
+    io::Df3Slices slices = {};        // of the subject's maps
     std::vector<Channel> masks = {};  // in the file; empty: no file
 };
 
@@ -230,9 +231,9 @@ std::string land_maps(const FrameWork& work, const Df3Settings& settings,
         const Domain& domain = map.domain();
         const char* const separator = cells.empty() ? "" : ", ";
         const io::Df3Heights heights = io::df3_heights(map);
-        cells += separator + ("<" + shortest_text(domain.step(0)) + ", " +
-                              std::to_string(domain.samples[0]) + ", " +
-                              std::to_string(domain.samples[1]) + ">");
+        cells += separator +
+                 ("<" + shortest_text(domain.step(0)) + ", " + std::to_string(domain.samples[0]) +
+                  ", " + std::to_string(domain.samples[1]) + ">");
         codes += separator +
                  ("<" + shortest_text(heights.base) + ", " + shortest_text(heights.scale) + ", 0>");
     }
@@ -246,9 +247,8 @@ std::string land_maps(const FrameWork& work, const Df3Settings& settings,
         std::string name(mask.name);
         name.front() = static_cast<char>(name.front() - 'a' + 'A');
         text += "#declare " + prefix + name + "_Slice_ = " +
-                (slice == settings.masks.end()
-                     ? "-1"
-                     : std::to_string(slice - settings.masks.begin())) +
+                (slice == settings.masks.end() ? "-1"
+                                               : std::to_string(slice - settings.masks.begin())) +
                 ";\n";
     }
     return text;
@@ -285,9 +285,8 @@ void write(const FrameWork& work, const Df3Settings& settings, std::span<const B
     }
     if (!settings.masks.empty()) {
         const BakeFile& file = files[files.size() - 2];
-        work.write_and_verify(file, [&] {
-            io::write_masks_df3(work.maps.front(), settings.masks, file.path);
-        });
+        work.write_and_verify(
+            file, [&] { io::write_masks_df3(work.maps.front(), settings.masks, file.path); });
     }
     work.write_and_verify(files.back(), [&] {
         io::write_file_atomically(files.back().path, description(work, settings, detail));

@@ -113,8 +113,8 @@ class VertexValues {
         index_.reserve(mesh.positions.size());
         for (std::size_t v = 0; v < mesh.positions.size(); ++v) index_[mesh.positions[v]] = v;
     }
-    /// Returns the vertex of a position that still wants a value; `exact`: at its own label. Returns
-    /// the count of vertices if there is none.
+    /// Returns the vertex of a position that still wants a value; `exact`: at its own label.
+    /// Returns the count of vertices if there is none.
     std::size_t wanting(const Position& position, bool exact) {
         const auto found = index_.find(position);
         if (found == index_.end()) return mesh_.positions.size();
@@ -160,16 +160,15 @@ std::array<float, 3> mixed_normal(const PatchVertices& patch, const LandVertex& 
 }
 
 LandEdge edge_of(const Domain& domain) {
-    return {domain.origin,
-            {domain.origin[0] + domain.size[0], domain.origin[1] + domain.size[1]}};
+    return {domain.origin, {domain.origin[0] + domain.size[0], domain.origin[1] + domain.size[1]}};
 }
 
 /// Returns the distance from the eye to the farthest corner, on the ground [m].
 double farthest_corner(const std::array<double, 3>& eye, const LandEdge& edge) {
     std::array<double, 2> reach{};
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        reach[axis] = std::max(std::abs(eye[axis] - edge.low[axis]),
-                               std::abs(eye[axis] - edge.high[axis]));
+        reach[axis] =
+            std::max(std::abs(eye[axis] - edge.low[axis]), std::abs(eye[axis] - edge.high[axis]));
     }
     return std::hypot(reach[0], reach[1]);
 }
@@ -252,11 +251,10 @@ io::Mesh make_land_lod_mesh(SubjectMaps& source, const LandLod& lod,
     ThreadPool& pool = source.pool();
     const std::vector<LandPatch> patches = select(lod.quadtree, lod.view(), {});
     RecordingSampler sampler(*field, pool);
-    const LandMesh land = make_land_mesh(
-        lod.quadtree, patches, lod.view(),
-        [&](std::span<const WorldPoint> points, double spacing, std::span<float> heights) {
-            sampler(points, spacing, heights);
-        });
+    const LandMesh land =
+        make_land_mesh(lod.quadtree, patches, lod.view(),
+                       [&](std::span<const WorldPoint> points, double spacing,
+                           std::span<float> heights) { sampler(points, spacing, heights); });
     const std::size_t count = land.positions.size();
     io::Mesh mesh;
     for (const Position& position : land.positions) {
@@ -270,8 +268,8 @@ io::Mesh make_land_lod_mesh(SubjectMaps& source, const LandLod& lod,
         const Domain& domain = field->domain();
         for (const Position& position : land.positions) {
             for (std::size_t axis = 0; axis < 2; ++axis) {
-                uv.values.push_back(static_cast<float>((position[axis] - domain.origin[axis]) /
-                                                       domain.size[axis]));
+                uv.values.push_back(
+                    static_cast<float>((position[axis] - domain.origin[axis]) / domain.size[axis]));
             }
         }
         mesh.attributes.push_back(std::move(uv));
@@ -302,14 +300,14 @@ io::Mesh make_land_lod_mesh(SubjectMaps& source, const LandLod& lod,
                 own != nullptr ? own->heights[v] : 0.0f,
                 coarse != nullptr ? coarse->heights[lattice.parent(vertex.parents[0])] : 0.0f,
                 coarse != nullptr ? coarse->heights[lattice.parent(vertex.parents[1])] : 0.0f);
-            const bool exact =
-                vertex.shown.x == vertex.label.x && vertex.shown.y == vertex.label.y;
+            const bool exact = vertex.shown.x == vertex.label.x && vertex.shown.y == vertex.label.y;
             const std::size_t at =
                 values.wanting({vertex.shown.x + 0.0, vertex.shown.y + 0.0, z + 0.0}, exact);
             if (at == count) continue;
             if (!mesh.normals.empty()) {
                 const auto normal = mixed_normal(lattice, vertex, v, own, coarse);
-                std::ranges::copy(normal, mesh.normals.begin() + static_cast<std::ptrdiff_t>(3 * at));
+                std::ranges::copy(normal,
+                                  mesh.normals.begin() + static_cast<std::ptrdiff_t>(3 * at));
             }
             for (const auto& [channel, column] : columns) {
                 mesh.attributes[column].values[at] = maps.channel(channel)[v];

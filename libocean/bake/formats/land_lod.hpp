@@ -22,13 +22,13 @@ namespace ocean {
 /// The settings --lod and --farthest of a mesh. The other members are absent until
 /// resolve_land_lod().
 struct LandLod {
-    std::array<double, 3> eye{};                // [m], z up
-    std::optional<double> farthest = {};        // [m]
-    double ground = 0.0;                        // of the view [m]
+    std::array<double, 3> eye{};          // [m], z up
+    std::optional<double> farthest = {};  // [m]
+    double ground = 0.0;                  // of the view [m]
     QuadtreeSettings quadtree = {};
-    std::uint64_t max_vertices = 0;             // before any are welded
-    std::uint64_t max_triangles = 0;            // before any are dropped
-    std::uint64_t work_bytes = 0;               // of making the mesh
+    std::uint64_t max_vertices = 0;   // before any are welded
+    std::uint64_t max_triangles = 0;  // before any are dropped
+    std::uint64_t work_bytes = 0;     // of making the mesh
 
     LandView view() const { return {eye, ground}; }
 };

@@ -45,7 +45,8 @@ std::uint64_t PlainMesh::floats() const {
 std::vector<FormatOption> plain_mesh_options(std::string_view products, bool all) {
     std::vector<FormatOption> options = {
         {"products", "LIST",
-         "Comma list of " + std::string(products) + " and the masks of a land, or position; default " +
+         "Comma list of " + std::string(products) +
+             " and the masks of a land, or position; default " +
              std::string(all ? products : kNormalAlone)},
         {"axes", "AXES", "zup (x, y, z) or yup (x, z, -y); default zup"}};
     for (FormatOption& option : land_lod_options()) options.push_back(std::move(option));
@@ -91,7 +92,8 @@ std::vector<io::HeaderString> plain_mesh_strings(const BakePlan& plan, const Pla
     strings.push_back({"ocean:axes", std::string(io::axes_name(mesh.axes))});
     strings.push_back({"ocean:field", names_of(mesh)});
     if (!mesh.lod) return strings;
-    for (io::HeaderString& string : land_lod_strings(*mesh.lod)) strings.push_back(std::move(string));
+    for (io::HeaderString& string : land_lod_strings(*mesh.lod))
+        strings.push_back(std::move(string));
     return strings;
 }
 
@@ -149,9 +151,9 @@ std::uint64_t plain_mesh_bytes(const BakePlan& plan, const PlainMesh& mesh) {
 }
 
 io::Mesh make_plain_mesh(const FrameWork& work, const PlainMesh& settings, io::Faces faces) {
-    io::Mesh mesh = settings.lod ? make_land_lod_mesh(work.source, *settings.lod,
-                                                      settings.products, faces)
-                                 : io::make_patch_mesh(work.maps.front(), faces);
+    io::Mesh mesh = settings.lod
+                        ? make_land_lod_mesh(work.source, *settings.lod, settings.products, faces)
+                        : io::make_patch_mesh(work.maps.front(), faces);
     if (settings.axes == io::Axes::yup) io::turn_y_up(mesh);
     return mesh;
 }

@@ -33,7 +33,8 @@ struct PlainMesh {
 };
 
 /// Return the options of a mesh and its choice of products. `products` lists those that the format
-/// can hold beside the masks of a land; the default is all of that list if `all`, else normals only.
+/// can hold beside the masks of a land; the default is all of that list if `all`, else normals
+/// only.
 std::vector<FormatOption> plain_mesh_options(std::string_view products, bool all);
 ProductChoice plain_mesh_products(const Catalogue& catalogue, std::string_view products, bool all);
 PlainMesh read_plain_mesh(const BakeOptions& options, const ChosenProducts& chosen);

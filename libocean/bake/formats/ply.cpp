@@ -79,7 +79,8 @@ std::uint64_t max_bytes(const BakePlan& plan, const MeshOrSpray& settings, const
     if (const auto* spray = spray_of(settings)) {
         return comments + io::points_ply_bytes(max_spray_points(plan, *spray));
     }
-    return comments + io::ply_bytes(plain_mesh_vertices(plan, mesh_of(settings)), mesh_of(settings).floats_with_uv(),
+    return comments + io::ply_bytes(plain_mesh_vertices(plan, mesh_of(settings)),
+                                    mesh_of(settings).floats_with_uv(),
                                     plain_mesh_triangles(plan, mesh_of(settings)));
 }
 

@@ -31,9 +31,9 @@ std::vector<std::string_view> names_of(const ProductChoice& choice) {
     std::vector<std::string_view> names;
     for (const Product& product : choice.known) {
         const std::vector<std::string> allowed = split(choice.allowed, ',');
-        const bool is_allowed =
-            choice.allowed.empty() || std::ranges::find(allowed, product.name) != allowed.end() ||
-            is_also_allowed(product, choice);
+        const bool is_allowed = choice.allowed.empty() ||
+                                std::ranges::find(allowed, product.name) != allowed.end() ||
+                                is_also_allowed(product, choice);
         if (is_allowed) names.push_back(product.name);
     }
     if (choice.alone != nullptr) names.push_back(choice.alone->name);

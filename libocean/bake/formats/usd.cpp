@@ -147,9 +147,8 @@ void write_shared(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& f
 
 std::string recipe(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& file) {
     if (!is_shared(file)) return plain_mesh_recipe(plan, mesh, file);
-    const std::string text = file.part == kTopology && !mesh.lod
-                                 ? "st\n"
-                                 : shared_text(plan, mesh, file);
+    const std::string text =
+        file.part == kTopology && !mesh.lod ? "st\n" : shared_text(plan, mesh, file);
     return bake_recipe(plan, file.frame, file.product + "\n" + text);
 }
 

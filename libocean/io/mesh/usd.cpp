@@ -121,8 +121,7 @@ struct Topology {
 /// Writes a crate of faces, marked by a number of samples or vertices.
 void write_topology(const Topology& topology, int mark, const SubjectWords& words,
                     const std::string& path) {
-    const std::size_t faces =
-        topology.indices.size() / static_cast<std::size_t>(topology.corners);
+    const std::size_t faces = topology.indices.size() / static_cast<std::size_t>(topology.corners);
     OutputFile file(path);
     UsdCrate crate(file, words.prim, "Mesh");
     crate.add_default("faceVertexCounts", "int[]",
