@@ -156,6 +156,16 @@ def test_a_tile_repeats_up_to_the_farthest(ocean):
     assert 5000 <= numpy.hypot(border[:, 0], border[:, 1]).min() < 20000
 
 
+def test_far_from_the_origin_vertices_are_as_far_apart_as_floats_can_tell(ocean):
+    ocean.write("land.toml", TILE)
+    eye = "5000000.3,700000,60"
+    ocean.good("terrain", "land.toml", "-o", "l.ply", "--lod", eye, "--farthest", "800")
+    mesh = Around(ocean.folder / "l.ply")
+    assert len(numpy.unique(mesh.points, axis=0)) == len(mesh.points)
+    mesh.open_edges()
+    mesh.is_seen_from_above()
+
+
 def test_ply_obj_and_usd_hold_one_mesh_and_make_it_again(ocean):
     ocean.write("land.toml", ISLAND)
     options = ["--lod", EYE, "--farthest", "700", "--products"]

@@ -159,6 +159,16 @@ std::array<float, 3> mixed_normal(const PatchVertices& patch, const LandVertex& 
     return mean;
 }
 
+/// Returns the least spacing of vertices that floats tell apart around an eye, which files hold
+/// positions as [m]: 0.5, more from 1e6 m from the origin on.
+double finest_spacing(const std::array<double, 3>& eye) {
+    const double reach = std::max({std::abs(eye[0]), std::abs(eye[1]), 1.0});
+    const double rounding = std::ldexp(1.0, std::ilogb(reach) - 23);
+    double spacing = QuadtreeSettings{}.spacing;
+    while (spacing < 8.0 * rounding) spacing *= 2.0;
+    return spacing;
+}
+
 LandEdge edge_of(const Domain& domain) {
     return {domain.origin, {domain.origin[0] + domain.size[0], domain.origin[1] + domain.size[1]}};
 }
@@ -207,6 +217,7 @@ LandLod resolve_land_lod(const BakePlan& draft, const LandLod& requested) {
     if (terrain == nullptr) throw Error(ErrorKind::unsupported, "--lod: only a terrain has it");
     LandLod lod = requested;
     QuadtreeSettings& quadtree = lod.quadtree;
+    quadtree.spacing = finest_spacing(lod.eye);
     if (terrain->is_placed()) {
         quadtree.edge = edge_of(terrain_domain(*terrain));
         quadtree.farthest = farthest_corner(lod.eye, *quadtree.edge) + quadtree.spacing;
@@ -234,7 +245,7 @@ LandLod resolve_land_lod(const BakePlan& draft, const LandLod& requested) {
 
 std::string land_lod_note(const LandLod& lod) {
     return "at most " + std::to_string(lod.max_triangles) + " triangles, up to " +
-           shortest_text(std::round(lod.quadtree.farthest)) + " m from the eye";
+           fixed_text(lod.quadtree.farthest, 0) + " m from the eye";
 }
 
 std::vector<io::HeaderString> land_lod_strings(const LandLod& lod) {
