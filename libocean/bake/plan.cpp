@@ -13,6 +13,7 @@
 #include "ocean/internal/csv_rows.hpp"
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/io/subject_words.hpp"
+#include "ocean/land_mask.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
@@ -59,6 +60,18 @@ std::vector<FormatOption> options_of(const BakeFormat& format, const Catalogue& 
     return format.options(catalogue);
 }
 
+/// Returns the extensions of the formats that have an option, ".ply, .obj and .usda".
+std::string homes_of(const std::string& option, const Catalogue& catalogue) {
+    std::vector<std::string> homes;
+    for (const BakeFormat* format : catalogue.formats) {
+        const std::vector<FormatOption> known = options_of(*format, catalogue);
+        const bool has_it =
+            std::ranges::any_of(known, [&](const FormatOption& one) { return one.name == option; });
+        if (has_it) homes.emplace_back(format->extension);
+    }
+    return listing(homes, "and");
+}
+
 /// Refuses options that only other formats have, and options whose companion is missing.
 void refuse_foreign_options(const BakeOptions& options, const BakeFormat& format,
                             const Catalogue& catalogue) {
@@ -78,7 +91,8 @@ void refuse_foreign_options(const BakeOptions& options, const BakeFormat& format
                 refuse(typed + "needs --" + option.needs);
             }
             if (!knows(option.name)) {
-                refuse(typed + "only files of type " + std::string(home->extension) + " have it");
+                refuse(typed + "only files of type " + homes_of(option.name, catalogue) +
+                       " have it");
             }
         }
     }
@@ -127,6 +141,13 @@ void require_channels(const BakePlan& plan) {
         if (!plan.maps.channels.contains(channel) || available.contains(channel)) continue;
         throw Error(ErrorKind::unsupported, "a " + std::string(plan.subject->kind()) + " has no " +
                                                 std::string(channel_info(channel).name));
+    }
+    for (const Product& mask : kMaskProducts) {
+        const ChannelSet set = mask.set();
+        if (!plan.maps.channels.intersects(set) || available.contains(set)) continue;
+        throw Error(ErrorKind::unsupported, "this " + std::string(plan.subject->kind()) +
+                                                " has no mask " + std::string(mask.name) +
+                                                ": its file has no section that makes it");
     }
 }
 
@@ -312,6 +333,7 @@ BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
     plan.maps = std::move(resolved.maps);
     require_channels(plan);
     plan.settings = std::move(resolved.settings);
+    plan.format_note = std::move(resolved.note);
     resolve_backend(catalogue, options.backend, plan);
     plan.shard = options.shard;
     if (!options.shard.empty()) plan.frames = parse_shard(options.shard).of(plan.frames);

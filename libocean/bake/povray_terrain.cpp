@@ -28,16 +28,18 @@ std::vector<FolderFile> povray_terrain_files(const BakePlan& plan, const Terrain
                                              std::string_view format) {
     const Terrain* const terrain = find_terrain(*plan.subject);
     if (terrain == nullptr) throw Error(ErrorKind::unsupported, "this folder needs a terrain");
+    const Domain domain = plan.domain();
     std::vector<FolderFile> files = {
         {"terrain.inc", std::string(kTerrainInc)},
         {"terrain_parameters.inc", io::povray_declarations(io::PovrayTerrain{
-                                       *terrain, state, format, plan.resolution, plan.subject_id})},
+                                       *terrain, state, format, domain, plan.subject_id})},
         {"terrain.ini", std::string(kSettings)},
         {"terrain.toml", "# The terrain of this folder, by `ocean povray`.\n" + plan.subject_text},
         {"scene.pov", std::string(kTerrainScenePov), true}};
-    constexpr int kMaxFaces = 1024;  // the text of more would be 220 MB: the macros make them
-    if (format == "df3" && plan.resolution <= kMaxFaces) {
-        files.push_back({"faces.inc", io::povray_faces(io::patch_triangles(plan.resolution))});
+    // The text of more would be 220 MB: the macros make them. terrain.inc has the same limit.
+    constexpr std::size_t kMaxFaces = 1024 * 1024;
+    if (format == "df3" && domain.count() <= kMaxFaces) {
+        files.push_back({"faces.inc", io::povray_faces(io::patch_triangles(domain))});
     }
     return files;
 }

@@ -102,9 +102,10 @@ BakeOptions with_source(BakeOptions options, const Catalogue& catalogue, const B
     const auto subject = header.subject(catalogue);
     check_time(*subject, header, options.from);
     set_default(options.frames, std::to_string(header.whole_number("frame")));
-    // The subject's own resolution stays a default, which a changed subject may change.
+    // The subject's own resolution stays a default, which a changed subject may change. That of a
+    // region follows from its domain, and is any number.
     const int resolution = header.resolution();
-    if (resolution != subject->default_resolution()) {
+    if (resolution != subject->default_resolution() && is_resolution(resolution)) {
         set_default(options.resolution, std::to_string(resolution));
     }
     if (header.has("backend")) set_default(options.backend, header.text("backend"));

@@ -13,6 +13,7 @@
 #include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
+#include "ocean/land_field.hpp"
 #include "ocean/terrain_table.hpp"
 #include "ocean/terrainfile.hpp"
 #include "ocean/text.hpp"
@@ -113,6 +114,9 @@ class TerrainMaps final : public SubjectMaps {
     }
     void query(double, std::span<const WorldPoint> points, std::span<QuerySample> samples,
                const QueryOptions& options) override {
+        if (part_.region) {
+            return land_.field()->query(points, samples, part_.region->step(0), land_.pool());
+        }
         land_.query(points, samples, options);
     }
     ThreadPool& pool() override { return land_.pool(); }

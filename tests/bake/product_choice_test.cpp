@@ -52,7 +52,9 @@ TEST(ProductChoice, RefusesProductsThatImagesCannotHold) {
 TEST(ProductChoice, RefusesProductsThatMeshesCannotHold) {
     EXPECT_EQ(products_or_error(".ply", "normal,slope"),
               "--products normal,slope: a mesh has no slope; allowed are position, "
-              "normal,foam,velocity");
+              "normal,foam,velocity and the masks of a land");
+    EXPECT_EQ(products_or_error(".ply", "normal,beach"),
+              "--products beach: only a terrain has it, and this is a sea");
     EXPECT_TRUE(
         products_or_error(".ply", "position,foam").starts_with("unknown product 'position'; "));
     EXPECT_EQ(products_or_error(".ply", "foam, spray"),

@@ -97,7 +97,7 @@ def test_the_format_is_resumed(baked):
 
 def test_options_of_others_are_refused(tmp_path):
     done = run("bake", *SMALL, "-o", "a.stats", "--axes", "zup", cwd=tmp_path, code=2)
-    assert "--axes zup: only files of type .exr have it" in done.stderr
+    assert "--axes zup: only files of type .exr, .ply, .obj, .usda and .vdb have it" in done.stderr
     done = run("bake", *SMALL, "-o", "a.exr", "--digits", "4", cwd=tmp_path, code=2)
     assert "--digits 4: only files of type .stats have it" in done.stderr
     done = run("bake", *SMALL, "-o", "a.stats", "--digits", "x", cwd=tmp_path, code=2)

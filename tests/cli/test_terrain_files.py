@@ -278,7 +278,7 @@ def test_povray_files_have_heights_beyond_a_kilometre(hills):
         ("t.vdb", ["--products", "vel"], "only a sea has it, and this is a terrain"),
         ("t.vdb", ["--products", "density"], "only a sea has it, and this is a terrain"),
         ("t.usda", ["--products", "velocity"], "a terrain has no vx"),
-        ("t.tif", ["--type", "half"], "--type half: only files of type .exr have it"),
+        ("t.tif", ["--type", "half"], "--type half: only files of type .exr and .vdb have it"),
         ("t.inc", ["--eye", "0,0,8"], "eye"),
         ("t.ply", ["--spray-density", "1"], "spray-density"),
         ("t.df3", ["--detail-map"], "detail-map"),

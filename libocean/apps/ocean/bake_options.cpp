@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "console.hpp"
 #include "console_host.hpp"
 #include "format_help.hpp"
 
@@ -56,6 +57,9 @@ void add_given(const FormatFlags& flags, BakeOptions& options) {
 }
 
 void run_or_forecast(const BakePlan& plan, bool dry_run, const Context& context) {
+    if (!plan.format_note.empty()) {
+        context.console.report("mesh", plan.format_note, {});
+    }
     if (dry_run) return show_forecast(forecast_bake(plan), {}, context.console);
     ConsoleHost host(context);
     run_bake(plan, host);

@@ -17,19 +17,25 @@ void ConsoleHost::begin(const BakePlan& plan, const WorkShare& share) {
         return context_.console.begin(
             0, "--shard " + plan.shard + " is empty: the bake has fewer frames", {});
     }
-    const double period = plan.domain().size[0];
+    const Domain domain = plan.domain();
+    const double period = domain.size[0];
     const double shortest = plan.shortest_wave();
+    const int columns = domain.wraps ? plan.finest() : domain.samples[0];
+    const int rows = domain.wraps ? plan.finest() : domain.samples[1];
+    const std::string size = domain.wraps
+                                 ? format_text("period %g m", period)
+                                 : format_text("%g x %g m", domain.size[0], domain.size[1]);
     const std::uint64_t memory = bake_memory_bytes(plan, share.frames_at_a_time);
-    context_.console.begin(
-        frames,
-        format_text("%d frame%s of %d x %d samples, period %g m, shortest wave %.3g m, ", frames,
-                    frames == 1 ? "" : "s", plan.finest(), plan.finest(), period, shortest) +
-            bytes_text(memory) + " of memory",
-        {{"resolution", plan.finest()},
-         {"period", Json(period, significant<9>)},
-         {"shortest_wave", Json(shortest, significant<9>)},
-         {"memory_bytes", memory},
-         {"frames_at_a_time", share.frames_at_a_time}});
+    context_.console.begin(frames,
+                           format_text("%d frame%s of %d x %d samples, ", frames,
+                                       frames == 1 ? "" : "s", columns, rows) +
+                               size + format_text(", shortest wave %.3g m, ", shortest) +
+                               bytes_text(memory) + " of memory",
+                           {{"resolution", plan.finest()},
+                            {"period", Json(period, significant<9>)},
+                            {"shortest_wave", Json(shortest, significant<9>)},
+                            {"memory_bytes", memory},
+                            {"frames_at_a_time", share.frames_at_a_time}});
 }
 
 void ConsoleHost::frame_baked(int frame, double seconds, const std::vector<std::string>& files) {

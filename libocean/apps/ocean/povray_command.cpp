@@ -33,6 +33,7 @@ struct Typed {
     SeaArgument sea;
     std::string folder;
     std::string format = "df3";
+    RegionArgument region;  // of a terrain
     bool near_only = false;
     bool dry_run = false;
 };
@@ -116,7 +117,12 @@ void run(const Typed& typed, const Context& context) {
         BakeOptions options = typed.bake;
         options.source = typed.sea.source;
         return write_povray_terrain(
-            {options, typed.sea.assignments, folder, typed.format, typed.dry_run}, context);
+            {options, typed.sea.assignments, folder, typed.format, typed.region, typed.dry_run},
+            context);
+    }
+    if (!typed.region.region.empty() || !typed.region.cell.empty()) {
+        throw Error(ErrorKind::unsupported,
+                    "--region and --cell: only a terrain has them, and this is a sea");
     }
     refuse_folder_of_a_terrain(folder);
     const BakePlan plan = make_povray_plan(typed, folder, context);
@@ -152,6 +158,7 @@ std::vector<OptionGroup> povray_options(Typed& typed) {
         source,
         {"Sea",
          {{"--fps", &bake.fps, "RATE", "Frames per second, in place of the sea's time.fps"}}},
+        {"Terrain", region_options(typed.region)},
         {"Output",
          {{"-o,--output", &typed.folder, "DIR", "The folder, created if it is missing", kRequired},
           {"--frames", &bake.frames, "RANGES",

@@ -13,6 +13,7 @@
 #include "input_files.hpp"
 #include "ocean/bake/estimate.hpp"
 #include "ocean/bake/povray_folder.hpp"
+#include "terrain_argument.hpp"
 
 namespace ocean::app {
 
@@ -39,6 +40,7 @@ struct PovrayTerrainRequest {
     std::vector<std::string> assignments;  // of --set
     std::string folder;
     std::string format;
+    RegionArgument region;
     bool dry_run = false;
 };
 /// Writes the folder of a terrain. Throws Error.

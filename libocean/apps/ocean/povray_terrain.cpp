@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "console_host.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/platform.hpp"
+#include "ocean/io/mesh.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/land.hpp"
 #include "ocean/terrain_subject.hpp"
@@ -28,17 +31,43 @@ std::vector<BakePlan> make_plans(const PovrayTerrainRequest& request, const Cont
     BakeOptions options = request.bake;
     options.threads = context.options.threads;
     const bool is_image = request.format == "height_field";
-    if (!is_image) options.max_resolution = kMaxPovrayResolution;
-    options.open_subject = [&request](const std::string& source) {
-        return make_subject(open_terrain({source, request.assignments}));
+    if (!is_image) {
+        options.max_resolution = kMaxPovrayResolution;
+        options.format_options["far-maps"] = "yes";
+        options.format_options["mask-map"] = "yes";
+    }
+    const std::optional<TerrainRegion> region = parse_region(request.region);
+    if (region && !options.resolution.empty()) {
+        throw Error(ErrorKind::invalid_value,
+                    "--region: its samples are those of --cell, and "
+                    "--resolution is for a whole land");
+    }
+    // A region has the samples of its cell.
+    if (region) options.max_resolution = 0;
+    options.open_subject = [&request, &region](const std::string& source) {
+        Terrain terrain = open_terrain({source, request.assignments});
+        if (region) return make_subject(std::move(terrain), *region);
+        return make_subject(std::move(terrain));
     };
     std::vector<std::string> formats = {is_image ? request.format : "df3"};
     if (request.format == "mesh2") formats.push_back(request.format);
     std::vector<BakePlan> plans;
     for (const std::string& format : formats) {
+        if (format != "df3") {
+            options.format_options.erase("far-maps");
+            options.format_options.erase("mask-map");
+        }
         options.output = request.folder + "/" + std::string(kMapName) + povray_extension(format);
         plans.push_back(make_bake_plan(options, standard_catalogue()));
-        if (!is_image) refuse_large_mesh(plans.back().resolution);
+        if (is_image) continue;
+        const int samples = plans.back().resolution;
+        if (region && samples > kMaxPovrayResolution) {
+            throw Error(ErrorKind::invalid_value,
+                        format_text("--region: it has %d samples along its longer side; allowed "
+                                    "are at most %d, for which POV-Ray makes a mesh of 2 GiB",
+                                    samples, kMaxPovrayResolution));
+        }
+        refuse_large_mesh(samples);
     }
     return plans;
 }
@@ -52,9 +81,10 @@ void refuse_folder_of_a_sea(const std::string& folder) {
                 "-o " + folder + ": the folder holds a sea, ocean.ini; a terrain needs its own");
 }
 
-/// Reports the cost of POV-Ray's forms of the tile, measured at 1024^2 samples.
+/// Reports the cost of POV-Ray's forms of the land, measured at 1024^2 samples.
 void report_cost(const PovrayTerrainRequest& request, const BakePlan& plan, Console& console) {
-    const double vertices = std::pow(plan.resolution + 1.0, 2.0);
+    const auto [columns, rows] = io::patch_vertices(plan.domain());
+    const double vertices = static_cast<double>(columns) * rows;
     double vertex_seconds = 10e-6;
     if (request.format == "mesh2") vertex_seconds = 6.5e-6;
     if (request.format == "height_field") vertex_seconds = 14e-6;

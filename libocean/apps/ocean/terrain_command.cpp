@@ -28,7 +28,8 @@ struct Typed {
     BakeOptions bake;
     TerrainArgument terrain;
     FormatFlags format_options;
-    std::string stage, tiles, region, cell;
+    std::string stage, tiles;
+    RegionArgument region;
     bool dry_run = false;
 };
 
@@ -42,12 +43,7 @@ std::vector<OptionGroup> terrain_bake_options(Typed& typed, const Catalogue& cat
            "Take the terrain and all options below that are not given from a baked file, in place "
            "of TERRAIN"},
           {"--tiles", &typed.tiles, "NxM",
-           "Repeat the tile N times to the east and M times to the north; default 1x1"},
-          {"--region", &typed.region, "X0,Y0,X1,Y1",
-           "Only this rectangle [m], of the function of the place that a land is; needs --cell"},
-          {"--cell", &typed.cell, "METRES",
-           "Distance of the samples of --region: neighbouring regions of one cell that share an "
-           "edge join without a seam"}}},
+           "Repeat the tile N times to the east and M times to the north; default 1x1"}}},
         {"Output",
          {
              {"-o,--output", &bake.output, "FILE",
@@ -66,6 +62,9 @@ std::vector<OptionGroup> terrain_bake_options(Typed& typed, const Catalogue& cat
               "height"},
          }},
     };
+    for (Option& option : region_options(typed.region)) {
+        groups[1].options.push_back(std::move(option));
+    }
     add_format_options(typed.format_options, bake, catalogue, kTerrainKind, groups);
     return groups;
 }
@@ -83,33 +82,31 @@ TerrainTiles parse_tiles(const std::string& text) {
 }
 
 /// Returns the region that is typed, if one is. Throws Error invalid_value.
-std::optional<TerrainRegion> parse_region(const Typed& typed) {
-    if (typed.region.empty() && typed.cell.empty()) return std::nullopt;
-    if (typed.region.empty() || typed.cell.empty()) {
-        throw Error(ErrorKind::invalid_value,
-                    "--region and --cell: give both, such as --region 0,0,500,500 --cell 2");
-    }
+std::optional<TerrainRegion> region_of(const Typed& typed) {
+    const std::optional<TerrainRegion> region = parse_region(typed.region);
+    if (!region) return std::nullopt;
     if (!typed.tiles.empty() || !typed.bake.resolution.empty() || !typed.stage.empty()) {
         throw Error(ErrorKind::invalid_value,
                     "--region: its samples are those of --cell; --tiles, --resolution and --stage "
                     "are for whole tiles");
     }
-    const std::vector<std::string> numbers = split(typed.region, ',');
-    std::array<double, 4> corner{};
-    for (std::size_t i = 0; i < corner.size(); ++i) {
-        if (numbers.size() != corner.size()) {
-            throw Error(ErrorKind::invalid_value,
-                        "--region " + typed.region + ": four numbers are needed, X0,Y0,X1,Y1");
-        }
-        corner[i] = parse_number(numbers[i], "--region", -1e8, 1e8);
+    return region;
+}
+
+/// Throws Error invalid_value for --lod beside options of maps: its vertices are not theirs.
+void refuse_lod_of_maps(const Typed& typed, const BakeOptions& options) {
+    if (options.format_option("lod").empty()) return;
+    const std::pair<const char*, const std::string*> of_maps[] = {
+        {"--tiles", &typed.tiles},
+        {"--region", &typed.region.region},
+        {"--cell", &typed.region.cell},
+        {"--resolution", &typed.bake.resolution},
+        {"--stage", &typed.stage}};
+    for (const auto& [option, text] : of_maps) {
+        if (text->empty()) continue;
+        throw Error(ErrorKind::invalid_value, "--lod: its vertices follow from the eye; " +
+                                                  std::string(option) + " is for maps");
     }
-    if (!(corner[2] > corner[0] && corner[3] > corner[1])) {
-        throw Error(ErrorKind::invalid_value,
-                    "--region " + typed.region + ": X1 must be above X0, and Y1 above Y0");
-    }
-    return TerrainRegion{{corner[0], corner[1]},
-                         {corner[2] - corner[0], corner[3] - corner[1]},
-                         parse_number(typed.cell, "--cell", 1e-3, 1e6)};
 }
 
 /// Returns the part of the terrain that a baked file shows: tiles, a whole placed land or a region.
@@ -143,10 +140,11 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
     BakeOptions options = typed.bake;
     add_given(typed.format_options, options);
     request_stage(typed.stage, options);
+    refuse_lod_of_maps(typed, options);
     options.source = typed.terrain.source;
     options.threads = context.options.threads;
     const TerrainTiles tiles = parse_tiles(typed.tiles);
-    const std::optional<TerrainRegion> region = parse_region(typed);
+    const std::optional<TerrainRegion> region = region_of(typed);
     options.open_subject = [&](const std::string& source) {
         Terrain terrain = open_terrain({source, typed.terrain.assignments});
         if (region) return make_region_subject(std::move(terrain), *region);

@@ -7,6 +7,7 @@
 //   sea_0001_fine.df3    position at twice the samples, for floating objects: a wave of two samples
 //                        cannot be interpolated, one of four can
 //   sea_0001_detail.df3  slopes of the waves too short for the map, for the light of near water
+//   land_masks.df3       masks of a land, a byte each
 //   sea_0001.df3.inc     their description for a scene; a density file holds no text
 #include "ocean/io/df3.hpp"
 
@@ -20,6 +21,7 @@
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/povray_declarations.hpp"
 #include "ocean/io/subject_words.hpp"
+#include "ocean/land_mask.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/sea_subject.hpp"
 #include "ocean/text.hpp"
@@ -29,8 +31,7 @@ namespace {
 
 std::vector<FormatOption> list_options(const Catalogue&) {
     return {
-        {"far-maps", "", "Write coarser maps beside that of each frame, a third more data", "",
-         kSeaKind},
+        {"far-maps", "", "Write coarser maps beside that of each frame, a third more data"},
         {"fine-map", "",
          "Write height and displacement at twice the samples too, for exact heights of places, "
          "twice the data; not if its shortest wave has 4 samples",
@@ -38,21 +39,29 @@ std::vector<FormatOption> list_options(const Catalogue&) {
         {"detail-map", "",
          "Write slope tiles of the waves too short for the map beside each frame, at most a third "
          "of its data from 512 samples on",
-         "", kSeaKind}};
+         "", kSeaKind},
+        {"mask-map", "",
+         "Write the masks of the land too, such as beach and cliff, a byte each; not flow, which "
+         "is "
+         "an area",
+         "", kTerrainKind}};
 }
 
 struct Df3Settings {
     bool far_maps = false;
     bool fine_map = false;
     bool detail_map = false;
+    bool mask_map = false;
     DetailSettings detail = {};
-    int detail_bands = 0;       // in the file; 0: no file
-    io::Df3Slices slices = {};  // of the subject's maps
+    int detail_bands = 0;             // in the file; 0: no file
+    io::Df3Slices slices = {};        // of the subject's maps
+    std::vector<Channel> masks = {};  // in the file; empty: no file
 };
 
 Df3Settings read_options(const BakeOptions& options, const Catalogue&) {
     return {!options.format_option("far-maps").empty(), !options.format_option("fine-map").empty(),
-            !options.format_option("detail-map").empty()};
+            !options.format_option("detail-map").empty(),
+            !options.format_option("mask-map").empty()};
 }
 
 /// Returns the samples along a side of the fine map, or 0 if the map itself is fine enough.
@@ -80,13 +89,23 @@ FormatPlan<Df3Settings> resolve(const BakePlan& draft, const Df3Settings& reques
         settings.detail_bands = static_cast<int>(
             detail_bands(sea_of(*draft.subject).parameters, settings.detail).size());
     }
+    if (settings.mask_map) {
+        settings.masks = io::df3_masks(draft.subject->channels());
+        for (const Channel mask : settings.masks) maps.channels = maps.channels | ChannelSet{mask};
+    }
     return {maps, settings};
 }
 
 /// Returns "sea_0001_fine.df3" for "sea_0001.df3" and "_fine".
-std::string path_with(const std::string& path, const std::string& ending) {
+std::string path_with(const std::string& path, std::string_view ending) {
     const std::size_t dot = path.rfind('.');
-    return path.substr(0, dot) + ending + path.substr(dot);
+    return path.substr(0, dot) + std::string(ending) + path.substr(dot);
+}
+
+constexpr std::string_view kMasksEnding = "_masks";
+
+bool is_masks(const BakeFile& file) {
+    return file.path.ends_with(std::string(kMasksEnding) + ".df3");
 }
 
 bool is_fine(const BakePlan& plan, const BakeFile& file) {
@@ -106,24 +125,40 @@ std::vector<BakeFile> list_files(const BakePlan& plan, const Df3Settings& settin
     if (settings.detail_bands > 0) {
         files.push_back({path_with(path, "_detail"), frame, files.size(), "map"});
     }
+    if (!settings.masks.empty()) {
+        files.push_back({path_with(path, kMasksEnding), frame, files.size(), "map"});
+    }
     files.push_back({path + ".inc", frame, files.size(), "map"});
     return files;
 }
 
 std::string recipe(const BakePlan& plan, const Df3Settings& settings, const BakeFile& file) {
     if (!file.path.ends_with(".inc")) return bake_recipe(plan, file.frame);
-    return bake_recipe(plan, file.frame,
-                       "maps " + std::to_string(plan.maps.resolutions.size()) + "\ndetail " +
-                           std::to_string(settings.detail_bands) + "\n");
+    std::string lines = "maps " + std::to_string(plan.maps.resolutions.size()) + "\ndetail " +
+                        std::to_string(settings.detail_bands) + "\n";
+    if (settings.mask_map) lines += "masks\n";
+    return bake_recipe(plan, file.frame, lines);
 }
 
 constexpr std::string_view kOpening = "// A frame for POV-Ray";
 
+bool is_our_text(const std::string& path) {
+    return text::first_bytes(path, kOpening.size()) == kOpening;
+}
+
+/// Returns true if our text lies beside a map, also one whose name is that of the frame's map and
+/// an ending, such as land_far1.df3.
+bool has_our_text(const std::string& path) {
+    const std::size_t ending = path.rfind('_'), dot = path.rfind('.');
+    if (is_our_text(path + ".inc")) return true;
+    return ending < dot && is_our_text(path.substr(0, ending) + path.substr(dot) + ".inc");
+}
+
 /// Recognises a square of a map's resolution with the slices of a map, of a position, or two for
-/// each slope tile; and texts with our opening.
+/// each slope tile; any map of a land beside its text; and texts with our opening.
 bool is_baked(const BakeFile& file) {
     if (file.path.ends_with(".inc")) {
-        return text::first_bytes(file.path, kOpening.size()) == kOpening;
+        return is_our_text(file.path);
     }
     const std::string head = text::first_bytes(file.path, 6);
     if (head.size() < 6) return false;
@@ -132,20 +167,23 @@ bool is_baked(const BakeFile& file) {
     };
     const auto slices = static_cast<std::size_t>(size_at(4));
     // A subject that is not displaced has as many slices as a position, and may be a rectangle.
-    if (slices == io::df3_slices(kTerrainKind).size()) {
-        return size_at(0) % kMinResolution == 0 && size_at(2) % kMinResolution == 0;
+    if (slices == io::df3_slices(kTerrainKind).size() && size_at(0) % kMinResolution == 0 &&
+        size_at(2) % kMinResolution == 0) {
+        return true;
     }
+    if (has_our_text(file.path)) return true;
     return size_at(0) == size_at(2) && is_resolution(size_at(0)) &&
            (slices == io::df3_slices(kSeaKind).size() ||
             (slices % 2 == 0 && slices <= std::size_t{2 * kMaxDetailBands}));
 }
 
 std::uint64_t max_bytes(const BakePlan& plan, const Df3Settings& settings, const BakeFile& file) {
-    constexpr std::uint64_t kTextBytes = 2048;
+    constexpr std::uint64_t kTextBytes = 4096;
     const std::vector<int>& maps = plan.maps.resolutions;
     if (file.part < maps.size()) {
         return io::df3_bytes(plan.subject->domain(maps[file.part]), settings.slices.size());
     }
+    if (is_masks(file)) return io::masks_df3_bytes(plan.domain(), settings.masks.size());
     if (is_fine(plan, file))
         return io::df3_bytes(plan.maps.finer, io::df3_position_slices().size());
     if (file.path.ends_with(".inc")) return kTextBytes;
@@ -182,6 +220,40 @@ std::string height_codes(const Surface& map, io::Df3Slices slices, const std::st
            shortest_text(0.5 * heights.quantum()) + " m\n";
 }
 
+/// Returns the declarations of a land's maps: their levels, the codes of their heights, and the
+/// slice of each mask, -1 without.
+std::string land_maps(const FrameWork& work, const Df3Settings& settings,
+                      const std::string& prefix) {
+    const auto levels = work.maps.first(work.plan.maps.resolutions.size());
+    const std::string count = std::to_string(levels.size());
+    std::string cells, codes;
+    for (const Surface& map : levels) {
+        const Domain& domain = map.domain();
+        const char* const separator = cells.empty() ? "" : ", ";
+        const io::Df3Heights heights = io::df3_heights(map);
+        cells += separator +
+                 ("<" + shortest_text(domain.step(0)) + ", " + std::to_string(domain.samples[0]) +
+                  ", " + std::to_string(domain.samples[1]) + ">");
+        codes += separator +
+                 ("<" + shortest_text(heights.base) + ", " + shortest_text(heights.scale) + ", 0>");
+    }
+    std::string text = "#declare " + prefix + "Levels_ = array[" + count + "] { " + cells +
+                       " };  // cell [m], columns, rows of each map\n#declare " + prefix +
+                       "Level_Codes_ = array[" + count + "] { " + codes +
+                       " };  // base and scale [m]\n#declare " + prefix +
+                       "Masks_ = " + std::to_string(settings.masks.size()) + ";\n";
+    for (const Product& mask : kMaskProducts) {
+        const auto slice = std::ranges::find(settings.masks, mask.channels[0]);
+        std::string name(mask.name);
+        name.front() = static_cast<char>(name.front() - 'a' + 'A');
+        text += "#declare " + prefix + name + "_Slice_ = " +
+                (slice == settings.masks.end() ? "-1"
+                                               : std::to_string(slice - settings.masks.begin())) +
+                ";\n";
+    }
+    return text;
+}
+
 /// Returns the text beside the maps of a frame.
 std::string description(const FrameWork& work, const Df3Settings& settings, const Detail& detail) {
     const Surface& map = work.maps.front();
@@ -193,7 +265,7 @@ std::string description(const FrameWork& work, const Df3Settings& settings, cons
                                         : ": the data that " + prefix + "Load reads.\n");
     text += io::povray_frame_declarations(work.provenance()) + check_heights(map, prefix) +
             height_codes(map, settings.slices, prefix);
-    if (!is_sea) return text;
+    if (!is_sea) return text + land_maps(work, settings, prefix);
     const auto levels = work.maps.first(work.plan.maps.resolutions.size());
     return text + io::povray_foam_declarations(levels) + io::povray_detail_declarations(detail);
 }
@@ -210,6 +282,11 @@ void write(const FrameWork& work, const Df3Settings& settings, std::span<const B
         detail = ocean_of(work.source).detail(work.time(), settings.detail);
         const BakeFile& file = files[work.maps.size()];
         work.write_and_verify(file, [&] { io::write_slopes_df3(detail, file.path); });
+    }
+    if (!settings.masks.empty()) {
+        const BakeFile& file = files[files.size() - 2];
+        work.write_and_verify(
+            file, [&] { io::write_masks_df3(work.maps.front(), settings.masks, file.path); });
     }
     work.write_and_verify(files.back(), [&] {
         io::write_file_atomically(files.back().path, description(work, settings, detail));

@@ -27,8 +27,8 @@ PlainMesh read_options(const BakeOptions& options, const Catalogue& catalogue) {
 
 std::uint64_t max_bytes(const BakePlan& plan, const PlainMesh& mesh, const BakeFile&) {
     const std::uint64_t comments = 2 * plan.subject_text.size() + 4096;
-    return comments + io::max_obj_bytes(plain_mesh_vertices(plan), mesh.floats_with_uv(),
-                                        plain_mesh_triangles(plan));
+    return comments + io::max_obj_bytes(plain_mesh_vertices(plan, mesh), mesh.floats_with_uv(),
+                                        plain_mesh_triangles(plan, mesh));
 }
 
 void write(const FrameWork& work, const PlainMesh& settings, std::span<const BakeFile> files) {

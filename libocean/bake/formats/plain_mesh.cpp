@@ -9,7 +9,9 @@
 
 #include "formats/formats.hpp"
 #include "ocean/error.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/land_mask.hpp"
 #include "ocean/text.hpp"
 #include "source.hpp"
 
@@ -41,11 +43,14 @@ std::uint64_t PlainMesh::floats() const {
 }
 
 std::vector<FormatOption> plain_mesh_options(std::string_view products, bool all) {
-    return {{"products", "LIST",
-             "Comma list of " + std::string(products) +
-                 ", or position for the vertices alone; default " +
-                 (all ? "all" : std::string(kNormalAlone))},
-            {"axes", "AXES", "zup (x, y, z) or yup (x, z, -y); default zup"}};
+    std::vector<FormatOption> options = {
+        {"products", "LIST",
+         "Comma list of " + std::string(products) +
+             " and the masks of a land, or position; default " +
+             std::string(all ? products : kNormalAlone)},
+        {"axes", "AXES", "zup (x, y, z) or yup (x, z, -y); default zup"}};
+    for (FormatOption& option : land_lod_options()) options.push_back(std::move(option));
+    return options;
 }
 
 ProductChoice plain_mesh_products(const Catalogue& catalogue, std::string_view products, bool all) {
@@ -53,11 +58,13 @@ ProductChoice plain_mesh_products(const Catalogue& catalogue, std::string_view p
             .default_list = all ? products : kNormalAlone,
             .nothing = kNothing,
             .holder = "a mesh",
-            .allowed = products};
+            .allowed = products,
+            .also_allowed = kMaskProducts};
 }
 
 PlainMesh read_plain_mesh(const BakeOptions& options, const ChosenProducts& chosen) {
-    return {chosen.products, chosen.is_default, read_up_axes(options, "a mesh")};
+    return {chosen.products, chosen.is_default, read_up_axes(options, "a mesh"),
+            read_land_lod(options)};
 }
 
 FormatPlan<PlainMesh> resolve_plain_mesh(const BakePlan& draft, const PlainMesh& requested) {
@@ -67,7 +74,11 @@ FormatPlan<PlainMesh> resolve_plain_mesh(const BakePlan& draft, const PlainMesh&
     FrameMaps maps{{height}, {draft.resolution}};
     if (is_displaced(*draft.subject)) maps.channels = {dx, dy, height};
     for (const Product* product : mesh.products) maps.channels = maps.channels | product->set();
-    return {maps, mesh};
+    if (!mesh.lod) return {maps, mesh};
+    mesh.lod = resolve_land_lod(draft, *mesh.lod);
+    maps.resolutions = {kMinResolution};  // the mesh reads the land itself
+    std::string note = land_lod_note(*mesh.lod);
+    return {.maps = maps, .settings = std::move(mesh), .note = std::move(note)};
 }
 
 std::vector<BakeFile> list_plain_mesh(const BakePlan& plan, const PlainMesh&, int frame) {
@@ -80,13 +91,21 @@ std::vector<io::HeaderString> plain_mesh_strings(const BakePlan& plan, const Pla
     strings.push_back({"ocean:resolution", std::to_string(plan.resolution)});
     strings.push_back({"ocean:axes", std::string(io::axes_name(mesh.axes))});
     strings.push_back({"ocean:field", names_of(mesh)});
+    if (!mesh.lod) return strings;
+    for (io::HeaderString& string : land_lod_strings(*mesh.lod))
+        strings.push_back(std::move(string));
     return strings;
 }
 
 std::string plain_mesh_recipe(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& file) {
-    return bake_recipe(
-        plan, file.frame,
-        "mesh " + names_of(mesh) + " " + std::string(io::axes_name(mesh.axes)) + " uv extent\n");
+    std::string lines =
+        "mesh " + names_of(mesh) + " " + std::string(io::axes_name(mesh.axes)) + " uv extent\n";
+    if (mesh.lod) {
+        for (const io::HeaderString& string : land_lod_strings(*mesh.lod)) {
+            lines += string.name + " " + string.text + "\n";
+        }
+    }
+    return bake_recipe(plan, file.frame, lines);
 }
 
 bool is_plain_mesh(const BakeFile& file) {
@@ -101,14 +120,16 @@ bool is_plain_mesh(const BakeFile& file) {
     return false;
 }
 
-std::uint64_t plain_mesh_vertices(const BakePlan& plan) {
+std::uint64_t plain_mesh_vertices(const BakePlan& plan, const PlainMesh& mesh) {
+    if (mesh.lod) return mesh.lod->max_vertices;
     const Domain domain = plan.domain();
     const int seam = domain.wraps ? 1 : 0;
     return static_cast<std::uint64_t>(domain.samples[0] + seam) *
            static_cast<std::uint64_t>(domain.samples[1] + seam);
 }
 
-std::uint64_t plain_mesh_triangles(const BakePlan& plan) {
+std::uint64_t plain_mesh_triangles(const BakePlan& plan, const PlainMesh& mesh) {
+    if (mesh.lod) return mesh.lod->max_triangles;
     const Domain domain = plan.domain();
     const int seam = domain.wraps ? 0 : 1;
     return 2 * static_cast<std::uint64_t>(domain.samples[0] - seam) *
@@ -116,20 +137,23 @@ std::uint64_t plain_mesh_triangles(const BakePlan& plan) {
 }
 
 std::uint64_t plain_mesh_vertex_bytes(const BakePlan& plan, const PlainMesh& mesh) {
-    return plain_mesh_vertices(plan) * mesh.floats() * sizeof(float);
+    return plain_mesh_vertices(plan, mesh) * mesh.floats() * sizeof(float);
 }
 
-std::uint64_t plain_mesh_uv_bytes(const BakePlan& plan) {
-    return plain_mesh_vertices(plan) * 2 * sizeof(float);
+std::uint64_t plain_mesh_uv_bytes(const BakePlan& plan, const PlainMesh& mesh) {
+    return plain_mesh_vertices(plan, mesh) * 2 * sizeof(float);
 }
 
 std::uint64_t plain_mesh_bytes(const BakePlan& plan, const PlainMesh& mesh) {
-    return plain_mesh_vertex_bytes(plan, mesh) + plain_mesh_uv_bytes(plan) +
-           plain_mesh_triangles(plan) * 3 * sizeof(int);
+    return plain_mesh_vertex_bytes(plan, mesh) + plain_mesh_uv_bytes(plan, mesh) +
+           plain_mesh_triangles(plan, mesh) * 3 * sizeof(int) +
+           (mesh.lod ? mesh.lod->work_bytes : 0);
 }
 
 io::Mesh make_plain_mesh(const FrameWork& work, const PlainMesh& settings, io::Faces faces) {
-    io::Mesh mesh = io::make_patch_mesh(work.maps.front(), faces);
+    io::Mesh mesh = settings.lod
+                        ? make_land_lod_mesh(work.source, *settings.lod, settings.products, faces)
+                        : io::make_patch_mesh(work.maps.front(), faces);
     if (settings.axes == io::Axes::yup) io::turn_y_up(mesh);
     return mesh;
 }
@@ -137,6 +161,8 @@ io::Mesh make_plain_mesh(const FrameWork& work, const PlainMesh& settings, io::F
 void adopt_plain_mesh(const BakedHeader& header, const Catalogue&, BakeOptions& options) {
     options.set_default("products", header.text("field"));
     options.set_default("axes", header.text("axes"));
+    if (header.has("lod")) options.set_default("lod", header.text("lod"));
+    if (header.has("farthest")) options.set_default("farthest", header.text("farthest"));
 }
 
 }  // namespace ocean

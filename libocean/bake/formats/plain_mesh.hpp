@@ -5,11 +5,13 @@
 // formats of such files share.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "formats/formats.hpp"
+#include "formats/land_lod.hpp"
 #include "ocean/bake/format.hpp"
 #include "ocean/bake/plan.hpp"
 #include "ocean/io/mesh.hpp"
@@ -17,11 +19,12 @@
 
 namespace ocean {
 
-/// The settings --products and --axes of a mesh.
+/// The settings --products, --axes and --lod of a mesh.
 struct PlainMesh {
     std::vector<const Product*> products;
     bool is_default = false;  // --products was not given
     io::Axes axes = io::Axes::zup;
+    std::optional<LandLod> lod = {};  // a mesh around an eye instead of one period
 
     /// Returns the numbers of a vertex, without its uv.
     std::uint64_t floats() const;
@@ -30,7 +33,8 @@ struct PlainMesh {
 };
 
 /// Return the options of a mesh and its choice of products. `products` lists those that the format
-/// can hold; the default is all of them if `all`, else normals only.
+/// can hold beside the masks of a land; the default is all of that list if `all`, else normals
+/// only.
 std::vector<FormatOption> plain_mesh_options(std::string_view products, bool all);
 ProductChoice plain_mesh_products(const Catalogue& catalogue, std::string_view products, bool all);
 PlainMesh read_plain_mesh(const BakeOptions& options, const ChosenProducts& chosen);
@@ -41,11 +45,13 @@ std::vector<io::HeaderString> plain_mesh_strings(const BakePlan& plan, const Pla
                                                  int frame);
 std::string plain_mesh_recipe(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& file);
 bool is_plain_mesh(const BakeFile& file);
-std::uint64_t plain_mesh_vertices(const BakePlan& plan);
-std::uint64_t plain_mesh_triangles(const BakePlan& plan);
-/// Return the bytes of a frame in memory: its vertices; their uv; both and the triangles.
+/// Return the vertices and triangles of a mesh, with --lod upper bounds.
+std::uint64_t plain_mesh_vertices(const BakePlan& plan, const PlainMesh& mesh);
+std::uint64_t plain_mesh_triangles(const BakePlan& plan, const PlainMesh& mesh);
+/// Return the bytes of a frame in memory: its vertices; their uv; both and the triangles, with what
+/// making them needs.
 std::uint64_t plain_mesh_vertex_bytes(const BakePlan& plan, const PlainMesh& mesh);
-std::uint64_t plain_mesh_uv_bytes(const BakePlan& plan);
+std::uint64_t plain_mesh_uv_bytes(const BakePlan& plan, const PlainMesh& mesh);
 std::uint64_t plain_mesh_bytes(const BakePlan& plan, const PlainMesh& mesh);
 io::Mesh make_plain_mesh(const FrameWork& work, const PlainMesh& settings,
                          io::Faces faces = io::Faces::triangles);

@@ -54,7 +54,9 @@ std::vector<const Product*> list_products(const BakePlan&, const MeshOrSpray& se
 FormatPlan<MeshOrSpray> resolve(const BakePlan& draft, const MeshOrSpray& requested) {
     if (spray_of(requested)) return {spray_maps(draft), requested};
     FormatPlan<PlainMesh> mesh = resolve_plain_mesh(draft, mesh_of(requested));
-    return {std::move(mesh.maps), std::move(mesh.settings)};
+    return {.maps = std::move(mesh.maps),
+            .settings = std::move(mesh.settings),
+            .note = std::move(mesh.note)};
 }
 
 std::vector<BakeFile> list_files(const BakePlan& plan, const MeshOrSpray& settings, int frame) {
@@ -77,8 +79,9 @@ std::uint64_t max_bytes(const BakePlan& plan, const MeshOrSpray& settings, const
     if (const auto* spray = spray_of(settings)) {
         return comments + io::points_ply_bytes(max_spray_points(plan, *spray));
     }
-    return comments + io::ply_bytes(plain_mesh_vertices(plan), mesh_of(settings).floats_with_uv(),
-                                    plain_mesh_triangles(plan));
+    return comments + io::ply_bytes(plain_mesh_vertices(plan, mesh_of(settings)),
+                                    mesh_of(settings).floats_with_uv(),
+                                    plain_mesh_triangles(plan, mesh_of(settings)));
 }
 
 void write(const FrameWork& work, const MeshOrSpray& settings, std::span<const BakeFile> files) {

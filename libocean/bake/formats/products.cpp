@@ -21,13 +21,19 @@ namespace {
     throw Error(ErrorKind::invalid_value, "--products " + list + ": " + reason);
 }
 
+bool is_also_allowed(const Product& product, const ProductChoice& choice) {
+    return std::ranges::find(choice.also_allowed, product.name, &Product::name) !=
+           choice.also_allowed.end();
+}
+
 /// Returns all words that may stand in a list.
 std::vector<std::string_view> names_of(const ProductChoice& choice) {
     std::vector<std::string_view> names;
     for (const Product& product : choice.known) {
         const std::vector<std::string> allowed = split(choice.allowed, ',');
-        const bool is_allowed =
-            choice.allowed.empty() || std::ranges::find(allowed, product.name) != allowed.end();
+        const bool is_allowed = choice.allowed.empty() ||
+                                std::ranges::find(allowed, product.name) != allowed.end() ||
+                                is_also_allowed(product, choice);
         if (is_allowed) names.push_back(product.name);
     }
     if (choice.alone != nullptr) names.push_back(choice.alone->name);
@@ -76,8 +82,10 @@ void require_allowed(const std::string& list, const std::vector<const Product*>&
     const auto possible = parse_products(allowed, choice.known);
     for (const Product* product : products) {
         if (std::ranges::find(possible, product) != possible.end()) continue;
+        if (is_also_allowed(*product, choice)) continue;
         refuse(list, std::string(choice.holder) + " has no " + std::string(product->name) +
-                         "; allowed are " + std::string(choice.nothing) + ", " + allowed);
+                         "; allowed are " + std::string(choice.nothing) + ", " + allowed +
+                         (choice.also_allowed.empty() ? "" : " and the masks of a land"));
     }
 }
 

@@ -133,6 +133,12 @@ std::string shared_text(const BakePlan& plan, const PlainMesh& mesh, const BakeF
 }
 
 void write_shared(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& file) {
+    if (file.part == kTopology && mesh.lod) {
+        const auto maps = plan.subject->open({.threads = plan.threads});
+        return io::write_usd_topology(
+            make_land_lod_mesh(*maps, *mesh.lod, {}, io::Faces::triangles), words_of(plan),
+            file.path);
+    }
     if (file.part == kTopology) {
         return io::write_usd_topology(plan.domain(), words_of(plan), file.path);
     }
@@ -141,7 +147,8 @@ void write_shared(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& f
 
 std::string recipe(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& file) {
     if (!is_shared(file)) return plain_mesh_recipe(plan, mesh, file);
-    const std::string text = file.part == kTopology ? "st\n" : shared_text(plan, mesh, file);
+    const std::string text =
+        file.part == kTopology && !mesh.lod ? "st\n" : shared_text(plan, mesh, file);
     return bake_recipe(plan, file.frame, file.product + "\n" + text);
 }
 
@@ -181,13 +188,17 @@ bool is_baked(const BakeFile& file) {
     return head.starts_with("#usda") && head.find(mark) != std::string::npos;
 }
 
+std::uint64_t frame_bytes(const BakePlan& plan, const PlainMesh& mesh) {
+    return plain_mesh_vertex_bytes(plan, mesh) + (mesh.lod ? mesh.lod->work_bytes : 0);
+}
+
 std::uint64_t max_bytes(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& file) {
     // A stage may hold a name and two pairs of numbers for each frame.
     const std::uint64_t list = plan.all_frames.size() * (2 * file.path.size() + 64);
     const std::uint64_t comments = 2 * plan.subject_text.size() + 4096 + list;
-    const std::uint64_t faces = plain_mesh_triangles(plan) / 2;
+    const std::uint64_t faces = plain_mesh_triangles(plan, mesh) / (mesh.lod ? 1 : 2);
     if (file.part == kTopology && is_shared(file)) {
-        return comments + faces * 5 * sizeof(int) + plain_mesh_uv_bytes(plan);
+        return comments + faces * 5 * sizeof(int) + plain_mesh_uv_bytes(plan, mesh);
     }
     if (is_shared(file)) return comments;
     return comments + plain_mesh_vertex_bytes(plan, mesh);
@@ -221,7 +232,7 @@ constexpr BakeFormatOf<PlainMesh> kOf = {
                     .count = 1, .matches_plan = matches_plan, .interpolates_missing_frames = true}},
     .recipe = recipe,
     .is_baked = is_baked,
-    .frame_bytes = plain_mesh_vertex_bytes,
+    .frame_bytes = frame_bytes,
     .max_bytes = max_bytes,
     .write = write,
     .read_header = io::read_usd_header,

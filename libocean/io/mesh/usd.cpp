@@ -111,6 +111,33 @@ std::vector<std::pair<std::string, std::string>> clip_names(const UsdSequence& s
             {"double2[] times", "[" + times + "]"}};
 }
 
+/// Faces of equal numbers of corners, and the uv of their vertices or null.
+struct Topology {
+    std::span<const int> indices;
+    int corners;
+    const Attribute* uv;
+};
+
+/// Writes a crate of faces, marked by a number of samples or vertices.
+void write_topology(const Topology& topology, int mark, const SubjectWords& words,
+                    const std::string& path) {
+    const std::size_t faces = topology.indices.size() / static_cast<std::size_t>(topology.corners);
+    OutputFile file(path);
+    UsdCrate crate(file, words.prim, "Mesh");
+    crate.add_default("faceVertexCounts", "int[]",
+                      crate.integers(std::vector<int>(faces, topology.corners)));
+    crate.add_default("faceVertexIndices", "int[]", crate.integers(topology.indices));
+    crate.add_uniform("subdivisionScheme", "token", crate.token("none"));
+    if (topology.uv != nullptr) {
+        crate.add_default(usd_name(*topology.uv).name, usd_name(*topology.uv).type,
+                          crate.floats(topology.uv->values, topology.uv->components));
+    }
+    const HeaderString strings[] = {{"ocean:resolution", std::to_string(mark)}};
+    crate.add_default(kLabel, "string", crate.string(comment_lines(strings, kLine)));
+    crate.finish();
+    file.commit();
+}
+
 }  // namespace
 
 std::optional<int> even_step(std::span<const int> frames) {
@@ -192,19 +219,14 @@ void write_usd_topology(const Domain& domain, const SubjectWords& words, const s
             for (const int corner : {a, a + 1, a + width + 1, a + width}) indices.push_back(corner);
         }
     }
-    OutputFile file(path);
-    UsdCrate crate(file, words.prim, "Mesh");
-    crate.add_default("faceVertexCounts", "int[]",
-                      crate.integers(std::vector<int>(faces, kCorners)));
-    crate.add_default("faceVertexIndices", "int[]", crate.integers(indices));
-    crate.add_uniform("subdivisionScheme", "token", crate.token("none"));
-    const Attribute uv{.name = std::string(kUv), .components = 2};
-    crate.add_default(usd_name(uv).name, usd_name(uv).type,
-                      crate.floats(patch_uv(domain), uv.components));
-    const HeaderString mark[] = {{"ocean:resolution", std::to_string(domain.samples[0])}};
-    crate.add_default(kLabel, "string", crate.string(comment_lines(mark, kLine)));
-    crate.finish();
-    file.commit();
+    const Attribute uv{std::string(kUv), 2, patch_uv(domain)};
+    write_topology({indices, kCorners, &uv}, domain.samples[0], words, path);
+}
+
+void write_usd_topology(const Mesh& mesh, const SubjectWords& words, const std::string& path) {
+    constexpr int kCorners = 3;
+    const auto vertices = static_cast<int>(mesh.vertices());
+    write_topology({mesh.triangles, kCorners, mesh.find(kUv)}, vertices, words, path);
 }
 
 std::vector<HeaderString> read_usd_header(const std::string& path) {

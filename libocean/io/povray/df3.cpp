@@ -12,7 +12,8 @@
 // above the lengths that those codes hold. The normal is its
 // stereographic projection from below, which has no edge where crests fold over:
 //     (p, q) = (x, z) / (1 + y),  (x, y, z) = (2 p, 1 - p^2 - q^2, 2 q) / (1 + p^2 + q^2),
-// each of p and q (code - 2^31) / 2^28. Foam and cover are code / (2^32 - 1).
+// each of p and q (code - 2^31) / 2^28. Foam and cover are code / (2^32 - 1). Masks of a land have
+// bytes in a file of their own, because materials need no more of them.
 //
 // Slope tiles have voxels of 16 bits, slice 2 b the slope of band b along x, slice 2 b + 1 that
 // along z, each (code - 2^15) / 2^13.
@@ -24,6 +25,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/io/output_file.hpp"
+#include "ocean/land_mask.hpp"
 
 namespace ocean::io {
 namespace {
@@ -113,6 +115,14 @@ std::uint32_t voxel(const Surface& surface, const Offsets& offsets, const Df3Hei
     return share_code(value);
 }
 
+std::uint8_t mask_code(Channel mask, double value) {
+    if (mask == channel_of(LandMask::wear)) {
+        return static_cast<std::uint8_t>(127.0 +
+                                         std::nearbyint(127.0 * std::clamp(value, -1.0, 1.0)));
+    }
+    return static_cast<std::uint8_t>(std::nearbyint(255.0 * std::clamp(value, 0.0, 1.0)));
+}
+
 void append_big_endian(std::string& bytes, std::uint32_t value, int count) {
     for (int shift = 8 * (count - 1); shift >= 0; shift -= 8) {
         bytes += static_cast<char>((value >> shift) & 0xffu);
@@ -200,6 +210,40 @@ void write_df3(const Surface& surface, const std::string& path, Df3Slices slices
             }
             file.write(bytes);
         }
+    }
+    file.commit();
+}
+
+std::vector<Channel> df3_masks(ChannelSet available) {
+    std::vector<Channel> masks;
+    for (const ocean::Product& mask : kMaskProducts) {
+        if (mask.unit.empty() && available.contains(mask.set())) {
+            masks.push_back(mask.channels[0]);
+        }
+    }
+    return masks;
+}
+
+std::uint64_t masks_df3_bytes(const Domain& domain, std::size_t masks) {
+    return 6 + domain.count() * masks;
+}
+
+void write_masks_df3(const Surface& surface, std::span<const Channel> masks,
+                     const std::string& path) {
+    const auto columns = static_cast<std::size_t>(surface.domain().samples[0]);
+    const auto rows = static_cast<std::size_t>(surface.domain().samples[1]);
+    OutputFile file(path);
+    file.write(df3_head(columns, rows, masks.size()));
+    std::string bytes(columns * rows, '\0');
+    for (const Channel mask : masks) {
+        if (!surface.has(mask)) {
+            throw Error(ErrorKind::invalid_value, "a DF3 file of masks needs all of them");
+        }
+        const auto values = surface.channel(mask);
+        std::ranges::transform(values, bytes.begin(), [&](float value) {
+            return static_cast<char>(mask_code(mask, double{value}));
+        });
+        file.write(bytes);
     }
     file.commit();
 }

@@ -175,6 +175,29 @@ void declare_water(std::string& text) {
     declare(text, "Ocean_Foam_Albedo", number(kFoamAlbedo));
 }
 
+/// Returns a place or two sides as <east, 0, north>.
+std::string ground_vector(const std::array<double, 2>& pair) {
+    return "<" + number(pair[0]) + ", 0, " + number(pair[1]) + ">";
+}
+
+/// Declares where the map of a land lies. Only land that repeats has a period.
+void declare_land_map(std::string& text, const Domain& domain) {
+    const auto [columns, rows] = domain.samples;
+    declare(text, "Terrain_Repeats", domain.wraps ? "true" : "false");
+    declare(text, "Terrain_Samples", std::to_string(std::max(columns, rows)),
+            domain.wraps ? "along a side of the tile" : "along the longer side");
+    declare(text, "Terrain_Columns", std::to_string(columns), "samples to the east");
+    declare(text, "Terrain_Rows", std::to_string(rows), "samples to the north");
+    declare(text, "Terrain_Cell", number(domain.step(0)), "m, between samples");
+    declare(text, "Terrain_Corner", ground_vector(domain.origin), "m, the south-west one");
+    declare(text, "Terrain_Extent", ground_vector(domain.size), "m, its sides");
+    if (domain.wraps) {
+        declare(text, "Terrain_Period", number(domain.size[0]), "m, in both directions");
+    } else {
+        forget(text, "Terrain_Period");
+    }
+}
+
 }  // namespace
 
 std::string povray_parameter_declaration(const ParameterSpec& spec, std::size_t item,
@@ -240,9 +263,9 @@ std::string povray_declarations(const PovrayTerrain& folder) {
     declare(text, "Terrain_Data_Version", std::to_string(kPovrayTerrainVersion));
     declare(text, "Terrain_Id_", string_literal(folder.id), "its map says the same");
     declare(text, "Terrain_Format", string_literal(folder.format));
-    declare(text, "Terrain_Samples", std::to_string(folder.resolution), "along a side of the tile");
-    declare(text, "Terrain_Period", number(terrain.patch_size), "m, in both directions");
-    text += "\n// ---- This tile ----\n";
+    declare_land_map(text, folder.domain);
+    declare(text, "Terrain_Water_Level", number(terrain.coast_level.value_or(0.0)), "m");
+    text += "\n// ---- This land ----\n";
     declare(text, "Terrain_Rms_Height", number(folder.state.rms.resolved), "m");
     declare(text, "Terrain_Mean_Height", number(folder.state.mean), "m");
     declare(text, "Terrain_Rms_Slope", number(folder.state.rms_slope.resolved));

@@ -42,12 +42,13 @@ struct FormatOption {
 
 /// The products that files of a format can hold, for the one parser of --products.
 struct ProductChoice {
-    std::span<const Product> known;     // the rows in which names are looked up
-    std::string_view default_list;      // used if --products is not given
-    const Product* alone = nullptr;     // points, never beside others; not among `known`
-    std::string_view nothing = {};      // the word for no product: "position"
-    std::string_view holder = {};       // of `allowed` in messages: "a mesh"
-    std::string_view allowed = {};      // names among `known`, "normal,foam"; empty: all
+    std::span<const Product> known;              // the rows in which names are looked up
+    std::string_view default_list;               // used if --products is not given
+    const Product* alone = nullptr;              // points, never beside others; not among `known`
+    std::string_view nothing = {};               // the word for no product: "position"
+    std::string_view holder = {};                // of `allowed` in messages: "a mesh"
+    std::string_view allowed = {};               // names among `known`, "normal,foam"; empty: all
+    std::span<const Product> also_allowed = {};  // rows of `known` beside those of `allowed`
     std::string_view one_refusal = {};  // for any list that does not fit; empty: one for each cause
 };
 
@@ -68,6 +69,7 @@ struct FormatPlan {
     Settings settings;
     /// Products that get a file each; their names go into the file name.
     std::vector<std::string> named_products = {};
+    std::string note = {};  // a sentence about the files, for people
 };
 
 struct BakeFile {

@@ -138,7 +138,7 @@ constexpr BakeFormat bake_format() {
                 FormatPlan<Settings> plan = kOf.resolve(draft, draft.settings.as<Settings>());
                 return FormatPlan<ErasedSettings>{
                     std::move(plan.maps), ErasedSettings::of<Settings>(std::move(plan.settings)),
-                    std::move(plan.named_products)};
+                    std::move(plan.named_products), std::move(plan.note)};
             },
         .files = +[](Plan plan,
                      int frame) { return kOf.files(plan, plan.settings.as<Settings>(), frame); },

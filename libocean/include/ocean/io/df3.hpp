@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "ocean/detail.hpp"
 #include "ocean/io/provenance.hpp"
@@ -58,6 +59,17 @@ Df3Heights df3_heights(const Surface& surface);
 /// the seam between copies free of cracks. Throws Error output, and invalid_value for a channel
 /// that is missing or a length that is not finite or beyond 1024 m.
 void write_df3(const Surface& surface, const std::string& path, Df3Slices slices = df3_slices());
+
+/// Returns the size of a file of masks [bytes].
+std::uint64_t masks_df3_bytes(const Domain& domain, std::size_t masks);
+/// Writes a slice of bytes for each mask, in their order: a share 0 .. 1 is code / 255, a signed
+/// value -1 .. 1 is (code - 127) / 127. Throws Error output, and invalid_value for a mask that the
+/// surface does not have.
+void write_masks_df3(const Surface& surface, std::span<const Channel> masks,
+                     const std::string& path);
+/// Returns the masks of a land that such a file holds, in the order of their table: those without a
+/// unit.
+std::vector<Channel> df3_masks(ChannelSet available);
 
 /// Returns the size of a file of slope tiles [bytes].
 std::uint64_t slopes_df3_bytes(int samples, int bands);

@@ -45,14 +45,14 @@ std::string povray_parameter_declaration(const ParameterSpec& spec, std::size_t 
 
 /// The version of the folders that `ocean povray` writes for terrains; terrain.inc refuses any
 /// other.
-inline constexpr int kPovrayTerrainVersion = 1;
+inline constexpr int kPovrayTerrainVersion = 2;
 
 /// A folder of a terrain for POV-Ray. References must outlive it.
 struct PovrayTerrain {
     const Terrain& terrain;
     const TerrainState& state;
     std::string_view format;  // "df3", "mesh2" or "height_field"
-    int resolution;           // samples along a side of the tile
+    const Domain& domain;     // of its map
     std::string_view id;      // of Provenance
 };
 /// Returns the include file with the folder and each parameter of the terrain by its name:

@@ -46,6 +46,8 @@ void write_usd_frame(const Mesh& mesh, std::span<const HeaderString> strings, do
                      const std::string& path);
 /// Writes the quads of a patch mesh and its uv as primvars:st. Throws Error output.
 void write_usd_topology(const Domain& domain, const SubjectWords& words, const std::string& path);
+/// Writes the triangles of any mesh and its uv, if it has one. Throws Error output.
+void write_usd_topology(const Mesh& mesh, const SubjectWords& words, const std::string& path);
 /// Returns the header strings of a frame; a topology has its resolution only. Throws Error
 /// bad_file.
 std::vector<HeaderString> read_usd_header(const std::string& path);
