@@ -15,7 +15,7 @@ import bpy
 
 from .. import translations
 from . import changes, compat
-from .parameter_table import ParameterTable, is_optional
+from .parameter_table import ParameterTable, is_optional, path_of
 from .resolutions import Resolutions
 
 _UNITS = {"m": "LENGTH", "m/s": "VELOCITY", "m/s^2": "ACCELERATION", "s": "TIME_ABSOLUTE"}
@@ -23,7 +23,7 @@ _UNITS = {"m": "LENGTH", "m/s": "VELOCITY", "m/s^2": "ACCELERATION", "s": "TIME_
 
 def _description(entry: dict[str, Any], file_kind: str) -> str:
     unit = f" [{entry['unit']}]" if entry["unit"] else ""
-    return f"{entry['help'].rstrip('.')}{unit}. {file_kind}: {entry['section']}.{entry['key']}"
+    return f"{entry['help'].rstrip('.')}{unit}. {file_kind}: {path_of(entry)}"
 
 
 def changed(self, _context) -> None:
@@ -123,7 +123,10 @@ def properties_of(
     switch = f"use_{key}"
     if kind == "numbers":
         common["update"] = _switched_on(switch)
-        ends = tuple(float(f"{entry[end] / 10.0:.1g}") for end in ("soft_min", "soft_max"))
+        if entry["soft_min"] > 0.0:  # two lengths, no range
+            ends = (_middle(entry),) * 2
+        else:
+            ends = tuple(float(f"{entry[end] / 10.0:.1g}") for end in ("soft_min", "soft_max"))
         return {switch: _switch(entry), key: _vector(entry, common, 2, default=ends)}
     if kind == "int":
         if key in table.resolutions:
