@@ -147,6 +147,11 @@ def tell_watcher(done: int, total: int) -> None:
     watchers.get(threading.get_ident(), console.tell)(done, total)
 
 
+def tell_watcher_of_share(done: int, total: int) -> None:
+    """The same for handles that report the share of their work, not ticks of foam."""
+    watchers.get(threading.get_ident(), console.tell_share)(done, total)
+
+
 @dataclasses.dataclass
 class _Wish:
     key: tuple

@@ -20,6 +20,11 @@ _SLACK = 1e-6  # of a cell: what a division leaves of a whole number
 class ExtentError(Exception):
     """A region that cannot be shown, in a sentence for the user."""
 
+    def __init__(self, text: str, *values) -> None:
+        """text: the sentence, with a place for each of the values."""
+        super().__init__(text.format(*values))
+        self.text, self.values = text, values
+
 
 @dataclasses.dataclass(frozen=True)
 class Extent:
@@ -76,21 +81,21 @@ def of_region(corners: tuple[float, ...], cell: float, own: Extent) -> Extent:
     has too many samples or reaches beyond a land that exists once."""
     x0, y0, x1, y1 = corners
     if x1 - x0 < cell or y1 - y0 < cell:
-        raise ExtentError(f"The region is smaller than its cell of {cell:g} m")
+        raise ExtentError("The region is smaller than its cell of {:g} m", cell)
     samples = tuple(int((high - low) / cell + _SLACK) + 1 for low, high in ((x0, x1), (y0, y1)))
     if samples[0] * samples[1] > MAX_VERTICES:
         raise ExtentError(
-            f"The region has {samples[0]:,} x {samples[1]:,} vertices; allowed: "
-            f"{MAX_VERTICES:,} together"
+            "The region has {:,} x {:,} vertices; allowed: {:,} together", *samples, MAX_VERTICES
         )
     if not own.wraps:
         sides = [(own.origin[axis], own.origin[axis] + own.size[axis]) for axis in range(2)]
         slack = _SLACK * max(own.size)
         for low, high, (first, last) in ((x0, x1, sides[0]), (y0, y1, sides[1])):
             if low < first - slack or high > last + slack:
-                (west, east), (south, north) = sides
                 raise ExtentError(
-                    f"The region reaches beyond the land, which lies from {west:g} to {east:g} m "
-                    f"and from {south:g} to {north:g} m"
+                    "The region reaches beyond the land, which lies from {:g} to {:g} m east and "
+                    "from {:g} to {:g} m north",
+                    *sides[0],
+                    *sides[1],
                 )
     return Extent((x0, y0), cell, samples, wraps=False, is_own=False)

@@ -39,18 +39,14 @@ def _rows() -> list[dict[str, Any]]:
     return rows
 
 
-def _typical() -> dict[str, float]:
-    """Returns the value of each group's switch in a file that has the section alone."""
-    headers = "".join(f"[{section}]\n" for section, _ in SWITCHES.values())
-    text = f'libocean = 1\n[terrain]\nkind = "placed"\n{headers}'
+def _typical(section: str, key: str) -> float:
+    """Returns the value of a group's switch in a file that has the section alone."""
+    text = f'libocean = 1\n[terrain]\nkind = "placed"\n[{section}]\n'
     with libocean.parse_terrain(text) as terrain:
-        return {
-            name: float(terrain.get(f"{section}.{key}"))
-            for name, (section, key) in SWITCHES.items()
-        }
+        return float(terrain.get(f"{section}.{key}"))
 
 
-TYPICAL = _typical()
+TYPICAL = {name: _typical(*switch) for name, switch in SWITCHES.items()}
 
 PARAMETERS = ParameterTable(
     rows=_rows(),

@@ -37,6 +37,13 @@ class TerrainValues:
         """Returns the part that cannot be changed parameter by parameter in an open terrain."""
         return (self.rings, len(self.layers))
 
+    def groups(self) -> tuple[str, ...]:
+        """Returns the groups of parameters that are on: "gullies", "stream", "coast"."""
+        return tuple(name for name in SWITCHES if self.values[switch_of(name)] not in _OFF)
+
+    def is_placed(self) -> bool:
+        return self.values["kind"] == "placed"
+
     def by_name(self) -> dict[str, str]:
         """Returns every parameter under its path: "terrain.layer.0.gain"."""
         named = {_PATHS[key]: text for key, text in self.values.items()}
@@ -48,9 +55,8 @@ class TerrainValues:
         """Returns the terrain file of these values, not resolved."""
         parts = ["libocean = 1\n"]
         for section in dict.fromkeys(row["section"] for row in PARAMETERS.entries(items=False)):
-            lines = _lines(self.values, section)
             if section == _FIRST or self.values[_SECTION_SWITCHES[section]] not in _OFF:
-                parts += [f"\n[{section}]\n", lines]
+                parts += [f"\n[{section}]\n", _lines(self.values, section)]
             if section == _FIRST and self.rings:
                 parts += [f"\n{_RINGS}\n", self.rings, "\n"]
         for layer in self.layers:
