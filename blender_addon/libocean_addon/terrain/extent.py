@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Extents: where the samples of a map lie on a land. No Blender in here.
+"""Extents: where the samples of a map lie on a land.
 
     the terrain's own domain, or a region of the settings -> Extent -> map, mesh, inputs of the nodes
 """
@@ -12,6 +12,8 @@ import math
 
 import numpy as np
 
+from ..shared.compat import tr_label
+
 MAX_VERTICES = 4096 * 4096
 """The max number of samples, and so of vertices, of a region."""
 _SLACK = 1e-6  # of a cell: what a division leaves of a whole number
@@ -19,11 +21,6 @@ _SLACK = 1e-6  # of a cell: what a division leaves of a whole number
 
 class ExtentError(Exception):
     """A region that cannot be shown, in a sentence for the user."""
-
-    def __init__(self, text: str, *values) -> None:
-        """text: the sentence, with a place for each of the values."""
-        super().__init__(text.format(*values))
-        self.text, self.values = text, values
 
 
 @dataclasses.dataclass(frozen=True)
@@ -81,11 +78,15 @@ def of_region(corners: tuple[float, ...], cell: float, own: Extent) -> Extent:
     has too many samples or reaches beyond a land that exists once."""
     x0, y0, x1, y1 = corners
     if x1 - x0 < cell or y1 - y0 < cell:
-        raise ExtentError("The region is smaller than its cell of {:g} m", cell)
+        raise ExtentError(tr_label("The region is smaller than its cell of {:g} m", cell))
     samples = tuple(int((high - low) / cell + _SLACK) + 1 for low, high in ((x0, x1), (y0, y1)))
     if samples[0] * samples[1] > MAX_VERTICES:
         raise ExtentError(
-            "The region has {:,} x {:,} vertices; allowed: {:,} together", *samples, MAX_VERTICES
+            tr_label(
+                "The region has {:,} x {:,} vertices; allowed: {:,} together",
+                *samples,
+                MAX_VERTICES,
+            )
         )
     if not own.wraps:
         sides = [(own.origin[axis], own.origin[axis] + own.size[axis]) for axis in range(2)]
@@ -93,9 +94,11 @@ def of_region(corners: tuple[float, ...], cell: float, own: Extent) -> Extent:
         for low, high, (first, last) in ((x0, x1, sides[0]), (y0, y1, sides[1])):
             if low < first - slack or high > last + slack:
                 raise ExtentError(
-                    "The region reaches beyond the land, which lies from {:g} to {:g} m east and "
-                    "from {:g} to {:g} m north",
-                    *sides[0],
-                    *sides[1],
+                    tr_label(
+                        "The region reaches beyond the land, which lies from {:g} to {:g} m east "
+                        "and from {:g} to {:g} m north",
+                        *sides[0],
+                        *sides[1],
+                    )
                 )
     return Extent((x0, y0), cell, samples, wraps=False, is_own=False)

@@ -14,7 +14,6 @@ import bpy
 
 from ..sea import node_group as sea_group
 from ..shared import changes, console, drafts, images, meshes, modifier_groups
-from ..shared.compat import tr_label
 from ..shared.native import libocean
 from . import camera_mesh, node_group
 from .camera_mesh import CameraView
@@ -37,11 +36,11 @@ def show(ob, depsgraph=None, *, moving: bool = False, again: bool = False) -> No
     try:
         terrain.follow(values)
         terrain.region = _region_of(seen.libocean_terrain)
-        view = wanted_view(ob, depsgraph)
+        view = terrain.view = wanted_view(ob, depsgraph)
         for modifier in node_group.modifiers(ob):
             _show_in(ob, seen, terrain, modifier, view, moving=moving, again=again)
     except ExtentError as failure:
-        problem = tr_label(failure.text, *failure.values)
+        problem = str(failure)
     except (libocean.Error, MemoryError) as failure:
         problem = WORDS.of_error(failure, len(values.layers)) or type(failure).__name__
     if settings.problem != problem:
@@ -109,7 +108,7 @@ def _show_in(
         with console.work(name, "map"):
             shown = terrain.show(image_named)
         drafts.forget(name, key, more_follows=False)
-        if meshes.is_draft(ob.data) or (view is not None and not _is_mesh_of(ob, terrain, view)):
+        if meshes.is_draft(ob.data) or _has_other_view(ob, terrain, view):
             follow_mesh(ob, view=view)
     _set_inputs(ob, seen, terrain, modifier, shown, draft=draft)
 
@@ -246,14 +245,17 @@ def follows_camera(ob) -> bool:
     return ob.library is None and ob.data.library is None and ob.mode == "OBJECT"
 
 
-def _is_mesh_of(ob, terrain: OpenTerrain, view: CameraView) -> bool:
-    return meshes.made_of(ob.data) == camera_mesh.words_of(terrain.values.text(), view)
+def _has_other_view(ob, terrain: OpenTerrain, view: CameraView | None) -> bool:
+    """Returns whether an object's mesh is one around another camera, or none though it should."""
+    if view is None:
+        return camera_mesh.is_around_camera(ob.data)
+    return meshes.made_of(ob.data) != camera_mesh.words_of(terrain.values.text(), view)
 
 
 def follow_mesh(ob, *, draft: bool = False, view: CameraView | None = None) -> None:
     """Makes a mesh of the add-on fit the terrain, and labels a mesh of the user. A linked mesh
     stays as its file has it. draft: with few vertices; view: of the camera that a mesh follows,
-    None: that of the scene's."""
+    None: that of the last show()."""
     terrain, settings = terrain_of(ob.name_full), ob.libocean_terrain
     if not follows_camera(ob) or terrain.terrain is None:
         return
@@ -261,7 +263,7 @@ def follow_mesh(ob, *, draft: bool = False, view: CameraView | None = None) -> N
         extent = terrain.extent
     except ExtentError:  # said by show(): the mesh stays
         return
-    view = view or wanted_view(ob)
+    view = view or terrain.view
     with console.work(ob.name_full, "mesh"):
         if settings.shape == "MESH":
             if extent.wraps:
@@ -336,8 +338,8 @@ def make_draft_job(name: str) -> TerrainJob | None:
     terrain = None if ob is None else terrain_of(ob.name_full)
     if terrain is None or terrain.terrain is None or ob.libocean_terrain.problem:
         return None
-    view = wanted_view(ob, bpy.context.evaluated_depsgraph_get())
-    return terrain.job(view if follows_camera(ob) else None)
+    # Not evaluated anew: an update would request this job once more, before it runs.
+    return terrain.job(terrain.view if follows_camera(ob) else None)
 
 
 def finish_draft_job(name: str, job: TerrainJob) -> None:

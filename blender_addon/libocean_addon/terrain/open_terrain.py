@@ -110,6 +110,8 @@ class OpenTerrain:
         """The groups of parameters whose masks the land has."""
         self.region: tuple[tuple[float, ...], float] | None = None
         """Corners and cell of the region to show; None: the land's own samples."""
+        self.view: CameraView | None = None
+        """The camera around which the mesh was requested last."""
         self.changes = 0
         self.state: dict | None = None  # read_state()
         self.state_before: dict | None = None  # of the values before these

@@ -14,7 +14,7 @@ from ..shared.compat import tr_label
 from ..shared.drawing import field, mask_field, never_raises, place_labels, say, say_state
 from ..shared.property_texts import pairs_of
 from . import facts, material, node_group, operators
-from .parameter_values import OF_TILES, is_measured, is_on, is_placed, is_replaced
+from .parameter_values import is_measured, is_on, is_placed, is_replaced
 from .parameters import PARAMETERS, PLACED, SWITCHES
 
 SHORT = {
@@ -28,8 +28,12 @@ SHORT = {
     "ridge_direction": "Direction",
     "ridge_spread": "Spread",
     "mesh_resolution": "Mesh",
+    "detail_wavelength": "Detail",
 }
 """Short labels for fields whose label does not fit a panel of default width."""
+
+SIDES = ("West", "South", "East", "North")
+"""The labels of the numbers of a region."""
 
 LAND = ("kind", "patch_size", "resolution", "seed", "rms", "range", "mean")
 """Parameters of the first panel. Those of a placed land and of each group that shapes it have panels
@@ -175,56 +179,71 @@ class PlacedPanel(_Panel, bpy.types.Panel):
         _draw_parameters(self.layout, context.object.libocean_terrain, PLACED)
 
 
-class _GroupPanel(_Panel):
-    """Base of the panels of the groups that shape a land, each with a switch in its header."""
-
-    group: str
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @classmethod
-    def poll(cls, context) -> bool:
-        if not super().poll(context):
-            return False
-        return cls.group in OF_TILES or is_placed(context.object.libocean_terrain)
-
-    @never_raises
-    def draw_header(self, context) -> None:
-        self.layout.prop(context.object.libocean_terrain, f"use_{self.group}", text="")
-
-    @never_raises
-    def draw(self, context) -> None:
-        layout, settings = self.layout, context.object.libocean_terrain
-        place_labels(layout)
-        column = layout.column()
-        column.active = is_on(settings, self.group)
-        _draw_parameters(column, settings, GROUPS[self.group])
+def _draw_group(layout, settings, group: str) -> None:
+    """Draws the parameters of a group that shapes the land; its switch is in the header."""
+    place_labels(layout)
+    column = layout.column()
+    column.active = is_on(settings, group)
+    _draw_parameters(column, settings, GROUPS[group])
 
 
-class GulliesPanel(_GroupPanel, bpy.types.Panel):
+class GulliesPanel(_Panel, bpy.types.Panel):
     """Stripes along the fall line, which shape slopes as rain does"""
 
     bl_idname = "LIBOCEAN_PT_terrain_gullies"
     bl_parent_id = TerrainPanel.bl_idname
     bl_label = "Gullies"
-    group = "gullies"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @never_raises
+    def draw_header(self, context) -> None:
+        self.layout.prop(context.object.libocean_terrain, "use_gullies", text="")
+
+    @never_raises
+    def draw(self, context) -> None:
+        _draw_group(self.layout, context.object.libocean_terrain, "gullies")
 
 
-class StreamsPanel(_GroupPanel, bpy.types.Panel):
+class StreamsPanel(_Panel, bpy.types.Panel):
     """Valleys that streams cut into a land that exists once"""
 
     bl_idname = "LIBOCEAN_PT_terrain_stream"
     bl_parent_id = TerrainPanel.bl_idname
     bl_label = "Streams"
-    group = "stream"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        return super().poll(context) and is_placed(context.object.libocean_terrain)
+
+    @never_raises
+    def draw_header(self, context) -> None:
+        self.layout.prop(context.object.libocean_terrain, "use_stream", text="")
+
+    @never_raises
+    def draw(self, context) -> None:
+        _draw_group(self.layout, context.object.libocean_terrain, "stream")
 
 
-class ShorePanel(_GroupPanel, bpy.types.Panel):
+class ShorePanel(_Panel, bpy.types.Panel):
     """Beaches and cliffs where a land that exists once meets the water"""
 
     bl_idname = "LIBOCEAN_PT_terrain_coast"
     bl_parent_id = TerrainPanel.bl_idname
     bl_label = "Shore"
-    group = "coast"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        return super().poll(context) and is_placed(context.object.libocean_terrain)
+
+    @never_raises
+    def draw_header(self, context) -> None:
+        self.layout.prop(context.object.libocean_terrain, "use_coast", text="")
+
+    @never_raises
+    def draw(self, context) -> None:
+        _draw_group(self.layout, context.object.libocean_terrain, "coast")
 
 
 class SpectrumPanel(_Panel, bpy.types.Panel):
@@ -312,7 +331,7 @@ class RegionPanel(_Panel, bpy.types.Panel):
         place_labels(layout)
         column = layout.column(align=True)
         column.active = settings.use_region and not settings.use_lod
-        for index, text in enumerate(("West", "South", "East", "North")):
+        for index, text in enumerate(SIDES):
             column.prop(settings, "region", index=index, text=text, text_ctxt=translations.SEA)
         column.separator()
         column.prop(settings, "region_cell")
