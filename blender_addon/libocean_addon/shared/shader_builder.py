@@ -31,13 +31,6 @@ class Tree(Builder):
             self.feed(value, socket)
         return made.outputs[0]
 
-    def eased(self, low, high, value):
-        """Returns 0 up to `low`, 1 from `high` on, and a smooth step between them."""
-        made = self.node("ShaderNodeMapRange", interpolation_type="SMOOTHSTEP")
-        for name, given in (("Value", value), ("From Min", low), ("From Max", high)):
-            self.feed(given, compat.active(made.inputs, name))
-        return compat.active(made.outputs, "Result")
-
 
 def shader_group(mark: str, version, name: str, build):
     """Returns the node group of a version of the add-on, made by build(group) if it is missing.

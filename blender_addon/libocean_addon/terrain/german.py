@@ -115,6 +115,7 @@ OPERATORS = {
     "Load Terrain": "Gelände laden",
     "Save Terrain": "Gelände speichern",
     "Terrain Preset": "Geländevorgabe",
+    "Add Trees": "Bäume hinzufügen",
     "Terrain Material": "Geländematerial",
     "Add Layer": "Ebene hinzufügen",
     "Remove Layer": "Ebene entfernen",
@@ -133,6 +134,7 @@ TEXTS = {
     "Cell": "Zelle",
     "Spacing": "Punktabstand",
     "Distance": "Abstand",
+    "Slope": "Neigung",
     "Snap": "Raster",
     "Level of detail": "Detailgrad",
     "Level of Detail": "Detailgrad",
@@ -186,6 +188,7 @@ TEXTS = {
     "The active object has a terrain or an ocean": (
         "Das aktive Objekt hat schon ein Gelände oder einen Ozean"
     ),
+    "The active object has trees": "Das aktive Objekt hat schon Bäume",
     "The active object has a terrain": "Das aktive Objekt hat ein Gelände",
     "A terrain has at most {} layers": "Ein Gelände hat höchstens {} Ebenen",
     "A terrain has at most {} breaks": "Ein Gelände hat höchstens {} Knicke",

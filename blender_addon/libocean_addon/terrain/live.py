@@ -180,7 +180,7 @@ def _set_inputs(ob, seen, terrain: OpenTerrain, modifier, shown: Extent, *, draf
             "Mask": settings.mask,
             "Use Mask": bool(settings.mask),
             "Use Normal": settings.use_normal and not is_raised,
-            "Use Slope": is_shaped(seen.libocean_terrain),
+            "Use Slope": settings.use_slope or is_shaped(seen.libocean_terrain),
             "Is Raised": is_raised,
             **{
                 node_group.use_of(group): group in terrain.groups for group in node_group.MASKS

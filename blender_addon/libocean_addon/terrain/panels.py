@@ -13,8 +13,8 @@ from ..shared import file_row, parameter_fields, resolutions
 from ..shared.compat import tr_label
 from ..shared.drawing import field, mask_field, never_raises, place_labels, say, say_state
 from ..shared.property_texts import pairs_of
-from . import facts, material, node_group, operators
-from .parameter_values import is_measured, is_on, is_placed, is_replaced
+from . import facts, material, node_group, operators, trees
+from .parameter_values import is_measured, is_on, is_placed, is_replaced, is_shaped
 from .parameters import PARAMETERS, PLACED, SWITCHES
 
 SHORT = {
@@ -302,7 +302,10 @@ class TerrainLookPanel(_Panel, bpy.types.Panel):
             field(layout, settings, listed, text="Mesh", context=translations.SEA)
             if not is_placed(settings):
                 layout.prop(settings, "tiles")
+        layout.operator(trees.AddTrees.bl_idname, icon="OUTLINER_OB_POINTCLOUD")
         layout.prop(settings, "use_normal")
+        if not is_shaped(settings):
+            layout.prop(settings, "use_slope")
         mask_field(layout, settings, ob)
         layout.prop(settings, "follow_world")
 

@@ -187,6 +187,13 @@ class TerrainSettings(bpy.types.PropertyGroup):
             default=True,
             update=changed,
         ),
+        "use_slope": bpy.props.BoolProperty(
+            name="Slope",
+            description="Store the attribute slope, the tangent of the steepness, also on a tile "
+            "without gullies",
+            default=False,
+            update=changed,
+        ),
         "mask": bpy.props.StringProperty(
             name="Mask",
             description="A vertex group or attribute: where it is 0 the mesh stays as it is",
