@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Extents: where the samples of a map lie on a land.
 
-    the terrain's own domain, or a region of the settings -> Extent -> map, mesh, inputs of the nodes
+the terrain's own domain, or a region of the settings -> Extent -> map, mesh, inputs of the nodes
 """
 
 from __future__ import annotations

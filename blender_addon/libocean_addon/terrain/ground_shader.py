@@ -57,7 +57,13 @@ _NUMBERS = (
     ("Beach Sand", 1.0, 0.0, 1.0, "Share of sand on beaches, by the attribute beach"),
     ("Cliff Rock", 1.0, 0.0, 1.0, "Share of rock on cliffs, by the attribute cliff"),
     ("Stream Scree", 0.8, 0.0, 1.0, "Share of scree in streams, by the attribute streambed"),
-    ("Flow Forest", 0.6, 0.0, 1.0, "Share of forest where much water drains, by the attribute flow"),
+    (
+        "Flow Forest",
+        0.6,
+        0.0,
+        1.0,
+        "Share of forest where much water drains, by the attribute flow",
+    ),
     ("Wear Shade", 0.35, 0.0, 1.0, "How much lighter crests and darker floors of gullies are"),
     (
         "Visibility",

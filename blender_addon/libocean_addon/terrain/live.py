@@ -182,9 +182,7 @@ def _set_inputs(ob, seen, terrain: OpenTerrain, modifier, shown: Extent, *, draf
             "Use Normal": settings.use_normal and not is_raised,
             "Use Slope": settings.use_slope or is_shaped(seen.libocean_terrain),
             "Is Raised": is_raised,
-            **{
-                node_group.use_of(group): group in terrain.groups for group in node_group.MASKS
-            },
+            **{node_group.use_of(group): group in terrain.groups for group in node_group.MASKS},
             **(_draft_inputs(ob, shown.size[0]) if shows_grid else {}),
         },
     )

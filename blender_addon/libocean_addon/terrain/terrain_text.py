@@ -85,8 +85,7 @@ def read(terrain) -> TerrainValues:
     """Returns the values of an open terrain (libocean.Terrain)."""
     text = terrain.text
     values = {
-        entry["key"]: terrain.get(path_of(entry))
-        for entry in PARAMETERS.entries(items=False)
+        entry["key"]: terrain.get(path_of(entry)) for entry in PARAMETERS.entries(items=False)
     }
     layers = [
         {

@@ -55,7 +55,9 @@ def _trunk(height: float, radius: float) -> Part:
 def _conifer() -> list[Part]:
     """Returns a tree 14 m high."""
     parts = [_trunk(2.5, 0.22)]
-    for number, (base, radius, top) in enumerate(((1.8, 2.6, 7.6), (5.0, 2.0, 10.6), (8.0, 1.4, 14.0))):
+    for number, (base, radius, top) in enumerate(
+        ((1.8, 2.6, 7.6), (5.0, 2.0, 10.6), (8.0, 1.4, 14.0))
+    ):
         parts.append(_lathe([_ring(8, radius, base, 0.4 * number)], (0.0, 0.0, top), "Needles"))
     return parts
 

@@ -22,7 +22,7 @@ FAMILY = Family("libocean_scatter", VERSION)
 _NAME = "Terrain Trees"
 
 _INPUTS = (
-    ("Density", 150.0, 0.0, 1e5, "Trees a hectare where they grow densest"),
+    ("Density", 250.0, 0.0, 1e5, "Trees a hectare where they grow densest"),
     ("Lowest", -1e5, -1e5, 1e5, "Height below which no tree grows [m]"),
     ("Highest", 1e5, -1e5, 1e5, "Height above which no tree grows [m]"),
     ("Max Slope", 0.7, 0.0, 10.0, "Slope on which no tree grows; at 0.6 of it they begin to thin"),
@@ -79,8 +79,8 @@ def _clearings(b: Builder, inputs):
 def _density(b: Builder, inputs):
     """Returns the density of trees [1/m^2]."""
     slope, height = _named(b, node_group.SLOPE), _named(b, node_group.HEIGHT)
-    thin = b.number("MULTIPLY", inputs["Max Slope"], 0.6)
-    share = b.number("SUBTRACT", 1.0, b.eased(thin, inputs["Max Slope"], slope))
+    bare = b.number("MAXIMUM", inputs["Max Slope"], 1e-3)
+    share = b.number("SUBTRACT", 1.0, b.eased(b.number("MULTIPLY", bare, 0.6), bare, slope))
     by_wetness = b.number("SUBTRACT", _named(b, "wetness"), 1.0)
     wet = b.number("MULTIPLY_ADD", by_wetness, inputs["Wet Share"], 1.0)
     factors = (
@@ -153,7 +153,7 @@ def _fitted(ob) -> dict[str, float]:
         values["Wet Share"] = 0.7
     (east, north), tiles = terrain.extent.size, ob.libocean_terrain.tiles
     hectares = east * north / _HECTARE * (tiles**2 if terrain.extent.wraps else 1)
-    values["Density"] = min(150.0, MAX_TREES / max(hectares, 1e-6))
+    values["Density"] = min(250.0, MAX_TREES / max(hectares, 1e-6))
     return values
 
 

@@ -69,8 +69,7 @@ class MapWriter(Handle):
             raise _library.error("arrays of different R in one call", _library.INVALID_ARGUMENT)
         if maps:
             outputs = [
-                (array, tuple(channel_number(name) for name in names))
-                for array, names in maps
+                (array, tuple(channel_number(name) for name in names)) for array, names in maps
             ]
             turn = choose("axes", axes, _library.AXES)
             resolution = len(maps[0][0]) - seam

@@ -89,9 +89,7 @@ class Terrain(MapWriter):
         """The samples of the terrain's own map."""
         own = DomainStruct(ctypes.sizeof(DomainStruct))
         self._call("ocean_terrain_domain", ctypes.byref(own))
-        return TerrainDomain(
-            (own.x, own.y), own.cell, (own.columns, own.rows), bool(own.wraps)
-        )
+        return TerrainDomain((own.x, own.y), own.cell, (own.columns, own.rows), bool(own.wraps))
 
     def map_resolution(self) -> int:
         """Returns the samples per side of a map whose resolution is not given."""
