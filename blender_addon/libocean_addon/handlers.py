@@ -64,11 +64,12 @@ def _data_replaced(*_) -> None:
     live.show_all(oceans, bpy.context.scene)
     for ob in oceans:  # one that was not there yet when the values of an undo step were kept
         live.follow_mesh(ob)
-    terrain_live.show_all()
+    # From 4.0 on nothing knows where it is in the world before it is evaluated.
+    seen_by_camera = any(ob.libocean_terrain.use_lod for ob in terrains)
+    terrain_live.show_all(bpy.context.evaluated_depsgraph_get() if seen_by_camera else None)
     for ob in terrains:
         terrain_live.follow_mesh(ob)
     if oceans:
-        # From 4.0 on nothing knows where it is in the world before it is evaluated.
         live.follow(bpy.context.evaluated_depsgraph_get(), bpy.context.scene)
 
 

@@ -44,7 +44,8 @@ def land(tmp_path):
 
 
 def attributes(ob) -> set[str]:
-    return {name for name in evaluated_mesh(ob).attributes.keys() if not name.startswith(".")}
+    names = [layer.name for layer in evaluated_mesh(ob).attributes]
+    return {name for name in names if not name.startswith(".")}
 
 
 def map_of(ob, *fields: str) -> dict[str, np.ndarray]:

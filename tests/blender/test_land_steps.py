@@ -8,11 +8,11 @@ import time
 import bpy
 import numpy as np
 import pytest
-from conftest import attribute, in_another_process, positions, rendered, rest
+from conftest import attribute, pixels, positions, rest, shine
 from libocean_addon import handlers
 from libocean_addon.shared import drafts, meshes
 from libocean_addon.terrain import camera_mesh, live, node_group, open_terrain
-from test_land import CARVED, PLACED, add_land, assert_is_land, library_of, region_of
+from test_land import CARVED, PLACED, add_land, assert_is_land, library_of
 from test_terrain_drafts import rest as finish
 from test_terrain_drafts import waiting  # noqa: F401, a fixture
 
@@ -272,6 +272,41 @@ def test_a_frame_of_an_animated_camera_has_its_own_mesh(detailed, eye, scene):
     for frame, x in ((2, 1024.0), (1, 0.0)):
         scene.frame_set(frame)
         assert_is_around(detailed, (x, 1024.0, 64.0))
+
+
+def test_frames_of_a_render_have_their_own_meshes(detailed, eye, scene, tmp_path):
+    for frame, x in ((1, 0.0), (2, 1024.0)):
+        eye.location.x = x
+        eye.keyframe_insert("location", frame=frame)
+    eye.data.type, eye.data.ortho_scale = "ORTHO", 500.0
+    eye.location.z = 64.0
+    scene.render.engine = "CYCLES"
+    scene.cycles.samples, scene.cycles.use_denoising = 1, False
+    scene.render.resolution_x = scene.render.resolution_y = 48
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth = "32"
+    made = bpy.data.materials.new("Places")
+    made.use_nodes = True
+    shine(detailed, made, made.node_tree.nodes.new("ShaderNodeNewGeometry").outputs["Position"])
+    scene.frame_start, scene.frame_end = 1, 2
+    scene.render.filepath = str(tmp_path / "live_")
+    bpy.ops.render.render(animation=True)
+    for frame in (1, 2):
+        scene.frame_set(frame)
+        live_frame = pixels(tmp_path / f"live_{frame:04d}.exr")
+        still = detailed.copy()
+        still.data = bpy.data.meshes.new_from_object(
+            detailed.evaluated_get(bpy.context.evaluated_depsgraph_get())
+        )
+        still.modifiers.clear()
+        scene.collection.objects.link(still)
+        detailed.hide_render = True
+        scene.render.filepath = str(tmp_path / "still.exr")
+        bpy.ops.render.render(write_still=True)
+        frozen = pixels(tmp_path / "still.exr")
+        assert np.array_equal(live_frame, frozen) and np.ptp(frozen[..., 2]) > 1.0
+        bpy.data.objects.remove(still)
+        detailed.hide_render = False
 
 
 def test_without_a_camera_the_mesh_is_a_plain_one(detailed, scene):

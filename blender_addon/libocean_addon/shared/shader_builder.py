@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import bpy
 
-from . import compat
 from .node_builder import Builder
 
 

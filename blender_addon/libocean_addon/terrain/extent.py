@@ -74,8 +74,8 @@ class Extent:
 
 
 def of_region(corners: tuple[float, ...], cell: float, own: Extent) -> Extent:
-    """Returns the extent of a region (x0, y0, x1, y1) [m]. Raises ExtentError for one that is empty,
-    has too many samples or reaches beyond a land that exists once."""
+    """Returns the extent of a region (x0, y0, x1, y1) [m]. Raises ExtentError for one that is
+    empty, has too many samples or reaches beyond a land that exists once."""
     x0, y0, x1, y1 = corners
     if x1 - x0 < cell or y1 - y0 < cell:
         raise ExtentError(tr_label("The region is smaller than its cell of {:g} m", cell))

@@ -91,7 +91,7 @@ def _declare(group) -> None:
         group,
         "Is Raised",
         "NodeSocketBool",
-        description="The vertices have the land's heights: only attributes are read from the images",
+        description="The vertices have the land's heights: images give attributes alone",
     )
     socket(group, "Geometry", "NodeSocketGeometry", output=True)
 

@@ -19,7 +19,7 @@ from ..shared.compat import tr_label
 from ..shared.native import libocean
 from ..shared.open_by_object import OpenByObject
 from . import extent as extents
-from .camera_mesh import CameraView, CameraVertices, make_vertices
+from .camera_mesh import CameraVertices, CameraView, make_vertices
 from .extent import Extent
 from .node_group import CHANNELS, GROUND, MASKS, image_of
 from .terrain_text import TerrainValues

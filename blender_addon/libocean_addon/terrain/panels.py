@@ -36,8 +36,8 @@ SIDES = ("West", "South", "East", "North")
 """The labels of the numbers of a region."""
 
 LAND = ("kind", "patch_size", "resolution", "seed", "rms", "range", "mean")
-"""Parameters of the first panel. Those of a placed land and of each group that shapes it have panels
-of their own; every other one is in Spectrum."""
+"""Parameters of the first panel. Those of a placed land and of each group that shapes it have
+panels of their own; every other one is in Spectrum."""
 
 _ENTRIES = {entry["key"]: entry for entry in PARAMETERS.entries(items=False)}
 GROUPS = {
