@@ -98,9 +98,9 @@ def _show_in(
     image_named = _images_of(ob, terrain, modifier)
     # Drafts go by the names of objects, of which a sea on the same one would have taken this one.
     may_wait = (moving or (again and drafts.wants(name, key))) and not sea_group.modifiers(ob)
-    has_mesh = view is None or terrain.has_mesh_around(view) or not follows_camera(ob)
+    lacks_mesh = view is not None and _lacks_mesh(ob, terrain, view)
     is_slow = _is_large(ob) or not terrain.is_quick()
-    draft = may_wait and not (terrain.is_whole() and has_mesh) and (is_slow or not has_mesh)
+    draft = may_wait and (lacks_mesh or (is_slow and not terrain.is_whole()))
     if draft:
         shown = terrain.show_draft(image_named)
         drafts.ask(name, key, rest=not drafts.is_playing())
@@ -118,19 +118,25 @@ LARGE = 400000
 
 
 def _is_large(ob) -> bool:
-    settings = ob.libocean_terrain
-    is_tile = settings.shape == "TILE" and meshes.samples_of(ob.data) is not None
-    return is_tile and isinstance(ob.data, bpy.types.Mesh) and len(ob.data.vertices) > LARGE
+    is_plain = meshes.samples_of(ob.data) is not None or meshes.made_of(ob.data).startswith("grid ")
+    is_ours = ob.libocean_terrain.shape == "TILE" and is_plain
+    return is_ours and isinstance(ob.data, bpy.types.Mesh) and len(ob.data.vertices) > LARGE
 
 
-def _draft_inputs(ob, period: float) -> dict:
+def _draft_inputs(ob, shown: Extent) -> dict:
     """Returns the inputs by which the node group shows a coarse grid in place of a large mesh."""
-    tiles = ob.libocean_terrain.tiles
+    tiles = ob.libocean_terrain.tiles if shown.wraps else 1
+    sides = tuple(side * tiles for side in shown.size)
+    middle = (0.0, 0.0)
+    if not shown.wraps:
+        middle = tuple(low + side / 2.0 for low, side in zip(shown.origin, sides, strict=True))
     cells = max(2, meshes.fitting(meshes.DRAFT_SAMPLES // tiles)) * tiles
     material = ob.material_slots[0].material if ob.material_slots else None
     return {
         node_group.DRAFT_CELLS: cells,
-        "Draft Size": period * tiles,
+        "Draft Sides": (*sides, 0.0),
+        "Draft Middle": (*middle, 0.0),
+        "Draft Size": sides[0],  # of a linked node group of an earlier version
         "Draft Material": material,
     }
 
@@ -183,7 +189,7 @@ def _set_inputs(ob, seen, terrain: OpenTerrain, modifier, shown: Extent, *, draf
             "Use Slope": settings.use_slope or is_shaped(seen.libocean_terrain),
             "Is Raised": is_raised,
             **{node_group.use_of(group): group in terrain.groups for group in node_group.MASKS},
-            **(_draft_inputs(ob, shown.size[0]) if shows_grid else {}),
+            **(_draft_inputs(ob, shown) if shows_grid else {}),
         },
     )
 
@@ -248,6 +254,12 @@ def _has_other_view(ob, terrain: OpenTerrain, view: CameraView | None) -> bool:
     if view is None:
         return camera_mesh.is_around_camera(ob.data)
     return meshes.made_of(ob.data) != camera_mesh.words_of(terrain.values.text(), view)
+
+
+def _lacks_mesh(ob, terrain: OpenTerrain, view: CameraView) -> bool:
+    """Returns whether the mesh around a camera has still to be made."""
+    is_made = terrain.has_mesh_around(view) or not _has_other_view(ob, terrain, view)
+    return follows_camera(ob) and not is_made
 
 
 def follow_mesh(ob, *, draft: bool = False, view: CameraView | None = None) -> None:

@@ -90,7 +90,7 @@ def give(ob, world, *, visibility: float = 0.0) -> None:
     terrain = terrain_of(ob.name_full)
     values = {}
     if terrain.terrain is not None:
-        values = look_of(terrain.read_state(), water_of(terrain.values))
+        values = look_of(terrain.state_for_look(), water_of(terrain.values))
     material = make({**values, "Visibility": visibility})
     assign(ob, material)
     for ground in grounds(ob):

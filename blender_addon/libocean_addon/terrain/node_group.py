@@ -82,7 +82,8 @@ def _declare(group) -> None:
         description="Cells along a side of the grid that the viewport shows while values move, in "
         "place of a mesh of many vertices; 0: none",
     )
-    socket(group, "Draft Size", "NodeSocketFloat", description="Side of that grid [m]")
+    socket(group, "Draft Sides", "NodeSocketVector", description="Sides of that grid [m]")
+    socket(group, "Draft Middle", "NodeSocketVector", description="Middle of that grid [m]")
     socket(group, "Draft Material", "NodeSocketMaterial", description="Material of that grid")
     socket(group, "Mask", "NodeSocketString")
     for name in ("Use Mask", "Use Normal", "Use Slope"):
@@ -100,11 +101,14 @@ def _or_draft(b: Builder, inputs):
     """Returns the mesh or, in a viewport while values move, a coarse grid in its place."""
     vertices = b.number("ADD", inputs[DRAFT_CELLS], 1.0)
     grid = b.node("GeometryNodeMeshGrid")
-    for axis in ("X", "Y"):
-        b.link(inputs["Draft Size"], grid.inputs[f"Size {axis}"])
+    for axis, side in zip(("X", "Y"), b.parts(inputs["Draft Sides"]), strict=False):
+        b.link(side, grid.inputs[f"Size {axis}"])
         b.link(vertices, grid.inputs[f"Vertices {axis}"])
+    moved = b.node("GeometryNodeTransform")
+    b.link(grid.outputs["Mesh"], moved.inputs["Geometry"])
+    b.link(inputs["Draft Middle"], moved.inputs["Translation"])
     smooth = b.node("GeometryNodeSetShadeSmooth")
-    b.link(grid.outputs["Mesh"], smooth.inputs["Geometry"])
+    b.link(moved.outputs[0], smooth.inputs["Geometry"])
     coloured = b.node("GeometryNodeSetMaterial")
     b.link(smooth.outputs[0], coloured.inputs["Geometry"])
     b.link(inputs["Draft Material"], coloured.inputs["Material"])

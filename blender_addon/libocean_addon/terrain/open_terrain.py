@@ -174,6 +174,14 @@ class OpenTerrain:
             self.state = self.terrain.state
         return self.state
 
+    def state_for_look(self) -> dict:
+        """Returns the state, or in a draft that of the terrain with fewer samples, without waiting
+        for the whole."""
+        is_behind = self._draft is not None and self._draft_values == self.values
+        if self.state is None and self._built != self.changes and is_behind:
+            return self._draft.state
+        return self.read_state()
+
     def is_whole(self) -> bool:
         """Returns whether the whole map of these values was shown or made for it."""
         return self._whole == self.key
