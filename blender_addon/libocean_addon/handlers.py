@@ -104,6 +104,7 @@ def _lock_interface(scene, *_) -> None:
     rewrites."""
     render_check.begin()
     complete()
+    terrain_live.begin_render()
     has_subjects = live.ocean_objects() or terrain_live.terrain_objects()
     if has_subjects and not scene.render.use_lock_interface:
         scene.render.use_lock_interface = True
@@ -112,6 +113,7 @@ def _lock_interface(scene, *_) -> None:
 
 @persistent
 def _unlock_interface(scene, *_) -> None:
+    terrain_live.end_render()
     render_check.restore()
     if scene.name_full in _locked_by_us:
         _locked_by_us.remove(scene.name_full)

@@ -11,7 +11,7 @@ import pytest
 from conftest import attribute, pixels, positions, rest, shine
 from libocean_addon import handlers
 from libocean_addon.shared import drafts, meshes
-from libocean_addon.terrain import camera_mesh, live, node_group, open_terrain
+from libocean_addon.terrain import camera_mesh, live, material, node_group, open_terrain
 from test_land import CARVED, PLACED, add_land, assert_is_land, library_of
 from test_terrain_drafts import rest as finish
 from test_terrain_drafts import waiting  # noqa: F401, a fixture
@@ -207,6 +207,26 @@ def test_a_file_that_is_saved_meanwhile_opens_whole(carved, tmp_path):
     bpy.ops.wm.open_mainfile(filepath=str(path))
     finish()
     assert np.array_equal(positions(bpy.data.objects["Terrain"]), want)
+
+
+def test_a_coarse_grid_stands_in_for_a_large_land(carved, monkeypatch):
+    monkeypatch.setattr(live, "LARGE", 1000)
+    whole = positions(carved)
+    carved.libocean_terrain.stream_seed = 3
+    grid = positions(carved)
+    assert len(grid) == (meshes.DRAFT_SAMPLES + 1) ** 2
+    assert np.abs(grid.min(0) - whole.min(0))[:2].max() < 1e-2
+    assert np.abs(grid.max(0) - whole.max(0))[:2].max() < 1e-2
+    finish()
+    assert len(positions(carved)) == len(whole)
+
+
+def test_a_material_does_not_wait_for_the_land(carved, tmp_path, monkeypatch):
+    monkeypatch.setattr(open_terrain.OpenTerrain, "read_state", None)
+    ob = add_land(tmp_path, CARVED, use_material=True)
+    assert drafts.is_draft(ob.name_full)
+    (ground,) = material.grounds(ob)
+    assert ground.inputs["Snow Line"].default_value > positions(ob)[:, 2].max()
 
 
 # Around the camera ----------------------------------------------------------------

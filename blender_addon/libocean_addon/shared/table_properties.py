@@ -67,8 +67,10 @@ def _number_limits(entry: dict[str, Any]) -> dict[str, Any]:
 
 def _middle(entry: dict[str, Any]) -> float:
     """Where a parameter without a default begins: the middle of its soft range, by ratio where all
-    of it is positive."""
+    of it is positive, and 0 where 0 is inside."""
     low, high = entry["soft_min"], entry["soft_max"]
+    if low < 0.0 < high:
+        return 0.0
     return float(f"{math.sqrt(low * high):.1g}") if low > 0 else (low + high) / 2
 
 
@@ -123,7 +125,8 @@ def properties_of(
     switch = f"use_{key}"
     if kind == "numbers":
         common["update"] = _switched_on(switch)
-        if entry["soft_min"] > 0.0:  # two lengths, no range
+        low, high = entry["soft_min"], entry["soft_max"]
+        if low > 0.0 or low == -high:  # two lengths or coordinates, no range
             ends = (_middle(entry),) * 2
         else:
             ends = tuple(float(f"{entry[end] / 10.0:.1g}") for end in ("soft_min", "soft_max"))

@@ -161,6 +161,7 @@ TEXTS = {
     "Map: {} x {} samples, {:,.0f} MB": "Karte: {} x {} Stützstellen, {:,.0f} MB",
     "{}: {} x {} samples": "{}: {} x {} Stützstellen",
     "A draft; the whole land follows": "Ein Entwurf; das ganze Land folgt",
+    "A draft; the whole land follows: {:.0%}": "Ein Entwurf; das ganze Land folgt: {:.0%}",
     "A draft, with fewer samples": "Ein Entwurf mit weniger Stützstellen",
     "The land takes a Blender unit for a metre": (
         "Das Land nimmt eine Blender-Einheit für einen Meter"

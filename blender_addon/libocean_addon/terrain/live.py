@@ -10,6 +10,8 @@ their objects. handlers calls it, and changes of properties by way of hooks.
 
 from __future__ import annotations
 
+import threading
+
 import bpy
 
 from ..sea import node_group as sea_group
@@ -37,6 +39,8 @@ def show(ob, depsgraph=None, *, moving: bool = False, again: bool = False) -> No
         terrain.follow(values)
         terrain.region = _region_of(seen.libocean_terrain)
         view = terrain.view = wanted_view(ob, depsgraph)
+        if _is_main_thread():
+            drafts.keep_timer(ob.name_full, kept=view is not None)
         for modifier in node_group.modifiers(ob):
             _show_in(ob, seen, terrain, modifier, view, moving=moving, again=again)
     except ExtentError as failure:
@@ -45,6 +49,24 @@ def show(ob, depsgraph=None, *, moving: bool = False, again: bool = False) -> No
         problem = WORDS.of_error(failure, len(values.layers)) or type(failure).__name__
     if settings.problem != problem:
         settings.problem = problem
+
+
+_rendering = False
+
+
+def begin_render() -> None:
+    """Has meshes follow the camera of the rendered frames alone, until end_render()."""
+    global _rendering
+    _rendering = True
+
+
+def end_render() -> None:
+    global _rendering
+    _rendering = False
+
+
+def _is_main_thread() -> bool:
+    return threading.current_thread() is threading.main_thread()
 
 
 def _region_of(settings) -> tuple | None:
@@ -59,6 +81,8 @@ def wanted_view(ob, depsgraph=None) -> CameraView | None:
     settings = ob.libocean_terrain
     if not settings.use_lod or settings.shape != "TILE":
         return None
+    if _rendering and (depsgraph is None or depsgraph.mode != "RENDER"):
+        return terrain_of(ob.name_full).view  # that of the frame that is rendered
     camera = bpy.context.scene.camera if depsgraph is None else depsgraph.scene.camera
     if depsgraph is None or camera is None:
         return camera_mesh.view_of(ob, camera, settings)
@@ -101,6 +125,10 @@ def _show_in(
     lacks_mesh = view is not None and _lacks_mesh(ob, terrain, view)
     is_slow = _is_large(ob) or not terrain.is_quick()
     draft = may_wait and (lacks_mesh or (is_slow and not terrain.is_whole()))
+    if lacks_mesh and not draft and not _is_main_thread():
+        # A render in a thread of its own, in which no mesh may be changed.
+        drafts.ask(name, key, rest=False)
+        drafts.complete()
     if draft:
         shown = terrain.show_draft(image_named)
         drafts.ask(name, key, rest=not drafts.is_playing())
@@ -108,7 +136,7 @@ def _show_in(
         with console.work(name, "map"):
             shown = terrain.show(image_named)
         drafts.forget(name, key, more_follows=False)
-        if meshes.is_draft(ob.data) or _has_other_view(ob, terrain, view):
+        if _is_main_thread() and (meshes.is_draft(ob.data) or _has_other_view(ob, terrain, view)):
             follow_mesh(ob, view=view)
     _set_inputs(ob, seen, terrain, modifier, shown, draft=draft)
 

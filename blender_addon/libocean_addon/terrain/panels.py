@@ -9,7 +9,7 @@ from __future__ import annotations
 import bpy
 
 from .. import translations, whole_sea
-from ..shared import file_row, parameter_fields, resolutions
+from ..shared import drafts, file_row, parameter_fields, resolutions
 from ..shared.compat import tr_label
 from ..shared.drawing import field, mask_field, never_raises, place_labels, say, say_state
 from ..shared.property_texts import pairs_of
@@ -125,10 +125,14 @@ class TerrainPanel(_Panel, bpy.types.Panel):
             say(layout, ob.libocean_terrain.problem, "ERROR")
         if context.scene.unit_settings.scale_length != 1.0:
             say(layout, tr_label("The land takes a Blender unit for a metre"), "INFO")
+        share = drafts.progress(ob.name_full)
+        follows = tr_label("A draft; the whole land follows")
+        if share:
+            follows = tr_label("A draft; the whole land follows: {:.0%}", share)
         whole_sea.draw_draft(
             layout,
             ob.name_full,
-            tr_label("A draft; the whole land follows"),
+            follows,
             tr_label("A draft, with fewer samples"),
         )
         _draw_state(layout, ob)
