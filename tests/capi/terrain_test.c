@@ -194,6 +194,20 @@ void a_mesh_of_land_is_counted_then_copied(void) {
     request.vertex_capacity = vertices;
     CHECK_RESULT(OCEAN_OK, ocean_terrain_mesh(terrain, &request, &vertices, &triangles));
     CHECK(positions[2] > 500.0);
+
+    /* So is another place. */
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_mesh(terrain, &counts, &vertices, &triangles));
+    ocean_mesh_request there = around(5000.0);
+    size_t there_vertices = 0;
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_mesh(terrain, &there, &there_vertices, &triangles));
+    free(positions);
+    positions = malloc(3 * there_vertices * sizeof(double));
+    there.positions = positions;
+    there.corners = corners = realloc(corners, 3 * triangles * sizeof(uint32_t));
+    there.vertex_capacity = there_vertices;
+    there.triangle_capacity = triangles;
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_mesh(terrain, &there, &there_vertices, &triangles));
+    for (size_t v = 0; v < there_vertices; ++v) CHECK(positions[3 * v] > 1000.0);
     free(positions);
     free(corners);
     ocean_terrain_free(terrain);

@@ -164,7 +164,7 @@ def _draft_inputs(ob, shown: Extent) -> dict:
         node_group.DRAFT_CELLS: cells,
         "Draft Sides": (*sides, 0.0),
         "Draft Middle": (*middle, 0.0),
-        "Draft Size": sides[0],  # of a linked node group of an earlier version
+        "Draft Size": sides[0],  # read by a linked group of an earlier version
         "Draft Material": material,
     }
 
@@ -190,7 +190,7 @@ def _map_inputs(terrain: OpenTerrain, shown: Extent, place) -> dict:
         "Low": (*low, 0.0),
         "High": (*high, 0.0),
         "Origin": (*origin, 0.0),
-        # Of a linked node group of an earlier version.
+        # A linked node group of an earlier version reads these.
         "Tile Size": size[0],
         "Half Texel": half[0],
     }
