@@ -5,9 +5,10 @@
 import bpy
 import numpy as np
 import pytest
-from conftest import positions, taken
+from conftest import plane, positions, rest, taken
+from libocean_addon.shared import modifier_groups
 from libocean_addon.terrain import ground_shader, material, node_group, tree_meshes, trees
-from test_land import CARVED, PLACED, WORN, add_land, map_of
+from test_land import CARVED, PLACED, WORN, add_land, library_of, map_of
 from test_terrain import add_terrain
 
 # The material ---------------------------------------------------------------------
@@ -110,8 +111,6 @@ def trees_on(ob) -> np.ndarray:
 
 def at(ob, name: str, places: np.ndarray) -> np.ndarray:
     """Returns a mask at the nearest samples of places."""
-    from test_land import library_of
-
     with library_of(ob) as terrain:
         own = terrain.domain
         field = terrain.region(own.origin, own.samples, own.cell, (name,))[name]
@@ -125,17 +124,31 @@ def test_trees_grow_where_the_masks_let_them(tmp_path):
     places = trees_on(ob)
     assert 500 < len(places) <= trees.MAX_TREES
     assert places[:, 2].min() >= 2.0 - 1e-3
-    for name in ("beach", "cliff", "streambed"):
+    for name in ("beach", "cliff"):
         assert np.quantile(at(ob, name, places), 0.9) < 0.3, name
     (modifier,) = trees.FAMILY.modifiers(ob)
-    trees.modifier_groups.assign(modifier, {"Wet Share": 0.0})
+    modifier_groups.assign(modifier, {"Wet Share": 0.0})
     bpy.context.view_layer.update()
     anywhere = trees_on(ob)
-    trees.modifier_groups.assign(modifier, {"Wet Share": 1.0})
+    modifier_groups.assign(modifier, {"Wet Share": 1.0})
     bpy.context.view_layer.update()
     wet = trees_on(ob)
     assert len(wet) < len(anywhere)
     assert at(ob, "wetness", wet).mean() > at(ob, "wetness", anywhere).mean() + 0.02
+
+
+@pytest.mark.parametrize("name", ["beach", "cliff", "streambed", "slope"])
+def test_no_tree_grows_where_a_mask_is_1(name):
+    ob = plane(200.0, 20)
+    east = rest(ob)[:, 0] > 0.0
+    mask = ob.data.attributes.new(name, "FLOAT", "POINT")
+    mask.data.foreach_set("value", east.astype(np.float32))
+    modifier = modifier_groups.add(ob, "Trees", trees.get_group)
+    inputs = {"Trees": tree_meshes.get(), "Density": 1000.0, "Clearings": 0.0}
+    modifier_groups.assign(modifier, inputs)
+    places = trees_on(ob)
+    assert (places[:, 0] < 0.0).sum() > 500
+    assert (places[:, 0] > 10.0).sum() == 0
 
 
 def test_trees_of_a_plain_tile_avoid_its_slopes():
@@ -145,7 +158,7 @@ def test_trees_of_a_plain_tile_avoid_its_slopes():
     with pytest.raises(RuntimeError, match="has trees"):
         bpy.ops.libocean.add_trees()
     (modifier,) = trees.FAMILY.modifiers(ob)
-    trees.modifier_groups.assign(modifier, {"Max Slope": 0.0})
+    modifier_groups.assign(modifier, {"Max Slope": 0.0})
     bpy.context.view_layer.update()
     assert len(trees_on(ob)) == 0
 

@@ -3,6 +3,7 @@
 """A land that exists once after each step and in each file, while its whole is made in the
 background, and as a mesh around the camera."""
 
+import threading
 import time
 
 import bpy
@@ -336,13 +337,26 @@ def test_without_a_camera_the_mesh_is_a_plain_one(detailed, scene):
     assert_is_land(detailed)
 
 
-def test_in_a_window_the_mesh_follows_in_the_background(detailed, eye, waiting):  # noqa: F811
+def test_in_a_window_the_mesh_follows_in_the_background(
+    detailed,
+    eye,
+    waiting,  # noqa: F811
+    monkeypatch,
+):
+    threads = []
+
+    def make(*arguments):
+        threads.append(threading.current_thread())
+        return camera_mesh.make_vertices(*arguments)
+
+    monkeypatch.setattr(open_terrain, "make_vertices", make)
     before = rest(detailed)
     eye.location.x += 128.0
     bpy.context.view_layer.update()
     assert np.array_equal(rest(detailed), before)
     finish()
     assert_is_around(detailed, (640.0, 1024.0, 64.0))
+    assert len(threads) == 1 and threads[0] is not threading.main_thread()
 
 
 def test_another_land_makes_another_mesh(detailed):
