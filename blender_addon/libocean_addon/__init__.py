@@ -58,6 +58,7 @@ def parts() -> list:
     from .terrain import operators as terrain_operators
     from .terrain import panels as terrain_panels
     from .terrain import properties as terrain_properties
+    from .terrain import trees
     from .volumes import volumes
 
     return [
@@ -75,6 +76,7 @@ def parts() -> list:
         terrain_properties,
         terrain_operators,
         terrain_material,
+        trees,
         terrain_panels,
         asset_library,
         floating,

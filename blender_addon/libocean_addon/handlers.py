@@ -64,11 +64,12 @@ def _data_replaced(*_) -> None:
     live.show_all(oceans, bpy.context.scene)
     for ob in oceans:  # one that was not there yet when the values of an undo step were kept
         live.follow_mesh(ob)
-    terrain_live.show_all()
+    # From 4.0 on nothing knows where it is in the world before it is evaluated.
+    seen_by_camera = any(ob.libocean_terrain.use_lod for ob in terrains)
+    terrain_live.show_all(bpy.context.evaluated_depsgraph_get() if seen_by_camera else None)
     for ob in terrains:
         terrain_live.follow_mesh(ob)
     if oceans:
-        # From 4.0 on nothing knows where it is in the world before it is evaluated.
         live.follow(bpy.context.evaluated_depsgraph_get(), bpy.context.scene)
 
 
@@ -103,6 +104,7 @@ def _lock_interface(scene, *_) -> None:
     rewrites."""
     render_check.begin()
     complete()
+    terrain_live.begin_render()
     has_subjects = live.ocean_objects() or terrain_live.terrain_objects()
     if has_subjects and not scene.render.use_lock_interface:
         scene.render.use_lock_interface = True
@@ -111,6 +113,7 @@ def _lock_interface(scene, *_) -> None:
 
 @persistent
 def _unlock_interface(scene, *_) -> None:
+    terrain_live.end_render()
     render_check.restore()
     if scene.name_full in _locked_by_us:
         _locked_by_us.remove(scene.name_full)

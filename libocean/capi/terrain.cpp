@@ -25,36 +25,27 @@
 #include "outputs.hpp"
 #include "query_buffers.hpp"
 #include "sea_handle.hpp"
+#include "terrain_handle.hpp"
 
 using namespace ocean;
 using namespace ocean::capi;
 
-struct ocean_terrain : Handle {
-    ocean_terrain(Terrain terrain, LandOptions opened_with, std::string folder)
-        : options(std::move(opened_with)),
-          base_dir(std::move(folder)),
-          land(std::make_unique<Land>(std::move(terrain), options)) {}
-    ocean_terrain(const ocean_terrain& built, LandOptions opened_with)
-        : options(std::move(opened_with)),
-          base_dir(built.base_dir),
-          land(std::make_unique<Land>(*built.land, options)) {}
-
-    LandOptions options;
-    std::string base_dir;        // where a relative `measured` starts
-    std::unique_ptr<Land> land;  // readers may make it build what they ask for
-    std::vector<MapOutput> map_outputs;
-};
-
 namespace {
-
-constexpr const char* kName = "terrain";
 
 LandOptions land_options(const ocean_options* given) {
     OceanOptions options = read_options(given);
-    return {.threads = options.threads,
-            .run_jobs = std::move(options.run_jobs),
-            .backend = options.backend,
-            .interrupt = std::move(options.interrupt)};
+    LandOptions land = {.threads = options.threads,
+                        .run_jobs = std::move(options.run_jobs),
+                        .backend = options.backend,
+                        .interrupt = std::move(options.interrupt)};
+    if (options.foam_progress) {
+        constexpr double kWhole = 1000.0;
+        land.progress = [report = std::move(options.foam_progress)](std::string_view,
+                                                                    double share) {
+            report(static_cast<std::int64_t>(kWhole * share), static_cast<std::int64_t>(kWhole));
+        };
+    }
+    return land;
 }
 
 /// Makes another terrain of the handle: whole, or, where `edit` throws, not at all.
@@ -62,6 +53,7 @@ void change_terrain(ocean_terrain& handle, const std::function<void(Terrain&)>& 
     Terrain changed = handle.land->terrain();
     edit(changed);
     resolve_files(changed, handle.base_dir);
+    handle.mesh.reset();
     handle.land->set_terrain(std::move(changed));
 }
 
@@ -112,7 +104,7 @@ ocean_result ocean_terrain_parse(const char* toml, size_t length, const char* ba
 ocean_result ocean_terrain_clone(const ocean_terrain* terrain, const ocean_options* options,
                                  ocean_terrain** out) {
     return guarded([&] {
-        const Visit visit(terrain, kName);
+        const Visit visit(terrain, kTerrainHandle);
         require(out, "out");
         LandOptions opened_with = options != nullptr ? land_options(options) : terrain->options;
         *out = std::make_unique<ocean_terrain>(*terrain, std::move(opened_with)).release();
@@ -127,7 +119,7 @@ void ocean_terrain_free(ocean_terrain* terrain) {
 
 ocean_result ocean_terrain_set(ocean_terrain* terrain, const char* name, const char* value) {
     return guarded([&] {
-        const Visit visit(terrain, kName);
+        const Visit visit(terrain, kTerrainHandle);
         require(name, "name");
         require(value, "value");
         change_terrain(*terrain, [&](Terrain& changed) { set_parameter(changed, name, value); });
@@ -137,7 +129,7 @@ ocean_result ocean_terrain_set(ocean_terrain* terrain, const char* name, const c
 ocean_result ocean_terrain_set_all(ocean_terrain* terrain, const char* const* names,
                                    const char* const* values, size_t count) {
     return guarded([&] {
-        const Visit visit(terrain, kName);
+        const Visit visit(terrain, kTerrainHandle);
         if (count > 0) {
             require(names, "names");
             require(values, "values");
@@ -155,7 +147,7 @@ ocean_result ocean_terrain_set_all(ocean_terrain* terrain, const char* const* na
 ocean_result ocean_terrain_get(const ocean_terrain* terrain, const char* name, char* out,
                                size_t size) {
     return guarded([&] {
-        const Visit visit(terrain, kName);
+        const Visit visit(terrain, kTerrainHandle);
         require(name, "name");
         require(out, "out");
         copy_text(get_parameter(terrain->land->terrain(), name), out, &size);
@@ -164,14 +156,14 @@ ocean_result ocean_terrain_get(const ocean_terrain* terrain, const char* name, c
 
 ocean_result ocean_terrain_text(const ocean_terrain* terrain, char* out, size_t* size) {
     return guarded([&] {
-        const Visit visit(terrain, kName);
+        const Visit visit(terrain, kTerrainHandle);
         copy_text(write_terrain(terrain->land->terrain()), out, size);
     });
 }
 
 ocean_result ocean_terrain_state_json(const ocean_terrain* terrain, char* out, size_t* size) {
     return guarded([&] {
-        const Visit visit(terrain, kName);
+        const Visit visit(terrain, kTerrainHandle);
         require(size, "size");
         copy_text(terrain_state_json(terrain->land->state()), out, size);
     });
@@ -191,7 +183,7 @@ ocean_result ocean_terrain_preset(const char* name, char* out, size_t* size) {
 ocean_result ocean_terrain_provenance_json(const ocean_terrain* terrain, const char* field,
                                            int32_t axes, char* out, size_t* size) {
     return guarded([&] {
-        const Visit visit(terrain, kName);
+        const Visit visit(terrain, kTerrainHandle);
         const Terrain& open = terrain->land->terrain();
         auto strings = provenance_strings({.kind = std::string(kTerrainKind),
                                            .text = write_terrain(open),
@@ -213,7 +205,7 @@ ocean_result ocean_terrain_provenance_json(const ocean_terrain* terrain, const c
 
 ocean_result ocean_terrain_evaluate(ocean_terrain* terrain, const ocean_request* request) {
     return guarded([&] {
-        const Visit visit(terrain, kName);
+        const Visit visit(terrain, kTerrainHandle);
         require(request, "request");
         const ocean_request asked =
             read_struct(request, offsetof(ocean_request, output_size), "ocean_request");
@@ -228,7 +220,7 @@ ocean_result ocean_terrain_evaluate(ocean_terrain* terrain, const ocean_request*
 
 ocean_result ocean_terrain_domain(const ocean_terrain* terrain, ocean_domain* domain) {
     return guarded([&] {
-        const Visit visit(terrain, kName);
+        const Visit visit(terrain, kTerrainHandle);
         require(domain, "domain");
         require_struct_size(domain->struct_size, sizeof(ocean_domain), "struct_size",
                             "ocean_domain", sizeof(ocean_domain));
@@ -246,7 +238,7 @@ ocean_result ocean_terrain_domain(const ocean_terrain* terrain, ocean_domain* do
 
 ocean_result ocean_terrain_region(ocean_terrain* terrain, const ocean_region_request* request) {
     return guarded([&] {
-        const Visit visit(terrain, kName);
+        const Visit visit(terrain, kTerrainHandle);
         require(request, "request");
         const auto asked =
             read_struct(request, sizeof(ocean_region_request), "ocean_region_request");
@@ -285,7 +277,7 @@ ocean_result ocean_terrain_region(ocean_terrain* terrain, const ocean_region_req
 ocean_result ocean_terrain_query_points(ocean_terrain* terrain,
                                         const ocean_query_request* request) {
     return guarded([&] {
-        const Visit visit(terrain, kName);
+        const Visit visit(terrain, kTerrainHandle);
         require(request, "request");
         const ocean_query_request asked =
             read_struct(request, offsetof(ocean_query_request, resolution), "ocean_query_request");
@@ -310,7 +302,7 @@ ocean_result ocean_terrain_query_points(ocean_terrain* terrain,
 ocean_result ocean_terrain_stage(ocean_terrain* terrain, const char* step, float* data,
                                  size_t count) {
     return guarded([&] {
-        const Visit visit(terrain, kName);
+        const Visit visit(terrain, kTerrainHandle);
         require(step, "step");
         require(data, "data");
         const TerrainStep wanted = step_named(step);

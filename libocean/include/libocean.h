@@ -122,9 +122,10 @@ enum { OCEAN_CPU, OCEAN_GL, OCEAN_RADIX2, OCEAN_DFT };
 enum { OCEAN_FOAM_SETTLED, OCEAN_FOAM_EMPTY };
 
 /* The library calls this from the thread that called the library, about a hundred times a second
- * while it works. While it follows foam from its beginning, done and total are ticks; otherwise
- * both are 0. A result other than 0 ends the call, which returns OCEAN_CANCELLED within 50 ms.
- * Outputs of that call are unfinished then; the sea stays usable. The function must not call
+ * while it works. While it follows foam from its beginning, done and total are ticks; while it
+ * builds a land with gullies, streams or a shore, thousandths of the present step of that and 1000;
+ * otherwise both are 0. A result other than 0 ends the call, which returns OCEAN_CANCELLED within
+ * 50 ms. Outputs of that call are unfinished then; the sea stays usable. The function must not call
  * functions of this sea. */
 typedef int32_t (*ocean_progress)(void* user, int64_t done, int64_t total);
 
@@ -698,6 +699,36 @@ typedef struct {
  * the terrain does not have. */
 OCEAN_API ocean_result ocean_terrain_region(ocean_terrain* terrain,
                                             const ocean_region_request* request);
+/* A mesh of land around a camera at (x, y, z) [m]: fine near it, coarser by a factor of 2 with each
+ * doubling of the distance, and without cracks. ground: the height of the land under the camera
+ * [m]; distances are taken to the plane of that height, so that a coarse height keeps the mesh calm
+ * while the camera moves. farthest: distance up to which there is a mesh [m], 1 .. 150000 or more,
+ * at the default spacing; a land that exists once ends at its edge. spacing: of the vertices at the
+ * camera [m], 0 = 0.5. range: distance at which the spacing has doubled once, in spacings, 0 = 140,
+ * min 134; more is finer. positions: 3 doubles for each of vertex_capacity vertices, x, y, z of the
+ * world; corners: 3 numbers of vertices for each of triangle_capacity triangles, counter-clockwise
+ * from above. struct_size = sizeof(ocean_mesh_request). */
+typedef struct {
+    size_t struct_size;
+    double x;
+    double y;
+    double z;
+    double ground;
+    double farthest;
+    double spacing;
+    double range;
+    double* positions;
+    size_t vertex_capacity;
+    uint32_t* corners;
+    size_t triangle_capacity;
+} ocean_mesh_request;
+/* ocean_terrain_mesh makes such a mesh and writes its counts to *vertices and *triangles. First
+ * call it with positions = corners = NULL for the counts; the terrain keeps the mesh until a call
+ * with the same numbers and enough capacity has copied it, or the terrain changes. Heights are
+ * those of maps whose cell is the spacing of the vertices there, and blend into those of the next
+ * spacing. INVALID_VALUE for numbers that are not allowed, BUFFER_TOO_SMALL. */
+OCEAN_API ocean_result ocean_terrain_mesh(ocean_terrain* terrain, const ocean_mesh_request* request,
+                                          size_t* vertices, size_t* triangles);
 /* ocean_terrain_stage writes one step of the synthesis, R x R floats with R = terrain.resolution,
  * row-major from the south: "noise" (white, in space), "transform" (the magnitudes of its Fourier
  * transform), "filter" and "filtered" [m], these three with k = 0 at (R / 2, R / 2), or "height"

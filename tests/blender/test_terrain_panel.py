@@ -12,10 +12,11 @@ from conftest import positions, taken
 from libocean_addon.shared import drawing, resolutions
 from libocean_addon.shared.property_texts import pairs_of
 from libocean_addon.terrain import ground_shader, material, panels
-from libocean_addon.terrain.parameters import PARAMETERS
+from libocean_addon.terrain.parameters import PARAMETERS, SWITCHES
 from test_panel import NARROW, ROW, Layout, NarrowLayout
 
 PANELS = panels.CLASSES
+GROUP_PANELS = (panels.GulliesPanel, panels.StreamsPanel, panels.ShorePanel)
 
 
 @pytest.fixture
@@ -47,6 +48,9 @@ def show_all_fields(settings) -> None:
         bpy.ops.libocean.add_break()
     if not settings.layers:
         bpy.ops.libocean.add_terrain_layer()
+    settings.kind = "placed"
+    for group in SWITCHES:
+        setattr(settings, f"use_{group}", True)
 
 
 def test_every_panel_is_drawn_in_every_state(terrain):
@@ -59,6 +63,10 @@ def test_every_panel_is_drawn_in_every_state(terrain):
         ("anisotropy", 3.0),
         ("measured", "/nowhere.csv"),
         ("mask", "nothing"),
+        ("kind", "placed"),
+        ("use_coast", True),
+        ("use_region", True),
+        ("use_lod", True),
         ("shape", "MESH"),
         ("tiles", 3),
     ):
@@ -87,7 +95,8 @@ def test_no_draw_function_raises(terrain, cls, monkeypatch, capsys):
 def test_every_parameter_is_in_one_panel(terrain):
     settings = terrain.libocean_terrain
     show_all_fields(settings)
-    shown = [*drawn_by(panels.LandPanel), *drawn_by(panels.SpectrumPanel)]
+    parts = (panels.LandPanel, panels.PlacedPanel, panels.SpectrumPanel, *GROUP_PANELS)
+    shown = [what for cls in parts for what in drawn_by(cls)]
     for entry in PARAMETERS.entries(items=False):
         key = entry["key"]
         listed = resolutions.listed(key) if key in PARAMETERS.resolutions else key
@@ -102,7 +111,7 @@ def test_what_does_not_apply_is_not_there(terrain):
     settings = terrain.libocean_terrain
     shown = set(everything())
     assert {"rms", "mean", "beta", "outer_scale", "libocean.add_break"} <= shown
-    assert not {"kind", "ridge_gain", "ridge_spread", "direction", "breaks"} & shown
+    assert not {"ridge_gain", "ridge_spread", "direction", "breaks"} & shown
     settings.use_range = True
     assert not {"rms", "mean"} & set(everything())
     settings.measured = "/nowhere.csv"

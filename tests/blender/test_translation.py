@@ -86,7 +86,7 @@ def sockets_of_materials() -> set[tuple[str, str]]:
 
 
 def short_labels() -> set[tuple[str, str]]:
-    labels = {*panels.SHORT.values(), *terrain_panels.SHORT.values()}
+    labels = {*panels.SHORT.values(), *terrain_panels.SHORT.values(), *terrain_panels.SIDES}
     # The fields of a break, which are two of one property.
     return {(translations.SEA, label) for label in {*labels, "Break", "Beta below"}}
 

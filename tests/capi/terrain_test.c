@@ -4,6 +4,7 @@
 // Terrains through libocean.h: what lands in a host's buffers, and what is refused.
 #include <math.h>
 #include <stdint.h>
+#include <stdlib.h>
 
 #include "tests.h"
 
@@ -142,5 +143,97 @@ void bad_terrain_calls_are_refused_and_write_nothing(void) {
     CHECK_RESULT(OCEAN_BAD_FILE, ocean_terrain_open("/nonexistent.toml", NULL, &none));
     CHECK_RESULT(OCEAN_NOT_FOUND, ocean_terrain_preset("nowhere", value, &(size_t){sizeof(value)}));
     CHECK(none == NULL);
+    ocean_terrain_free(terrain);
+}
+
+static ocean_mesh_request around(double x) {
+    return (ocean_mesh_request){.struct_size = sizeof(ocean_mesh_request),
+                                .x = x,
+                                .z = 150.0,
+                                .ground = 100.0,
+                                .farthest = 2000.0,
+                                .spacing = 4.0};
+}
+
+void a_mesh_of_land_is_counted_then_copied(void) {
+    ocean_terrain* terrain = open_land();
+    ocean_mesh_request request = around(0.0);
+    size_t vertices = 0, triangles = 0, again = 0;
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_mesh(terrain, &request, &vertices, &triangles));
+    CHECK(vertices > 1000 && triangles > vertices && triangles < 2 * vertices);
+    double* positions = malloc(3 * vertices * sizeof(double));
+    uint32_t* corners = malloc(3 * triangles * sizeof(uint32_t));
+    request.positions = positions;
+    request.corners = corners;
+    request.vertex_capacity = vertices;
+    request.triangle_capacity = triangles;
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_mesh(terrain, &request, &vertices, &again));
+    CHECK(again == triangles);
+    double area = 0.0;
+    for (size_t t = 0; t < triangles; ++t) {
+        const double *a = positions + 3 * (size_t)corners[3 * t],
+                     *b = positions + 3 * (size_t)corners[3 * t + 1],
+                     *c = positions + 3 * (size_t)corners[3 * t + 2];
+        const double twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        CHECK(twice > 0.0);
+        area += 0.5 * twice;
+        CHECK(fabs(a[2] - 100.0) < 100.0);
+    }
+    CHECK(area > 4000.0 * 4000.0 * 0.785);
+
+    request.vertex_capacity = vertices - 1;
+    positions[0] = kUntouched;
+    CHECK_RESULT(OCEAN_BUFFER_TOO_SMALL,
+                 ocean_terrain_mesh(terrain, &request, &vertices, &triangles));
+    CHECK(positions[0] == kUntouched && again == triangles);
+
+    /* A change between the calls is seen. */
+    ocean_mesh_request counts = around(0.0);
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_mesh(terrain, &counts, &vertices, &triangles));
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_set(terrain, "mean", "700"));
+    request.vertex_capacity = vertices;
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_mesh(terrain, &request, &vertices, &triangles));
+    CHECK(positions[2] > 500.0);
+
+    /* So is another place. */
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_mesh(terrain, &counts, &vertices, &triangles));
+    ocean_mesh_request there = around(5000.0);
+    size_t there_vertices = 0;
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_mesh(terrain, &there, &there_vertices, &triangles));
+    free(positions);
+    positions = malloc(3 * there_vertices * sizeof(double));
+    there.positions = positions;
+    there.corners = corners = realloc(corners, 3 * triangles * sizeof(uint32_t));
+    there.vertex_capacity = there_vertices;
+    there.triangle_capacity = triangles;
+    CHECK_RESULT(OCEAN_OK, ocean_terrain_mesh(terrain, &there, &there_vertices, &triangles));
+    for (size_t v = 0; v < there_vertices; ++v) CHECK(positions[3 * v] > 1000.0);
+    free(positions);
+    free(corners);
+    ocean_terrain_free(terrain);
+}
+
+void bad_mesh_requests_are_refused_and_write_nothing(void) {
+    ocean_terrain* terrain = open_land();
+    size_t vertices = kUntouched, triangles = kUntouched;
+    ocean_mesh_request request = around(0.0);
+    double place[3];
+    request.positions = place;
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT,
+                 ocean_terrain_mesh(terrain, &request, &vertices, &triangles));
+    request = around(NAN);
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_terrain_mesh(terrain, &request, &vertices, &triangles));
+    request = around(0.0);
+    request.range = 20.0;
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_terrain_mesh(terrain, &request, &vertices, &triangles));
+    request = around(0.0);
+    request.spacing = -1.0;
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_terrain_mesh(terrain, &request, &vertices, &triangles));
+    request = around(0.0);
+    request.farthest = NAN;
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_terrain_mesh(terrain, &request, &vertices, &triangles));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_terrain_mesh(terrain, NULL, &vertices, &triangles));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_terrain_mesh(terrain, &request, NULL, &triangles));
+    CHECK(vertices == kUntouched && triangles == kUntouched);
     ocean_terrain_free(terrain);
 }

@@ -60,6 +60,8 @@
     TEST(terrains_answer_about_points)                          \
     TEST(terrains_are_described_and_written)                    \
     TEST(bad_terrain_calls_are_refused_and_write_nothing)       \
+    TEST(a_mesh_of_land_is_counted_then_copied)                 \
+    TEST(bad_mesh_requests_are_refused_and_write_nothing)       \
     TEST(handles_in_two_threads_give_equal_bits)                \
     TEST(a_host_runs_the_jobs_on_its_own_threads)               \
     TEST(errors_are_kept_per_thread)                            \

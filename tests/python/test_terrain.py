@@ -111,3 +111,55 @@ def test_clones_work_in_other_threads(land):
     assert len(found) == 3
     for heights in found:
         np.testing.assert_array_equal(heights, expected)
+
+
+PLACED = """libocean = 1
+[terrain]
+kind = "placed"
+resolution = 64
+patch_size = 640.0
+size = [640.0, 320.0]
+[terrain.gullies]
+longest = 150.0
+"""
+
+
+def test_a_region_fills_arrays_of_the_host():
+    with libocean.parse_terrain(PLACED) as land:
+        want = land.region((32.0, 64.0), (20, 10), 2.0, ["height", "normal", "wear"])
+        ground = np.full((10, 20, 4), 7.0, np.float32)
+        wear = np.full((10, 20, 2), 7.0, np.float32)
+        buffers = [(ground, ("nx", "ny", "nz", "height")), (wear, ("wear", ""))]
+        land.fill_region(buffers, (32.0, 64.0), 2.0)
+        assert np.array_equal(ground[..., 3], want["height"])
+        assert np.array_equal(ground[..., :3], want["normal"])
+        assert np.array_equal(wear[..., 0], want["wear"]) and (wear[..., 1] == 7.0).all()
+        with pytest.raises(libocean.Error, match="rows, 20"):
+            land.fill_region([(ground[..., :2], ("height", "nx"))], (0.0, 0.0), 2.0)
+        with pytest.raises(libocean.Error, match="one shape"):
+            land.fill_region(
+                [(ground, ("nx", "ny", "nz", "height")), (wear[1:], ("wear", ""))], (0.0, 0.0), 2.0
+            )
+
+
+def test_a_mesh_around_a_camera_ends_at_the_edge():
+    with libocean.parse_terrain(PLACED) as land:
+        mesh = land.mesh((100.0, 100.0, 50.0), spacing=4.0, farthest=1000.0)
+        low, high = mesh.positions.min(axis=0), mesh.positions.max(axis=0)
+        assert tuple(low[:2]) == (0.0, 0.0) and high[0] == pytest.approx(640.0)
+        assert mesh.corners.max() == len(mesh.positions) - 1
+        a, b, c = (mesh.positions[mesh.corners[:, k], :2] for k in range(3))
+        area = 0.5 * np.cross(b - a, c - a)
+        assert area.min() > 0.0 and area.sum() == pytest.approx(640.0 * high[1])
+        near = np.hypot(*(mesh.positions[:, :2] - (100.0, 100.0)).T) < 100.0
+        height = land.query(mesh.positions[near, :2], resolution=161).height
+        assert np.abs(height - mesh.positions[near, 2]).max() < 0.05
+
+
+def test_a_shaped_land_says_how_far_it_is():
+    told = []
+    text = PLACED.replace("[terrain.gullies]\nlongest = 150.0\n", "[terrain.stream]\n")
+    with libocean.parse_terrain(text, progress=lambda *now: told.append(now)) as land:
+        land.region((0.0, 0.0), (8, 8), 10.0)
+    assert told and {total for _, total in told} == {1000}
+    assert max(done for done, _ in told) == 1000

@@ -19,12 +19,19 @@ INTERVAL = 2.0  # [s] from line to line; shorter work says nothing
 
 _works: list[tuple[str, str | Callable[[], str]]] = []  # the outermost first
 _ticks: tuple[int, int] | None = None
+_share: float | None = None
 
 
 def tell(done: int, total: int) -> None:
     """Notes the ticks of foam that are done, of the innermost work."""
     global _ticks
     _ticks = (done, total) if total > 0 else None
+
+
+def tell_share(done: int, total: int) -> None:
+    """Notes the share of the innermost work that is done."""
+    global _share
+    _share = done / total if total > 0 else None
 
 
 def line(seconds: float) -> str:
@@ -36,6 +43,8 @@ def line(seconds: float) -> str:
     said = work if isinstance(work, str) else work()
     if _ticks is not None:
         said = f"foam, {_ticks[0]} of {_ticks[1]} ticks"
+    elif _share is not None:
+        said = f"{said}, {_share:.0%}"
     return f"libocean: {name}: {said}, {seconds:.1f} s"
 
 
@@ -53,7 +62,7 @@ def _print_lines(ended: threading.Event) -> None:
 def work(name: str, said: str | Callable[[], str]) -> Iterator[None]:
     """Prints lines about this work while it lasts; with a window none. name: the full name of an
     object; said: the work, or a function that says it. Works may be nested."""
-    global _ticks
+    global _ticks, _share
     if not bpy.app.background or threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -62,13 +71,13 @@ def work(name: str, said: str | Callable[[], str]) -> Iterator[None]:
         ended = threading.Event()
         printer = threading.Thread(target=_print_lines, args=(ended,), daemon=True)
         printer.start()
-    before, _ticks = _ticks, None
+    before, _ticks, _share = _ticks, None, None
     _works.append((name, said))
     try:
         yield
     finally:
         _works.pop()
-        _ticks = before
+        _ticks, _share = before, None
         if ended is not None:
             ended.set()
             printer.join()

@@ -147,6 +147,11 @@ def tell_watcher(done: int, total: int) -> None:
     watchers.get(threading.get_ident(), console.tell)(done, total)
 
 
+def tell_watcher_of_share(done: int, total: int) -> None:
+    """The same for handles that report the share of their work, not ticks of foam."""
+    watchers.get(threading.get_ident(), console.tell_share)(done, total)
+
+
 @dataclasses.dataclass
 class _Wish:
     key: tuple
@@ -186,6 +191,21 @@ def _call_step() -> None:
         bpy.app.timers.register(step, first_interval=0.05, persistent=True)
 
 
+_kept: set[str] = set()
+"""The objects for which the timer goes on without work: a render in a thread of its own requests
+theirs frame by frame, and cannot start a timer."""
+
+
+def keep_timer(name: str, *, kept: bool) -> None:
+    """Has the timer go on, in a window, while an object is kept that a render may request anew on
+    each frame. For the main thread."""
+    if not kept or bpy.app.background:
+        _kept.discard(name)
+    elif name not in _kept:
+        _kept.add(name)
+        _call_step()
+
+
 def forget(name: str, key: tuple, *, more_follows: bool) -> None:
     """Withdraws the request for an object that shows the whole map of this key. more_follows: its
     job goes on after the map, with spray."""
@@ -201,6 +221,7 @@ def keep_only(names: set[str]) -> None:
     for found in (_wishes, _stopped):
         for name in found.keys() - names:
             del found[name]
+    _kept.intersection_update(names)
     if _running is not None and _running[0] not in names:
         _running[1].cancel()
 
@@ -291,7 +312,7 @@ def _step() -> float | None:
                 break
     if _wishes or _running:
         return 0.05
-    return 0.25 if _stopped else None
+    return 0.25 if _stopped or _kept else None
 
 
 _PATIENCE = 10.0  # [s] without a call of `step` after which no timer runs: Blender is ending
@@ -306,7 +327,7 @@ def complete() -> bool:
     for wish in list(_wishes.values()):
         wish.rest = 0.0
     if threading.current_thread() is threading.main_thread():
-        while (pause := step()) is not None:
+        while (pause := step()) is not None and (_wishes or _running is not None):
             time.sleep(min(pause, 0.02))
         return True
     begun = time.monotonic()
@@ -352,6 +373,7 @@ def close() -> None:
     global _running
     _wishes.clear()
     _stopped.clear()
+    _kept.clear()
     if _running is not None:
         _running[1].cancel()
         _running[1].join()

@@ -38,10 +38,15 @@ OF_SEA = {LABEL, UV_MAP} if compat.SHARES_LAYERS else {LABEL}
 bytes a corner: older Blenders get the label alone."""
 
 
-def _write_labels(mesh, period: float, layers: set[str] = OF_SEA) -> None:
+def _write_labels(
+    mesh,
+    period: float | tuple[float, float],
+    layers: set[str] = OF_SEA,
+    origin: tuple[float, float] = (0.0, 0.0),
+) -> None:
     """Writes these layers: the undisplaced coordinate of each vertex [m] as the attribute `label`,
-    z = 0, its share of the period as a UV map. A node group with foam stores a label of the world
-    over it."""
+    z = 0, its share of the period, or of the sides from an origin on, as a UV map. A node group
+    with foam stores a label of the world over it."""
     places = np.empty(3 * len(mesh.vertices), np.float32)
     mesh.vertices.foreach_get("co", places)
     places = places.reshape(-1, 3)
@@ -54,8 +59,9 @@ def _write_labels(mesh, period: float, layers: set[str] = OF_SEA) -> None:
         return
     corners = np.empty(len(mesh.loops), np.int32)
     mesh.loops.foreach_get("vertex_index", corners)
+    shares = (places[:, :2] - np.float32(origin)) / np.float32(period)
     uv = mesh.uv_layers.get(UV_MAP) or mesh.uv_layers.new(name=UV_MAP, do_init=False)
-    uv.data.foreach_set("uv", (places[:, :2] / np.float32(period))[corners].ravel())
+    uv.data.foreach_set("uv", shares[corners].ravel())
 
 
 def _is_labelled(mesh, layers: set[str] = OF_SEA) -> bool:
@@ -89,10 +95,10 @@ def _patch_vertices(size: float, samples: int, tiles: int = 1) -> np.ndarray:
     return vertices.reshape(-1, 3)
 
 
-def _patch_faces(cells: int) -> np.ndarray:
-    """Returns the quads of a square of cells x cells."""
-    side = cells + 1
-    corner = (np.arange(cells)[:, None] * side + np.arange(cells)[None, :]).ravel()
+def _patch_faces(cells: int, rows: int | None = None) -> np.ndarray:
+    """Returns the quads of a rectangle of cells x rows, of a square by default."""
+    side, rows = cells + 1, cells if rows is None else rows
+    corner = (np.arange(rows)[:, None] * side + np.arange(cells)[None, :]).ravel()
     return np.stack([corner, corner + 1, corner + side + 1, corner + side], axis=1)
 
 
@@ -122,6 +128,11 @@ _DRAFT = "draft "
 def draft_of(made_of: str) -> str:
     """Returns the words for a draft of a mesh made of these settings."""
     return _DRAFT + made_of
+
+
+def made_of(mesh) -> str:
+    """Returns the words for the settings that a mesh was made of; "" for others."""
+    return mesh.get(_MADE_OF, "") if isinstance(mesh, bpy.types.Mesh) else ""
 
 
 def is_draft(mesh) -> bool:
@@ -203,6 +214,22 @@ def follow_patch(
     is_of_earlier_version = not _is_labelled(ob.data, layers)
     if is_of_earlier_version and ob.data.library is None:
         _write_labels(ob.data, size, layers)
+
+
+def follow_grid(ob, words: str, along: tuple[np.ndarray, np.ndarray]) -> None:
+    """Makes a rectangle with a vertex at each pair of these coordinates [m], east and north, unless
+    the mesh was made of the same. words: as made_of of follow()."""
+
+    def make(mesh) -> None:
+        east, north = along
+        vertices = np.zeros((len(north), len(east), 3), np.float32)
+        vertices[..., 0] = east[None, :]
+        vertices[..., 1] = north[:, None]
+        fill(mesh, vertices.reshape(-1, 3), _patch_faces(len(east) - 1, len(north) - 1))
+        sides = float(east[-1] - east[0]), float(north[-1] - north[0])
+        _write_labels(mesh, sides, {UV_MAP}, (float(east[0]), float(north[0])))
+
+    follow(ob, words, make)
 
 
 STAND_IN = "stand-in"

@@ -11,7 +11,7 @@ import re
 import bpy
 
 from .. import translations
-from .parameter_table import ParameterTable
+from .parameter_table import ParameterTable, path_of
 
 
 class Words:
@@ -22,26 +22,26 @@ class Words:
     """
 
     def __init__(self, table: ParameterTable) -> None:
-        self._labels = {(row["section"], row["key"]): row["label"] for row in table.rows}
+        self._labels = {path_of(row): row["label"] for row in table.rows}
         self._items = table.item_section
-        sections = {section for section, _ in self._labels} - {self._items}
+        sections = {path.rpartition(".")[0] for path in self._labels} - {self._items}
         items = re.escape(self._items)
         # A parameter's path in prose; in quotes or behind a slash it is a part of a file's name.
-        words = "|".join([rf"{items}\.\d+", *map(re.escape, sorted(sections))])
+        words = "|".join([rf"{items}\.\d+", *map(re.escape, sorted(sections, reverse=True))])
         self._path = re.compile(rf"(?<![^\s(])(?:{words})\.[a-z_]+\b")
         self._item_path = re.compile(rf"({items})\.(\d+)\.([a-z_]+)")
 
     def label_of(self, path: str, items: int = 1) -> str:
         """Returns the label of the field of a parameter, such as waves.1.fetch; other paths as they
         are. items: the number of items of the subject."""
-        section, _, key = path.rpartition(".")
-        number = None
+        number, of_table = None, path
         of_item = self._item_path.fullmatch(path)
         if of_item:
             section, number, key = of_item.groups()
-        if (section, key) not in self._labels:
+            of_table = f"{section}.{key}"
+        if of_table not in self._labels:
             return path
-        label = bpy.app.translations.pgettext_iface(self._labels[section, key], translations.SEA)
+        label = bpy.app.translations.pgettext_iface(self._labels[of_table], translations.SEA)
         return f"{label} ({int(number) + 1})" if number is not None and items > 1 else label
 
     def in_words(self, text: str, items: int = 1) -> str:

@@ -106,6 +106,13 @@ class Builder:
     def mix(self, from_, to, share):
         return self.math("ADD", from_, self.scale(self.math("SUBTRACT", to, from_), share))
 
+    def eased(self, low, high, value):
+        """Returns 0 up to `low`, 1 from `high` on, and a smooth step between them."""
+        made = self.node("ShaderNodeMapRange", interpolation_type="SMOOTHSTEP")
+        for name, given in (("Value", value), ("From Min", low), ("From Max", high)):
+            self.feed(given, compat.active(made.inputs, name))
+        return compat.active(made.outputs, "Result")
+
     def parts(self, vector):
         made = self.node("ShaderNodeSeparateXYZ")
         self.link(vector, made.inputs[0])

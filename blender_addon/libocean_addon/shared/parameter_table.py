@@ -36,6 +36,12 @@ class ParameterTable:
         return [row for row in self.rows if (row["section"] == self.item_section) == items]
 
 
+def path_of(entry: dict[str, Any]) -> str:
+    """Returns the path of a parameter in its file. A subject whose sections have keys in common
+    gives its rows other keys, and keeps the path as "path"."""
+    return entry.get("path") or f"{entry['section']}.{entry['key']}"
+
+
 def is_optional(entry: dict[str, Any]) -> bool:
     """Returns whether a parameter has a switch beside its value; "inf" counts as off."""
     if entry["type"] == "numbers":

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import bpy
 
-from . import compat
 from .node_builder import Builder
 
 
@@ -30,13 +29,6 @@ class Tree(Builder):
         for socket, value in zip(made.inputs, (factor, off, on), strict=True):
             self.feed(value, socket)
         return made.outputs[0]
-
-    def eased(self, low, high, value):
-        """Returns 0 up to `low`, 1 from `high` on, and a smooth step between them."""
-        made = self.node("ShaderNodeMapRange", interpolation_type="SMOOTHSTEP")
-        for name, given in (("Value", value), ("From Min", low), ("From Max", high)):
-            self.feed(given, compat.active(made.inputs, name))
-        return compat.active(made.outputs, "Result")
 
 
 def shader_group(mark: str, version, name: str, build):

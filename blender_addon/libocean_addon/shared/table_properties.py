@@ -15,7 +15,7 @@ import bpy
 
 from .. import translations
 from . import changes, compat
-from .parameter_table import ParameterTable, is_optional
+from .parameter_table import ParameterTable, is_optional, path_of
 from .resolutions import Resolutions
 
 _UNITS = {"m": "LENGTH", "m/s": "VELOCITY", "m/s^2": "ACCELERATION", "s": "TIME_ABSOLUTE"}
@@ -23,7 +23,7 @@ _UNITS = {"m": "LENGTH", "m/s": "VELOCITY", "m/s^2": "ACCELERATION", "s": "TIME_
 
 def _description(entry: dict[str, Any], file_kind: str) -> str:
     unit = f" [{entry['unit']}]" if entry["unit"] else ""
-    return f"{entry['help'].rstrip('.')}{unit}. {file_kind}: {entry['section']}.{entry['key']}"
+    return f"{entry['help'].rstrip('.')}{unit}. {file_kind}: {path_of(entry)}"
 
 
 def changed(self, _context) -> None:
@@ -67,8 +67,10 @@ def _number_limits(entry: dict[str, Any]) -> dict[str, Any]:
 
 def _middle(entry: dict[str, Any]) -> float:
     """Where a parameter without a default begins: the middle of its soft range, by ratio where all
-    of it is positive."""
+    of it is positive, and 0 where 0 is inside."""
     low, high = entry["soft_min"], entry["soft_max"]
+    if low < 0.0 < high:
+        return 0.0
     return float(f"{math.sqrt(low * high):.1g}") if low > 0 else (low + high) / 2
 
 
@@ -123,7 +125,11 @@ def properties_of(
     switch = f"use_{key}"
     if kind == "numbers":
         common["update"] = _switched_on(switch)
-        ends = tuple(float(f"{entry[end] / 10.0:.1g}") for end in ("soft_min", "soft_max"))
+        low, high = entry["soft_min"], entry["soft_max"]
+        if low > 0.0 or low == -high:  # two lengths or coordinates, no range
+            ends = (_middle(entry),) * 2
+        else:
+            ends = tuple(float(f"{entry[end] / 10.0:.1g}") for end in ("soft_min", "soft_max"))
         return {switch: _switch(entry), key: _vector(entry, common, 2, default=ends)}
     if kind == "int":
         if key in table.resolutions:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from ..shared import drafts, meshes, object_faults
 from ..shared.compat import tr_label
 from . import node_group
+from .extent import ExtentError
 from .open_terrain import OpenTerrain, terrain_of
 from .parameters import WORDS
 
@@ -48,11 +49,16 @@ def sizes_of(ob) -> list[str]:
     terrain = terrain_of(ob.name_full)
     if terrain.terrain is None:
         return lines
-    size = terrain.size
-    lines.append(tr_label("Map: {} x {} samples, {:,.0f} MB", size, size, 16e-6 * size * size))
+    try:
+        extent = terrain.extent
+    except ExtentError:  # said above
+        return lines
+    megabytes = 16e-6 * extent.count * (1 + len(terrain.groups))
+    lines.append(tr_label("Map: {} x {} samples, {:,.0f} MB", *extent.samples, megabytes))
     made_for = meshes.samples_of(ob.data)
-    if made_for is not None and made_for < size:
-        lines.append(tr_label("The mesh shows one in {} of their samples", (size // made_for) ** 2))
+    if made_for is not None and made_for < terrain.size:
+        less = (terrain.size // made_for) ** 2
+        lines.append(tr_label("The mesh shows one in {} of their samples", less))
     return lines
 
 

@@ -5,6 +5,8 @@
     attributes terrain_normal, terrain_height -> slope, height     \\
     object coordinates -> noise of four scales                     -> grass, forest, scree, rock,
     lines, slopes, colours                                         /  snow, sand -> Surface, Colour
+    attributes beach, cliff, streambed, flow, wear: sand, rock, scree, forest and shades where the
+    land has them; an attribute that is absent reads 0 and changes nothing
 
 Each cover lies over those before it, with an edge that the noise moves up and down. Noise of a
 single scale would make spots all of one size.
@@ -18,7 +20,7 @@ from ..shared.shader_builder import Tree, facing, shader_group, stored_normal
 from .node_group import HEIGHT, NORMAL
 
 GROUP = "Terrain Ground"
-VERSION = 1
+VERSION = 2
 MARK = "libocean_ground"  # custom property of a group: the version that built it
 
 ALBEDOS = {
@@ -52,6 +54,17 @@ _NUMBERS = (
     ("Scree Slope", 0.50, 0.0, 10.0, "Slope at which scree begins, everywhere at 0.18 more"),
     ("Noise Size", 1100.0, 0.001, 1e6, "Largest of the four scales of the noise [m]"),
     ("Noise Amount", 1.0, 0.0, 10.0, "How much the noise moves edges and colours; 0: none"),
+    ("Beach Sand", 1.0, 0.0, 1.0, "Share of sand on beaches, by the attribute beach"),
+    ("Cliff Rock", 1.0, 0.0, 1.0, "Share of rock on cliffs, by the attribute cliff"),
+    ("Stream Scree", 0.8, 0.0, 1.0, "Share of scree in streams, by the attribute streambed"),
+    (
+        "Flow Forest",
+        0.6,
+        0.0,
+        1.0,
+        "Share of forest where much water drains, by the attribute flow",
+    ),
+    ("Wear Shade", 0.35, 0.0, 1.0, "How much lighter crests and darker floors of gullies are"),
     (
         "Visibility",
         0.0,
@@ -148,8 +161,10 @@ _OF_COVERS = (
 """The inputs that decide where each cover lies."""
 
 
-def _covers(t: Tree, inputs, height, slopes, noise) -> list:
-    """Returns the share of each cover over those before it: sand, forest, scree, rock, snow."""
+def _covers(t: Tree, inputs, height, slopes, noise, by_masks) -> list:
+    """Returns the share of each cover over those before it: sand, forest, scree, rock, snow.
+    by_masks: shares that masks give to forest, scree, rock."""
+    lush, gravel, cliff = by_masks
     slope = t.math("LENGTH", slopes, result="Value")
     width = inputs["Line Width"]
     rough = t.number("MULTIPLY_ADD", t.number("MULTIPLY", noise, 0.7), width, height)
@@ -160,14 +175,35 @@ def _covers(t: Tree, inputs, height, slopes, noise) -> list:
     # Forest leaves clearings.
     forest = t.number("MULTIPLY", grows, t.eased(-0.55, 0.15, t.number("ADD", noise, 0.2)))
     below = _below(t, inputs["Forest Line"], t.number("MULTIPLY", width, 0.64), rough)
-    forest = t.number("MULTIPLY", forest, below)
-    scree = _from(t, inputs["Scree Slope"], 0.18, slope, noise, 0.20)
-    rock = _from(t, inputs["Rock Slope"], 0.30, slope, noise, 0.22)
+    forest = t.number("MAXIMUM", t.number("MULTIPLY", forest, below), lush)
+    scree = t.number("MAXIMUM", _from(t, inputs["Scree Slope"], 0.18, slope, noise, 0.20), gravel)
+    rock = t.number("MAXIMUM", _from(t, inputs["Rock Slope"], 0.30, slope, noise, 0.22), cliff)
     melt = t.number("MULTIPLY", inputs["Sun Melt"], _sunward(t, slopes, inputs["Sun Bearing"]))
     snow_line = t.number("ADD", inputs["Snow Line"], melt)
     snow = t.number("SUBTRACT", 1.0, _below(t, snow_line, width, rough))
     lies = t.number("SUBTRACT", 1.0, _from(t, inputs["Snow Slope"], 0.50, slope, noise, 0.15))
     return [sand, forest, scree, rock, t.number("MULTIPLY", snow, lies)]
+
+
+_FLOW_BEGINS, _FLOW_ENDS = 4.7, 6.3
+"""Decimal logarithms of the drained areas [m^2] between which forest follows the water."""
+
+
+def _mask(t: Tree, name: str, share=None):
+    """Returns the value of a mask, times a share."""
+    value = t.node("ShaderNodeAttribute", attribute_name=name).outputs["Fac"]
+    return value if share is None else t.number("MULTIPLY", value, share)
+
+
+def _by_masks(t: Tree, inputs) -> tuple:
+    """Returns the shares that masks give to forest, scree and rock."""
+    area = t.number("LOGARITHM", t.number("MAXIMUM", _mask(t, "flow"), 1.0), 10.0)
+    lush = t.number("MULTIPLY", t.eased(_FLOW_BEGINS, _FLOW_ENDS, area), inputs["Flow Forest"])
+    return (
+        lush,
+        _mask(t, "streambed", inputs["Stream Scree"]),
+        _mask(t, "cliff", inputs["Cliff Rock"]),
+    )
 
 
 def _build(group) -> None:
@@ -180,15 +216,19 @@ def _build(group) -> None:
     height = t.node("ShaderNodeAttribute", attribute_name=HEIGHT).outputs["Fac"]
     noise, fine = t.nested("ground noise", _noise, inputs["Noise Size"], inputs["Noise Amount"])
 
-    def covers(t: Tree, height, slopes, noise, *sockets) -> list:
-        return _covers(t, dict(zip(_OF_COVERS, sockets, strict=True)), height, slopes, noise)
+    def covers(t: Tree, height, slopes, noise, lush, gravel, cliff, *sockets) -> list:
+        named = dict(zip(_OF_COVERS, sockets, strict=True))
+        return _covers(t, named, height, slopes, noise, (lush, gravel, cliff))
 
     given = [inputs[name] for name in _OF_COVERS]
-    shares = t.nested("ground covers", covers, height, slopes, noise, *given)
+    by_masks = _by_masks(t, inputs)
+    shares = t.nested("ground covers", covers, height, slopes, noise, *by_masks, *given)
     colour = inputs["Grass Colour"]
     for name, share in zip(("Sand", "Forest", "Scree", "Rock", "Snow"), shares, strict=True):
-        if name == "Snow":  # the noise shades the ground, not the snow on it
+        if name == "Snow":  # noise and wear shade the ground, not the snow on it
+            colour = t.mix(colour, inputs["Sand Colour"], _mask(t, "beach", inputs["Beach Sand"]))
             shade = t.number("MULTIPLY_ADD", fine, 2.0 * _SHADE, 1.0)
+            shade = t.number("ADD", _mask(t, "wear", inputs["Wear Shade"]), shade)
             colour = t.scale(colour, t.number("MAXIMUM", shade, 0.2))
         colour = t.mix(colour, inputs[f"{name} Colour"], share)
     ground = t.shader(

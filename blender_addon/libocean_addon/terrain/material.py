@@ -15,23 +15,40 @@ from ..shared.compat import tr
 from ..shared.shader_builder import Tree
 from . import ground_shader, live, node_group
 from .open_terrain import terrain_of
+from .terrain_text import TerrainValues
 
 _RELIEF = 185.0  # [m] rms height of the land for which the widths of the sockets were chosen
 _NOISE_SHARE = 1.0 / 15.0  # of the tile: the largest scale of the noise
 
 
-def look_of(state: dict) -> dict[str, float]:
+def look_of(state: dict, water: float | None = None) -> dict[str, float]:
     """Returns the sockets for a terrain in that state: its highest tenth is white, forest grows in
-    its lower half. Widths of edges go with its relief."""
+    its lower half. Widths of edges go with its relief. water: the height of the water at its shore
+    [m], for a land that has one: its bed is sand, and the land above it bears no snow."""
     rms, mean = state["rms"]["resolved"], state["mean"]
     relief = max(rms, 1e-3) / _RELIEF
+    if water is not None:
+        rise = max(state["highest"] - water, 1e-3)
+        relief = rise / (3.0 * _RELIEF)
+        return {
+            "Snow Line": ground_shader.NOWHERE,
+            "Forest Line": water + 0.5 * rise,
+            "Sand Line": water,
+            "Line Width": 140.0 * relief,
+            "Noise Size": _NOISE_SHARE * max(state["size"]),
+        }
     return {
         "Snow Line": mean + 1.3 * rms,
         "Forest Line": mean + 0.1 * rms,
         "Line Width": 140.0 * relief,
         "Sun Melt": 220.0 * relief,
-        "Noise Size": _NOISE_SHARE * state["period"],
+        "Noise Size": _NOISE_SHARE * (state["period"] or max(state["size"])),
     }
+
+
+def water_of(values: TerrainValues) -> float | None:
+    """Returns the height of the water that a shore is shaped for [m]; None for a land without."""
+    return float(values.values["coast_level"] or 0.0) if "coast" in values.groups() else None
 
 
 def make(values: dict[str, float]):
@@ -71,7 +88,9 @@ def give(ob, world, *, visibility: float = 0.0) -> None:
     """Gives an object with a terrain a new material that is fitted to it. world: whose sky lends
     the haze its light; visibility: the distance at which haze hides the land [m], 0: no haze."""
     terrain = terrain_of(ob.name_full)
-    values = look_of(terrain.read_state()) if terrain.terrain is not None else {}
+    values = {}
+    if terrain.terrain is not None:
+        values = look_of(terrain.state_for_look(), water_of(terrain.values))
     material = make({**values, "Visibility": visibility})
     assign(ob, material)
     for ground in grounds(ob):

@@ -1,15 +1,15 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Open terrains, one for each object: the library's handles, the map that was made last, and what
-the image holds.
+"""Open terrains, one for each object: the library's handles, the maps that were made last, and what
+the images hold.
+
+    Extent + terrain -> Maps: pixels of the ground, and of the masks of each group -> images
 """
 
 from __future__ import annotations
 
-import contextlib
 import threading
 import time
-from collections.abc import Iterator
 
 import bpy
 import numpy as np
@@ -18,33 +18,73 @@ from ..shared import drafts, images
 from ..shared.compat import tr_label
 from ..shared.native import libocean
 from ..shared.open_by_object import OpenByObject
-from .node_group import CHANNELS
+from . import extent as extents
+from .camera_mesh import CameraVertices, CameraView, make_vertices
+from .extent import Extent
+from .node_group import CHANNELS, GROUND, MASKS, image_of
 from .terrain_text import TerrainValues
 
 _RESOLUTION = "terrain.resolution"
 _FIRST = 1e-7  # [s a sample] that a first map is expected to take
+_SMALLEST = 64  # samples a side of a terrain that draws a draft
+_SLOW_DRAFT = 0.35
+"""[s] A draft that takes longer is left out while values move: the land stays as it was."""
+
+Maps = dict[str, np.ndarray]
+"""Pixels (rows, columns, 4) by the input of the node group."""
+
+
+def own_extent(terrain) -> Extent:
+    """Returns the samples of a terrain's own map."""
+    own = terrain.domain
+    return Extent(own.origin, own.cell, own.samples, own.wraps)
+
+
+def fill_maps(terrain, extent: Extent, groups: tuple[str, ...], maps: Maps | None = None) -> Maps:
+    """Returns the maps of an extent, in the arrays of `maps` where they fit. groups: those whose
+    masks the land has."""
+    channels = {GROUND: CHANNELS}
+    for group in groups:
+        channels[image_of(group)] = (*MASKS[group], "")[:4]
+    made = {}
+    for name in channels:
+        before = (maps or {}).get(name)
+        fits = before is not None and before.shape[:2] == extent.shape
+        made[name] = before if fits else images.aligned(extent.shape)
+    buffers = [(made[name], channels[name]) for name in channels]
+    if extent.is_own and extent.wraps and not groups:
+        terrain.fill(buffers)
+    else:
+        terrain.fill_region(buffers, extent.origin, extent.cell)
+    return made
 
 
 class TerrainJob(drafts.Job):
-    """Makes the whole map and the readings of a terrain, in a clone of it."""
+    """Makes the whole maps and the readings of a terrain, in a clone of it."""
 
-    def __init__(self, terrain, changes: int, size: int) -> None:
-        super().__init__((changes, size))
-        self.terrain, self.changes, self.size = terrain, changes, size
-        self.pixels: np.ndarray | None = None
+    def __init__(self, terrain, key: tuple, extent: Extent, groups: tuple[str, ...]) -> None:
+        super().__init__(key)
+        self.terrain, self.extent, self.groups = terrain, extent, groups
+        self.view: CameraView | None = None
+        """The camera around which a mesh is wanted too."""
+        self.maps: Maps | None = None
+        self.vertices: CameraVertices | None = None
         self.state: dict | None = None
         self.seconds_a_sample = 0.0
 
     def work(self) -> None:
-        # The library does not look up within a call: some seconds at most, beside the user's work.
         self._require_wanted()
-        pixels = images.aligned((self.size, self.size))
-        begun = time.perf_counter()
-        self.terrain.fill([(pixels, CHANNELS)])
-        self.seconds_a_sample = (time.perf_counter() - begun) / self.size**2
+        maps = self.maps
+        if maps is None:
+            begun = time.perf_counter()
+            maps = fill_maps(self.terrain, self.extent, self.groups)
+            self.seconds_a_sample = (time.perf_counter() - begun) / self.extent.count
+        self._require_wanted()
+        if self.view is not None:
+            self.vertices = make_vertices(self.terrain, self.view)
         self._require_wanted()
         self.state = self.terrain.state
-        self.pixels = pixels
+        self.maps = maps
 
     def _require_wanted(self) -> None:
         if self.is_cancelled():
@@ -54,32 +94,61 @@ class TerrainJob(drafts.Job):
         self.terrain.close()
 
     def said(self, name: str) -> str:
-        return tr_label("{}: {} x {} samples", name, self.size, self.size)
+        columns, rows = self.extent.samples
+        text = tr_label("{}: {} x {} samples", name, columns, rows)
+        return f"{text}, {self.share:.0%}" if self.ticks else text
 
 
 class OpenTerrain:
-    """The library's terrain of one object, its map, and what was shown last."""
+    """The library's terrain of one object, its maps, and what was shown last."""
 
     def __init__(self) -> None:
-        self.lock = threading.Lock()  # renders run in a thread of their own
+        self.lock = threading.RLock()  # renders run in a thread of their own
         self.terrain = None
         self.values: TerrainValues | None = None
+        self.groups: tuple[str, ...] = ()
+        """The groups of parameters whose masks the land has."""
+        self.region: tuple[tuple[float, ...], float] | None = None
+        """Corners and cell of the region to show; None: the land's own samples."""
+        self.view: CameraView | None = None
+        """The camera around which the mesh was requested last."""
         self.changes = 0
         self.state: dict | None = None  # read_state()
         self.state_before: dict | None = None  # of the values before these
         self.pace = drafts.Pace()
+        self.vertices: CameraVertices | None = None
+        """The mesh around the camera that was made last."""
+        self.vertices_of: tuple | None = None  # its changes and view
         self._draft = None  # the handle with fewer samples
         self._draft_values: TerrainValues | None = None
-        self._pixels: np.ndarray | None = None
-        self._filled: tuple | None = None  # changes and size of the map in _pixels
-        self._whole: tuple | None = None  # changes and size of the last whole map
-        self._shown: dict[str, tuple] = {}  # by image: the changes and size of its map
+        self._draft_seconds = 0.0
+        self._built = -1  # the changes for which the handle has built what maps are made of
+        self._maps: Maps = {}
+        self._filled: tuple | None = None  # changes, extent and groups of the maps
+        self._whole: tuple | None = None  # the same of the last whole map
+        self._shown: dict[str, tuple] = {}  # by image: the same of what it holds
         self._seconds = _FIRST  # a sample of the last whole map
 
     @property
     def size(self) -> int:
-        """Returns the samples per side of the whole map."""
-        return self.terrain.map_resolution()
+        """Returns the samples along the longer side of the terrain's own map."""
+        return max(self.own.samples)
+
+    @property
+    def own(self) -> Extent:
+        return own_extent(self.terrain)
+
+    @property
+    def extent(self) -> Extent:
+        """Returns the samples of the whole map that is shown. Raises ExtentError."""
+        if self.region is None:
+            return self.own
+        return extents.of_region(*self.region, self.own)
+
+    @property
+    def key(self) -> tuple:
+        """Returns what the whole map depends on. Raises ExtentError."""
+        return self.changes, self.extent, self.groups
 
     def follow(self, values: TerrainValues) -> None:
         """Makes it the terrain of these values; raises libocean.Error and leaves it unchanged
@@ -89,13 +158,13 @@ class OpenTerrain:
         if self.terrain is None or values.structure() != self.values.structure():
             base_dir = bpy.path.abspath("//") or None
             opened = libocean.parse_terrain(
-                values.text(), base_dir=base_dir, progress=drafts.tell_watcher
+                values.text(), base_dir=base_dir, progress=drafts.tell_watcher_of_share
             )
             self.close()
             self.terrain = opened
         else:
             self.terrain.set_all(_changed(self.values, values))
-        self.values = values
+        self.values, self.groups = values, values.groups()
         self.state_before = self.state or self.state_before
         self.state = None
         self.changes += 1
@@ -105,56 +174,89 @@ class OpenTerrain:
             self.state = self.terrain.state
         return self.state
 
+    def state_for_look(self) -> dict:
+        """Returns the state, or in a draft that of the terrain with fewer samples, without waiting
+        for the whole."""
+        is_behind = self._draft is not None and self._draft_values == self.values
+        if self.state is None and self._built != self.changes and is_behind:
+            return self._draft.state
+        return self.read_state()
+
     def is_whole(self) -> bool:
         """Returns whether the whole map of these values was shown or made for it."""
-        return self._whole == (self.changes, self.size)
+        return self._whole == self.key
 
     def is_quick(self) -> bool:
         """Returns whether a whole map takes less time than a user notices."""
-        return self.pace.size >= self.size or self._seconds * self.size**2 < drafts.SECONDS / 2
+        extent = self.extent
+        is_small = self.pace.size >= max(extent.samples) and not self.is_carved()
+        return is_small or self._seconds * extent.count < drafts.SECONDS / 2
 
-    def show(self, image) -> None:
-        """Fills the image with the whole map."""
-        size = self.size
-        with self._stale(image, size) as is_stale:
-            if is_stale:
-                if self._filled != (self.changes, size):
-                    begun = time.perf_counter()
-                    self._fill(self.terrain, size)
-                    self._seconds = (time.perf_counter() - begun) / size**2
-                self._put(image)
-        self._whole = (self.changes, size)
+    def is_carved(self) -> bool:
+        """Returns whether streams or a shore shape the land, which take seconds at any size."""
+        return "stream" in self.groups or "coast" in self.groups
 
-    def show_draft(self, image) -> None:
-        """Fills the image with the map of the same terrain with fewer samples, and so without its
-        shortest waves."""
-        size = min(self.size, self.pace.size)
-        with self._stale(image, size) as is_stale:
-            if is_stale:
-                begun = time.perf_counter()
-                self._fill(self._draft_of(size), size)
-                self._put(image)
-                self.pace.note(size, time.perf_counter() - begun, self.size // 2)
-
-    @contextlib.contextmanager
-    def _stale(self, image, size: int) -> Iterator[bool]:
-        """Yields whether an image holds another map than the present one of that size."""
+    def show(self, image_named: dict) -> Extent:
+        """Fills the images with the whole maps. image_named: images by inputs."""
+        extent, key = self.extent, self.key
         with self.lock:
-            if images.let_go(image):
-                self._shown.pop(image.name_full, None)
-            yield self._shown.get(image.name_full) != (self.changes, size)
-            self._shown[image.name_full] = (self.changes, size)
+            stale = [name for name, image in image_named.items() if self._is_stale(image, key)]
+            if stale and self._filled != key:
+                begun = time.perf_counter()
+                self._fill(self.terrain, extent, key)
+                self._seconds = (time.perf_counter() - begun) / extent.count
+                self._built = self.changes
+            self._put(image_named, stale, key)
+            self._whole = key
+        return extent
 
-    def _fill(self, terrain, size: int) -> None:
-        if self._pixels is None or len(self._pixels) != size:
-            self._pixels = images.aligned((size, size))
+    def show_draft(self, image_named: dict) -> Extent:
+        """Fills the images with maps of the same terrain with fewer samples, and so without its
+        shortest waves. Where that takes too long the images keep what they hold."""
+        held = self._shown.get(image_named[GROUND].name_full)
+        if held is not None and self._draft_seconds > _SLOW_DRAFT:
+            return held[1]
+        with self.lock:
+            begun = time.perf_counter()
+            draft, extent = self._draft_and_extent()
+            key = (self.changes, extent, self.groups)
+            stale = [name for name, image in image_named.items() if self._is_stale(image, key)]
+            if stale:
+                self._fill(draft, extent, key)
+                self._put(image_named, stale, key)
+                self._draft_seconds = time.perf_counter() - begun
+                self.pace.note(self.pace.size, self._draft_seconds, max(self.extent.samples) // 2)
+        return extent
+
+    def _draft_and_extent(self) -> tuple:
+        """Returns the handle and the samples of a draft: the terrain with fewer samples, or fewer
+        of its samples where it is built or is an elevation model, which has no others."""
+        whole, step = self.extent, 1
+        while max(whole.samples) > self.pace.size * step:
+            step *= 2
+        if self._built == self.changes or self.values.values["base"]:
+            return self.terrain, whole.coarser(step)
+        resolution = int(self.values.values["resolution"])
+        side = resolution // step if whole.is_own else min(resolution, self.pace.size)
+        draft = self._draft_of(max(_SMALLEST, side))
+        return draft, own_extent(draft) if whole.is_own else whole.coarser(step)
+
+    def _is_stale(self, image, key: tuple) -> bool:
+        """Returns whether an image holds other maps than these."""
+        if images.let_go(image):
+            self._shown.pop(image.name_full, None)
+        return self._shown.get(image.name_full) != key
+
+    def _fill(self, terrain, extent: Extent, key: tuple) -> None:
         self._filled = None  # until the library has returned
-        terrain.fill([(self._pixels, CHANNELS)])
-        self._filled = (self.changes, size)
+        self._maps = fill_maps(terrain, extent, self.groups, self._maps)
+        self._filled = key
 
-    def _put(self, image) -> None:
-        images.resize(image, self._pixels.shape[:2])
-        images.fill(image, self._pixels)
+    def _put(self, image_named: dict, names: list[str], key: tuple) -> None:
+        for name in names:
+            images.resize(image_named[name], self._maps[name].shape[:2])
+            images.fill(image_named[name], self._maps[name])
+            self._shown[image_named[name].name_full] = key
 
     def _draft_of(self, size: int):
         """Returns the handle of the same terrain with so many samples per side."""
@@ -165,22 +267,47 @@ class OpenTerrain:
         self._draft_values = self.values
         return self._draft
 
-    def job(self) -> TerrainJob:
-        """Returns the job that makes the whole map."""
-        return TerrainJob(self.terrain.clone(), self.changes, self.size)
+    def job(self, view: CameraView | None = None) -> TerrainJob:
+        """Returns the job that makes the whole maps, and the mesh around a camera. Raises
+        ExtentError."""
+        job = TerrainJob(self.terrain.clone(), (self.key, view), self.extent, self.groups)
+        job.view = view
+        if self._filled == self.key:
+            job.maps = self._maps
+        return job
 
     def take_over(self, job: TerrainJob) -> bool:
-        """Replaces handle and map by those of a job that has ended. Returns False if the job is of
+        """Replaces handle and maps by those of a job that has ended. Returns False if the job is of
         no use."""
-        if job.failure is not None or job.changes != self.changes:
+        if job.failure is not None or job.key[0] != self.key:
             job.close()
             return False
         with self.lock:
             self.terrain.close()
             self.terrain, self.state = job.terrain, job.state
-            self._pixels, self._filled, self._whole = job.pixels, job.key, job.key
-            self._seconds = job.seconds_a_sample
+            self._maps, self._filled, self._whole = job.maps, self.key, self.key
+            self._built = self.changes
+            if job.seconds_a_sample > 0.0:
+                self._seconds = job.seconds_a_sample
+            if job.vertices is not None:
+                self.vertices, self.vertices_of = job.vertices, (self.changes, job.view)
         return True
+
+    def mesh_around(self, view: CameraView) -> CameraVertices:
+        """Returns the mesh around a camera, made if it is another than the last one."""
+        if not self.has_mesh_around(view):
+            self.vertices = make_vertices(self.terrain, view)
+            self.vertices_of = (self.changes, view)
+        return self.vertices
+
+    def has_mesh_around(self, view: CameraView) -> bool:
+        """Returns whether the mesh around a camera is the one that was made last."""
+        return self.vertices_of == (self.changes, view)
+
+    def extent_in(self, image) -> Extent | None:
+        """Returns the samples of the map that an image holds; None if it is unknown."""
+        held = self._shown.get(image.name_full)
+        return None if held is None else held[1]
 
     def forget_images(self) -> None:
         """Forgets, after undo and loading, what images hold."""

@@ -59,6 +59,25 @@ def _show_all_of(context, size: float) -> None:
     bpy.ops.view3d.view_selected()
 
 
+def _mesh_resolution_property():
+    return bpy.props.EnumProperty(
+        name="Mesh resolution",
+        description="Vertices along a side of a tile, and cells along that of a land that exists "
+        "once",
+        items=RESOLUTIONS.items("Automatic", meshes.MAX_SAMPLES),
+        default="0",
+        **compat.in_context(translations.SEA),
+    )
+
+
+def _material_property():
+    return bpy.props.BoolProperty(
+        name="Material",
+        description="Give it a material of land, by height and slope",
+        default=True,
+    )
+
+
 class AddTerrain(bpy.types.Operator, object_utils.AddObjectHelper):
     """Add a terrain: land by a spectrum that repeats after its tile"""
 
@@ -72,13 +91,7 @@ class AddTerrain(bpy.types.Operator, object_utils.AddObjectHelper):
         items=PRESETS,
         default=DEFAULT_PRESET,
     )
-    mesh_resolution: bpy.props.EnumProperty(
-        name="Mesh resolution",
-        description="Vertices along a side of a tile",
-        items=RESOLUTIONS.items("Automatic", meshes.MAX_SAMPLES),
-        default="0",
-        **compat.in_context(translations.SEA),
-    )
+    mesh_resolution: _mesh_resolution_property()
     tiles: bpy.props.IntProperty(
         name="Tiles",
         description="How often the land is repeated along each side",
@@ -87,35 +100,54 @@ class AddTerrain(bpy.types.Operator, object_utils.AddObjectHelper):
         soft_max=8,
         default=1,
     )
-    use_material: bpy.props.BoolProperty(
-        name="Material",
-        description="Give it a material of land, by height and slope",
-        default=True,
-    )
+    use_material: _material_property()
 
     def execute(self, context):
-        with console.work("Terrain", "a new terrain"):
-            ob = self._make(context)
-        settings = ob.libocean_terrain
-        _show_all_of(context, settings.patch_size * settings.tiles)
-        return {"FINISHED"}
-
-    def _make(self, context):
         with libocean.terrain_preset(self.preset) as terrain:
             values = terrain_text.read(terrain)
+        _add(self, context, values, int(self.mesh_resolution), self.tiles)
+        return {"FINISHED"}
+
+
+def _add(operator, context, values, mesh_resolution: int, tiles: int = 1) -> None:
+    """Adds an object with the terrain of these values. operator: one that adds objects, and has
+    `use_material`."""
+    with console.work("Terrain", "a new terrain"):
         mesh = bpy.data.meshes.new("Terrain")
-        ob = object_utils.object_data_add(context, mesh, operator=self)
+        ob = object_utils.object_data_add(context, mesh, operator=operator)
         add_modifier(ob)
         settings = ob.libocean_terrain
         with changes.quiet():
             settings.shape = "TILE"
-            settings.mesh_resolution = int(self.mesh_resolution)
-            settings.tiles = self.tiles
+            settings.mesh_resolution = mesh_resolution
+            settings.tiles = tiles
         parameter_values.assign(settings, values)
-        if self.use_material:
+        if operator.use_material:
             with console.work(ob.name_full, "material"):
                 material.give(ob, context.scene.world)
-        return ob
+    _show_all_of(context, settings.patch_size * tiles)
+
+
+class AddTerrainFile(bpy.types.Operator, ImportHelper, object_utils.AddObjectHelper):
+    """Add the terrain of a terrain file: a tile, or a land that lies where the file places it"""
+
+    bl_idname = "libocean.add_terrain_file"
+    bl_label = "Terrain File"
+    bl_options = {"REGISTER", "UNDO"}
+
+    filter_glob: bpy.props.StringProperty(default="*.toml", options={"HIDDEN"})
+    mesh_resolution: _mesh_resolution_property()
+    use_material: _material_property()
+
+    def execute(self, context):
+        try:
+            with libocean.open_terrain(str(paths.absolute(self.filepath))) as terrain:
+                values = terrain_text.read(terrain)
+        except libocean.Error as failure:
+            self.report({"ERROR"}, str(failure))
+            return {"CANCELLED"}
+        _add(self, context, values, int(self.mesh_resolution))
+        return {"FINISHED"}
 
 
 class AddTerrainModifier(bpy.types.Operator):
@@ -295,6 +327,7 @@ class RemoveBreak(OnTerrain, bpy.types.Operator):
 
 CLASSES = (
     AddTerrain,
+    AddTerrainFile,
     AddTerrainModifier,
     LoadTerrain,
     SaveTerrain,
@@ -308,6 +341,7 @@ CLASSES = (
 
 def _draw_add(self, _context) -> None:
     self.layout.operator(AddTerrain.bl_idname, icon="RNDCURVE")
+    self.layout.operator(AddTerrainFile.bl_idname, icon="RNDCURVE")
 
 
 def _draw_modifier(self, _context) -> None:

@@ -9,13 +9,13 @@ from __future__ import annotations
 import bpy
 
 from .. import translations, whole_sea
-from ..shared import file_row, parameter_fields, resolutions
+from ..shared import drafts, file_row, parameter_fields, resolutions
 from ..shared.compat import tr_label
 from ..shared.drawing import field, mask_field, never_raises, place_labels, say, say_state
 from ..shared.property_texts import pairs_of
-from . import facts, material, node_group, operators
-from .parameter_values import is_measured, is_replaced
-from .parameters import PARAMETERS
+from . import facts, material, node_group, operators, trees
+from .parameter_values import is_measured, is_on, is_placed, is_replaced, is_shaped
+from .parameters import PARAMETERS, PLACED, SWITCHES
 
 SHORT = {
     "longest_wavelength": "Longest wave",
@@ -28,16 +28,26 @@ SHORT = {
     "ridge_direction": "Direction",
     "ridge_spread": "Spread",
     "mesh_resolution": "Mesh",
+    "detail_wavelength": "Detail",
 }
 """Short labels for fields whose label does not fit a panel of default width."""
 
-LAND = ("patch_size", "resolution", "seed", "rms", "range", "mean")
-"""Parameters of the first panel; every other one is in Spectrum."""
+SIDES = ("West", "South", "East", "North")
+"""The labels of the numbers of a region."""
+
+LAND = ("kind", "patch_size", "resolution", "seed", "rms", "range", "mean")
+"""Parameters of the first panel. Those of a placed land and of each group that shapes it have
+panels of their own; every other one is in Spectrum."""
 
 _ENTRIES = {entry["key"]: entry for entry in PARAMETERS.entries(items=False)}
-SPECTRUM = tuple(key for key in _ENTRIES if key not in LAND)
+GROUPS = {
+    group: tuple(key for key in _ENTRIES if key.startswith(f"{group}_")) for group in SWITCHES
+}
+_ELSEWHERE = {*LAND, *PLACED, *(key for keys in GROUPS.values() for key in keys)}
+SPECTRUM = tuple(key for key in _ENTRIES if key not in _ELSEWHERE)
 
 _ONLY_IF = {
+    "base_error": lambda settings: bool(settings.base),
     **dict.fromkeys(
         ("ridge_gain", "ridge_width", "ridge_direction"),
         lambda settings: settings.ridge_wavelength > 0.0,
@@ -115,10 +125,14 @@ class TerrainPanel(_Panel, bpy.types.Panel):
             say(layout, ob.libocean_terrain.problem, "ERROR")
         if context.scene.unit_settings.scale_length != 1.0:
             say(layout, tr_label("The land takes a Blender unit for a metre"), "INFO")
+        share = drafts.progress(ob.name_full)
+        follows = tr_label("A draft; the whole land follows")
+        if share:
+            follows = tr_label("A draft; the whole land follows: {:.0%}", share)
         whole_sea.draw_draft(
             layout,
             ob.name_full,
-            tr_label("A draft; the whole land follows"),
+            follows,
             tr_label("A draft, with fewer samples"),
         )
         _draw_state(layout, ob)
@@ -150,6 +164,90 @@ class LandPanel(_Panel, bpy.types.Panel):
     def draw(self, context) -> None:
         place_labels(self.layout)
         _draw_parameters(self.layout, context.object.libocean_terrain, LAND)
+
+
+class PlacedPanel(_Panel, bpy.types.Panel):
+    """Where a land lies that exists once, and what it begins with"""
+
+    bl_idname = "LIBOCEAN_PT_terrain_placed"
+    bl_parent_id = LandPanel.bl_idname
+    bl_label = "Place"
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        return super().poll(context) and is_placed(context.object.libocean_terrain)
+
+    @never_raises
+    def draw(self, context) -> None:
+        place_labels(self.layout)
+        _draw_parameters(self.layout, context.object.libocean_terrain, PLACED)
+
+
+def _draw_group(layout, settings, group: str) -> None:
+    """Draws the parameters of a group that shapes the land; its switch is in the header."""
+    place_labels(layout)
+    column = layout.column()
+    column.active = is_on(settings, group)
+    _draw_parameters(column, settings, GROUPS[group])
+
+
+class GulliesPanel(_Panel, bpy.types.Panel):
+    """Stripes along the fall line, which shape slopes as rain does"""
+
+    bl_idname = "LIBOCEAN_PT_terrain_gullies"
+    bl_parent_id = TerrainPanel.bl_idname
+    bl_label = "Gullies"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @never_raises
+    def draw_header(self, context) -> None:
+        self.layout.prop(context.object.libocean_terrain, "use_gullies", text="")
+
+    @never_raises
+    def draw(self, context) -> None:
+        _draw_group(self.layout, context.object.libocean_terrain, "gullies")
+
+
+class StreamsPanel(_Panel, bpy.types.Panel):
+    """Valleys that streams cut into a land that exists once"""
+
+    bl_idname = "LIBOCEAN_PT_terrain_stream"
+    bl_parent_id = TerrainPanel.bl_idname
+    bl_label = "Streams"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        return super().poll(context) and is_placed(context.object.libocean_terrain)
+
+    @never_raises
+    def draw_header(self, context) -> None:
+        self.layout.prop(context.object.libocean_terrain, "use_stream", text="")
+
+    @never_raises
+    def draw(self, context) -> None:
+        _draw_group(self.layout, context.object.libocean_terrain, "stream")
+
+
+class ShorePanel(_Panel, bpy.types.Panel):
+    """Beaches and cliffs where a land that exists once meets the water"""
+
+    bl_idname = "LIBOCEAN_PT_terrain_coast"
+    bl_parent_id = TerrainPanel.bl_idname
+    bl_label = "Shore"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        return super().poll(context) and is_placed(context.object.libocean_terrain)
+
+    @never_raises
+    def draw_header(self, context) -> None:
+        self.layout.prop(context.object.libocean_terrain, "use_coast", text="")
+
+    @never_raises
+    def draw(self, context) -> None:
+        _draw_group(self.layout, context.object.libocean_terrain, "coast")
 
 
 class SpectrumPanel(_Panel, bpy.types.Panel):
@@ -203,13 +301,75 @@ class TerrainLookPanel(_Panel, bpy.types.Panel):
         settings = ob.libocean_terrain
         place_labels(layout)
         layout.operator(material.AddTerrainMaterial.bl_idname, text="Material", icon="MATERIAL")
-        if settings.shape == "TILE":
+        if settings.shape == "TILE" and not (settings.use_lod or settings.use_region):
             listed = resolutions.listed("mesh_resolution")
             field(layout, settings, listed, text="Mesh", context=translations.SEA)
-            layout.prop(settings, "tiles")
+            if not is_placed(settings):
+                layout.prop(settings, "tiles")
+        layout.operator(trees.AddTrees.bl_idname, icon="OUTLINER_OB_POINTCLOUD")
         layout.prop(settings, "use_normal")
+        if not is_shaped(settings):
+            layout.prop(settings, "use_slope")
         mask_field(layout, settings, ob)
         layout.prop(settings, "follow_world")
+
+
+class RegionPanel(_Panel, bpy.types.Panel):
+    """A rectangle of the land, at a distance of samples of its own"""
+
+    bl_idname = "LIBOCEAN_PT_terrain_region"
+    bl_parent_id = TerrainLookPanel.bl_idname
+    bl_label = "Region"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        return super().poll(context) and context.object.libocean_terrain.shape == "TILE"
+
+    @never_raises
+    def draw_header(self, context) -> None:
+        settings = context.object.libocean_terrain
+        self.layout.active = not settings.use_lod
+        self.layout.prop(settings, "use_region", text="")
+
+    @never_raises
+    def draw(self, context) -> None:
+        layout, settings = self.layout, context.object.libocean_terrain
+        place_labels(layout)
+        column = layout.column(align=True)
+        column.active = settings.use_region and not settings.use_lod
+        for index, text in enumerate(SIDES):
+            column.prop(settings, "region", index=index, text=text, text_ctxt=translations.SEA)
+        column.separator()
+        column.prop(settings, "region_cell")
+
+
+class DetailPanel(_Panel, bpy.types.Panel):
+    """A mesh that is fine near the scene's camera and coarse far from it"""
+
+    bl_idname = "LIBOCEAN_PT_terrain_lod"
+    bl_parent_id = TerrainLookPanel.bl_idname
+    bl_label = "Level of Detail"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        return super().poll(context) and context.object.libocean_terrain.shape == "TILE"
+
+    @never_raises
+    def draw_header(self, context) -> None:
+        self.layout.prop(context.object.libocean_terrain, "use_lod", text="")
+
+    @never_raises
+    def draw(self, context) -> None:
+        layout, settings = self.layout, context.object.libocean_terrain
+        place_labels(layout)
+        column = layout.column()
+        column.active = settings.use_lod
+        for name in ("lod_spacing", "lod_farthest", "lod_snap"):
+            column.prop(settings, name)
+        if settings.use_lod and context.scene.camera is None:
+            say(layout, tr_label("The scene has no camera: the mesh is a plain one"), "INFO")
 
 
 class GroundPanel(_Panel, bpy.types.Panel):
@@ -243,9 +403,15 @@ class GroundPanel(_Panel, bpy.types.Panel):
 CLASSES = (
     TerrainPanel,
     LandPanel,
+    PlacedPanel,
+    GulliesPanel,
+    StreamsPanel,
+    ShorePanel,
     SpectrumPanel,
     LayersPanel,
     TerrainLookPanel,
+    RegionPanel,
+    DetailPanel,
     GroundPanel,
 )
 

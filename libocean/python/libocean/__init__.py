@@ -33,7 +33,7 @@ from ._library import (
 )
 from ._sea import Sea
 from ._surface import Surface
-from ._terrain import GroundSamples, Terrain, TerrainDomain
+from ._terrain import GroundSamples, Terrain, TerrainDomain, TerrainMesh
 
 __all__ = [
     "CancelledError",
@@ -50,6 +50,7 @@ __all__ = [
     "Surface",
     "Terrain",
     "TerrainDomain",
+    "TerrainMesh",
     "UnsupportedError",
     "Water",
     "foam_texture",

@@ -97,6 +97,23 @@ class RegionRequest(ctypes.Structure):
     ]
 
 
+class MeshRequest(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("x", c_double),
+        ("y", c_double),
+        ("z", c_double),
+        ("ground", c_double),
+        ("farthest", c_double),
+        ("spacing", c_double),
+        ("range", c_double),
+        ("positions", c_void_p),
+        ("vertex_capacity", c_size_t),
+        ("corners", c_void_p),
+        ("triangle_capacity", c_size_t),
+    ]
+
+
 class DomainStruct(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_size_t),
@@ -347,6 +364,12 @@ _SIGNATURES: dict[str, list[Any]] = {
     "ocean_terrain_evaluate": [c_void_p, POINTER(Request)],
     "ocean_terrain_domain": [c_void_p, POINTER(DomainStruct)],
     "ocean_terrain_region": [c_void_p, POINTER(RegionRequest)],
+    "ocean_terrain_mesh": [
+        c_void_p,
+        POINTER(MeshRequest),
+        POINTER(c_size_t),
+        POINTER(c_size_t),
+    ],
     "ocean_terrain_query_points": [c_void_p, POINTER(QueryRequest)],
     "ocean_terrain_stage": [c_void_p, c_char_p, c_void_p, c_size_t],
     "ocean_foam_texture": [

@@ -32,17 +32,21 @@ def outputs_of(maps: list[Map]) -> Any:
     return outputs
 
 
-def _require_layout(array: Array, names: tuple[str, ...]) -> None:
-    """Raises Error for an array that the library cannot write a map into."""
-    shape = (len(array), len(array), len(names))
+def _shape_words(array: Array, columns: int) -> str:
+    return "R, R" if columns == len(array) else f"rows, {columns}"
+
+
+def require_layout(array: Array, names: tuple[str, ...], columns: int) -> None:
+    """Raises Error for an array that the library cannot write a map of so many columns into."""
+    shape = (len(array), columns, len(names))
     rows = array.strides == (array.strides[0], 4 * len(names), 4)
-    whole = rows and array.strides[0] % 4 == 0 and array.strides[0] >= len(array) * shape[2]
+    whole = rows and array.strides[0] % 4 == 0 and array.strides[0] >= 4 * columns * shape[2]
     usable = array.flags.writeable and array.flags.aligned
     if usable and whole and array.dtype == np.float32 and array.shape == shape:
         return
     raise _library.error(
         f"an array of {array.dtype} and shape {array.shape}; needed: float32, "
-        f"rows C-contiguous, writable, (R, R, {len(names)})",
+        f"rows C-contiguous, writable, ({_shape_words(array, columns)}, {len(names)})",
         _library.INVALID_ARGUMENT,
     )
 
@@ -60,7 +64,7 @@ class MapWriter(Handle):
     ) -> None:
         maps = [(array, tuple(names)) for array, names in buffers]
         for array, names in maps:
-            _require_layout(array, names)
+            require_layout(array, names, len(array))
         if len({len(array) for array, _ in maps}) > 1:
             raise _library.error("arrays of different R in one call", _library.INVALID_ARGUMENT)
         if maps:

@@ -14,8 +14,16 @@ import numpy.typing as npt
 
 from . import _library
 from ._answers import SAMPLE, Array, rows_of
-from ._library import DomainStruct, Output, QueryRequest, RegionRequest, call, choose
-from ._maps import MapWriter, outputs_of
+from ._library import (
+    DomainStruct,
+    MeshRequest,
+    Output,
+    QueryRequest,
+    RegionRequest,
+    call,
+    choose,
+)
+from ._maps import MapWriter, outputs_of, require_layout
 from ._surface import PRODUCTS, Surface, channel_number
 
 STAGES = ("noise", "transform", "filter", "filtered", "height")
@@ -44,6 +52,15 @@ class TerrainDomain(NamedTuple):
     """Columns and rows."""
     wraps: bool
     """True for a tile that repeats, False for a land that exists once."""
+
+
+class TerrainMesh(NamedTuple):
+    """Triangles of land that share their vertices."""
+
+    positions: npt.NDArray[np.float64]
+    """(n, 3): x, y, z of the world [m]."""
+    corners: npt.NDArray[np.uint32]
+    """(m, 3): numbers of vertices, counter-clockwise from above."""
 
 
 class Terrain(MapWriter):
@@ -99,16 +116,85 @@ class Terrain(MapWriter):
             channels = tuple(channel_number(channel) for channel in PRODUCTS[name].channels)
             vector = (len(channels),) if len(channels) > 1 else ()
             maps.append((np.empty((rows, columns, *vector), np.float32), channels))
+        self._write_region(origin, samples, cell, maps, turn)
+        return dict(zip(names, (array for array, _ in maps), strict=True))
+
+    def fill_region(
+        self,
+        buffers: Iterable[tuple[Array, Sequence[str]]],
+        origin: tuple[float, float],
+        cell: float,
+        axes: str = "zup",
+    ) -> None:
+        """Writes a region into existing arrays, all together: each of shape (rows, columns, n) with
+        the names of its n channels, 1 to 4 of those of fill() and the terrain's masks; "" leaves a
+        component as it is. The arrays are float32 and of one shape, each row without gaps. The
+        region is as that of region()."""
+        arrays = [(array, tuple(names)) for array, names in buffers]
+        if len({array.shape[:2] for array, _ in arrays}) != 1:
+            raise _library.error("arrays of one shape are needed", _library.INVALID_ARGUMENT)
+        rows, columns = arrays[0][0].shape[:2]
+        for array, names in arrays:
+            require_layout(array, names, columns)
+        maps = [
+            (array, tuple(channel_number(name) if name else -1 for name in names))
+            for array, names in arrays
+        ]
+        turn = choose("axes", axes, _library.AXES)
+        self._write_region(origin, (columns, rows), cell, maps, turn)
+
+    def _write_region(
+        self,
+        origin: tuple[float, float],
+        samples: tuple[int, int],
+        cell: float,
+        maps: list[tuple[Array, tuple[int, ...]]],
+        axes: int,
+    ) -> None:
         outputs = outputs_of(maps)
         for output in outputs:
-            output.axes = turn
+            output.axes = axes
         request = RegionRequest(
             ctypes.sizeof(RegionRequest),
             *(float(origin[0]), float(origin[1]), float(cell)),
-            *(columns, rows, outputs, len(maps), ctypes.sizeof(Output)),
+            *(*samples, outputs, len(maps), ctypes.sizeof(Output)),
         )
         self._call("ocean_terrain_region", ctypes.byref(request))
-        return dict(zip(names, (array for array, _ in maps), strict=True))
+
+    def mesh(
+        self,
+        camera: tuple[float, float, float],
+        *,
+        ground: float | None = None,
+        farthest: float = 150e3,
+        spacing: float = 0.5,
+        range: float = 140.0,  # the word of the C API
+    ) -> TerrainMesh:
+        """Returns the land around a camera as one mesh without cracks, fine near it and coarser by
+        a factor of 2 with each doubling of the distance. ground: the height under the camera [m],
+        from which distances are taken, None: that of the land; farthest: the distance up to which
+        there is a mesh [m]; spacing: of the vertices at the camera [m]; range: the distance at
+        which it has doubled once, in spacings."""
+        if ground is None:
+            ground = float(self.query([camera[:2]]).height[0])
+        request = MeshRequest(
+            ctypes.sizeof(MeshRequest),
+            *(float(part) for part in camera),
+            *(float(ground), float(farthest), float(spacing), float(range)),
+        )
+        counts = ctypes.c_size_t(), ctypes.c_size_t()
+
+        def ask() -> None:
+            self._call("ocean_terrain_mesh", ctypes.byref(request), *map(ctypes.byref, counts))
+
+        with self._lock:
+            ask()
+            positions = np.empty((counts[0].value, 3), np.float64)
+            corners = np.empty((counts[1].value, 3), np.uint32)
+            request.positions, request.vertex_capacity = positions.ctypes.data, len(positions)
+            request.corners, request.triangle_capacity = corners.ctypes.data, len(corners)
+            ask()
+        return TerrainMesh(positions, corners)
 
     def surface(
         self,
