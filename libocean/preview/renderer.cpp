@@ -139,7 +139,12 @@ void Renderer::add(std::shared_ptr<Drawable> drawable) {
 }
 
 Pending Renderer::pending() const {
-    return impl_->water.pending();
+    const Pending ground = impl_->ground ? impl_->ground->pending() : Pending::nothing;
+    return std::max(impl_->water.pending(), ground);
+}
+
+LandStatistics Renderer::land_statistics() const {
+    return impl_->ground ? impl_->ground->statistics() : LandStatistics{};
 }
 
 LeftOut Renderer::left_out() const {

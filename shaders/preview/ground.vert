@@ -2,19 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A vertex of the ground.
-#include "preview/clipmap.glsl"
-#include "preview/ground.glsl"
+#include "preview/land_vertex.glsl"
 
 out vec2 label;
 out vec3 position;
 out float line_share;  // of the lines' colour in the picture
 
-vec3 surface_point(vec2 at, float spacing) { return ground_point(at, spacing); }
-
 void main() {
-    MeshVertex vertex = morphed_vertex();
-    label = vertex.label;
-    position = surface_point(label, vertex.spacing);
-    line_share = share_of_lines(vertex);
+    LandVertex vertex = land_vertex();
+    label = vertex.shown;
+    position = vec3(label, vertex.height - drop_at(label));
+    line_share = share_of_lines(position, vertex.spacing);
     gl_Position = on_screen(position);
 }

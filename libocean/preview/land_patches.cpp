@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "land_patches.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+#include <utility>
+
+#include "wave/wave.hpp"
+
+namespace ocean::preview {
+namespace {
+
+using wave::double_precision::earth_drop, wave::double_precision::horizon_distance;
+
+constexpr double kFarthest = 150e3;  // [m]
+/// Cell of the ground under the eye that distances are measured from [m]: calm as the eye moves.
+constexpr double kCalmCell = 32.0;
+/// A live picture waits for its patches so long.
+constexpr std::chrono::milliseconds kPatience{25};
+/// Pictures that a flight is looked ahead, and the farthest way that is a flight and no jump [m].
+constexpr double kPicturesAhead = 30.0;
+constexpr double kMaxWay = 500.0;
+constexpr std::size_t kMaxAhead = 600;  // patches made in advance at once
+
+double calm_ground(const ShownLand& land, double x, double y) {
+    ThreadPool caller(1);
+    const WorldPoint point{x, y};
+    QuerySample sample{};
+    land.field->query({&point, 1}, {&sample, 1}, kCalmCell, caller);
+    return sample.height;
+}
+
+/// Returns the planes of a frustum in the world, of an eye at (x, y).
+std::array<std::array<double, 4>, 4> planes_of(const Frustum& frustum, double x, double y) {
+    std::array<std::array<double, 4>, 4> planes{};
+    for (std::size_t p = 0; p < planes.size(); ++p) {
+        const glm::dvec4& plane = frustum.planes[p];
+        planes[p] = {plane.x, plane.y, plane.z, plane.w - plane.x * x - plane.y * y};
+    }
+    return planes;
+}
+
+}  // namespace
+
+LandPatches::LandPatches(bool live, int threads)
+    : live_(live),
+      maker_(threads),
+      rows_((QuadtreeSettings{}.patch + 1) * (QuadtreeSettings{}.patch + 1)) {
+    make_grid();
+}
+
+/// Makes the grid of a quarter, whose quads are cut from (0, 0) to (1, 1).
+void LandPatches::make_grid() {
+    const int quads = settings_.patch / 2;
+    std::vector<std::int32_t> grid;
+    for (int j = 0; j <= quads; ++j) {
+        for (int i = 0; i <= quads; ++i) grid.insert(grid.end(), {i, j});
+    }
+    std::vector<std::uint16_t> indices;
+    const auto vertex = [&](int i, int j) {
+        return static_cast<std::uint16_t>(j * (quads + 1) + i);
+    };
+    for (int j = 0; j < quads; ++j) {
+        for (int i = 0; i < quads; ++i) {
+            indices.insert(indices.end(),
+                           {vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j),
+                            vertex(i + 1, j + 1), vertex(i, j + 1)});
+        }
+    }
+    index_count_ = static_cast<int>(indices.size());
+    array_ = gl::make_vertex_array();
+    vertices_ = gl::make_buffer();
+    indices_ = gl::make_buffer();
+    instances_ = gl::make_buffer();
+    glBindVertexArray(array_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(grid.size() * sizeof(grid[0])),
+                 grid.data(), GL_STATIC_DRAW);
+    glEnableVertexAttribArray(0);
+    glVertexAttribIPointer(0, 2, GL_INT, 0, nullptr);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+                 static_cast<GLsizeiptr>(indices.size() * sizeof(indices[0])), indices.data(),
+                 GL_STATIC_DRAW);
+    glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
+    for (GLuint attribute = 1; attribute <= 2; ++attribute) {
+        const std::size_t offset = attribute == 1 ? 0 : sizeof(Instance::place);
+        glEnableVertexAttribArray(attribute);
+        glVertexAttribIPointer(attribute, attribute == 1 ? 4 : 2, GL_INT, sizeof(Instance),
+                               reinterpret_cast<const void*>(offset));
+        glVertexAttribDivisor(attribute, 1);
+    }
+    glBindVertexArray(0);
+}
+
+void LandPatches::show(const ShownLand& land) {
+    land_ = &land;
+    if (land.field == field_) return;
+    field_ = land.field;
+    eye_before_.reset();
+    const LandImage& image = *land.image;
+    ranges_.emplace(image, 1.0 + 2.0 * land.rms_slope * texel_of(land));
+    settings_ = {};
+    const Domain& domain = field_->domain();
+    if (!domain.wraps) {
+        settings_.edge = LandEdge{domain.origin,
+                                  {domain.origin[0] + domain.size[0],
+                                   domain.origin[1] + domain.size[1]}};
+    }
+    maker_.begin({field_, land.mean, settings_});
+    rows_.clear();
+}
+
+double LandPatches::farthest(double eye_height) const {
+    const auto [low, high] = land_->heights;
+    const double seen = 1.05 * (horizon_distance(eye_height - low) + horizon_distance(high - low)) +
+                        std::min(land_->image->period, 1e4);
+    return std::min(seen, kFarthest);
+}
+
+QuadtreeSettings LandPatches::settings_for(double eye_height) const {
+    QuadtreeSettings settings = settings_;
+    settings.farthest = farthest(eye_height);
+    return settings;
+}
+
+void LandPatches::select_seen(const LandView& view) {
+    const double eye_x = view.eye[0], eye_y = view.eye[1];
+    // On the round Earth a square lies lower by the drop at its place.
+    const HeightBounds bounds = [&](double x, double y, double side) {
+        const auto [low, high] = ranges_->in(x, y, side);
+        const double far_x = std::max(std::abs(x - eye_x), std::abs(x + side - eye_x));
+        const double far_y = std::max(std::abs(y - eye_y), std::abs(y + side - eye_y));
+        const double near_x = std::max({x - eye_x, eye_x - x - side, 0.0});
+        const double near_y = std::max({y - eye_y, eye_y - y - side, 0.0});
+        return std::pair{low - static_cast<float>(earth_drop(std::hypot(far_x, far_y))),
+                         high - static_cast<float>(earth_drop(std::hypot(near_x, near_y)))};
+    };
+    select(settings_for(view.eye[2]), view, bounds, patches_);
+}
+
+std::vector<PatchKey> LandPatches::missing() {
+    std::vector<PatchKey> lacking;
+    for (const LandPatch& patch : patches_) {
+        const PatchKey key = node_of(patch);
+        if (!rows_.hold(key)) lacking.push_back(key);
+    }
+    // Coarse squares first: with them alone the mesh is closed.
+    std::ranges::stable_sort(lacking, std::ranges::greater{}, &PatchKey::level);
+    return lacking;
+}
+
+void LandPatches::upload_made() {
+    for (const PatchMaker::Made& made : maker_.take()) rows_.add(made);
+}
+
+/// Requests patches and waits for them, a live picture only for a while unless they are needed
+/// `at_once`.
+void LandPatches::fetch(std::vector<PatchKey> lacking, bool at_once) {
+    std::optional<std::chrono::steady_clock::time_point> until;
+    if (live_ && !at_once) until = std::chrono::steady_clock::now() + kPatience;
+    maker_.request(lacking);
+    do {
+        const bool in_time = maker_.wait(until);
+        upload_made();
+        if (!in_time) return;
+    } while (std::ranges::any_of(lacking,
+                                 [&](const PatchKey& key) { return !rows_.contains(key); }) &&
+             maker_.unfinished() + (maker_.has_made() ? 1 : 0) > 0);
+}
+
+ShownLattice LandPatches::choose(const PictureFrame& frame) {
+    const Camera& camera = frame.camera;
+    const Frustum frustum(frame.projection.clip_from_world, camera.eye[2]);
+    const auto planes = planes_of(frustum, camera.eye[0], camera.eye[1]);
+    LandView view{camera.eye, calm_ground(*land_, camera.eye[0], camera.eye[1]), planes};
+    const double height = std::abs(camera.eye[2] - view.ground);
+    rows_.begin_picture();
+    upload_made();
+    select_seen(view);
+    std::vector<PatchKey> lacking = missing();
+    if (!lacking.empty()) {
+        fetch(lacking, false);
+        lacking = missing();
+    }
+    const std::vector<PatchKey> wanted = lacking;
+    lacks_ = !lacking.empty();
+    for (int level = 0; !lacking.empty(); ++level) {
+        const bool is_last = level + 1 >= settings_.levels;
+        view.ground = camera.eye[2] - std::max(height, 1.001 * settings_.range_of(level));
+        select_seen(view);
+        lacking = missing();
+        if (!is_last || lacking.empty()) continue;
+        fetch(lacking, true);
+        lacking.clear();
+    }
+    ShownLattice lattice{settings_for(camera.eye[2]), {}, camera.eye[2] - view.ground};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        lattice.snapped[axis] =
+            static_cast<std::int64_t>(std::floor(camera.eye[axis] / settings_.spacing));
+    }
+    place_instances(lattice);
+    if (lacks_) {
+        maker_.request(wanted);
+    } else if (live_) {
+        prefetch(view);
+    }
+    eye_before_ = camera.eye;
+    return lattice;
+}
+
+/// Requests the squares all round a place ahead, so that neither a flight nor a turn waits.
+void LandPatches::prefetch(const LandView& view) {
+    LandView later{view.eye, view.ground, {}};
+    if (eye_before_) {
+        std::array<double, 3> way{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            way[axis] = kPicturesAhead * (view.eye[axis] - (*eye_before_)[axis]);
+        }
+        if (std::hypot(way[0], way[1]) < kMaxWay * kPicturesAhead) {
+            for (std::size_t axis = 0; axis < 2; ++axis) later.eye[axis] += way[axis];
+        }
+    }
+    select(settings_for(view.eye[2]), later, {}, ahead_);
+    std::vector<PatchKey> keys;
+    for (const LandPatch& patch : ahead_) {
+        const PatchKey key = node_of(patch);
+        if (!rows_.contains(key)) keys.push_back(key);
+        if (keys.size() >= kMaxAhead) break;
+    }
+    maker_.request(keys);
+}
+
+void LandPatches::place_instances(const ShownLattice& lattice) {
+    placed_.clear();
+    const int half = settings_.patch / 2;
+    for (const LandPatch& patch : patches_) {
+        const PatchKey key = node_of(patch);
+        const std::int64_t side = std::int64_t{settings_.patch} << key.level;
+        Instance instance{};
+        instance.place = {static_cast<std::int32_t>(key.i * side - lattice.snapped[0]),
+                          static_cast<std::int32_t>(key.j * side - lattice.snapped[1]), key.level,
+                          rows_.row(key)};
+        for (int quarter = 0; quarter < 4; ++quarter) {
+            const int i = quarter % 2, j = quarter / 2;
+            if (patch.quarter && (i != (patch.i & 1) || j != (patch.j & 1))) continue;
+            instance.corner = {i * half, j * half};
+            placed_.push_back(instance);
+        }
+    }
+    glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(placed_.size() * sizeof(Instance)),
+                 placed_.data(), GL_STREAM_DRAW);
+    statistics_ = {.patches = patches_.size(),
+                   .triangles = placed_.size() * static_cast<std::size_t>(index_count_ / 3),
+                   .resident_bytes = rows_.bytes(),
+                   .waiting = maker_.unfinished()};
+}
+
+void LandPatches::draw() const {
+    glBindVertexArray(array_.name());
+    glDrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_SHORT, nullptr,
+                            static_cast<GLsizei>(placed_.size()));
+}
+
+Pending LandPatches::pending() const {
+    if (!lacks_) return Pending::nothing;
+    return maker_.has_made() ? Pending::ready : Pending::in_work;
+}
+
+}  // namespace ocean::preview
