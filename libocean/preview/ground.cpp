@@ -14,9 +14,11 @@ namespace {
 constexpr int kWaterCells = 32;       // of a level of the water's mesh, which is flat
 constexpr double kWaterCell = 0.25;   // the finest [m]
 
+/// Returns the bytes of the maps of a land, with their mipmaps.
 std::uint64_t map_bytes(const ShownLand& land) {
+    constexpr std::uint64_t kTexel = 4 * sizeof(float), kMasks = 4;
     const auto side = static_cast<std::uint64_t>(land.image->resolution);
-    return side * side * 4 * sizeof(float) / 3 * 4;  // with mipmaps
+    return side * side * (kTexel + (land.has_masks ? kMasks : 0)) / 3 * 4;
 }
 
 }  // namespace
@@ -28,7 +30,7 @@ std::string ground_defines(int taps) {
 Ground::Ground(const RendererOptions& options)
     : taps_(filter_taps(options)),
       shadow_steps_(options.shadow_steps),
-      patches_(options.live, options.land_threads),
+      patches_(options),
       water_(kWaterCells),
       program_(
           {{GL_VERTEX_SHADER, "preview/ground.vert"}, {GL_FRAGMENT_SHADER, "preview/ground.frag"}},
@@ -41,6 +43,7 @@ Ground::Ground(const RendererOptions& options)
 
 void Ground::show(const ShownLand& land) {
     land_ = &land;
+    map_bytes_ = map_bytes(land);
     patches_.show(land);
     const GLint wrap = land.image->wraps ? GL_REPEAT : GL_CLAMP_TO_EDGE;
     glSamplerParameteri(sampler_.name(), GL_TEXTURE_WRAP_S, wrap);
@@ -53,7 +56,7 @@ double Ground::farthest(const PictureFrame& frame) const {
 
 LandStatistics Ground::statistics() const {
     LandStatistics statistics = patches_.statistics();
-    if (land_ != nullptr) statistics.resident_bytes += map_bytes(*land_);
+    statistics.resident_bytes += map_bytes_;
     return statistics;
 }
 

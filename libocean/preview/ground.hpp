@@ -42,6 +42,7 @@ class Ground : public Drawable {
     gl::Sampler sampler_;
     UniformBlock<LandBlock> block_;
     const ShownLand* land_ = nullptr;
+    std::uint64_t map_bytes_ = 0;
 };
 
 }  // namespace ocean::preview

@@ -218,6 +218,7 @@ struct LandMaps::Impl {
         upload();
         shown = {.texture = texture.name(),
                  .masks = masks.name(),
+                 .has_masks = land.channels().intersects(kEveryMask),
                  .image = image,
                  .field = field,
                  .mean = terrain.is_shaped() ? summary.mean : land.offset(),

@@ -17,11 +17,12 @@ using wave::double_precision::earth_drop, wave::double_precision::horizon_distan
 constexpr double kFarthest = 150e3;  // [m]
 /// Cell of the ground under the eye that distances are measured from [m]: calm as the eye moves.
 constexpr double kCalmCell = 32.0;
-/// A live picture waits for its patches so long.
-constexpr std::chrono::milliseconds kPatience{25};
 /// Pictures that a flight is looked ahead, and the farthest way that is a flight and no jump [m].
 constexpr double kPicturesAhead = 30.0;
 constexpr double kMaxWay = 500.0;
+/// The coarsest level that a picture may lack. Of the levels above it all squares in sight take a few
+/// frames; on meshes that were coarser yet an eye near the ground would be below it.
+constexpr int kMaxLackingLevel = 7;
 constexpr std::size_t kMaxAhead = 600;  // patches made in advance at once
 
 double calm_ground(const ShownLand& land, double x, double y) {
@@ -44,9 +45,10 @@ std::array<std::array<double, 4>, 4> planes_of(const Frustum& frustum, double x,
 
 }  // namespace
 
-LandPatches::LandPatches(bool live, int threads)
-    : live_(live),
-      maker_(threads),
+LandPatches::LandPatches(const RendererOptions& options)
+    : live_(options.live),
+      patience_(options.land_patience),
+      maker_(options.land_threads),
       rows_((QuadtreeSettings{}.patch + 1) * (QuadtreeSettings{}.patch + 1)) {
     make_grid();
 }
@@ -126,19 +128,32 @@ QuadtreeSettings LandPatches::settings_for(double eye_height) const {
     return settings;
 }
 
+std::pair<float, float> LandPatches::bounds(const LandView& view, double x, double y,
+                                            double side) const {
+    const auto [low, high] = ranges_->in(x, y, side);
+    const double left = x - view.eye[0], down = y - view.eye[1];
+    const auto far = [&](double from) { return std::max(std::abs(from), std::abs(from + side)); };
+    const auto near = [&](double from) { return std::max({from, -from - side, 0.0}); };
+    return {low - static_cast<float>(earth_drop(std::hypot(far(left), far(down)))),
+            high - static_cast<float>(earth_drop(std::hypot(near(left), near(down))))};
+}
+
+/// Returns true if a square may be inside the frustum.
+bool LandPatches::sees(const LandView& view, double x, double y, double side) const {
+    const auto [low, high] = bounds(view, x, y, side);
+    return std::ranges::all_of(view.planes, [&](const std::array<double, 4>& plane) {
+        const auto& [a, b, c, d] = plane;
+        return a * (a > 0.0 ? x + side : x) + b * (b > 0.0 ? y + side : y) +
+                   c * static_cast<double>(c > 0.0 ? high : low) + d >=
+               0.0;
+    });
+}
+
 void LandPatches::select_seen(const LandView& view) {
-    const double eye_x = view.eye[0], eye_y = view.eye[1];
-    // On the round Earth a square lies lower by the drop at its place.
-    const HeightBounds bounds = [&](double x, double y, double side) {
-        const auto [low, high] = ranges_->in(x, y, side);
-        const double far_x = std::max(std::abs(x - eye_x), std::abs(x + side - eye_x));
-        const double far_y = std::max(std::abs(y - eye_y), std::abs(y + side - eye_y));
-        const double near_x = std::max({x - eye_x, eye_x - x - side, 0.0});
-        const double near_y = std::max({y - eye_y, eye_y - y - side, 0.0});
-        return std::pair{low - static_cast<float>(earth_drop(std::hypot(far_x, far_y))),
-                         high - static_cast<float>(earth_drop(std::hypot(near_x, near_y)))};
+    const HeightBounds of_square = [&](double x, double y, double side) {
+        return bounds(view, x, y, side);
     };
-    select(settings_for(view.eye[2]), view, bounds, patches_);
+    select(settings_for(view.eye[2]), view, of_square, patches_);
 }
 
 std::vector<PatchKey> LandPatches::missing() {
@@ -159,8 +174,11 @@ void LandPatches::upload_made() {
 /// Requests patches and waits for them, a live picture only for a while unless they are needed
 /// `at_once`.
 void LandPatches::fetch(std::vector<PatchKey> lacking, bool at_once) {
-    std::optional<std::chrono::steady_clock::time_point> until;
-    if (live_ && !at_once) until = std::chrono::steady_clock::now() + kPatience;
+    using std::chrono::steady_clock;
+    std::optional<steady_clock::time_point> until;
+    if (live_ && !at_once) {
+        until = steady_clock::now() + std::chrono::duration_cast<steady_clock::duration>(patience_);
+    }
     maker_.request(lacking);
     do {
         const bool in_time = maker_.wait(until);
@@ -188,7 +206,7 @@ ShownLattice LandPatches::choose(const PictureFrame& frame) {
     const std::vector<PatchKey> wanted = lacking;
     lacks_ = !lacking.empty();
     for (int level = 0; !lacking.empty(); ++level) {
-        const bool is_last = level + 1 >= settings_.levels;
+        const bool is_last = level == std::min(kMaxLackingLevel, settings_.levels - 1);
         view.ground = camera.eye[2] - std::max(height, 1.001 * settings_.range_of(level));
         select_seen(view);
         lacking = missing();
@@ -201,7 +219,7 @@ ShownLattice LandPatches::choose(const PictureFrame& frame) {
         lattice.snapped[axis] =
             static_cast<std::int64_t>(std::floor(camera.eye[axis] / settings_.spacing));
     }
-    place_instances(lattice);
+    place_instances(lattice, view);
     if (lacks_) {
         maker_.request(wanted);
     } else if (live_) {
@@ -233,7 +251,7 @@ void LandPatches::prefetch(const LandView& view) {
     maker_.request(keys);
 }
 
-void LandPatches::place_instances(const ShownLattice& lattice) {
+void LandPatches::place_instances(const ShownLattice& lattice, const LandView& view) {
     placed_.clear();
     const int half = settings_.patch / 2;
     for (const LandPatch& patch : patches_) {
@@ -246,6 +264,11 @@ void LandPatches::place_instances(const ShownLattice& lattice) {
         for (int quarter = 0; quarter < 4; ++quarter) {
             const int i = quarter % 2, j = quarter / 2;
             if (patch.quarter && (i != (patch.i & 1) || j != (patch.j & 1))) continue;
+            const double half_side = settings_.spacing_of(key.level) * half;
+            if (!patch.quarter && !sees(view, static_cast<double>(2 * key.i + i) * half_side,
+                                        static_cast<double>(2 * key.j + j) * half_side, half_side)) {
+                continue;
+            }
             instance.corner = {i * half, j * half};
             placed_.push_back(instance);
         }

@@ -33,7 +33,7 @@ struct ShownLattice {
 class LandPatches {
   public:
     /// live: pictures do not wait for all patches, and those ahead of a flight are made in advance.
-    LandPatches(bool live, int threads);
+    explicit LandPatches(const RendererOptions& options);
 
     /// Draws this land from now on, which must outlive the pictures.
     void show(const ShownLand& land);
@@ -58,15 +58,19 @@ class LandPatches {
 
     void make_grid();
     QuadtreeSettings settings_for(double eye_height) const;
+    /// Returns bounds of the heights in a square, which lies lower by the drop of the round Earth.
+    std::pair<float, float> bounds(const LandView& view, double x, double y, double side) const;
+    bool sees(const LandView& view, double x, double y, double side) const;
     void select_seen(const LandView& view);
     /// Returns the nodes of the selection that are not resident; keeps the others.
     std::vector<PatchKey> missing();
     void fetch(std::vector<PatchKey> lacking, bool at_once);
     void upload_made();
     void prefetch(const LandView& view);
-    void place_instances(const ShownLattice& lattice);
+    void place_instances(const ShownLattice& lattice, const LandView& view);
 
     bool live_;
+    std::chrono::duration<double> patience_;
     const ShownLand* land_ = nullptr;
     std::shared_ptr<const LandField> field_;  // of the resident patches
     std::optional<HeightRanges> ranges_;

@@ -36,6 +36,7 @@ struct ShownLand {
     /// What made the ground, 0 .. 1, with mipmaps: 0.5 + (beach - cliff)/2, streambed, deposit, 0.5 +
     /// wear/2. A land without masks has one texel.
     unsigned masks = 0;
+    bool has_masks = false;
     std::shared_ptr<const LandImage> image;
     std::shared_ptr<const LandField> field;
     double mean = 0.0;                       // [m], of land with a coast above the water

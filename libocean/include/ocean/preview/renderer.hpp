@@ -23,6 +23,8 @@ struct RendererOptions {
     int cells = 96;
     /// Threads that make the patches of land beside the pictures; 0: one for each core.
     int land_threads = 0;
+    /// A live renderer waits for patches of land so long [s]; then it draws with those that it has.
+    double land_patience = 0.025;
     /// Steps of a line towards the sun that finds the shadows of land; 0: no shadows.
     int shadow_steps = 40;
     /// Samples along the longer side of a pixel's footprint; 0: the driver's anisotropic filter on
