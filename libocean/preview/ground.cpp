@@ -76,6 +76,7 @@ void Ground::draw(const PictureFrame& frame) {
     TextureUnits units(PictureFrame::kSkyUnit + 1);
     bind_maps(program_, units);
     units.bind(program_, "patch_heights", GL_TEXTURE_2D, patches_.heights());
+    units.bind(program_, "detail_map", GL_TEXTURE_2D_ARRAY, patches_.slopes());
     patches_.draw();
 }
 

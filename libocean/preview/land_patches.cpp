@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <unordered_set>
 #include <utility>
 
@@ -15,6 +16,8 @@ namespace {
 using wave::double_precision::earth_drop, wave::double_precision::horizon_distance;
 
 constexpr double kFarthest = 150e3;  // [m]
+/// Slopes are made for texels below so many texels of the land's map.
+constexpr double kDetailOfTexel = 0.75;
 /// Cell of the ground under the eye that distances are measured from [m]: calm as the eye moves.
 constexpr double kCalmCell = 32.0;
 /// Pictures that a flight is looked ahead, and the farthest way that is a flight and no jump [m].
@@ -33,6 +36,33 @@ double calm_ground(const ShownLand& land, double x, double y) {
     return sample.height;
 }
 
+/// Returns true if the field has slopes that the map of a land lacks.
+bool has_finer_waves(const ShownLand& land) {
+    constexpr int kPlaces = 256;
+    constexpr double kSlope = 2e-3;  // rms
+    std::vector<WorldPoint> points(kPlaces);
+    for (std::size_t n = 0; n < points.size(); ++n) {
+        // Spread evenly over the map by the fractions of multiples of irrational numbers.
+        const double u = 0.7548776662 * static_cast<double>(n);
+        const double v = 0.5698402910 * static_cast<double>(n);
+        points[n] = {land.image->origin[0] + land.image->period * (u - std::floor(u)),
+                     land.image->origin[1] + land.image->period * (v - std::floor(v))};
+    }
+    ThreadPool caller(1);
+    std::vector<QuerySample> fine(points.size()), coarse(points.size());
+    land.field->query(points, fine, QuadtreeSettings{}.spacing, caller);
+    land.field->query(points, coarse, texel_of(land), caller);
+    double sum = 0.0;
+    for (std::size_t n = 0; n < points.size(); ++n) {
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const double step = fine[n].normal[axis] / fine[n].normal[2] -
+                                coarse[n].normal[axis] / coarse[n].normal[2];
+            sum += step * step;
+        }
+    }
+    return sum > kPlaces * kSlope * kSlope;
+}
+
 /// Returns the planes of a frustum in the world, of an eye at (x, y).
 std::array<std::array<double, 4>, 4> planes_of(const Frustum& frustum, double x, double y) {
     std::array<std::array<double, 4>, 4> planes{};
@@ -48,8 +78,10 @@ std::array<std::array<double, 4>, 4> planes_of(const Frustum& frustum, double x,
 LandPatches::LandPatches(const RendererOptions& options)
     : live_(options.live),
       patience_(options.land_patience),
-      maker_(options.land_threads),
-      rows_((QuadtreeSettings{}.patch + 1) * (QuadtreeSettings{}.patch + 1)) {
+      maker_(options.land_threads, make_patch_heights),
+      detail_maker_(options.land_threads, make_patch_slopes),
+      rows_((QuadtreeSettings{}.patch + 1) * (QuadtreeSettings{}.patch + 1)),
+      layers_(detail_side({})) {
     make_grid();
 }
 
@@ -87,13 +119,15 @@ void LandPatches::make_grid() {
                  static_cast<GLsizeiptr>(indices.size() * sizeof(indices[0])), indices.data(),
                  GL_STATIC_DRAW);
     glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
-    for (GLuint attribute = 1; attribute <= 2; ++attribute) {
-        const std::size_t offset = attribute == 1 ? 0 : sizeof(Instance::place);
+    const auto per_instance = [](GLuint attribute, GLint components, std::size_t offset) {
         glEnableVertexAttribArray(attribute);
-        glVertexAttribIPointer(attribute, attribute == 1 ? 4 : 2, GL_INT, sizeof(Instance),
+        glVertexAttribIPointer(attribute, components, GL_INT, sizeof(Instance),
                                reinterpret_cast<const void*>(offset));
         glVertexAttribDivisor(attribute, 1);
-    }
+    };
+    per_instance(1, 4, offsetof(Instance, place));
+    per_instance(2, 2, offsetof(Instance, corner));
+    per_instance(3, 1, offsetof(Instance, layer));
     glBindVertexArray(0);
 }
 
@@ -112,7 +146,10 @@ void LandPatches::show(const ShownLand& land) {
                                    domain.origin[1] + domain.size[1]}};
     }
     maker_.begin({field_, land.mean, settings_});
-    rows_.clear();
+    detail_maker_.begin({field_, land.mean, settings_});
+    layers_.slots.clear();
+    detail_cell_ = has_finer_waves(land) ? kDetailOfTexel * texel_of(land) : 0.0;
+    rows_.slots.clear();
 }
 
 double LandPatches::farthest(double eye_height) const {
@@ -160,7 +197,7 @@ std::vector<PatchKey> LandPatches::missing() {
     std::vector<PatchKey> lacking;
     for (const LandPatch& patch : patches_) {
         const PatchKey key = node_of(patch);
-        if (!rows_.hold(key)) lacking.push_back(key);
+        if (!rows_.slots.hold(key)) lacking.push_back(key);
     }
     // Coarse squares first: with them alone the mesh is closed.
     std::ranges::stable_sort(lacking, std::ranges::greater{}, &PatchKey::level);
@@ -169,6 +206,7 @@ std::vector<PatchKey> LandPatches::missing() {
 
 void LandPatches::upload_made() {
     for (const PatchMaker::Made& made : maker_.take()) rows_.add(made);
+    for (const PatchMaker::Made& made : detail_maker_.take()) layers_.add(made);
 }
 
 /// Requests patches and waits for them, a live picture only for a while unless they are needed
@@ -185,7 +223,7 @@ void LandPatches::fetch(std::vector<PatchKey> lacking, bool at_once) {
         upload_made();
         if (!in_time) return;
     } while (std::ranges::any_of(lacking,
-                                 [&](const PatchKey& key) { return !rows_.contains(key); }) &&
+                                 [&](const PatchKey& key) { return !rows_.slots.contains(key); }) &&
              maker_.unfinished() + (maker_.has_made() ? 1 : 0) > 0);
 }
 
@@ -195,7 +233,8 @@ ShownLattice LandPatches::choose(const PictureFrame& frame) {
     const auto planes = planes_of(frustum, camera.eye[0], camera.eye[1]);
     LandView view{camera.eye, calm_ground(*land_, camera.eye[0], camera.eye[1]), planes};
     const double height = std::abs(camera.eye[2] - view.ground);
-    rows_.begin_picture();
+    rows_.slots.begin_picture();
+    layers_.slots.begin_picture();
     upload_made();
     select_seen(view);
     std::vector<PatchKey> lacking = missing();
@@ -219,6 +258,7 @@ ShownLattice LandPatches::choose(const PictureFrame& frame) {
         lattice.snapped[axis] =
             static_cast<std::int64_t>(std::floor(camera.eye[axis] / settings_.spacing));
     }
+    fetch_detail();
     place_instances(lattice, view);
     if (lacks_) {
         maker_.request(wanted);
@@ -227,6 +267,34 @@ ShownLattice LandPatches::choose(const PictureFrame& frame) {
     }
     eye_before_ = camera.eye;
     return lattice;
+}
+
+bool LandPatches::has_detail(const PatchKey& key) const {
+    return settings_.spacing_of(key.level) / kTexelsOfQuad < detail_cell_;
+}
+
+/// Requests the slopes of the selected squares, and waits for them unless the pictures are live.
+void LandPatches::fetch_detail() {
+    std::vector<PatchKey> lacking;
+    const auto list = [&] {
+        lacking.clear();
+        for (const LandPatch& patch : patches_) {
+            const PatchKey key = node_of(patch);
+            if (has_detail(key) && !layers_.slots.hold(key)) lacking.push_back(key);
+        }
+    };
+    list();
+    if (!live_ && !lacking.empty()) {
+        detail_maker_.request(lacking);
+        while (detail_maker_.unfinished() > 0 || detail_maker_.has_made()) {
+            detail_maker_.wait({});
+            upload_made();
+        }
+        list();
+    }
+    // Beyond the capacity of a driver they stay without.
+    lacks_detail_ = live_ && !lacking.empty();
+    if (live_) detail_maker_.request(lacking);
 }
 
 /// Requests the squares all round a place ahead, so that neither a flight nor a turn waits.
@@ -245,7 +313,7 @@ void LandPatches::prefetch(const LandView& view) {
     std::vector<PatchKey> keys;
     for (const LandPatch& patch : ahead_) {
         const PatchKey key = node_of(patch);
-        if (!rows_.contains(key)) keys.push_back(key);
+        if (!rows_.slots.contains(key)) keys.push_back(key);
         if (keys.size() >= kMaxAhead) break;
     }
     maker_.request(keys);
@@ -260,7 +328,8 @@ void LandPatches::place_instances(const ShownLattice& lattice, const LandView& v
         Instance instance{};
         instance.place = {static_cast<std::int32_t>(key.i * side - lattice.snapped[0]),
                           static_cast<std::int32_t>(key.j * side - lattice.snapped[1]), key.level,
-                          rows_.row(key)};
+                          rows_.slots.find(key).value_or(0)};
+        instance.layer = has_detail(key) ? layers_.slots.find(key).value_or(-1) : -1;
         for (int quarter = 0; quarter < 4; ++quarter) {
             const int i = quarter % 2, j = quarter / 2;
             if (patch.quarter && (i != (patch.i & 1) || j != (patch.j & 1))) continue;
@@ -278,8 +347,8 @@ void LandPatches::place_instances(const ShownLattice& lattice, const LandView& v
                  placed_.data(), GL_STREAM_DRAW);
     statistics_ = {.patches = patches_.size(),
                    .triangles = placed_.size() * static_cast<std::size_t>(index_count_ / 3),
-                   .resident_bytes = rows_.bytes(),
-                   .waiting = maker_.unfinished()};
+                   .resident_bytes = rows_.bytes() + layers_.bytes(),
+                   .waiting = maker_.unfinished() + detail_maker_.unfinished()};
 }
 
 void LandPatches::draw() const {
@@ -289,8 +358,9 @@ void LandPatches::draw() const {
 }
 
 Pending LandPatches::pending() const {
-    if (!lacks_) return Pending::nothing;
-    return maker_.has_made() ? Pending::ready : Pending::in_work;
+    if (!lacks_ && !lacks_detail_) return Pending::nothing;
+    const bool has_made = (lacks_ && maker_.has_made()) || detail_maker_.has_made();
+    return has_made ? Pending::ready : Pending::in_work;
 }
 
 }  // namespace ocean::preview

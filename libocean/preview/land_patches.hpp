@@ -19,7 +19,7 @@
 #include "height_ranges.hpp"
 #include "ocean/land_quadtree.hpp"
 #include "patch_maker.hpp"
-#include "patch_rows.hpp"
+#include "patch_textures.hpp"
 
 namespace ocean::preview {
 
@@ -45,6 +45,8 @@ class LandPatches {
     void draw() const;
 
     GLuint heights() const { return rows_.texture(); }
+    /// Returns the texture of slopes that the land's map lacks, or 0.
+    GLuint slopes() const { return layers_.texture(); }
     Pending pending() const;
     const LandStatistics& statistics() const { return statistics_; }
 
@@ -54,6 +56,7 @@ class LandPatches {
         std::array<std::int32_t, 4> place;   // corner of the node in level 0 from the snapped eye;
                                              // level; row of its heights
         std::array<std::int32_t, 2> corner;  // of the quarter in the node [vertices]
+        std::int32_t layer;                  // of its slopes, or -1
     };
 
     void make_grid();
@@ -67,6 +70,8 @@ class LandPatches {
     void fetch(std::vector<PatchKey> lacking, bool at_once);
     void upload_made();
     void prefetch(const LandView& view);
+    bool has_detail(const PatchKey& key) const;
+    void fetch_detail();
     void place_instances(const ShownLattice& lattice, const LandView& view);
 
     bool live_;
@@ -75,15 +80,18 @@ class LandPatches {
     std::shared_ptr<const LandField> field_;  // of the resident patches
     std::optional<HeightRanges> ranges_;
     QuadtreeSettings settings_;
-    PatchMaker maker_;
+    PatchMaker maker_, detail_maker_;
     PatchRows rows_;
+    PatchLayers layers_;
+    double detail_cell_ = 0.0;  // texels of slopes are made that are smaller [m]
     gl::VertexArray array_;
     gl::Buffer vertices_, indices_, instances_;
     int index_count_ = 0;
     std::vector<LandPatch> patches_, ahead_;
     std::vector<Instance> placed_;
     std::optional<std::array<double, 3>> eye_before_;
-    bool lacks_ = false;  // the last picture lacks patches
+    bool lacks_ = false;         // the last picture lacks patches
+    bool lacks_detail_ = false;  // or their slopes
     LandStatistics statistics_;
 };
 

@@ -36,7 +36,7 @@ PatchKey node_of(const LandPatch& patch) {
     return {patch.level, patch.i >> 1, patch.j >> 1};
 }
 
-PatchHeights make_patch_heights(const PatchSource& source, const PatchKey& key, ThreadPool& pool) {
+PatchValues make_patch_heights(const PatchSource& source, const PatchKey& key, ThreadPool& pool) {
     const int quads = source.settings.patch;
     const double spacing = source.settings.spacing_of(key.level);
     const double x = static_cast<double>(key.i * quads) * spacing;
@@ -49,7 +49,7 @@ PatchHeights make_patch_heights(const PatchSource& source, const PatchKey& key, 
             coarse[static_cast<std::size_t>(j / 2) * static_cast<std::size_t>(quads / 2 + 1) +
                    static_cast<std::size_t>(i / 2)]);
     };
-    PatchHeights heights;
+    PatchValues heights;
     heights.reserve(2 * own.size());
     for (int j = 0; j <= quads; ++j) {
         for (int i = 0; i <= quads; ++i) {
@@ -63,9 +63,54 @@ PatchHeights make_patch_heights(const PatchSource& source, const PatchKey& key, 
     return heights;
 }
 
-PatchMaker::PatchMaker(int threads)
+PatchValues make_patch_slopes(const PatchSource& source, const PatchKey& key, ThreadPool& pool) {
+    const QuadtreeSettings& settings = source.settings;
+    int side = detail_side(settings);
+    const double texel = settings.spacing_of(key.level) / kTexelsOfQuad;
+    const double first = (0.5 - kBorder) * texel, length = (side - 1) * texel;
+    const double node = settings.patch * settings.spacing_of(key.level);
+    const Domain region{{static_cast<double>(key.i) * node + first,
+                         static_cast<double>(key.j) * node + first},
+                        {length, length},
+                        {side, side},
+                        false};
+    constexpr int kComponents = 3;
+    const auto texels = [](int n) { return static_cast<std::size_t>(n) * static_cast<std::size_t>(n); };
+    PatchValues values(kComponents * texels(side));
+    MapOutput output{values.data(), kComponents, {}};
+    output.component[0].quantity = Channel::slope_x;
+    output.component[1].quantity = Channel::slope_y;
+    source.field->write(region, {&output, 1}, pool);
+    for (std::size_t i = 0; i < values.size(); i += kComponents) {
+        values[i + 2] = values[i] * values[i] + values[i + 1] * values[i + 1];
+    }
+    std::size_t finer = 0;  // where that mipmap begins
+    for (int mip = 1; mip < kDetailMips; ++mip, side /= 2) {
+        const int half = side / 2;
+        const std::size_t begin = values.size();
+        values.resize(begin + kComponents * texels(half));
+        for (int j = 0; j < half; ++j) {
+            for (int i = 0; i < half; ++i) {
+                for (int c = 0; c < kComponents; ++c) {
+                    const auto of = [&](int column, int row) {
+                        return values[finer + static_cast<std::size_t>(
+                                                  kComponents * (row * side + column) + c)];
+                    };
+                    values[begin + static_cast<std::size_t>(kComponents * (j * half + i) + c)] =
+                        0.25f * (of(2 * i, 2 * j) + of(2 * i + 1, 2 * j) + of(2 * i, 2 * j + 1) +
+                                 of(2 * i + 1, 2 * j + 1));
+                }
+            }
+        }
+        finer = begin;
+    }
+    return values;
+}
+
+PatchMaker::PatchMaker(int threads, MakePatch make)
     : threads_(threads > 0 ? threads
-                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))) {}
+                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
+      make_(make) {}
 
 PatchMaker::~PatchMaker() {
     {
@@ -137,10 +182,10 @@ void PatchMaker::work() {
         const PatchSource source = source_;
         const std::uint64_t generation = generation_;
         lock.unlock();
-        PatchHeights heights;
+        PatchValues values;
         std::exception_ptr failure;
         try {
-            heights = make_patch_heights(source, key, caller);
+            values = make_(source, key, caller);
         } catch (...) {
             failure = std::current_exception();
         }
@@ -150,7 +195,7 @@ void PatchMaker::work() {
         if (failure) {
             failure_ = failure;
         } else {
-            made_.push_back({key, std::move(heights)});
+            made_.push_back({key, std::move(values)});
         }
         done_.notify_all();
     }

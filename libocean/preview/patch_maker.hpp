@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Heights of the vertices of patches, made by threads of their own while pictures are drawn.
+// The numbers of patches, heights of vertices and slopes between them, made by threads of their own
+// while pictures are drawn.
 #pragma once
 
 #include <chrono>
@@ -52,21 +53,36 @@ struct PatchSource {
     QuadtreeSettings settings = {};
 };
 
-/// The heights of a node: for each of its (patch + 1)^2 vertices, row by row, its own and that of
-/// the next level's mesh at its label [m]. land_quadtree.hpp calls them h and c.
-using PatchHeights = std::vector<float>;
-/// Returns the heights of a node. A vertex that several nodes have has the same bits in each.
-PatchHeights make_patch_heights(const PatchSource& source, const PatchKey& key, ThreadPool& pool);
+/// The numbers of a node.
+using PatchValues = std::vector<float>;
+using MakePatch = PatchValues (*)(const PatchSource& source, const PatchKey& key, ThreadPool& pool);
+
+/// Returns the heights of a node: for each of its (patch + 1)^2 vertices, row by row, its own and that of
+/// the next level's mesh at its label [m]. land_quadtree.hpp calls them h and c. A vertex that several nodes
+/// have has the same bits in each.
+PatchValues make_patch_heights(const PatchSource& source, const PatchKey& key, ThreadPool& pool);
+
+/// The texels of the slopes of a node: kTexelsOfQuad along a quad, kBorder more around the node, and
+/// kDetailMips mipmaps, the border of the last of which is half a texel.
+inline constexpr int kTexelsOfQuad = 4;
+inline constexpr int kBorder = 4;
+inline constexpr int kDetailMips = 4;
+/// Returns texels along a side of the finest one.
+constexpr int detail_side(const QuadtreeSettings& settings) {
+    return kTexelsOfQuad * settings.patch + 2 * kBorder;
+}
+/// Returns slope x, slope y and the square of the slope of each texel, mipmap after mipmap.
+PatchValues make_patch_slopes(const PatchSource& source, const PatchKey& key, ThreadPool& pool);
 
 class PatchMaker {
   public:
     struct Made {
         PatchKey key;
-        PatchHeights heights;
+        PatchValues values;
     };
 
     /// threads: 0 = one for each core.
-    explicit PatchMaker(int threads);
+    PatchMaker(int threads, MakePatch make);
     ~PatchMaker();
     PatchMaker(const PatchMaker&) = delete;
     PatchMaker& operator=(const PatchMaker&) = delete;
@@ -91,6 +107,7 @@ class PatchMaker {
     bool is_idle() const { return waiting_.empty() && in_work_.empty(); }
 
     int threads_;
+    MakePatch make_;
     mutable std::mutex mutex_;
     std::condition_variable wake_, done_;
     PatchSource source_;

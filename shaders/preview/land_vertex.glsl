@@ -10,6 +10,7 @@
 layout(location = 0) in ivec2 grid;    // of a quarter of a node
 layout(location = 1) in ivec4 place;   // corner of the node, in level 0; level; row of its heights
 layout(location = 2) in ivec2 corner;  // of the quarter in the node
+layout(location = 3) in int slopes_layer;
 
 const int vertices_along = 17;  // a node
 
@@ -19,6 +20,7 @@ struct LandVertex {
     vec2 shown;     // relative to the eye [m]
     float height;   // [m]
     float spacing;  // [m]
+    float share;    // of the next level's mesh
 };
 
 vec2 label_at(ivec2 vertex) {
@@ -40,24 +42,33 @@ LandVertex land_vertex() {
     bool coarsest = place.z >= int(morphing.w);
     if (!coarsest && sqrt(squared) >= morphing.z) {
         ivec2 end = odd.x * odd.y == 1 ? first : last;
-        return LandVertex(label_at(end), heights_at(end).y, spacing);
+        return LandVertex(label_at(end), heights_at(end).y, spacing, 1.0);
     }
     float share = coarsest ? 0.0 : clamp((squared - morphing.x) * morphing.y, 0.0, 1.0);
     vec2 both = heights_at(vertex);
-    if (share == 0.0) return LandVertex(shown, both.x, spacing);
+    if (share == 0.0) return LandVertex(shown, both.x, spacing, 0.0);
     if (edge.z < 1e29) shown += share * (0.5 * (label_at(first) + label_at(last)) - shown);
-    return LandVertex(shown, share == 1.0 ? both.y : both.x + share * (both.y - both.x), spacing);
+    return LandVertex(shown, share == 1.0 ? both.y : both.x + share * (both.y - both.x), spacing,
+                      share);
+}
+
+// Returns a direction from the eye to a vertex of the patch, in pixels.
+vec3 sight_of(ivec2 vertex) {
+    vec2 at = label_at(vertex);
+    vec3 point = vec3(at, heights_at(vertex).x - drop_at(at) - eye.z);
+    return normalize(point) / look.z;
 }
 
 // Returns the share of a quad's lines in the picture, as clipmap.glsl: 1 for surfaces and where the
-// lines lie four pixels apart, 0 at two pixels.
-float share_of_lines(vec3 position, float spacing) {
+// lines lie three pixels apart, 0 at one.
+float share_of_lines() {
     if (colours.y == 0) return 1.0;
-    vec3 from_eye = position - vec3(0.0, 0.0, eye.z);
-    vec3 here = normalize(from_eye) / look.z;
-    vec3 a = normalize(from_eye + vec3(spacing, 0.0, 0.0)) / look.z - here;
-    vec3 b = normalize(from_eye + vec3(0.0, spacing, 0.0)) / look.z - here;
+    ivec2 vertex = corner + grid;
+    ivec2 step_to = 1 - 2 * ivec2(equal(vertex, ivec2(vertices_along - 1)));
+    vec3 here = sight_of(vertex);
+    vec3 a = sight_of(vertex + ivec2(step_to.x, 0)) - here;
+    vec3 b = sight_of(vertex + ivec2(0, step_to.y)) - here;
     float longest = sqrt(max(dot(a + b, a + b), max(dot(a, a), dot(b, b))));
     float apart = length(cross(a, b)) / max(longest, 1e-6);
-    return smoothstep(2.0, 4.0, apart);
+    return smoothstep(1.2, 3.0, apart);
 }
