@@ -11,8 +11,8 @@
 namespace ocean::preview {
 namespace {
 
-constexpr int kWaterCells = 32;       // of a level of the water's mesh, which is flat
-constexpr double kWaterCell = 0.25;   // the finest [m]
+constexpr int kWaterCells = 32;      // of a level of the water's mesh, which is flat
+constexpr double kWaterCell = 0.25;  // the finest [m]
 
 /// Returns the bytes of the maps of a land, with their mipmaps.
 std::uint64_t map_bytes(const ShownLand& land) {
@@ -86,12 +86,11 @@ void Ground::draw_water(const PictureFrame& frame) {
     water_program_.use();
     TextureUnits units(PictureFrame::kSkyUnit + 1);
     bind_maps(water_program_, units);
-    water_.draw(water_program_, glm::dvec3(camera.eye[0], camera.eye[1], over), kWaterCell,
-                Frustum(frame.projection.clip_from_world, camera.eye[2]),
-                {.sideways = 0.0,
-                 .up = std::abs(*land_->water_level) + 0.1,
-                 .farthest = farthest(frame)},
-                frame.options.wireframe);
+    water_.draw(
+        water_program_, glm::dvec3(camera.eye[0], camera.eye[1], over), kWaterCell,
+        Frustum(frame.projection.clip_from_world, camera.eye[2]),
+        {.sideways = 0.0, .up = std::abs(*land_->water_level) + 0.1, .farthest = farthest(frame)},
+        frame.options.wireframe);
 }
 
 }  // namespace ocean::preview

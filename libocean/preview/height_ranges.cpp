@@ -32,9 +32,9 @@ void HeightRanges::add_finest(const LandImage& image, float margin) {
     for (int b = 0; b < side; ++b) {
         for (int a = 0; a < side; ++a) {
             const auto sample = [&](int i, int j) {
-                const auto at = static_cast<std::size_t>(inside(b * kBlock + j)) *
-                                    static_cast<std::size_t>(n) +
-                                static_cast<std::size_t>(inside(a * kBlock + i));
+                const auto at =
+                    static_cast<std::size_t>(inside(b * kBlock + j)) * static_cast<std::size_t>(n) +
+                    static_cast<std::size_t>(inside(a * kBlock + i));
                 return image.texels[kComponents * at];
             };
             Range range{sample(0, 0), sample(0, 0)};
@@ -60,8 +60,7 @@ void HeightRanges::add_coarser() {
                 const auto row = static_cast<std::size_t>(std::min(2 * b + j, fine.side - 1));
                 return fine.ranges[row * static_cast<std::size_t>(fine.side) + column];
             };
-            level.ranges.push_back(
-                joined(joined(of(0, 0), of(1, 0)), joined(of(0, 1), of(1, 1))));
+            level.ranges.push_back(joined(joined(of(0, 0), of(1, 0)), joined(of(0, 1), of(1, 1))));
         }
     }
     levels_.push_back(std::move(level));

@@ -23,8 +23,8 @@ class HeightRanges {
   private:
     using Range = std::pair<float, float>;
     struct Level {
-        int side;       // blocks along a side
-        double block;   // [m]
+        int side;      // blocks along a side
+        double block;  // [m]
         std::vector<Range> ranges;
     };
     static constexpr int kBlock = 8;  // samples along a side of the smallest block

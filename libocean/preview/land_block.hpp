@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The uniform block of shaders/preview/land_block.glsl, which says what each value is: map, colours,
-// cover noise and lattice of vertices of a picture of land, with places that are reckoned in double
-// where the eye is far from the origin.
+// The uniform block of shaders/preview/land_block.glsl, which says what each value is: map,
+// colours, cover noise and lattice of vertices of a picture of land, with places that are reckoned
+// in double where the eye is far from the origin.
 #pragma once
 
 #include <array>

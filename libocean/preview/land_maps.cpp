@@ -68,8 +68,8 @@ Summary complete(std::vector<float>& texels, double level) {
     return summary;
 }
 
-/// Returns the square of a placed land's map, along its longer side: beyond the shorter one it holds
-/// the edge.
+/// Returns the square of a placed land's map, along its longer side: beyond the shorter one it
+/// holds the edge.
 Domain map_of_placed(const Land& land, int resolution) {
     const Domain own = land.domain();
     const double side = std::max(own.size[0], own.size[1]);
@@ -172,8 +172,8 @@ double colour_scale(const ShownLand& land) {
 }
 
 double default_snow_line(const ShownLand& land) {
-    constexpr double kRise = 1.3;
-    return land.mean + kRise * colour_scale(land);
+    constexpr double kRise = 1.3, kRiseByTheSea = 3.0;
+    return land.mean + (land.water_level ? kRiseByTheSea : kRise) * colour_scale(land);
 }
 
 int land_map_resolution(const Terrain& terrain, bool quick) {
@@ -231,8 +231,8 @@ struct LandMaps::Impl {
 
     void make_shaped(Land& land, const MapOutput& ground) {
         const int resolution = image->resolution;
-        const Domain domain = land.terrain().is_placed() ? map_of_placed(land, resolution)
-                                                         : land.domain(resolution);
+        const Domain domain =
+            land.terrain().is_placed() ? map_of_placed(land, resolution) : land.domain(resolution);
         image->period = domain.step(0) * resolution;
         image->origin = domain.origin;
         image->wraps = domain.wraps;

@@ -23,8 +23,8 @@ constexpr double kCalmCell = 32.0;
 /// Pictures that a flight is looked ahead, and the farthest way that is a flight and no jump [m].
 constexpr double kPicturesAhead = 30.0;
 constexpr double kMaxWay = 500.0;
-/// The coarsest level that a picture may lack. Of the levels above it all squares in sight take a few
-/// frames; on meshes that were coarser yet an eye near the ground would be below it.
+/// The coarsest level that a picture may lack. Of the levels above it all squares in sight take a
+/// few frames; on meshes that were coarser yet an eye near the ground would be below it.
 constexpr int kMaxLackingLevel = 7;
 constexpr std::size_t kMaxAhead = 600;  // patches made in advance at once
 
@@ -98,9 +98,8 @@ void LandPatches::make_grid() {
     };
     for (int j = 0; j < quads; ++j) {
         for (int i = 0; i < quads; ++i) {
-            indices.insert(indices.end(),
-                           {vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j),
-                            vertex(i + 1, j + 1), vertex(i, j + 1)});
+            indices.insert(indices.end(), {vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1),
+                                           vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
         }
     }
     index_count_ = static_cast<int>(indices.size());
@@ -141,9 +140,8 @@ void LandPatches::show(const ShownLand& land) {
     settings_ = {};
     const Domain& domain = field_->domain();
     if (!domain.wraps) {
-        settings_.edge = LandEdge{domain.origin,
-                                  {domain.origin[0] + domain.size[0],
-                                   domain.origin[1] + domain.size[1]}};
+        settings_.edge = LandEdge{
+            domain.origin, {domain.origin[0] + domain.size[0], domain.origin[1] + domain.size[1]}};
     }
     maker_.begin({field_, land.mean, settings_});
     detail_maker_.begin({field_, land.mean, settings_});
@@ -334,8 +332,9 @@ void LandPatches::place_instances(const ShownLattice& lattice, const LandView& v
             const int i = quarter % 2, j = quarter / 2;
             if (patch.quarter && (i != (patch.i & 1) || j != (patch.j & 1))) continue;
             const double half_side = settings_.spacing_of(key.level) * half;
-            if (!patch.quarter && !sees(view, static_cast<double>(2 * key.i + i) * half_side,
-                                        static_cast<double>(2 * key.j + j) * half_side, half_side)) {
+            if (!patch.quarter &&
+                !sees(view, static_cast<double>(2 * key.i + i) * half_side,
+                      static_cast<double>(2 * key.j + j) * half_side, half_side)) {
                 continue;
             }
             instance.corner = {i * half, j * half};

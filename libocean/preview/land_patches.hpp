@@ -5,8 +5,8 @@
 // of their vertices in a texture, drawn as instances of one small grid.
 //
 // Heights are made by other threads. A picture that cannot wait for all of them is drawn as from an
-// eye that is so high that it has no squares of the levels that lack some: coarser near the eye, but
-// closed, because selection and morph see the same eye.
+// eye that is so high that it has no squares of the levels that lack some: coarser near the eye,
+// but closed, because selection and morph see the same eye.
 #pragma once
 
 #include <array>

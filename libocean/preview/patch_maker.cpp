@@ -69,13 +69,15 @@ PatchValues make_patch_slopes(const PatchSource& source, const PatchKey& key, Th
     const double texel = settings.spacing_of(key.level) / kTexelsOfQuad;
     const double first = (0.5 - kBorder) * texel, length = (side - 1) * texel;
     const double node = settings.patch * settings.spacing_of(key.level);
-    const Domain region{{static_cast<double>(key.i) * node + first,
-                         static_cast<double>(key.j) * node + first},
-                        {length, length},
-                        {side, side},
-                        false};
+    const Domain region{
+        {static_cast<double>(key.i) * node + first, static_cast<double>(key.j) * node + first},
+        {length, length},
+        {side, side},
+        false};
     constexpr int kComponents = 3;
-    const auto texels = [](int n) { return static_cast<std::size_t>(n) * static_cast<std::size_t>(n); };
+    const auto texels = [](int n) {
+        return static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
+    };
     PatchValues values(kComponents * texels(side));
     MapOutput output{values.data(), kComponents, {}};
     output.component[0].quantity = Channel::slope_x;

@@ -57,13 +57,13 @@ struct PatchSource {
 using PatchValues = std::vector<float>;
 using MakePatch = PatchValues (*)(const PatchSource& source, const PatchKey& key, ThreadPool& pool);
 
-/// Returns the heights of a node: for each of its (patch + 1)^2 vertices, row by row, its own and that of
-/// the next level's mesh at its label [m]. land_quadtree.hpp calls them h and c. A vertex that several nodes
-/// have has the same bits in each.
+/// Returns the heights of a node: for each of its (patch + 1)^2 vertices, row by row, its own and
+/// that of the next level's mesh at its label [m]. land_quadtree.hpp calls them h and c. A vertex
+/// that several nodes have has the same bits in each.
 PatchValues make_patch_heights(const PatchSource& source, const PatchKey& key, ThreadPool& pool);
 
-/// The texels of the slopes of a node: kTexelsOfQuad along a quad, kBorder more around the node, and
-/// kDetailMips mipmaps, the border of the last of which is half a texel.
+/// The texels of the slopes of a node: kTexelsOfQuad along a quad, kBorder more around the node,
+/// and kDetailMips mipmaps, the border of the last of which is half a texel.
 inline constexpr int kTexelsOfQuad = 4;
 inline constexpr int kBorder = 4;
 inline constexpr int kDetailMips = 4;

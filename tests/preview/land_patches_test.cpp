@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Claims: the vertices that the GPU shows are those of land_vertex(), with the heights of the field;
-// they meet bit by bit; a live picture without its patches is coarser and has no holes; textures and
-// triangles stay within their bounds; land that exists once ends at its edge, in water if it has a
-// coast.
+// Claims: the vertices that the GPU shows are those of land_vertex(), with the heights of the
+// field; they meet bit by bit; a live picture without its patches is coarser and has no holes;
+// textures and triangles stay within their bounds; land that exists once ends at its edge, in water
+// if it has a coast.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -52,8 +52,8 @@ struct GpuVertex {
     float label[2];
 };
 
-/// Reads the vertices of the last picture back: they are drawn once more, by the vertex shader of the
-/// ground with the bindings that the picture has left.
+/// Reads the vertices of the last picture back: they are drawn once more, by the vertex shader of
+/// the ground with the bindings that the picture has left.
 class VertexReader {
   public:
     VertexReader() {
@@ -157,9 +157,9 @@ TEST_F(LandPatchesTest, ShownVerticesAreThoseOfTheQuadtreeWithTheHeightsOfTheFie
         settings.farthest = 3000.0;
         const Domain& domain = shown.field->domain();
         if (!domain.wraps) {
-            settings.edge = LandEdge{domain.origin,
-                                     {domain.origin[0] + domain.size[0],
-                                      domain.origin[1] + domain.size[1]}};
+            settings.edge =
+                LandEdge{domain.origin,
+                         {domain.origin[0] + domain.size[0], domain.origin[1] + domain.size[1]}};
         }
         QuerySample calm{};
         const WorldPoint place{camera.eye[0], camera.eye[1]};
@@ -185,8 +185,8 @@ TEST_F(LandPatchesTest, ShownVerticesAreThoseOfTheQuadtreeWithTheHeightsOfTheFie
             if (found == heights.end()) continue;
             const double x = static_cast<double>(v.label[0]), y = static_cast<double>(v.label[1]);
             const double drop = (x * x + y * y) / (2.0 * 6371000.0);
-            worst = std::max(worst, std::abs(static_cast<double>(v.position[2]) + drop -
-                                             found->second));
+            worst = std::max(worst,
+                             std::abs(static_cast<double>(v.position[2]) + drop - found->second));
             ++compared;
         }
         EXPECT_LT(worst, 1e-5 * *terrain.rms);
@@ -337,7 +337,8 @@ TEST_F(LandPatchesTest, RangesHoldTheHeightsOfTheirSquares) {
             const double x = 731.0 * n - 60e3, y = 17e3 - 293.0 * n;
             const auto [low, high] = ranges.in(x, y, side);
             for (int p = 0; p < 20; ++p) {
-                const double height = shown.ground_at(x + side * (p % 5) / 4.0, y + side * p / 19.0);
+                const double height =
+                    shown.ground_at(x + side * (p % 5) / 4.0, y + side * p / 19.0);
                 ASSERT_GE(height, static_cast<double>(low)) << n;
                 ASSERT_LE(height, static_cast<double>(high)) << n;
             }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A terrain for the renderer: its function, whose heights the patches of the mesh have, and textures
-// of its ground, from which colours, normals and shadows are read.
+// A terrain for the renderer: its function, whose heights the patches of the mesh have, and
+// textures of its ground, from which colours, normals and shadows are read.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@ struct LandImage {
     /// Height [m], slope x, slope y and square of the slope of each sample, row-major [j][i].
     std::vector<float> texels;
     int resolution = 0;
-    double period = 0.0;              // resolution times the distance of samples [m]
-    std::array<double, 2> origin{};   // of sample (0, 0) [m]
+    double period = 0.0;             // resolution times the distance of samples [m]
+    std::array<double, 2> origin{};  // of sample (0, 0) [m]
     bool wraps = true;
 
     /// Returns the height of the bicubic Hermite patch with the heights and slopes of its four
@@ -33,8 +33,8 @@ struct LandImage {
 /// A terrain. Its textures are valid until the next show() of its LandMaps.
 struct ShownLand {
     unsigned texture = 0;  // the texels of the image, with mipmaps that are means
-    /// What made the ground, 0 .. 1, with mipmaps: 0.5 + (beach - cliff)/2, streambed, deposit, 0.5 +
-    /// wear/2. A land without masks has one texel.
+    /// What made the ground, 0 .. 1, with mipmaps: 0.5 + (beach - cliff)/2, streambed, deposit, 0.5
+    /// + wear/2. A land without masks has one texel.
     unsigned masks = 0;
     bool has_masks = false;
     std::shared_ptr<const LandImage> image;
@@ -59,12 +59,12 @@ double texel_of(const ShownLand& land);
 /// Returns the height that the colours of land scale with [m]: its rms height, of flat land 1 m.
 double colour_scale(const ShownLand& land);
 /// Returns the height above which snow lies on level ground by default [m]: 1.3 colour scales above
-/// the mean.
+/// the mean, 3 of land with a coast.
 double default_snow_line(const ShownLand& land);
 
 /// Returns the default samples along a side of a terrain's map: twice its own, so that cubic
-/// patches follow its shortest waves, up to 4096; of a land with erosion, a shore or a place its own,
-/// up to 2048. `quick`: its own, up to 1024, for machines that draw without a GPU.
+/// patches follow its shortest waves, up to 4096; of a land with erosion, a shore or a place its
+/// own, up to 2048. `quick`: its own, up to 1024, for machines that draw without a GPU.
 int land_map_resolution(const Terrain& terrain, bool quick);
 
 /// Needs the context that was current when it was made to be current in every call, the destructor
