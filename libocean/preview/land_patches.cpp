@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <unordered_set>
+#include <thread>
 #include <utility>
 
 #include "wave/wave.hpp"
@@ -27,6 +27,13 @@ constexpr double kMaxWay = 500.0;
 /// few frames; on meshes that were coarser yet an eye near the ground would be below it.
 constexpr int kMaxLackingLevel = 7;
 constexpr std::size_t kMaxAhead = 600;  // patches made in advance at once
+
+/// Returns the threads that make patches: beside live pictures one core is left to draw them.
+int makers_of(const RendererOptions& options) {
+    if (options.land_threads > 0) return options.land_threads;
+    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    return std::max(1, options.live ? cores - 1 : cores);
+}
 
 double calm_ground(const ShownLand& land, double x, double y) {
     ThreadPool caller(1);
@@ -78,8 +85,8 @@ std::array<std::array<double, 4>, 4> planes_of(const Frustum& frustum, double x,
 LandPatches::LandPatches(const RendererOptions& options)
     : live_(options.live),
       patience_(options.land_patience),
-      maker_(options.land_threads, make_patch_heights),
-      detail_maker_(options.land_threads, make_patch_slopes),
+      maker_(makers_of(options), make_patch_heights),
+      detail_maker_(makers_of(options), make_patch_slopes),
       rows_((QuadtreeSettings{}.patch + 1) * (QuadtreeSettings{}.patch + 1)),
       layers_(detail_side({})) {
     make_grid();

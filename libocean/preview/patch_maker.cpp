@@ -109,10 +109,7 @@ PatchValues make_patch_slopes(const PatchSource& source, const PatchKey& key, Th
     return values;
 }
 
-PatchMaker::PatchMaker(int threads, MakePatch make)
-    : threads_(threads > 0 ? threads
-                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
-      make_(make) {}
+PatchMaker::PatchMaker(int threads, MakePatch make) : threads_(threads), make_(make) {}
 
 PatchMaker::~PatchMaker() {
     {

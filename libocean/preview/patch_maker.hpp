@@ -81,7 +81,6 @@ class PatchMaker {
         PatchValues values;
     };
 
-    /// threads: 0 = one for each core.
     PatchMaker(int threads, MakePatch make);
     ~PatchMaker();
     PatchMaker(const PatchMaker&) = delete;

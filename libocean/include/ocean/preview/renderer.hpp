@@ -21,7 +21,8 @@ struct RendererOptions {
     /// Cells of a level of the mesh from the eye to its edge: a multiple of 8, 16 .. 512. A cell is
     /// seen under an angle of 1/cells to 2/cells.
     int cells = 96;
-    /// Threads that make the patches of land beside the pictures; 0: one for each core.
+    /// Threads that make the patches of land beside the pictures; 0: one for each core,
+    /// of a live renderer one less.
     int land_threads = 0;
     /// A live renderer waits for patches of land so long [s]; then it draws with those that it has.
     double land_patience = 0.025;
