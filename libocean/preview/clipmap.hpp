@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The mesh of water and ground: nested levels of a square grid around the eye, each twice as coarse
+// The mesh of water: nested levels of a square grid around the eye, each twice as coarse
 // as the one inside it. A level stands on a lattice of its own that never moves, and is morphed
 // into the next one where it ends [Losasso and Hoppe 2004], so that water neither swims nor jumps.
 #pragma once

@@ -56,7 +56,7 @@ FrameBlock make_frame_block(const Camera& camera, const Look& look, const DrawOp
     block.look = glm::vec4(look.exposure, look.visibility,
                            projection.pixel_angle / std::sqrt(options.shaded_samples),
                            options.linear ? 1.0 : 0.0);
-    block.view = glm::ivec4(static_cast<int>(options.view));
+    block.view = glm::ivec4(static_cast<int>(options.view), 1, 0, 0);
     set_sky(block, camera, look);
     set_water_body(block, water_type(look.water_type));
     if (is_seed(look, options)) {

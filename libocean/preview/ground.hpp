@@ -1,20 +1,21 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Land as a drawable: the repeated tile to its horizon on the clipmap.
+// Land as a drawable: the ground to its horizon on the patches of the quadtree, and the water of a
+// land with a coast.
 #pragma once
 
 #include <string>
 
-#include "clipmap.hpp"
 #include "drawable.hpp"
 #include "land_block.hpp"
+#include "land_patches.hpp"
 #include "texture_units.hpp"
 
 namespace ocean::preview {
 
-/// Returns the defines that ground.vert and ground.frag are compiled with. taps: samples along a
-/// footprint; 0: the driver's anisotropic filter.
+/// Returns the defines that the shaders of land are compiled with. taps: samples along a footprint;
+/// 0: the driver's anisotropic filter.
 std::string ground_defines(int taps);
 
 class Ground : public Drawable {
@@ -22,19 +23,26 @@ class Ground : public Drawable {
     explicit Ground(const RendererOptions& options);
 
     /// Sets the land of the pictures to come, which must outlive them.
-    void show(const ShownLand& land) { land_ = &land; }
+    void show(const ShownLand& land);
     double farthest(const PictureFrame& frame) const override;
     void draw(const PictureFrame& frame) override;
+    /// Returns whether the last picture lacks patches that other threads make.
+    Pending pending() const { return patches_.pending(); }
+    LandStatistics statistics() const;
 
   private:
+    void draw_water(const PictureFrame& frame);
+    void bind_maps(gl::ShaderProgram& program, TextureUnits& units);
+
     int taps_;  // samples along a footprint; 0: the driver's filter fits the footprints
     int shadow_steps_;
-    Clipmap clipmap_;
-    Clipmap lines_;  // of a wireframe: coarser, so that its lines do not fill the picture
-    gl::ShaderProgram program_;
+    LandPatches patches_;
+    Clipmap water_;
+    gl::ShaderProgram program_, water_program_;
     gl::Sampler sampler_;
     UniformBlock<LandBlock> block_;
     const ShownLand* land_ = nullptr;
+    std::uint64_t map_bytes_ = 0;
 };
 
 }  // namespace ocean::preview

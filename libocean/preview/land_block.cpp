@@ -17,6 +17,10 @@ constexpr float kSnowBelt = 0.4f;
 constexpr float kSunnyRise = 0.63f;
 constexpr float kWornRise = 0.74f;
 
+// Spacings before the range where odd vertices snap and their morph ends, as in land_vertex().
+constexpr double kSnap = 0.25;
+constexpr double kFlat = 1.75;
+
 constexpr double kSmallestCover = 0.4;  // [m]
 constexpr double kMinRise = 0.01;       // of a line to the sun, where it is near the horizon
 
@@ -45,13 +49,38 @@ std::array<double, 2> default_range(ViewRange range, const ShownLand& land) {
 }
 
 void set_map(LandBlock& b, const ShownLand& land, const Camera& camera) {
-    const double period = land.image->period, texel = texel_of(land);
-    const double u = camera.eye[0] / period, v = camera.eye[1] / period;
-    b.tile = glm::vec4(fraction(u), fraction(v), 1.0 / period, texel);
-    const double x = camera.eye[0] / texel, y = camera.eye[1] / texel;
-    b.texel = glm::vec4(fraction(x), fraction(y), 0.0, 0.0);
-    b.eye_texel = glm::ivec4(whole(x), whole(y), land.image->resolution, 0);
+    const LandImage& image = *land.image;
+    const double texel = texel_of(land);
+    const double east = camera.eye[0] - image.origin[0], north = camera.eye[1] - image.origin[1];
+    double u = east / image.period, v = north / image.period;
+    if (image.wraps) {
+        u = fraction(u);
+        v = fraction(v);
+    }
+    b.tile = glm::vec4(u, v, 1.0 / image.period, texel);
+    b.texel = glm::vec4(fraction(east / texel), fraction(north / texel), 0.0, 0.0);
+    b.eye_texel =
+        glm::ivec4(whole(east / texel), whole(north / texel), image.resolution, image.wraps);
     b.heights = glm::vec4(land.mean, colour_scale(land), land.heights[0], land.heights[1]);
+}
+
+/// Sets the lattice of the vertices and their morph: see morph_at() and land_vertex() of
+/// ocean/land_quadtree.hpp.
+void set_lattice(LandBlock& b, const ShownLattice& lattice, const Camera& camera) {
+    const QuadtreeSettings& settings = lattice.settings;
+    const auto beside = [&](std::size_t axis) {
+        return camera.eye[axis] - static_cast<double>(lattice.snapped[axis]) * settings.spacing;
+    };
+    b.lattice = glm::vec4(beside(0), beside(1), settings.spacing, lattice.height * lattice.height);
+    const double begin = settings.morph_start * settings.range, end = settings.range - kFlat;
+    b.morph = glm::vec4(begin * begin, 1.0 / (end * end - begin * begin), settings.range - kSnap,
+                        settings.levels - 1);
+    constexpr float kNoEdge = 1e30f;
+    b.edge = glm::vec4(-kNoEdge, -kNoEdge, kNoEdge, kNoEdge);
+    if (!settings.edge) return;
+    const auto& [low, high] = *settings.edge;
+    b.edge = glm::vec4(low[0] - camera.eye[0], low[1] - camera.eye[1], high[0] - camera.eye[0],
+                       high[1] - camera.eye[1]);
 }
 
 /// Sets the sizes of the cover noise, in equal ratios from a part of the tile to less than a cell
@@ -70,9 +99,14 @@ void set_cover(LandBlock& b, const ShownLand& land, const Camera& camera) {
 
 }  // namespace
 
-LandBlock make_land_block(const ShownLand& land, const Camera& camera, const Look& look,
-                          const DrawOptions& options, int shadow_steps) {
+LandBlock make_land_block(const ShownLand& land, const ShownLattice& lattice,
+                          const PictureFrame& frame, int shadow_steps) {
+    const Camera& camera = frame.camera;
+    const Look& look = frame.look;
+    const DrawOptions& options = frame.options;
     LandBlock b;
+    set_lattice(b, lattice, camera);
+    b.water = glm::vec4(land.water_level.value_or(0.0), land.water_level ? 1.0 : 0.0, 0.0, 0.0);
     set_map(b, land, camera);
     const bool is_given = options.range[0] != 0.0 || options.range[1] != 0.0;
     const auto [low, high] =
@@ -85,7 +119,7 @@ LandBlock make_land_block(const ShownLand& land, const Camera& camera, const Loo
     const double rise = std::max(sun.z / std::max(std::hypot(sun.x, sun.y), 1e-6), kMinRise);
     const double reach = std::min((land.heights[1] - land.heights[0]) / rise, land.image->period);
     b.shadow = glm::vec4(shadow_steps, std::max(reach, 2.0 * texel_of(land)), 0.0, 0.0);
-    b.colours = glm::ivec4(static_cast<int>(look.land_colours));
+    b.colours = glm::ivec4(static_cast<int>(look.land_colours), options.wireframe ? 1 : 0, 0, 0);
     set_cover(b, land, camera);
     return b;
 }

@@ -5,14 +5,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 
 #include "ocean/gl/textures.hpp"
+#include "ocean/land_mask.hpp"
+#include "ocean/land_quadtree.hpp"
 
 namespace ocean::preview {
 namespace {
 
 constexpr int kMaxMap = 4096;
+constexpr int kMaxShapedMap = 2048;
 constexpr int kMaxQuickMap = 1024;
+/// The texel of a land without masks.
+constexpr std::array<std::uint8_t, 4> kNoMasks = {128, 0, 0, 128};
 constexpr std::size_t kComponents = 4;
 
 /// Weights of the heights and slopes at both ends of a cubic Hermite segment, at 0 <= t < 1.
@@ -29,34 +36,104 @@ struct Hermite {
 /// Statistics of a map.
 struct Summary {
     double mean_square_slope = 0.0;
+    double mean = 0.0, rms = 0.0;  // of the samples above a level
     double lowest = 0.0, highest = 0.0;
 };
 
-/// Sets the square of the slope of each texel and returns the statistics.
-Summary complete(std::vector<float>& texels) {
+/// Sets the square of the slope of each texel and returns the statistics; mean and rms are those of
+/// the samples above `level`.
+Summary complete(std::vector<float>& texels, double level) {
     float lowest = texels[0], highest = texels[0];
-    double sum = 0.0;
+    double slopes = 0.0, sum = 0.0, squares = 0.0, count = 0.0;
+    const auto first = static_cast<double>(texels[0]);
     for (std::size_t i = 0; i < texels.size(); i += kComponents) {
         float* const t = &texels[i];
         t[3] = t[1] * t[1] + t[2] * t[2];
-        sum += static_cast<double>(t[3]);
+        slopes += static_cast<double>(t[3]);
         lowest = std::min(lowest, t[0]);
         highest = std::max(highest, t[0]);
+        if (static_cast<double>(t[0]) <= level) continue;
+        const double height = static_cast<double>(t[0]) - first;
+        sum += height;
+        squares += height * height;
+        count += 1.0;
     }
-    return {sum / static_cast<double>(texels.size() / kComponents), static_cast<double>(lowest),
-            static_cast<double>(highest)};
+    Summary summary;
+    summary.mean_square_slope = slopes / static_cast<double>(texels.size() / kComponents);
+    summary.lowest = static_cast<double>(lowest);
+    summary.highest = static_cast<double>(highest);
+    summary.mean = first + sum / std::max(count, 1.0);
+    const double offset = sum / std::max(count, 1.0);
+    summary.rms = std::sqrt(std::max(squares / std::max(count, 1.0) - offset * offset, 0.0));
+    return summary;
 }
+
+/// Returns the square of a placed land's map, along its longer side: beyond the shorter one it
+/// holds the edge.
+Domain map_of_placed(const Land& land, int resolution) {
+    const Domain own = land.domain();
+    const double side = std::max(own.size[0], own.size[1]);
+    return {own.origin, {side, side}, {resolution, resolution}, false};
+}
+
+/// Values of masks beside each other, as ShownLand::masks holds them.
+class MaskTexels {
+  public:
+    /// Returns the outputs that a field writes the available masks to.
+    std::vector<MapOutput> outputs(ChannelSet available, std::size_t samples) {
+        using enum LandMask;
+        std::vector<MapOutput> made;
+        for (const LandMask mask : {beach, cliff, streambed, deposit, wear}) {
+            if (!available.contains(channel_of(mask))) continue;
+            std::vector<float>& values = values_[static_cast<std::size_t>(mask)];
+            values.resize(samples);
+            MapOutput output{values.data(), 1, {}};
+            output.component[0].quantity = channel_of(mask);
+            made.push_back(output);
+        }
+        return made;
+    }
+
+    std::vector<std::uint8_t> packed(std::size_t samples) const {
+        using enum LandMask;
+        const auto byte = [](float value) {
+            return static_cast<std::uint8_t>(std::clamp(255.0f * value + 0.5f, 0.0f, 255.0f));
+        };
+        std::vector<std::uint8_t> texels(kComponents * samples);
+        for (std::size_t i = 0; i < samples; ++i) {
+            std::uint8_t* const to = &texels[kComponents * i];
+            to[0] = byte(0.5f + 0.5f * (at(beach, i) - at(cliff, i)));
+            to[1] = byte(at(streambed, i));
+            to[2] = byte(at(deposit, i));
+            to[3] = byte(0.5f + 0.5f * at(wear, i));
+        }
+        return texels;
+    }
+
+  private:
+    float at(LandMask mask, std::size_t i) const {
+        const std::vector<float>& values = values_[static_cast<std::size_t>(mask)];
+        return values.empty() ? 0.0f : values[i];
+    }
+
+    std::array<std::vector<float>, kMaskCount> values_;
+};
 
 }  // namespace
 
 double LandImage::height_at(double x, double y) const {
     const double texel = period / resolution;
-    const double u = x / texel, v = y / texel;
+    const auto in_texels = [&](double at, double from) {
+        const double u = (at - from) / texel;
+        return wraps ? u : std::clamp(u, 0.0, resolution - 1.0);
+    };
+    const double u = in_texels(x, origin[0]), v = in_texels(y, origin[1]);
     const double column = std::floor(u), row = std::floor(v);
     const Hermite along(u - column), across(v - row);
     const auto wrapped = [&](double at) {
         const double n = resolution;
-        return static_cast<std::size_t>(at - n * std::floor(at / n));
+        return static_cast<std::size_t>(wraps ? at - n * std::floor(at / n)
+                                              : std::min(at, n - 1.0));
     };
     double sum = 0.0;
     for (std::size_t j = 0; j < 2; ++j) {
@@ -73,6 +150,19 @@ double LandImage::height_at(double x, double y) const {
     return sum;
 }
 
+double ShownLand::ground_at(double x, double y) const {
+    ThreadPool caller(1);
+    const WorldPoint point{x, y};
+    QuerySample sample{};
+    field->query({&point, 1}, {&sample, 1}, QuadtreeSettings{}.spacing, caller);
+    return sample.height;
+}
+
+double ShownLand::surface_at(double x, double y) const {
+    const double ground = ground_at(x, y);
+    return water_level ? std::max(ground, *water_level) : ground;
+}
+
 double texel_of(const ShownLand& land) {
     return land.image->period / land.image->resolution;
 }
@@ -82,42 +172,80 @@ double colour_scale(const ShownLand& land) {
 }
 
 double default_snow_line(const ShownLand& land) {
-    constexpr double kRise = 1.3;
-    return land.mean + kRise * colour_scale(land);
+    constexpr double kRise = 1.3, kRiseByTheSea = 3.0;
+    return land.mean + (land.water_level ? kRiseByTheSea : kRise) * colour_scale(land);
 }
 
 int land_map_resolution(const Terrain& terrain, bool quick) {
-    return quick ? std::min(terrain.resolution, kMaxQuickMap)
-                 : std::min(2 * terrain.resolution, kMaxMap);
+    int own = terrain.resolution;
+    if (terrain.base_model != nullptr) {
+        const Domain domain = terrain_domain(terrain);
+        own = std::max(domain.samples[0], domain.samples[1]);
+    }
+    if (quick) return std::min(own, kMaxQuickMap);
+    return terrain.is_shaped() ? std::min(own, kMaxShapedMap) : std::min(2 * own, kMaxMap);
 }
 
 struct LandMaps::Impl {
-    gl::Texture texture;
+    gl::Texture texture, masks;
     std::shared_ptr<LandImage> image;
     ShownLand shown;
-    Revision revision;
-    double offset = 0.0;
 
     void make(Land& land, int resolution) {
         // A caller may still read the image before.
         if (!image || image.use_count() > 2) image = std::make_shared<LandImage>();
         const bool fits = texture && image->resolution == resolution;
+        const Terrain& terrain = land.terrain();
+        const std::shared_ptr<const LandField> field = land.field();
         image->resolution = resolution;
-        image->period = land.terrain().patch_size;
         image->texels.resize(kComponents * Lattice{resolution, 1.0}.size());
         MapOutput output{image->texels.data(), kComponents, {}};
         output.component = {{{Channel::height}, {Channel::slope_x}, {Channel::slope_y}, {}}};
-        land.surface_into({&output, 1}, resolution);
-        const Summary summary = complete(image->texels);
+        if (terrain.is_shaped()) {
+            make_shaped(land, output);
+        } else {
+            image->period = terrain.patch_size;
+            image->origin = {};
+            image->wraps = true;
+            land.surface_into({&output, 1}, resolution);
+            upload_masks({kNoMasks.begin(), kNoMasks.end()}, 1);
+        }
+        const std::optional<double> water =
+            terrain.has_coast() ? std::optional(terrain.coast_level.value_or(0.0)) : std::nullopt;
+        const Summary summary =
+            complete(image->texels, water.value_or(-std::numeric_limits<double>::infinity()));
         if (!fits) texture = gl::make_texture(GL_RGBA32F, resolution, gl::Mipmaps::yes);
         upload();
         shown = {.texture = texture.name(),
+                 .masks = masks.name(),
+                 .has_masks = land.channels().intersects(kEveryMask),
                  .image = image,
-                 .mean = land.offset(),
-                 .rms = land.scale().rms,
+                 .field = field,
+                 .mean = terrain.is_shaped() ? summary.mean : land.offset(),
+                 .rms = terrain.is_shaped() ? summary.rms : land.scale().rms,
                  .rms_slope = std::sqrt(summary.mean_square_slope),
-                 .cell = image->period / land.terrain().resolution,
-                 .heights = {summary.lowest, summary.highest}};
+                 .cell = field->cell(),
+                 .heights = {summary.lowest, summary.highest},
+                 .water_level = water};
+    }
+
+    void make_shaped(Land& land, const MapOutput& ground) {
+        const int resolution = image->resolution;
+        const Domain domain =
+            land.terrain().is_placed() ? map_of_placed(land, resolution) : land.domain(resolution);
+        image->period = domain.step(0) * resolution;
+        image->origin = domain.origin;
+        image->wraps = domain.wraps;
+        MaskTexels texels;
+        std::vector<MapOutput> outputs = texels.outputs(land.channels(), domain.count());
+        const bool has_masks = !outputs.empty();
+        outputs.push_back(ground);
+        land.region_into(domain, outputs);
+        if (has_masks) {
+            upload_masks(texels.packed(domain.count()), resolution);
+        } else {
+            upload_masks({kNoMasks.begin(), kNoMasks.end()}, 1);
+        }
     }
 
     void upload() const {
@@ -127,20 +255,24 @@ struct LandMaps::Impl {
                         GL_FLOAT, image->texels.data());
         glGenerateMipmap(GL_TEXTURE_2D);
     }
+
+    void upload_masks(const std::vector<std::uint8_t>& texels, int resolution) {
+        glActiveTexture(GL_TEXTURE0);
+        masks = gl::make_texture(GL_RGBA8, resolution, gl::Mipmaps::yes);
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, resolution, resolution, GL_RGBA, GL_UNSIGNED_BYTE,
+                        texels.data());
+        glGenerateMipmap(GL_TEXTURE_2D);
+    }
 };
 
 LandMaps::LandMaps() : impl_(std::make_unique<Impl>()) {}
 LandMaps::~LandMaps() = default;
 
 ShownLand LandMaps::show(Land& land, int resolution) {
-    const Revision revision = land.modes().revision;
-    const bool known = impl_->image && revision == impl_->revision &&
-                       land.offset() == impl_->offset && resolution == impl_->image->resolution;
-    if (!known) {
-        impl_->make(land, resolution);
-        impl_->revision = revision;
-        impl_->offset = land.offset();
-    }
+    // The land that is shown keeps its field, so that no other one has the same address.
+    const bool known = impl_->shown.field != nullptr && land.field() == impl_->shown.field &&
+                       resolution == impl_->image->resolution;
+    if (!known) impl_->make(land, resolution);
     return impl_->shown;
 }
 

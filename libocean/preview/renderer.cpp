@@ -38,6 +38,7 @@ struct Renderer::Impl {
     std::vector<std::shared_ptr<Drawable>> added;
     Water water;
     std::optional<Ground> ground;  // made for the first picture of land
+    bool shows_land = false;       // the last picture does
 
     void done(std::string_view stage) const {
         if (options.after_stage) options.after_stage(stage);
@@ -48,8 +49,10 @@ struct Renderer::Impl {
         for (const auto& drawable : added) {
             farthest = std::max(farthest, drawable->farthest(frame));
         }
-        frame_block.set(
-            make_frame_block(frame.camera, frame.look, frame.options, frame.projection, farthest));
+        FrameBlock block =
+            make_frame_block(frame.camera, frame.look, frame.options, frame.projection, farthest);
+        block.view.y = &subject == &water ? 1 : 0;
+        frame_block.set(block);
         sky_map.hold(frame.look.environment);
         glActiveTexture(GL_TEXTURE0 + PictureFrame::kSkyUnit);
         glBindTexture(GL_TEXTURE_2D, sky_map.texture());
@@ -106,6 +109,7 @@ struct Renderer::Impl {
 
     void draw(const ShownSea& sea, const PictureFrame& frame, bool has_sky) {
         water.show(sea);
+        shows_land = false;
         draw(water, "water", frame, has_sky);
     }
 
@@ -116,6 +120,7 @@ struct Renderer::Impl {
         }
         if (!ground) ground.emplace(options);
         ground->show(land);
+        shows_land = true;
         if (frame.look.kind == LookKind::physical) return draw(*ground, "land", frame, has_sky);
         Look physical = frame.look;  // land has no other look
         physical.kind = LookKind::physical;
@@ -139,7 +144,11 @@ void Renderer::add(std::shared_ptr<Drawable> drawable) {
 }
 
 Pending Renderer::pending() const {
-    return impl_->water.pending();
+    return impl_->shows_land ? impl_->ground->pending() : impl_->water.pending();
+}
+
+LandStatistics Renderer::land_statistics() const {
+    return impl_->ground ? impl_->ground->statistics() : LandStatistics{};
 }
 
 LeftOut Renderer::left_out() const {

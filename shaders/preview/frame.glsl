@@ -11,7 +11,8 @@ layout(std140) uniform FrameBlock {
     vec4 eye;         // 0, 0, height over still water [m]; 1 on the round Earth, 0 on a flat one
     vec4 depth;       // 1/log2(1 + distance of the far end [m]), or 0: depth by clip_from_world
     vec4 look;        // exposure, visibility [m] or 0, angle of a pixel [rad]; 1: draw linear light
-    ivec4 view;       // number of the view, see libocean/preview/view_table.hpp
+    ivec4 view;       // number of the view, see libocean/preview/view_table.hpp; 1: of a sea, whose
+                      // water fills all below height 0, 0: of land
     vec4 sun;         // direction to it; share of its disc above the horizon
     vec4 sun_colour;  // radiance of a white surface that faces it
     vec4 sky_low;     // at the horizon; sine of the horizon's dip

@@ -1,15 +1,23 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The ground at a place: one tile's map, which repeats.
+// The ground at a place, by the map of a tile, which repeats, or of land that exists once.
 #include "preview/land_block.glsl"
 #include "preview/on_screen.glsl"
 
 uniform sampler2D ground_map;  // height [m], slope x, slope y, square of the slope
+uniform sampler2D mask_map;    // 0.5 + (beach - cliff)/2, streambed, deposit, 0.5 + wear/2
 
 // Returns the place in the map. A sample lies in the middle of its texel.
 vec2 map_place(vec2 at) {
     return tile.xy + at * tile.z + vec2(0.5 * tile.w * tile.z);
+}
+
+// Returns the sample of the map so many texels from that of the eye.
+ivec2 sample_of(ivec2 from_eye) {
+    ivec2 at = eye_texel.xy + from_eye;
+    int last = eye_texel.z - 1;
+    return eye_texel.w == 1 ? at & last : clamp(at, ivec2(0), ivec2(last));
 }
 
 // Returns the height [m] of the bicubic Hermite patch with the heights and slopes of its corners,
@@ -24,26 +32,11 @@ float patch_height(vec2 at) {
     float sum = 0.0;
     for (int j = 0; j < 2; ++j) {
         for (int i = 0; i < 2; ++i) {
-            ivec2 sample_at = (eye_texel.xy + ivec2(cell) + ivec2(i, j)) & (eye_texel.z - 1);
-            vec4 corner = texelFetch(ground_map, sample_at, 0);
+            vec4 corner = texelFetch(ground_map, sample_of(ivec2(cell) + ivec2(i, j)), 0);
             sum += height[i].x * height[j].y * corner.x +
                    tile.w * (slope[i].x * height[j].y * corner.y +
                              height[i].x * slope[j].y * corner.z);
         }
     }
     return sum;
-}
-
-// Returns the height [m] for vertices of a spacing [m]. Means of cells would lower distant ridges;
-// so the spacing counts half.
-float ground_height(vec2 at, float spacing) {
-    float mip = log2(0.5 * spacing / tile.w);
-    if (mip <= 0.0) return patch_height(at);
-    float mean = textureLod(ground_map, map_place(at), mip).x;
-    return mip >= 1.0 ? mean : mix(patch_height(at), mean, mip);
-}
-
-// Returns the point of the ground, relative to the eye's place at height 0 [m].
-vec3 ground_point(vec2 at, float spacing) {
-    return vec3(at, ground_height(at, spacing) - drop_at(at));
 }

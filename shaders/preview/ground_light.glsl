@@ -18,6 +18,11 @@ const vec3 scree_albedo = vec3(0.22, 0.195, 0.165);
 const vec3 grass_albedo = vec3(0.082, 0.092, 0.036);
 const vec3 dry_grass_albedo = vec3(0.19, 0.16, 0.075);
 const vec3 forest_albedo = vec3(0.028, 0.042, 0.018);
+const vec3 sand_albedo = vec3(0.42, 0.36, 0.26);
+const vec3 wet_sand_albedo = vec3(0.19, 0.155, 0.11);
+const vec3 cliff_albedo = vec3(0.135, 0.12, 0.105);
+const vec3 gravel_albedo = vec3(0.115, 0.108, 0.098);
+const vec3 meadow_albedo = vec3(0.062, 0.098, 0.028);
 
 // Returns how far the ground rises over its surroundings, about -1 (hollow) .. 1 (crest): between
 // means over 4 and 16 cells of the terrain, relative to a cell.
@@ -31,6 +36,21 @@ float wear_at(vec2 place) {
 float ramp(float from, float to, float x) {
     float t = clamp((x - from) / (to - from), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
+}
+
+// Returns the colour c of the ground as streams, gullies and the sea have made it.
+vec3 made_albedo(vec3 c, Ground ground, float noise) {
+    float rough = 1.0 + 0.2 * noise;
+    c *= 1.0 - 0.25 * max(-ground.gully_wear, 0.0);
+    c = mix(c, meadow_albedo * rough,
+            0.7 * ground.deposit * ramp(0.6, 0.25, ground.steepness + 0.1 * noise));
+    c = mix(c, gravel_albedo * rough, 0.8 * ramp(0.35, 0.8, ground.streambed + 0.15 * noise));
+    c = mix(c, cliff_albedo * rough, ramp(0.15, 0.6, -ground.shore + 0.15 * noise));
+    // Sand is dark where waves have wetted it.
+    float above = water_line.y > 0.0 ? ground.height - water_line.x : 1e3;
+    vec3 sand = mix(wet_sand_albedo, sand_albedo, ramp(0.2, 1.0, above + 0.2 * noise)) *
+                (1.0 + 0.08 * noise);
+    return mix(c, sand, ramp(0.3, 0.7, ground.shore + 0.12 * noise));
 }
 
 // Returns the colour of land by height, slope and wear; noise about -1 .. 1.
@@ -51,6 +71,7 @@ vec3 land_albedo(Ground ground, float noise, float wear) {
     c = mix(c, rock_albedo * (1.0 + 0.25 * noise),
             ramp(0.62, 0.92, steep + 0.20 * noise + 0.10 * wear));
     c = mix(c, dark_rock_albedo, 0.55 * ramp(0.9, 1.5, steep + 0.2 * noise));
+    c = made_albedo(c, ground, noise);
     vec2 level_sun = sun.xy / max(length(sun.xy), 1e-3);
     float facing = -dot(ground.slope, level_sun);
     float above = z - snow.x - snow.z * facing - snow.w * wear;

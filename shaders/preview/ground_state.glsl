@@ -10,6 +10,10 @@ struct Ground {
     vec2 slope;
     float steepness;    // root of the mean square slope in the footprint
     float footprint;    // side of the ground that a pixel sees [m]
+    float shore;        // -1 cliff .. 1 beach
+    float streambed;    // 0 .. 1, as the others
+    float deposit;
+    float gully_wear;   // -1 floor of a gully .. 1 crest
 };
 
 // Returns the map at a level of its mipmaps by cubic B-splines, as smooth as the eye needs where a
@@ -39,5 +43,8 @@ Ground ground_at(vec2 at) {
     vec4 mean = filtered(ground_map, place, footprint, tile.z, 1.0 / tile.w);
     float far = smoothstep(0.5, 1.0, side / tile.w);
     if (far < 1.0) mean = mix(smooth_read(place, 0.0), mean, far);
-    return Ground(mean.x, mean.yz, sqrt(max(mean.w, dot(mean.yz, mean.yz))), side);
+    vec4 masks = textureLod(mask_map, place, log2(max(side / tile.w, 1.0)));
+    vec2 sides = (2.0 * masks.xw - 1.0) * step(0.006, abs(masks.xw - 0.5));  // 128/255 is none
+    return Ground(mean.x, mean.yz, sqrt(max(mean.w, dot(mean.yz, mean.yz))), side, sides.x,
+                  masks.y, masks.z, sides.y);
 }

@@ -14,6 +14,6 @@ void main() {
     vec3 light = sky(direction, look.z) + sun_disc(direction);
     // Below still water the sky is seen through the surface alone, which ends a little above the
     // level.
-    if (eye.z < 0.0 && direction.z < 0.02) light = water_glow(direction);
+    if (view.y == 1 && eye.z < 0.0 && direction.z < 0.02) light = water_glow(direction);
     colour = vec4(drawn_colour(light), 1.0);
 }

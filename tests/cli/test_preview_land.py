@@ -47,6 +47,56 @@ def test_the_probe_is_the_land(folder):
     assert of_map == pytest.approx(ground, abs=1e-5 * 30.0)  # a sample of the map
 
 
+ISLAND = """libocean = 1
+[terrain]
+kind = "placed"
+resolution = 128
+patch_size = 4096.0
+rms = 100.0
+mean = 150.0
+island = 500.0
+seed = 3
+[terrain.coast]
+"""
+
+
+def test_an_island_stands_in_water(folder):
+    (folder / "island.toml").write_text(ISLAND)
+    views = {
+        "above.png": "--eye 2048,2048,900 --pitch -90 --snow-line 5000 --angle 40",
+        "water.png": "--eye -2000,2048,300 --pitch -90",
+        "bed.png": "--eye 200,2048,300 --pitch -90 --view height",
+        "default.png": "",
+        # An eye far from the land, and one that would be under water.
+        "away.png": "--eye 150000,2048,50",
+        "shore.png": "--eye -100,2048",
+    }
+    made = pictures(folder, views, "island.toml", "--size", "64x36", "--samples", "1")
+    warm = {}
+    for name in ("water.png", "above.png"):
+        red, _, blue = made[name].reshape(-1, 3).mean(axis=0)
+        warm[name] = red / blue
+    assert warm["water.png"] < 0.85 and warm["above.png"] > warm["water.png"] + 0.1
+    assert rms(made["default.png"], made["away.png"]) > 0.02
+    line = good(folder, "island.toml", "--probe", "2048,2048", "--probe", "-900,2048").splitlines()
+    inside = [float(number) for number in line[0].split(",")]
+    assert inside[3] == pytest.approx(inside[2], abs=0.5)
+    assert len(line[1].split(",")) == 3  # no ground is drawn beyond the edge
+
+
+def test_a_flight_has_a_budget_and_says_its_triangles(folder):
+    done = run(folder, "-v", "hills.toml", "--budget", 3, "--size", "64x36")
+    assert [row.split(",")[0] for row in done.stdout.splitlines()[1:]] == [
+        "state",
+        "sky",
+        "land",
+        "frame",
+    ]
+    words = next(line for line in done.stderr.splitlines() if "triangles" in line).split()
+    triangles = int(words[words.index("triangles,") - 1])
+    assert 1000 < triangles < 300000
+
+
 def test_views_and_colours_are_other_pictures(folder):
     views = ("shaded", "height", "normal", "slope", "noise", "transform", "filter", "spectrum")
     lines = {f"{view}.png": f"--view {view}" for view in views}

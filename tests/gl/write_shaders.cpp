@@ -61,8 +61,10 @@ int main(int argc, char** argv) {
     }
     for (const int taps : {0, 2}) {
         for (const char* kind : {".vert", ".frag"}) {
-            write("ground_" + std::to_string(taps), std::string("preview/ground") + kind,
-                  preview::ground_defines(taps));
+            for (const std::string name : {"ground", "land_water"}) {
+                write(name + "_" + std::to_string(taps), "preview/" + name + kind,
+                      preview::ground_defines(taps));
+            }
         }
         for (const std::size_t cascades : {1, 2, 5, 10}) {
             const std::size_t covers = cascades == 1 || cascades == 5 ? 1 : 2;

@@ -43,7 +43,7 @@ class LandTest : public PreviewTest {
 
     Land land_{small_terrain(), {.threads = 1}};
     LandMaps maps_;
-    Renderer renderer_{{.land_cells = 64}};
+    Renderer renderer_{{.land_threads = 2}};
     ShownLand shown_ = maps_.show(land_, 128);
 };
 
@@ -139,7 +139,7 @@ TEST_F(LandTest, TheSunThatTheGroundHidesDoesNotLightIt) {
     Look low;
     low.sun_altitude = 8.0;
     low.land_colours = LandColours::seed;
-    Renderer without({.land_cells = 64, .shadow_steps = 0});
+    Renderer without({.shadow_steps = 0});
     const auto mean = [&](Renderer& renderer) {
         const Canvas canvas(kSide, kSide, GL_RGBA32F);
         DrawOptions options;

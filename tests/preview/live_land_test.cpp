@@ -54,7 +54,7 @@ TEST_F(LiveLandTest, ASliderRedoesTheStagesThatItDirties) {
         scene.show();
         const TerrainRuns after = scene.land()->land().runs();
         return TerrainRuns{after.noise - before.noise, after.filter - before.filter,
-                           after.maps - before.maps};
+                           after.maps - before.maps, after.shape - before.shape};
     };
     for (const auto& [name, value] : {std::pair{"beta", "2.4"},
                                       {"rms", "12"},
@@ -63,10 +63,10 @@ TEST_F(LiveLandTest, ASliderRedoesTheStagesThatItDirties) {
                                       {"ridge_direction", "40"},
                                       {"anisotropy", "2"},
                                       {"direction", "30"}}) {
-        EXPECT_EQ(runs_of(name, value), (TerrainRuns{0, 1, 1})) << name;
+        EXPECT_EQ(runs_of(name, value), (TerrainRuns{0, 1, 1, 1})) << name;
     }
-    EXPECT_EQ(runs_of("mean", "20"), (TerrainRuns{0, 0, 1}));
-    EXPECT_EQ(runs_of("seed", "9"), (TerrainRuns{1, 1, 1}));
+    EXPECT_EQ(runs_of("mean", "20"), (TerrainRuns{0, 0, 1, 1}));
+    EXPECT_EQ(runs_of("seed", "9"), (TerrainRuns{1, 1, 1, 1}));
     EXPECT_EQ(runs_of("seed", "9"), (TerrainRuns{0, 0, 0}));
     EXPECT_THROW(scene.set("beta", "99"), Error);
     EXPECT_EQ(scene.land()->terrain().beta, 2.4);
@@ -135,7 +135,7 @@ TEST_F(LiveLandTest, AFirstEyeStandsOnTheGroundWhereverThatIs) {
         warning = place_on_land(preview_, land, camera);
         return camera.eye[2];
     };
-    const double ground = land.image->height_at(30.0, 40.0);
+    const double ground = land.ground_at(30.0, 40.0);
     std::string warning;
     EXPECT_NEAR(eye_of(EyePlace::on_ground, {30.0, 40.0, 0.0}, warning), ground + 1.7, 1e-9);
     EXPECT_EQ(warning, "");

@@ -14,7 +14,13 @@ double lowest_eye(const preview::ShownLand& land) {
 
 std::string place_on_land(const PreviewOptions& options, const preview::ShownLand& land,
                           preview::Camera& camera) {
-    const double ground = land.image->height_at(camera.eye[0], camera.eye[1]);
+    const Domain& domain = land.field->domain();
+    if (options.eye_place == EyePlace::not_given && !domain.wraps) {
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            camera.eye[axis] = domain.origin[axis] + 0.5 * domain.size[axis];
+        }
+    }
+    const double ground = land.surface_at(camera.eye[0], camera.eye[1]);
     const double wanted = camera.eye[2];
     switch (options.eye_place) {
         case EyePlace::not_given:

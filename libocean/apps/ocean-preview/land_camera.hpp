@@ -18,8 +18,8 @@ inline constexpr double kEyeHeight = 1.7;  // [m], of a person who stands, or si
 double lowest_eye(const preview::ShownLand& land);
 
 /// Puts the eye of `options` over the ground: --eye X,Y at a person's height, without --eye a
-/// quarter of the rms height above it, and --eye X,Y,Z where it is, but not in the ground. Returns
-/// a warning if the eye was raised, else "".
+/// quarter of the rms height above it, of land that exists once over its middle, and --eye X,Y,Z
+/// where it is, but not in the ground. Returns a warning if the eye was raised, else "".
 std::string place_on_land(const PreviewOptions& options, const preview::ShownLand& land,
                           preview::Camera& camera);
 

@@ -48,8 +48,8 @@ void LiveLand::change(Terrain terrain) {
 }
 
 const std::vector<std::string>& LiveLand::warnings() {
-    const Revision now = land_->modes().revision;
-    const bool moves = !(std::exchange(seen_, now) == now);
+    const std::shared_ptr<const LandField> now = land_->field();
+    const bool moves = std::exchange(seen_, now) != now;
     if (now == warned_) return warnings_;
     warnings_.clear();
     if (moves) return warnings_;  // statistics take longer than a frame of a drag

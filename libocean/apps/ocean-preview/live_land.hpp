@@ -55,7 +55,7 @@ class LiveLand {
     std::unique_ptr<Land> land_;
     preview::LandMaps maps_;
     std::vector<std::string> warnings_;
-    Revision warned_, seen_;  // of the modes of the warnings, and of the call before
+    std::shared_ptr<const LandField> warned_, seen_;  // of the warnings, and of the call before
 };
 
 }  // namespace ocean::app

@@ -32,7 +32,7 @@ CameraGround ground_of(LiveSea& sea) {
 }
 
 CameraGround ground_of(const preview::ShownLand& land) {
-    return {.height = [image = land.image](double x, double y) { return image->height_at(x, y); },
+    return {.height = [land](double x, double y) { return land.surface_at(x, y); },
             .boat = {},
             .clearance = lowest_eye(land),
             .is_solid = true};

@@ -3,7 +3,10 @@
 #include "offscreen_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -199,23 +202,32 @@ ShowFrame frames_of(const Sea& sea, const Computing& computing, const Context& c
     };
 }
 
-/// Returns the frames of a land whose exponent changes in each, as a slider's drag changes it.
+/// Returns the frames of a land, which stands still.
 ShowFrame frames_of(const Terrain& terrain, const PreviewOptions& options, const Device& device,
                     const Context& context) {
     const auto land = std::make_shared<Land>(
         terrain, LandOptions{.threads = context.options.threads, .backend = device.backend});
     const auto maps = std::make_shared<preview::LandMaps>();
     const int resolution = land_map_for(options, terrain, device.context->info(), true);
-    return [land, maps, resolution, beta = terrain.beta](int frame) {
-        Terrain changed = land->terrain();
-        changed.beta = beta - 1e-3 * (frame % 100);
-        land->set_terrain(std::move(changed));
-        return maps->show(*land, resolution);
-    };
+    return [land, maps, resolution](int) { return maps->show(*land, resolution); };
+}
+
+/// Moves the eye ahead by a frame of a flight.
+void fly(preview::Camera& camera) {
+    constexpr double kStep = 1.25;  // [m], 30 m/s at 24 frames a second
+    const std::array<double, 3> ahead = camera.line_of_sight(0.5, 0.5, 1.0);
+    const double level = std::max(std::hypot(ahead[0], ahead[1]), 1e-6);
+    for (std::size_t axis = 0; axis < 2; ++axis) camera.eye[axis] += kStep * ahead[axis] / level;
+}
+
+/// Returns a line about the mesh of a land.
+std::string mesh_line(const preview::LandStatistics& mesh) {
+    return format_text("land: %zu squares, %zu triangles, %.1f MiB of textures", mesh.patches,
+                       mesh.triangles, static_cast<double>(mesh.resident_bytes) / (1 << 20));
 }
 
 /// Draws frames like a window into a canvas of the picture's size, and prints the time of their
-/// stages.
+/// stages. Over land the eye flies ahead.
 void print_budget(const PreviewOptions& options, const OpenedScene& scene, const Context& context,
                   const Device& device) {
     constexpr int kBefore = 10;  // frames that compile shaders and allocate memory
@@ -234,8 +246,10 @@ void print_budget(const PreviewOptions& options, const OpenedScene& scene, const
         show = frames_of(std::get<Terrain>(scene), options, device, context);
         place_on_land(options, std::get<preview::ShownLand>(show(0)), camera);
     }
+    const bool flies = kind_of(scene) == preview::SceneKind::land;
     preview::RendererOptions renderer_options = renderer_for(options, info, true);
     renderer_options.after_stage = after_stage;
+    renderer_options.live = flies;
     preview::Renderer renderer(renderer_options);
     const preview::DrawOptions draw = draw_options(options, kind_of(scene));
     const preview::Canvas canvas(draw.width, draw.height, GL_RGBA8, live_samples(options, info));
@@ -244,11 +258,13 @@ void print_budget(const PreviewOptions& options, const OpenedScene& scene, const
         measured->begin();
         const preview::ShownScene shown = show(frame);
         after_stage("state");
+        if (flies) fly(camera);
         canvas.bind();
         renderer.draw(shown, camera, options.look, draw);
         measured->end_frame();
     }
     context.console.data(budget.table());
+    if (flies) context.console.note(mesh_line(renderer.land_statistics()));
 }
 
 }  // namespace

@@ -155,6 +155,7 @@ void list_special(const PreviewWords& words, PreviewOptions& options) {
     add(sea, words.cascade.has_value(), "--cascade");
     add(sea, words.foam_map.has_value(), "--foam-map");
     add(sea, words.no_detail, "--no-detail");
+    add(sea, words.cells.has_value(), "--cells");
     add(sea, !words.bridge.empty(), "--bridge");
     add(sea, !words.serve.empty(), "--serve");
     add(options.only_of_land, options.eye_place == EyePlace::on_ground, "--eye X,Y");
@@ -208,7 +209,7 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
            kOptional, OneOf{preview::land_colour_names()}},
           {"--snow-line", &words.snow_line, "M",
            "Height above which snow lies on level ground, metres (default: 1.3 rms heights above "
-           "the mean)"}}},
+           "the mean, 3 of land with a coast)"}}},
         {"Picture",
          {{"--offscreen", &words.offscreen, "FILE",
            "Write one picture; needs no display: FILE.png as a screen shows it, FILE.exr as "
@@ -268,7 +269,7 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
            kOptional, OneOf{{"auto", "gl", "cpu", "radix2", "dft", "thesis"}}},
           {"--map", &words.map, "N", "Samples of a cascade's map along a side"},
           {"--foam-map", &words.foam_map, "N", "Samples of the foam's map along a side"},
-          {"--cells", &words.cells, "N", "Cells of a level of the mesh, 16 .. 512 in steps of 8"},
+          {"--cells", &words.cells, "N", "Cells of a level of the mesh of a sea, 16 .. 512 in steps of 8"},
           {"--no-detail", &words.no_detail, "",
            "Show the waves too short for the maps as roughness only"},
           {"--budget", &words.budget, "N",

@@ -114,11 +114,8 @@ preview::RendererOptions renderer_for(const PreviewOptions& options, const gl::C
                                       bool live) {
     preview::RendererOptions renderer;
     if (context.software) renderer.cells = kSoftwareCells;
-    if (context.software && live) {
-        renderer.land_cells = kSoftwareCells;
-        renderer.shadow_steps = kSoftwareShadowSteps;
-    }
-    if (options.cells) renderer.cells = renderer.land_cells = *options.cells;
+    if (context.software && live) renderer.shadow_steps = kSoftwareShadowSteps;
+    if (options.cells) renderer.cells = *options.cells;
     return renderer;
 }
 

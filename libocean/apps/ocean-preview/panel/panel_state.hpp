@@ -12,6 +12,7 @@
 #include "bridge_host.hpp"
 #include "bridge_link.hpp"
 #include "ocean/preview/picture.hpp"
+#include "ocean/preview/renderer.hpp"
 #include "scene_argument.hpp"
 
 namespace ocean::app {
@@ -103,6 +104,7 @@ struct PanelState {
     std::string under_mouse;  // values that the probe found
     std::string drawn_by;     // "llvmpipe ..., OpenGL 4.5"
     std::string left_out;     // parts of the picture that the driver has too few texture units for
+    preview::LandStatistics land_mesh;  // of the last picture
     std::vector<BackendRow> backends;
     std::string backend;  // one of them
     FrameTimes times;

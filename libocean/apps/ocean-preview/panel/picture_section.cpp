@@ -76,7 +76,7 @@ void draw_land_look(const preview::ShownLand& land, PanelState& state) {
         look.snow_line = own ? std::optional(default_snow_line(land)) : std::nullopt;
         state.requests.touched = true;
     }
-    tooltip("Unset: 1.3 rms heights above the mean");
+    tooltip("Unset: 1.3 rms heights above the mean, 3 of land with a coast");
     if (!look.snow_line) return;
     slider(state, "Snow from", *look.snow_line, static_cast<float>(land.mean - 3.0 * land.rms),
            static_cast<float>(land.mean + 5.0 * land.rms), "%.0f m");

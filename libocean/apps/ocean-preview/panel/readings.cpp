@@ -22,11 +22,13 @@ void draw_sea_readings(const LiveSea& sea, const preview::ShownSea& shown) {
                 sea.recording() ? "RECORDING," : "take:", changes);
 }
 
-void draw_land_readings(const preview::ShownLand& shown) {
+void draw_land_readings(const preview::ShownLand& shown, const preview::LandStatistics& mesh) {
     ImGui::Text("rms %.4g m   heights %.5g .. %.5g m", shown.rms, shown.heights[0],
                 shown.heights[1]);
     ImGui::Text("rms slope %.3f   tile %.5g m   cell %.4g m", shown.rms_slope,
                 shown.image ? shown.image->period : 0.0, shown.cell);
+    ImGui::Text("%zu k triangles   %.0f MiB   %zu patches wait", mesh.triangles / 1000,
+                static_cast<double>(mesh.resident_bytes) / (1 << 20), mesh.waiting);
 }
 
 }  // namespace
@@ -34,7 +36,7 @@ void draw_land_readings(const preview::ShownLand& shown) {
 void draw_readings(const LiveScene& scene, const PanelState& state) {
     const auto* const land = std::get_if<preview::ShownLand>(&scene.shown());
     if (land != nullptr) {
-        draw_land_readings(*land);
+        draw_land_readings(*land, state.land_mesh);
     } else if (scene.sea() != nullptr) {
         draw_sea_readings(*scene.sea(), std::get<preview::ShownSea>(scene.shown()));
     }

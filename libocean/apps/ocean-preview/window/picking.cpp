@@ -35,17 +35,17 @@ std::string describe(const PickedWater& picked, preview::Renderer& renderer,
 
 std::optional<WorldPoint> pick_ground(const preview::ShownLand& land, const preview::Camera& camera,
                                       const std::array<double, 2>& place, double aspect) {
-    constexpr double kMaxTiles = 100.0;
+    constexpr double kFarthest = 200e3;  // [m]
     constexpr int kHalvings = 30;
     const std::array<double, 3> sight = camera.line_of_sight(place[0], place[1], aspect);
     const auto clearance = [&](double distance) {
         const double x = camera.eye[0] + distance * sight[0];
         const double y = camera.eye[1] + distance * sight[1];
-        return camera.eye[2] + distance * sight[2] - land.image->height_at(x, y);
+        return camera.eye[2] + distance * sight[2] - land.surface_at(x, y);
     };
     const double texel = preview::texel_of(land);
     double before = 0.0;
-    for (double distance = 0.1 * texel; distance < kMaxTiles * land.image->period;) {
+    for (double distance = 0.1 * texel; distance < kFarthest;) {
         const double free = clearance(distance);
         if (free <= 0.0) {
             double behind = distance;

@@ -220,6 +220,7 @@ void Session::draw_scene() {
     });
     state_.times.draw = draw_timer_.milliseconds();
     state_.left_out = preview::text(viewport_.renderer().left_out());
+    state_.land_mesh = viewport_.renderer().land_statistics();
 }
 
 void Session::draw_panels() {

@@ -1,38 +1,56 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A terrain as a texture for the renderer, made by the land's own backend.
+// A terrain for the renderer: its function, whose heights the patches of the mesh have, and
+// textures of its ground, from which colours, normals and shadows are read.
 #pragma once
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "ocean/land.hpp"
+#include "ocean/land_field.hpp"
 
 namespace ocean::preview {
 
-/// One period of a land's ground by samples, which repeats. Immutable once it is shown.
+/// A square of a land's ground by samples: one period, which repeats, or land that exists once and
+/// is continued beyond by its edge. Immutable once it is shown.
 struct LandImage {
     /// Height [m], slope x, slope y and square of the slope of each sample, row-major [j][i].
     std::vector<float> texels;
     int resolution = 0;
-    double period = 0.0;  // [m]
+    double period = 0.0;             // resolution times the distance of samples [m]
+    std::array<double, 2> origin{};  // of sample (0, 0) [m]
+    bool wraps = true;
 
-    /// Returns the height of the ground that the renderer draws near the eye [m]: a bicubic Hermite
-    /// patch with the heights and slopes of its four corners.
+    /// Returns the height of the bicubic Hermite patch with the heights and slopes of its four
+    /// corners [m].
     double height_at(double x, double y) const;
 };
 
-/// A terrain. Its texture is valid until the next show() of its LandMaps.
+/// A terrain. Its textures are valid until the next show() of its LandMaps.
 struct ShownLand {
     unsigned texture = 0;  // the texels of the image, with mipmaps that are means
+    /// What made the ground, 0 .. 1, with mipmaps: 0.5 + (beach - cliff)/2, streambed, deposit, 0.5
+    /// + wear/2. A land without masks has one texel.
+    unsigned masks = 0;
+    bool has_masks = false;
     std::shared_ptr<const LandImage> image;
-    double mean = 0.0;                       // [m]
+    std::shared_ptr<const LandField> field;
+    double mean = 0.0;                       // [m], of land with a coast above the water
     double rms = 0.0;                        // of the heights about the mean [m]
     double rms_slope = 0.0;                  // of the map
     double cell = 0.0;                       // distance of the terrain's own samples [m]
     std::array<double, 2> heights = {0, 0};  // lowest and highest sample [m]
+    std::optional<double> water_level = {};  // of land with a coast [m]
+
+    /// Returns the height of the ground at a place [m]: that of the finest vertices of the mesh,
+    /// beyond land that exists once that of its edge.
+    double ground_at(double x, double y) const;
+    /// Returns the height of the ground or of the water over it [m].
+    double surface_at(double x, double y) const;
 };
 
 /// Returns the distance of the map's samples [m].
@@ -41,12 +59,12 @@ double texel_of(const ShownLand& land);
 /// Returns the height that the colours of land scale with [m]: its rms height, of flat land 1 m.
 double colour_scale(const ShownLand& land);
 /// Returns the height above which snow lies on level ground by default [m]: 1.3 colour scales above
-/// the mean.
+/// the mean, 3 of land with a coast.
 double default_snow_line(const ShownLand& land);
 
 /// Returns the default samples along a side of a terrain's map: twice its own, so that cubic
-/// patches follow its shortest waves, up to 4096. `quick`: its own, up to 1024, for machines that
-/// draw without a GPU.
+/// patches follow its shortest waves, up to 4096; of a land with erosion, a shore or a place its
+/// own, up to 2048. `quick`: its own, up to 1024, for machines that draw without a GPU.
 int land_map_resolution(const Terrain& terrain, bool quick);
 
 /// Needs the context that was current when it was made to be current in every call, the destructor

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <variant>
@@ -19,15 +21,19 @@ struct RendererOptions {
     /// Cells of a level of the mesh from the eye to its edge: a multiple of 8, 16 .. 512. A cell is
     /// seen under an angle of 1/cells to 2/cells.
     int cells = 96;
-    /// The same number for land, whose summits stand against the sky.
-    int land_cells = 256;
+    /// Threads that make the patches of land beside the pictures; 0: one for each core,
+    /// of a live renderer one less.
+    int land_threads = 0;
+    /// A live renderer waits for patches of land so long [s]; then it draws with those that it has.
+    double land_patience = 0.025;
     /// Steps of a line towards the sun that finds the shadows of land; 0: no shadows.
     int shadow_steps = 40;
     /// Samples along the longer side of a pixel's footprint; 0: the driver's anisotropic filter on
     /// a GPU that has one, else 2.
     int taps = 0;
     /// Makes the textures of the foam's pattern in another thread, and draws foam without the
-    /// pattern until they are ready; else the first picture with foam waits for them.
+    /// pattern until they are ready; else the first picture with foam waits for them. Likewise land
+    /// is coarser in pictures for which its patches are not ready.
     bool live = false;
     gl::AfterStage after_stage = {};  // "sky", "water" or "land"
     /// Texture units of a fragment shader that the renderer uses; 0: all that the driver has, which
@@ -44,6 +50,14 @@ struct LeftOut {
 };
 /// Returns one sentence for a person, with the numbers; "" if nothing is left out.
 std::string text(const LeftOut& left_out);
+
+/// The mesh of the last picture of land.
+struct LandStatistics {
+    std::size_t patches = 0;           // squares of the quadtree that were drawn
+    std::size_t triangles = 0;         // of them
+    std::uint64_t resident_bytes = 0;  // of all textures of land
+    std::size_t waiting = 0;           // patches that other threads make
+};
 
 /// A part of the scene beside the water or the land; defined in libocean/preview/drawable.hpp.
 class Drawable;
@@ -84,8 +98,9 @@ class Renderer {
     /// Adds a part of the scene to all pictures to come.
     void add(std::shared_ptr<Drawable> drawable);
     /// Returns whether the last picture would change if it were drawn again: a live renderer makes
-    /// the foam's pattern in another thread.
+    /// the foam's pattern and the patches of land in other threads.
     Pending pending() const;
+    LandStatistics land_statistics() const;
     /// Returns the parts that the last picture lacks.
     LeftOut left_out() const;
     /// Clears colour and depth of the current framebuffer and draws a picture. Leaves other
