@@ -199,7 +199,7 @@ std::uint64_t frame_bytes(const BakePlan& plan, const Df3Settings& settings) {
 /// Returns the declaration of three heights, by which a scene checks that text and map belong to
 /// one frame.
 std::string check_heights(const Surface& map, const std::string& prefix) {
-    const auto [width, height] = map.domain().samples;
+    const int width = map.domain().samples[0], height = map.domain().samples[1];
     const auto height_at = [&](int i, int j) {
         const auto place = static_cast<std::size_t>(j) * static_cast<std::size_t>(width) +
                            static_cast<std::size_t>(i);
