@@ -341,6 +341,7 @@ TEST_F(LandPatchesTest, RowsMakeRoomForNewPatches) {
     for (int n = 0; n < capacity; ++n) left += rows.slots.contains({0, n, 0}) ? 1 : 0;
     EXPECT_EQ(left, capacity - capacity / 4);
     // The patches of one picture do not take each other's rows.
+    rows.slots.begin_picture();
     for (int n = 0; n < capacity; ++n) {
         rows.add({{2, n, 0}, heights});
         rows.slots.hold({2, n, 0});
