@@ -46,7 +46,7 @@ std::vector<BakePlan> make_plans(const PovrayTerrainRequest& request, const Cont
     if (region) options.max_resolution = 0;
     options.open_subject = [&request, &region](const std::string& source) {
         Terrain terrain = open_terrain({source, request.assignments});
-        if (region) return make_subject(std::move(terrain), *region);
+        if (region) return make_region_subject(std::move(terrain), *region);
         return make_subject(std::move(terrain));
     };
     std::vector<std::string> formats = {is_image ? request.format : "df3"};
