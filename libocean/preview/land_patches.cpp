@@ -84,6 +84,7 @@ std::array<std::array<double, 4>, 4> planes_of(const Frustum& frustum, double x,
 
 LandPatches::LandPatches(const RendererOptions& options)
     : live_(options.live),
+      shows_detail_(options.land_detail),
       patience_(options.land_patience),
       maker_(makers_of(options), make_patch_heights),
       detail_maker_(makers_of(options), make_patch_slopes),
@@ -153,7 +154,8 @@ void LandPatches::show(const ShownLand& land) {
     maker_.begin({field_, land.mean, settings_});
     detail_maker_.begin({field_, land.mean, settings_});
     layers_.slots.clear();
-    detail_cell_ = has_finer_waves(land) ? kDetailOfTexel * texel_of(land) : 0.0;
+    const bool detailed = shows_detail_ && has_finer_waves(land);
+    detail_cell_ = detailed ? kDetailOfTexel * texel_of(land) : 0.0;
     rows_.slots.clear();
 }
 

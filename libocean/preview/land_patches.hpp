@@ -74,7 +74,7 @@ class LandPatches {
     void fetch_detail();
     void place_instances(const ShownLattice& lattice, const LandView& view);
 
-    bool live_;
+    bool live_, shows_detail_;
     std::chrono::duration<double> patience_;
     const ShownLand* land_ = nullptr;
     std::shared_ptr<const LandField> field_;  // of the resident patches

@@ -114,7 +114,10 @@ preview::RendererOptions renderer_for(const PreviewOptions& options, const gl::C
                                       bool live) {
     preview::RendererOptions renderer;
     if (context.software) renderer.cells = kSoftwareCells;
-    if (context.software && live) renderer.shadow_steps = kSoftwareShadowSteps;
+    if (context.software && live) {
+        renderer.shadow_steps = kSoftwareShadowSteps;
+        renderer.land_detail = false;
+    }
     if (options.cells) renderer.cells = *options.cells;
     return renderer;
 }

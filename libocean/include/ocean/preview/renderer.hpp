@@ -24,6 +24,8 @@ struct RendererOptions {
     /// Threads that make the patches of land beside the pictures; 0: one for each core,
     /// of a live renderer one less.
     int land_threads = 0;
+    /// Shows slopes of land that are finer than its map.
+    bool land_detail = true;
     /// A live renderer waits for patches of land so long [s]; then it draws with those that it has.
     double land_patience = 0.025;
     /// Steps of a line towards the sun that finds the shadows of land; 0: no shadows.
