@@ -158,6 +158,7 @@ TEXTS = {
     "Shape": "Form",
     "Tiles": "Kacheln",
     "Earth": "Erde",
+    "Bay Island": "Insel mit Buchten",
     "Map: {} x {} samples, {:,.0f} MB": "Karte: {} x {} Stützstellen, {:,.0f} MB",
     "{}: {} x {} samples": "{}: {} x {} Stützstellen",
     "A draft; the whole land follows": "Ein Entwurf; das ganze Land folgt",
