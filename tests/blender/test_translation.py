@@ -29,7 +29,9 @@ CLASSES = [cls for part in libocean_addon.parts() for cls in getattr(part, "CLAS
 OPERATORS = [cls for cls in CLASSES if issubclass(cls, bpy.types.Operator)]
 SOURCES = sorted(Path(libocean_addon.__file__).parent.rglob("*.py"))
 # Presets, waters, numbers.
-PROPER_NAME = re.compile(r"(Beaufort|Douglas|Jerlov|Seed) |(Gabilan Mesa|(Big )?Tujunga|Jacksboro)$|\d+$")
+PROPER_NAME = re.compile(
+    r"(Beaufort|Douglas|Jerlov|Seed) |(Gabilan Mesa|(Big )?Tujunga|Jacksboro)$|\d+$"
+)
 
 
 # Texts to be translated ---------------------------------------------------------
