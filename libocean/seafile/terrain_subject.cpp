@@ -68,14 +68,7 @@ struct ShownPart {
         }
         const int longer = std::max(region->samples[0], region->samples[1]);
         if (resolution == longer) return *region;
-        Domain scaled = *region;
-        const double cell = std::max(region->size[0], region->size[1]) / (resolution - 1);
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-            const int steps = static_cast<int>(std::floor(region->size[axis] / cell + 1e-6));
-            scaled.samples[axis] = std::max(steps, 1) + 1;
-            scaled.size[axis] = cell * (scaled.samples[axis] - 1);
-        }
-        return scaled;
+        return with_cell(*region, std::max(region->size[0], region->size[1]) / (resolution - 1));
     }
     int default_resolution(const Terrain& terrain) const {
         const Domain shown = region ? *region : terrain_domain(terrain);

@@ -16,6 +16,7 @@
 #include "land/stream_source.hpp"
 #include "ocean/coast_profile.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/land.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/terrain_law.hpp"
 
@@ -220,7 +221,7 @@ class Builder {
         const Domain domain = square_domain(1);
         if (carved_.land == nullptr || !same_streams(carved_.of, terrain_)) {
             const auto source =
-                stream_source(terrain_, *parts_.base, parts_.offset, domain, level());
+                stream_source(terrain_, *parts_.base, parts_.offset, domain, level(), pool_);
             carved_.land = std::make_shared<const StreamLand>(
                 carve(terrain_.stream, domain.samples[0], domain.samples[1], domain.step(0), source,
                       pool_, reporter("streams")));
@@ -271,14 +272,8 @@ class Builder {
     /// Returns the land with square cells, which an elevation model may lack, of its smaller cell
     /// divided by `factor`.
     Domain square_domain(int factor) const {
-        Domain domain = parts_.domain;
-        const double cell = std::min(domain.step(0), domain.step(1)) / factor;
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-            const auto steps = static_cast<int>(std::floor(domain.size[axis] / cell + 1e-6));
-            domain.samples[axis] = steps + 1;
-            domain.size[axis] = steps * cell;
-        }
-        return domain;
+        const Domain& own = parts_.domain;
+        return with_cell(own, std::min(own.step(0), own.step(1)) / factor);
     }
 
     /// Adds the waves below the cell of a land without a base, whose law goes on.
@@ -327,13 +322,8 @@ Domain placed_domain(const Terrain& terrain) {
     const std::array<double, 2> sides = terrain.size.size() == 2
                                             ? std::array{terrain.size[0], terrain.size[1]}
                                             : std::array{terrain.patch_size, terrain.patch_size};
-    const double cell = std::max(sides[0], sides[1]) / (terrain.resolution - 1);
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        const int steps = std::max(1, static_cast<int>(std::floor(sides[axis] / cell + 1e-6)));
-        domain.samples[axis] = steps + 1;
-        domain.size[axis] = steps * cell;
-    }
-    return domain;
+    domain.size = sides;
+    return with_cell(domain, std::max(sides[0], sides[1]) / (terrain.resolution - 1));
 }
 
 double detail_wavelength(const Terrain& terrain) {

@@ -35,21 +35,26 @@ struct Cells {
 };
 
 Cells cells_of(const SplinePyramid& base, double offset, const Domain& domain, int columns,
-               int rows, double cell) {
+               int rows, double cell, ThreadPool& pool) {
     const double longer = std::max(domain.size[0], domain.size[1]);
     const double smooth_cell = std::max(cell, 0.5 * longer / kWavesOfShore);
     const SplineGrid& all = base.level(cell);
     const SplineGrid& smooth = base.level(smooth_cell);
     const double half = 0.5 * domain.step(0);
-    Cells cells{columns, rows, {}, {}};
-    for (int j = 0; j < rows; ++j) {
-        for (int i = 0; i < columns; ++i) {
-            const double x = domain.origin[0] - half + (i + 0.5) * cell;
-            const double y = domain.origin[1] - half + (j + 0.5) * cell;
-            cells.height.push_back(static_cast<float>(all.value_at(x, y) + offset));
-            cells.smooth.push_back(static_cast<float>(smooth.value_at(x, y) + offset));
+    const auto width = static_cast<std::size_t>(columns);
+    const std::size_t count = width * static_cast<std::size_t>(rows);
+    Cells cells{columns, rows, std::vector<float>(count), std::vector<float>(count)};
+    pool.for_each_range(rows, [&](int first, int last) {
+        for (int j = first; j < last; ++j) {
+            for (int i = 0; i < columns; ++i) {
+                const double x = domain.origin[0] - half + (i + 0.5) * cell;
+                const double y = domain.origin[1] - half + (j + 0.5) * cell;
+                const auto at = static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i);
+                cells.height[at] = static_cast<float>(all.value_at(x, y) + offset);
+                cells.smooth[at] = static_cast<float>(smooth.value_at(x, y) + offset);
+            }
         }
-    }
+    });
     return cells;
 }
 
@@ -101,17 +106,25 @@ void round_floors(const StreamGrid& grid, std::span<const std::uint8_t> outlets,
     flood(grid, FloodTo::drain, heights, directions, work);
 }
 
-/// Returns 1 in the cells by which water leaves: the sea, or all cells of the border.
-std::vector<std::uint8_t> outlets_of(const Cells& cells, double level) {
-    std::vector<std::uint8_t> outlets = seas_of(cells, level);
-    if (std::ranges::find(outlets, std::uint8_t{1}) != outlets.end()) return outlets;
+/// The cells by which water leaves: the sea, or without one all cells of the border.
+struct Outlets {
+    std::vector<std::uint8_t> is_outlet;  // 1 in such a cell
+    bool are_sea = false;
+};
+
+Outlets outlets_of(const Cells& cells, double level) {
+    Outlets outlets{seas_of(cells, level), true};
+    if (std::ranges::find(outlets.is_outlet, std::uint8_t{1}) != outlets.is_outlet.end()) {
+        return outlets;
+    }
+    outlets.are_sea = false;
     for (int j = 0; j < cells.rows; ++j) {
         for (int i = 0; i < cells.columns; ++i) {
             const bool at_border =
                 i == 0 || j == 0 || i == cells.columns - 1 || j == cells.rows - 1;
             const auto at = static_cast<std::size_t>(j) * static_cast<std::size_t>(cells.columns) +
                             static_cast<std::size_t>(i);
-            if (at_border) outlets[at] = 1;
+            if (at_border) outlets.is_outlet[at] = 1;
         }
     }
     return outlets;
@@ -120,16 +133,16 @@ std::vector<std::uint8_t> outlets_of(const Cells& cells, double level) {
 }  // namespace
 
 StreamSource stream_source(const Terrain& terrain, const SplinePyramid& base, double offset,
-                           const Domain& domain, double level) {
+                           const Domain& domain, double level, ThreadPool& pool) {
     const double side = std::min(domain.size[0], domain.size[1]);
     const double summit = kStartRelief * terrain.stream.slope * 0.5 * side;
-    return [&base, offset, domain, level, summit](int columns, int rows, double cell) {
-        const Cells cells = cells_of(base, offset, domain, columns, rows, cell);
+    return [&base, &pool, offset, domain, level, summit](int columns, int rows, double cell) {
+        const Cells cells = cells_of(base, offset, domain, columns, rows, cell, pool);
+        Outlets outlets = outlets_of(cells, level);
+        const double foot =
+            outlets.are_sea ? level : static_cast<double>(std::ranges::min(cells.smooth));
         StreamLevel land;
-        land.outlet = outlets_of(cells, level);
-        const bool has_sea = std::ranges::min(cells.smooth) < static_cast<float>(level) &&
-                             seas_of(cells, level) == land.outlet;
-        const double foot = has_sea ? level : static_cast<double>(std::ranges::min(cells.smooth));
+        land.outlet = std::move(outlets.is_outlet);
         const double highest =
             std::max(static_cast<double>(std::ranges::max(cells.smooth)) - foot, 1e-3);
         const double scale = std::min(1.0, summit / highest);
@@ -152,23 +165,15 @@ std::vector<float> with_sea_bed(const StreamLand& land, const SplinePyramid& bas
                                 const Domain& domain, double level, ThreadPool& pool) {
     std::vector<float> heights(land.height.begin(), land.height.end());
     const double cell = domain.step(0);
-    const Cells cells = cells_of(base, offset, domain, domain.samples[0], domain.samples[1], cell);
-    round_floors({domain.samples[0], domain.samples[1], cell}, outlets_of(cells, level), heights,
-                 pool);
-    const std::vector<std::uint8_t> sea = seas_of(cells, level);
-    const SplineGrid& bed = base.level(cell);
-    const auto columns = static_cast<std::size_t>(domain.samples[0]);
-    pool.for_each_range(domain.samples[1], [&](int first, int last) {
-        for (int j = first; j < last; ++j) {
-            for (int i = 0; i < domain.samples[0]; ++i) {
-                const auto at = static_cast<std::size_t>(j) * columns + static_cast<std::size_t>(i);
-                if (sea[at] == 0) continue;
-                const auto [x, y] = domain.place(i, j);
-                heights[at] = std::min(static_cast<float>(bed.value_at(x, y) + offset),
-                                       static_cast<float>(level) - kMinDepth);
-            }
-        }
-    });
+    const Cells cells =
+        cells_of(base, offset, domain, domain.samples[0], domain.samples[1], cell, pool);
+    const Outlets outlets = outlets_of(cells, level);
+    round_floors({domain.samples[0], domain.samples[1], cell}, outlets.is_outlet, heights, pool);
+    if (!outlets.are_sea) return heights;
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        if (outlets.is_outlet[i] == 0) continue;
+        heights[i] = std::min(cells.height[i], static_cast<float>(level) - kMinDepth);
+    }
     return heights;
 }
 

@@ -17,9 +17,9 @@ namespace ocean {
 /// `domain`, which are the centres of the finest cells. Outlets are the seas below `level` [m] that
 /// reach the border; a land without such a sea drains over its border, at the height of its lowest
 /// place. The shore and the uplift follow waves of at least a 64th of the land, so that all levels
-/// agree on them. `base` must outlive the source.
+/// agree on them. `base` and `pool` must outlive the source.
 StreamSource stream_source(const Terrain& terrain, const SplinePyramid& base, double offset,
-                           const Domain& domain, double level);
+                           const Domain& domain, double level, ThreadPool& pool);
 
 /// Returns the carved heights with the bed of the sea, the uncarved land below `level`, in its
 /// outlets.

@@ -376,13 +376,18 @@ Domain terrain_domain(const Terrain& terrain, int resolution) {
     if (!terrain.is_placed()) {
         return Domain::tile(terrain.patch_size, resolution == 0 ? terrain.resolution : resolution);
     }
-    Domain domain = placed_domain(terrain);
-    if (resolution == 0) return domain;
-    const double cell = std::max(domain.size[0], domain.size[1]) / (resolution - 1);
+    const Domain own = placed_domain(terrain);
+    if (resolution == 0) return own;
+    return with_cell(own, std::max(own.size[0], own.size[1]) / (resolution - 1));
+}
+
+Domain with_cell(Domain domain, double cell) {
+    constexpr double kRounding = 1e-6;  // of a cell
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        const auto steps = static_cast<int>(std::floor(domain.size[axis] / cell + 1e-6));
-        domain.samples[axis] = std::max(steps, 1) + 1;
-        domain.size[axis] = (domain.samples[axis] - 1) * cell;
+        const int steps =
+            std::max(1, static_cast<int>(std::floor(domain.size[axis] / cell + kRounding)));
+        domain.samples[axis] = steps + 1;
+        domain.size[axis] = steps * cell;
     }
     return domain;
 }

@@ -33,8 +33,8 @@ struct LandImage {
 /// A terrain. Its textures are valid until the next show() of its LandMaps.
 struct ShownLand {
     unsigned texture = 0;  // the texels of the image, with mipmaps that are means
-    /// What made the ground, 0 .. 1, with mipmaps: 0.5 + (beach - cliff)/2, streambed, deposit, 0.5
-    /// + wear/2. A land without masks has one texel.
+    /// The masks that a material reads, each 0 .. 1, with mipmaps: 0.5 + (beach - cliff)/2,
+    /// streambed, deposit, 0.5 + wear/2. A land without masks has one texel.
     unsigned masks = 0;
     bool has_masks = false;
     std::shared_ptr<const LandImage> image;
