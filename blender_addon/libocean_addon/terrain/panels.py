@@ -191,63 +191,52 @@ def _draw_group(layout, settings, group: str) -> None:
     _draw_parameters(column, settings, GROUPS[group])
 
 
-class GulliesPanel(_Panel, bpy.types.Panel):
+class _SectionPanel(_Panel):
+    """The panel of a section that a checkbox in its header switches on."""
+
+    bl_parent_id = TerrainPanel.bl_idname
+    bl_options = {"DEFAULT_CLOSED"}
+    group = ""
+    needs_place = True
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        if not super().poll(context):
+            return False
+        return not cls.needs_place or is_placed(context.object.libocean_terrain)
+
+    @never_raises
+    def draw_header(self, context) -> None:
+        self.layout.prop(context.object.libocean_terrain, f"use_{self.group}", text="")
+
+    @never_raises
+    def draw(self, context) -> None:
+        _draw_group(self.layout, context.object.libocean_terrain, self.group)
+
+
+class GulliesPanel(_SectionPanel, bpy.types.Panel):
     """Stripes along the fall line, which shape slopes as rain does"""
 
     bl_idname = "LIBOCEAN_PT_terrain_gullies"
-    bl_parent_id = TerrainPanel.bl_idname
     bl_label = "Gullies"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @never_raises
-    def draw_header(self, context) -> None:
-        self.layout.prop(context.object.libocean_terrain, "use_gullies", text="")
-
-    @never_raises
-    def draw(self, context) -> None:
-        _draw_group(self.layout, context.object.libocean_terrain, "gullies")
+    group = "gullies"
+    needs_place = False
 
 
-class StreamsPanel(_Panel, bpy.types.Panel):
+class StreamsPanel(_SectionPanel, bpy.types.Panel):
     """Valleys that streams cut into a land that exists once"""
 
     bl_idname = "LIBOCEAN_PT_terrain_stream"
-    bl_parent_id = TerrainPanel.bl_idname
     bl_label = "Streams"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @classmethod
-    def poll(cls, context) -> bool:
-        return super().poll(context) and is_placed(context.object.libocean_terrain)
-
-    @never_raises
-    def draw_header(self, context) -> None:
-        self.layout.prop(context.object.libocean_terrain, "use_stream", text="")
-
-    @never_raises
-    def draw(self, context) -> None:
-        _draw_group(self.layout, context.object.libocean_terrain, "stream")
+    group = "stream"
 
 
-class ShorePanel(_Panel, bpy.types.Panel):
+class ShorePanel(_SectionPanel, bpy.types.Panel):
     """Beaches and cliffs where a land that exists once meets the water"""
 
     bl_idname = "LIBOCEAN_PT_terrain_coast"
-    bl_parent_id = TerrainPanel.bl_idname
     bl_label = "Shore"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @classmethod
-    def poll(cls, context) -> bool:
-        return super().poll(context) and is_placed(context.object.libocean_terrain)
-
-    @never_raises
-    def draw_header(self, context) -> None:
-        self.layout.prop(context.object.libocean_terrain, "use_coast", text="")
-
-    @never_raises
-    def draw(self, context) -> None:
-        _draw_group(self.layout, context.object.libocean_terrain, "coast")
+    group = "coast"
 
 
 class SpectrumPanel(_Panel, bpy.types.Panel):
