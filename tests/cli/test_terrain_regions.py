@@ -17,37 +17,21 @@ import numpy
 import OpenImageIO as oiio
 import pytest
 from conftest import check_failure
+from lands import ISLAND, TILE
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 sys.path += [str(path) for path in ROOT.glob(".venv/lib/python3.*/site-packages")]
 
-ISLAND = """libocean = 1
-[terrain]
-kind = "placed"
-origin = [-600.0, 800.0]
-size = [2400.0, 1600.0]
-resolution = 64
-patch_size = 2400.0
-rms = 60.0
-mean = 120.0
-beta = 2.0
-island = 300.0
-[terrain.coast]
-level = 3.0
-"""
-TILE = """libocean = 1
-[terrain]
-resolution = 64
-patch_size = 1000.0
-rms = 60.0
-beta = 2.0
-[terrain.gullies]
+GULLIED = (
+    TILE
+    + """[terrain.gullies]
 longest = 250.0
 """
+)
 CELL = 10.0
 WEST, SOUTH, COLUMNS, ROWS = 300.0, 1400.0, 61, 36  # not a square
 REGION = ["--region", "300,1400,900,1750", "--cell", "10"]
-LANDS = {"island": ISLAND, "tile": TILE}
+LANDS = {"island": ISLAND, "tile": GULLIED}
 
 
 def read_exr(path):
