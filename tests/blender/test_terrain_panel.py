@@ -25,9 +25,14 @@ def terrain():
     return bpy.context.object
 
 
+def shown_in(layout, cls):
+    """A panel of that class as its draw function sees it."""
+    return types.SimpleNamespace(layout=layout, group=getattr(cls, "group", ""))
+
+
 def drawn_by(cls) -> list[str]:
     drawn: list[str] = []
-    cls.draw.__wrapped__(types.SimpleNamespace(layout=Layout(drawn)), bpy.context)
+    cls.draw.__wrapped__(shown_in(Layout(drawn), cls), bpy.context)
     return drawn
 
 
@@ -87,7 +92,7 @@ def test_no_draw_function_raises(terrain, cls, monkeypatch, capsys):
         monkeypatch.setattr(Layout, name, fail)
     monkeypatch.setattr(drawing, "_told", set())
     for _ in range(3):
-        cls.draw(types.SimpleNamespace(layout=Layout(drawn)), bpy.context)
+        cls.draw(shown_in(Layout(drawn), cls), bpy.context)
     assert "out of order" in " ".join(drawn)
     assert capsys.readouterr().err.count("Traceback") == 1
 
@@ -130,8 +135,7 @@ def test_no_label_is_cut_where_the_editor_is_narrow(terrain, monkeypatch, langua
     cut: list[str] = []
     try:
         for cls in PANELS:
-            layout = types.SimpleNamespace(layout=NarrowLayout(cut, ROW))
-            cls.draw.__wrapped__(layout, bpy.context)
+            cls.draw.__wrapped__(shown_in(NarrowLayout(cut, ROW), cls), bpy.context)
     finally:
         view.language = "en_US"
     assert cut == []
