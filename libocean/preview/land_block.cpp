@@ -11,8 +11,8 @@
 namespace ocean::preview {
 namespace {
 
-// The belt of the snow line, in rms heights: half its width, its rise on slopes that face the sun
-// and on crests. Of a land with an rms of 350 m: 140 m, 220 m and 260 m.
+// The belt of the snow line, in cover_relief(): half its width, its rise on slopes that face the
+// sun and on crests. Of a land with an rms of 350 m: 140 m, 220 m and 260 m.
 constexpr float kSnowBelt = 0.4f;
 constexpr float kSunnyRise = 0.63f;
 constexpr float kWornRise = 0.74f;
@@ -61,7 +61,7 @@ void set_map(LandBlock& b, const ShownLand& land, const Camera& camera) {
     b.texel = glm::vec4(fraction(east / texel), fraction(north / texel), 0.0, 0.0);
     b.eye_texel =
         glm::ivec4(whole(east / texel), whole(north / texel), image.resolution, image.wraps);
-    b.heights = glm::vec4(land.mean, colour_scale(land), land.heights[0], land.heights[1]);
+    b.heights = glm::vec4(land.mean, cover_relief(land), land.heights[0], land.heights[1]);
 }
 
 /// Sets the lattice of the vertices and their morph: see morph_at() and land_vertex() of
@@ -106,15 +106,16 @@ LandBlock make_land_block(const ShownLand& land, const ShownLattice& lattice,
     const DrawOptions& options = frame.options;
     LandBlock b;
     set_lattice(b, lattice, camera);
-    b.water = glm::vec4(land.water_level.value_or(0.0), land.water_level ? 1.0 : 0.0, 0.0, 0.0);
+    const CoverLines lines = cover_lines(land, look.snow_line);
+    b.water =
+        glm::vec4(land.water_level.value_or(0.0), land.water_level ? 1.0 : 0.0, lines.trees, 0.0);
     set_map(b, land, camera);
     const bool is_given = options.range[0] != 0.0 || options.range[1] != 0.0;
     const auto [low, high] =
         is_given ? options.range : default_range(row_of(options.view).range, land);
     b.range = glm::vec4(low, high, land.cell, 0.0);
-    const double line = look.snow_line.value_or(default_snow_line(land));
-    b.snow = glm::vec4(
-        line, glm::vec3(kSnowBelt, kSunnyRise, kWornRise) * static_cast<float>(colour_scale(land)));
+    b.snow = glm::vec4(lines.snow, glm::vec3(kSnowBelt, kSunnyRise, kWornRise) *
+                                       static_cast<float>(cover_relief(land)));
     const glm::dvec3 sun(make_sky(look).sun_direction);
     const double rise = std::max(sun.z / std::max(std::hypot(sun.x, sun.y), 1e-6), kMinRise);
     const double reach = std::min((land.heights[1] - land.heights[0]) / rise, land.image->period);

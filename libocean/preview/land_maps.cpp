@@ -171,9 +171,20 @@ double colour_scale(const ShownLand& land) {
     return land.rms > 0.0 ? land.rms : 1.0;
 }
 
-double default_snow_line(const ShownLand& land) {
-    constexpr double kRise = 1.3, kRiseByTheSea = 3.0;
-    return land.mean + (land.water_level ? kRiseByTheSea : kRise) * colour_scale(land);
+double cover_relief(const ShownLand& land) {
+    if (!land.water_level) return colour_scale(land);
+    constexpr double kReliefs = 3.0;  // between the water and the summit
+    return std::max((land.heights[1] - *land.water_level) / kReliefs, 1.0);
+}
+
+CoverLines cover_lines(const ShownLand& land, std::optional<double> snow_line) {
+    if (land.water_level) {
+        constexpr double kNoSnow = 1e6;  // [m]
+        return {snow_line.value_or(kNoSnow), 0.5 * (*land.water_level + land.heights[1])};
+    }
+    constexpr double kSnowRise = 1.3, kTreesBelowSnow = 1.1;
+    const double snow = snow_line.value_or(land.mean + kSnowRise * colour_scale(land));
+    return {snow, snow - kTreesBelowSnow * colour_scale(land)};
 }
 
 int land_map_resolution(const Terrain& terrain, bool quick) {

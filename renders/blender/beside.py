@@ -17,40 +17,10 @@ import bpy
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "preview")]
+import daylight  # noqa: E402
 import hosts  # noqa: E402
 import models  # noqa: E402
 import scenes  # noqa: E402
-
-
-def sun_colour(altitude: float) -> tuple[float, float, float]:
-    """Ocean_Sun_Colour of povray_macros/ocean.inc: of a white surface that faces the sun."""
-    air = 1.0 / (math.sin(math.radians(altitude)) + 0.50572 * (altitude + 6.07995) ** -1.6364)
-    return tuple(2.2 * math.exp(-each * air) for each in (0.09, 0.14, 0.27))
-
-
-def add_sun(scene, altitude: float, bearing: float) -> None:
-    """A white surface sends back irradiance over pi."""
-    colour = sun_colour(altitude)
-    lamp = bpy.data.lights.new("Sun", "SUN")
-    lamp.energy = math.pi * max(colour)
-    lamp.color = tuple(part / max(colour) for part in colour)
-    lamp.angle = math.radians(0.533)
-    ob = bpy.data.objects.new("Sun", lamp)
-    ob.rotation_euler = (0.0, math.radians(90.0 - altitude), math.radians(bearing))
-    scene.collection.objects.link(ob)
-
-
-def add_sky(scene, picture: str) -> None:
-    """Equirectangular, +x in its middle."""
-    world = bpy.data.worlds.new("Sky")
-    scene.world = world
-    if bpy.app.version < (5, 0):
-        world.use_nodes = True
-    nodes = world.node_tree.nodes
-    texture = nodes.new("ShaderNodeTexEnvironment")
-    texture.image = bpy.data.images.load(str(Path(picture).resolve()))
-    texture.image.colorspace_settings.name = "Linear"
-    world.node_tree.links.new(texture.outputs["Color"], nodes["Background"].inputs["Color"])
 
 
 def add_float(ocean, name: str, x: float, y: float, heading: float) -> None:
@@ -80,8 +50,8 @@ def main() -> None:
     camera = scenes.camera(scene, view["eye"], hosts.target(view), 50.0)
     camera.data.angle = math.radians(view["angle"])
     camera.data.clip_start = 0.05
-    add_sky(scene, sky)
-    add_sun(scene, *view["sun"])
+    daylight.add_sky(scene, sky)
+    daylight.add_sun(scene, *view["sun"])
     ocean = scenes.ocean_of(Path(sea).resolve(), view["water"])
     ocean.libocean.use_detail = True
     # Anew: of this sea, sun, camera and air.

@@ -55,14 +55,15 @@ vec3 made_albedo(vec3 c, Ground ground, float noise) {
 
 // Returns the colour of land by height, slope and wear; noise about -1 .. 1.
 vec3 land_albedo(Ground ground, float noise, float wear) {
-    float rms = heights.y;
-    float tree_line = snow.x - 1.1 * rms;
-    float z = ground.height + 0.3 * rms * noise;
+    float relief = heights.y, tree_line = water_line.z;
+    float z = ground.height + 0.3 * relief * noise;
     float steep = ground.steepness;
     vec3 c = grass_albedo * (1.0 + 0.3 * noise);
     c = mix(c, dry_grass_albedo,
-            0.75 * ramp(tree_line - 0.25 * rms, snow.x, z + 0.6 * rms * wear));
-    float woods = ramp(tree_line + 0.15 * rms, tree_line - 0.3 * rms, z + 0.25 * rms * wear) *
+            0.75 * ramp(tree_line - 0.25 * relief, max(min(snow.x, heights.w), tree_line + relief),
+                         z + 0.6 * relief * wear));
+    float woods = ramp(tree_line + 0.15 * relief, tree_line - 0.3 * relief,
+                       z + 0.25 * relief * wear) *
                   ramp(0.95, 0.6, steep + 0.12 * noise) *
                   ramp(-0.55, 0.15, noise + 0.35 - 0.3 * wear);
     c = mix(c, forest_albedo * (1.0 + 0.25 * noise), woods);
@@ -87,14 +88,13 @@ vec3 ramp_albedo(float height) {
     return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c));
 }
 
-// Returns the share of the sun's disc that the ground leaves free: the lowest clearance of a line
-// towards it, at steps that grow with the distance, over the half shade of 1 in 50.
-float free_sun(vec2 at, float height, float footprint) {
-    if (shadow.x < 1.0 || sun.z >= 0.999) return 1.0;
-    vec2 towards = sun.xy / length(sun.xy);
-    float rise = sun.z / length(sun.xy);
+// Returns the share that the ground leaves free of what shines along a line from a point, which
+// rises by `rise` on a metre: the lowest clearance, at steps that grow with the distance up to
+// `reach` [m], over a half shade of 1 in 50.
+float free_way(vec2 at, float height, vec2 towards, float rise, float reach, float footprint) {
+    if (shadow.x < 1.0) return 1.0;
     float distance = max(1.5 * tile.w, footprint);
-    float ratio = pow(max(shadow.y / distance, 1.0), 1.0 / shadow.x);
+    float ratio = pow(max(reach / distance, 1.0), 1.0 / shadow.x);
     float share = 1.0;
     for (int i = 0; i < int(shadow.x); ++i) {
         float ray = height + 0.05 * tile.w + distance * rise;
@@ -106,6 +106,13 @@ float free_sun(vec2 at, float height, float footprint) {
         distance *= ratio;
     }
     return clamp(share, 0.0, 1.0);
+}
+
+// Returns the share of the sun's disc that is free.
+float free_sun(vec2 at, float height, float footprint) {
+    if (sun.z >= 0.999) return 1.0;
+    float across = length(sun.xy);
+    return free_way(at, height, sun.xy / across, sun.z / across, shadow.y, footprint);
 }
 
 // Returns the light of the ground in the colours that the block chooses.

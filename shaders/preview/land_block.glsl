@@ -9,7 +9,7 @@ layout(std140) uniform LandBlock {
                     // of a texel [m]
     vec4 texel;     // place of the eye in its texel, 0 .. 1
     ivec4 eye_texel;  // that texel; samples of the map along a side; 1: the map repeats
-    vec4 heights;   // mean, rms about it, lowest, highest [m]
+    vec4 heights;   // mean, relief that the covers follow, lowest, highest [m]
     vec4 range;     // lowest and highest value that a view shows; cell of the terrain's grid [m]
     vec4 snow;      // height of the snow line, half the width of its belt, its rise for a slope of
                     // 1 that faces the sun, its rise for wear of 1 [m]
@@ -23,7 +23,7 @@ layout(std140) uniform LandBlock {
     vec4 morphing;
     vec4 edge;        // lowest and highest place of the land relative to the eye [m], 1e30 without
                       // end
-    vec4 water_line;  // height of still water [m]; 1: there is some
+    vec4 water_line;  // height of still water [m]; 1: there is some; the tree line [m]
     // The cover noise: place of the eye in its cell, 0 .. 1, 1/cell [1/m], cell [m]; that cell.
     vec4 cover[4];
     ivec4 cover_cell[4];

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The still water of a land with a coast: its bed, dimmed and tinted by the depth, under the sky that
-// it mirrors.
+// The still water of a land with a coast: its bed, dimmed and tinted by the depth, under the sky and
+// the land that it mirrors.
 #include "preview/ground_light.glsl"
 #include "preview/tone.glsl"
 #include "wave/reflectance.glsl"
@@ -12,6 +12,17 @@ layout(location = 0) out vec4 colour;
 
 // Root of the mean square slope of ripples that are too small to draw.
 const float ripple_slope = 0.06;
+
+// Returns the light that comes from a direction: of the sky, or of wooded land that is in its way.
+vec3 mirrored_light(vec3 direction, float footprint) {
+    vec3 above = sky(direction, 0.1);
+    float rise = direction.z / max(length(direction.xy), 1e-4);
+    float reach = min((heights.w - water_line.x) / max(rise, 0.01), 1.0 / tile.z);
+    vec2 towards = direction.xy / max(length(direction.xy), 1e-4);
+    float open = free_way(label, water_line.x, towards, rise, reach, footprint);
+    vec3 wooded = mix(forest_albedo, grass_albedo, 0.4) * light_from_above();
+    return mix(wooded, above, open);
+}
 
 void main() {
     vec3 from_eye = position - vec3(0.0, 0.0, eye.z);
@@ -35,15 +46,15 @@ void main() {
     float mirrored = rough_water_reflectance(facing, ripple_slope);
     vec3 away = reflect(sight, normal);
     away.z = abs(away.z);
-    vec3 light = mix(body, sky(normalize(away), 0.1), mirrored);
+    vec3 light = mix(body, mirrored_light(normalize(away), footprint), mirrored);
     vec3 half_way = normalize(sun.xyz - sight);
     float tilt = dot(half_way.xy, half_way.xy) / max(half_way.z * half_way.z, 1e-4);
     float glint = exp(-tilt / (ripple_slope * ripple_slope)) / (ripple_slope * ripple_slope);
     light += 0.02 * sun_shown * sun.w * glint * sun_colour.rgb / max(4.0 * facing, 0.2);
 
     // Waves break white where they run up the beach.
-    float wash = 1.0 - smoothstep(0.0, 0.25, depth - 0.15 * cover_noise(label, footprint));
-    light = mix(light, 0.75 * from_above, 0.6 * wash);
+    float wash = 1.0 - smoothstep(0.0, 0.05, depth - 0.03 * cover_noise(label, footprint));
+    light = mix(light, 0.75 * from_above, 0.5 * wash);
 
     float range_to = max(length(from_eye.xy), 1e-3);
     vec3 air = sky(normalize(vec3(from_eye.xy, 0.02 * range_to)), look.z);

@@ -105,6 +105,9 @@ TERMS = {
     "Grass Colour": "Grasfarbe",
     "Forest Colour": "Waldfarbe",
     "Sand Colour": "Sandfarbe",
+    "Wet Sand Colour": "Farbe nassen Sands",
+    "Dry Grass Colour": "Farbe trockenen Grases",
+    "Dry Share": "Anteil trockenen Grases",
     "Colour": "Farbe",
 }
 

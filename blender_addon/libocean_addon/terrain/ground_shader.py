@@ -20,7 +20,7 @@ from ..shared.shader_builder import Tree, facing, shader_group, stored_normal
 from .node_group import HEIGHT, NORMAL
 
 GROUP = "Terrain Ground"
-VERSION = 2
+VERSION = 3
 MARK = "libocean_ground"  # custom property of a group: the version that built it
 
 ALBEDOS = {
@@ -28,8 +28,10 @@ ALBEDOS = {
     "Rock": (0.165, 0.150, 0.135),
     "Scree": (0.220, 0.195, 0.165),
     "Grass": (0.082, 0.092, 0.036),
+    "Dry Grass": (0.19, 0.16, 0.075),
     "Forest": (0.028, 0.042, 0.018),
     "Sand": (0.42, 0.36, 0.26),
+    "Wet Sand": (0.19, 0.155, 0.11),
 }
 """Linear albedos, chosen by eye against photographs of mountains."""
 
@@ -39,6 +41,7 @@ NOWHERE = 1e5
 _NUMBERS = (
     ("Snow Line", NOWHERE, -1e5, 1e5, "Height above which snow lies on level ground [m]"),
     ("Forest Line", NOWHERE, -1e5, 1e5, "Height up to which forest grows [m]"),
+    ("Dry Share", 0.0, 0.0, 1.0, "Share of dry grass far above the forest"),
     ("Sand Line", -NOWHERE, -1e5, 1e5, "Height up to which level ground is sand [m]"),
     ("Line Width", 140.0, 0.0, 1e5, "Half width of the edge at a line [m]"),
     ("Sun Melt", 220.0, 0.0, 1e5, "Rise of the snow line on a slope of 1 that faces the sun [m]"),
@@ -147,9 +150,11 @@ def _from(t: Tree, begins, width: float, slope, noise, share: float):
     return t.eased(begins, t.number("ADD", begins, width), moved)
 
 
+_COVERS = ("Sand", "Dry Grass", "Forest", "Scree", "Rock", "Snow")
 _OF_COVERS = (
     "Snow Line",
     "Forest Line",
+    "Dry Share",
     "Sand Line",
     "Line Width",
     "Sun Melt",
@@ -162,15 +167,17 @@ _OF_COVERS = (
 
 
 def _covers(t: Tree, inputs, height, slopes, noise, by_masks) -> list:
-    """Returns the share of each cover over those before it: sand, forest, scree, rock, snow.
+    """Returns the share of each cover over those before it, in the order of _COVERS.
     by_masks: shares that masks give to forest, scree, rock."""
     lush, gravel, cliff = by_masks
     slope = t.math("LENGTH", slopes, result="Value")
     width = inputs["Line Width"]
     rough = t.number("MULTIPLY_ADD", t.number("MULTIPLY", noise, 0.7), width, height)
     level = t.number("SUBTRACT", 1.0, t.eased(0.20, 0.35, slope))
-    narrow = t.number("MULTIPLY", width, 0.1)
-    sand = t.number("MULTIPLY", _below(t, inputs["Sand Line"], narrow, rough), level)
+    # Sand ends where waves end, not where land begins to rise.
+    narrow = t.number("MULTIPLY", width, 0.02)
+    rippled = t.number("MULTIPLY_ADD", t.number("MULTIPLY", noise, 0.7), narrow, height)
+    sand = t.number("MULTIPLY", _below(t, inputs["Sand Line"], narrow, rippled), level)
     grows = t.number("SUBTRACT", 1.0, _from(t, 0.60, 0.35, slope, noise, 0.12))
     # Forest leaves clearings.
     forest = t.number("MULTIPLY", grows, t.eased(-0.55, 0.15, t.number("ADD", noise, 0.2)))
@@ -182,7 +189,10 @@ def _covers(t: Tree, inputs, height, slopes, noise, by_masks) -> list:
     snow_line = t.number("ADD", inputs["Snow Line"], melt)
     snow = t.number("SUBTRACT", 1.0, _below(t, snow_line, width, rough))
     lies = t.number("SUBTRACT", 1.0, _from(t, inputs["Snow Slope"], 0.50, slope, noise, 0.15))
-    return [sand, forest, scree, rock, t.number("MULTIPLY", snow, lies)]
+    lower = t.number("SUBTRACT", inputs["Forest Line"], t.number("MULTIPLY", width, 0.6))
+    upper = t.number("MULTIPLY_ADD", width, 2.5, inputs["Forest Line"])
+    dry = t.number("MULTIPLY", t.eased(lower, upper, rough), inputs["Dry Share"])
+    return [sand, dry, forest, scree, rock, t.number("MULTIPLY", snow, lies)]
 
 
 _FLOW_BEGINS, _FLOW_ENDS = 4.7, 6.3
@@ -223,14 +233,18 @@ def _build(group) -> None:
     given = [inputs[name] for name in _OF_COVERS]
     by_masks = _by_masks(t, inputs)
     shares = t.nested("ground covers", covers, height, slopes, noise, *by_masks, *given)
+    # Sand is dark where waves have wetted it.
+    above = t.number("SUBTRACT", height, inputs["Sand Line"])
+    sand = t.mix(inputs["Wet Sand Colour"], inputs["Sand Colour"], t.eased(0.2, 1.0, above))
     colour = inputs["Grass Colour"]
-    for name, share in zip(("Sand", "Forest", "Scree", "Rock", "Snow"), shares, strict=True):
+    for name, share in zip(_COVERS, shares, strict=True):
         if name == "Snow":  # noise and wear shade the ground, not the snow on it
-            colour = t.mix(colour, inputs["Sand Colour"], _mask(t, "beach", inputs["Beach Sand"]))
+            colour = t.mix(colour, sand, _mask(t, "beach", inputs["Beach Sand"]))
             shade = t.number("MULTIPLY_ADD", fine, 2.0 * _SHADE, 1.0)
             shade = t.number("ADD", _mask(t, "wear", inputs["Wear Shade"]), shade)
             colour = t.scale(colour, t.number("MAXIMUM", shade, 0.2))
-        colour = t.mix(colour, inputs[f"{name} Colour"], share)
+        cover = sand if name == "Sand" else inputs[f"{name} Colour"]
+        colour = t.mix(colour, cover, share)
     ground = t.shader(
         "ShaderNodeBsdfDiffuse", Color=colour, Roughness=inputs["Roughness"], Normal=normal
     )

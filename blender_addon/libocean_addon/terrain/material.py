@@ -18,6 +18,7 @@ from .open_terrain import terrain_of
 from .terrain_text import TerrainValues
 
 _RELIEF = 185.0  # [m] rms height of the land for which the widths of the sockets were chosen
+_DRY = 0.75  # share of dry grass far above the forest
 _NOISE_SHARE = 1.0 / 15.0  # of the tile: the largest scale of the noise
 
 
@@ -34,12 +35,14 @@ def look_of(state: dict, water: float | None = None) -> dict[str, float]:
             "Snow Line": ground_shader.NOWHERE,
             "Forest Line": water + 0.5 * rise,
             "Sand Line": water,
+            "Dry Share": _DRY,
             "Line Width": 140.0 * relief,
             "Noise Size": _NOISE_SHARE * max(state["size"]),
         }
     return {
         "Snow Line": mean + 1.3 * rms,
         "Forest Line": mean + 0.1 * rms,
+        "Dry Share": _DRY,
         "Line Width": 140.0 * relief,
         "Sun Melt": 220.0 * relief,
         "Noise Size": _NOISE_SHARE * (state["period"] or max(state["size"])),

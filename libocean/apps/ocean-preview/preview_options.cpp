@@ -209,7 +209,7 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
            kOptional, OneOf{preview::land_colour_names()}},
           {"--snow-line", &words.snow_line, "M",
            "Height above which snow lies on level ground, metres (default: 1.3 rms heights above "
-           "the mean, 3 of land with a coast)"}}},
+           "the mean, none on land with a coast)"}}},
         {"Picture",
          {{"--offscreen", &words.offscreen, "FILE",
            "Write one picture; needs no display: FILE.png as a screen shows it, FILE.exr as "

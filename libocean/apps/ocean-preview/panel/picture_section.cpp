@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <imgui.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -73,10 +74,12 @@ void draw_land_look(const preview::ShownLand& land, PanelState& state) {
     }
     bool own = look.snow_line.has_value();
     if (ImGui::Checkbox("Snow line", &own)) {
-        look.snow_line = own ? std::optional(default_snow_line(land)) : std::nullopt;
+        const double line = preview::cover_lines(land, std::nullopt).snow;
+        look.snow_line =
+            own ? std::optional(std::min<double>(line, land.heights[1])) : std::nullopt;
         state.requests.touched = true;
     }
-    tooltip("Unset: 1.3 rms heights above the mean, 3 of land with a coast");
+    tooltip("Unset: 1.3 rms heights above the mean, none on land with a coast");
     if (!look.snow_line) return;
     slider(state, "Snow from", *look.snow_line, static_cast<float>(land.mean - 3.0 * land.rms),
            static_cast<float>(land.mean + 5.0 * land.rms), "%.0f m");

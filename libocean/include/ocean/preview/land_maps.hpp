@@ -58,9 +58,18 @@ double texel_of(const ShownLand& land);
 
 /// Returns the height that the colours of land scale with [m]: its rms height, of flat land 1 m.
 double colour_scale(const ShownLand& land);
-/// Returns the height above which snow lies on level ground by default [m]: 1.3 colour scales above
-/// the mean, 3 of land with a coast.
-double default_snow_line(const ShownLand& land);
+/// Returns the relief that the widths of the covers' edges follow [m]: the rms height, or of a land
+/// with a coast a third of the way from the water to the summit.
+double cover_relief(const ShownLand& land);
+
+/// Heights where the covers of level ground end [m].
+struct CoverLines {
+    double snow;   // from it on
+    double trees;  // up to it
+};
+/// Returns the lines of a land. snow_line: a given one [m]; the default is 1.3 rms heights above
+/// the mean, and far above land with a coast, whose trees end half way to the summit.
+CoverLines cover_lines(const ShownLand& land, std::optional<double> snow_line);
 
 /// Returns the default samples along a side of a terrain's map: twice its own, so that cubic
 /// patches follow its shortest waves, up to 4096; of a land with erosion, a shore or a place its

@@ -73,7 +73,7 @@ struct Look {
     double foam_amount = 1.0;
     bool repeats = false;  // one period repeats to the horizon, without copies that hide it
     LandColours land_colours = LandColours::land;
-    /// Height above which snow lies on level ground [m]; unset: default_snow_line().
+    /// Height above which snow lies on level ground [m]; unset: that of cover_lines().
     std::optional<double> snow_line = std::nullopt;
 };
 

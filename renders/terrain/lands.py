@@ -1,0 +1,123 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Hands the views of views.toml to the hosts, and measures how alike their pictures are.
+
+usage: lands.py names                     the views of the sheet, one on a line
+       lands.py land VIEW                 its land
+       lands.py size VIEW                 WIDTHxHEIGHT
+       lands.py preview VIEW              words for ocean-preview after the land, one on a line
+       lands.py folder VIEW               words for `ocean povray` after the land, one on a line
+       lands.py povray VIEW               what renders/terrain/beside.pov includes as view.inc
+       lands.py measure FOLDER            how alike the hosts are, of FOLDER/VIEW.HOST.png
+"""
+
+import sys
+import tomllib
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.append(str(HERE.parent / "preview"))
+import hosts  # noqa: E402
+
+
+def views() -> dict:
+    """Returns the views of the sheet by their names, with what is default."""
+    tables = tomllib.loads((HERE / "views.toml").read_text(encoding="utf-8"))
+    return {name: tables["default"] | tables[name] for name in tables["beside"]}
+
+
+def view_of(name: str) -> dict:
+    try:
+        return views()[name]
+    except KeyError:
+        sys.exit(f"{HERE / 'views.toml'}: there is no view '{name}'")
+
+
+def preview_words(view: dict) -> list[str]:
+    words = {name: ",".join(f"{part:g}" for part in view[name]) for name in ("eye", "sun")}
+    for name in ("heading", "pitch", "angle", "visibility", "snow_line"):
+        words[name.replace("_", "-")] = f"{view[name]:g}"
+    return [word for name, value in words.items() for word in (f"--{name}", value)]
+
+
+def povray_words(view: dict) -> str:
+    def vector(of) -> str:
+        return f"<{of[0]:.9g}, {of[2]:.9g}, {of[1]:.9g}>"
+
+    return (
+        f"#declare View_Eye = {vector(view['eye'])};\n"
+        f"#declare View_Target = {vector(hosts.target(view))};\n"
+        f"#declare View_Angle = {view['angle']};\n"
+        f"#declare View_Sun_Altitude = {view['sun'][0]};\n"
+        f"#declare View_Sun_Bearing = {view['sun'][1]};\n"
+        f"#declare View_Snow_Line = {view['snow_line']};\n"
+        f"#declare Terrain_Tree_Line = {view['tree_line']};\n"
+        f"#declare Terrain_Visibility = {view['visibility']};\n"
+    )
+
+
+# What the sheet is judged by ---------------------------------------------------
+#
+# - skyline: in the same row of each column, within 1 pixel in the median and 2 in nine of ten
+# - ground: luminance of what lies below the skyline, blurred by 9 pixels, correlates by .85
+# - light: of the ground's upper, middle and lower third, within 1.25 times
+# - by eye: the same ridges, valleys and bays in the same places; snow, rock, forest, sand and
+#   water where the others have them; haze that grows with the distance and takes the colour of the
+#   sky above it; shadows on the side away from the sun; ground that is no blur at the eye and no
+#   noise far away; no crack, no seam, nothing that repeats
+
+
+def skyline(view: dict, picture):
+    """Returns the row of the highest edge from row to row, by column."""
+    import numpy
+
+    found = numpy.abs(numpy.diff(picture, axis=0)).max(2) > view["edge"]
+    return numpy.where(found.any(0), found.argmax(0), len(picture))
+
+
+def measure(folder: Path) -> None:
+    """Prints the list above in numbers."""
+    import numpy
+
+    for name, view in views().items():
+        pictures = {host: hosts.read(folder / f"{name}.{host}.png") for host in hosts.HOSTS}
+        lines = {host: skyline(view, picture) for host, picture in pictures.items()}
+        lowest = max(int(numpy.percentile(line, 90.0)) for line in lines.values()) + 1
+        print(f"{name}:")
+        for host, picture in pictures.items():
+            thirds = numpy.array_split(picture[lowest:], 3)
+            light = ["/".join(f"{c:.2f}" for c in third.mean((0, 1))) for third in thirds]
+            print(f"  {host:8} skyline {numpy.median(lines[host]):g}, light", *light)
+        blurred = {h: hosts.blurred(hosts.luminance(p)[lowest:], 9) for h, p in pictures.items()}
+        for first, second in (hosts.HOSTS[:2], hosts.HOSTS[::2], hosts.HOSTS[1:]):
+            apart = numpy.abs(lines[first] - lines[second])
+            alike = numpy.corrcoef(blurred[first].ravel(), blurred[second].ravel())[0, 1]
+            print(
+                f"  {first} and {second}: skyline {numpy.median(apart):g}, nine of ten "
+                f"{numpy.percentile(apart, 90.0):g} pixels; ground {alike:.2f}"
+            )
+
+
+def main() -> None:
+    match sys.argv[1:]:
+        case ["names"]:
+            print(*views(), sep="\n")
+        case ["land", name]:
+            print(view_of(name)["land"])
+        case ["size", name]:
+            print("{}x{}".format(*view_of(name)["size"]))
+        case ["preview", name]:
+            print(*preview_words(view_of(name)), sep="\n")
+        case ["folder", name]:
+            print(*view_of(name)["folder"], sep="\n")
+        case ["povray", name]:
+            print(povray_words(view_of(name)), end="")
+        case ["measure", folder]:
+            measure(Path(folder))
+        case _:
+            sys.exit(__doc__.partition("usage: ")[2])
+
+
+if __name__ == "__main__":
+    main()
