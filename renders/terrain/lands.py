@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: The libocean authors
-# SPDX-License-Identifier: Apache-2.0
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Hands the views of views.toml to the hosts, and measures how alike their pictures are.
 
 usage: lands.py names                     the views of the sheet, one on a line
