@@ -30,12 +30,10 @@ int fine_side(int resolution) {
     return std::max(resolution, std::min(2 * resolution, kMaxFineSide));
 }
 
-/// Returns the height of a part of a terrain's waves, without the mean, on its tile at `origin`.
-std::shared_ptr<const SplinePyramid> wave_pyramid(const Terrain& terrain, const LandWaves& waves,
-                                                  LawPart part, int side,
-                                                  std::array<double, 2> origin, ThreadPool& pool) {
-    Modes modes = empty_terrain_modes(terrain);
-    set_terrain_modes(terrain, *waves.noise, waves.rms, pool, modes, part);
+/// Returns the height of waves, without the mean, on a terrain's tile at `origin`.
+std::shared_ptr<const SplinePyramid> wave_pyramid(const Terrain& terrain, const Modes& modes,
+                                                  int side, std::array<double, 2> origin,
+                                                  ThreadPool& pool) {
     SurfaceSettings flat;
     flat.choppiness = 0.0;
     const Surface map = make_surface(modes, flat, 0.0, {Channel::height}, Backend::cpu, pool, side);
@@ -44,6 +42,15 @@ std::shared_ptr<const SplinePyramid> wave_pyramid(const Terrain& terrain, const 
     const int oversampled = std::bit_width(static_cast<unsigned>(side / terrain.resolution)) - 1;
     return std::make_shared<const SplinePyramid>(domain, map.channel(Channel::height), pool,
                                                  oversampled);
+}
+
+/// Returns the height of a part of a terrain's waves.
+std::shared_ptr<const SplinePyramid> part_pyramid(const Terrain& terrain, const LandWaves& waves,
+                                                  LawPart part, int side,
+                                                  std::array<double, 2> origin, ThreadPool& pool) {
+    Modes modes = empty_terrain_modes(terrain);
+    set_terrain_modes(terrain, *waves.noise, waves.rms, pool, modes, part);
+    return wave_pyramid(terrain, modes, side, origin, pool);
 }
 
 /// Returns true if waves finer than the smallest gullies fit on the terrain's grid.
@@ -119,9 +126,9 @@ class Builder {
         const LawPart part = terrain_.has_gullies() ? LawPart::smooth : LawPart::whole;
         const int side =
             part == LawPart::smooth ? terrain_.resolution : fine_side(terrain_.resolution);
-        parts_.base = wave_pyramid(terrain_, waves_, part, side, origin, pool_);
+        parts_.base = part_pyramid(terrain_, waves_, part, side, origin, pool_);
         if (has_fine_waves(terrain_)) {
-            parts_.fine = wave_pyramid(terrain_, waves_, LawPart::fine,
+            parts_.fine = part_pyramid(terrain_, waves_, LawPart::fine,
                                        fine_side(terrain_.resolution), origin, pool_);
         }
         parts_.offset = terrain_.mean;
@@ -302,12 +309,11 @@ LandField build_field(const Terrain& terrain, const LandWaves& waves, ThreadPool
     return Builder(terrain, waves, pool, carved, progress).build();
 }
 
-LandField build_tile_field(const Terrain& terrain, const LandWaves& waves, double offset,
+LandField build_tile_field(const Terrain& terrain, const Modes& modes, double offset,
                            ThreadPool& pool) {
     LandFieldParts parts;
     parts.domain = Domain::tile(terrain.patch_size, terrain.resolution);
-    parts.base =
-        wave_pyramid(terrain, waves, LawPart::whole, fine_side(terrain.resolution), {}, pool);
+    parts.base = wave_pyramid(terrain, modes, fine_side(terrain.resolution), {}, pool);
     parts.offset = offset;
     return LandField(std::move(parts));
 }
