@@ -202,10 +202,18 @@ class Builder {
         return {heights.begin(), heights.end()};
     }
 
-    void keep(LandMask mask, const Domain& domain, std::span<const float> values) {
+    void keep(LandMask mask, const Domain& domain, MaskGrid::Values values) {
         parts_.masks.emplace_back(mask,
-                                  std::make_shared<const MaskGrid>(
-                                      domain, PageVector<float>(values.begin(), values.end())));
+                                  std::make_shared<const MaskGrid>(domain, std::move(values)));
+    }
+
+    void keep(LandMask mask, const Domain& domain, std::span<const float> values) {
+        keep(mask, domain, std::make_shared<const PageVector<float>>(values.begin(), values.end()));
+    }
+
+    /// Keeps a mask of the streams, which the land that they carved shares.
+    void keep_of_streams(LandMask mask, const Domain& domain, const PageVector<float>& values) {
+        keep(mask, domain, MaskGrid::Values(carved_.land, &values));
     }
 
     /// Lowers the base, not what gullies make of it.
@@ -238,10 +246,10 @@ class Builder {
         const std::vector<float> heights =
             with_sea_bed(land, *parts_.base, parts_.offset, domain, level(), pool_);
         rest_on_grid(domain, heights);
-        keep(LandMask::flow, domain, land.area);
-        keep(LandMask::deposit, domain, land.deposit);
-        keep(LandMask::streambed, domain, land.channel);
-        keep(LandMask::wetness, domain, land.wetness);
+        keep_of_streams(LandMask::flow, domain, land.area);
+        keep_of_streams(LandMask::deposit, domain, land.deposit);
+        keep_of_streams(LandMask::streambed, domain, land.channel);
+        keep_of_streams(LandMask::wetness, domain, land.wetness);
     }
 
     void shape_shore() {
@@ -260,7 +268,8 @@ class Builder {
             const bool dry = maps.distance[i] > 0.0f;
             share[i] = (1.0f - maps.beach[i]) * (dry ? 1.0f : kUnderWater);
         }
-        parts_.detail_share = std::make_shared<const MaskGrid>(domain, std::move(share));
+        parts_.detail_share = std::make_shared<const MaskGrid>(
+            domain, std::make_shared<const PageVector<float>>(std::move(share)));
     }
 
     /// Returns the land's grid, refined to four samples along the smoothing of the shore line.
