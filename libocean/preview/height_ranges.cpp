@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace ocean::preview {
 namespace {
 
-constexpr std::size_t kComponents = 4;  // of a texel; the height is the first
+constexpr std::ptrdiff_t kComponents = 4;  // of a texel; the height is the first
 
 std::pair<float, float> joined(const std::pair<float, float>& a, const std::pair<float, float>& b) {
     return {std::min(a.first, b.first), std::max(a.second, b.second)};
@@ -27,25 +28,28 @@ HeightRanges::HeightRanges(const LandImage& image, double margin)
 void HeightRanges::add_finest(const LandImage& image, float margin) {
     const int n = image.resolution, side = (n + kBlock - 1) / kBlock;
     Level level{side, image.period / n * kBlock, {}};
-    level.ranges.reserve(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    level.ranges.assign(static_cast<std::size_t>(side) * static_cast<std::size_t>(side),
+                        {kInfinity, -kInfinity});
     const auto inside = [&](int i) { return wraps_ ? i % n : std::min(i, n - 1); };
     for (int b = 0; b < side; ++b) {
-        for (int a = 0; a < side; ++a) {
-            const auto sample = [&](int i, int j) {
-                const auto at =
-                    static_cast<std::size_t>(inside(b * kBlock + j)) * static_cast<std::size_t>(n) +
-                    static_cast<std::size_t>(inside(a * kBlock + i));
-                return image.texels[kComponents * at];
-            };
-            Range range{sample(0, 0), sample(0, 0)};
-            for (int j = 0; j <= kBlock; ++j) {
-                for (int i = 0; i <= kBlock; ++i) {
-                    const float height = sample(i, j);
-                    range = joined(range, {height, height});
+        Range* const ranges = level.ranges.data() + b * side;
+        for (int j = b * kBlock; j <= (b + 1) * kBlock; ++j) {
+            const float* const row = image.texels.data() + kComponents * inside(j) * n;
+            for (int a = 0; a < side; ++a) {
+                const int end = std::min((a + 1) * kBlock, n);
+                const float beyond = row[kComponents * inside(end)];
+                float low = std::min(ranges[a].first, beyond);
+                float high = std::max(ranges[a].second, beyond);
+                for (int i = a * kBlock; i < end; ++i) {
+                    low = std::min(low, row[kComponents * i]);
+                    high = std::max(high, row[kComponents * i]);
                 }
+                ranges[a] = {low, high};
             }
-            level.ranges.emplace_back(range.first - margin, range.second + margin);
         }
+        for (int a = 0; a < side; ++a)
+            ranges[a] = {ranges[a].first - margin, ranges[a].second + margin};
     }
     levels_.push_back(std::move(level));
 }

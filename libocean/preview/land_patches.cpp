@@ -216,8 +216,8 @@ void LandPatches::upload_made() {
     for (const PatchMaker::Made& made : detail_maker_.take()) layers_.add(made);
 }
 
-/// Requests patches and waits for them, a live picture only for a while unless they are needed
-/// `at_once`.
+/// Requests patches and makes them with the other threads, for a live picture only for a while
+/// unless they are needed `at_once`.
 void LandPatches::fetch(std::vector<PatchKey> lacking, bool at_once) {
     using std::chrono::steady_clock;
     std::optional<steady_clock::time_point> until;
@@ -225,7 +225,9 @@ void LandPatches::fetch(std::vector<PatchKey> lacking, bool at_once) {
         until = steady_clock::now() + std::chrono::duration_cast<steady_clock::duration>(patience_);
     }
     maker_.request(lacking);
+    const auto is_in_time = [&] { return !until || steady_clock::now() < *until; };
     do {
+        while (is_in_time() && maker_.help()) continue;
         const bool in_time = maker_.wait(until);
         upload_made();
         if (!in_time) return;

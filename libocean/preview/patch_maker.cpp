@@ -169,35 +169,47 @@ bool PatchMaker::has_made() const {
     return !made_.empty();
 }
 
+bool PatchMaker::help() {
+    std::unique_lock lock(mutex_);
+    if (waiting_.empty()) return false;
+    make_first(lock, helper_);
+    return true;
+}
+
 void PatchMaker::work() {
     ThreadPool caller(1);
     std::unique_lock lock(mutex_);
     for (;;) {
         wake_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
         if (ends_) return;
-        const PatchKey key = waiting_.front();
-        waiting_.pop_front();
-        in_work_.insert(key);
-        const PatchSource source = source_;
-        const std::uint64_t generation = generation_;
-        lock.unlock();
-        PatchValues values;
-        std::exception_ptr failure;
-        try {
-            values = make_(source, key, caller);
-        } catch (...) {
-            failure = std::current_exception();
-        }
-        lock.lock();
-        if (generation != generation_) continue;  // of a land before
-        in_work_.erase(key);
-        if (failure) {
-            failure_ = failure;
-        } else {
-            made_.push_back({key, std::move(values)});
-        }
-        done_.notify_all();
+        make_first(lock, caller);
     }
+}
+
+/// Makes the first patch that waits, and unlocks the mutex meanwhile.
+void PatchMaker::make_first(std::unique_lock<std::mutex>& lock, ThreadPool& caller) {
+    const PatchKey key = waiting_.front();
+    waiting_.pop_front();
+    in_work_.insert(key);
+    const PatchSource source = source_;
+    const std::uint64_t generation = generation_;
+    lock.unlock();
+    PatchValues values;
+    std::exception_ptr failure;
+    try {
+        values = make_(source, key, caller);
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    lock.lock();
+    if (generation != generation_) return;  // of a land before
+    in_work_.erase(key);
+    if (failure) {
+        failure_ = failure;
+    } else {
+        made_.push_back({key, std::move(values)});
+    }
+    done_.notify_all();
 }
 
 }  // namespace ocean::preview

@@ -21,6 +21,7 @@
 
 #include "ocean/land_field.hpp"
 #include "ocean/land_quadtree.hpp"
+#include "ocean/thread_pool.hpp"
 
 namespace ocean::preview {
 
@@ -90,6 +91,9 @@ class PatchMaker {
     void begin(PatchSource source);
     /// Replaces the patches that wait to be made, the most urgent one first.
     void request(const std::vector<PatchKey>& keys);
+    /// Makes the most urgent patch that waits in the calling thread. Returns false if none waits.
+    /// Only one thread may help.
+    bool help();
     /// Returns the patches that were made since the last call. Rethrows an exception of their
     /// making.
     std::vector<Made> take();
@@ -103,10 +107,12 @@ class PatchMaker {
 
   private:
     void work();
+    void make_first(std::unique_lock<std::mutex>& lock, ThreadPool& caller);
     bool is_idle() const { return waiting_.empty() && in_work_.empty(); }
 
     int threads_;
     MakePatch make_;
+    ThreadPool helper_{1};
     mutable std::mutex mutex_;
     std::condition_variable wake_, done_;
     PatchSource source_;

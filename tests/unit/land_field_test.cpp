@@ -352,6 +352,24 @@ TEST(LandFields, HaveTheSameBitsInEveryRegion) {
     }
 }
 
+TEST(LandFields, HaveTheSameHeightsWithAndWithoutSlopes) {
+    Terrain tile = gullied_tile(64);
+    tile.gullies.depth = 0.0;
+    const Domain region{{-70.0, 30.0}, {3.7 * 99, 3.7 * 59}, {100, 60}, false};
+    ThreadPool pool(1);
+    Terrain detailed = tile;
+    detailed.kind = TerrainKind::placed;
+    detailed.detail_wavelength = 8.0;
+    for (const Terrain& terrain : {tile, gullied_tile(64), detailed}) {
+        Land land(terrain, {.threads = 1});
+        const std::shared_ptr<const LandField> field = land.field();
+        const Surface alone = field->surface(region, {Channel::height}, pool);
+        const Surface both = field->surface(region, {Channel::height, Channel::slope_x}, pool);
+        EXPECT_TRUE(
+            std::ranges::equal(alone.channel(Channel::height), both.channel(Channel::height)));
+    }
+}
+
 TEST(LandFields, OfTilesRepeatAndJoinTheirOwnMaps) {
     Land land(gullied_tile(256));
     const Surface map = land.surface({Channel::height, Channel::slope_x});

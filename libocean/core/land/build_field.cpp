@@ -30,12 +30,10 @@ int fine_side(int resolution) {
     return std::max(resolution, std::min(2 * resolution, kMaxFineSide));
 }
 
-/// Returns the height of a part of a terrain's waves, without the mean, on its tile at `origin`.
-std::shared_ptr<const SplinePyramid> wave_pyramid(const Terrain& terrain, const LandWaves& waves,
-                                                  LawPart part, int side,
-                                                  std::array<double, 2> origin, ThreadPool& pool) {
-    Modes modes = empty_terrain_modes(terrain);
-    set_terrain_modes(terrain, *waves.noise, waves.rms, pool, modes, part);
+/// Returns the height of waves, without the mean, on a terrain's tile at `origin`.
+std::shared_ptr<const SplinePyramid> wave_pyramid(const Terrain& terrain, const Modes& modes,
+                                                  int side, std::array<double, 2> origin,
+                                                  ThreadPool& pool) {
     SurfaceSettings flat;
     flat.choppiness = 0.0;
     const Surface map = make_surface(modes, flat, 0.0, {Channel::height}, Backend::cpu, pool, side);
@@ -44,6 +42,15 @@ std::shared_ptr<const SplinePyramid> wave_pyramid(const Terrain& terrain, const 
     const int oversampled = std::bit_width(static_cast<unsigned>(side / terrain.resolution)) - 1;
     return std::make_shared<const SplinePyramid>(domain, map.channel(Channel::height), pool,
                                                  oversampled);
+}
+
+/// Returns the height of a part of a terrain's waves.
+std::shared_ptr<const SplinePyramid> part_pyramid(const Terrain& terrain, const LandWaves& waves,
+                                                  LawPart part, int side,
+                                                  std::array<double, 2> origin, ThreadPool& pool) {
+    Modes modes = empty_terrain_modes(terrain);
+    set_terrain_modes(terrain, *waves.noise, waves.rms, pool, modes, part);
+    return wave_pyramid(terrain, modes, side, origin, pool);
 }
 
 /// Returns true if waves finer than the smallest gullies fit on the terrain's grid.
@@ -119,9 +126,9 @@ class Builder {
         const LawPart part = terrain_.has_gullies() ? LawPart::smooth : LawPart::whole;
         const int side =
             part == LawPart::smooth ? terrain_.resolution : fine_side(terrain_.resolution);
-        parts_.base = wave_pyramid(terrain_, waves_, part, side, origin, pool_);
+        parts_.base = part_pyramid(terrain_, waves_, part, side, origin, pool_);
         if (has_fine_waves(terrain_)) {
-            parts_.fine = wave_pyramid(terrain_, waves_, LawPart::fine,
+            parts_.fine = part_pyramid(terrain_, waves_, LawPart::fine,
                                        fine_side(terrain_.resolution), origin, pool_);
         }
         parts_.offset = terrain_.mean;
@@ -195,10 +202,18 @@ class Builder {
         return {heights.begin(), heights.end()};
     }
 
-    void keep(LandMask mask, const Domain& domain, std::span<const float> values) {
+    void keep(LandMask mask, const Domain& domain, MaskGrid::Values values) {
         parts_.masks.emplace_back(mask,
-                                  std::make_shared<const MaskGrid>(
-                                      domain, PageVector<float>(values.begin(), values.end())));
+                                  std::make_shared<const MaskGrid>(domain, std::move(values)));
+    }
+
+    void keep(LandMask mask, const Domain& domain, std::span<const float> values) {
+        keep(mask, domain, std::make_shared<const PageVector<float>>(values.begin(), values.end()));
+    }
+
+    /// Keeps a mask of the streams, which the land that they carved shares.
+    void keep_of_streams(LandMask mask, const Domain& domain, const PageVector<float>& values) {
+        keep(mask, domain, MaskGrid::Values(carved_.land, &values));
     }
 
     /// Lowers the base, not what gullies make of it.
@@ -231,10 +246,10 @@ class Builder {
         const std::vector<float> heights =
             with_sea_bed(land, *parts_.base, parts_.offset, domain, level(), pool_);
         rest_on_grid(domain, heights);
-        keep(LandMask::flow, domain, land.area);
-        keep(LandMask::deposit, domain, land.deposit);
-        keep(LandMask::streambed, domain, land.channel);
-        keep(LandMask::wetness, domain, land.wetness);
+        keep_of_streams(LandMask::flow, domain, land.area);
+        keep_of_streams(LandMask::deposit, domain, land.deposit);
+        keep_of_streams(LandMask::streambed, domain, land.channel);
+        keep_of_streams(LandMask::wetness, domain, land.wetness);
     }
 
     void shape_shore() {
@@ -253,7 +268,8 @@ class Builder {
             const bool dry = maps.distance[i] > 0.0f;
             share[i] = (1.0f - maps.beach[i]) * (dry ? 1.0f : kUnderWater);
         }
-        parts_.detail_share = std::make_shared<const MaskGrid>(domain, std::move(share));
+        parts_.detail_share = std::make_shared<const MaskGrid>(
+            domain, std::make_shared<const PageVector<float>>(std::move(share)));
     }
 
     /// Returns the land's grid, refined to four samples along the smoothing of the shore line.
@@ -302,12 +318,11 @@ LandField build_field(const Terrain& terrain, const LandWaves& waves, ThreadPool
     return Builder(terrain, waves, pool, carved, progress).build();
 }
 
-LandField build_tile_field(const Terrain& terrain, const LandWaves& waves, double offset,
+LandField build_tile_field(const Terrain& terrain, const Modes& modes, double offset,
                            ThreadPool& pool) {
     LandFieldParts parts;
     parts.domain = Domain::tile(terrain.patch_size, terrain.resolution);
-    parts.base =
-        wave_pyramid(terrain, waves, LawPart::whole, fine_side(terrain.resolution), {}, pool);
+    parts.base = wave_pyramid(terrain, modes, fine_side(terrain.resolution), {}, pool);
     parts.offset = offset;
     return LandField(std::move(parts));
 }

@@ -35,8 +35,9 @@ struct LandWaves {
 /// Returns the function of a shaped terrain. `carved` is used if it fits, and replaced if not.
 LandField build_field(const Terrain& terrain, const LandWaves& waves, ThreadPool& pool,
                       CarvedLand& carved, const LandProgress& progress);
-/// Returns the function of a tile without gullies, whose maps are made by transforms: for regions.
-LandField build_tile_field(const Terrain& terrain, const LandWaves& waves, double offset,
+/// Returns the function of a tile without gullies, whose maps are made by transforms of these
+/// modes: for regions.
+LandField build_tile_field(const Terrain& terrain, const Modes& modes, double offset,
                            ThreadPool& pool);
 
 /// Returns the samples of a placed land: its rectangle at its own cell.

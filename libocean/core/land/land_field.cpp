@@ -14,30 +14,12 @@
 #include <vector>
 
 #include "land/land_field_parts.hpp"
+#include "land/land_row.hpp"
 #include "ocean/error.hpp"
 #include "ocean/land.hpp"
 
 namespace ocean {
 namespace {
-
-constexpr ChannelSet kSlopes = {Channel::slope_x, Channel::slope_y, Channel::nx, Channel::ny,
-                                Channel::nz};
-
-/// Masks that gullies make.
-constexpr std::array kGullyMasks = {LandMask::wear, LandMask::gully, LandMask::ridge};
-
-/// A row of places and what is computed at them.
-struct Row {
-    std::vector<double> x, y;
-    std::vector<double> height, slope_x, slope_y;
-    std::vector<float> part_height, part_x, part_y;  // the gullies' own
-    std::array<std::vector<float>, kGullyMasks.size()> masks;
-
-    void resize(std::size_t n) {
-        for (auto* values : {&x, &y, &height, &slope_x, &slope_y}) values->resize(n);
-    }
-    std::size_t size() const { return x.size(); }
-};
 
 /// Returns a step without its last 12 bits, in which the steps of regions of one cell differ: they
 /// are sizes divided by counts.
@@ -74,56 +56,6 @@ struct LandField::Impl {
         for (const auto& [mask, grid] : parts.masks) channels = channels | channel_of(mask);
         if (!parts.gullies) return;
         for (const LandMask mask : kGullyMasks) channels = channels | channel_of(mask);
-    }
-
-    /// Computes heights, and exact slopes if there are no gullies, at the places of a row.
-    void compute(Row& row, double cell, bool with_masks) const {
-        const std::size_t n = row.size();
-        const SplineGrid& base = parts.base->level(cell);
-        for (std::size_t i = 0; i < n; ++i) {
-            const GroundJet jet = base.at(row.x[i], row.y[i]);
-            row.height[i] = jet.height + parts.offset;
-            row.slope_x[i] = jet.slope_x;
-            row.slope_y[i] = jet.slope_y;
-        }
-        if (parts.gullies) add_gullies(row, cell, with_masks);
-        if (parts.fine) {
-            const SplineGrid& fine = parts.fine->level(cell);
-            for (std::size_t i = 0; i < n; ++i) add(row, i, fine.at(row.x[i], row.y[i]), 1.0);
-        }
-        if (parts.detail) {
-            for (std::size_t i = 0; i < n; ++i) {
-                const double x = row.x[i], y = row.y[i];
-                const double share =
-                    parts.detail_share ? static_cast<double>(parts.detail_share->at(x, y)) : 1.0;
-                if (share > 0.0) add(row, i, parts.detail->at(x, y, cell), share);
-            }
-        }
-    }
-
-    static void add(Row& row, std::size_t i, const GroundJet& jet, double share) {
-        row.height[i] += share * jet.height;
-        row.slope_x[i] += share * jet.slope_x;
-        row.slope_y[i] += share * jet.slope_y;
-    }
-
-    void add_gullies(Row& row, double cell, bool with_masks) const {
-        const std::size_t n = row.size();
-        row.part_height.assign(n, 0.0f);
-        row.part_x.assign(row.slope_x.begin(), row.slope_x.end());
-        row.part_y.assign(row.slope_y.begin(), row.slope_y.end());
-        for (auto& mask : row.masks) mask.resize(with_masks ? n : 0);
-        parts.gullies->apply({.x = row.x,
-                              .y = row.y,
-                              .height = row.part_height,
-                              .slope_x = row.part_x,
-                              .slope_y = row.part_y,
-                              .wear = row.masks[0],
-                              .gully = row.masks[1],
-                              .ridge = row.masks[2]},
-                             cell);
-        for (std::size_t i = 0; i < n; ++i)
-            row.height[i] += static_cast<double>(row.part_height[i]);
     }
 
     LandFieldParts parts;
@@ -184,7 +116,7 @@ class RowWriter {
     const Domain& region() const { return region_; }
 
     /// Sets the places of row j, with one more at both ends for differences.
-    void place(Row& row, int j) const {
+    void place(LandRow& row, int j) const {
         const int columns = region_.samples[0];
         row.resize(static_cast<std::size_t>(columns + 2 * margin_));
         const double y = y_at(j);
@@ -194,7 +126,7 @@ class RowWriter {
         std::ranges::fill(row.y, y);
     }
 
-    void write(int j, Row& row, const Row* below, const Row* above) const {
+    void write(int j, LandRow& row, const LandRow* below, const LandRow* above) const {
         if (by_difference_) difference(row, *below, *above);
         const int columns = region_.samples[0];
         for (const MapOutput& output : outputs_) {
@@ -236,7 +168,7 @@ class RowWriter {
         return region_.wraps ? ((i % n) + n) % n : i;
     }
 
-    void difference(Row& row, const Row& below, const Row& above) const {
+    void difference(LandRow& row, const LandRow& below, const LandRow& above) const {
         const double across = 0.5 / x_.step(), along = 0.5 / y_.step();
         for (std::size_t i = 1; i + 1 < row.size(); ++i) {
             row.slope_x[i] = across * (row.height[i + 1] - row.height[i - 1]);
@@ -244,7 +176,7 @@ class RowWriter {
         }
     }
 
-    float value(const Row& row, std::size_t at, Channel channel) const {
+    float value(const LandRow& row, std::size_t at, Channel channel) const {
         switch (channel) {
             case Channel::height:
                 return static_cast<float>(row.height[at]);
@@ -310,18 +242,17 @@ void LandField::write(const Domain& region, std::span<const MapOutput> outputs,
     require_available(wanted, channels());
     const double cell = rounded_step(std::max(region.step(0), region.step(1)));
     const RowWriter writer(region, outputs, impl_->parts, wanted);
-    const bool with_masks = wanted.intersects(kEveryMask);
     // Neighbouring rows share what their differences need.
     constexpr int kRowsOfItem = 16;
     const int rows = region.samples[1];
     pool.for_each_item((rows + kRowsOfItem - 1) / kRowsOfItem, [&](int item, int) {
-        std::array<Row, 3> ring;
-        const auto made = [&](int j) -> Row& {
+        std::array<LandRow, 3> ring;
+        const auto made = [&](int j) -> LandRow& {
             return ring[static_cast<std::size_t>((j + 3) % 3)];
         };
         const auto make = [&](int j) {
             writer.place(made(j), j);
-            impl_->compute(made(j), cell, with_masks);
+            compute(impl_->parts, cell, wanted, made(j));
         };
         const int first = item * kRowsOfItem, last = std::min(first + kRowsOfItem, rows);
         if (writer.by_difference()) {
@@ -357,7 +288,7 @@ void LandField::query(std::span<const WorldPoint> points, std::span<QuerySample>
         // With gullies four neighbours follow the points, for differences.
         const bool by_difference = impl_->parts.gullies.has_value();
         const std::size_t n = part.size();
-        Row row;
+        LandRow row;
         row.resize(by_difference ? 5 * n : n);
         for (std::size_t i = 0; i < row.size(); ++i) {
             const std::size_t neighbour = i / n;
@@ -365,7 +296,7 @@ void LandField::query(std::span<const WorldPoint> points, std::span<QuerySample>
             row.x[i] = point.x + (neighbour == 1 ? cell : neighbour == 2 ? -cell : 0.0);
             row.y[i] = point.y + (neighbour == 3 ? cell : neighbour == 4 ? -cell : 0.0);
         }
-        impl_->compute(row, cell, false);
+        compute(impl_->parts, cell, kSlopes, row);
         for (std::size_t i = 0; i < n; ++i) {
             if (by_difference) {
                 row.slope_x[i] = (row.height[n + i] - row.height[2 * n + i]) / (2.0 * cell);

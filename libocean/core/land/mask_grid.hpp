@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <utility>
 
 #include "ocean/domain.hpp"
@@ -16,22 +17,23 @@ namespace ocean {
 
 class MaskGrid {
   public:
+    using Values = std::shared_ptr<const PageVector<float>>;
+
     /// values: row-major, one for each sample of a domain that exists once.
-    MaskGrid(const Domain& domain, PageVector<float> values)
-        : domain_(domain), values_(std::move(values)) {}
+    MaskGrid(const Domain& domain, Values values) : domain_(domain), values_(std::move(values)) {}
 
     /// Returns the value at a place; beyond the domain that of its edge.
     float at(double x, double y) const {
         const auto [i, u] = place(x, 0);
         const auto [j, v] = place(y, 1);
         const auto columns = static_cast<std::size_t>(domain_.samples[0]);
-        const float* const low = values_.data() + j * columns + i;
+        const float* const low = values_->data() + j * columns + i;
         const float* const high = low + columns;
         const double below = low[0] + u * (low[1] - low[0]);
         const double above = high[0] + u * (high[1] - high[0]);
         return static_cast<float>(below + v * (above - below));
     }
-    std::size_t bytes() const { return sizeof(float) * values_.size(); }
+    std::size_t bytes() const { return sizeof(float) * values_->size(); }
 
   private:
     /// Returns the sample before a coordinate and the part of the step to the next one.
@@ -43,7 +45,7 @@ class MaskGrid {
     }
 
     Domain domain_;
-    PageVector<float> values_;
+    Values values_;
 };
 
 }  // namespace ocean

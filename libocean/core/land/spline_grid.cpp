@@ -27,29 +27,48 @@ int inside(int i, int n, bool wraps) {
     return folded < n ? folded : period - folded;
 }
 
-/// Replaces samples of a line by the coefficients of the spline through them.
-void filter_line(std::span<double> line, bool wraps) {
-    const int n = static_cast<int>(line.size());
-    const auto at = [&](int i) -> double& { return line[static_cast<std::size_t>(i)]; };
-    double sum = 0.0, power = 1.0;
+/// The same sample of neighbouring lines, which are filtered together: each in its own order, so
+/// that its bits do not depend on the others.
+constexpr int kLanes = 8;
+using Lanes = std::array<double, kLanes>;
+
+/// Returns the sum of power^k times the samples from `first` on, towards `step`.
+Lanes tail_of(std::span<const Lanes> line, int first, int step, bool wraps) {
+    Lanes sum{};
+    double power = 1.0;
     for (int k = 0; k < kReach; ++k) {
-        sum += power * at(inside(-k, n, wraps));
+        const int i = inside(first + step * k, static_cast<int>(line.size()), wraps);
+        const Lanes& sample = line[static_cast<std::size_t>(i)];
+        for (std::size_t l = 0; l < kLanes; ++l) sum[l] += power * sample[l];
         power *= kPole;
     }
-    at(0) = 6.0 * sum;
-    for (int i = 1; i < n; ++i) at(i) = 6.0 * at(i) + kPole * at(i - 1);
-    if (wraps) {
-        sum = 0.0;
-        power = 1.0;
-        for (int k = 0; k < kReach; ++k) {
-            sum += power * at(inside(n - 1 + k, n, true));
-            power *= kPole;
-        }
-        at(n - 1) = -kPole * sum;
-    } else {
-        at(n - 1) = kPole / (kPole * kPole - 1.0) * (at(n - 1) + kPole * at(n - 2));
+    return sum;
+}
+
+/// Replaces samples of lines by the coefficients of the splines through them.
+void filter_lines(std::span<Lanes> line, bool wraps) {
+    Lanes last = tail_of(line, 0, -1, wraps);
+    for (double& value : last) value *= 6.0;
+    line.front() = last;
+    for (Lanes& sample : line.subspan(1)) {
+        for (std::size_t l = 0; l < kLanes; ++l) last[l] = 6.0 * sample[l] + kPole * last[l];
+        sample = last;
     }
-    for (int i = n - 2; i >= 0; --i) at(i) = kPole * (at(i + 1) - at(i));
+    const auto end = static_cast<int>(line.size()) - 1;
+    if (wraps) {
+        last = tail_of(line, end, 1, true);
+        for (double& value : last) value *= -kPole;
+    } else {
+        const Lanes& before = line[line.size() - 2];
+        for (std::size_t l = 0; l < kLanes; ++l) {
+            last[l] = kPole / (kPole * kPole - 1.0) * (last[l] + kPole * before[l]);
+        }
+    }
+    line.back() = last;
+    for (auto i = line.size() - 1; i-- > 0;) {
+        for (std::size_t l = 0; l < kLanes; ++l) last[l] = kPole * (last[l] - line[i][l]);
+        line[i] = last;
+    }
 }
 
 /// Weights of the four coefficients around a place of a cell, and of their derivative.
@@ -76,79 +95,96 @@ std::size_t padded(int samples) {
     return static_cast<std::size_t>(samples + kBefore + kAfter);
 }
 
+/// Returns coefficients of a row, in whole lanes.
+std::size_t pitch_of(const Domain& domain) {
+    return (padded(domain.samples[0]) + kLanes - 1) / kLanes * kLanes;
+}
+
 }  // namespace
 
 SplineGrid::SplineGrid(const Domain& domain, std::span<const float> samples, ThreadPool& pool)
     : domain_(domain),
       per_metre_{1.0 / domain.step(0), 1.0 / domain.step(1)},
-      pitch_(padded(domain.samples[0])),
-      coefficients_(padded(domain.samples[0]) * padded(domain.samples[1])) {
-    const int columns = domain.samples[0], rows = domain.samples[1];
-    const auto row_of = [&](int j) {
-        return coefficients_.data() + static_cast<std::size_t>(j + kBefore) * pitch_;
-    };
-    pool.for_each_range(rows, [&](int first, int last) {
-        std::vector<double> line(static_cast<std::size_t>(columns));
-        for (int j = first; j < last; ++j) {
-            const auto from = samples.subspan(static_cast<std::size_t>(j) * line.size());
-            std::copy_n(from.begin(), line.size(), line.begin());
-            filter_line(line, domain_.wraps);
-            float* const to = row_of(j);
-            for (int i = -kBefore; i < columns + kAfter; ++i) {
-                to[i + kBefore] = static_cast<float>(
-                    line[static_cast<std::size_t>(inside(i, columns, domain_.wraps))]);
+      pitch_(pitch_of(domain)),
+      coefficients_(pitch_ * padded(domain.samples[1])) {
+    filter_rows(samples, pool);
+    filter_columns(pool);
+}
+
+/// Writes the rows of the samples, filtered, with the coefficients beyond both ends.
+void SplineGrid::filter_rows(std::span<const float> samples, ThreadPool& pool) {
+    const auto [columns, rows] = domain_.samples;
+    const auto width = static_cast<std::size_t>(columns);
+    pool.for_each_range((rows + kLanes - 1) / kLanes, [&](int first, int last) {
+        std::vector<Lanes> lines(width);
+        for (int begin = first * kLanes; begin < std::min(last * kLanes, rows); begin += kLanes) {
+            const int end = std::min(begin + kLanes, rows);
+            std::array<const float*, kLanes> from{};
+            for (int l = 0; l < kLanes; ++l) {
+                const int j = std::min(begin + l, end - 1);
+                from[static_cast<std::size_t>(l)] =
+                    samples.data() + static_cast<std::size_t>(j) * width;
             }
-        }
-    });
-    // Columns in bands, each of which stays in the cache.
-    constexpr int kBand = 16;
-    const int width = static_cast<int>(pitch_);
-    pool.for_each_range((width + kBand - 1) / kBand, [&](int first, int last) {
-        std::array<std::vector<double>, kBand> lines;
-        for (auto& line : lines) line.resize(static_cast<std::size_t>(rows));
-        for (int band = first; band < last; ++band) {
-            const int begin = band * kBand, count = std::min(kBand, width - begin);
-            for (int j = 0; j < rows; ++j) {
-                for (int i = 0; i < count; ++i) {
-                    lines[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
-                        static_cast<double>(row_of(j)[begin + i]);
+            for (std::size_t i = 0; i < width; ++i) {
+                for (std::size_t l = 0; l < kLanes; ++l) {
+                    lines[i][l] = static_cast<double>(from[l][i]);
                 }
             }
-            for (int i = 0; i < count; ++i) {
-                filter_line(lines[static_cast<std::size_t>(i)], domain_.wraps);
-            }
-            for (int j = -kBefore; j < rows + kAfter; ++j) {
-                const auto from = static_cast<std::size_t>(inside(j, rows, domain_.wraps));
-                for (int i = 0; i < count; ++i) {
-                    row_of(j)[begin + i] =
-                        static_cast<float>(lines[static_cast<std::size_t>(i)][from]);
+            filter_lines(lines, domain_.wraps);
+            for (int j = begin; j < end; ++j) {
+                const auto l = static_cast<std::size_t>(j - begin);
+                float* const to = row(j) + kBefore;
+                for (std::size_t i = 0; i < width; ++i) to[i] = static_cast<float>(lines[i][l]);
+                for (const int i : {-1, columns, columns + 1}) {
+                    to[i] = to[inside(i, columns, domain_.wraps)];
                 }
+                std::fill(to + columns + kAfter, row(j) + pitch_, 0.0f);
             }
         }
     });
 }
 
-SplineGrid::Place SplineGrid::place(double x, double y) const {
-    std::array<double, 2> at = {(x - domain_.origin[0]) * per_metre_[0],
-                                (y - domain_.origin[1]) * per_metre_[1]};
-    std::array<std::size_t, 2> cell{};
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        const double n = domain_.samples[axis];
-        double& u = at[axis];
-        if (domain_.wraps) {
-            u -= n * std::floor(u / n);
-            if (u >= n) u = 0.0;  // -1e-20 rounds up to n
-        } else {
-            u = std::clamp(u, 0.0, n - 1.0);
+/// Filters the columns, and adds the rows beyond both ends.
+void SplineGrid::filter_columns(ThreadPool& pool) {
+    const int rows = domain_.samples[1];
+    pool.for_each_range(static_cast<int>(pitch_) / kLanes, [&](int first, int last) {
+        std::vector<Lanes> lines(static_cast<std::size_t>(rows));
+        for (int begin = first * kLanes; begin < last * kLanes; begin += kLanes) {
+            for (int j = 0; j < rows; ++j) {
+                std::copy_n(row(j) + begin, kLanes, lines[static_cast<std::size_t>(j)].begin());
+            }
+            filter_lines(lines, domain_.wraps);
+            for (int j = -kBefore; j < rows + kAfter; ++j) {
+                float* const to = row(j) + begin;
+                const auto from = static_cast<std::size_t>(inside(j, rows, domain_.wraps));
+                for (std::size_t l = 0; l < kLanes; ++l) to[l] = static_cast<float>(lines[from][l]);
+            }
         }
-        cell[axis] = static_cast<std::size_t>(u);
-        u -= static_cast<double>(cell[axis]);
+    });
+}
+
+/// Returns row j of the coefficients, -1 .. rows + 1.
+float* SplineGrid::row(int j) {
+    return coefficients_.data() + static_cast<std::size_t>(j + kBefore) * pitch_;
+}
+
+SplineGrid::InCell SplineGrid::in_cell(double at, std::size_t axis) const {
+    const double n = domain_.samples[axis];
+    double u = (at - domain_.origin[axis]) * per_metre_[axis];
+    if (domain_.wraps) {
+        u -= n * std::floor(u / n);
+        if (u >= n) u = 0.0;  // -1e-20 rounds up to n
+    } else {
+        u = std::clamp(u, 0.0, n - 1.0);
     }
-    return {coefficients_.data() + cell[1] * pitch_ + cell[0], at[0], at[1]};
+    const auto cell = static_cast<std::size_t>(u);
+    return {cell, u - static_cast<double>(cell)};
 }
 
 GroundJet SplineGrid::at(double x, double y) const {
-    const auto [corner, u, v] = place(x, y);
+    const auto [i, u] = in_cell(x, 0);
+    const auto [j, v] = in_cell(y, 1);
+    const float* const corner = coefficients_.data() + j * pitch_ + i;
     const Weights along(u), across(v);
     GroundJet jet;
     for (std::size_t q = 0; q < 4; ++q) {
@@ -164,17 +200,33 @@ GroundJet SplineGrid::at(double x, double y) const {
 }
 
 double SplineGrid::value_at(double x, double y) const {
-    const auto [corner, u, v] = place(x, y);
-    const Weights along(u), across(v);
     double height = 0.0;
-    for (std::size_t q = 0; q < 4; ++q) {
-        height += across.value[q] * sum_of(along.value, corner + q * pitch_);
-    }
+    values_at({&x, 1}, {&y, 1}, {&height, 1});
     return height;
 }
 
+void SplineGrid::values_at(std::span<const double> x, std::span<const double> y,
+                           std::span<double> heights) const {
+    std::array<double, 4> across{};
+    const float* line = nullptr;  // the first of the four rows around y
+    for (std::size_t n = 0; n < x.size(); ++n) {
+        if (n == 0 || y[n] != y[n - 1]) {
+            const auto [j, v] = in_cell(y[n], 1);
+            across = Weights(v).value;
+            line = coefficients_.data() + j * pitch_;
+        }
+        const auto [i, u] = in_cell(x[n], 0);
+        const std::array<double, 4> along = Weights(u).value;
+        double height = 0.0;
+        for (std::size_t q = 0; q < 4; ++q) {
+            height += across[q] * sum_of(along, line + q * pitch_ + i);
+        }
+        heights[n] = height;
+    }
+}
+
 std::size_t SplineGrid::bytes(const Domain& domain) {
-    return padded(domain.samples[0]) * padded(domain.samples[1]) * sizeof(float);
+    return pitch_of(domain) * padded(domain.samples[1]) * sizeof(float);
 }
 
 Domain halved(const Domain& domain) {
@@ -187,35 +239,49 @@ Domain halved(const Domain& domain) {
     return half;
 }
 
+namespace {
+
+constexpr std::array<double, 7> kFilter = {-1.0 / 32.0, 0.0, 9.0 / 32.0, 16.0 / 32.0,
+                                           9.0 / 32.0,  0.0, -1.0 / 32.0};
+constexpr int kHalf = 3;
+
+/// Returns the sum of kFilter and the samples 0 .. 6 of a function.
+template <typename Sample>
+double filtered(const Sample& sample) {
+    double sum = 0.0;
+    for (const std::size_t q : {0u, 2u, 3u, 4u, 6u}) sum += kFilter[q] * sample(q);
+    return sum;
+}
+
+}  // namespace
+
 std::vector<float> halved(const Domain& domain, std::span<const float> samples, ThreadPool& pool) {
-    constexpr std::array<double, 7> kFilter = {-1.0 / 32.0, 0.0, 9.0 / 32.0, 16.0 / 32.0,
-                                               9.0 / 32.0,  0.0, -1.0 / 32.0};
-    constexpr int kHalf = 3;
     const Domain half = halved(domain);
     const int columns = domain.samples[0], rows = domain.samples[1];
-    const int new_columns = half.samples[0], new_rows = half.samples[1];
+    const auto width = static_cast<std::size_t>(columns);
+    const auto new_width = static_cast<std::size_t>(half.samples[0]);
     std::vector<float> result(half.count());
-    pool.for_each_range(new_rows, [&](int first, int last) {
-        std::vector<double> line(static_cast<std::size_t>(columns));
+    pool.for_each_range(half.samples[1], [&](int first, int last) {
+        std::vector<double> padded_line(width + 2 * kHalf);
+        double* const line = padded_line.data() + kHalf;
         for (int j = first; j < last; ++j) {
-            std::ranges::fill(line, 0.0);
+            std::array<const float*, kFilter.size()> row{};
             for (int q = -kHalf; q <= kHalf; ++q) {
-                const double weight = kFilter[static_cast<std::size_t>(q + kHalf)];
-                if (weight == 0.0) continue;
-                const auto row = static_cast<std::size_t>(inside(2 * j + q, rows, domain.wraps));
-                const float* const from = samples.data() + row * line.size();
-                for (std::size_t i = 0; i < line.size(); ++i) {
-                    line[i] += weight * static_cast<double>(from[i]);
-                }
+                row[static_cast<std::size_t>(q + kHalf)] =
+                    samples.data() +
+                    static_cast<std::size_t>(inside(2 * j + q, rows, domain.wraps)) * width;
             }
-            for (int i = 0; i < new_columns; ++i) {
-                double sum = 0.0;
-                for (int q = -kHalf; q <= kHalf; ++q) {
-                    sum += kFilter[static_cast<std::size_t>(q + kHalf)] *
-                           line[static_cast<std::size_t>(inside(2 * i + q, columns, domain.wraps))];
-                }
-                result[static_cast<std::size_t>(j) * static_cast<std::size_t>(new_columns) +
-                       static_cast<std::size_t>(i)] = static_cast<float>(sum);
+            for (std::size_t i = 0; i < width; ++i) {
+                line[i] = filtered([&](std::size_t q) { return static_cast<double>(row[q][i]); });
+            }
+            for (int q = 1; q <= kHalf; ++q) {
+                line[-q] = line[inside(-q, columns, domain.wraps)];
+                line[columns - 1 + q] = line[inside(columns - 1 + q, columns, domain.wraps)];
+            }
+            float* const to = result.data() + static_cast<std::size_t>(j) * new_width;
+            for (std::size_t i = 0; i < new_width; ++i) {
+                const double* const from = padded_line.data() + 2 * i;
+                to[i] = static_cast<float>(filtered([&](std::size_t q) { return from[q]; }));
             }
         }
     });

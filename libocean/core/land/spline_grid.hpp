@@ -39,14 +39,20 @@ class SplineGrid {
     GroundJet at(double x, double y) const;
     /// Returns the value alone, with the bits of at().
     double value_at(double x, double y) const;
+    /// Writes the values at places, with the bits of at(): sooner if neighbours have the same y.
+    void values_at(std::span<const double> x, std::span<const double> y,
+                   std::span<double> heights) const;
     static std::size_t bytes(const Domain& domain);
 
   private:
-    struct Place {
-        const float* corner;  // the coefficient below and left of the place's cell
-        double u, v;          // the place in its cell, 0 .. 1
+    struct InCell {
+        std::size_t cell;  // whose lower end is at or below the coordinate
+        double share;      // the coordinate in its cell, 0 .. 1
     };
-    Place place(double x, double y) const;
+    InCell in_cell(double at, std::size_t axis) const;
+    void filter_rows(std::span<const float> samples, ThreadPool& pool);
+    void filter_columns(ThreadPool& pool);
+    float* row(int j);
 
     Domain domain_;
     std::array<double, 2> per_metre_;

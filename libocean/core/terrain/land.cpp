@@ -147,20 +147,17 @@ struct Land::Impl {
     const LandField& shape() {
         if (field != nullptr) return *field;
         require_memory(field_bytes(terrain), "the terrain");
-        LandWaves waves;
-        if (terrain.base_model == nullptr) {
-            filter();
-            waves = {noise.get(), asked_rms(), scale.gain};
-        }
+        if (terrain.base_model == nullptr) filter();
         if (terrain.is_shaped()) {
+            LandWaves waves;
+            if (terrain.base_model == nullptr) waves = {noise.get(), asked_rms(), scale.gain};
             const auto before = carved.land;
             field = std::make_shared<const LandField>(
                 build_field(terrain, waves, pool, carved, progress));
             if (carved.land != before) ++runs.streams;
         } else {
-            waves.rms = scale.rms;  // that of `range` too
             field =
-                std::make_shared<const LandField>(build_tile_field(terrain, waves, offset, pool));
+                std::make_shared<const LandField>(build_tile_field(terrain, *modes, offset, pool));
         }
         ++runs.shape;
         return *field;
