@@ -54,6 +54,7 @@ def parts() -> list:
     from .floating import floating
     from .look import first_view, material
     from .sea import records
+    from .terrain import look_panels as terrain_look_panels
     from .terrain import material as terrain_material
     from .terrain import operators as terrain_operators
     from .terrain import panels as terrain_panels
@@ -78,6 +79,7 @@ def parts() -> list:
         terrain_material,
         trees,
         terrain_panels,
+        terrain_look_panels,
         asset_library,
         floating,
         handlers,

@@ -110,6 +110,7 @@ GROUPS = [cls for cls in CLASSES if issubclass(cls, bpy.types.PropertyGroup)]
 NEED_NO_OCEAN = (
     operators.AddOcean,
     terrain_operators.AddTerrain,
+    terrain_operators.AddTerrainFile,
     first_view.AddScene,
     asset_library.MakeAssetLibrary,
     whole_sea.StopDraft,

@@ -11,11 +11,11 @@ import pytest
 from conftest import positions, taken
 from libocean_addon.shared import drawing, resolutions
 from libocean_addon.shared.property_texts import pairs_of
-from libocean_addon.terrain import ground_shader, material, panels
+from libocean_addon.terrain import ground_shader, look_panels, material, panels
 from libocean_addon.terrain.parameters import PARAMETERS, SWITCHES
 from test_panel import NARROW, ROW, Layout, NarrowLayout
 
-PANELS = panels.CLASSES
+PANELS = (*panels.CLASSES, *look_panels.CLASSES)
 GROUP_PANELS = (panels.GulliesPanel, panels.StreamsPanel, panels.ShorePanel)
 
 

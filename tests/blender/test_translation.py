@@ -20,7 +20,7 @@ from libocean_addon.sea import facts, parameter_values
 from libocean_addon.shared import compat
 from libocean_addon.shared.parameter_table import is_optional
 from libocean_addon.terrain import facts as terrain_facts
-from libocean_addon.terrain import ground_shader
+from libocean_addon.terrain import ground_shader, look_panels
 from libocean_addon.terrain import panels as terrain_panels
 from libocean_addon.terrain.parameters import PARAMETERS
 
@@ -88,7 +88,7 @@ def sockets_of_materials() -> set[tuple[str, str]]:
 
 
 def short_labels() -> set[tuple[str, str]]:
-    labels = {*panels.SHORT.values(), *terrain_panels.SHORT.values(), *terrain_panels.SIDES}
+    labels = {*panels.SHORT.values(), *terrain_panels.SHORT.values(), *look_panels.SIDES}
     # The fields of a break, which are two of one property.
     return {(translations.SEA, label) for label in {*labels, "Break", "Beta below"}}
 

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The panels below the modifiers of an object with a terrain: its land, the spectrum of it, and how
-it looks. Parameters come from the library's table; those that do not apply are left out.
+"""The panels below the modifiers of an object with a terrain: its land and the spectrum of it.
+Parameters come from the library's table; those that do not apply are left out. look_panels has the
+look.
 """
 
 from __future__ import annotations
@@ -9,12 +10,12 @@ from __future__ import annotations
 import bpy
 
 from .. import translations, whole_sea
-from ..shared import drafts, file_row, parameter_fields, resolutions
+from ..shared import drafts, file_row, parameter_fields
 from ..shared.compat import tr_label
-from ..shared.drawing import field, mask_field, never_raises, place_labels, say, say_state
+from ..shared.drawing import never_raises, place_labels, say, say_state
 from ..shared.property_texts import pairs_of
-from . import facts, material, node_group, operators, trees
-from .parameter_values import is_measured, is_on, is_placed, is_replaced, is_shaped
+from . import facts, node_group, operators
+from .parameter_values import is_measured, is_on, is_placed, is_replaced
 from .parameters import PARAMETERS, PLACED, SWITCHES
 
 SHORT = {
@@ -31,9 +32,6 @@ SHORT = {
     "detail_wavelength": "Detail",
 }
 """Short labels for fields whose label does not fit a panel of default width."""
-
-SIDES = ("West", "South", "East", "North")
-"""The labels of the numbers of a region."""
 
 LAND = ("kind", "patch_size", "resolution", "seed", "rms", "range", "mean")
 """Parameters of the first panel. Those of a placed land and of each group that shapes it have
@@ -95,7 +93,9 @@ def _draw_breaks(column, settings) -> None:
     column.operator(operators.AddBreak.bl_idname, icon="ADD")
 
 
-class _Panel:
+class ObjectPanel:
+    """A panel that objects with a terrain have"""
+
     bl_space_type = "PROPERTIES"
     bl_region_type = "WINDOW"
     bl_context = "modifier"
@@ -105,7 +105,7 @@ class _Panel:
         return context.object is not None and bool(node_group.modifiers(context.object))
 
 
-class TerrainPanel(_Panel, bpy.types.Panel):
+class TerrainPanel(ObjectPanel, bpy.types.Panel):
     """The terrain of the active object"""
 
     bl_idname = "LIBOCEAN_PT_terrain"
@@ -153,7 +153,7 @@ def _draw_state(layout, ob) -> None:
         say(box, warning, "ERROR")
 
 
-class LandPanel(_Panel, bpy.types.Panel):
+class LandPanel(ObjectPanel, bpy.types.Panel):
     """The size of the tile and its heights"""
 
     bl_idname = "LIBOCEAN_PT_terrain_land"
@@ -166,7 +166,7 @@ class LandPanel(_Panel, bpy.types.Panel):
         _draw_parameters(self.layout, context.object.libocean_terrain, LAND)
 
 
-class PlacedPanel(_Panel, bpy.types.Panel):
+class PlacedPanel(ObjectPanel, bpy.types.Panel):
     """Where a land lies that exists once, and what it begins with"""
 
     bl_idname = "LIBOCEAN_PT_terrain_placed"
@@ -191,7 +191,7 @@ def _draw_group(layout, settings, group: str) -> None:
     _draw_parameters(column, settings, GROUPS[group])
 
 
-class _SectionPanel(_Panel):
+class _SectionPanel(ObjectPanel):
     """The panel of a section that a checkbox in its header switches on."""
 
     bl_parent_id = TerrainPanel.bl_idname
@@ -239,7 +239,7 @@ class ShorePanel(_SectionPanel, bpy.types.Panel):
     group = "coast"
 
 
-class SpectrumPanel(_Panel, bpy.types.Panel):
+class SpectrumPanel(ObjectPanel, bpy.types.Panel):
     """The law of the heights: how much each wavelength has of them, and in which direction"""
 
     bl_idname = "LIBOCEAN_PT_terrain_spectrum"
@@ -255,7 +255,7 @@ class SpectrumPanel(_Panel, bpy.types.Panel):
         _draw_parameters(layout, settings, SPECTRUM)
 
 
-class LayersPanel(_Panel, bpy.types.Panel):
+class LayersPanel(ObjectPanel, bpy.types.Panel):
     """Further tiles over the first one, each with a period and a noise of its own"""
 
     bl_idname = "LIBOCEAN_PT_terrain_layers"
@@ -277,118 +277,6 @@ class LayersPanel(_Panel, bpy.types.Panel):
         layout.operator(operators.AddTerrainLayer.bl_idname, icon="ADD")
 
 
-class TerrainLookPanel(_Panel, bpy.types.Panel):
-    """How the terrain is shown"""
-
-    bl_idname = "LIBOCEAN_PT_terrain_look"
-    bl_parent_id = TerrainPanel.bl_idname
-    bl_label = "Look"
-
-    @never_raises
-    def draw(self, context) -> None:
-        layout, ob = self.layout, context.object
-        settings = ob.libocean_terrain
-        place_labels(layout)
-        layout.operator(material.AddTerrainMaterial.bl_idname, text="Material", icon="MATERIAL")
-        if settings.shape == "TILE" and not (settings.use_lod or settings.use_region):
-            listed = resolutions.listed("mesh_resolution")
-            field(layout, settings, listed, text="Mesh", context=translations.SEA)
-            if not is_placed(settings):
-                layout.prop(settings, "tiles")
-        layout.operator(trees.AddTrees.bl_idname, icon="OUTLINER_OB_POINTCLOUD")
-        layout.prop(settings, "use_normal")
-        if not is_shaped(settings):
-            layout.prop(settings, "use_slope")
-        mask_field(layout, settings, ob)
-        layout.prop(settings, "follow_world")
-
-
-class RegionPanel(_Panel, bpy.types.Panel):
-    """A rectangle of the land, at a distance of samples of its own"""
-
-    bl_idname = "LIBOCEAN_PT_terrain_region"
-    bl_parent_id = TerrainLookPanel.bl_idname
-    bl_label = "Region"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @classmethod
-    def poll(cls, context) -> bool:
-        return super().poll(context) and context.object.libocean_terrain.shape == "TILE"
-
-    @never_raises
-    def draw_header(self, context) -> None:
-        settings = context.object.libocean_terrain
-        self.layout.active = not settings.use_lod
-        self.layout.prop(settings, "use_region", text="")
-
-    @never_raises
-    def draw(self, context) -> None:
-        layout, settings = self.layout, context.object.libocean_terrain
-        place_labels(layout)
-        column = layout.column(align=True)
-        column.active = settings.use_region and not settings.use_lod
-        for index, text in enumerate(SIDES):
-            column.prop(settings, "region", index=index, text=text, text_ctxt=translations.SEA)
-        column.separator()
-        column.prop(settings, "region_cell")
-
-
-class DetailPanel(_Panel, bpy.types.Panel):
-    """A mesh that is fine near the scene's camera and coarse far from it"""
-
-    bl_idname = "LIBOCEAN_PT_terrain_lod"
-    bl_parent_id = TerrainLookPanel.bl_idname
-    bl_label = "Level of Detail"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @classmethod
-    def poll(cls, context) -> bool:
-        return super().poll(context) and context.object.libocean_terrain.shape == "TILE"
-
-    @never_raises
-    def draw_header(self, context) -> None:
-        self.layout.prop(context.object.libocean_terrain, "use_lod", text="")
-
-    @never_raises
-    def draw(self, context) -> None:
-        layout, settings = self.layout, context.object.libocean_terrain
-        place_labels(layout)
-        column = layout.column()
-        column.active = settings.use_lod
-        for name in ("lod_spacing", "lod_farthest", "lod_snap"):
-            column.prop(settings, name)
-        if settings.use_lod and context.scene.camera is None:
-            say(layout, tr_label("The scene has no camera: the mesh is a plain one"), "INFO")
-
-
-class GroundPanel(_Panel, bpy.types.Panel):
-    """The material: where snow, forest, rock and sand lie"""
-
-    bl_idname = "LIBOCEAN_PT_terrain_ground"
-    bl_parent_id = TerrainLookPanel.bl_idname
-    bl_label = "Ground"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @classmethod
-    def poll(cls, context) -> bool:
-        return super().poll(context) and bool(material.grounds(context.object))
-
-    @never_raises
-    def draw(self, context) -> None:
-        layout = self.layout
-        place_labels(layout)
-        column = layout.column()
-        for ground in material.grounds(context.object)[:1]:
-            for socket in ground.inputs:
-                if socket.is_linked:
-                    continue
-                label, context = socket.name, translations.SEA
-                if socket.type == "RGBA":
-                    field(column, socket, "default_value", text=label, context=context)
-                else:
-                    column.prop(socket, "default_value", text=label, text_ctxt=context)
-
-
 CLASSES = (
     TerrainPanel,
     LandPanel,
@@ -398,10 +286,6 @@ CLASSES = (
     ShorePanel,
     SpectrumPanel,
     LayersPanel,
-    TerrainLookPanel,
-    RegionPanel,
-    DetailPanel,
-    GroundPanel,
 )
 
 register, unregister = bpy.utils.register_classes_factory(CLASSES)
