@@ -9,6 +9,7 @@ usage: lands.py names                     the views of the sheet, one on a line
        lands.py preview VIEW              words for ocean-preview after the land, one on a line
        lands.py folder VIEW               words for `ocean povray` after the land, one on a line
        lands.py povray VIEW               what renders/terrain/beside.pov includes as view.inc
+       lands.py flight FOLDER             a list of pictures for ocean-preview, FOLDER/0001.png ...
        lands.py measure FOLDER            how alike the hosts are, of FOLDER/VIEW.HOST.png
 """
 
@@ -21,15 +22,19 @@ sys.path.append(str(HERE.parent / "preview"))
 import hosts  # noqa: E402
 
 
+def tables() -> dict:
+    return tomllib.loads((HERE / "views.toml").read_text(encoding="utf-8"))
+
+
 def views() -> dict:
     """Returns the views of the sheet by their names, with what is default."""
-    tables = tomllib.loads((HERE / "views.toml").read_text(encoding="utf-8"))
-    return {name: tables["default"] | tables[name] for name in tables["beside"]}
+    read = tables()
+    return {name: read["default"] | read[name] for name in read["beside"]}
 
 
 def view_of(name: str) -> dict:
     try:
-        return views()[name]
+        return tables()["default"] | tables()[name]
     except KeyError:
         sys.exit(f"{HERE / 'views.toml'}: there is no view '{name}'")
 
@@ -39,6 +44,18 @@ def preview_words(view: dict) -> list[str]:
     for name in ("heading", "pitch", "angle", "visibility", "snow_line"):
         words[name.replace("_", "-")] = f"{view[name]:g}"
     return [word for name, value in words.items() for word in (f"--{name}", value)]
+
+
+def flight_lines(folder: str) -> list[str]:
+    """Returns a line of `ocean-preview --pictures` for each frame of the flight."""
+    flight = view_of("flight")
+    lines = []
+    for frame in range(flight["frames"]):
+        share = frame / flight["frames"]
+        eye = [a + share * (b - a) for a, b in zip(flight["from"], flight["to"], strict=True)]
+        words = preview_words(flight | {"eye": eye})
+        lines.append(" ".join([f"{folder}/{frame + 1:04d}.png", *words]))
+    return lines
 
 
 def povray_words(view: dict) -> str:
@@ -113,6 +130,8 @@ def main() -> None:
             print(*view_of(name)["folder"], sep="\n")
         case ["povray", name]:
             print(povray_words(view_of(name)), end="")
+        case ["flight", folder]:
+            print(*flight_lines(folder), sep="\n")
         case ["measure", folder]:
             measure(Path(folder))
         case _:

@@ -46,7 +46,14 @@ def share_of(image: np.ndarray, name: str) -> float:
     return float(near.mean())
 
 
-ALONE = {"sand_line": -1e5, "snow_line": 1e5, "forest_line": -1e5, "rock_slope": 9.0}
+ALONE = {
+    "sand_line": -1e5,
+    "wet_line": -1e5,
+    "snow_line": 1e5,
+    "forest_line": -1e5,
+    "rock_slope": 9.0,
+    "dry_share": 0.0,
+}
 BY_MASKS = ("beach_sand", "cliff_rock", "stream_scree", "flow_forest", "wear_shade")
 
 
@@ -90,6 +97,7 @@ def test_the_material_knows_the_water_of_the_shore(tmp_path):
     ob = add_land(tmp_path, level, use_material=True)
     (ground,) = material.grounds(ob)
     assert ground.inputs["Sand Line"].default_value == 5.0
+    assert ground.inputs["Wet Line"].default_value == 5.5
     top = float(positions(ob)[:, 2].max())
     assert ground.inputs["Snow Line"].default_value > top
     assert 5.0 < ground.inputs["Forest Line"].default_value < top

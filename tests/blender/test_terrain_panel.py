@@ -225,7 +225,7 @@ def share_of(image: np.ndarray, name: str) -> float:
     return float(near.mean())
 
 
-NONE = {"snow_line": 1e5, "forest_line": -1e5, "sand_line": -1e5}
+NONE = {"snow_line": 1e5, "forest_line": -1e5, "sand_line": -1e5, "dry_share": 0.0}
 
 
 def test_snow_lies_above_its_line(terrain, colours):
@@ -264,6 +264,22 @@ def test_forest_grows_below_its_line_and_sand_on_the_level(colours):
     bare = {**NONE, "rock_slope": 9.0, "scree_slope": 9.0}
     assert share_of(colours(**{**bare, "forest_line": 1e4}), "Forest") > 0.2
     assert share_of(colours(**{**bare, "sand_line": 1e4}), "Sand") > 0.05
+
+
+def test_grass_is_dry_far_above_the_forest(terrain, colours):
+    bare = {**NONE, "rock_slope": 9.0, "scree_slope": 9.0, "line_width": 1.0}
+    middle = float(np.median(positions(terrain)[:, 2]))
+    dry = colours(**{**bare, "dry_share": 1.0, "forest_line": middle})
+    assert 0.4 < share_of(dry, "Dry Grass") < 0.6
+
+
+def test_sand_below_the_wet_line_is_dark(colours):
+    sandy = {**NONE, "rock_slope": 9.0, "scree_slope": 9.0, "sand_line": 1e4}
+    dry, wet = colours(**sandy), colours(**sandy, wet_line=1e4)
+    assert share_of(dry, "Sand") > 0.05
+    # The darker a colour is, the more mixtures are within a hundredth of it.
+    assert share_of(wet, "Wet Sand") == pytest.approx(share_of(dry, "Sand"), abs=0.03)
+    assert share_of(wet, "Sand") == share_of(dry, "Wet Sand") == 0.0
 
 
 def test_noise_has_four_scales(terrain):

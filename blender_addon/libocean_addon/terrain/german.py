@@ -106,8 +106,9 @@ TERMS = {
     "Forest Colour": "Waldfarbe",
     "Sand Colour": "Sandfarbe",
     "Wet Sand Colour": "Farbe nassen Sands",
-    "Dry Grass Colour": "Farbe trockenen Grases",
-    "Dry Share": "Anteil trockenen Grases",
+    "Dry Grass Colour": "Farbe dürren Grases",
+    "Wet Line": "Nasse Höhe",
+    "Dry Share": "Dürres Gras",
     "Colour": "Farbe",
 }
 

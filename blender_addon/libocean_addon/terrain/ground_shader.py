@@ -43,6 +43,7 @@ _NUMBERS = (
     ("Forest Line", NOWHERE, -1e5, 1e5, "Height up to which forest grows [m]"),
     ("Dry Share", 0.0, 0.0, 1.0, "Share of dry grass far above the forest"),
     ("Sand Line", -NOWHERE, -1e5, 1e5, "Height up to which level ground is sand [m]"),
+    ("Wet Line", -NOWHERE, -1e5, 1e5, "Height up to which waves wet the sand [m]"),
     ("Line Width", 140.0, 0.0, 1e5, "Half width of the edge at a line [m]"),
     ("Sun Melt", 220.0, 0.0, 1e5, "Rise of the snow line on a slope of 1 that faces the sun [m]"),
     (
@@ -234,8 +235,8 @@ def _build(group) -> None:
     by_masks = _by_masks(t, inputs)
     shares = t.nested("ground covers", covers, height, slopes, noise, *by_masks, *given)
     # Sand is dark where waves have wetted it.
-    above = t.number("SUBTRACT", height, inputs["Sand Line"])
-    sand = t.mix(inputs["Wet Sand Colour"], inputs["Sand Colour"], t.eased(0.2, 1.0, above))
+    above = t.number("SUBTRACT", height, inputs["Wet Line"])
+    sand = t.mix(inputs["Wet Sand Colour"], inputs["Sand Colour"], t.eased(-0.3, 0.5, above))
     colour = inputs["Grass Colour"]
     for name, share in zip(_COVERS, shares, strict=True):
         if name == "Snow":  # noise and wear shade the ground, not the snow on it

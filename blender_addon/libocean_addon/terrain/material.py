@@ -18,6 +18,7 @@ from .open_terrain import terrain_of
 from .terrain_text import TerrainValues
 
 _RELIEF = 185.0  # [m] rms height of the land for which the widths of the sockets were chosen
+_SWASH = 0.5  # [m] over still water, up to which waves wet the sand
 _DRY = 0.75  # share of dry grass far above the forest
 _NOISE_SHARE = 1.0 / 15.0  # of the tile: the largest scale of the noise
 
@@ -35,6 +36,7 @@ def look_of(state: dict, water: float | None = None) -> dict[str, float]:
             "Snow Line": ground_shader.NOWHERE,
             "Forest Line": water + 0.5 * rise,
             "Sand Line": water,
+            "Wet Line": water + _SWASH,
             "Dry Share": _DRY,
             "Line Width": 140.0 * relief,
             "Noise Size": _NOISE_SHARE * max(state["size"]),

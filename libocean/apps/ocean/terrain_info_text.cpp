@@ -102,8 +102,12 @@ std::string terrain_info_text(const Terrain& terrain, const std::string& name,
     if (state.lowest < state.highest) {
         text += row("Heights", format_text("%.6g to %.6g m", state.lowest, state.highest));
     }
-    text += terrain.is_shaped() ? format_text("\n%-24s%-16s%s\n", "", "of its waves", "of the land")
-                                : format_text("\n%-24s%-16s%s\n", "", "asked", "in this tile");
+    const std::string measured = state.measured_cell > state.cell
+                                     ? format_text("of the land, every %.4g m", state.measured_cell)
+                                     : "of the land";
+    text += terrain.is_shaped()
+                ? format_text("\n%-24s%-16s%s\n", "", "of its waves", measured.c_str())
+                : format_text("\n%-24s%-16s%s\n", "", "asked", "in this tile");
     text += asked_resolved("RMS height", state.rms, " m");
     text += asked_resolved("RMS slope", state.rms_slope, "");
     constexpr const char* kShares[] = {"Slopes, 50 % up to", "        90 %", "        99 %"};

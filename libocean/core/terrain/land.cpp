@@ -254,6 +254,8 @@ TerrainState Land::state() {
     const int longer = std::max(own.samples[0], own.samples[1]);
     const Domain measured = longer > kMaxMeasured ? domain(kMaxMeasured) : own;
     measure_shaped(region(measured, {Channel::height, Channel::slope_x, Channel::slope_y}), state);
+    state.cell = own.step(0);
+    state.shortest_wave = 2.0 * state.cell;
     return state;
 }
 

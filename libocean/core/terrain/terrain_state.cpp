@@ -230,8 +230,7 @@ void measure_shaped(const Surface& map, TerrainState& state) {
         state.slope_angles[i].resolved =
             std::atan(static_cast<double>(slopes[static_cast<std::size_t>(at)])) / kRadians;
     }
-    state.cell = map.domain().step(0);
-    state.shortest_wave = 2.0 * state.cell;
+    state.measured_cell = map.domain().step(0);
     state.size = map.domain().size;
     state.period = map.domain().wraps ? map.domain().size[0] : 0.0;
 }
@@ -259,7 +258,9 @@ std::string terrain_state_json(const TerrainState& state) {
     }
     json.add("slope_angles", angles).add("mean", state.mean);
     json.add("shortest_wave", state.shortest_wave).add("longest_wave", state.longest_wave);
-    json.add("period", state.period).add("cell", state.cell).add("octaves", octaves);
+    json.add("period", state.period).add("cell", state.cell);
+    if (state.measured_cell > 0.0) json.add("measured_cell", state.measured_cell);
+    json.add("octaves", octaves);
     const auto peak_json = [](const RepeatPeak& peak) {
         return JsonObject().add("correlation", peak.correlation).add("distance", peak.distance);
     };

@@ -44,7 +44,8 @@ struct TerrainState {
     std::array<double, 2> size{};  // of such a land, or of the tile [m]
     double lowest = 0.0;           // of the map that was measured [m]; 0 if none was
     double highest = 0.0;
-    double cell = 0.0;                   // distance of samples [m]
+    double cell = 0.0;           // distance of samples [m]
+    double measured_cell = 0.0;  // that of the map whose slopes are stated, of a shaped land
     std::vector<TerrainOctave> octaves;  // from the longest wave
     /// The highest peaks within the period; without gullies, which add to both. Unset for a land
     /// that exists once.
