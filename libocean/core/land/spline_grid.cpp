@@ -113,7 +113,7 @@ SplineGrid::SplineGrid(const Domain& domain, std::span<const float> samples, Thr
 
 /// Writes the rows of the samples, filtered, with the coefficients beyond both ends.
 void SplineGrid::filter_rows(std::span<const float> samples, ThreadPool& pool) {
-    const auto [columns, rows] = domain_.samples;
+    const int columns = domain_.samples[0], rows = domain_.samples[1];
     const auto width = static_cast<std::size_t>(columns);
     pool.for_each_range((rows + kLanes - 1) / kLanes, [&](int first, int last) {
         std::vector<Lanes> lines(width);
