@@ -180,7 +180,7 @@ std::string from_utf16(std::string_view bytes, bool big_endian) {
     const auto unit = [&](std::size_t i) -> std::uint32_t {
         const auto first = static_cast<std::uint8_t>(bytes[2 * i]);
         const auto second = static_cast<std::uint8_t>(bytes[2 * i + 1]);
-        return big_endian ? first << 8 | second : second << 8 | first;
+        return big_endian ? first * 256u + second : second * 256u + first;
     };
     std::string text;
     text.reserve(bytes.size() / 2 + bytes.size() / 16);
