@@ -92,7 +92,11 @@ struct error_job {
 THREAD_BODY(fail_here, argument) {
     struct error_job* job = argument;
     size_t size = 0;
-    job->clean_before = strcmp(ocean_last_error(), "") == 0;
+    job->clean_before = strcmp(ocean_last_error(), "") == 0 &&
+                        strcmp(ocean_last_error_field(OCEAN_ERROR_WHAT), "") == 0 &&
+                        strcmp(ocean_last_error_field(OCEAN_ERROR_PARAMETER), "") == 0 &&
+                        strcmp(ocean_last_error_field(OCEAN_ERROR_VALUE), "") == 0 &&
+                        strcmp(ocean_last_error_field(OCEAN_ERROR_ALLOWED), "") == 0;
     ocean_preset("typhoon", NULL, &size);
     job->own_after = strstr(ocean_last_error(), "typhoon") != NULL;
     return 0;
