@@ -63,15 +63,7 @@ def main() -> None:
     scene.frame_set(view["frame"])
     if ocean.libocean.problem:
         sys.exit(ocean.libocean.problem)
-    scene.render.engine = "CYCLES"
-    scene.cycles.samples = int(samples)
-    scene.cycles.use_denoising = False
-    scene.render.resolution_x, scene.render.resolution_y = map(int, size.split("x"))
-    scene.render.resolution_percentage = 100
-    scene.render.image_settings.file_format = "OPEN_EXR"
-    scene.render.image_settings.color_depth = "32"
-    scene.render.filepath = str(Path(picture).resolve())
-    bpy.ops.render.render(write_still=True)
+    daylight.render_light(scene, picture, int(samples), size)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sun and the sky of the sheets of hosts, which Blender takes from POV-Ray."""
+"""The sun, the sky and the light of the sheets of hosts; Blender takes its sky from POV-Ray."""
 
 import math
 from pathlib import Path
@@ -37,3 +37,16 @@ def add_sky(scene, picture: str) -> None:
     texture.image = bpy.data.images.load(str(Path(picture).resolve()))
     texture.image.colorspace_settings.name = "Linear"
     world.node_tree.links.new(texture.outputs["Color"], nodes["Background"].inputs["Color"])
+
+
+def render_light(scene, picture: str, samples: int, size: str) -> None:
+    """Renders by Cycles into an EXR file of light, as linear as it was. size: WIDTHxHEIGHT."""
+    scene.render.engine = "CYCLES"
+    scene.cycles.samples = samples
+    scene.cycles.use_denoising = False
+    scene.render.resolution_x, scene.render.resolution_y = map(int, size.split("x"))
+    scene.render.resolution_percentage = 100
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth = "32"
+    scene.render.filepath = str(Path(picture).resolve())
+    bpy.ops.render.render(write_still=True)

@@ -56,7 +56,7 @@ TEST_F(LandVertexTest, EachVertexOfThePictureStandsWhereTheQuadtreeShowsIt) {
                        level;
             };
             const LandIndex at{index(0), index(1)};
-            // Whether a vertex at this very distance snaps is left to rounding.
+            // Rounding decides if a vertex at this very distance snaps.
             const double distance = plane_distance(view, land_label(settings, level, at));
             if (std::abs(distance / spacing - (settings.range - 0.25)) < 1e-3) continue;
             const LandVertex expected = land_vertex(settings, view, level, at);
