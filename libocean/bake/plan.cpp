@@ -187,8 +187,8 @@ void resolve_backend(const Catalogue& catalogue, const std::string& name, BakePl
         if (!name.empty() && name != kAutoBackend && name != "cpu") {
             throw Error(ErrorKind::unsupported,
                         "--backend " + name +
-                            ": land with gullies, streams, a shore or a place of "
-                            "its own is made on the CPU alone");
+                            ": a sea over a bed, and land with gullies, streams, a shore or a "
+                            "place of its own, are made on the CPU alone");
         }
         plan.backend = Backend::cpu;
         plan.backend_note = "backend cpu";
@@ -277,11 +277,12 @@ std::vector<int> halving_resolutions(int resolution) {
 
 namespace {
 
-/// Returns the domain of a plan as text: a terrain may be repeated. The domain of a sea follows
-/// from its own text, and its recipes began without.
+/// Returns the domain of a plan as text: a terrain may be repeated, and of a sea over a bed a
+/// region may be shown. The domain of an open sea follows from its own text, and its recipes began
+/// without.
 std::string domain_lines(const BakePlan& plan) {
-    if (plan.subject->kind() == kSeaKind) return "";
     const Domain domain = plan.domain();
+    if (plan.subject->kind() == kSeaKind && domain.is_tile()) return "";
     std::string text = "domain";
     for (const double value :
          {domain.origin[0], domain.origin[1], domain.size[0], domain.size[1]}) {

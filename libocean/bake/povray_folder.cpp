@@ -90,6 +90,7 @@ std::string FolderFile::opening() const {
     // Signature, size, depth and colour of an image; the first line of a text, up to its first
     // number.
     if (name.ends_with(".png")) return text.substr(0, 33);
+    if (name.ends_with(".df3")) return "";  // of any size; the text beside it is ours
     return text.substr(0, text.find_first_of("\n0123456789"));
 }
 

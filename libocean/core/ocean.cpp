@@ -17,6 +17,8 @@
 #include "ocean/internal/memory.hpp"
 #include "ocean/parameter_table.hpp"
 #include "parameters/performer.hpp"
+#include "shore/coast.hpp"
+#include "shore/shore_motion.hpp"
 #include "spray/spray_follower.hpp"
 #include "surface/map_writer.hpp"
 
@@ -27,7 +29,8 @@ Ocean::Ocean(Sea sea, OceanOptions options)
       options_(std::move(options)),
       pool_(options_.threads, options_.run_jobs),
       chain_(std::make_unique<Chain>()),
-      maps_(std::make_unique<MapWriter>(options_.backend, options_.channels)) {
+      maps_(std::make_unique<MapWriter>(options_.backend, options_.channels)),
+      coast_(std::make_unique<Coast>()) {
     pool_.set_interrupt(options_.interrupt);
     go_to(sea_.parameters.time.start);
 }
@@ -53,7 +56,8 @@ Ocean::Ocean(const Ocean& built, OceanOptions options)
       options_(std::move(options)),
       pool_(options_.threads, options_.run_jobs),
       chain_(std::make_unique<Chain>(*built.chain_)),
-      maps_(writer_like(*built.maps_, options_)) {
+      maps_(writer_like(*built.maps_, options_)),
+      coast_(std::make_unique<Coast>(*built.coast_)) {
     pool_.set_interrupt(options_.interrupt);
 }
 
@@ -71,11 +75,14 @@ void Ocean::change(Sea sea) {
     const auto first = first_dirty_stage(sea_.parameters, sea.parameters);
     if (performed || (first && *first != Stage::clock)) {
         foam_.clear();
+        region_foam_.reset();
+        region_wet_.reset();
         spray_.reset();
     }
     if (sea_.parameters.grid != sea.parameters.grid) {
         surface_query_.reset();
         orbital_motion_.reset();
+        shore_motion_.reset();
         detail_.clear();
     }
     sea_ = std::move(sea);
@@ -86,6 +93,7 @@ void Ocean::change(Sea sea) {
 void Ocean::perform(double time, std::string_view name, std::string_view value) {
     const bool checked = checked_ == revision_;
     if (!checked) validate(sea_);
+    require_takes(sea_.parameters);
     if (!performer_) performer_ = std::make_unique<Performer>(sea_);
     const double from = performer_->perform(sea_, time, name, value);
     if (from > kLatestTime) return;
@@ -149,6 +157,7 @@ void Ocean::write_maps(double time, std::span<const MapOutput> outputs, int reso
 }
 
 Surface Ocean::evaluate(double time, ChannelSet channels, int resolution) {
+    require_open_sea("a map of one period");
     require_time(time);
     resolution = map_resolution(resolution);
     go_to(time);
@@ -159,6 +168,11 @@ Surface Ocean::evaluate(double time, ChannelSet channels, int resolution) {
 }
 
 void Ocean::evaluate_into(double time, std::span<const MapOutput> outputs, int resolution) {
+    require_open_sea("a map of one period");
+    write_open(time, outputs, resolution);
+}
+
+void Ocean::write_open(double time, std::span<const MapOutput> outputs, int resolution) {
     require_time(time);
     resolution = map_resolution(resolution);
     go_to(time);
@@ -177,8 +191,17 @@ void Ocean::evaluate_into(double time, std::span<const MapOutput> outputs, int r
     write_maps(time, outputs, resolution, foam);
 }
 
+void Ocean::region_into(double time, const Domain& domain, std::span<const MapOutput> outputs) {
+    if (!fields_of(outputs).empty()) {
+        throw Error(ErrorKind::unsupported,
+                    "a region has no linear fields: over a bed waves do not add up");
+    }
+    copy_channels(region(time, domain, channels_of(outputs)), outputs, pool_);
+}
+
 void Ocean::evaluate_cascade_into(std::size_t cascade, double time,
                                   std::span<const MapOutput> outputs, int resolution) {
+    require_open_sea("a map of a cascade");
     const Modes& modes = this->modes(time);
     if (cascade >= modes.cascades.size()) {
         throw Error(ErrorKind::invalid_value,
@@ -211,6 +234,7 @@ void Ocean::evaluate_cascade_into(std::size_t cascade, double time,
 }
 
 DetailMaps& Ocean::detail_at(double time, const DetailSettings& settings) {
+    require_open_sea("a slope tile");
     require_time(time);
     go_to(time);
     DetailSettings shown = settings;
@@ -283,6 +307,7 @@ bool Ocean::has_foam(ChannelSet channels) const {
 }
 
 SprayFollower& Ocean::spray_at(double time, const SpraySettings& settings) {
+    require_open_sea("spray");
     require_time(time);
     validate(settings);
     go_to(time);

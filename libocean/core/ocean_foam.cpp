@@ -25,6 +25,7 @@ double Ocean::cover_power(double time, const ShownFoam& foam) {
 }
 
 void Ocean::lattice_foam_into(double time, const FoamLattice& lattice, std::span<float> foam) {
+    require_open_sea("a lattice of foam");
     require_time(time);
     require_resolution(lattice.resolution);
     go_to(time);

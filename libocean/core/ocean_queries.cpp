@@ -13,6 +13,8 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/ocean.hpp"
+#include "shore/shore_motion.hpp"
+#include "shore/shore_surface.hpp"
 
 namespace ocean {
 namespace {
@@ -73,10 +75,12 @@ const OrbitalMotion& Ocean::orbital_motion(double time, double z, const QueryOpt
 
 void Ocean::query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
                   const QueryOptions& options) {
+    if (sea_.parameters.water.bed) return query_shore(time, points, samples, options);
     surface_query(time, options).sample(points, samples, pool_);
 }
 
 double Ocean::query_height_error(double time, const QueryOptions& options) {
+    if (sea_.parameters.water.bed) return shore_surface(time, false).height_error();
     return surface_query(time, options).height_error();
 }
 
@@ -99,13 +103,31 @@ void Ocean::water_motion(double time, std::span<const WaterPoint> points,
             level.push_back({points[order[last]].x, points[order[last]].y});
         }
         found.resize(level.size());
-        orbital_motion(time, z, options).sample(level, found, pool_);
+        if (sea_.parameters.water.bed) {
+            const ShoreSurface& surface = shore_surface(time, true);
+            if (!shore_motion_) shore_motion_ = std::make_unique<ShoreMotion>();
+            shore_motion_->sample(surface, current_modes(), now().water, level, z, found, pool_);
+        } else {
+            orbital_motion(time, z, options).sample(level, found, pool_);
+        }
         for (std::size_t i = first; i < last; ++i) motions[order[i]] = found[i - first];
     }
 }
 
 void Ocean::float_poses(double time, std::span<const FloatBody> bodies,
                         std::span<FloatPose> poses) {
+    if (sea_.parameters.water.bed) {
+        const Grid& grid = sea_.parameters.grid;
+        const double spacing = grid.patch_size / default_map_resolution(grid);
+        const SampleSurface surface = [&](std::span<const WorldPoint> points,
+                                          std::span<QuerySample> samples) {
+            query_shore(time, points, samples, {.foam = false});
+        };
+        std::vector<FloatPose> found;
+        for (const FloatBody& body : bodies) found.push_back(float_pose(surface, spacing, body));
+        std::ranges::copy(found, poses.begin());
+        return;
+    }
     // A pose needs no foam, but the query that is kept may have some.
     QueryOptions options;
     options.foam =

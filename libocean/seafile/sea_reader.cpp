@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 
+#include "bed_file.hpp"
 #include "measured_record.hpp"
 #include "measured_record_reader.hpp"
 #include "ocean/internal/checked_text.hpp"
@@ -37,7 +38,9 @@ class SeaReader {
     const TableFile& file() const { return reader_.file(); }
     bool read_record(Parameters& parameters, std::string_view section, std::size_t wave,
                      const TomlEntry& entry) const;
+    bool read_bed(std::string_view section, const TomlEntry& entry);
     void resolve_record(WaveSystem& system, std::size_t wave) const;
+    void resolve_bed(Water& water);
     void check_inlined(const WaveSystem& system, std::size_t wave) const;
     Error in_line_of_parameter(const Error& error) const;
     void read_take(Sea& sea) const;
@@ -48,6 +51,7 @@ class SeaReader {
     const SpectrumReader& spectra_;
     TableReader<Parameters> reader_;
     const toml::node* take_ = nullptr;  // inlined
+    InlinedBed bed_;
 };
 
 /// Returns the model's own parts of the file. The take is read last: it names parameters that may
@@ -58,7 +62,8 @@ OwnParts<Parameters> SeaReader::parts() {
             .read_key =
                 [this](Parameters& parameters, std::string_view section, std::size_t wave,
                        const TomlEntry& entry) {
-                    return read_record(parameters, section, wave, entry);
+                    return read_record(parameters, section, wave, entry) ||
+                           read_bed(section, entry);
                 }};
 }
 
@@ -67,6 +72,7 @@ Sea SeaReader::read(std::string_view text) {
     Sea sea{reader_.read(root), {}};
     std::vector<WaveSystem>& waves = sea.parameters.waves;
     for (std::size_t wave = 0; wave < waves.size(); ++wave) resolve_record(waves[wave], wave);
+    resolve_bed(sea.parameters.water);
     read_take(sea);
     try {
         validate(sea);
@@ -84,6 +90,23 @@ bool SeaReader::read_record(Parameters& parameters, std::string_view section, st
     parameters.waves[wave].measured =
         std::make_shared<const SpectrumRecord>(read_measured_record(*inlined, name_, path));
     return true;
+}
+
+bool SeaReader::read_bed(std::string_view section, const TomlEntry& entry) {
+    if (section != "water") return false;
+    try {
+        return read_bed_table(entry, bed_);
+    } catch (const Error& error) {
+        throw file().in_front(error, entry.line);
+    }
+}
+
+void SeaReader::resolve_bed(Water& water) {
+    try {
+        ocean::resolve_bed(water, base_dir_, std::move(bed_));
+    } catch (const Error& error) {
+        throw in_line_of_parameter(error);
+    }
 }
 
 /// Returns the error of a file that a parameter names, with its line, the parameter and the value
@@ -204,6 +227,8 @@ void resolve_files(Sea& sea, const std::string& base_dir, const SpectrumReader& 
                             system.measured == nullptr && !system.file.empty();
         if (needed) load_record(waves[wave], wave, base_dir, reader);
     }
+    Water& water = sea.parameters.water;
+    if (!water.seabed.empty() && water.bed == nullptr) resolve_bed(water, base_dir);
     resolve_take(sea, base_dir);
 }
 
@@ -212,6 +237,7 @@ std::vector<std::string> named_files(const Sea& sea) {
     const auto add = [&](const std::string& file) {
         if (!file.empty()) files.push_back(file);
     };
+    add(sea.parameters.water.seabed);
     add(sea.parameters.time.take);
     for (const WaveSystem& system : sea.parameters.waves) add(system.file);
     return files;

@@ -7,15 +7,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "ocean/cascades.hpp"
 #include "ocean/directional_spectrum.hpp"
+#include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
+#include "ocean/land_mask.hpp"
 #include "ocean/map_levels.hpp"
 #include "ocean/parameter_table.hpp"
+#include "ocean/region.hpp"
+#include "ocean/sea_bed.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/world_heights.hpp"
 
@@ -30,27 +36,63 @@ OceanOptions ocean_options(const MapsOptions& options) {
     return {.threads = options.threads,
             .backend = options.backend,
             .foam_progress = options.foam_progress,
-            .channels = options.channels};
+            .channels = options.channels,
+            .build_progress = options.build_progress};
 }
+
+/// The part of a sea that a subject shows: one period, or a part of its bed.
+class ShownSea {
+  public:
+    ShownSea(const Sea& sea, std::optional<Domain> region) : region_(region) {
+        if (!region_ && sea.parameters.water.bed) region_ = sea.parameters.water.bed->domain;
+    }
+
+    bool is_region() const { return region_.has_value(); }
+    int default_resolution(const Grid& grid) const {
+        return region_ ? std::max(region_->samples[0], region_->samples[1])
+                       : default_map_resolution(grid);
+    }
+    /// Returns the domain of a map of `resolution` samples along the side of a period, else along
+    /// the longer side.
+    Domain domain(const Grid& grid, int resolution) const {
+        if (!region_) return Domain::tile(grid.patch_size, resolution);
+        if (resolution == default_resolution(grid)) return *region_;
+        return with_cell(*region_, std::max(region_->size[0], region_->size[1]) / (resolution - 1));
+    }
+
+  private:
+    std::optional<Domain> region_;
+};
 
 class SeaMaps final : public SubjectMaps {
   public:
-    SeaMaps(const Sea& sea, const MapsOptions& options) : ocean_(sea, ocean_options(options)) {
-        ocean_.modes();
+    SeaMaps(const Sea& sea, const ShownSea& shown, const MapsOptions& options)
+        : ocean_(sea, ocean_options(options)), shown_(shown) {
+        if (shown_.is_region()) {
+            ocean_.prepare_coast();
+        } else {
+            ocean_.modes();
+        }
     }
-    SeaMaps(const Ocean& built, const MapsOptions& options)
-        : ocean_(built, ocean_options(options)) {}
+    SeaMaps(const SeaMaps& built, const MapsOptions& options)
+        : ocean_(built.ocean_, ocean_options(options)), shown_(built.shown_) {}
 
     Ocean& ocean() { return ocean_; }
 
     std::unique_ptr<SubjectMaps> share(const MapsOptions& options) const override {
-        return std::make_unique<SeaMaps>(ocean_, options);
+        return std::make_unique<SeaMaps>(*this, options);
     }
     std::vector<Surface> levels(double time, ChannelSet channels,
                                 std::span<const int> resolutions) override {
-        return map_levels(ocean_, time, channels, resolutions);
+        if (!shown_.is_region()) return map_levels(ocean_, time, channels, resolutions);
+        std::vector<Surface> levels;
+        for (const int resolution : resolutions) {
+            levels.push_back(ocean_.region(time, domain(resolution), channels));
+        }
+        return levels;
     }
     WorldHeights heights_by_place(double time, int resolution) override {
+        if (shown_.is_region()) return region_heights(ocean_, time, domain(resolution));
         return world_heights(ocean_, time, resolution);
     }
     void query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
@@ -60,12 +102,18 @@ class SeaMaps final : public SubjectMaps {
     ThreadPool& pool() override { return ocean_.pool(); }
 
   private:
+    Domain domain(int resolution) const {
+        return shown_.domain(ocean_.parameters().grid, resolution);
+    }
+
     Ocean ocean_;
+    ShownSea shown_;
 };
 
 class SeaSubject final : public Subject {
   public:
-    explicit SeaSubject(Sea sea) : sea_(std::move(sea)) {}
+    SeaSubject(Sea sea, std::optional<Domain> region)
+        : sea_(std::move(sea)), shown_(sea_, region) {}
 
     const Sea& sea() const { return sea_; }
 
@@ -81,21 +129,40 @@ class SeaSubject final : public Subject {
     double frame_rate() const override { return sea_.parameters.time.fps; }
     bool plays_take() const override { return !sea_.take.empty(); }
     std::vector<std::string> warnings(double time) const override {
-        return full_development_warnings(sea_.at(time));
+        const Parameters parameters = sea_.at(time);
+        std::vector<std::string> all = full_development_warnings(parameters);
+        if (parameters.water.bed) {
+            const SeaBed& bed = *parameters.water.bed;
+            const SpectralMoments waves =
+                make_directional_spectrum(parameters).moments(parameters.water);
+            const double peak =
+                waves.peak_omega > 0.0
+                    ? kTwoPi / Dispersion(parameters.water).wavenumber(waves.peak_omega)
+                    : 0.0;
+            std::ranges::move(bed_warnings(bed, parameters.water), std::back_inserter(all));
+            std::ranges::move(coast_warnings(bed, {peak, waves.mean_direction, grid().patch_size,
+                                                   parameters.water.depth}),
+                              std::back_inserter(all));
+        }
+        return all;
     }
 
     ChannelSet channels() const override {
         ChannelSet all;
         for (int c = 0; c < kChannelCount; ++c) all = all | static_cast<Channel>(c);
+        if (shown_.is_region()) {
+            using enum LandMask;
+            all = all | channel_of(depth) | channel_of(breaking) | channel_of(wetness);
+        }
         return all;
     }
-    int default_resolution() const override { return default_map_resolution(grid()); }
-    Domain domain(int resolution) const override {
-        return Domain::tile(grid().patch_size, resolution);
-    }
+    int default_resolution() const override { return shown_.default_resolution(grid()); }
+    Domain domain(int resolution) const override { return shown_.domain(grid(), resolution); }
+    bool uses_backends() const override { return !shown_.is_region(); }
     double shortest_wave(int resolution) const override {
-        return std::max(sea_.parameters.surface.shortest_wavelength,
-                        ocean::shortest_wave(grid(), resolution));
+        const double held = shown_.is_region() ? 2.0 * domain(resolution).step(0)
+                                               : ocean::shortest_wave(grid(), resolution);
+        return std::max(sea_.parameters.surface.shortest_wavelength, held);
     }
     HeightRange height_range() const override {
         constexpr double kMinDepth = 4.0;  // [m]
@@ -107,21 +174,28 @@ class SeaSubject final : public Subject {
     }
 
     std::unique_ptr<SubjectMaps> open(const MapsOptions& options) const override {
-        return std::make_unique<SeaMaps>(sea_, options);
+        return std::make_unique<SeaMaps>(sea_, shown_, options);
     }
     std::uint64_t bytes(int sharing) const override {
         // With a take each of them is at a time of its own, and the first at another.
         const std::uint64_t seas = plays_take() ? 1 + static_cast<std::uint64_t>(sharing) : 1;
-        return seas * modes_bytes(grid());
+        const std::uint64_t bed = shown_.is_region() ? coast_bytes(sea_.parameters) : 0;
+        return seas * modes_bytes(grid()) + bed;
     }
     std::uint64_t work_bytes(const MapsOptions& options, ChannelSet channels,
                              int resolution) const override {
+        if (shown_.is_region()) {
+            // Foam is followed on maps of its own, over one period and over the region.
+            return region_work_bytes(sea_.parameters, domain(resolution), channels);
+        }
         return ocean::work_bytes(grid(), options.backend, channels, resolution, options.channels);
     }
     std::uint64_t by_place_bytes(int resolution) const override {
+        if (shown_.is_region()) return region_heights_bytes(domain(resolution));
         return world_heights_bytes(sea_, resolution);
     }
     std::uint64_t query_bytes(const QueryOptions& options) const override {
+        if (shown_.is_region()) return 0;  // those of the coast
         return SurfaceQuery::map_bytes(grid().resolution, options);
     }
 
@@ -129,12 +203,23 @@ class SeaSubject final : public Subject {
     const Grid& grid() const { return sea_.parameters.grid; }
 
     Sea sea_;
+    ShownSea shown_;
 };
 
 }  // namespace
 
 std::unique_ptr<Subject> make_subject(Sea sea) {
-    return std::make_unique<SeaSubject>(std::move(sea));
+    return std::make_unique<SeaSubject>(std::move(sea), std::nullopt);
+}
+
+std::unique_ptr<Subject> make_region_subject(Sea sea, const Region& region) {
+    if (!sea.parameters.water.bed) {
+        throw Error(ErrorKind::unsupported,
+                    "--region: this sea has no bed (water.seabed), so that it repeats, and its "
+                    "maps are those of one period");
+    }
+    const Domain domain = domain_of(region);
+    return std::make_unique<SeaSubject>(std::move(sea), domain);
 }
 
 std::unique_ptr<Subject> parse_sea_subject(std::string_view text, const std::string& name) {

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <map>
 
+#include "bed_file.hpp"
 #include "measured_record.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
 #include "take.hpp"
@@ -22,6 +24,14 @@ std::string record_name(std::size_t system) {
 }
 std::string take_name() {
     return "[" + std::string(kTakeSection) + "]";
+}
+
+/// Returns "[water.bed_heights]" and its neighbour.
+std::string bed_name(std::string_view table) {
+    return "[water." + std::string(table) + "]";
+}
+bool is_bed_name(std::string_view name) {
+    return name == bed_name(kBedHeights) || name == bed_name(kBedTerrain);
 }
 
 /// Returns the text cut before each line that opens a table.
@@ -48,6 +58,8 @@ class ValueList {
     void add(const NamedValue& given) {
         if (given.name == take_name()) {
             take_ = given.value;
+        } else if (is_bed_name(given.name)) {
+            bed_ = given.value;
         } else if (given.name.starts_with('[')) {
             records_[system_of_record(given.name)] = given.value;
         } else {
@@ -63,6 +75,7 @@ class ValueList {
             } else if (const std::string lines = section_lines(section.name, 0); !lines.empty()) {
                 out += "\n[" + std::string(section.name) + "]\n" + lines;
             }
+            if (section.name == "water" && !bed_.empty()) out += "\n" + std::string(bed_);
         }
         return take_.empty() ? out : out + "\n" + std::string(take_);
     }
@@ -77,7 +90,8 @@ class ValueList {
             return system;
         }
         refuse("name", name,
-               "a parameter, " + take_name() + ", or " + record_name(0) + " .. " +
+               "a parameter, " + take_name() + ", " + bed_name(kBedHeights) + ", " +
+                   bed_name(kBedTerrain) + ", or " + record_name(0) + " .. " +
                    record_name(kMaxWaveSystems - 1));
     }
 
@@ -97,11 +111,18 @@ class ValueList {
         return spec.type() == "enum" || spec.type() == "text";
     }
 
+    /// Returns true for the neutral value of a row, of a number in any spelling.
+    static bool is_neutral(const ParameterInfo& row, std::string_view value) {
+        if (!row.neutral || value == *row.neutral) return row.neutral.has_value();
+        const auto number = text::parse_number(*row.neutral);
+        return !is_word(row) && number && text::parse_number(value) == number;
+    }
+
     std::string line(const ParameterInfo& row, std::size_t item) const {
         const auto found = values_.find({&row, item});
         if (found == values_.end()) return "";
         const std::string_view value = found->second;
-        if ((value.empty() && row.type() != "text") || value == row.neutral) return "";
+        if ((value.empty() && row.type() != "text") || is_neutral(row, value)) return "";
         return std::string(row.key) + " = " +
                (is_word(row) ? toml_string(value) : std::string(value)) + "\n";
     }
@@ -127,6 +148,7 @@ class ValueList {
     std::map<Key, std::string_view> values_;
     std::map<std::size_t, std::string_view> records_;
     std::string_view take_;
+    std::string_view bed_;
     std::size_t systems_ = 0;
 };
 
@@ -149,6 +171,9 @@ std::vector<NamedText> sea_values(const Sea& sea) {
         if (table.starts_with("[[waves]]")) ++systems;
         if (table.starts_with("[waves." + std::string(kMeasuredRecord) + "]")) {
             values.push_back({record_name(systems - 1), table});
+        }
+        for (const std::string_view bed : {kBedHeights, kBedTerrain}) {
+            if (table.starts_with(bed_name(bed))) values.push_back({bed_name(bed), table});
         }
         if (table.starts_with(take_name())) values.push_back({take_name(), table});
     }

@@ -5,7 +5,9 @@
 // image headers and sent to farms, so they must not depend on other files: the record of a measured
 // system is inlined as [waves.measured_record]. `file` and `record` are kept beside it as its
 // source: a reader that finds the table opens no file, and refuses the sea if `record` was edited
-// to request another time. To choose again, delete the table. A take is inlined too, as [take].
+// to request another time. To choose again, delete the table. A take is inlined too, as [take], and
+// a bed as bed_file.hpp says.
+#include "bed_file.hpp"
 #include "measured_record.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
@@ -61,10 +63,11 @@ std::string write_sea(const Sea& sea) {
     validate(sea);
     const Parameters& parameters = sea.parameters;
     const auto line = [&](const ParameterRef& ref) { return parameter_line(parameters, ref); };
-    const auto record = [&](std::string_view section, std::size_t item) {
+    const auto inlined = [&](std::string_view section, std::size_t item) {
+        if (section == "water") return bed_text(parameters.water);
         return section == "waves" ? measured_record_text(parameters.waves[item]) : "";
     };
-    return std::string(kOpening) + table_text<Parameters>(sea_table(), parameters, line, record) +
+    return std::string(kOpening) + table_text<Parameters>(sea_table(), parameters, line, inlined) +
            take_text(sea);
 }
 

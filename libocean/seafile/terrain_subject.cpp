@@ -14,6 +14,7 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/land_field.hpp"
+#include "ocean/region.hpp"
 #include "ocean/terrain_table.hpp"
 #include "ocean/terrainfile.hpp"
 #include "ocean/text.hpp"
@@ -205,25 +206,13 @@ std::unique_ptr<Subject> make_subject(Terrain terrain, TerrainTiles tiles) {
     return std::make_unique<TerrainSubject>(std::move(terrain), ShownPart{tiles, {}});
 }
 
-std::unique_ptr<Subject> make_region_subject(Terrain terrain, const TerrainRegion& region) {
+std::unique_ptr<Subject> make_region_subject(Terrain terrain, const Region& region) {
     const Domain domain = domain_of(terrain, region);
     return std::make_unique<TerrainSubject>(std::move(terrain), ShownPart{{}, domain});
 }
 
-Domain domain_of(const Terrain& terrain, const TerrainRegion& region) {
-    Domain domain{region.origin, {}, {}, false};
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        const double steps = std::floor(region.size[axis] / region.cell * (1.0 + 1e-12) + 1e-9);
-        if (!(steps >= 1.0 && steps < kMaxRegionSide)) {
-            throw Error(ErrorKind::invalid_value,
-                        "the region has " + fixed_text(steps + 1.0, 0) + " samples along " +
-                            (axis == 0 ? "x" : "y") + " at a cell of " +
-                            shortest_text(region.cell) + " m; allowed: 2 .. " +
-                            std::to_string(kMaxRegionSide));
-        }
-        domain.samples[axis] = static_cast<int>(steps) + 1;
-        domain.size[axis] = steps * region.cell;
-    }
+Domain domain_of(const Terrain& terrain, const Region& region) {
+    const Domain domain = domain_of(region);
     if (!terrain.is_placed()) return domain;
     const Domain land = terrain_domain(terrain);
     for (std::size_t axis = 0; axis < 2; ++axis) {

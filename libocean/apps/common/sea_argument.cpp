@@ -35,7 +35,7 @@ Sea read_source(const std::string& source) {
 
 void assign(Parameters& parameters, const std::string& name, std::string value) {
     const std::string_view key = find_parameter(name).info->key;
-    if ((key == "file" || key == "take") && !value.empty()) {
+    if ((key == "file" || key == "take" || key == "seabed") && !value.empty()) {
         value = std::filesystem::absolute(utf8_path(value))
                     .string();  // relative to the working directory
     }

@@ -1,17 +1,15 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The argument TERRAIN and the options --set, --region and --cell of the commands for terrains, and
-// the resolved and validated terrain that they name.
+// The argument TERRAIN and the option --set of the commands for terrains, and the resolved and
+// validated terrain that they name.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "command.hpp"
 #include "ocean/terrain.hpp"
-#include "ocean/terrain_subject.hpp"
 
 namespace ocean::app {
 
@@ -25,15 +23,6 @@ OptionGroup terrain_options(TerrainArgument& argument, bool required = kRequired
 
 /// Returns the terrain. Throws Error.
 Terrain open_terrain(const TerrainArgument& argument);
-
-/// The options --region and --cell as they were typed; "" = not given.
-struct RegionArgument {
-    std::string region, cell;
-};
-/// Returns the options --region and --cell.
-std::vector<Option> region_options(RegionArgument& argument);
-/// Returns the region that is typed, if one is. Throws Error invalid_value.
-std::optional<TerrainRegion> parse_region(const RegionArgument& argument);
 
 /// Returns true if a source names a terrain: a preset of one, a baked file of one, or a file with
 /// [terrain]. False for everything else, also for what cannot be read. Standard input and pipes are

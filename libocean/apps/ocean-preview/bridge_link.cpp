@@ -29,7 +29,7 @@ bool is_of_the_sea(const std::string& name) {
 
 /// Returns whether values of a parameter may come from or go to a bridge; names of files may not.
 bool is_shared(const ParameterInfo& info) {
-    return info.key != "file" && info.key != "take" && info.key != "record";
+    return info.key != "file" && info.key != "take" && info.key != "record" && info.key != "seabed";
 }
 
 }  // namespace

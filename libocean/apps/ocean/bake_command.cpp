@@ -5,6 +5,7 @@
 // options; the options of a format come from the format.
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -13,14 +14,17 @@
 #include "format_help.hpp"
 #include "input_files.hpp"
 #include "ocean/bake/catalogue.hpp"
+#include "ocean/error.hpp"
+#include "ocean/io/read_provenance.hpp"
+#include "ocean/sea_bed.hpp"
 #include "ocean/sea_subject.hpp"
 #include "ocean/subject_kind.hpp"
 #if OCEAN_HAS_GL
-#include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/text.hpp"
 #include "stage_images.hpp"
 #endif
+#include "region_argument.hpp"
 #include "sea_argument.hpp"
 
 namespace ocean::app {
@@ -29,6 +33,7 @@ namespace {
 struct Typed {
     BakeOptions bake;
     SeaArgument sea;
+    RegionArgument region;
     FormatFlags format_options;
     std::string egl_device, stage;
     bool dry_run = false;
@@ -44,6 +49,7 @@ std::vector<OptionGroup> common_options(Typed& typed, const Catalogue& catalogue
            "Take the sea and all options below that are not given from a baked file, in place of "
            "SEA"},
           {"--fps", &bake.fps, "RATE", "Frames per second, in place of the sea's time.fps"}}},
+        {"Sea over a bed", region_options(typed.region)},
         {"Output",
          {
              {"-o,--output", &bake.output, "FILE",
@@ -75,6 +81,19 @@ std::vector<OptionGroup> common_options(Typed& typed, const Catalogue& catalogue
     };
 }
 
+/// Returns the part of the sea that is shown: that of --region, that of the file of --from, or all.
+std::unique_ptr<Subject> shown_part(Sea sea, const std::optional<Region>& region,
+                                    const std::string& from) {
+    if (region) return make_region_subject(std::move(sea), *region);
+    const SeaBed* const bed = sea.parameters.water.bed.get();
+    const auto provenance =
+        from.empty() || bed == nullptr ? std::nullopt : io::read_provenance(from);
+    const bool is_part = provenance && provenance->domain && *provenance->domain != bed->domain;
+    if (!is_part) return make_subject(std::move(sea));
+    const Domain& shown = *provenance->domain;
+    return make_region_subject(std::move(sea), {shown.origin, shown.size, shown.step(0)});
+}
+
 std::vector<OptionGroup> bake_options(Typed& typed, const Catalogue& catalogue) {
     std::vector<OptionGroup> groups = common_options(typed, catalogue);
     add_format_options(typed.format_options, typed.bake, catalogue, kSeaKind, groups);
@@ -86,8 +105,13 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
     add_given(typed.format_options, options);
     options.source = typed.sea.source;
     options.threads = context.options.threads;
-    options.open_subject = [&typed](const std::string& source) {
-        return make_subject(open_sea({source, typed.sea.assignments}));
+    const std::optional<Region> region = parse_region(typed.region);
+    if (region && !options.resolution.empty()) {
+        throw Error(ErrorKind::invalid_value,
+                    "--region: its samples are those of --cell; --resolution is for whole maps");
+    }
+    options.open_subject = [&](const std::string& source) {
+        return shown_part(open_sea({source, typed.sea.assignments}), region, options.from);
     };
 #if OCEAN_HAS_GL
     if (!typed.egl_device.empty()) {

@@ -47,7 +47,9 @@ void run(const InfoOptions& info, const Context& context) {
     if (context.options.json) {
         context.console.data(sea_state_json(state) + "\n");
     } else {
-        context.console.data(info_text(sea, info.sea.source, state, ocean.measure_frame_cost()));
+        // A map of one period, which is measured, says nothing of a sea over a bed.
+        const FrameCost cost = state.bed ? FrameCost{} : ocean.measure_frame_cost();
+        context.console.data(info_text(sea, info.sea.source, state, cost));
     }
     for (const std::string& warning : state.warnings) context.console.warning(warning);
 }

@@ -106,9 +106,20 @@ std::string foam_text(const SeaState& state, const SurfaceSettings& surface,
     text += row("Folded over", format_text("%.2f %% of the surface", 100.0 * state.folded_share));
     text += row("Foam", format_text("lives %g s; is followed for %g s before a frame alone",
                                     surface.foam_lifetime, state.foam_preroll_seconds));
+    if (cost.alone == 0.0) return text;
     return text + row("A frame with foam",
                       format_text("takes about %.2g s alone, %.2g s after the one before it",
                                   cost.alone, cost.in_sequence));
+}
+
+std::string bed_text(const SeaBedSummary& bed, const Water& water) {
+    const auto [x, y] = water.bed_origin();
+    std::string text = row("Sea bed", format_text("%d x %d samples %.4g m apart, from (%g, %g) m",
+                                                  bed.samples[0], bed.samples[1], bed.cell, x, y));
+    text += row("", format_text("%.4g to %.4g m over still water", bed.lowest, bed.highest));
+    text += row("", format_text("%.1f %% is wet, %.1f %% shallower than the sea", 100.0 * bed.wet,
+                                100.0 * bed.shallow));
+    return text + row("", "SHA-256 " + bed.sha256);
 }
 
 std::string grid_text(const SeaState& state, const Parameters& parameters) {
@@ -125,6 +136,7 @@ std::string grid_text(const SeaState& state, const Parameters& parameters) {
     text += row("Depth", std::isinf(parameters.water.depth)
                              ? std::string("deep")
                              : format_text("%g m", parameters.water.depth));
+    if (state.bed) text += bed_text(*state.bed, parameters.water);
     const Timing& time = parameters.time;
     text += row("Time", format_text("%g s at frame %d, %g frames per second", time.start,
                                     time.first_frame, time.fps));

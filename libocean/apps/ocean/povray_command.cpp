@@ -21,6 +21,7 @@
 #include "ocean/sea_subject.hpp"
 #include "ocean/seafile.hpp"
 #include "povray_files.hpp"
+#include "region_argument.hpp"
 #include "sea_argument.hpp"
 #include "terrain_argument.hpp"
 #include "text.hpp"
@@ -33,12 +34,13 @@ struct Typed {
     SeaArgument sea;
     std::string folder;
     std::string format = "df3";
-    RegionArgument region;  // of a terrain
+    RegionArgument region;  // of a terrain or a coast
     bool near_only = false;
     bool dry_run = false;
 };
 
-BakePlan make_povray_plan(const Typed& typed, const std::string& folder, const Context& context) {
+BakePlan make_povray_plan(const Typed& typed, const Sea& sea, const std::string& folder,
+                          const Context& context) {
     const bool df3 = typed.format == "df3";
     if (typed.near_only && !df3) {
         throw Error(ErrorKind::invalid_value,
@@ -53,9 +55,7 @@ BakePlan make_povray_plan(const Typed& typed, const std::string& folder, const C
     if (df3) options.format_options["detail-map"] = "yes";
     if (df3 && !typed.near_only) options.format_options["far-maps"] = "yes";
     if (typed.format == "mesh2") options.format_options["mesh-foam"] = "yes";
-    options.open_subject = [&typed](const std::string& source) {
-        return make_subject(open_sea({source, typed.sea.assignments}));
-    };
+    options.open_subject = [&sea](const std::string&) { return make_subject(sea); };
     BakePlan plan = make_bake_plan(options, standard_catalogue());
     refuse_large_mesh(plan.resolution);
     return plan;
@@ -120,12 +120,19 @@ void run(const Typed& typed, const Context& context) {
             {options, typed.sea.assignments, folder, typed.format, typed.region, typed.dry_run},
             context);
     }
+    const Sea given = open_sea({typed.sea.source, typed.sea.assignments});
+    refuse_folder_of_a_terrain(folder);
+    if (given.parameters.water.bed) {
+        return write_povray_coast({typed.bake, given, typed.sea.source, folder, typed.format,
+                                   typed.region, typed.near_only, typed.dry_run},
+                                  context);
+    }
     if (!typed.region.region.empty() || !typed.region.cell.empty()) {
         throw Error(ErrorKind::unsupported,
-                    "--region and --cell: only a terrain has them, and this is a sea");
+                    "--region and --cell: only a terrain and a sea over a bed (water.seabed) have "
+                    "them, and this is an open sea");
     }
-    refuse_folder_of_a_terrain(folder);
-    const BakePlan plan = make_povray_plan(typed, folder, context);
+    const BakePlan plan = make_povray_plan(typed, given, folder, context);
     const Sea& sea = sea_of(*plan.subject);
     const SeaState state = Ocean(sea.parameters, {.threads = plan.threads}).state();
     const ExistingFrames existing = povray_existing_frames(plan);
@@ -158,14 +165,14 @@ std::vector<OptionGroup> povray_options(Typed& typed) {
         source,
         {"Sea",
          {{"--fps", &bake.fps, "RATE", "Frames per second, in place of the sea's time.fps"}}},
-        {"Terrain", region_options(typed.region)},
+        {"Terrain, or sea over a bed", region_options(typed.region)},
         {"Output",
          {{"-o,--output", &typed.folder, "DIR", "The folder, created if it is missing", kRequired},
           {"--frames", &bake.frames, "RANGES",
            "FIRST-LAST[xSTEP] in comma lists, such as 1-250x2; default: the sea's first frame"},
           {"--format", &typed.format, "FORMAT",
-           "df3 (exact, small, all macros), mesh2 (text) or height_field (16-bit PNG, no "
-           "overhangs); default df3. Of a terrain all have all macros",
+           "df3 (exact, all macros; default), mesh2 (text) or height_field (16-bit PNG, no "
+           "overhangs). A terrain has all macros in each, a sea over a bed df3 alone",
            kOptional, OneOf{{"df3", "mesh2", "height_field"}}},
           {"--resolution", &bake.resolution, "R",
            "Samples along a side, a power of two up to 2048; default: the sea's grid, four times "
@@ -193,6 +200,11 @@ error that lists the existing frames. Chunks (--frames 1-10, then 11-20) and
 shards merge into ocean.ini and ocean_parameters.inc, in any order and
 concurrently; frames of another sea, format or resolution are left out, with a
 warning.
+
+A sea over a bed (water.seabed) gets land too: its folder has also coast.inc,
+coast_0001.df3 and land.df3. --region and --cell choose the part of the bed that
+the map shows and how finely: waves at the feet of a viewer need 1 m or less. By
+default it is all of the bed, at the bed's cell. Around it lies the open sea.
 
 SEA may be a terrain: a terrain file, preset:tujunga or a baked file of one. Its
 folder has terrain.inc, terrain_parameters.inc, terrain.toml and one map, and is

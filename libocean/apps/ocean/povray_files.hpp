@@ -13,7 +13,8 @@
 #include "input_files.hpp"
 #include "ocean/bake/estimate.hpp"
 #include "ocean/bake/povray_folder.hpp"
-#include "terrain_argument.hpp"
+#include "ocean/sea.hpp"
+#include "region_argument.hpp"
 
 namespace ocean::app {
 
@@ -45,5 +46,19 @@ struct PovrayTerrainRequest {
 };
 /// Writes the folder of a terrain. Throws Error.
 void write_povray_terrain(const PovrayTerrainRequest& request, const Context& context);
+
+/// The options of `ocean povray` for a sea over a bed.
+struct PovrayCoastRequest {
+    BakeOptions bake;
+    const Sea& sea;
+    std::string source;
+    std::string folder;
+    std::string format;
+    RegionArgument region;
+    bool near_only = false;
+    bool dry_run = false;
+};
+/// Writes the folder of a sea over a bed. Throws Error.
+void write_povray_coast(const PovrayCoastRequest& request, const Context& context);
 
 }  // namespace ocean::app

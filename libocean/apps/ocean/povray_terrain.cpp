@@ -36,7 +36,7 @@ std::vector<BakePlan> make_plans(const PovrayTerrainRequest& request, const Cont
         options.format_options["far-maps"] = "yes";
         options.format_options["mask-map"] = "yes";
     }
-    const std::optional<TerrainRegion> region = parse_region(request.region);
+    const std::optional<Region> region = parse_region(request.region);
     if (region && !options.resolution.empty()) {
         throw Error(ErrorKind::invalid_value,
                     "--region: its samples are those of --cell, and "

@@ -19,6 +19,7 @@
 #include "ocean/subject_kind.hpp"
 #include "ocean/terrain_subject.hpp"
 #include "ocean/text.hpp"
+#include "region_argument.hpp"
 #include "terrain_argument.hpp"
 
 namespace ocean::app {
@@ -82,8 +83,8 @@ TerrainTiles parse_tiles(const std::string& text) {
 }
 
 /// Returns the region that is typed, if one is. Throws Error invalid_value.
-std::optional<TerrainRegion> region_of(const Typed& typed) {
-    const std::optional<TerrainRegion> region = parse_region(typed.region);
+std::optional<Region> region_of(const Typed& typed) {
+    const std::optional<Region> region = parse_region(typed.region);
     if (!region) return std::nullopt;
     if (!typed.tiles.empty() || !typed.bake.resolution.empty() || !typed.stage.empty()) {
         throw Error(ErrorKind::invalid_value,
@@ -144,7 +145,7 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
     options.source = typed.terrain.source;
     options.threads = context.options.threads;
     const TerrainTiles tiles = parse_tiles(typed.tiles);
-    const std::optional<TerrainRegion> region = region_of(typed);
+    const std::optional<Region> region = region_of(typed);
     options.open_subject = [&](const std::string& source) {
         Terrain terrain = open_terrain({source, typed.terrain.assignments});
         if (region) return make_region_subject(std::move(terrain), *region);

@@ -63,7 +63,13 @@ CausticsRequest read(const BakeOptions& options) {
 /// The plane lies no deeper than the water.
 MadePlan<CausticsRequest> resolve(const BakePlan& draft, const CausticsRequest& requested,
                                   const std::vector<const Product*>& products) {
-    const double water = sea_of(*draft.subject).parameters.water.depth;
+    const Water& body = sea_of(*draft.subject).parameters.water;
+    if (body.bed) {
+        throw Error(ErrorKind::unsupported,
+                    "--products caustics: they fall on a level plane, and this sea has a bed "
+                    "(water.seabed)");
+    }
+    const double water = body.depth;
     CausticsRequest settings = requested;
     settings.resolved.depth = requested.depth.value_or(std::min(water, kDefaultDepth));
     if (settings.resolved.depth > water) {

@@ -88,6 +88,11 @@ std::vector<const Product*> with_bands(const std::vector<const Product*>& produc
             all.push_back(product);
             continue;
         }
+        if (parameters.water.bed) {
+            throw Error(ErrorKind::unsupported,
+                        "--products " + std::string(product->name) +
+                            ": slope tiles repeat, and this sea has a bed (water.seabed)");
+        }
         const std::size_t bands = detail_bands(parameters, settings).size();
         const auto band = band_of(*product);
         if (bands == 0 || band.value_or(0) >= bands) {

@@ -205,6 +205,43 @@ void read_performance(Ocean& ocean, const std::vector<Gauge>& gauges, const Samp
     }
 }
 
+/// Reads gauges over a bed from the surface that queries show, time by time.
+void read_coast(Ocean& ocean, const std::vector<Gauge>& gauges, const SampleTimes& times,
+                const std::function<void(std::size_t)>& progress, GaugeSeries& series) {
+    std::vector<WorldPoint> points(gauges.size());
+    std::vector<WaterPoint> depths(gauges.size());
+    std::vector<QuerySample> samples(gauges.size());
+    std::vector<WaterMotion> motions(gauges.size());
+    for (std::size_t i = 0; i < series.times; ++i) {
+        const double time = times.at(i);
+        for (std::size_t g = 0; g < gauges.size(); ++g) {
+            const GaugePlace place = gauges[g].at(time);
+            points[g] = {place.x, place.y};
+            depths[g] = {place.x, place.y, place.z};
+        }
+        ocean.query(time, points, samples, {.foam = false});
+        ocean.water_motion(time, depths, motions);
+        std::span<double> row = row_of(series, i);
+        for (std::size_t g = 0; g < gauges.size(); ++g) {
+            const QuerySample& sample = samples[g];
+            const WaterMotion& water = motions[g];
+            const double values[] = {time,
+                                     points[g].x,
+                                     points[g].y,
+                                     sample.height,
+                                     -sample.normal[0] / sample.normal[2],
+                                     -sample.normal[1] / sample.normal[2],
+                                     water.velocity_x,
+                                     water.velocity_y,
+                                     water.velocity_z,
+                                     water.pressure};
+            std::ranges::copy(values, row.begin());
+            row = row.subspan(std::size(values));
+        }
+        progress(i + 1);
+    }
+}
+
 }  // namespace
 
 GaugeSeries read_gauge_series(Ocean& ocean, const std::vector<Gauge>& gauges,
@@ -212,7 +249,9 @@ GaugeSeries read_gauge_series(Ocean& ocean, const std::vector<Gauge>& gauges,
                               const std::function<void(std::size_t)>& progress) {
     GaugeSeries series{times.count(), gauges.size(), {}};
     series.values.resize(series.times * row_length(series));
-    if (ocean.sea().take.empty()) {
+    if (ocean.parameters().water.bed) {
+        read_coast(ocean, gauges, times, progress, series);
+    } else if (ocean.sea().take.empty()) {
         read_still_sea(ocean, gauges, times, pool, progress, series);
     } else {
         read_performance(ocean, gauges, times, progress, series);

@@ -17,6 +17,7 @@
 #include "ocean/coast_profile.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/land.hpp"
+#include "ocean/region.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/terrain_law.hpp"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ocean/parameter_table.hpp"
+#include "ocean/sea_bed.hpp"
 
 namespace ocean {
 
@@ -23,6 +24,20 @@ bool names_record(const ParameterInfo& info) {
            info.holds<&WaveSystem::place>();
 }
 
+/// Returns true for a key with which a reader reads another bed from its file.
+bool names_bed(const ParameterInfo& info) {
+    return info.holds<&Water::seabed>() || info.holds<&Water::seabed_unit>();
+}
+
+/// Returns the bed of the changed water: the one that it has, moved, or none where its file must be
+/// read anew.
+std::shared_ptr<const SeaBed> bed_after(const ParameterInfo& changed, const Water& water) {
+    if (water.bed == nullptr) return nullptr;
+    const bool has_file = !water.seabed.empty() || changed.holds<&Water::seabed>();
+    if (names_bed(changed) && has_file) return nullptr;
+    return placed_bed(water.bed, water);
+}
+
 }  // namespace
 
 ParameterRef find_parameter(std::string_view name) {
@@ -32,6 +47,7 @@ ParameterRef find_parameter(std::string_view name) {
 std::optional<Stage> first_dirty_stage(const Parameters& before, const Parameters& after) {
     if (!same_systems(before, after)) return Stage::spectrum;
     std::optional<Stage> first;
+    if (!same_bed(before.water, after.water)) first = Stage::surface;
     for (const ParameterInfo& info : parameter_table()) {
         if (first && *first <= info.dirties) continue;
         for (std::size_t item = 0; item < info.member.items(before); ++item) {
@@ -47,6 +63,9 @@ void set_parameter(Parameters& parameters, std::string_view name, std::string_vi
     assign(changed, ref, parse_value(*ref.info, ref.item, text));
     if (names_record(*ref.info) && value_of(changed, ref) != value_of(parameters, ref)) {
         changed.waves[ref.item].measured = nullptr;  // it belongs to the previous name
+    }
+    if (value_of(changed, ref) != value_of(parameters, ref)) {
+        changed.water.bed = bed_after(*ref.info, changed.water);
     }
     parameters = std::move(changed);
 }

@@ -20,12 +20,13 @@ constexpr ParameterClass kLive = ParameterClass::live;
 constexpr ParameterClass kRebuild = ParameterClass::rebuild;
 
 constexpr TableSection kWater{"water"};
+constexpr TableSection kShore{"water.shore"};
 constexpr TableSection kGrid{"grid"};
 constexpr TableSection kSurface{"surface"};
 constexpr TableSection kTime{"time"};
 constexpr TableSection kRandom{"random"};
 constexpr TableSection kWaves{"waves", "wave system", kMaxWaveSystems};
-constexpr TableSection kSections[] = {kWater, kGrid, kSurface, kTime, kRandom, kWaves};
+constexpr TableSection kSections[] = {kWater, kShore, kGrid, kSurface, kTime, kRandom, kWaves};
 
 constexpr OptionalColumns used_by(std::string_view words, NumberRule rule = NumberRule::any) {
     return {.used_by = words, .rule = rule};
@@ -38,6 +39,9 @@ constexpr OptionalColumns rule(NumberRule rule) {
 }
 constexpr OptionalColumns max_length(std::size_t numbers) {
     return {.max_length = numbers};
+}
+constexpr OptionalColumns neutral(std::string_view value) {
+    return {.neutral = value};
 }
 constexpr OptionalColumns kCoarserLattice{
     .min_nonzero = kMinResolution, .rule = NumberRule::power_of_two, .neutral = "0"};
@@ -60,6 +64,38 @@ constexpr ParameterInfo kTable[] = {
     {kWater, "density", "kg/m^3", "Density", "Density of the water.",
      member<&Parameters::water, &Water::density>(), 100.0, 20000.0, 900.0, 1100.0, kRebuild,
      Stage::spectrum},
+    {kWater, "seabed", "", "Sea bed",
+     "File of the bed that waves feel near a coast: a terrain file (.toml) or an elevation model "
+     "on square cells (.asc, .flt), relative to the sea file. Empty means an open sea.",
+     member<&Parameters::water, &Water::seabed>(), 0, 0, 0, 0, kRebuild, Stage::surface,
+     neutral("")},
+    {kWater, "seabed_origin", "m", "Sea bed origin",
+     "Place of the bed's south-west sample in the sea, x and y; empty means (0, 0).",
+     member<&Parameters::water, &Water::seabed_origin>(), -1e7, 1e7, -10000.0, 10000.0, kRebuild,
+     Stage::surface, OptionalColumns{.max_length = 2, .neutral = "[]"}},
+    {kWater, "seabed_unit", "", "Sea bed unit",
+     "Unit of the bed's heights: m, or the unit that the file states itself; ft, 0.3048 m; us_ft, "
+     "1200/3937 m.",
+     member<&Parameters::water, &Water::seabed_unit>(), 0, 0, 0, 0, kRebuild, Stage::surface,
+     neutral("m")},
+    {kWater, "seabed_sign", "", "Sea bed sign",
+     "up: the bed's heights are positive above its datum; down: they are depths.",
+     member<&Parameters::water, &Water::seabed_sign>(), 0, 0, 0, 0, kRebuild, Stage::surface,
+     neutral("up")},
+    {kWater, "level", "m", "Water level",
+     "Height of still water above the datum of the bed: raises the tide.",
+     member<&Parameters::water, &Water::level>(), -10000.0, 10000.0, -10.0, 10.0, kRebuild,
+     Stage::surface, neutral("0")},
+
+    {kShore, "swash", "", "Swash",
+     "on: waves run up and down the beach of a sea with a bed; off: they end at the still water "
+     "line.",
+     member<&Parameters::water, &Water::shore, &ShoreSettings::swash>(), 0, 0, 0, 0, kRebuild,
+     Stage::surface, neutral("on")},
+    {kShore, "surf_foam_lifetime", "s", "Surf foam lifetime",
+     "Time in which the foam of waves that break over the bed fades to 1/e.",
+     member<&Parameters::water, &Water::shore, &ShoreSettings::surf_foam_lifetime>(), 0.0, 600.0,
+     0.5, 30.0, kRebuild, Stage::foam, neutral("3.6")},
 
     {kGrid, "resolution", "samples", "Resolution",
      "Samples along each side; a power of two. With cascades, maps have four times as many: 2048 "
@@ -241,7 +277,8 @@ constexpr std::size_t rows_of(std::string_view section) {
 }
 
 // A member without a row could not be set.
-static_assert(rows_of("water") == member_count<Water>());
+static_assert(rows_of("water") + 2 == member_count<Water>());  // shore, bed
+static_assert(rows_of("water.shore") == member_count<ShoreSettings>());
 static_assert(rows_of("grid") == member_count<Grid>());
 static_assert(rows_of("surface") == member_count<SurfaceSettings>());
 static_assert(rows_of("time") == member_count<Timing>());

@@ -284,9 +284,20 @@ std::string take_line(const TakeEvent& event) {
            to_text(event.value);
 }
 
+void require_takes(const Parameters& parameters) {
+    const Water& water = parameters.water;
+    if (water.bed == nullptr && water.seabed.empty()) return;
+    throw Error(ErrorKind::unsupported,
+                {.what = "a sea with a bed plays no take: its waves are computed for one sea state",
+                 .parameter = "water.seabed",
+                 .value = "\"" + water.seabed + "\"",
+                 .allowed = "none with a take"});
+}
+
 void validate(const Sea& sea) {
     validate(sea.parameters);
     if (sea.take.empty()) return;
+    require_takes(sea.parameters);
     if (sea.parameters.time.loop_period > 0.0) {
         throw Error(ErrorKind::invalid_value,
                     {.what = "a loop repeats and the take does not",

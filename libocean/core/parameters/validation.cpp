@@ -9,6 +9,7 @@
 #include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
 #include "ocean/parameter_table.hpp"
+#include "ocean/sea_bed.hpp"
 
 namespace ocean {
 
@@ -94,6 +95,7 @@ void validate_cascades(const Grid& grid) {
 }  // namespace
 
 void validate(const Parameters& parameters) {
+    validate_bed(parameters.water);
     validate_band(parameters.surface);
     validate_cascades(parameters.grid);
     for (std::size_t i = 0; i < parameters.waves.size(); ++i) {

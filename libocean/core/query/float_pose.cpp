@@ -98,11 +98,17 @@ void require_body(const FloatBody& body) {
 }
 
 FloatPose float_pose(const SurfaceQuery& query, const FloatBody& body, ThreadPool& pool) {
+    return float_pose([&](std::span<const WorldPoint> points,
+                          std::span<QuerySample> samples) { query.sample(points, samples, pool); },
+                      query.spacing(), body);
+}
+
+FloatPose float_pose(const SampleSurface& surface, double spacing, const FloatBody& body) {
     require_body(body);
     const double angle = std::fmod(body.heading, 360.0) / kDegrees;
     const Direction forward{std::cos(angle), std::sin(angle)};
-    const Side length(forward, body.length, query.spacing());
-    const Side width({-forward.y, forward.x}, body.width, query.spacing());
+    const Side length(forward, body.length, spacing);
+    const Side width({-forward.y, forward.x}, body.width, spacing);
 
     std::vector<WorldPoint> points;
     for (int j = 0; j < width.count; ++j) {
@@ -114,7 +120,7 @@ FloatPose float_pose(const SurfaceQuery& query, const FloatBody& body, ThreadPoo
         }
     }
     std::vector<QuerySample> samples(points.size());
-    query.sample(points, samples, pool);
+    surface(points, samples);
 
     PlaneSums sums;
     std::size_t next = 0;

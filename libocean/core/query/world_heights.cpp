@@ -17,6 +17,19 @@ QueryOptions height_query(int resolution) {
             .resolution = resolution};
 }
 
+/// Writes the heights of row j, which lies at `row`, and returns the number of folded samples.
+std::size_t write_row(Ocean& ocean, double time, std::size_t j, std::span<const WorldPoint> row,
+                      const QueryOptions& options, std::span<float> values) {
+    std::vector<QuerySample> samples(row.size());
+    ocean.query(time, row, samples, options);
+    std::size_t folded = 0;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        values[j * row.size() + i] = static_cast<float>(samples[i].height);
+        if (samples[i].folded) ++folded;
+    }
+    return folded;
+}
+
 }  // namespace
 
 WorldHeights world_heights(Ocean& ocean, double time, int resolution) {
@@ -30,18 +43,33 @@ WorldHeights world_heights(Ocean& ocean, double time, int resolution) {
     const double spacing = map.period / resolution;
     const auto n = static_cast<std::size_t>(resolution);
     std::vector<WorldPoint> row(n);
-    std::vector<QuerySample> samples(n);
     for (std::size_t j = 0; j < n; ++j) {
         for (std::size_t i = 0; i < n; ++i) {
             row[i] = {static_cast<double>(i) * spacing, static_cast<double>(j) * spacing};
         }
-        ocean.query(time, row, samples, height_query(resolution));
-        for (std::size_t i = 0; i < n; ++i) {
-            values[j * n + i] = static_cast<float>(samples[i].height);
-            heights.folded += samples[i].folded ? 1 : 0;
-        }
+        heights.folded += write_row(ocean, time, j, row, height_query(resolution), values);
     }
     return heights;
+}
+
+WorldHeights region_heights(Ocean& ocean, double time, const Domain& domain) {
+    WorldHeights heights{Surface(domain, time, {Channel::height})};
+    const std::span<float> values = heights.surface.channel(Channel::height);
+    std::vector<WorldPoint> row(static_cast<std::size_t>(domain.samples[0]));
+    for (int j = 0; j < domain.samples[1]; ++j) {
+        for (int i = 0; i < domain.samples[0]; ++i) {
+            const auto [x, y] = domain.place(i, j);
+            row[static_cast<std::size_t>(i)] = {x, y};
+        }
+        heights.folded +=
+            write_row(ocean, time, static_cast<std::size_t>(j), row, {.foam = false}, values);
+    }
+    return heights;
+}
+
+std::uint64_t region_heights_bytes(const Domain& domain) {
+    return static_cast<std::uint64_t>(domain.samples[0]) *
+           (sizeof(WorldPoint) + sizeof(QuerySample));
 }
 
 std::uint64_t world_heights_bytes(const Sea& sea, int resolution) {

@@ -159,6 +159,8 @@ SeaState sea_state(const DirectionalSpectrum& spectrum, const Parameters& parame
     state.foam_preroll_seconds = static_cast<double>(preroll_ticks(
                                      clock, 0, [&](double) { return surface.foam_lifetime; })) *
                                  clock.step;
+    const Water& water = parameters.water;
+    if (water.bed != nullptr) state.bed = summarize(*water.bed, water);
     add_warnings(parameters, asked.m0 <= 0.0, state);
     state.energy_resolved = std::min(state.energy_resolved, 1.0);  // midpoint sums may exceed it
     return state;

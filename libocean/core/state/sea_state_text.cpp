@@ -54,6 +54,18 @@ Json loop_errors_json(const std::vector<LoopError>& errors) {
     return list;
 }
 
+Json bed_json(const SeaBedSummary& bed) {
+    return JsonObject()
+        .add("samples", json_array(std::vector<int>(bed.samples.begin(), bed.samples.end())))
+        .add("cell", bed.cell)
+        .add("lowest", bed.lowest)
+        .add("highest", bed.highest)
+        .add("mean", bed.mean)
+        .add("wet_share", bed.wet)
+        .add("shallow_share", bed.shallow)
+        .add("sha256", bed.sha256);
+}
+
 /// Hs over depth of a surf zone that breaks all the way: Hrms = 0.42 d [Thornton and Guza 1982],
 /// Hs = sqrt(2) Hrms.
 constexpr double kSaturated = 0.6;
@@ -118,9 +130,22 @@ void add_record_warnings(const Parameters& parameters, SeaState& state) {
 void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
     const auto warn = [&state](std::string text) { state.warnings.push_back(std::move(text)); };
     add_record_warnings(parameters, state);
+    if (parameters.water.bed != nullptr) {
+        for (std::string& text : bed_warnings(*parameters.water.bed, parameters.water)) {
+            warn(std::move(text));
+        }
+    }
     if (flat) {
         warn("the sea is flat: no wave system has any energy (wind_speed = 0?)");
         return;
+    }
+    if (parameters.water.bed != nullptr) {
+        const IncomingWaves waves{state.peak_wavelength.asked,
+                                  state.mean_direction.asked * kPi / 180.0,
+                                  parameters.grid.patch_size, parameters.water.depth};
+        for (std::string& text : coast_warnings(*parameters.water.bed, waves)) {
+            warn(std::move(text));
+        }
     }
     if (state.energy_resolved < 0.95) {
         warn("this grid holds " + fixed_text(100.0 * state.energy_resolved, 1) +
@@ -202,6 +227,7 @@ std::string sea_state_json(const SeaState& state) {
     json.add("folded_share", state.folded_share);
     json.add("loop_error", state.loop_error);
     json.add("loop_errors", loop_errors_json(state.loop_errors));
+    if (state.bed) json.add("bed", bed_json(*state.bed));
     json.add("warnings", json_array(state.warnings));
     return json.text() + "\n";
 }

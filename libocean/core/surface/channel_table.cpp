@@ -71,8 +71,9 @@ void require_channels(ChannelSet channels, std::span<const ChannelInfo> host_cha
     for_each_channel(channels, host_channels, [](const ChannelInfo&) {});
     for (const Product& mask : kMaskProducts) {
         if (!channels.intersects(mask.set())) continue;
-        throw Error(ErrorKind::unsupported,
-                    "only a terrain has the mask " + std::string(mask.name));
+        const std::string owner =
+            mask.subject == kSeaKind ? "only a region of a sea over a bed" : "only a terrain";
+        throw Error(ErrorKind::unsupported, owner + " has the mask " + std::string(mask.name));
     }
 }
 

@@ -3,6 +3,7 @@
 //
 // The facade of a terrain; see land.hpp.
 #include "ocean/land.hpp"
+#include "ocean/region.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -378,17 +379,6 @@ Domain terrain_domain(const Terrain& terrain, int resolution) {
     const Domain own = placed_domain(terrain);
     if (resolution == 0) return own;
     return with_cell(own, std::max(own.size[0], own.size[1]) / (resolution - 1));
-}
-
-Domain with_cell(Domain domain, double cell) {
-    constexpr double kRounding = 1e-6;  // of a cell
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        const int steps =
-            std::max(1, static_cast<int>(std::floor(domain.size[axis] / cell + kRounding)));
-        domain.samples[axis] = steps + 1;
-        domain.size[axis] = steps * cell;
-    }
-    return domain;
 }
 
 std::uint64_t Land::bytes(const Terrain& terrain) {

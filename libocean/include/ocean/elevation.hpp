@@ -65,4 +65,9 @@ void scale_degrees(ElevationModel& model);
 /// their bits. Throws Error invalid_value if no height is known.
 void fill_holes(std::span<float> heights, int columns);
 
+/// Returns the heights as bytes of little-endian floats.
+std::vector<std::byte> bytes_of_heights(std::span<const float> heights);
+/// Returns the SHA-256 of samples, cell and heights, in hexadecimal; the origin does not count.
+std::string height_hash(const Domain& grid, std::span<const float> heights);
+
 }  // namespace ocean

@@ -5,6 +5,9 @@
 // and buoys that follow the waves in a picture; not a computation of forces.
 #pragma once
 
+#include <functional>
+#include <span>
+
 #include "ocean/query.hpp"
 
 namespace ocean {
@@ -34,5 +37,11 @@ void require_body(const FloatBody& body);
 /// shortest waves below a longer body. Along a side shorter than one sample the slope is that of
 /// the surface itself, so that a small body gets the surface's normal. Throws as require_body.
 FloatPose float_pose(const SurfaceQuery& query, const FloatBody& body, ThreadPool& pool);
+
+/// Writes a sample of some surface for each point.
+using SampleSurface =
+    std::function<void(std::span<const WorldPoint> points, std::span<QuerySample> samples)>;
+/// Returns the pose on any surface, whose samples lie `spacing` [m] apart.
+FloatPose float_pose(const SampleSurface& surface, double spacing, const FloatBody& body);
 
 }  // namespace ocean

@@ -123,8 +123,5 @@ class Land {
 ChannelSet terrain_channels(const Terrain& terrain);
 /// Returns the domain of its maps: see Land::domain. A base must have been read.
 Domain terrain_domain(const Terrain& terrain, int resolution = 0);
-/// Returns the rectangle of a domain that exists once with samples `cell` apart [m] both ways: from
-/// its origin as many as lie within it, at least 2 along each side.
-Domain with_cell(Domain domain, double cell);
 
 }  // namespace ocean

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Masks of a land: scalar maps beside its heights that say what made the ground, for materials and
-// scattered plants. A new mask is an enumerator and a row here, an enumerator of libocean.h and a
-// name in python/libocean/_surface.py.
+// Masks of a land and of a sea over a bed: scalar maps beside the heights that no wave of the open
+// sea has, for materials and scattered plants. A new mask is an enumerator and a row here, an
+// enumerator of libocean.h and a name in python/libocean/_surface.py.
 #pragma once
 
 #include <array>
@@ -28,7 +28,9 @@ enum class LandMask {
     wetness,
     beach,
     cliff,
-    shelter
+    shelter,
+    depth,
+    breaking
 };
 inline constexpr int kMaskCount = static_cast<int>(enum_count<LandMask>());
 static_assert(kFirstMask + kMaskCount <= kChannelNumbers);
@@ -46,12 +48,12 @@ constexpr bool is_mask(Channel channel) {
 namespace detail {
 
 constexpr Product mask(LandMask mask, std::string_view unit, Precision precision,
-                       std::string_view help) {
+                       std::string_view help, std::string_view subject = kTerrainKind) {
     return {.name = word_of(mask),
             .channels = {channel_of(mask)},
             .count = 1,
             .unit = unit,
-            .subject = kTerrainKind,
+            .subject = subject,
             .precision = precision,
             .run_lengths = RunLengths::always,
             .help = help};
@@ -70,10 +72,16 @@ inline constexpr auto kMaskProducts = [] {
         detail::mask(flow, "m2", full, "Area that drains through the place"),
         detail::mask(deposit, "", half, "Ground that streams laid down, 0 .. 1"),
         detail::mask(streambed, "", half, "Channels of streams, 0 .. 1"),
-        detail::mask(wetness, "", half, "Wetness of the ground by its drainage, 0 .. 1"),
+        detail::mask(wetness, "", half,
+                     "Wetness of the ground by its drainage, or by the waves that run up, 0 .. 1",
+                     {}),
         detail::mask(beach, "", half, "Sand of beaches, above and under water, 0 .. 1"),
         detail::mask(cliff, "", half, "Cliffs and rocks of exposed shores, 0 .. 1"),
         detail::mask(shelter, "", half, "Shelter of the nearest shore from the sea, 0 .. 1"),
+        detail::mask(depth, "m", full, "Height of the water over the bed; below 0 where it is dry",
+                     kSeaKind),
+        detail::mask(breaking, "", half, "Fronts of waves that break by the depth, 0 .. 1",
+                     kSeaKind),
     });
 }();
 static_assert(kMaskProducts.size() == static_cast<std::size_t>(kMaskCount));

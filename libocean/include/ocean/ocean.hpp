@@ -17,6 +17,7 @@
 
 #include "ocean/backend.hpp"
 #include "ocean/detail.hpp"
+#include "ocean/domain.hpp"
 #include "ocean/float_pose.hpp"
 #include "ocean/foam.hpp"
 #include "ocean/map_output.hpp"
@@ -32,9 +33,12 @@
 namespace ocean {
 
 class Chain;
+class Coast;
 class DetailMaps;
 class MapWriter;
 class Performer;
+class ShoreMotion;
+class ShoreSurface;
 class SprayFollower;
 
 struct OceanOptions {
@@ -52,6 +56,9 @@ struct OceanOptions {
     /// Channels beside those of the table, computed by their formulas with any backend:
     /// Channel(kChannelCount + i) is row i. Rows and names must outlive the Ocean.
     std::span<const ChannelInfo> channels = {};
+    /// Called while the coast of a sea over a bed is computed, with what is being computed and the
+    /// share of it that is done, 0 .. 1; may throw to stop the call.
+    std::function<void(std::string_view work, double share)> build_progress = {};
 };
 
 /// Approximate seconds that a frame of displacement, normal and foam takes on this machine.
@@ -110,6 +117,20 @@ class Ocean {
     /// The backend cpu writes each value once, from the last stage of the transform. Throws as
     /// evaluate().
     void evaluate_into(double time, std::span<const MapOutput> outputs, int resolution = 0);
+    /// Returns a map over a domain that does not wrap, of a sea over a bed: sample (i, j) is that
+    /// of the label domain.place(i, j). Beside the channels of the table it may have the masks
+    /// depth, breaking and wetness (land_mask.hpp). Foam is followed as for evaluate(). The first
+    /// call computes where the waves go over the bed, which takes seconds: see
+    /// OceanOptions::build_progress. Throws Error unsupported for a sea without a bed,
+    /// invalid_value for a domain that wraps or has other than 2 .. kMaxRegionSide samples along a
+    /// side, and out_of_memory.
+    Surface region(double time, const Domain& domain, ChannelSet channels);
+    /// Writes a region into a host's buffers of domain.samples[0] samples in a row. The outputs may
+    /// hold channels alone. Throws as region().
+    void region_into(double time, const Domain& domain, std::span<const MapOutput> outputs);
+    /// Computes now what the first region or query of a sea over a bed would compute. Throws as
+    /// region().
+    void prepare_coast();
     /// Returns the exponent p of cover = foam^p on a map of `resolution` samples (see
     /// foam_layer.hpp), for hosts that compute cover from foam themselves. Takes some tenths of a
     /// second after a change of waves or wind.
@@ -175,6 +196,22 @@ class Ocean {
     void go_to(double time);
     const Parameters& now() const;
     const Modes& current_modes();
+    /// Throws Error unsupported for a sea over a bed, which `what` does not know.
+    void require_open_sea(std::string_view what) const;
+    /// Calls body(sea) with the sea at a time, as the coast takes it.
+    template <typename Body>
+    decltype(auto) with_coast_sea(double time, const Body& body);
+    void require_bed() const;
+    /// Writes maps of the open sea.
+    void write_open(double time, std::span<const MapOutput> outputs, int resolution);
+    /// Returns the surface over the bed at a time. Valid until the next call.
+    ShoreSurface& shore_surface(double time, bool with_rates);
+    void query_shore(double time, std::span<const WorldPoint> points,
+                     std::span<QuerySample> samples, const QueryOptions& options);
+    /// Returns the foam of breaking waves at labels that are followed from call to call.
+    FoamLayer surf_foam(double time, std::span<const WorldPoint> labels, FoamState& state);
+    /// Returns the wetness of the ground at labels that are followed from call to call.
+    FoamLayer wet_ground(double time, std::span<const WorldPoint> labels, FoamState& state);
     /// Writes maps of the sea at the chain's time, with whitecaps laid over `foam`.
     void write_maps(double time, std::span<const MapOutput> outputs, int resolution,
                     const FoamLayer& foam);
@@ -214,6 +251,15 @@ class Ocean {
     std::map<DetailSettings, std::unique_ptr<DetailMaps>> detail_;
     std::unique_ptr<SprayFollower> spray_;  // for the settings of the last call
     std::unique_ptr<Performer> performer_;
+    std::unique_ptr<Coast> coast_;
+    std::unique_ptr<ShoreMotion> shore_motion_;
+    /// The foam of breaking waves on the domain of the last region.
+    struct RegionFoam {
+        Domain domain;
+        FoamState state;
+    };
+    std::optional<RegionFoam> region_foam_;
+    std::optional<RegionFoam> region_wet_;  // the wetness of its ground
 
     /// Identifies the maps of a query.
     struct QueryKey {

@@ -40,7 +40,8 @@ ParameterRef find_parameter(std::string_view name);
 /// Sets a parameter from text, for command lines, wires and the C API. Numbers are read without
 /// regard to the locale. Rules between parameters are not checked, so that several can be set in
 /// any order; call validate afterwards. A new `file`, `record` or `place` drops the record read for
-/// the old one. Throws Error invalid_value and changes nothing if the name or the value is refused.
+/// the old one, and a new `seabed` or `seabed_unit` a bed of a file; other keys of a bed move it.
+/// Throws Error invalid_value and changes nothing if the name or the value is refused.
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view text);
 /// Returns a parameter as text: numbers in the shortest form that reads back to the same bits, ""
 /// for an unset one. Throws Error invalid_value for an unknown name.

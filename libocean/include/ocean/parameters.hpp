@@ -6,6 +6,7 @@
 // label and help of each member; the initialisers here are the defaults.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -22,16 +23,44 @@ enum class SpectrumKind { phillips, pierson_moskowitz, jonswap, tma, measured };
 enum class SpreadingKind { cosine_squared, mitsuyasu, hasselmann, donelan_banner };
 enum class Estimator { maximum_entropy, fourier };
 enum class FoamCoverage { monahan, threshold };
+enum class BedUnit { m, ft, us_ft };
+enum class BedSign { up, down };
+enum class Swash { on, off };
+
+struct SeaBed;  // sea_bed.hpp
+
+/// The edge of a sea with a bed: [water.shore].
+struct ShoreSettings {
+    Swash swash = Swash::on;
+    double surf_foam_lifetime = 3.6;  // [s]
+    bool operator==(const ShoreSettings&) const = default;
+};
 
 struct Water {
     double depth = std::numeric_limits<double>::infinity();
     double gravity = 9.81;
     double surface_tension = 0.074;
     double density = 1000.0;
+    std::string seabed = {};  // the file of the bed; empty: none, or one that has no file
+    std::vector<double> seabed_origin = {};  // its south-west sample [m]; empty: (0, 0)
+    BedUnit seabed_unit = BedUnit::m;
+    BedSign seabed_sign = BedSign::up;
+    double level = 0.0;  // of still water in the heights of the bed [m]
+    ShoreSettings shore = {};
+
+    /// The bed, read by ocean::seafile or given by a host. Shared and never modified. Not in the
+    /// table.
+    std::shared_ptr<const SeaBed> bed = {};
 
     /// Returns s in omega^2 = (g k + s k^3) tanh(k d) [m^3/s^2].
     double kinematic_tension() const { return surface_tension / density; }
-    bool operator==(const Water&) const = default;
+    /// Returns the place of the bed's south-west sample [m].
+    std::array<double, 2> bed_origin() const {
+        if (seabed_origin.size() != 2) return {0.0, 0.0};
+        return {seabed_origin[0], seabed_origin[1]};
+    }
+    /// Compares beds by what they hold.
+    bool operator==(const Water& other) const;
 };
 
 struct Grid {

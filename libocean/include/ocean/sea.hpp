@@ -42,9 +42,13 @@ void add_wave_system(Sea& sea, std::string_view name);
 /// unknown name and for the last remaining system.
 void remove_wave_system(Sea& sea, std::string_view name);
 
+/// Throws Error unsupported if a take cannot play over the parameters: they have a bed, on which
+/// the waves are computed for one sea state.
+void require_takes(const Parameters& parameters);
+
 /// Checks the rules of the parameters and of the take: it names live parameters of existing wave
 /// systems, its values are in range, its events are ordered by time, and the sea has no loop, since
-/// a take does not repeat. Throws Error invalid_value.
+/// a take does not repeat. Throws Error invalid_value, and as require_takes.
 void validate(const Sea& sea);
 
 }  // namespace ocean

@@ -6,10 +6,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ocean/modes.hpp"
+#include "ocean/sea_bed.hpp"
 
 namespace ocean {
 
@@ -70,6 +72,7 @@ struct SeaState {
     double folded_share = 0.0;    // of that map's area, by label, where crests have folded over
     /// In octaves from the longest wave held to the shortest; empty for a sea without a loop.
     std::vector<LoopError> loop_errors;
+    std::optional<SeaBedSummary> bed;   // none in an open sea
     double loop_error = 0.0;            // rms over the modes, weighted by energy
     std::vector<std::string> warnings;  // full sentences, for people
 };

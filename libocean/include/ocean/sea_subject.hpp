@@ -7,14 +7,19 @@
 #include <memory>
 
 #include "ocean/ocean.hpp"
+#include "ocean/region.hpp"
 #include "ocean/sea.hpp"
 #include "ocean/subject.hpp"
 #include "ocean/subject_kind.hpp"
 
 namespace ocean {
 
-/// Returns a valid, resolved sea as a subject.
+/// Returns a valid, resolved sea as a subject: one period of the open sea, or, of a sea over a bed,
+/// all of the bed.
 std::unique_ptr<Subject> make_subject(Sea sea);
+/// Returns a region of a sea over a bed as a subject. Throws Error unsupported for a sea without a
+/// bed, and as domain_of(region).
+std::unique_ptr<Subject> make_region_subject(Sea sea, const Region& region);
 /// Returns the subject that text() of such a subject describes. `name` stands for a path in
 /// messages. Throws Error as parse_sea.
 std::unique_ptr<Subject> parse_sea_subject(std::string_view text, const std::string& name);

@@ -27,29 +27,34 @@ std::vector<SpectrumRecord> read_spectra(const std::string& path);
 /// read_spectra, or a program's own reader of formats that need further libraries.
 using SpectrumReader = std::function<std::vector<SpectrumRecord>(const std::string& path)>;
 
-/// Reads a sea file. A relative `file` or `take` in it is relative to the sea file. Throws Error
-/// with "PATH:LINE: section.key = VALUE: FAULT; allowed: RANGE".
+/// Reads a sea file. A relative `file`, `seabed` or `take` in it is relative to the sea file.
+/// Throws Error with "PATH:LINE: section.key = VALUE: FAULT; allowed: RANGE".
 Sea read_sea(const std::string& path, const SpectrumReader& reader = read_spectra);
-/// Reads the text of a sea file. `name` stands for the path in messages; a relative `file` or
-/// `take` is relative to base_dir (empty: the current directory). Throws as read_sea.
+/// Reads the text of a sea file. `name` stands for the path in messages; a relative `file`,
+/// `seabed` or `take` is relative to base_dir (empty: the current directory). Throws as read_sea.
 Sea parse_sea(std::string_view toml, const std::string& name, const std::string& base_dir,
               const SpectrumReader& reader = read_spectra);
 /// Reads the files that the parameters name and the sea has not read yet, after set_parameter: the
-/// record of each measured system without one, and a take other than the present one. Throws as
-/// read_spectra, choose_record and parse_take, as errors of the parameter that names the file.
+/// record of each measured system without one, the bed of a sea without one, and a take other than
+/// the present one. Throws as read_spectra, choose_record, read_terrain, read_elevation,
+/// make_sea_bed and parse_take, as errors of the parameter that names the file.
 void resolve_files(Sea& sea, const std::string& base_dir,
                    const SpectrumReader& reader = read_spectra);
-/// Returns the files that a sea names, as its own file spells them: its take and its spectra.
+/// Returns the files that a sea names, as its own file spells them: its bed, its take and
+/// its spectra.
 std::vector<std::string> named_files(const Sea& sea);
 /// Returns the resolved sea as text: every key of the table that is set and not neutral
-/// (OptionalColumns in table.hpp), the chosen records inlined as [waves.measured_record] and the
-/// take as [take], which a reader prefers to `file` and `take`. parse_sea(write_sea(s)) gives the
-/// same sea bit by bit. Throws Error invalid_value for a text that is not UTF-8 and for a sea that
-/// breaks a rule between parameters, which parse_sea would refuse.
+/// (OptionalColumns in table.hpp), the chosen records inlined as [waves.measured_record], the
+/// take as [take] and the bed as [water.bed_terrain] or, up to 1 MB, [water.bed_heights], which a
+/// reader prefers to `file`, `take` and `seabed`; of a larger bed the text has the hash.
+/// parse_sea(write_sea(s)) gives the same sea bit by bit. Throws Error invalid_value for a text
+/// that is not UTF-8 and for a sea that breaks a rule between parameters, which parse_sea would
+/// refuse.
 std::string write_sea(const Sea& sea);
 
 /// A parameter's name and value, as set_parameter takes them, or a table that a resolved file
-/// carries beside its parameters: "[take]" or "[waves.0.measured_record]" with its lines.
+/// carries beside its parameters: "[take]", "[waves.0.measured_record]", "[water.bed_heights]" or
+/// "[water.bed_terrain]" with its lines.
 struct NamedText {
     std::string name;
     std::string value;

@@ -61,6 +61,10 @@ class Surface {
 /// Returns an output for each channel of a surface, which writes into its planes.
 std::vector<MapOutput> outputs_of(Surface& surface);
 
+/// Writes the channels of a map of any domain into outputs without a seam, which hold no linear
+/// fields.
+void copy_channels(const Surface& map, std::span<const MapOutput> outputs, ThreadPool& pool);
+
 /// Returns the settings with foam_threshold set to the Jacobian below which whitecaps begin on a
 /// map of `resolution` samples, and foam_coverage set to FoamCoverage::threshold, so that the
 /// threshold is computed once for many surfaces.

@@ -4,13 +4,13 @@
 // A terrain as a Subject, and the way back from a Subject to its terrain.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <string>
 #include <string_view>
 
 #include "ocean/domain.hpp"
 #include "ocean/land.hpp"
+#include "ocean/region.hpp"
 #include "ocean/subject.hpp"
 #include "ocean/subject_kind.hpp"
 #include "ocean/terrain.hpp"
@@ -26,20 +26,12 @@ struct TerrainTiles {
 };
 inline constexpr int kMaxTerrainTiles = 64;
 
-/// A rectangle of a terrain at any place, with samples `cell` apart; its far sides lie at the last
-/// samples that are within the size.
-struct TerrainRegion {
-    std::array<double, 2> origin{};  // [m]
-    std::array<double, 2> size{};    // [m]
-    double cell = 1.0;               // [m]
-};
-/// Returns the samples of a region. Throws Error invalid_value unless it has 2 .. kMaxRegionSide
-/// samples along each side and, with a placed land, lies within it.
-Domain domain_of(const Terrain& terrain, const TerrainRegion& region);
-inline constexpr int kMaxRegionSide = 32768;
+/// Returns the samples of a region. Throws Error invalid_value as domain_of(region), and for a
+/// region that does not lie within a placed land.
+Domain domain_of(const Terrain& terrain, const Region& region);
 
 /// Returns a region of a valid, resolved terrain as a subject.
-std::unique_ptr<Subject> make_region_subject(Terrain terrain, const TerrainRegion& region);
+std::unique_ptr<Subject> make_region_subject(Terrain terrain, const Region& region);
 /// Returns a valid, resolved terrain as a subject. The domain of its maps has the tile that often;
 /// a resolution is that of one tile.
 std::unique_ptr<Subject> make_subject(Terrain terrain, TerrainTiles tiles = {});

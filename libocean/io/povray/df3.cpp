@@ -185,7 +185,11 @@ Df3Heights df3_heights(const Surface& surface) {
     return {static_cast<double>(low), spread > 0.0 ? spread : 1.0};
 }
 
-void write_df3(const Surface& surface, const std::string& path, Df3Slices slices) {
+namespace {
+
+/// Hands the bytes of a file to `write`, a piece at a time.
+template <typename Write>
+void encode_df3(const Surface& surface, Df3Slices slices, const Write& write) {
     if ((surface.channels() | df3_channels(slices)).size() != surface.channels().size()) {
         throw Error(ErrorKind::invalid_value,
                     "a DF3 file needs the channels of its slices: a sea's are displacement, "
@@ -197,10 +201,9 @@ void write_df3(const Surface& surface, const std::string& path, Df3Slices slices
     const bool has_range =
         std::ranges::find(slices, Df3Code::range, &Df3Slice::code) != slices.end();
     const Df3Heights heights = has_range ? df3_heights(surface) : Df3Heights{0.0, 1.0};
-    OutputFile file(path);
     std::string bytes;
     bytes.reserve(columns * sizeof(std::uint32_t));
-    file.write(df3_head(columns, rows, slices.size()));
+    write(df3_head(columns, rows, slices.size()));
     for (const Df3Slice& slice : slices) {
         for (std::size_t j = 0; j < rows; ++j) {
             bytes.clear();
@@ -208,10 +211,42 @@ void write_df3(const Surface& surface, const std::string& path, Df3Slices slices
                 append_big_endian(bytes, voxel(surface, offsets, heights, slice, j * columns + i),
                                   4);
             }
-            file.write(bytes);
+            write(bytes);
         }
     }
+}
+
+/// Hands the bytes of a file of masks to `write`, a piece at a time.
+template <typename Write>
+void encode_masks(const Surface& surface, std::span<const Channel> masks, const Write& write) {
+    const auto columns = static_cast<std::size_t>(surface.domain().samples[0]);
+    const auto rows = static_cast<std::size_t>(surface.domain().samples[1]);
+    write(df3_head(columns, rows, masks.size()));
+    std::string bytes(columns * rows, '\0');
+    for (const Channel mask : masks) {
+        if (!surface.has(mask)) {
+            throw Error(ErrorKind::invalid_value, "a DF3 file of masks needs all of them");
+        }
+        const auto values = surface.channel(mask);
+        std::ranges::transform(values, bytes.begin(), [&](float value) {
+            return static_cast<char>(mask_code(mask, double{value}));
+        });
+        write(bytes);
+    }
+}
+
+}  // namespace
+
+void write_df3(const Surface& surface, const std::string& path, Df3Slices slices) {
+    OutputFile file(path);
+    encode_df3(surface, slices, [&](const std::string& bytes) { file.write(bytes); });
     file.commit();
+}
+
+std::string df3_text(const Surface& surface, Df3Slices slices) {
+    std::string text;
+    encode_df3(surface, slices, [&](const std::string& bytes) { text += bytes; });
+    return text;
 }
 
 std::vector<Channel> df3_masks(ChannelSet available) {
@@ -230,22 +265,15 @@ std::uint64_t masks_df3_bytes(const Domain& domain, std::size_t masks) {
 
 void write_masks_df3(const Surface& surface, std::span<const Channel> masks,
                      const std::string& path) {
-    const auto columns = static_cast<std::size_t>(surface.domain().samples[0]);
-    const auto rows = static_cast<std::size_t>(surface.domain().samples[1]);
     OutputFile file(path);
-    file.write(df3_head(columns, rows, masks.size()));
-    std::string bytes(columns * rows, '\0');
-    for (const Channel mask : masks) {
-        if (!surface.has(mask)) {
-            throw Error(ErrorKind::invalid_value, "a DF3 file of masks needs all of them");
-        }
-        const auto values = surface.channel(mask);
-        std::ranges::transform(values, bytes.begin(), [&](float value) {
-            return static_cast<char>(mask_code(mask, double{value}));
-        });
-        file.write(bytes);
-    }
+    encode_masks(surface, masks, [&](const std::string& bytes) { file.write(bytes); });
     file.commit();
+}
+
+std::string masks_df3_text(const Surface& surface, std::span<const Channel> masks) {
+    std::string text;
+    encode_masks(surface, masks, [&](const std::string& bytes) { text += bytes; });
+    return text;
 }
 
 std::uint64_t slopes_df3_bytes(int samples, int bands) {

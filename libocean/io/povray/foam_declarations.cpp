@@ -48,6 +48,8 @@ double thick_cover(const Surface& map, double min_thickness) {
 
 std::string povray_foam_declarations(std::span<const Surface> maps) {
     if (!maps.front().channels().contains(Channel::cover)) return "";
+    // A map that exists once has no coarser ones: pixels read its cover at every distance.
+    if (!maps.front().domain().wraps) return "";
     double hidden = 0.0;
     for (const float cover : maps.front().channel(Channel::cover)) hidden += double{cover};
     hidden /= static_cast<double>(maps.front().channel(Channel::cover).size());

@@ -7,6 +7,7 @@
 #include "ocean/io/povray_declarations.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdint>
@@ -180,24 +181,6 @@ std::string ground_vector(const std::array<double, 2>& pair) {
     return "<" + number(pair[0]) + ", 0, " + number(pair[1]) + ">";
 }
 
-/// Declares where the map of a land lies. Only land that repeats has a period.
-void declare_land_map(std::string& text, const Domain& domain) {
-    const auto [columns, rows] = domain.samples;
-    declare(text, "Terrain_Repeats", domain.wraps ? "true" : "false");
-    declare(text, "Terrain_Samples", std::to_string(std::max(columns, rows)),
-            domain.wraps ? "along a side of the tile" : "along the longer side");
-    declare(text, "Terrain_Columns", std::to_string(columns), "samples to the east");
-    declare(text, "Terrain_Rows", std::to_string(rows), "samples to the north");
-    declare(text, "Terrain_Cell", number(domain.step(0)), "m, between samples");
-    declare(text, "Terrain_Corner", ground_vector(domain.origin), "m, the south-west one");
-    declare(text, "Terrain_Extent", ground_vector(domain.size), "m, its sides");
-    if (domain.wraps) {
-        declare(text, "Terrain_Period", number(domain.size[0]), "m, in both directions");
-    } else {
-        forget(text, "Terrain_Period");
-    }
-}
-
 }  // namespace
 
 std::string povray_parameter_declaration(const ParameterSpec& spec, std::size_t item,
@@ -251,6 +234,48 @@ std::string povray_declarations(const PovrayFolder& folder) {
     return text;
 }
 
+std::string povray_land_map_declarations(const Domain& domain) {
+    std::string text;
+    const auto [columns, rows] = domain.samples;
+    declare(text, "Terrain_Repeats", domain.wraps ? "true" : "false");
+    declare(text, "Terrain_Samples", std::to_string(std::max(columns, rows)),
+            domain.wraps ? "along a side of the tile" : "along the longer side");
+    declare(text, "Terrain_Columns", std::to_string(columns), "samples to the east");
+    declare(text, "Terrain_Rows", std::to_string(rows), "samples to the north");
+    declare(text, "Terrain_Cell", number(domain.step(0)), "m, between samples");
+    declare(text, "Terrain_Corner", ground_vector(domain.origin), "m, the south-west one");
+    declare(text, "Terrain_Extent", ground_vector(domain.size), "m, its sides");
+    if (domain.wraps) {
+        declare(text, "Terrain_Period", number(domain.size[0]), "m, in both directions");
+    } else {
+        forget(text, "Terrain_Period");
+    }
+    return text;
+}
+
+std::string povray_coast_declarations(const Domain& domain, const Domain& bed,
+                                      std::string_view id) {
+    std::string text = "\n// ---- Coast: the map of the water over the bed ----\n";
+    declare(text, "Ocean_Coast_Id_", string_literal(id), "its frames say the same");
+    declare(text, "Ocean_Coast_Columns", std::to_string(domain.samples[0]), "samples to the east");
+    declare(text, "Ocean_Coast_Rows", std::to_string(domain.samples[1]), "samples to the north");
+    declare(text, "Ocean_Coast_Cell", number(domain.step(0)), "m, between samples");
+    declare(text, "Ocean_Coast_Corner", ground_vector(domain.origin), "m, the south-west one");
+    declare(text, "Ocean_Coast_Extent", ground_vector(domain.size), "m, its sides");
+    // A side is that of the bed if its last sample is: the bed fades into the open sea by itself.
+    std::array<bool, 4> fades{};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const double cell = domain.step(axis);
+        fades[2 * axis] = domain.origin[axis] > bed.origin[axis] + cell;
+        fades[2 * axis + 1] =
+            domain.origin[axis] + domain.size[axis] < bed.origin[axis] + bed.size[axis] - cell;
+    }
+    declare(text, "Ocean_Coast_Fades",
+            array_of(fades, [](bool fade) { return std::string(fade ? "true" : "false"); }),
+            "west, east, south, north: no side of the bed");
+    return text;
+}
+
 std::string povray_declarations(const PovrayTerrain& folder) {
     const Terrain& terrain = folder.terrain;
     std::string text =
@@ -263,7 +288,7 @@ std::string povray_declarations(const PovrayTerrain& folder) {
     declare(text, "Terrain_Data_Version", std::to_string(kPovrayTerrainVersion));
     declare(text, "Terrain_Id_", string_literal(folder.id), "its map says the same");
     declare(text, "Terrain_Format", string_literal(folder.format));
-    declare_land_map(text, folder.domain);
+    text += povray_land_map_declarations(folder.domain);
     declare(text, "Terrain_Water_Level", number(terrain.coast_level.value_or(0.0)), "m");
     text += "\n// ---- This land ----\n";
     declare(text, "Terrain_Rms_Height", number(folder.state.rms.resolved), "m");

@@ -118,6 +118,7 @@ void draw_sea_sections(LiveSea& sea, LiveScene& scene, PanelState& state) {
     }
     rows.section("Surface and foam", "surface", 0, false);
     rows.section("Water body", "water", 0, false);
+    rows.section("Shore", "water.shore", 0, false);
     rows.section("Grid", "grid", 0, false);
     rows.section("Clock", "time", 0, false);
     rows.section("Chance", "random", 0, false);

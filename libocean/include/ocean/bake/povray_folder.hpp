@@ -36,6 +36,21 @@ std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const SeaState
 /// mesh.
 std::vector<FolderFile> povray_terrain_files(const BakePlan& plan, const TerrainState& state,
                                              std::string_view format);
+/// The plans of the folder of a sea over a bed: its open sea, without the bed, and its coast, a
+/// region of the sea. References must outlive it.
+struct PovrayCoastPlans {
+    const BakePlan& open;
+    const BakePlan& coast;
+};
+/// Returns all files of the folder of a sea over a bed except its frames: those of its open sea,
+/// with the bed as a land. `state` is that of the open sea. Throws Error unsupported for a coast
+/// without a bed.
+std::vector<FolderFile> povray_coast_files(const PovrayCoastPlans& plans, const SeaState& state,
+                                           const std::vector<int>& frames);
+/// Returns only the files of such a folder that depend on the frames.
+std::vector<FolderFile> povray_coast_frame_lists(const PovrayCoastPlans& plans,
+                                                 const SeaState& state,
+                                                 const std::vector<int>& frames);
 /// Returns only the files that depend on the frames.
 std::vector<FolderFile> povray_frame_lists(const BakePlan& plan, const SeaState& state,
                                            const std::vector<int>& frames);

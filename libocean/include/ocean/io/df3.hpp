@@ -59,6 +59,8 @@ Df3Heights df3_heights(const Surface& surface);
 /// the seam between copies free of cracks. Throws Error output, and invalid_value for a channel
 /// that is missing or a length that is not finite or beyond 1024 m.
 void write_df3(const Surface& surface, const std::string& path, Df3Slices slices = df3_slices());
+/// Returns the bytes of such a file. Throws as write_df3.
+std::string df3_text(const Surface& surface, Df3Slices slices = df3_slices());
 
 /// Returns the size of a file of masks [bytes].
 std::uint64_t masks_df3_bytes(const Domain& domain, std::size_t masks);
@@ -67,6 +69,8 @@ std::uint64_t masks_df3_bytes(const Domain& domain, std::size_t masks);
 /// surface does not have.
 void write_masks_df3(const Surface& surface, std::span<const Channel> masks,
                      const std::string& path);
+/// Returns the bytes of such a file. Throws as write_masks_df3.
+std::string masks_df3_text(const Surface& surface, std::span<const Channel> masks);
 /// Returns the masks of a land that such a file holds, in the order of their table: those without a
 /// unit.
 std::vector<Channel> df3_masks(ChannelSet available);

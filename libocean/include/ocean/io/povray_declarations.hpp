@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ocean/detail.hpp"
+#include "ocean/domain.hpp"
 #include "ocean/io/provenance.hpp"
 #include "ocean/sea.hpp"
 #include "ocean/sea_state.hpp"
@@ -58,13 +59,29 @@ struct PovrayTerrain {
 /// Returns the include file with the folder and each parameter of the terrain by its name:
 /// `terrain.beta` is Terrain_Beta.
 std::string povray_declarations(const PovrayTerrain& folder);
+/// Returns the declarations of where the map of a land lies.
+std::string povray_land_map_declarations(const Domain& domain);
+/// Returns the declarations of the map of a coast: where it lies, which of its sides lie within the
+/// bed, and the id of its frames.
+std::string povray_coast_declarations(const Domain& domain, const Domain& bed, std::string_view id);
+
+/// The map of the bed of a sea as terrain.inc reads it. References must outlive it.
+struct PovrayBed {
+    const Surface& map;  // height, normal and the masks
+    std::span<const Channel> masks;
+    std::string_view id;
+};
+/// Returns the include file terrain_parameters.inc of a bed.
+std::string povray_bed_parameters(const PovrayBed& bed);
+/// Returns the text beside the map of a bed.
+std::string povray_bed_words(const PovrayBed& bed);
 /// Returns the declarations of a frame of any format, in names with its subject's prefix; by them
 /// Ocean_Load refuses frames of other seas.
 std::string povray_frame_declarations(const Provenance& provenance);
 /// Returns true if a text has the declarations of a frame of that sea.
 bool declares_sea(std::string_view text, std::string_view sea_id);
 /// Returns the foam's thickness for Ocean_Material, from the cover of a frame's maps, the finest
-/// first; "" for maps without cover.
+/// first; "" for maps without cover, and for a map that exists once.
 std::string povray_foam_declarations(std::span<const Surface> maps);
 /// Returns the bands of the slope tiles for Ocean_Material.
 std::string povray_detail_declarations(const Detail& detail);

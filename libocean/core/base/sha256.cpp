@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // SHA-256; see sha256.hpp. Symbols as in [FIPS 180-4] section 6.2.
-#include "sha256.hpp"
+#include "ocean/internal/sha256.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace ocean::seafile {
+namespace ocean {
 namespace {
 
 using Block = std::span<const std::byte, 64>;
@@ -83,4 +83,4 @@ std::string sha256_hex(std::span<const std::byte> bytes) {
     return text;
 }
 
-}  // namespace ocean::seafile
+}  // namespace ocean

@@ -5,12 +5,13 @@
 // hash gigabytes, use OpenSSL's.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 
-namespace ocean::seafile {
+namespace ocean {
 
 /// Returns the SHA-256 of the bytes [FIPS 180-4] as 64 hexadecimal digits in lower case.
 std::string sha256_hex(std::span<const std::byte> bytes);
 
-}  // namespace ocean::seafile
+}  // namespace ocean

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `ocean povray` for a sea over a bed: for each frame a map of the coast and the maps of the open
+// sea beside it, the bed as a land, and the files beside them.
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "console_host.hpp"
+#include "ocean/bake/povray_folder.hpp"
+#include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/io/output_file.hpp"
+#include "ocean/ocean.hpp"
+#include "ocean/sea_subject.hpp"
+#include "ocean/seafile.hpp"
+#include "povray_files.hpp"
+
+namespace ocean::app {
+namespace {
+
+/// Returns the sea without its bed: what lies beside the coast.
+Sea open_sea_of(const Sea& sea) {
+    Sea open = sea;
+    Water& water = open.parameters.water;
+    const Water none;
+    water.bed.reset();
+    water.seabed.clear();
+    water.seabed_origin.clear();
+    water.seabed_unit = none.seabed_unit;
+    water.seabed_sign = none.seabed_sign;
+    water.level = none.level;
+    water.shore = none.shore;
+    return open;
+}
+
+BakePlan plan_open_sea(const PovrayCoastRequest& request, const Context& context) {
+    BakeOptions options = request.bake;
+    options.source = request.source;
+    options.output = request.folder + "/sea_####" + povray_extension(request.format);
+    options.threads = context.options.threads;
+    options.max_resolution = kMaxPovrayResolution;
+    options.format_options["detail-map"] = "yes";
+    if (!request.near_only) options.format_options["far-maps"] = "yes";
+    options.open_subject = [&](const std::string&) {
+        return make_subject(open_sea_of(request.sea));
+    };
+    BakePlan plan = make_bake_plan(options, standard_catalogue());
+    refuse_large_mesh(plan.resolution);
+    return plan;
+}
+
+BakePlan plan_coast(const PovrayCoastRequest& request, const Context& context) {
+    const std::optional<Region> region = parse_region(request.region);
+    BakeOptions options = request.bake;
+    options.source = request.source;
+    options.output = request.folder + "/coast_####" + povray_extension(request.format);
+    options.threads = context.options.threads;
+    options.resolution.clear();  // that of the open sea
+    options.open_subject = [&](const std::string&) {
+        if (region) return make_region_subject(request.sea, *region);
+        return make_subject(request.sea);
+    };
+    BakePlan plan = make_bake_plan(options, standard_catalogue());
+    if (plan.resolution > kMaxPovrayResolution) {
+        throw Error(ErrorKind::invalid_value,
+                    format_text("%s has %d samples along its longer side; allowed are at most %d: "
+                                "choose a part of it with --region and --cell",
+                                region ? "--region: it" : "the bed", plan.resolution,
+                                kMaxPovrayResolution));
+    }
+    return plan;
+}
+
+/// Writes the lists of frames again: another chunk may have baked some meanwhile.
+void update_frame_lists(const PovrayCoastPlans& plans, const SeaState& state,
+                        const PovrayCoastRequest& request, const Context& context) {
+    const InterruptWatch::Hold whole = context.interrupts.hold();
+    const io::FolderLock lock(request.folder);
+    const std::vector<int> frames =
+        united(plans.open.all_frames, povray_existing_frames(plans.open).of_plan);
+    for (const FolderFile& file : povray_coast_frame_lists(plans, state, frames)) {
+        const std::string path = request.folder + "/" + file.name;
+        if (text::first_bytes(path, file.text.size() + 1) == file.text) continue;
+        io::write_file_atomically(path, file.text);
+    }
+}
+
+}  // namespace
+
+void write_povray_coast(const PovrayCoastRequest& request, const Context& context) {
+    if (request.format != "df3") {
+        throw Error(
+            ErrorKind::unsupported,
+            "--format " + request.format +
+                ": a sea over a bed (water.seabed) has df3 alone, from which its water, its "
+                "foam and its depth are read; `ocean bake --region` writes a mesh2");
+    }
+    const BakePlan open = plan_open_sea(request, context);
+    const BakePlan coast = plan_coast(request, context);
+    const PovrayCoastPlans plans{open, coast};
+    const SeaState state =
+        Ocean(sea_of(*open.subject).parameters, {.threads = open.threads}).state();
+    const ExistingFrames existing = povray_existing_frames(open);
+    const std::vector<FolderFile> files =
+        povray_coast_files(plans, state, united(open.all_frames, existing.of_plan));
+    const InputFiles inputs(request.source, named_files(request.sea));
+    refuse_to_replace_others(files, request.folder, inputs);
+    for (const BakePlan* plan : {&open, &coast}) {
+        for (const std::string& path : output_paths(*plan)) inputs.spare(path);
+    }
+    io::require_folder(request.folder);
+    const std::string warning =
+        foreign_frames_warning(existing, open.all_frames, request.folder + "/ocean.ini");
+    if (!warning.empty()) context.console.warning(warning);
+    if (request.dry_run) {
+        BakeForecast beside = forecast_folder(files, request.folder);
+        const BakeForecast more = forecast_bake(coast);
+        beside.files.insert(beside.files.end(), more.files.begin(), more.files.end());
+        beside.bytes += more.bytes;
+        return show_forecast(forecast_bake(open), beside, context.console);
+    }
+    write_folder(files, request.folder, context);
+    // A frame counts once its open sea is there: the coast comes first.
+    for (const BakePlan* plan : {&coast, &open}) {
+        ConsoleHost host(context);
+        run_bake(*plan, host);
+    }
+    update_frame_lists(plans, state, request, context);
+}
+
+}  // namespace ocean::app

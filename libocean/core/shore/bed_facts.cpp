@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Facts and warnings of a bed; see sea_bed.hpp.
+#include <algorithm>
+#include <cmath>
+
+#include "ocean/error.hpp"
+#include "ocean/sea_bed.hpp"
+#include "ocean/text.hpp"
+
+namespace ocean {
+namespace {
+
+// Above these a bed has heights that no coast has.
+constexpr double kMostRange = 9000.0;  // from a summit to a plain of the deep sea [m]
+constexpr double kLeastRange = 0.1;    // [m]
+constexpr double kFarthest = 200.0;    // of a whole bed from still water [m]
+/// Below this share of water a coast is more likely upside down.
+constexpr double kNearlyDry = 0.02;
+
+std::string metres(double value) {
+    return significant_text(value, 4) + " m";
+}
+
+}  // namespace
+
+SeaBedSummary summarize(const SeaBed& bed, const Water& water) {
+    SeaBedSummary facts{.samples = bed.domain.samples, .cell = bed.cell(), .sha256 = bed.sha256};
+    const auto [lowest, highest] = std::ranges::minmax(bed.heights);
+    facts.lowest = double{lowest};
+    facts.highest = double{highest};
+    double sum = 0.0;
+    std::size_t wet = 0, shallow = 0;
+    for (const float h : bed.heights) {
+        sum += double{h};
+        wet += h < 0.0f ? 1u : 0u;
+        shallow += h < 0.0f && -double{h} < water.depth ? 1u : 0u;
+    }
+    const double count = static_cast<double>(bed.heights.size());
+    facts.mean = sum / count;
+    facts.wet = static_cast<double>(wet) / count;
+    facts.shallow = static_cast<double>(shallow) / count;
+    return facts;
+}
+
+std::vector<std::string> bed_warnings(const SeaBed& bed, const Water& water) {
+    std::vector<std::string> warnings;
+    const auto warn = [&](const std::string& text) { warnings.push_back("water.seabed: " + text); };
+    for (const std::string& note : bed.notes) warn(note);
+    const SeaBedSummary facts = summarize(bed, water);
+    const std::string range = metres(facts.lowest) + " to " + metres(facts.highest);
+    if (facts.wet == 0.0) {
+        warn("the bed is land alone, from " + range +
+             " over still water: check seabed_sign and level");
+    } else if (facts.wet < kNearlyDry) {
+        warn("only " + significant_text(100.0 * facts.wet, 2) +
+             " % of the bed lies below still water, from " + range +
+             ": its heights may be depths, which seabed_sign = \"down\" turns over");
+    }
+    if (facts.highest < 0.0) {
+        warn("the bed is water alone, from " + metres(-facts.highest) + " to " +
+             metres(-facts.lowest) + " deep: it has no shore");
+    }
+    if (facts.shallow == 0.0 && facts.wet > 0.0) {
+        warn("no water over the bed is shallower than water.depth = " + metres(water.depth) +
+             ": the waves do not feel it");
+    }
+    const double height = facts.highest - facts.lowest;
+    if (height > kMostRange) {
+        warn("its heights differ by " + metres(height) +
+             ", more than on any coast: check seabed_unit");
+    }
+    if (height < kLeastRange) {
+        warn("its heights differ by " + metres(height) +
+             ", less than on any coast: check "
+             "seabed_unit");
+    }
+    const bool is_high = facts.lowest > kFarthest, is_deep = facts.highest < -kFarthest;
+    if (is_high || is_deep) {
+        warn("the whole bed lies more than " + metres(is_high ? facts.lowest : -facts.highest) +
+             (is_high ? " above" : " below") + " still water: level = " + metres(water.level) +
+             " may count from another datum");
+    }
+    return warnings;
+}
+
+namespace {
+
+/// The bed along the sides by which waves come in.
+struct Inflow {
+    std::size_t samples = 0;
+    std::size_t dry = 0;
+    std::size_t shallow = 0;   // below half a wavelength, but wet
+    double shallowest = 1e30;  // of the wet ones [m]
+};
+
+Inflow inflow_of(const SeaBed& bed, const IncomingWaves& waves) {
+    // Waves that run along a side do not come in by it.
+    constexpr double kLeast = 0.2;
+    const int columns = bed.domain.samples[0];
+    const int rows = bed.domain.samples[1];
+    Inflow inflow;
+    const auto add = [&](int i, int j) {
+        const double depth =
+            -double{bed.heights[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) +
+                                static_cast<std::size_t>(i)]};
+        ++inflow.samples;
+        if (depth <= 0.0) {
+            ++inflow.dry;
+            return;
+        }
+        constexpr double kAsDeep = 0.98;  // of the open sea
+        const double enough = std::min(0.5 * waves.peak_wavelength, kAsDeep * waves.depth);
+        inflow.shallow += depth < enough ? 1u : 0u;
+        inflow.shallowest = std::min(inflow.shallowest, depth);
+    };
+    const double x = std::cos(waves.direction);
+    const double y = std::sin(waves.direction);
+    for (int j = 0; j < rows && std::abs(x) > kLeast; ++j) add(x > 0.0 ? 0 : columns - 1, j);
+    for (int i = 0; i < columns && std::abs(y) > kLeast; ++i) add(i, y > 0.0 ? 0 : rows - 1);
+    return inflow;
+}
+
+}  // namespace
+
+std::vector<std::string> coast_warnings(const SeaBed& bed, const IncomingWaves& waves) {
+    std::vector<std::string> warnings;
+    const auto warn = [&](const std::string& text) { warnings.push_back("water.seabed: " + text); };
+    const auto percent = [](std::size_t part, std::size_t whole) {
+        return significant_text(100.0 * static_cast<double>(part) / static_cast<double>(whole), 3) +
+               " %";
+    };
+    const Inflow inflow = inflow_of(bed, waves);
+    if (inflow.dry == inflow.samples) {
+        warn("the sides by which the waves come in are land alone: no wave reaches the bed");
+    } else if (inflow.shallow > 0) {
+        warn("the waves come in over " + percent(inflow.shallow, inflow.samples) +
+             " of those sides in water shallower than half a peak wavelength, " +
+             metres(0.5 * waves.peak_wavelength) + ", down to " + metres(inflow.shallowest) +
+             ": what the bed beyond has done to them is not known; a larger bed shows it");
+    }
+    constexpr double kCoarse = 1.0 / 8.0;  // of a wavelength
+    if (bed.cell() > kCoarse * waves.peak_wavelength) {
+        warn("its cells of " + metres(bed.cell()) + " are coarse for waves of " +
+             metres(waves.peak_wavelength) + ": where these break it has few samples");
+    }
+    const double size = std::max(bed.domain.size[0], bed.domain.size[1]);
+    if (size > waves.period) {
+        warn("the bed is " + metres(size) + " long and the waves offshore repeat every " +
+             metres(waves.period) + ": a larger grid.patch_size hides the repeat");
+    }
+    return warnings;
+}
+
+}  // namespace ocean

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The coast of an Ocean: keeps its statics and its surface, and makes again only what a change of
+// the sea dirties.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "ocean/directional_spectrum.hpp"
+#include "ocean/modes.hpp"
+#include "ocean/parameters.hpp"
+#include "ocean/revision.hpp"
+#include "shore/shore_statics.hpp"
+#include "shore/shore_surface.hpp"
+
+namespace ocean {
+
+class ThreadPool;
+
+/// Is called with what is being made and the share of it that is done, 0 .. 1; may throw to stop.
+using BuildProgress = std::function<void(std::string_view work, double share)>;
+
+/// The sea at one time, as a coast needs it.
+struct CoastSea {
+    const Parameters& parameters;  // with a bed
+    const DirectionalSpectrum& spectrum;
+    const Revision& spectrum_revision;
+    const Modes& modes;
+    int shown;  // samples of the map whose waves count
+};
+
+class Coast {
+  public:
+    Coast() = default;
+    /// Makes the coast of another thread, which shares the statics.
+    Coast(const Coast& built) : statics_(built.statics_), made_of_(built.made_of_) {}
+    Coast& operator=(const Coast&) = delete;
+
+    /// Returns the statics. Makes them when the bed, its water or the division of the sea has
+    /// changed, and their energy alone when only the heights of waves have. Throws Error
+    /// invalid_value for a sea without waves, and out_of_memory.
+    const ShoreStatics& statics(const CoastSea& sea, ThreadPool& pool,
+                                const BuildProgress& progress);
+    /// Returns the surface at a time [s]. Valid until the next call.
+    ShoreSurface& surface(const CoastSea& sea, double time, ShoreSurface::Rates rates,
+                          ThreadPool& pool, const BuildProgress& progress);
+
+  private:
+    /// The input of the statics, compared with that of the next call.
+    struct Source {
+        Water water;
+        std::vector<ShoreWaves> waves;
+        std::array<double, kShoreBands + 1> edges{};
+        Revision spectrum;
+    };
+
+    ShoreStatics statics_;
+    Source made_of_;
+    std::optional<ShoreSurface> surface_;
+    Revision surface_modes_;
+    double surface_choppiness_ = 0.0;
+    int surface_shown_ = 0;
+    bool moved_ = false;
+};
+
+}  // namespace ocean

@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The maps of energy: see energy_march.hpp. Marches run in turned grids (march_pass.hpp); here they
+// are read back into the world.
+#include "energy_march.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "breaking.hpp"
+#include "march_pass.hpp"
+#include "march_waves.hpp"
+#include "ocean/error.hpp"
+#include "ocean/thread_pool.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr double kDegree = kTwoPi / 360.0;
+constexpr double kLargestArrival = 2.0;  // where a bed focuses waves
+constexpr int kReportedColumns = 8;
+constexpr float kLeastShare = 1e-6f;
+
+void require(bool valid, const char* name, double value, const char* allowed) {
+    if (valid) return;
+    throw Error(ErrorKind::invalid_value, {.what = "is out of range",
+                                           .parameter = name,
+                                           .value = std::to_string(value),
+                                           .allowed = allowed});
+}
+
+void require_settings(const MarchSettings& settings) {
+    require(settings.cell >= 4.0 && settings.cell <= 64.0, "cell", settings.cell, "4 .. 64 m");
+    require(settings.direction_bin >= 0.999 * kDegree && settings.direction_bin <= 15.001 * kDegree,
+            "direction_bin", settings.direction_bin, "1 .. 15 degrees");
+    require(settings.least_depth > 0.0 && settings.least_depth <= 10.0, "least_depth",
+            settings.least_depth, "0 .. 10 m, not 0");
+}
+
+/// Returns the domain of cells that covers another from its origin on.
+Domain coarse_domain(const Domain& bed, double cell) {
+    Domain domain{.origin = bed.origin, .wraps = false};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const int cells = std::max(static_cast<int>(std::ceil(bed.size[axis] / cell - 1e-9)), 1);
+        domain.samples[axis] = cells + 1;
+        domain.size[axis] = cells * cell;
+    }
+    return domain;
+}
+
+/// One group over the bed.
+struct GroupMarch {
+    MarchGroup group;
+    MarchBed bed;
+};
+
+/// The inputs that all marches of a sea share.
+struct MarchInputs {
+    const DirectionBins& bins;
+    const DepthTables& depths;
+    const Domain& world;
+    double open_variance;  // of all waves [m^2]
+    ThreadPool& pool;
+};
+
+/// Calls a host's progress after every few of a number of columns.
+class ColumnCount {
+  public:
+    ColumnCount(const ShoreProgress& progress, long columns)
+        : progress_(progress), columns_(columns) {}
+    void add_one() {
+        ++done_;
+        if (!progress_ || (done_ % kReportedColumns != 0 && done_ != columns_)) return;
+        progress_(static_cast<double>(done_) / static_cast<double>(columns_));
+    }
+
+  private:
+    const ShoreProgress& progress_;
+    long columns_;
+    long done_ = 0;
+};
+
+/// Calls use(index, place) for each sample of the world.
+template <typename Use>
+void for_each_place(const MarchInputs& inputs, const Use& use) {
+    const int columns = inputs.world.samples[0];
+    inputs.pool.for_each_range(inputs.world.samples[1], [&](int first, int end) {
+        for (int j = first; j < end; ++j) {
+            for (int i = 0; i < columns; ++i) {
+                use(static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) +
+                        static_cast<std::size_t>(i),
+                    inputs.world.place(i, j));
+            }
+        }
+    });
+}
+
+double variance_in_open_sea(const MarchGroup& group) {
+    double sum = 0.0;
+    for (const MarchWave& wave : group.waves) sum += wave.variance;
+    return sum;
+}
+
+/// Returns the variance of a march's waves in its own grid [m^2].
+std::vector<float> variance_of(const MarchGroup& group, const MarchField& field) {
+    std::vector<float> sum(field.unshoaled.size(), 0.0f);
+    for (std::size_t tag = 0; tag < group.waves.size(); ++tag) {
+        const auto variance = static_cast<float>(group.waves[tag].variance);
+        for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += variance * field.energy[tag][n];
+    }
+    return sum;
+}
+
+/// Marches all groups without breaking. Adds up the share of energy that arrives, and returns the
+/// variance of each group in its own grid [m^2].
+std::vector<std::vector<float>> march_without_breaking(const std::vector<GroupMarch>& marches,
+                                                       const MarchInputs& inputs,
+                                                       ColumnCount& count,
+                                                       std::vector<float>& arrival) {
+    std::vector<std::vector<float>> variances;
+    for (const GroupMarch& march : marches) {
+        const MarchGroup group = without_sectors(march.group);
+        const MarchField field =
+            march_group(group, inputs.bins, march.bed, inputs.depths, {.breaking = false},
+                        inputs.pool, [&count] { count.add_one(); });
+        const auto share = static_cast<float>(variance_in_open_sea(group) / inputs.open_variance);
+        for_each_place(inputs, [&](std::size_t n, const std::array<double, 2>& place) {
+            arrival[n] += share * march.bed.grid.read(field.unshoaled, place);
+        });
+        variances.push_back(variance_of(group, field));
+    }
+    for (float& k : arrival) k = std::min(k, static_cast<float>(kLargestArrival));
+    return variances;
+}
+
+/// Returns the share of one group in the variance of all, in its grid. Breaking takes the same
+/// share of all waves that meet, so that the shares are those without breaking.
+std::vector<float> share_of(std::size_t own, const std::vector<GroupMarch>& marches,
+                            const std::vector<std::vector<float>>& variances, ThreadPool& pool) {
+    const MarchGrid& grid = marches[own].bed.grid;
+    std::vector<float> shares(grid.size(), 1.0f);
+    pool.for_each_range(grid.columns, [&](int first, int end) {
+        for (int i = first; i < end; ++i) {
+            for (int j = 0; j < grid.rows; ++j) {
+                const std::size_t n = grid.index(i, j);
+                float sum = variances[own][n];
+                for (std::size_t other = 0; other < marches.size(); ++other) {
+                    if (other == own) continue;
+                    sum += marches[other].bed.grid.read(variances[other], grid.place(i, j));
+                }
+                if (sum > 0.0f) shares[n] = std::max(variances[own][n] / sum, kLeastShare);
+            }
+        }
+    });
+    return shares;
+}
+
+/// Marches all groups with breaking and writes their amplitudes.
+void march_with_breaking(const std::vector<GroupMarch>& marches,
+                         const std::vector<std::vector<float>>& variances,
+                         const MarchInputs& inputs, ColumnCount& count, EnergyMaps& maps) {
+    for (std::size_t m = 0; m < marches.size(); ++m) {
+        const GroupMarch& march = marches[m];
+        MarchLoss loss{.breaking = true, .open_variance = inputs.open_variance};
+        if (marches.size() > 1) loss.own_share = share_of(m, marches, variances, inputs.pool);
+        const MarchField field = march_group(march.group, inputs.bins, march.bed, inputs.depths,
+                                             loss, inputs.pool, [&count] { count.add_one(); });
+        for (std::size_t tag = 0; tag < march.group.members.size(); ++tag) {
+            std::vector<float>& amplitude = maps.amplitude[march.group.members[tag]];
+            for_each_place(inputs, [&](std::size_t n, const std::array<double, 2>& place) {
+                amplitude[n] = std::sqrt(march.bed.grid.read(field.energy[tag], place));
+            });
+        }
+    }
+}
+
+/// Writes what follows from the amplitudes: height, breaking share, width of the groups.
+void write_sums(const BedGrid& bed_height, const ShoreBands& bands, const MarchInputs& inputs,
+                EnergyMaps& maps) {
+    for_each_place(inputs, [&](std::size_t n, const std::array<double, 2>& place) {
+        double variance = 0.0, squares = 0.0;
+        for (std::size_t w = 0; w < bands.waves.size(); ++w) {
+            const double a = double{maps.amplitude[w][n]};
+            const double v = bands.waves[w].variance * a * a;
+            variance += v;
+            squares += v * v;
+        }
+        const double height = std::sqrt(8.0 * variance);
+        const double depth = std::clamp(-bed_at(bed_height, place), inputs.depths.least_depth(),
+                                        inputs.depths.greatest_depth());
+        maps.rms_height[n] = static_cast<float>(height);
+        maps.breaking_share[n] = static_cast<float>(share_that_breaks(height, depth));
+        maps.group_width[n] =
+            variance > 0.0 ? static_cast<float>(std::sqrt(squares) / variance) : 1.0f;
+    });
+}
+
+}  // namespace
+
+EnergyMaps march_energy(const BedGrid& bed_height, const ShoreBands& bands,
+                        const DirectionalSpectrum& spectrum, const Water& water,
+                        const MarchSettings& settings, ThreadPool& pool,
+                        const ShoreProgress& progress) {
+    require_settings(settings);
+    EnergyMaps maps;
+    maps.domain = coarse_domain(bed_height.domain, settings.cell);
+    maps.amplitude.assign(bands.waves.size(), std::vector<float>(maps.domain.count()));
+    maps.rms_height.resize(maps.domain.count());
+    maps.breaking_share.resize(maps.domain.count());
+    maps.arrival.resize(maps.domain.count());
+    maps.group_width.resize(maps.domain.count());
+    if (bands.waves.empty()) return maps;
+
+    const DirectionBins bins = DirectionBins::of_width(settings.direction_bin);
+    const DepthTables depths(bands, spectrum, water, settings.least_depth);
+    double open_variance = 0.0;
+    for (const ShoreWaves& waves : bands.waves) open_variance += waves.variance;
+    const MarchInputs inputs{bins, depths, maps.domain, open_variance, pool};
+    std::vector<GroupMarch> marches;
+    long columns = 0;
+    for (MarchGroup& group : make_march_groups(bands, spectrum, water, bins)) {
+        const MarchGrid grid = MarchGrid::over(maps.domain, group.direction, settings.cell);
+        columns += grid.columns;
+        MarchBed bed = make_march_bed(bed_height, grid, depths, pool);
+        marches.push_back({std::move(group), std::move(bed)});
+    }
+    ColumnCount count(progress, 2 * columns);
+    const std::vector<std::vector<float>> variances =
+        march_without_breaking(marches, inputs, count, maps.arrival);
+    march_with_breaking(marches, variances, inputs, count, maps);
+    write_sums(bed_height, bands, inputs, maps);
+    return maps;
+}
+
+}  // namespace ocean

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The energy that marches over a bed: that of the open sea by direction, joined into groups of
+// sectors with one march each, and how depth changes the speed and the energy of each band.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "ocean/directional_spectrum.hpp"
+#include "ocean/parameters.hpp"
+#include "shore_bands.hpp"
+
+namespace ocean {
+
+/// Waves with a tag of their own in a march.
+struct MarchWave {
+    int band = 0;
+    double variance = 0.0;           // of the open sea [m^2]
+    std::vector<float> bin_share{};  // of the variance, by bin of directions
+};
+
+/// Sectors that march together.
+struct MarchGroup {
+    double direction = 0.0;              // of the march [rad]
+    std::vector<std::size_t> members{};  // indices in ShoreBands::waves
+    std::vector<MarchWave> waves{};      // one for each member
+};
+
+/// The bins of directions of a march, relative to its own: odd in number, about 0, to +-75 degrees.
+struct DirectionBins {
+    double width = 0.0;  // [rad]
+    int count = 0;
+
+    static DirectionBins of_width(double width);
+    double centre(int bin) const { return (bin - (count - 1) / 2) * width; }
+    double edge(int bin) const { return centre(bin) - 0.5 * width; }  // the lower one
+};
+
+/// Returns the groups of a sea, by their direction's first sector. Empty for a flat sea.
+std::vector<MarchGroup> make_march_groups(const ShoreBands& bands,
+                                          const DirectionalSpectrum& spectrum, const Water& water,
+                                          const DirectionBins& bins);
+/// Returns the group with its waves of each band joined, for a march that needs no tags.
+MarchGroup without_sectors(const MarchGroup& group);
+
+/// A band at each depth of a table.
+struct BandDepths {
+    double open_group_speed = 0.0;   // its mean in the open sea [m/s]
+    std::vector<float> log_speed{};  // ln(c / open sea's c), the mean over its energy
+    std::vector<float> shoaling{};   // energy over that of the open sea, at equal flux
+};
+
+/// How the bands change with depth. Depths are the entries least * ratio^n; between them, tables
+/// are linear in the logarithm of depth.
+class DepthTables {
+  public:
+    DepthTables(const ShoreBands& bands, const DirectionalSpectrum& spectrum, const Water& water,
+                double least_depth);
+
+    /// Returns the position of a depth [m] in the tables, within their ends.
+    float position(double depth) const;
+    const BandDepths& band(int b) const { return bands_[static_cast<std::size_t>(b)]; }
+    double peak_frequency() const { return peak_frequency_; }  // of the sea [Hz]
+    double least_depth() const { return least_; }              // shallower feels like it [m]
+    double greatest_depth() const { return greatest_; }        // deeper is the open sea [m]
+
+  private:
+    double least_ = 0.0;
+    double greatest_ = 0.0;
+    double per_log_ = 0.0;
+    double peak_frequency_ = 0.0;
+    std::array<BandDepths, kShoreBands> bands_{};
+};
+
+/// Returns the entry of a table at a position, linear between entries.
+inline float read_table(const std::vector<float>& table, float position) {
+    const auto n = static_cast<std::size_t>(position);
+    if (n + 1 >= table.size()) return table.back();
+    return table[n] + (position - static_cast<float>(n)) * (table[n + 1] - table[n]);
+}
+
+}  // namespace ocean

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The surface of a sea over its bed at points of the world: the label that is displayed at each
+// point, found by Newton's method, and the surface there.
+#pragma once
+
+#include <span>
+
+#include "ocean/query.hpp"
+#include "shore/shore_surface.hpp"
+
+namespace ocean {
+
+class ThreadPool;
+
+/// Writes one sample for each point; foam is 0. The bits are the same for any number of threads.
+/// `labelled` receives the surface at the labels found. Points must be finite.
+void query_shore(const ShoreSurface& surface, std::span<const WorldPoint> points,
+                 std::span<QuerySample> samples, std::span<ShorePoint> labelled, ThreadPool& pool);
+
+/// Returns the unit normal of the displayed surface at a label, on the side seen from above.
+std::array<float, 3> shore_normal(const ShorePoint& point);
+/// Returns the Jacobian of the displayed surface: below 0 it has folded over.
+float shore_jacobian(const ShorePoint& point);
+
+}  // namespace ocean

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// See shore_statics.hpp. Packs the maps of delays and of energy for reading, and derives from them
+// how much the waves feel of the bed.
+#include "shore/shore_statics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ocean/dispersion.hpp"
+#include "ocean/thread_pool.hpp"
+#include "shore/energy_march.hpp"
+#include "shore/shore_delays.hpp"
+#include "shore/shore_land.hpp"
+#include "terrain/coast_blur.hpp"
+
+namespace ocean {
+namespace {
+
+float smooth_step(float t) {
+    const float x = std::clamp(t, 0.0f, 1.0f);
+    return x * x * x * (x * (6.0f * x - 15.0f) + 10.0f);
+}
+
+/// Returns an angle within -pi .. pi.
+float wrapped_angle(float angle) {
+    return std::remainder(angle, static_cast<float>(kTwoPi));
+}
+
+/// Returns the slope of the bed, smoothed over 12 m, where waves may break: from 25 m of depth on
+/// it fades, and beyond 10 m above that it is 0.
+std::vector<float> breaking_slope(const BedGrid& bed, ThreadPool& pool) {
+    constexpr double kSmoothing = 12.0;  // [m]
+    constexpr float kDeep = 25.0f;       // [m]
+    constexpr float kFade = 15.0f;       // [m]
+    BedGrid smooth = bed;
+    CoastPasses passes(pool, {}, kBlurPasses);
+    blur(smooth.values, {bed.domain.samples[0], bed.domain.samples[1]}, kSmoothing / bed.cell(),
+         passes);
+    const int width = bed.domain.samples[0];
+    const int height = bed.domain.samples[1];
+    const auto between = [&](int i0, int j0, int i1, int j1) {
+        const double steps = std::max(std::abs(i1 - i0), std::abs(j1 - j0));
+        return static_cast<float>(
+            (static_cast<double>(smooth.at(i1, j1)) - static_cast<double>(smooth.at(i0, j0))) /
+            (steps * bed.cell()));
+    };
+    std::vector<float> slope(bed.values.size());
+    pool.for_each_range(height, [&](int first, int last) {
+        for (int j = first; j < last; ++j) {
+            for (int i = 0; i < width; ++i) {
+                const float x = between(std::max(i - 1, 0), j, std::min(i + 1, width - 1), j);
+                const float y = between(i, std::max(j - 1, 0), i, std::min(j + 1, height - 1));
+                const float depth = -smooth.at(i, j);
+                slope[static_cast<std::size_t>(j) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(i)] =
+                    std::sqrt(x * x + y * y) * smooth_step((kDeep - depth) / kFade);
+            }
+        }
+    });
+    return slope;
+}
+
+/// Raises `felt` where one of the waves feels the bed: by the phase that their longest ones have
+/// gained on the open sea's [rad].
+void raise_felt(const DelayMaps& maps, double wavenumber, std::vector<float>& felt) {
+    constexpr float kFully = 0.3f;  // [rad]
+    const auto k = static_cast<float>(wavenumber);
+    for (std::size_t i = 0; i < felt.size(); ++i) {
+        const float gained =
+            std::abs(maps.phase[i]) + k * std::hypot(maps.shift_x[i], maps.shift_y[i]);
+        felt[i] = std::max(felt[i], smooth_step(gained / kFully));
+    }
+}
+
+QuadGrid packed(const Domain& domain, const DelayMaps& maps, double sector) {
+    std::vector<float> turn(domain.count());
+    for (std::size_t i = 0; i < turn.size(); ++i) {
+        const float direction = std::atan2(maps.direction_y[i], maps.direction_x[i]);
+        turn[i] = wrapped_angle(direction - static_cast<float>(sector));
+    }
+    return QuadGrid(domain, {maps.shift_x, maps.shift_y, maps.phase, turn});
+}
+
+}  // namespace
+
+std::shared_ptr<const ShoreDelays> make_shore_delays(const BedGrid& bed, const ShoreBands& bands,
+                                                     const Water& water, ThreadPool& pool,
+                                                     const ShoreProgress& progress) {
+    auto delays = std::make_shared<ShoreDelays>();
+    delays->bands = bands;
+    const BedGrid depth = felt_depth(bed, water.depth);
+    std::vector<float> felt(bed.values.size(), 0.0f);
+    std::vector<DelayMaps> maps = shore_delays(depth, bands, water, pool, progress);
+    const std::vector<std::uint32_t> nearest = nearest_water(bed, pool);
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const ShoreWaves& waves = bands.waves[i];
+        continue_onto_land(maps[i], bed, nearest);
+        raise_felt(maps[i], bands.centre(waves.band), felt);
+        delays->waves.push_back(packed(bed.domain, maps[i], sector_centre(waves.sector)));
+        maps[i] = {};
+    }
+    const std::vector<float> slope = breaking_slope(bed, pool);
+    delays->ground = QuadGrid(bed.domain, {bed.values, depth.values, slope, felt});
+    return delays;
+}
+
+namespace {
+
+/// Returns for each cell the mean amplitude of the shortest band's waves, at most 1: that of the
+/// still shorter ones, which have no maps of their own.
+std::vector<float> short_amplitude(const EnergyMaps& maps, const ShoreBands& bands) {
+    std::vector<float> sum(maps.domain.count(), 0.0f);
+    float variance = 0.0f;
+    for (std::size_t w = 0; w < bands.waves.size(); ++w) {
+        if (bands.waves[w].band != kShoreBands - 1) continue;
+        const auto share = static_cast<float>(bands.waves[w].variance);
+        variance += share;
+        for (std::size_t i = 0; i < sum.size(); ++i) {
+            const float amplitude = maps.amplitude[w][i];
+            sum[i] += share * amplitude * amplitude;
+        }
+    }
+    for (float& value : sum) {
+        value = variance > 0.0f ? std::min(std::sqrt(value / variance), 1.0f) : 1.0f;
+    }
+    return sum;
+}
+
+/// Returns for each cell how much the waves feel of the bed by what they have lost or won: 0 where
+/// all amplitudes are those of the open sea, 1 where the energy of one is a tenth off.
+std::vector<float> felt_by_energy(const EnergyMaps& maps) {
+    constexpr float kFully = 0.05f;
+    // Rounding of the march, which is not felt.
+    constexpr float kNothing = 1e-5f;
+    std::vector<float> felt(maps.domain.count(), 0.0f);
+    for (const std::vector<float>& amplitude : maps.amplitude) {
+        for (std::size_t i = 0; i < felt.size(); ++i) {
+            const float change = std::abs(amplitude[i] - 1.0f) - kNothing;
+            felt[i] = std::max(felt[i], smooth_step(change / kFully));
+        }
+    }
+    return felt;
+}
+
+/// Returns for each cell the correlation of the coast's surface with the open sea's at the same
+/// place, by the phases that the waves' middles have gained; at least 0.
+std::vector<float> correlation(const EnergyMaps& maps, const ShoreDelays& delays) {
+    const ShoreBands& bands = delays.bands;
+    const Domain& domain = maps.domain;
+    std::vector<float> result(domain.count());
+    for (int j = 0; j < domain.samples[1]; ++j) {
+        for (int i = 0; i < domain.samples[0]; ++i) {
+            const std::size_t at =
+                static_cast<std::size_t>(j) * static_cast<std::size_t>(domain.samples[0]) +
+                static_cast<std::size_t>(i);
+            const auto [x, y] = domain.place(i, j);
+            double shared = 0.0;
+            double open = 0.0;
+            double here = 0.0;
+            for (std::size_t w = 0; w < bands.waves.size(); ++w) {
+                const ShoreWaves& waves = bands.waves[w];
+                const double centre = sector_centre(waves.sector);
+                const QuadSample delay = delays.waves[w].read(x, y);
+                const double gained = static_cast<double>(delay.value[2]) +
+                                      bands.centre(waves.band) *
+                                          (std::cos(centre) * static_cast<double>(delay.value[0]) +
+                                           std::sin(centre) * static_cast<double>(delay.value[1]));
+                const auto amplitude = static_cast<double>(maps.amplitude[w][at]);
+                shared += waves.variance * amplitude * std::cos(gained);
+                open += waves.variance;
+                here += waves.variance * amplitude * amplitude;
+            }
+            const double norm = std::sqrt(open * here);
+            result[at] = static_cast<float>(norm > 0.0 ? std::max(shared / norm, 0.0) : 0.0);
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+std::shared_ptr<const ShoreEnergy> make_shore_energy(const BedGrid& bed, const ShoreDelays& delays,
+                                                     const DirectionalSpectrum& spectrum,
+                                                     const Water& water, ThreadPool& pool,
+                                                     const ShoreProgress& progress) {
+    const ShoreBands& bands = delays.bands;
+    EnergyMaps maps = march_energy(bed, bands, spectrum, water, {}, pool, progress);
+    continue_onto_land(maps, bed, pool);
+    const SpectralMoments moments = spectrum.moments(water);
+    auto energy = std::make_shared<ShoreEnergy>();
+    energy->open_height = moments.significant_wave_height();
+    energy->peak_omega = moments.peak_omega;
+    energy->depths = ShoreDepths(bands, moments.peak_omega, water);
+    for (std::size_t first = 0; first < bands.waves.size(); first += 4) {
+        std::array<std::span<const float>, 4> fields;
+        for (std::size_t w = first; w < std::min(first + 4, bands.waves.size()); ++w) {
+            fields[w - first] = maps.amplitude[w];
+        }
+        energy->amplitudes.emplace_back(maps.domain, fields);
+    }
+    energy->breaking = QuadGrid(
+        maps.domain, {maps.rms_height, maps.breaking_share, maps.arrival, maps.group_width});
+    const std::vector<float> calm = short_amplitude(maps, bands);
+    const std::vector<float> correlated = correlation(maps, delays);
+    const std::vector<float> felt = felt_by_energy(maps);
+    energy->remainder = QuadGrid(maps.domain, {calm, correlated, felt});
+    return energy;
+}
+
+std::uint64_t shore_statics_bytes(const Domain& bed, std::size_t waves) {
+    // Kept: a quad for each of the waves and one of the ground. While they are made: five floats
+    // for each of the waves and solutions at the edges of bands and sectors.
+    constexpr std::uint64_t kKept = sizeof(Quad);
+    constexpr std::uint64_t kWork = 5 * sizeof(float) + 3 * sizeof(double);
+    return bed.count() * ((waves + 1) * kKept + waves * kWork + 8 * sizeof(float));
+}
+
+}  // namespace ocean

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// All of a coast that does not change with time: where its waves come from and when (delays), how
+// much of them arrives (energy), the bed. Made once for a sea; forks and shards share it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "ocean/directional_spectrum.hpp"
+#include "ocean/parameters.hpp"
+#include "shore/bed_grid.hpp"
+#include "shore/quad_grid.hpp"
+#include "shore/shore_bands.hpp"
+#include "shore/shore_depths.hpp"
+#include "shore/shore_progress.hpp"
+
+namespace ocean {
+
+class ThreadPool;
+
+/// The delays of the waves of a coast. They depend on the bed, its level and the division of the
+/// sea, not on heights of waves.
+struct ShoreDelays {
+    ShoreBands bands;
+    /// One for each of bands.waves: shift_x, shift_y [m], phase [rad], and the angle by which the
+    /// waves have turned from the centre of their sector [rad].
+    std::vector<QuadGrid> waves;
+    /// Height of the bed [m], depth that waves feel [m], slope of the bed where waves break, and
+    /// how much the waves feel of the bed: 0 where they are those of the open sea, 1 at the coast.
+    QuadGrid ground;
+};
+
+/// The energy that arrives. Cheap to make again when heights or periods change.
+struct ShoreEnergy {
+    /// Amplitudes relative to the open sea of waves 4 i .. 4 i + 3 of ShoreBands::waves.
+    std::vector<QuadGrid> amplitudes;
+    /// Hrms of all waves [m], share of them that break, share of the open sea's energy that
+    /// arrives unbroken, width of wave groups.
+    QuadGrid breaking;
+    /// Amplitude of the waves that are in no band, correlation of the coast's surface with the open
+    /// sea's, and how much the waves feel of the bed by their energy, 0 .. 1.
+    QuadGrid remainder;
+    ShoreDepths depths;
+    double open_height = 0.0;  // significant wave height offshore [m]
+    double peak_omega = 0.0;   // [rad/s]
+};
+
+struct ShoreStatics {
+    std::shared_ptr<const ShoreDelays> delays;
+    std::shared_ptr<const ShoreEnergy> energy;
+
+    const ShoreBands& bands() const { return delays->bands; }
+    const Domain& domain() const { return delays->ground.domain(); }
+};
+
+/// Returns the delays over a bed. Needs a spectrum that is not flat. Throws as shore_delays.
+std::shared_ptr<const ShoreDelays> make_shore_delays(const BedGrid& bed, const ShoreBands& bands,
+                                                     const Water& water, ThreadPool& pool,
+                                                     const ShoreProgress& progress = {});
+/// Returns the energy over the same bed.
+std::shared_ptr<const ShoreEnergy> make_shore_energy(const BedGrid& bed, const ShoreDelays& delays,
+                                                     const DirectionalSpectrum& spectrum,
+                                                     const Water& water, ThreadPool& pool,
+                                                     const ShoreProgress& progress = {});
+
+/// Returns an upper bound of the bytes that delays and energy of so many waves take, and of those
+/// that making them takes beside.
+std::uint64_t shore_statics_bytes(const Domain& bed, std::size_t waves);
+
+}  // namespace ocean

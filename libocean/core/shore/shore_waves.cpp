@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The sum over the waves of a coast at the labels of a block, one band and sector after the other.
+#include <array>
+#include <cmath>
+
+#include "shore/shore_block.hpp"
+#include "shore/shore_delays.hpp"
+#include "shore/shore_surface.hpp"
+
+namespace ocean {
+
+namespace avx512 {
+extern const PairLoop kPairLoop;
+}
+namespace avx2 {
+extern const PairLoop kPairLoop;
+}
+namespace sse4 {
+extern const PairLoop kPairLoop;
+}
+namespace portable {
+extern const PairLoop kPairLoop;
+}
+
+PairLoop pair_loop(SimdLevel level) {
+    switch (level) {
+#if defined(OCEAN_KERNEL_AVX512)
+        case SimdLevel::avx512:
+            return avx512::kPairLoop;
+#endif
+#if defined(OCEAN_KERNEL_AVX2)
+        case SimdLevel::avx2:
+            return avx2::kPairLoop;
+#endif
+#if defined(OCEAN_KERNEL_SSE4)
+        case SimdLevel::sse4:
+            return sse4::kPairLoop;
+#endif
+        default:
+            return portable::kPairLoop;
+    }
+}
+
+namespace {
+
+/// Writes the arrays of the parts of a number, which begin at `label`.
+template <typename Pointers, typename Jets>
+void point_at(Pointers& to, Jets& jets) {
+    for (std::size_t p = 0; p < 4; ++p) to[p] = jets.part[p].data();
+}
+
+/// Returns the task of a pair without what differs between pairs.
+PairTask common_task(JetParts parts, WavyBlock& block, const BlockSignal& signal,
+                     const QuadBlock& delay) {
+    PairTask task{};
+    task.count = block.places.count;
+    task.parts = parts;
+    for (std::size_t field = 0; field < 4; ++field) {
+        task.delay[0][field] = delay.value[field].data();
+        task.delay[1][field] = delay.by_x[field].data();
+        task.delay[2][field] = delay.by_y[field].data();
+    }
+    point_at(task.re, signal.re);
+    point_at(task.im, signal.im);
+    point_at(task.real, block.sums.real);
+    point_at(task.imaginary, block.sums.imaginary);
+    point_at(task.squares, block.sums.squares);
+    point_at(task.along_x, block.sums.along_x);
+    point_at(task.along_y, block.sums.along_y);
+    return task;
+}
+
+}  // namespace
+
+void ShoreSurface::find_places(BlockPlaces& places) const {
+    const double* const x = places.x.data();
+    const double* const y = places.y.data();
+    places.delays.find(statics_.domain(), places.count, x, y);
+    places.energy.find(statics_.energy->breaking.domain(), places.count, x, y);
+}
+
+void ShoreSurface::add_waves(JetParts parts, bool displaces, WavyBlock& block) const {
+    const std::size_t count = block.places.count;
+    const bool slopes = parts != JetParts::value;
+    QuadBlock delay, amplitudes;
+    BlockSignal signal;
+    std::array<double, kShoreBlock> place_x, place_y;
+    PairTask task = common_task(parts, block, signal, delay);
+    task.displaces = displaces;
+    WaveSums& sums = block.sums;
+    for (BlockJets* const sum : {&sums.real, &sums.imaginary, &sums.squares, &sums.along_x,
+                                 &sums.along_y, &sums.left_x, &sums.left_y}) {
+        sum->clear(parts);
+    }
+    for (std::size_t waves = 0; waves < statics_.bands().waves.size(); ++waves) {
+        const ShoreWaves& of = statics_.bands().waves[waves];
+        if (waves % 4 == 0) {
+            statics_.energy->amplitudes[waves / 4].read(block.places.energy, slopes, amplitudes);
+        }
+        statics_.delays->waves[waves].read(block.places.delays, slopes, delay);
+        for (std::size_t n = 0; n < count; ++n) {
+            place_x[n] = block.places.x[n] + static_cast<double>(delay.value[0][n]);
+            place_y[n] = block.places.y[n] + static_cast<double>(delay.value[1][n]);
+        }
+        signals_.read(waves, count, place_x.data(), place_y.data(), signal.outputs(parts));
+        task.centre = static_cast<float>(sector_centre(of.sector));
+        task.amplitude[0] = amplitudes.value[waves % 4].data();
+        task.amplitude[1] = amplitudes.by_x[waves % 4].data();
+        task.amplitude[2] = amplitudes.by_y[waves % 4].data();
+        const BlockJets& displacement = block.displacement[static_cast<std::size_t>(of.band)];
+        for (std::size_t p = 0; p < 3; ++p) task.displacement[p] = displacement.part[p].data();
+        pair_loop_(task);
+        if (displaces) add_left(waves, parts, block);
+    }
+}
+
+/// Where the open sea fades in, what it displaces beside the sectors' middles fades in too.
+void ShoreSurface::add_left(std::size_t waves, JetParts parts, WavyBlock& block) const {
+    std::size_t count = 0;
+    std::array<std::size_t, kShoreBlock> wavy;
+    std::array<double, kShoreBlock> x, y;
+    for (std::size_t n = 0; n < block.places.count; ++n) {
+        if (!block.partly[n]) continue;
+        x[count] = block.places.x[n];
+        y[count] = block.places.y[n];
+        wavy[count++] = n;
+    }
+    if (count == 0) return;
+    BlockSignal signal;
+    signals_.read(waves, count, x.data(), y.data(), signal.outputs(parts));
+    const ShoreWaves& of = statics_.bands().waves[waves];
+    const double centre = sector_centre(of.sector);
+    const auto along_x = static_cast<float>(std::cos(centre));
+    const auto along_y = static_cast<float>(std::sin(centre));
+    const float open_ratio = statics_.energy->depths.open_displacement(of.band);
+    for (std::size_t p = 0; p < static_cast<std::size_t>(parts); ++p) {
+        for (std::size_t l = 0; l < count; ++l) {
+            const float displacement = open_ratio * signal.im.part[p][l];
+            block.sums.left_x.part[p][wavy[l]] += along_x * displacement;
+            block.sums.left_y.part[p][wavy[l]] += along_y * displacement;
+        }
+    }
+}
+
+}  // namespace ocean

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The identity of a grid of heights: see height_hash in elevation.hpp.
+#include <bit>
+#include <cstdint>
+
+#include "ocean/elevation.hpp"
+#include "ocean/internal/sha256.hpp"
+#include "ocean/text.hpp"
+
+namespace ocean {
+
+std::vector<std::byte> bytes_of_heights(std::span<const float> heights) {
+    std::vector<std::byte> bytes;
+    bytes.reserve(4 * heights.size());
+    for (const float height : heights) {
+        const auto bits = std::bit_cast<std::uint32_t>(height);
+        for (int shift = 0; shift < 32; shift += 8) {
+            bytes.push_back(static_cast<std::byte>(bits >> shift));
+        }
+    }
+    return bytes;
+}
+
+std::string height_hash(const Domain& grid, std::span<const float> heights) {
+    std::string head;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        // Nine digits: a cell that went through its text is the same to the last bit but one.
+        head += format_text("%d %.9g\n", grid.samples[axis], grid.step(axis));
+    }
+    std::vector<std::byte> bytes;
+    for (const char c : head) bytes.push_back(static_cast<std::byte>(c));
+    const std::vector<std::byte> all = bytes_of_heights(heights);
+    bytes.insert(bytes.end(), all.begin(), all.end());
+    return sha256_hex(bytes);
+}
+
+}  // namespace ocean

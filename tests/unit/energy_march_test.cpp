@@ -1,0 +1,399 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The energy of waves over a bed, against bulk models of a surf zone, the geometry of shadows and
+// its own symmetries.
+#include "shore/energy_march.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <numeric>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ocean/dispersion.hpp"
+#include "ocean/error.hpp"
+#include "ocean/thread_pool.hpp"
+#include "shore/breaking.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr double kDegree = kTwoPi / 360.0;
+constexpr double kPeakOmega = 0.85;
+constexpr double kHeight = 2.96 / 1.4142135623730951;  // Hrms of the open sea [m]
+
+/// One system of waves: Hs 2.96 m, peak period 7.4 s, spread as cos^2s of half the angle.
+struct System {
+    double direction = 0.0;  // [rad]
+    double spread = 1000.0;  // s: 1000 is 2.6 degrees wide
+    double share = 1.0;      // of the variance
+};
+
+DirectionalSpectrum make_sea(const std::vector<System>& systems) {
+    constexpr int directions = 720;
+    std::vector<double> rows, sums, spreading(directions, 0.0);
+    for (const System& system : systems) {
+        std::vector<double> shape(directions);
+        for (int j = 0; j < directions; ++j) {
+            const double half = 0.5 * (kTwoPi * j / directions - system.direction);
+            shape[static_cast<std::size_t>(j)] =
+                std::pow(std::abs(std::cos(half)), 2.0 * system.spread);
+        }
+        const double sum = std::accumulate(shape.begin(), shape.end(), 0.0) * kTwoPi / directions;
+        for (std::size_t j = 0; j < directions; ++j) {
+            spreading[j] += system.share * shape[j] / sum;
+        }
+    }
+    double variance = 0.0;
+    for (double omega = 0.45; omega <= 4.0; omega += 0.01) {  // JONSWAP's shape
+        const double width = omega <= kPeakOmega ? 0.07 : 0.09;
+        const double x = (omega - kPeakOmega) / (width * kPeakOmega);
+        rows.push_back(omega);
+        sums.push_back(std::pow(omega, -5.0) * std::exp(-1.25 * std::pow(kPeakOmega / omega, 4.0)) *
+                       std::pow(3.3, std::exp(-0.5 * x * x)));
+        variance += 0.01 * sums.back();
+    }
+    const std::shared_ptr<double[]> table(new double[rows.size() * directions]);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        sums[i] *= kHeight * kHeight / 8.0 / variance;
+        for (std::size_t j = 0; j < directions; ++j) {
+            table.get()[i * directions + j] = sums[i] * spreading[j];
+        }
+    }
+    return DirectionalSpectrum(rows, directions, table, sums);
+}
+
+/// The division of such a sea, sectors below 0.5 % of its energy left out.
+ShoreBands divide(const DirectionalSpectrum& sea, const Water& water) {
+    ShoreBands bands;
+    const Dispersion dispersion(water);
+    const double lowest = dispersion.wavenumber(0.4500001),
+                 ratio = dispersion.wavenumber(3.99) / lowest;
+    for (std::size_t b = 0; b <= kShoreBands; ++b) {
+        bands.edges[b] = lowest * std::pow(ratio, static_cast<double>(b) / kShoreBands);
+    }
+    for (int sector = 0; sector < kShoreSectors; ++sector) {
+        std::vector<ShoreWaves> waves;
+        double sum = 0.0;
+        for (int band = 0; band < kShoreBands; ++band) {
+            const auto b = static_cast<std::size_t>(band);
+            const double low = dispersion.angular_frequency(bands.edges[b]);
+            const double high = dispersion.angular_frequency(bands.edges[b + 1]);
+            double variance = 0.0;
+            for (int n = 0; n < 64; ++n) {
+                const double omega = low + (n + 0.5) / 64.0 * (high - low);
+                for (int m = 0; m < 80; ++m) {
+                    const double theta =
+                        sector_centre(sector) + ((m + 0.5) / 80.0 - 0.5) * kSectorWidth;
+                    variance +=
+                        sea.density(omega, theta) * (high - low) / 64.0 * kSectorWidth / 80.0;
+                }
+            }
+            waves.push_back({band, sector, variance});
+            sum += variance;
+        }
+        if (sum < 0.005 * kHeight * kHeight / 8.0) continue;
+        bands.waves.insert(bands.waves.end(), waves.begin(), waves.end());
+    }
+    return bands;
+}
+
+BedGrid make_bed(int columns, int rows, double cell,
+                 const std::function<double(double, double)>& height) {
+    BedGrid bed;
+    bed.domain = {{0.0, 0.0}, {(columns - 1) * cell, (rows - 1) * cell}, {columns, rows}, false};
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            bed.values.push_back(static_cast<float>(height(i * cell, j * cell)));
+        }
+    }
+    return bed;
+}
+
+EnergyMaps march(const BedGrid& bed, const DirectionalSpectrum& sea, const Water& water = {},
+                 const MarchSettings& settings = {}, int threads = 1,
+                 const ShoreProgress& progress = {}) {
+    ThreadPool pool(threads);
+    return march_energy(bed, divide(sea, water), sea, water, settings, pool, progress);
+}
+
+/// Returns a map at a place, bilinear.
+double read(const EnergyMaps& maps, const std::vector<float>& map, double x, double y) {
+    const double u = (x - maps.domain.origin[0]) / maps.domain.step(0);
+    const double v = (y - maps.domain.origin[1]) / maps.domain.step(1);
+    const int i = std::min(static_cast<int>(u), maps.domain.samples[0] - 2);
+    const int j = std::min(static_cast<int>(v), maps.domain.samples[1] - 2);
+    const auto at = [&](int di, int dj) {
+        return double{map[static_cast<std::size_t>((j + dj) * maps.domain.samples[0] + i + di)]};
+    };
+    const double a = u - i, b = v - j;
+    return (1 - b) * ((1 - a) * at(0, 0) + a * at(1, 0)) + b * ((1 - a) * at(0, 1) + a * at(1, 1));
+}
+
+// ---- a surf zone along x
+
+/// A bed of depth d(x) [m], uniform along y.
+struct Profile {
+    std::string name;
+    double length;
+    std::function<double(double)> depth;
+};
+
+Profile slope_of(double rise) {
+    return {"slope " + std::to_string(rise), (14.0 + 3.0) / rise,
+            [rise](double x) { return 14.0 - rise * x; }};
+}
+
+Profile barred_beach() {
+    return {"bar", 900.0, [](double x) {
+                return 12.0 - x / 60.0 - 1.7 * std::exp(-std::pow((x - 520.0) / 35.0, 2.0)) +
+                       0.35 * std::exp(-std::pow((x - 590.0) / 30.0, 2.0));
+            }};
+}
+
+EnergyMaps surf(const Profile& profile, const MarchSettings& settings = {}) {
+    const double cell = 4.0;
+    const int columns = static_cast<int>(profile.length / cell) + 1;
+    const BedGrid bed =
+        make_bed(columns, 21, cell, [&](double x, double) { return -profile.depth(x); });
+    return march(bed, make_sea({{}}), {}, settings);
+}
+
+/// Returns Hrms at places 0.5 m apart by Thornton and Guza's equation for one frequency,
+/// d (H^2 c_g / 8) / dx = -dissipation, from the open sea on.
+std::vector<double> bulk_model(const Profile& profile) {
+    std::vector<double> heights;
+    double flux = 0.0;
+    for (double x = 0.0; x < profile.length; x += 0.5) {
+        const Dispersion water(Water{.depth = std::max(profile.depth(x), 0.6)});
+        const double speed = water.group_velocity(water.wavenumber(kPeakOmega));
+        if (x == 0.0) flux = kHeight * kHeight / 8.0 * 0.5 * 9.81 / kPeakOmega;
+        heights.push_back(std::sqrt(8.0 * flux / speed));
+        flux -= 0.5 * breaking_dissipation(heights.back(), std::max(profile.depth(x), 0.6),
+                                           kPeakOmega / kTwoPi);
+        flux = std::max(flux, 1e-9);
+    }
+    return heights;
+}
+
+double place_of_depth(const Profile& profile, double depth) {
+    double x = 0.0;
+    while (profile.depth(x) > depth) x += 0.1;
+    return x;
+}
+
+TEST(EnergyMarch, HeightsFollowThorntonAndGuzaOverSlopesAndABar) {
+    // Measured: 3 to 4 %. The equation has one frequency, the march all; 12 % would be good enough.
+    for (const Profile& profile :
+         {slope_of(1.0 / 100.0), slope_of(1.0 / 30.0), slope_of(1.0 / 15.0), barred_beach()}) {
+        const EnergyMaps maps = surf(profile);
+        const std::vector<double> bulk = bulk_model(profile);
+        double worst = 0.0;
+        for (std::size_t n = 0; n < bulk.size(); n += 4) {
+            const double x = 0.5 * static_cast<double>(n);
+            if (profile.depth(x) < 1.0 || x > profile.length - 16.0) continue;
+            worst = std::max(worst, std::abs(read(maps, maps.rms_height, x, 40.0) / bulk[n] - 1.0));
+        }
+        EXPECT_LE(worst, 0.06) << profile.name;
+    }
+}
+
+TEST(EnergyMarch, SurfIsAsHighAsMeasuredAndHigherOnSteeperBeaches) {
+    // Hrms / d of saturated surf lies between 0.29 and 0.55 in nature and rises with the slope
+    // [Sallenger and Holman 1985]. Thornton and Guza's equation itself gives 0.602 at 1 m on 1:15,
+    // the march 0.61: there the bound is the equation, elsewhere 0.58.
+    std::vector<double> previous(3, 0.0);
+    for (const double rise : {1.0 / 100.0, 1.0 / 30.0, 1.0 / 15.0}) {
+        const Profile profile = slope_of(rise);
+        const EnergyMaps maps = surf(profile);
+        const std::vector<double> bulk = bulk_model(profile);
+        std::size_t n = 0;
+        for (const double depth : {2.0, 1.5, 1.0}) {
+            const double x = place_of_depth(profile, depth);
+            const double ratio = read(maps, maps.rms_height, x, 40.0) / depth;
+            const double exact = bulk[static_cast<std::size_t>(2.0 * x)] / depth;
+            EXPECT_GE(ratio, 0.29) << rise << " " << depth;
+            EXPECT_LE(ratio, std::max(0.58, exact + 0.015)) << rise << " " << depth;
+            EXPECT_GT(ratio, previous[n] + 0.03) << rise << " " << depth;
+            previous[n++] = ratio;
+        }
+    }
+}
+
+TEST(EnergyMarch, IslandsCastTheShadowThatTheSpreadAllows) {
+    // Deep water behind a round island: the energy is the share of the waves that can be seen.
+    const double radius = 100.0, centre_x = 400.0, centre_y = 800.0;
+    const BedGrid bed = make_bed(201, 201, 8.0, [&](double x, double y) {
+        return std::hypot(x - centre_x, y - centre_y) < radius ? 3.0 : -300.0;
+    });
+    for (const double spread : {10.0, 2.0}) {
+        const System system{.direction = 0.0, .spread = spread};
+        for (const double cell : {8.0, 16.0}) {
+            const EnergyMaps maps = march(bed, make_sea({system}), {}, {.cell = cell});
+            double worst = 0.0;
+            for (const double dx : {150.0, 300.0, 600.0, 1000.0}) {
+                for (const double dy : {0.0, 100.0, 200.0}) {
+                    const double hidden = std::asin(std::min(radius / std::hypot(dx, dy), 1.0));
+                    double visible = 0.0, all = 0.0;
+                    for (double t = -kPi; t < kPi; t += 0.005) {
+                        const double e = std::pow(std::abs(std::cos(0.5 * t)), 2.0 * spread);
+                        all += e;
+                        if (std::abs(t - std::atan2(dy, dx)) > hidden) visible += e;
+                    }
+                    const double k = read(maps, maps.arrival, centre_x + dx, centre_y + dy);
+                    worst = std::max(worst, std::abs(k - visible / all));
+                }
+            }
+            EXPECT_LE(worst, 0.1) << spread << " " << cell;  // 0.06 and 0.09
+        }
+    }
+}
+
+TEST(EnergyMarch, OverADeepFlatBedAllStaysAsInTheOpenSea) {
+    for (const double depth : {1e4, 20.0, 0.5}) {
+        const Water water{.depth = depth};
+        const BedGrid bed = make_bed(60, 40, 10.0, [&](double x, double) { return -depth - x; });
+        const DirectionalSpectrum sea =
+            make_sea({{.direction = 0.7, .spread = 4.0, .share = 0.6},
+                      {.direction = -2.6, .spread = 30.0, .share = 0.4}});
+        const EnergyMaps maps = march(bed, sea, water);
+        EXPECT_GT(maps.amplitude.size(), 16u);
+        for (const std::vector<float>& amplitude : maps.amplitude) {
+            for (const float a : amplitude) ASSERT_NEAR(a, 1.0f, 1e-6f);
+        }
+        for (const float k : maps.arrival) ASSERT_NEAR(k, 1.0f, 1e-6f);
+        EXPECT_NEAR(maps.rms_height.front(), kHeight, 0.01 * kHeight);
+    }
+}
+
+TEST(EnergyMarch, MapsOfATurnedCoastAreTurned) {
+    // A coast turned by 90 degrees with its waves: the same numbers, read along y. Sectors stay
+    // where they are and cut the sea elsewhere, which is worth less than 1 %.
+    const auto beach = [](double along) { return -14.0 + along / 30.0; };
+    const BedGrid east = make_bed(121, 21, 4.0, [&](double x, double) { return beach(x); });
+    const BedGrid north = make_bed(21, 121, 4.0, [&](double, double y) { return beach(y); });
+    const EnergyMaps a = march(east, make_sea({{.direction = 0.3, .spread = 8.0}}));
+    const EnergyMaps b =
+        march(north, make_sea({{.direction = 0.3 + 0.25 * kTwoPi, .spread = 8.0}}));
+    for (double s = 100.0; s < 400.0; s += 20.0) {
+        EXPECT_NEAR(read(a, a.rms_height, s, 40.0), read(b, b.rms_height, 40.0, s), 0.015);
+    }
+}
+
+TEST(EnergyMarch, ObliqueWavesRefractBySnell) {
+    // The energy that arrives on a plane beach is that of the open sea times cos(theta0) /
+    // cos(theta), as crests grow longer; far from the sides.
+    const double theta = 40.0 * kDegree;
+    const DirectionalSpectrum sea = make_sea({{.direction = theta, .spread = 3000.0}});
+    const BedGrid bed = make_bed(151, 201, 8.0, [](double x, double) { return -42.0 + x / 30.0; });
+    const EnergyMaps maps = march(bed, sea);
+    for (const double depth : {20.0, 8.0, 4.0, 2.0}) {
+        const Dispersion here(Water{.depth = depth}), open(Water{});
+        double arrival = 0.0, before = 0.0;
+        for (const double omega : sea.angular_frequencies()) {
+            const double sine = open.wavenumber(omega) / here.wavenumber(omega) * std::sin(theta);
+            before += sea.frequency_density(omega);
+            arrival += sea.frequency_density(omega) * std::cos(theta) / std::sqrt(1 - sine * sine);
+        }
+        for (const double y : {400.0, 800.0, 1200.0}) {
+            EXPECT_NEAR(read(maps, maps.arrival, 30.0 * (42.0 - depth), y), arrival / before, 0.03)
+                << depth << " " << y;
+        }
+    }
+}
+
+TEST(EnergyMarch, MarchesThatMeetBreakLikeOne) {
+    // Two narrow systems 70 degrees to either side of the normal of a beach march apart; in the
+    // surf they are together as high as one of the same energy.
+    const BedGrid bed = make_bed(241, 121, 8.0, [](double x, double) { return -60.0 + x / 30.0; });
+    const double side = 70.0 * kDegree;
+    const EnergyMaps two = march(
+        bed, make_sea({{.direction = side, .share = 0.5}, {.direction = -side, .share = 0.5}}));
+    const EnergyMaps one = march(bed, make_sea({{.direction = side, .share = 1.0}}));
+    for (const double depth : {6.0, 3.0, 2.0, 1.0}) {
+        const double x = 30.0 * (60.0 - depth);
+        EXPECT_NEAR(read(two, two.rms_height, x, 480.0) / read(one, one.rms_height, x, 480.0), 1.0,
+                    0.02)
+            << depth;
+    }
+}
+
+TEST(EnergyMarch, CrossingSystemsBreakTogether) {
+    // Two systems from opposite sides over one shoal: each loses more than it does alone.
+    const BedGrid bed = make_bed(126, 30, 8.0, [](double x, double) {
+        return -12.0 + 10.0 * std::exp(-std::pow((x - 500.0) / 120.0, 2.0));
+    });
+    const EnergyMaps both =
+        march(bed, make_sea({{.direction = 0.0, .share = 0.5}, {.direction = kPi, .share = 0.5}}));
+    const EnergyMaps alone = march(bed, make_sea({{.direction = 0.0, .share = 0.5}}));
+    const double x = 660.0, y = 120.0;
+    EXPECT_LT(read(both, both.amplitude[0], x, y), read(alone, alone.amplitude[0], x, y) - 0.02);
+    EXPECT_NEAR(read(both, both.rms_height, 500.0 - 160.0, y),
+                read(both, both.rms_height, 500.0 + 160.0, y), 0.05);
+}
+
+TEST(EnergyMarch, LandSwallowsAndBreakingIsBounded) {
+    const BedGrid bed = make_bed(200, 60, 4.0, [](double x, double) { return -8.0 + x / 40.0; });
+    const EnergyMaps maps = march(bed, make_sea({{.spread = 10.0}}));
+    for (std::size_t n = 0; n < maps.domain.count(); ++n) {
+        ASSERT_GE(maps.breaking_share[n], 0.0f);
+        ASSERT_LE(maps.breaking_share[n], 1.0f);
+        ASSERT_LE(maps.group_width[n], 1.00001f);
+    }
+    EXPECT_GT(read(maps, maps.rms_height, 300.0, 100.0), 0.2);  // 0.5 m deep
+    EXPECT_EQ(read(maps, maps.rms_height, 400.0, 100.0), 0.0);
+    EXPECT_EQ(read(maps, maps.arrival, 400.0, 100.0), 0.0);
+    EXPECT_GT(read(maps, maps.breaking_share, 240.0, 100.0), 0.3);
+    EXPECT_LT(read(maps, maps.breaking_share, 20.0, 100.0), 0.3);
+}
+
+TEST(EnergyMarch, BitsAreTheSameForAnyNumberOfThreads) {
+    const BedGrid bed = make_bed(
+        80, 70, 8.0, [](double x, double y) { return -9.0 + x / 60.0 + 3.0 * std::sin(y / 90.0); });
+    const DirectionalSpectrum sea = make_sea({{.direction = 0.2, .spread = 3.0, .share = 0.7},
+                                              {.direction = 2.5, .spread = 8.0, .share = 0.3}});
+    const EnergyMaps one = march(bed, sea, {}, {}, 1), three = march(bed, sea, {}, {}, 3);
+    EXPECT_EQ(one.amplitude, three.amplitude);
+    EXPECT_EQ(one.rms_height, three.rms_height);
+    EXPECT_EQ(one.breaking_share, three.breaking_share);
+    EXPECT_EQ(one.arrival, three.arrival);
+    EXPECT_EQ(one.group_width, three.group_width);
+}
+
+TEST(EnergyMarch, ReportsItsProgressAndStopsWhenTold) {
+    const BedGrid bed = make_bed(60, 60, 8.0, [](double x, double) { return -9.0 + x / 60.0; });
+    const DirectionalSpectrum sea = make_sea({{}});
+    double last = 0.0;
+    march(bed, sea, {}, {}, 2, [&](double share) {
+        EXPECT_GT(share, last);
+        last = share;
+    });
+    EXPECT_EQ(last, 1.0);
+    int calls = 0;
+    const auto stop = [&](double) {
+        if (++calls == 3) throw Error(ErrorKind::interrupted, "stopped");
+    };
+    EXPECT_THROW(march(bed, sea, {}, {}, 2, stop), Error);
+    EXPECT_EQ(calls, 3);
+}
+
+TEST(EnergyMarch, RefusesSettingsOutOfRangeAndLeavesFlatSeasFlat) {
+    const BedGrid bed = make_bed(10, 10, 8.0, [](double, double) { return -9.0; });
+    const DirectionalSpectrum sea = make_sea({{}});
+    EXPECT_THROW(march(bed, sea, {}, {.cell = 0.0}), Error);
+    EXPECT_THROW(march(bed, sea, {}, {.direction_bin = 0.5}), Error);
+    EXPECT_THROW(march(bed, sea, {}, {.least_depth = 0.0}), Error);
+    ThreadPool pool(1);
+    const EnergyMaps maps = march_energy(bed, {}, {}, {}, {}, pool);
+    EXPECT_TRUE(maps.amplitude.empty());
+    EXPECT_EQ(maps.rms_height, std::vector<float>(maps.domain.count(), 0.0f));
+}
+
+}  // namespace
+}  // namespace ocean

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The division of the modes: the pairs' signals and the remainder together are the open sea.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "divided_sea.hpp"
+#include "ocean/surface.hpp"
+#include "ocean/wave_sum.hpp"
+
+namespace ocean {
+namespace {
+
+using test::DividedSea;
+using test::height_of_pairs;
+using test::Places;
+using test::rms;
+
+// Each mode is in one pair, with 2 h0, or in the remainder, with h0, and in no other.
+TEST(OpenRemainder, AndThePairsDivideTheModes) {
+    Parameters parameters = test::wind_sea(128, 400.0);
+    parameters.grid.cascades = 2;
+    const DividedSea sea(parameters);
+    const Modes remainder = open_remainder(sea.modes, sea.bands);
+    std::map<std::array<int, 2>, std::complex<float>> held;
+    std::size_t count = 0;
+    for (const BandLattice& band : gather_bands(sea.modes, sea.bands)) {
+        const int divisor = static_cast<int>(std::round(400.0 / band.period));
+        count += band.modes.size();
+        for (const BandMode& mode : band.modes) {
+            EXPECT_LE(std::abs(mode.n), band.reach[0]);
+            EXPECT_LE(std::abs(mode.m), band.reach[1]);
+            held[{(mode.n + band.carrier[0]) * divisor, (mode.m + band.carrier[1]) * divisor}] +=
+                mode.amplitude;
+        }
+    }
+    EXPECT_EQ(held.size(), count);
+    std::size_t found = 0;
+    for (std::size_t c = 0; c < sea.modes.cascades.size(); ++c) {
+        const CascadeModes& cascade = sea.modes.cascades[c];
+        const int size = cascade.lattice.resolution;
+        for (int m = -size / 2; m < size / 2; ++m) {
+            for (int n = -size / 2; n < size / 2; ++n) {
+                const std::size_t at = mode_index(n, m, size);
+                if (cascade.h0[at] == 0.0f) continue;
+                const auto pair = held.find({n * cascade.divisor, m * cascade.divisor});
+                const bool in_pair = pair != held.end();
+                found += in_pair;
+                ASSERT_EQ(remainder.cascades[c].h0[at], in_pair ? 0.0f : cascade.h0[at]);
+                if (!in_pair) continue;
+                ASSERT_EQ(pair->second, 2.0f * cascade.h0[at]);
+            }
+        }
+    }
+    EXPECT_EQ(found, count);
+    EXPECT_GT(count, 1000u);
+    EXPECT_FALSE(remainder.revision == sea.modes.revision);
+    EXPECT_EQ(remainder.lattice_revision == sea.modes.lattice_revision,
+              static_cast<bool>(sea.modes.lattice_revision));
+}
+
+// Pairs and remainder are the open sea on the samples of its map, to 1e-6 of its height.
+TEST(OpenRemainder, AndThePairsAreTheOpenSea) {
+    for (const double depth : {std::numeric_limits<double>::infinity(), 12.0}) {
+        Parameters parameters = test::wind_sea(128, 400.0);
+        parameters.water.depth = depth;
+        const DividedSea sea(parameters);
+        ThreadPool pool(1);
+        BandSignals signals(sea.modes, sea.bands);
+        const Modes remainder = open_remainder(sea.modes, sea.bands);
+        for (const double time : {12.0, 1e6}) {
+            signals.move_to(time, pool);
+            const Surface open = make_surface(sea.modes, parameters.surface, time, Channel::height,
+                                              Backend::cpu, pool);
+            const Surface rest = make_surface(remainder, parameters.surface, time, Channel::height,
+                                              Backend::cpu, pool);
+            Places at(0, 0.0, 1.0);
+            for (int j = 0; j < 128; ++j) {
+                for (int i = 0; i < 128; ++i) {
+                    at.x.push_back(400.0 * i / 128);
+                    at.y.push_back(400.0 * j / 128);
+                }
+            }
+            std::vector<double> error = height_of_pairs(signals, at);
+            EXPECT_GT(rms(error), 0.2 * sea.height);
+            for (std::size_t i = 0; i < error.size(); ++i) {
+                error[i] += static_cast<double>(rest.channel(Channel::height)[i]) -
+                            static_cast<double>(open.channel(Channel::height)[i]);
+            }
+            EXPECT_LT(rms(error), 1e-6 * sea.height) << depth << " " << time;
+        }
+    }
+}
+
+// In double, mode by mode, they are the open sea to rounding, with or without cascades and loops.
+TEST(OpenRemainder, AndExactSumsOfPairsAreTheOpenSea) {
+    for (const int cascades : {1, 2}) {
+        for (const double loop : {0.0, 60.0}) {
+            Parameters parameters = test::wind_sea(64, 300.0);
+            parameters.grid.cascades = cascades;
+            parameters.time.loop_period = loop;
+            const DividedSea sea(parameters);
+            const BandSignals signals(sea.modes, sea.bands);
+            WaveSum open(sea.modes, parameters.water);
+            WaveSum rest(open_remainder(sea.modes, sea.bands), parameters.water);
+            for (const double time : {3.5, 1e6}) {
+                open.set_time(time);
+                rest.set_time(time);
+                const Places at(5, -500.0, 500.0);
+                for (std::size_t i = 0; i < at.size(); ++i) {
+                    const LinearSample expected = open.at_label(at.x[i], at.y[i]);
+                    LinearSample sum = rest.at_label(at.x[i], at.y[i]);
+                    for (std::size_t pair = 0; pair < signals.count(); ++pair) {
+                        const ExactSignal part = signals.exact(pair, time, at.x[i], at.y[i]);
+                        sum.height += part.value.real();
+                        sum.slope_x += part.by_x.real();
+                        sum.slope_y += part.by_y.real();
+                        sum.height_rate += part.rate.real();
+                    }
+                    EXPECT_NEAR(sum.height, expected.height, 1e-9 * sea.height);
+                    EXPECT_NEAR(sum.slope_x, expected.slope_x, 1e-9);
+                    EXPECT_NEAR(sum.slope_y, expected.slope_y, 1e-9);
+                    EXPECT_NEAR(sum.height_rate, expected.height_rate, 1e-8);
+                }
+            }
+        }
+    }
+}
+
+// Modes of a finer cascade alone need the map of its shorter period only; the signal is the same.
+TEST(OpenRemainder, AndPairsOfCascadesAreTheOpenSea) {
+    Parameters parameters = test::wind_sea(128, 1500.0);
+    parameters.grid.cascades = 2;
+    const DividedSea sea(parameters);
+    ThreadPool pool(1);
+    BandSignals signals(sea.modes, sea.bands);
+    signals.move_to(33.0, pool);
+    const Places at(60, 0.0, 1500.0);
+    std::vector<double> error = height_of_pairs(signals, at);
+    WaveSum open(sea.modes, parameters.water);
+    WaveSum rest(open_remainder(sea.modes, sea.bands), parameters.water);
+    open.set_time(33.0);
+    rest.set_time(33.0);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        error[i] += rest.at_label(at.x[i], at.y[i]).height - open.at_label(at.x[i], at.y[i]).height;
+    }
+    EXPECT_LT(rms(error), 1e-6 * sea.height);
+    bool finer = false;
+    for (const BandLattice& band : gather_bands(sea.modes, sea.bands)) {
+        finer = finer || band.period < 1500.0;
+    }
+    EXPECT_TRUE(finer);
+}
+
+// Only what remains can make whitecaps: its covariance of gradients is that of its modes.
+TEST(OpenRemainder, HasTheGradientsOfItsModes) {
+    const DividedSea sea(test::wind_sea(256, 400.0));
+    const GradientCovariance whole = sea.modes.gradient_covariance(256);
+    const Modes rest = open_remainder(sea.modes, sea.bands);
+    double all = 0.0, remaining = 0.0;
+    const CascadeModes& cascade = sea.modes.cascades.front();
+    const double step = cascade.lattice.wavenumber_step();
+    for (int m = -127; m <= 127; ++m) {
+        for (int n = -127; n <= 127; ++n) {
+            const std::size_t at = mode_index(n, m, 256);
+            const double k2 = step * step * (n * n + m * m);
+            const double factor = std::pow(k2 * static_cast<double>(cascade.displacement[at]), 2);
+            all += factor * std::norm(std::complex<double>(cascade.h0[at]));
+            remaining += factor * std::norm(std::complex<double>(rest.cascades[0].h0[at]));
+        }
+    }
+    const GradientCovariance left = rest.gradient_covariance(256);
+    EXPECT_NEAR((left.aa + left.bb) / (whole.aa + whole.bb), remaining / all, 0.02);
+    EXPECT_GT(remaining, 0.0);
+    EXPECT_LT(remaining, 0.9 * all);
+}
+
+}  // namespace
+}  // namespace ocean

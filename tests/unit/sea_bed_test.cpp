@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Beds of seas: placed by origin, unit, sign and level, refused with numbers, described to users.
+#include "ocean/sea_bed.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+
+#include "ocean/error.hpp"
+#include "ocean/ocean.hpp"
+#include "ocean/parameter_table.hpp"
+
+namespace ocean {
+namespace {
+
+/// Returns a beach that rises to the east: x / slope - depth, samples `cell` apart.
+GivenBed beach(int nx, int ny, double cell, double depth = 10.0, double slope = 20.0) {
+    GivenBed given;
+    given.grid.samples = {nx, ny};
+    given.grid.size = {cell * (nx - 1), cell * (ny - 1)};
+    for (int j = 0; j < ny; ++j) {
+        for (int i = 0; i < nx; ++i) {
+            given.heights.push_back(static_cast<float>(i * cell / slope - depth));
+        }
+    }
+    return given;
+}
+
+std::string sentence_of(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+Parameters with_bed(GivenBed given) {
+    Parameters parameters;
+    parameters.water.bed = make_sea_bed(std::move(given), parameters.water);
+    return parameters;
+}
+
+TEST(SeaBed, UnitSignAndLevelGiveHeightsOverStillWater) {
+    Water water;
+    water.seabed_unit = BedUnit::ft;
+    water.seabed_sign = BedSign::down;
+    water.level = 1.5;
+    water.seabed_origin = {-100.0, 250.0};
+    const auto bed = make_sea_bed(beach(41, 5, 10.0), water);
+    EXPECT_EQ(bed->domain.origin, (std::array{-100.0, 250.0}));
+    EXPECT_FALSE(bed->domain.wraps);
+    EXPECT_EQ(bed->cell(), 10.0);
+    // 40 samples of 10 m at 1:20 rise from -10 to 10: depths in feet.
+    EXPECT_FLOAT_EQ(bed->heights.front(), static_cast<float>(10.0 * 0.3048 - 1.5));
+    EXPECT_FLOAT_EQ(bed->heights[40], static_cast<float>(-10.0 * 0.3048 - 1.5));
+    EXPECT_FLOAT_EQ(bed->given()[40], 10.0f);
+}
+
+TEST(SeaBed, AMovedBedComesBackToItsBits) {
+    Parameters parameters = with_bed(beach(33, 9, 3.7));
+    const auto first = parameters.water.bed;
+    set_parameter(parameters, "level", "0.1");
+    EXPECT_NE(parameters.water.bed, first);
+    EXPECT_EQ(parameters.water.bed->sha256, first->sha256) << "the identity is that of the file";
+    EXPECT_FLOAT_EQ(parameters.water.bed->heights[7], first->heights[7] - 0.1f);
+    set_parameter(parameters, "water.seabed_unit", "us_ft");
+    set_parameter(parameters, "water.seabed_sign", "down");
+    set_parameter(parameters, "water.seabed_origin", "[5, 6]");
+    for (const char* name : {"level", "seabed_unit", "seabed_sign", "seabed_origin"}) {
+        set_parameter(parameters, name, get_parameter(Parameters{}, name));
+    }
+    EXPECT_EQ(parameters.water.bed->heights, first->heights);
+    EXPECT_EQ(parameters.water.bed->domain, first->domain);
+}
+
+TEST(SeaBed, WaterComparesBedsByTheirHeights) {
+    const Parameters a = with_bed(beach(33, 9, 5.0)), b = with_bed(beach(33, 9, 5.0));
+    const Parameters other = with_bed(beach(33, 9, 5.0, 11.0)), none;
+    EXPECT_EQ(a.water, b.water);
+    EXPECT_NE(a.water, other.water);
+    EXPECT_NE(a.water, none.water);
+    EXPECT_EQ(first_dirty_stage(a, b), std::nullopt);
+    EXPECT_EQ(first_dirty_stage(a, other), Stage::surface);
+    Parameters foam = a;
+    set_parameter(foam, "surf_foam_lifetime", "5");
+    EXPECT_EQ(first_dirty_stage(a, foam), Stage::foam);
+}
+
+TEST(SeaBed, BadGridsAndHeightsAreRefusedWithNumbers) {
+    const Water water;
+    const auto says = [&](GivenBed given) {
+        return sentence_of([&] { make_sea_bed(std::move(given), water); });
+    };
+    GivenBed oblong = beach(5, 5, 10.0);
+    oblong.grid.size[1] = 60.0;
+    const std::string not_square = says(oblong);
+    EXPECT_NE(not_square.find("10 m long to the east and 15 m to the north"), std::string::npos)
+        << not_square;
+    EXPECT_NE(says(beach(1, 5, 10.0)).find("1 x 5 samples"), std::string::npos);
+    EXPECT_NE(says(beach(8193, 2, 1.0)).find("8193 x 2 samples"), std::string::npos);
+    EXPECT_EQ(says(beach(8192, 2, 1.0, 300.0)), "");
+    EXPECT_NE(says(beach(101, 2, 1001.0)).find("100100 m x 1001 m"), std::string::npos);
+    EXPECT_EQ(says(beach(101, 2, 1000.0)), "");
+    GivenBed torn = beach(5, 5, 10.0);
+    torn.heights[7] = std::numeric_limits<float>::quiet_NaN();
+    torn.heights[9] = -2e5f;
+    const std::string holes = says(torn);
+    EXPECT_NE(holes.find("2 of 25 heights"), std::string::npos) << holes;
+    EXPECT_NE(holes.find("x = 20 m, y = 10 m (column 2, row 1"), std::string::npos) << holes;
+    torn.heights.resize(24);
+    EXPECT_NE(says(torn).find("24 heights"), std::string::npos);
+}
+
+TEST(SeaBed, TheSummaryCountsWhatIsWetAndWhatWavesFeel) {
+    Water water;
+    water.depth = 5.0;
+    const auto bed = make_sea_bed(beach(41, 3, 10.0), water);
+    const SeaBedSummary facts = summarize(*bed, water);
+    EXPECT_EQ(facts.samples, (std::array{41, 3}));
+    EXPECT_EQ(facts.cell, 10.0);
+    EXPECT_FLOAT_EQ(static_cast<float>(facts.lowest), -10.0f);
+    EXPECT_FLOAT_EQ(static_cast<float>(facts.highest), 10.0f);
+    EXPECT_DOUBLE_EQ(facts.wet, 20.0 / 41.0);     // samples 0 .. 19
+    EXPECT_DOUBLE_EQ(facts.shallow, 9.0 / 41.0);  // samples 11 .. 19: above -5 m
+    EXPECT_NEAR(facts.mean, 0.0, 1e-6);
+}
+
+TEST(SeaBed, WarningsNameAWrongSignUnitAndDatumAndNothingOfABeach) {
+    Water water;
+    water.depth = 30.0;
+    const auto warning_of = [&](GivenBed given) {
+        std::string all;
+        for (const std::string& one : bed_warnings(*make_sea_bed(std::move(given), water), water)) {
+            all += one + "\n";
+        }
+        return all;
+    };
+    EXPECT_EQ(warning_of(beach(41, 3, 10.0)), "");
+    EXPECT_NE(warning_of(beach(400, 3, 10.0, 1.0)).find("heights may be depths"),
+              std::string::npos);
+    EXPECT_NE(warning_of(beach(41, 3, 10.0, -1.0)).find("land alone"), std::string::npos);
+    EXPECT_NE(warning_of(beach(41, 3, 10.0, 25.0)).find("no shore"), std::string::npos);
+    EXPECT_NE(warning_of(beach(41, 3, 10.0, 500.0)).find("another datum"), std::string::npos);
+    EXPECT_NE(warning_of(beach(41, 3, 10.0, 500.0)).find("do not feel it"), std::string::npos);
+    EXPECT_NE(warning_of(beach(41, 3, 10.0, -250.0)).find("more than 250 m above"),
+              std::string::npos);
+    EXPECT_NE(warning_of(beach(41, 3, 10.0, 10.0, 0.04)).find("check seabed_unit"),
+              std::string::npos);
+    EXPECT_NE(warning_of(beach(41, 3, 10.0, 0.01, 1e5)).find("less than on any coast"),
+              std::string::npos);
+}
+
+TEST(SeaBed, ABedThatDoesNotSuitItsWavesIsWarnedOf) {
+    const auto warnings = [](const GivenBed& given, double direction, double wavelength,
+                             double period) {
+        const Parameters parameters = with_bed(given);
+        std::string all;
+        for (const std::string& text :
+             coast_warnings(*parameters.water.bed, {wavelength, direction, period, 100.0})) {
+            all += text + "\n";
+        }
+        return all;
+    };
+    // 2 m of water in the west, dry land in the east.
+    const GivenBed bed = beach(321, 11, 0.25, 2.0);
+    EXPECT_EQ(warnings(bed, 0.0, 3.9, 1000.0), "");
+    EXPECT_NE(warnings(bed, 0.0, 40.0, 1000.0).find("half a peak wavelength, 20 m, down to 2 m"),
+              std::string::npos);
+    EXPECT_NE(warnings(bed, kPi, 3.9, 1000.0).find("no wave reaches the bed"), std::string::npos);
+    EXPECT_NE(warnings(bed, 0.0, 1.5, 1000.0).find("are coarse for waves"), std::string::npos);
+    EXPECT_NE(warnings(bed, 0.0, 3.9, 15.0).find("repeat every 15 m"), std::string::npos);
+}
+
+TEST(SeaBed, ASeaWithABedHasTheStateOfTheOpenSeaAndTheBed) {
+    Parameters parameters = with_bed(beach(33, 9, 5.0));
+    parameters.grid.resolution = 32;
+    Ocean sea(parameters, {.threads = 1});
+    const SeaState state = sea.state();
+    ASSERT_TRUE(state.bed.has_value());
+    EXPECT_EQ(state.bed->sha256, parameters.water.bed->sha256);
+    Parameters open = parameters;
+    open.water.bed = nullptr;
+    EXPECT_EQ(state.significant_wave_height.asked,
+              Ocean(open, {.threads = 1}).state().significant_wave_height.asked);
+}
+
+TEST(SeaBed, TakesAndPerformancesOverABedAreRefused) {
+    Parameters parameters = with_bed(beach(33, 9, 5.0));
+    parameters.grid.resolution = 32;
+    Ocean sea(parameters, {.threads = 1});
+    EXPECT_NE(sentence_of([&] { sea.perform(1.0, "wind_speed", "12"); }).find("plays no take"),
+              std::string::npos);
+    Sea played{parameters, {}};
+    EXPECT_NO_THROW(validate(played));
+    const ParameterRef wind = find_parameter("wind_speed");
+    played.take.events.push_back({1.0, wind, ParameterValue(12.0)});
+    EXPECT_NE(sentence_of([&] { validate(played); }).find("plays no take"), std::string::npos);
+}
+
+TEST(SeaBed, RulesBetweenItsParametersAreChecked) {
+    Parameters parameters = with_bed(beach(33, 9, 5.0));
+    EXPECT_NO_THROW(validate(parameters));
+    parameters.water.level = 3.0;  // behind the back of set_parameter
+    EXPECT_NE(sentence_of([&] { validate(parameters); }).find("lies elsewhere"), std::string::npos);
+    Parameters unread;
+    unread.water.seabed = "bed.asc";
+    EXPECT_NE(sentence_of([&] { validate(unread); }).find("has not been read"), std::string::npos);
+    Parameters lopsided;
+    set_parameter(lopsided, "seabed_origin", "[5]");
+    EXPECT_NE(sentence_of([&] { validate(lopsided); }).find("has 1 numbers"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ocean

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Regions of a sea over its bed compute what their channels need, and that does not change what
+// they show.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "ocean/ocean.hpp"
+#include "ocean/sea_bed.hpp"
+
+namespace ocean {
+namespace {
+
+/// A beach that rises 1:40 to the east from 20 m of depth, under waves of 12 m/s over 150 km.
+Parameters beach_sea() {
+    Parameters parameters;
+    parameters.grid.resolution = 128;
+    parameters.grid.patch_size = 1024.0;
+    parameters.water.depth = 20.0;
+    WaveSystem& waves = parameters.waves.front();
+    waves.spectrum = SpectrumKind::jonswap;
+    waves.wind_speed = 12.0;
+    waves.fetch = 150000.0;
+    GivenBed given;
+    given.grid = {{0.0, 0.0}, {8.0 * 128, 8.0 * 64}, {129, 65}, false};
+    for (int j = 0; j < 65; ++j) {
+        for (int i = 0; i < 129; ++i) {
+            given.heights.push_back(static_cast<float>(std::max(-20.0, (8.0 * i - 800.0) / 40.0)));
+        }
+    }
+    parameters.water.bed = make_sea_bed(std::move(given), parameters.water);
+    return parameters;
+}
+
+TEST(ShoreChannels, HeightsHaveTheSameBitsWithAndWithoutDerivatives) {
+    // From 80 m beyond the border of the bed into the surf.
+    const Domain domain{{500.0, -80.0}, {300.0, 300.0}, {41, 41}, false};
+    constexpr ChannelSet kPosition = {Channel::dx, Channel::dy, Channel::height};
+    Ocean ocean(beach_sea());
+    const Surface plain = ocean.region(4.0, domain, kPosition);
+    const Surface normals = ocean.region(
+        4.0, domain, {Channel::dx, Channel::dy, Channel::height, Channel::nx, Channel::whitecap});
+    const Surface rates =
+        ocean.region(4.0, domain, {Channel::dx, Channel::dy, Channel::height, Channel::vz});
+    for (const Channel channel : {Channel::dx, Channel::dy, Channel::height}) {
+        EXPECT_TRUE(std::ranges::equal(plain.channel(channel), normals.channel(channel)));
+        EXPECT_TRUE(std::ranges::equal(plain.channel(channel), rates.channel(channel)));
+    }
+}
+
+TEST(ShoreChannels, PartsOfARegionHaveTheBitsOfTheWhole) {
+    const Domain whole{{480.0, 100.0}, {160.0, 160.0}, {81, 81}, false};
+    const Domain part{{540.0, 120.0}, {80.0, 60.0}, {41, 31}, false};
+    Ocean ocean(beach_sea());
+    const Surface large = ocean.region(4.0, whole, Channel::height);
+    const Surface small = ocean.region(4.0, part, Channel::height);
+    for (std::size_t j = 0; j < 31; ++j) {
+        for (std::size_t i = 0; i < 41; ++i) {
+            EXPECT_EQ(small.channel(Channel::height)[j * 41 + i],
+                      large.channel(Channel::height)[(j + 10) * 81 + i + 30]);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ocean
