@@ -133,6 +133,17 @@ ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request) {
     });
 }
 
+ocean_result ocean_region(ocean_sea* sea, double time, const ocean_region_request* request) {
+    return guarded([&] {
+        const Visit visit(sea);
+        require(request, "request");
+        require_finite(time, "time", "seconds");
+        std::vector<MapOutput>& maps = sea->map_outputs;
+        const Domain region = read_region(*request, maps);
+        sea->ocean->region_into(time, region, maps);
+    });
+}
+
 ocean_result ocean_cover_power(ocean_sea* sea, double time, int32_t resolution, double* power) {
     return guarded([&] {
         const Visit visit(sea);

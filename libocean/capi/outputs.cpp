@@ -9,11 +9,14 @@
 #include <cctype>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "ocean/channel.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/land_mask.hpp"
+#include "ocean/region.hpp"
+#include "ocean/text.hpp"
 
 namespace ocean::capi {
 namespace {
@@ -58,7 +61,7 @@ constexpr NamedChannel kNamedMasks[] = {
     {OCEAN_WEAR, "wear"},       {OCEAN_GULLY, "gully"},     {OCEAN_RIDGE, "ridge"},
     {OCEAN_FLOW, "flow"},       {OCEAN_DEPOSIT, "deposit"}, {OCEAN_STREAMBED, "streambed"},
     {OCEAN_WETNESS, "wetness"}, {OCEAN_BEACH, "beach"},     {OCEAN_CLIFF, "cliff"},
-    {OCEAN_SHELTER, "shelter"},
+    {OCEAN_SHELTER, "shelter"}, {OCEAN_DEPTH, "depth"},     {OCEAN_BREAKING, "breaking"},
 };
 static_assert(std::ranges::equal(kNamedMasks, kMaskProducts,
                                  [number = kFirstMask](const NamedChannel& ours,
@@ -114,7 +117,8 @@ void check_output(const ocean_output& output, const std::string& name) {
         refuse({.parameter = name + ".channel[" + std::to_string(c) + "]",
                 .value = std::to_string(channel),
                 .allowed = c_name(kChannels.front().name) + " .. " + c_name(kChannels.back().name) +
-                           ", of a terrain also " + c_name(kMaskProducts.front().name) + " .. " +
+                           ", of a terrain and of a sea over a bed also " +
+                           c_name(kMaskProducts.front().name) + " .. " +
                            c_name(kMaskProducts.back().name) +
                            ", or -1 to leave that component as it is"});
     }
@@ -205,6 +209,37 @@ void read_outputs(const OutputArray& outputs, std::size_t count, int columns, in
     if (channels_of(maps).empty()) {
         refuse("no output names a channel: there is nothing to compute");
     }
+}
+
+Domain read_region(const ocean_region_request& request, std::vector<MapOutput>& maps) {
+    const auto asked = read_struct(&request, sizeof(ocean_region_request), "ocean_region_request");
+    const auto require_side = [](const char* name, std::int32_t side) {
+        if (side >= 2 && side <= kMaxRegionSide) return;
+        refuse({.parameter = name,
+                .value = std::to_string(side),
+                .allowed = "2 .. " + std::to_string(kMaxRegionSide)});
+    };
+    require_side("columns", asked.columns);
+    require_side("rows", asked.rows);
+    const auto require_number = [](const char* name, double value, double lowest) {
+        constexpr double kFarthest = 1e8;  // [m]
+        if (value >= lowest && value <= kFarthest) return;
+        refuse({.parameter = name,
+                .value = shortest_text(value),
+                .allowed = shortest_text(lowest) + " .. " + shortest_text(kFarthest) + " m"});
+    };
+    require_number("x", asked.x, -1e8);
+    require_number("y", asked.y, -1e8);
+    require_number("cell", asked.cell, 1e-3);
+    read_outputs(OutputArray(asked.outputs, asked.output_count, asked.output_size),
+                 asked.output_count, asked.columns, asked.rows, maps);
+    for (const MapOutput& map : maps) {
+        if (map.seam) refuse("outputs: a region has no seam");
+    }
+    return {{asked.x, asked.y},
+            {asked.cell * (asked.columns - 1), asked.cell * (asked.rows - 1)},
+            {asked.columns, asked.rows},
+            false};
 }
 
 }  // namespace ocean::capi

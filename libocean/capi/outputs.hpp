@@ -12,6 +12,7 @@
 
 #include "guard.hpp"
 #include "libocean.h"
+#include "ocean/domain.hpp"
 #include "ocean/map_output.hpp"
 
 namespace ocean::capi {
@@ -54,6 +55,9 @@ void read_outputs(const ocean_request& asked, std::size_t caller_struct_size, in
 /// Writes `count` outputs as maps of columns x rows samples to `maps`. Throws as the other.
 void read_outputs(const OutputArray& outputs, std::size_t count, int columns, int rows,
                   std::vector<MapOutput>& maps);
+/// Returns the domain of a region and writes its outputs to `maps`. Throws CallError for sides and
+/// numbers out of range, and as read_outputs.
+Domain read_region(const ocean_region_request& request, std::vector<MapOutput>& maps);
 /// Returns the word of OCEAN_ZUP, OCEAN_YUP or OCEAN_TNB. Throws CallError for another number.
 std::string_view axes_name(std::int32_t axes);
 /// Returns the resolution that a request asks for, 0 standing for `shown`. Throws CallError.

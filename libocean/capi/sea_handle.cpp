@@ -17,8 +17,10 @@
 #include "ocean/internal/json.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/parameter_table.hpp"
+#include "ocean/sea_bed.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/seafile.hpp"
+#include "ocean/text.hpp"
 #include "ocean/version.hpp"
 #include "ocean/water_types.hpp"
 
@@ -53,6 +55,42 @@ void change_sea(ocean_sea& sea, const std::function<void(Sea&)>& edit) {
     Sea changed = sea.ocean->sea();
     edit(changed);
     sea.ocean->change(std::move(changed));
+}
+
+void remove_bed(Water& water) {
+    water.seabed.clear();
+    water.bed = nullptr;
+}
+
+/// Returns the caller's heights. Throws CallError for sides that no bed has.
+GivenBed read_bed(const float* heights, std::int32_t nx, std::int32_t ny, double cell) {
+    GivenBed given;
+    const auto require_side = [](std::int32_t side, const char* name) {
+        if (side >= kMinBedSide && side <= kMaxBedSide) return;
+        refuse({.parameter = name,
+                .value = std::to_string(side),
+                .allowed = "2 .. 8192, or NULL heights and 0 samples for no bed"});
+    };
+    require_side(nx, "nx");
+    require_side(ny, "ny");
+    given.grid.samples = {nx, ny};
+    given.grid.size = {cell * (nx - 1), cell * (ny - 1)};
+    given.heights.assign(heights, heights + given.grid.count());
+    return given;
+}
+
+/// Gives the sea a bed whose heights are over still water.
+void give_bed(Sea& sea, GivenBed given, double x0, double y0) {
+    Water& water = sea.parameters.water;
+    remove_bed(water);
+    set_parameter(
+        sea.parameters, "water.seabed_origin",
+        x0 == 0.0 && y0 == 0.0 ? "[]" : "[" + shortest_text(x0) + ", " + shortest_text(y0) + "]");
+    water.seabed_unit = BedUnit::m;
+    water.seabed_sign = BedSign::up;
+    water.level = 0.0;
+    water.bed = make_sea_bed(std::move(given), water);
+    if (!sea.take.empty()) require_takes(sea.parameters);
 }
 
 }  // namespace
@@ -193,6 +231,23 @@ ocean_result ocean_remove_waves(ocean_sea* sea, const char* name) {
         const Visit visit(sea);
         require(name, "name");
         change_sea(*sea, [&](Sea& changed) { remove_wave_system(changed, name); });
+    });
+}
+
+ocean_result ocean_set_bed(ocean_sea* sea, const float* heights, int32_t nx, int32_t ny, double x0,
+                           double y0, double cell) {
+    return guarded([&] {
+        const Visit visit(sea);
+        if (heights == nullptr && nx == 0 && ny == 0) {
+            return change_sea(*sea, [](Sea& changed) { remove_bed(changed.parameters.water); });
+        }
+        require(heights, "heights");
+        require_finite(x0, "x0", "metres");
+        require_finite(y0, "y0", "metres");
+        require_finite(cell, "cell", "metres");
+        change_sea(*sea, [&](Sea& changed) {
+            give_bed(changed, read_bed(heights, nx, ny, cell), x0, y0);
+        });
     });
 }
 

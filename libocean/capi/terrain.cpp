@@ -240,36 +240,8 @@ ocean_result ocean_terrain_region(ocean_terrain* terrain, const ocean_region_req
     return guarded([&] {
         const Visit visit(terrain, kTerrainHandle);
         require(request, "request");
-        const auto asked =
-            read_struct(request, sizeof(ocean_region_request), "ocean_region_request");
-        const auto require_side = [](const char* name, std::int32_t side) {
-            if (side >= 2 && side <= kMaxRegionSide) return;
-            refuse({.parameter = name,
-                    .value = std::to_string(side),
-                    .allowed = "2 .. " + std::to_string(kMaxRegionSide)});
-        };
-        require_side("columns", asked.columns);
-        require_side("rows", asked.rows);
-        const auto require_number = [](const char* name, double value, double lowest) {
-            constexpr double kFarthest = 1e8;  // [m]
-            if (value >= lowest && value <= kFarthest) return;
-            refuse({.parameter = name,
-                    .value = shortest_text(value),
-                    .allowed = shortest_text(lowest) + " .. " + shortest_text(kFarthest) + " m"});
-        };
-        require_number("x", asked.x, -1e8);
-        require_number("y", asked.y, -1e8);
-        require_number("cell", asked.cell, 1e-3);
         std::vector<MapOutput>& maps = terrain->map_outputs;
-        read_outputs(OutputArray(asked.outputs, asked.output_count, asked.output_size),
-                     asked.output_count, asked.columns, asked.rows, maps);
-        for (const MapOutput& map : maps) {
-            if (map.seam) refuse("outputs: a region has no seam");
-        }
-        const Domain region{{asked.x, asked.y},
-                            {asked.cell * (asked.columns - 1), asked.cell * (asked.rows - 1)},
-                            {asked.columns, asked.rows},
-                            false};
+        const Domain region = read_region(*request, maps);
         terrain->land->region_into(region, maps);
     });
 }

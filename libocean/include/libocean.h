@@ -97,7 +97,8 @@ enum {
     OCEAN_DY_Y,
     OCEAN_DX_Y,
     OCEAN_COVER, /* the share of the water that foam hides; its mean is the foam seen from afar */
-    /* Masks of terrains whose files have the section that makes them; no sea has them. */
+    /* Masks of terrains whose files have the section that makes them, and of seas over a bed; no
+     * other sea has them. */
     OCEAN_WEAR = 40, /* floors of gullies -1 .. crests 1: [terrain.gullies] */
     OCEAN_GULLY,     /* 0 .. 1 */
     OCEAN_RIDGE,     /* 0 .. 1 */
@@ -107,7 +108,9 @@ enum {
     OCEAN_WETNESS,   /* 0 .. 1 */
     OCEAN_BEACH,     /* 0 .. 1: [terrain.coast] */
     OCEAN_CLIFF,     /* 0 .. 1 */
-    OCEAN_SHELTER    /* 0 .. 1 */
+    OCEAN_SHELTER,   /* 0 .. 1 */
+    OCEAN_DEPTH,     /* of a sea over a bed: height of the water over it, below 0 where dry [m] */
+    OCEAN_BREAKING   /* of a sea over a bed: fronts of waves that break by the depth, 0 .. 1 */
 };
 
 /* Axes in which a vector (x, y, z) is stored: (x, y, z), (x, z, -y) or (x, z, y). */
@@ -240,8 +243,9 @@ OCEAN_API ocean_result ocean_clone(const ocean_sea* sea, const ocean_options* op
 OCEAN_API void ocean_free(ocean_sea* sea);
 
 /* ocean_set sets the parameter `name` ("wind_speed", "waves.1.fetch") from text. A refused value
- * changes nothing. `file`, `record` and `place` of a measured system read the file again.
- * INVALID_VALUE, UNSUPPORTED; BAD_FILE and NOT_FOUND for those three. */
+ * changes nothing. `file`, `record` and `place` of a measured system, and `seabed` and
+ * `seabed_unit` read the file again. INVALID_VALUE, UNSUPPORTED; BAD_FILE and NOT_FOUND for
+ * these. */
 OCEAN_API ocean_result ocean_set(ocean_sea* sea, const char* name, const char* value);
 /* ocean_set_all sets several parameters, names[i] from values[i], and checks them together: either
  * all of them change or none, so that values can change that are only valid together. Codes as
@@ -255,13 +259,24 @@ OCEAN_API ocean_result ocean_add_waves(ocean_sea* sea, const char* name);
 /* ocean_remove_waves removes the wave system `name` and the take's events of it. The last system
  * cannot be removed. INVALID_VALUE. */
 OCEAN_API ocean_result ocean_remove_waves(ocean_sea* sea, const char* name);
+/* ocean_set_bed gives the sea a bed, on which its waves change near a coast: heights over still
+ * water [m], positive up, row-major from the south, nx of a row from the west, 2 .. 8192 a side,
+ * `cell` [m] apart both ways; (x0, y0) [m] is the place of the first one in the sea. The heights
+ * are copied. It takes the place of `seabed` and sets its unit, sign and level to those of such
+ * heights; `seabed_origin` and `level` move it from then on. ocean_text holds a bed of up to 1 MB,
+ * and of a larger one its hash alone, with which no text opens. NULL heights with nx = ny = 0
+ * remove the bed, also that of a file. INVALID_VALUE, with nothing changed: a side longer than 100
+ * km, heights that are no number or beyond 100 km; UNSUPPORTED for a sea that plays a take. Its
+ * surface does not repeat: ocean_region has its maps, queries and gauges find it as any other. */
+OCEAN_API ocean_result ocean_set_bed(ocean_sea* sea, const float* heights, int32_t nx, int32_t ny,
+                                     double x0, double y0, double cell);
 /* ocean_perform lets the live parameter `name` glide to `value` from `time` [s] on, while the sea
  * is shown. It adds an event to the sea's own take, which ocean_text then holds, so that every
  * frame can be made again in every bit. Everything before that time stays, foam included, and is
  * not computed again. Of values of one parameter that follow each other within 1/60 s the last one
  * counts, at the end of that interval. ocean_set, in contrast, makes another sea. INVALID_VALUE,
  * with nothing changed: a parameter that is not live, a sea with a loop, a time before the last
- * event, a take that is full (32768 events). */
+ * event, a take that is full (32768 events). UNSUPPORTED for a sea with a bed. */
 OCEAN_API ocean_result ocean_perform(ocean_sea* sea, double time, const char* name,
                                      const char* value);
 /* ocean_get writes the value of the parameter `name` as text to out[size], with a final 0; "" for
@@ -274,10 +289,11 @@ OCEAN_API ocean_result ocean_get(const ocean_sea* sea, const char* name, char* o
  * by one contradict each other. */
 OCEAN_API ocean_result ocean_text(const ocean_sea* sea, char* out, size_t* size);
 /* ocean_values_json writes every parameter of the sea, a JSON object of texts: "grid.resolution":
- * "512", "waves.0.fetch": "1e+05"; "" for a parameter that is not set. Two kinds of members hold
- * the lines of tables that the resolved file carries beside its parameters: "[take]" and
- * "[waves.0.measured_record]". For hosts that keep a sea in properties of their own;
- * ocean_text_of_values is the inverse. BUFFER_TOO_SMALL; INVALID_VALUE as ocean_text. */
+ * "512", "waves.0.fetch": "1e+05"; "" for a parameter that is not set. Further members hold
+ * the lines of tables that the resolved file carries beside its parameters: "[take]",
+ * "[waves.0.measured_record]", "[water.bed_heights]" and "[water.bed_terrain]". For hosts that keep
+ * a sea in properties of their own; ocean_text_of_values is the inverse. BUFFER_TOO_SMALL;
+ * INVALID_VALUE as ocean_text. */
 OCEAN_API ocean_result ocean_values_json(const ocean_sea* sea, char* out, size_t* size);
 /* ocean_text_of_values writes a sea file that sets names[i] to values[i]. Names are those of
  * ocean_values_json or ocean_set. The file has the order of the parameter table and spells each
@@ -679,9 +695,10 @@ typedef struct {
     int32_t reserved;
 } ocean_domain;
 OCEAN_API ocean_result ocean_terrain_domain(const ocean_terrain* terrain, ocean_domain* domain);
-/* A region of a terrain: columns x rows samples, 2 .. 32768 each, `cell` apart [m], sample (0, 0)
- * at (x, y). struct_size = sizeof(ocean_region_request), output_size = sizeof(ocean_output). The
- * outputs are as those of ocean_request, with `columns` samples in a row; seam must be 0. */
+/* A region of a terrain or of a sea over a bed: columns x rows samples, 2 .. 32768 each, `cell`
+ * apart [m], sample (0, 0) at (x, y). struct_size = sizeof(ocean_region_request), output_size =
+ * sizeof(ocean_output). The outputs are as those of ocean_request, with `columns` samples in a row;
+ * seam must be 0. */
 typedef struct {
     size_t struct_size;
     double x;
@@ -699,6 +716,14 @@ typedef struct {
  * the terrain does not have. */
 OCEAN_API ocean_result ocean_terrain_region(ocean_terrain* terrain,
                                             const ocean_region_request* request);
+/* ocean_region computes all outputs of a region of a sea over a bed (water.seabed, ocean_set_bed)
+ * at a time [s] together, by label. Beside the channels of every sea it has OCEAN_DEPTH,
+ * OCEAN_BREAKING and OCEAN_WETNESS. The first call computes where the waves go over the bed, which
+ * takes seconds; later calls keep that until bed or waves change. UNSUPPORTED for a sea without a
+ * bed. All other functions that compute maps, slope tiles or spray of a sea return UNSUPPORTED for
+ * a sea over a bed: their maps repeat, and it does not. */
+OCEAN_API ocean_result ocean_region(ocean_sea* sea, double time,
+                                    const ocean_region_request* request);
 /* A mesh of land around a camera at (x, y, z) [m]: fine near it, coarser by a factor of 2 with each
  * doubling of the distance, and without cracks. ground: the height of the land under the camera
  * [m]; distances are taken to the plane of that height, so that a coarse height keeps the mesh calm

@@ -331,7 +331,7 @@ def test_fill_writes_the_maps_of_a_surface_into_arrays(sea):
         (np.empty((64, 64, 1)), ("height",), "float64"),
         (np.empty((64, 64, 2), np.float32)[..., :1], ("height",), "C-contiguous"),
         (np.empty((48, 48, 1), np.float32), ("height",), "48"),
-        (np.empty((64, 64, 1), np.float32), ("depth",), "unknown channel 'depth'"),
+        (np.empty((64, 64, 1), np.float32), ("deepness",), "unknown channel 'deepness'"),
     ],
 )
 def test_fill_refuses_what_the_library_would_write_beside(sea, array, names, words):

@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _library
 from ._library import Options, call, choose, text_of
@@ -162,6 +163,24 @@ class SeaHandle(Handle):
             self._call("ocean_remove_waves", name.encode())
             self._changes += 1
 
+    def set_bed(
+        self,
+        heights: npt.ArrayLike | None,
+        origin: tuple[float, float] = (0.0, 0.0),
+        cell: float = 1.0,
+    ) -> None:
+        """Gives the sea a bed: heights[j][i] over still water [m], positive up, rows from the
+        south, samples `cell` [m] apart both ways; `origin` is the place of heights[0][0] [m]. It
+        takes the place of `seabed`. None removes the bed."""
+        rows = np.zeros((0, 0)) if heights is None else np.asarray(heights)
+        if rows.ndim != 2:
+            raise ValueError(f"heights: {rows.ndim} dimensions; allowed: 2, [j][i]")
+        rows = np.ascontiguousarray(rows, dtype=np.float32)
+        data = None if heights is None else rows.ctypes.data
+        with self._lock:
+            self._call("ocean_set_bed", data, rows.shape[1], rows.shape[0], *origin, cell)
+            self._changes += 1
+
     def perform(self, time: float, name: str, value: Any) -> None:
         """Lets a live parameter glide to the value from `time` [s] on, while the sea is shown. Adds
         an event to the sea's own take: `text` makes every frame again. Everything before that time
@@ -173,8 +192,9 @@ class SeaHandle(Handle):
     @property
     def values(self) -> dict[str, str]:
         """Every parameter as text: "grid.resolution": "512", "waves.0.fetch": "1e+05"; "" for one
-        that is not set. "[take]" and "[waves.0.measured_record]" are the lines of tables that the
-        resolved file carries. libocean.text_of_values() is the inverse."""
+        that is not set. "[take]", "[waves.0.measured_record]", "[water.bed_heights]" and
+        "[water.bed_terrain]" are the lines of tables that the resolved file carries.
+        libocean.text_of_values() is the inverse."""
         return json.loads(self._text("ocean_values_json"))
 
     def time_of_frame(self, frame: float) -> float:

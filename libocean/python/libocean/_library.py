@@ -326,6 +326,7 @@ _SIGNATURES: dict[str, list[Any]] = {
     "ocean_set_all": [c_void_p, POINTER(c_char_p), POINTER(c_char_p), c_size_t],
     "ocean_add_waves": [c_void_p, c_char_p],
     "ocean_remove_waves": [c_void_p, c_char_p],
+    "ocean_set_bed": [c_void_p, c_void_p, c_int32, c_int32, c_double, c_double, c_double],
     "ocean_perform": [c_void_p, c_double, c_char_p, c_char_p],
     "ocean_get": [c_void_p, c_char_p, c_char_p, c_size_t],
     "ocean_text": [c_void_p, *_TEXT],
@@ -363,6 +364,7 @@ _SIGNATURES: dict[str, list[Any]] = {
     "ocean_terrain_provenance_json": [c_void_p, c_char_p, c_int32, *_TEXT],
     "ocean_terrain_evaluate": [c_void_p, POINTER(Request)],
     "ocean_terrain_domain": [c_void_p, POINTER(DomainStruct)],
+    "ocean_region": [c_void_p, c_double, POINTER(RegionRequest)],
     "ocean_terrain_region": [c_void_p, POINTER(RegionRequest)],
     "ocean_terrain_mesh": [
         c_void_p,

@@ -6,14 +6,15 @@ from __future__ import annotations
 
 import ctypes
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from . import _library
-from ._answers import DETAIL_BAND, Detail
+from ._answers import DETAIL_BAND, Array, Detail
 from ._library import ProvenanceRequest, call, choose
 from ._maps import Maps
 from ._queries import Queries
+from ._regions import region_arrays, region_buffers, region_request
 from ._surface import Surface
 
 
@@ -47,6 +48,39 @@ class Sea(Maps, Queries):
         it each field is computed when it is first read. axes: "zup" (x, y, z), "yup" (x, z, -y) or
         "tnb" (x, z, y)."""
         return Surface(self, time, resolution, fields, axes)
+
+    def region(
+        self,
+        time: float,
+        origin: tuple[float, float],
+        samples: tuple[int, int],
+        cell: float,
+        fields: Iterable[str] = ("displacement",),
+        axes: str = "zup",
+    ) -> dict[str, Array]:
+        """Returns fields of a region of a sea over a bed at `time` [s] by name, arrays (rows,
+        columns) or (rows, columns, 3), by label. origin: the place of sample (0, 0) [m]; samples:
+        columns and rows, `cell` apart [m]. Beside the fields of every sea it has "depth",
+        "breaking" and "wetness". The first call computes where the waves go over the bed, which
+        takes seconds."""
+        maps = region_arrays(fields, samples)
+        request = region_request(origin, cell, maps.values(), axes)
+        self._call("ocean_region", float(time), ctypes.byref(request))
+        return {name: array for name, (array, _) in maps.items()}
+
+    def fill_region(
+        self,
+        time: float,
+        buffers: Iterable[tuple[Array, Sequence[str]]],
+        origin: tuple[float, float],
+        cell: float,
+        axes: str = "zup",
+    ) -> None:
+        """Writes a region as region() returns it into existing float32 arrays of one shape, each of
+        shape (rows, columns, n) with the names of its n channels, 1 to 4 of those of fill(),
+        "depth", "breaking" and "wetness"; "" leaves a component as it is."""
+        request = region_request(origin, cell, region_buffers(buffers), axes)
+        self._call("ocean_region", float(time), ctypes.byref(request))
 
     def provenance(
         self,

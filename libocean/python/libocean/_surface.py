@@ -24,9 +24,9 @@ CHANNELS = (
 
 MASKS = (
     *("wear", "gully", "ridge", "flow", "deposit", "streambed", "wetness"),
-    *("beach", "cliff", "shelter"),
+    *("beach", "cliff", "shelter", "depth", "breaking"),
 )
-"""The masks of terrains, in the order of the C enum."""
+"""The masks of terrains and of seas over a bed, in the order of the C enum."""
 
 _FIRST_MASK = 40
 
@@ -75,12 +75,20 @@ PRODUCTS = {
     "flow": Product(("flow",), "The area that drains through each sample [m2], (R, R)."),
     "deposit": Product(("deposit",), "Ground that streams laid down, 0 .. 1, (R, R)."),
     "streambed": Product(("streambed",), "Channels of streams, 0 .. 1, (R, R)."),
-    "wetness": Product(("wetness",), "Wetness of the ground by its drainage, 0 .. 1, (R, R)."),
+    "wetness": Product(
+        ("wetness",),
+        "Wetness of the ground by its drainage or by waves that run up, 0 .. 1, (R, R).",
+    ),
     "beach": Product(("beach",), "Sand of beaches, above and under water, 0 .. 1, (R, R)."),
     "cliff": Product(("cliff",), "Cliffs and rocks of exposed shores, 0 .. 1, (R, R)."),
     "shelter": Product(("shelter",), "Shelter of the nearest shore from the sea, 0 .. 1, (R, R)."),
+    "depth": Product(
+        ("depth",), "The height of the water over the bed [m], below 0 where it is dry, (R, R)."
+    ),
+    "breaking": Product(("breaking",), "Fronts of waves that break by the depth, 0 .. 1, (R, R)."),
 }
-"""The fields of a Surface by name; the last ten are masks of terrains that make them."""
+"""The fields of a Surface by name; the last twelve are masks of terrains that make
+them, and of seas over a bed."""
 
 
 class Surface:
@@ -107,6 +115,8 @@ class Surface:
     beach: Array
     cliff: Array
     shelter: Array
+    depth: Array
+    breaking: Array
 
     def __init__(
         self,

@@ -14,17 +14,10 @@ import numpy.typing as npt
 
 from . import _library
 from ._answers import SAMPLE, Array, rows_of
-from ._library import (
-    DomainStruct,
-    MeshRequest,
-    Output,
-    QueryRequest,
-    RegionRequest,
-    call,
-    choose,
-)
-from ._maps import MapWriter, outputs_of, require_layout
-from ._surface import PRODUCTS, Surface, channel_number
+from ._library import DomainStruct, MeshRequest, QueryRequest, call, choose
+from ._maps import MapWriter
+from ._regions import region_arrays, region_buffers, region_request
+from ._surface import Surface
 
 STAGES = ("noise", "transform", "filter", "filtered", "height")
 """The steps of the synthesis, in their order."""
@@ -107,17 +100,10 @@ class Terrain(MapWriter):
         the place of sample (0, 0) [m]; samples: columns and rows, `cell` apart [m]. A tile repeats;
         beyond the rectangle of a land that exists once the heights are those of its edge. Regions
         of one cell join bit by bit where their corners are whole numbers of cells from (0, 0)."""
-        columns, rows = samples
-        turn = choose("axes", axes, _library.AXES)
-        maps: list[tuple[Array, tuple[int, ...]]] = []
-        names = list(fields)
-        for name in names:
-            choose("field", name, tuple(PRODUCTS))
-            channels = tuple(channel_number(channel) for channel in PRODUCTS[name].channels)
-            vector = (len(channels),) if len(channels) > 1 else ()
-            maps.append((np.empty((rows, columns, *vector), np.float32), channels))
-        self._write_region(origin, samples, cell, maps, turn)
-        return dict(zip(names, (array for array, _ in maps), strict=True))
+        maps = region_arrays(fields, samples)
+        request = region_request(origin, cell, maps.values(), axes)
+        self._call("ocean_terrain_region", ctypes.byref(request))
+        return {name: array for name, (array, _) in maps.items()}
 
     def fill_region(
         self,
@@ -130,35 +116,7 @@ class Terrain(MapWriter):
         the names of its n channels, 1 to 4 of those of fill() and the terrain's masks; "" leaves a
         component as it is. The arrays are float32 and of one shape, each row without gaps. The
         region is as that of region()."""
-        arrays = [(array, tuple(names)) for array, names in buffers]
-        if len({array.shape[:2] for array, _ in arrays}) != 1:
-            raise _library.error("arrays of one shape are needed", _library.INVALID_ARGUMENT)
-        rows, columns = arrays[0][0].shape[:2]
-        for array, names in arrays:
-            require_layout(array, names, columns)
-        maps = [
-            (array, tuple(channel_number(name) if name else -1 for name in names))
-            for array, names in arrays
-        ]
-        turn = choose("axes", axes, _library.AXES)
-        self._write_region(origin, (columns, rows), cell, maps, turn)
-
-    def _write_region(
-        self,
-        origin: tuple[float, float],
-        samples: tuple[int, int],
-        cell: float,
-        maps: list[tuple[Array, tuple[int, ...]]],
-        axes: int,
-    ) -> None:
-        outputs = outputs_of(maps)
-        for output in outputs:
-            output.axes = axes
-        request = RegionRequest(
-            ctypes.sizeof(RegionRequest),
-            *(float(origin[0]), float(origin[1]), float(cell)),
-            *(*samples, outputs, len(maps), ctypes.sizeof(Output)),
-        )
+        request = region_request(origin, cell, region_buffers(buffers), axes)
         self._call("ocean_terrain_region", ctypes.byref(request))
 
     def mesh(

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// ocean_set_bed: a host's heights as the bed of a sea.
+#include <math.h>
+
+#include "tests.h"
+
+enum { kColumns = 9, kRows = 4 };
+
+static void make_beach(float* heights) {
+    for (int i = 0; i < kColumns * kRows; ++i) heights[i] = (float)(i % kColumns) - 4.5f;
+}
+
+static char* text_of(const ocean_sea* sea) {
+    size_t size = 0;
+    char* text;
+    CHECK_RESULT(OCEAN_OK, ocean_text(sea, NULL, &size));
+    text = calloc(size + 1, 1);
+    CHECK_RESULT(OCEAN_OK, ocean_text(sea, text, &size));
+    return text;
+}
+
+void a_bed_is_copied_moved_and_removed(void) {
+    float heights[kColumns * kRows];
+    char value[64];
+    ocean_sea* sea = open_small_sea(NULL);
+    ocean_sea* again = NULL;
+    char* open_sea = text_of(sea);
+    char *with_bed, *same;
+    make_beach(heights);
+    CHECK_RESULT(OCEAN_OK, ocean_set_bed(sea, heights, kColumns, kRows, -20.0, 30.0, 5.0));
+    for (int i = 0; i < kColumns * kRows; ++i) heights[i] = 99.0f; /* it was copied */
+    CHECK_RESULT(OCEAN_OK, ocean_get(sea, "seabed_origin", value, sizeof(value)));
+    CHECK(strcmp(value, "[-20, 30]") == 0);
+    with_bed = text_of(sea);
+    CHECK(strstr(with_bed, "[water.bed_heights]") != NULL);
+    CHECK_RESULT(OCEAN_OK, ocean_parse(with_bed, strlen(with_bed), NULL, NULL, &again));
+    same = text_of(again);
+    CHECK(strcmp(same, with_bed) == 0);
+    CHECK_RESULT(OCEAN_OK, ocean_set(again, "water.level", "0.5"));
+    CHECK_RESULT(OCEAN_UNSUPPORTED, ocean_perform(again, 1.0, "wind_speed", "12"));
+    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "seabed_origin", "[]"));
+    CHECK_RESULT(OCEAN_OK, ocean_set_bed(sea, NULL, 0, 0, 0.0, 0.0, 0.0));
+    free(same);
+    same = text_of(sea);
+    CHECK(strcmp(same, open_sea) == 0);
+    free(same);
+    free(with_bed);
+    free(open_sea);
+    ocean_free(again);
+    ocean_free(sea);
+}
+
+void bad_beds_are_refused_and_change_nothing(void) {
+    float heights[kColumns * kRows];
+    ocean_sea* sea = open_small_sea(NULL);
+    char* before = text_of(sea);
+    char* after;
+    make_beach(heights);
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_set_bed(NULL, heights, kColumns, kRows, 0, 0, 1));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_set_bed(sea, NULL, kColumns, kRows, 0, 0, 1));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_set_bed(sea, heights, 0, 0, 0, 0, 1));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_set_bed(sea, heights, 1, kRows, 0, 0, 1));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_set_bed(sea, heights, kColumns, 8193, 0, 0, 1));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT,
+                 ocean_set_bed(sea, heights, kColumns, kRows, HUGE_VAL, 0, 1));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT,
+                 ocean_set_bed(sea, heights, kColumns, kRows, 0, 0, HUGE_VAL));
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_set_bed(sea, heights, kColumns, kRows, 0, 0, 0));
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_set_bed(sea, heights, kColumns, kRows, 0, 0, -1));
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_set_bed(sea, heights, kColumns, kRows, 1e8, 0, 1));
+    heights[5] = -HUGE_VALF;
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_set_bed(sea, heights, kColumns, kRows, 0, 0, 1));
+    CHECK(strstr(ocean_last_error(), "column 5, row 0") != NULL);
+    after = text_of(sea);
+    CHECK(strcmp(before, after) == 0);
+    free(after);
+    free(before);
+    ocean_free(sea);
+}
+
+void a_region_over_a_bed_is_computed_and_maps_that_repeat_are_not(void) {
+    enum { kSide = 5 };
+    float heights[kColumns * kRows];
+    float values[2 * kSide * kSide] = {0};
+    ocean_output output = {.data = values,
+                           .count = 2 * kSide * kSide,
+                           .channel = {OCEAN_HEIGHT, OCEAN_DEPTH},
+                           .channels = 2};
+    ocean_region_request region = {.struct_size = sizeof(region),
+                                   .cell = 4.0,
+                                   .columns = kSide,
+                                   .rows = kSide,
+                                   .outputs = &output,
+                                   .output_count = 1,
+                                   .output_size = sizeof(output)};
+    ocean_output map = output;
+    ocean_request request = {.struct_size = sizeof(request),
+                             .outputs = &map,
+                             .output_count = 1,
+                             .output_size = sizeof(map),
+                             .resolution = 32};
+    ocean_sea* sea = open_small_sea(NULL);
+    CHECK_RESULT(OCEAN_UNSUPPORTED, ocean_region(sea, 0.0, &region));
+    make_beach(heights);
+    CHECK_RESULT(OCEAN_OK, ocean_set_bed(sea, heights, kColumns, kRows, 0.0, 0.0, 5.0));
+    CHECK_RESULT(OCEAN_OK, ocean_region(sea, 1.0, &region));
+    /* The bed rises to the east: 4.5 m of water at its western end, less all along. */
+    CHECK(values[1] > values[2 * (kSide - 1) + 1]);
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_region(sea, HUGE_VAL, &region));
+    region.columns = 1;
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_region(sea, 1.0, &region));
+    map.channels = 1;
+    map.data = calloc(32 * 32, sizeof(float));
+    map.count = 32 * 32;
+    CHECK_RESULT(OCEAN_UNSUPPORTED, ocean_evaluate(sea, &request));
+    free(map.data);
+    ocean_free(sea);
+}
