@@ -35,3 +35,9 @@ def test_every_example_and_every_macro_is_on_the_page():
         assert len(names) > 7
         for name in names:
             assert name in page, name
+    coast = (ROOT / "povray_macros" / "coast.inc").read_text()
+    names = re.findall(r"^#macro (Ocean_\w*[^_\W])\(", coast, re.MULTILINE)
+    assert len(names) > 4
+    head = coast[: coast.index("#ifndef(Coast_Inc_Temp)")]
+    for name in names:
+        assert name in page and name + "(" in head, name

@@ -358,7 +358,7 @@ def test_the_scene_of_the_folder_shows_land_water_and_sky(tmp_path, arguments):
         (ISLAND, ["--region", "0,0,9,9", "--cell", "1"], "and the land from"),
         (ISLAND, [*REGION[:2], "--cell", "0"], "--cell = 0; allowed"),
         (ISLAND, [*REGION[:2], "--cell", "0.1"], "allowed are at most 2048"),
-        (None, REGION, "--region and --cell: only a terrain has them, and this is a sea"),
+        (None, REGION, "--region and --cell: only a terrain and a sea over a bed"),
     ],
 )
 def test_regions_that_cannot_be_are_refused(tmp_path, source, arguments, reason):

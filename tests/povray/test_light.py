@@ -181,6 +181,6 @@ def test_the_page_says_every_name_that_a_scene_may_declare_or_read(choppy):
     names = set(re.findall(r"#(?:declare|ifdef\() ?(Ocean_\w*[^_\W])\b", text))
     explained = " ".join(re.findall(r"^//.*$", text, re.MULTILINE))
     assert {"Ocean_Sky_Light", "Ocean_View_Roll", "Ocean_View_Aspect"} <= names
-    of_the_export = {"Ocean_Frames", "Ocean_Fine_Samples", "Ocean_Data_Version"}
+    of_the_export = {"Ocean_Frames", "Ocean_Fine_Samples", "Ocean_Data_Version", "Ocean_Coast_Cell"}
     for name in names - of_the_export - {"Ocean_Inc_Temp", "Ocean_Earth_Radius"}:
         assert name in explained, name
