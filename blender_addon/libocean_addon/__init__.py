@@ -18,7 +18,7 @@ bl_info = {  # of Blender before 4.2; later ones read blender_manifest.toml
     "author": "The libocean authors",
     "version": (0, 1, 0),
     "blender": (3, 4, 0),
-    "location": "Add > Mesh > Ocean or Terrain, Object > Ocean, Modifier properties",
+    "location": "Add > Mesh > Ocean, Terrain or Coast, Object > Ocean, Modifier properties",
     "description": "A sea as a modifier, the same as in every other libocean tool",
     "category": "Mesh",
 }
@@ -51,6 +51,9 @@ def parts() -> list:
     from . import handlers, hints, manual, operators, panels, properties, whole_sea
     from .assets import asset_library
     from .bake import bake
+    from .coast import operators as coast_operators
+    from .coast import panels as coast_panels
+    from .coast import properties as coast_properties
     from .floating import floating
     from .look import first_view, material
     from .sea import records
@@ -80,6 +83,9 @@ def parts() -> list:
         trees,
         terrain_panels,
         terrain_look_panels,
+        coast_properties,
+        coast_operators,
+        coast_panels,
         asset_library,
         floating,
         handlers,

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender's handlers: seas and terrains follow its frames, edits, undo, files and renders."""
+"""Blender's handlers: seas, terrains and coasts follow its frames, edits, undo, files and
+renders."""
 
 from __future__ import annotations
 
@@ -11,6 +12,9 @@ from bpy.app.handlers import persistent
 
 from . import versions
 from .bake import render_check
+from .coast import coast_job, open_coast
+from .coast import live as coast_live
+from .coast import node_group as coast_group
 from .floating import floating
 from .look import foam_images
 from .sea import live, node_group, open_sea
@@ -30,6 +34,7 @@ def _frame_changed(scene, depsgraph=None) -> None:
         render_check.require_stopped()
     live.show_all(live.ocean_objects(), scene, depsgraph, rendering=rendering, passing=True)
     terrain_live.show_all(depsgraph, rendering=rendering, passing=True)
+    coast_live.show_all(scene, depsgraph, rendering=rendering, passing=True)
 
 
 @persistent
@@ -40,11 +45,14 @@ def _depsgraph_updated(scene, depsgraph) -> None:
     kinds = (bpy.types.Object, bpy.types.Collection, bpy.types.Scene)
     if any(isinstance(update.id, kinds) for update in depsgraph.updates):
         oceans, terrains = live.ocean_objects(), terrain_live.terrain_objects()
-        drafts.keep_only({ob.name_full for ob in [*oceans, *terrains]})
+        coasts = coast_live.coast_objects()
+        drafts.keep_only({ob.name_full for ob in [*oceans, *terrains, *coasts]})
         modifier_groups.own_images(oceans, node_group.live_modifiers, node_group.image_inputs)
         modifier_groups.own_images(terrains, terrain_group.modifiers, terrain_group.image_inputs)
+        modifier_groups.own_images(coasts, coast_group.modifiers, coast_group.image_inputs)
         live.show_all(oceans, scene, depsgraph)
         terrain_live.show_all(depsgraph)
+        coast_live.show_all(scene, depsgraph)
         for ob in oceans:
             if meshes.is_stand_in(ob.data):  # out of the asset library
                 live.follow_mesh(ob)
@@ -55,10 +63,12 @@ def _depsgraph_updated(scene, depsgraph) -> None:
 def _data_replaced(*_) -> None:
     render_check.forget()
     oceans, terrains = live.ocean_objects(), terrain_live.terrain_objects()
-    drafts.keep_only({ob.name_full for ob in [*oceans, *terrains]})
+    coasts = coast_live.coast_objects()
+    drafts.keep_only({ob.name_full for ob in [*oceans, *terrains, *coasts]})
     drafts.forget_stops()
     open_sea.forget({ob.name_full for ob in oceans})
     open_terrain.forget({ob.name_full for ob in terrains})
+    open_coast.forget({ob.name_full for ob in coasts})
     for ob in oceans:
         versions.upgrade(ob)
     live.show_all(oceans, bpy.context.scene)
@@ -69,6 +79,7 @@ def _data_replaced(*_) -> None:
     terrain_live.show_all(bpy.context.evaluated_depsgraph_get() if seen_by_camera else None)
     for ob in terrains:
         terrain_live.follow_mesh(ob)
+    coast_live.show_all(bpy.context.scene)
     if oceans:
         live.follow(bpy.context.evaluated_depsgraph_get(), bpy.context.scene)
 
@@ -105,7 +116,9 @@ def _lock_interface(scene, *_) -> None:
     render_check.begin()
     complete()
     terrain_live.begin_render()
-    has_subjects = live.ocean_objects() or terrain_live.terrain_objects()
+    has_subjects = (
+        live.ocean_objects() or terrain_live.terrain_objects() or coast_live.coast_objects()
+    )
     if has_subjects and not scene.render.use_lock_interface:
         scene.render.use_lock_interface = True
         _locked_by_us.add(scene.name_full)
@@ -141,13 +154,27 @@ def _remove_handlers() -> None:
             handlers.remove(handler)
 
 
+def _sea_changed(ob) -> None:
+    """Shows an object whose sea was changed: an ocean, or the water of a coast."""
+    if not live.parameters_changed(ob):
+        coast_live.parameters_changed(ob)
+
+
+_MAKERS = (live.make_draft_job, terrain_live.make_draft_job, coast_live.make_draft_job)
+
+
 def _make_draft_job(name: str) -> drafts.Job | None:
-    return live.make_draft_job(name) or terrain_live.make_draft_job(name)
+    jobs = (make(name) for make in _MAKERS)
+    return next((job for job in jobs if job is not None), None)
 
 
 def _finish_draft_job(name: str, job: drafts.Job) -> None:
-    is_terrain = isinstance(job, open_terrain.TerrainJob)
-    (terrain_live if is_terrain else live).finish_draft_job(name, job)
+    finish = live.finish_draft_job
+    if isinstance(job, open_terrain.TerrainJob):
+        finish = terrain_live.finish_draft_job
+    elif isinstance(job, coast_job.CoastJob):
+        finish = coast_live.finish_draft_job
+    finish(name, job)
 
 
 def register() -> None:
@@ -156,8 +183,9 @@ def register() -> None:
     hooks.connect(
         hooks.Hooks(
             property_changed={
-                "sea": live.parameters_changed,
+                "sea": _sea_changed,
                 "terrain": terrain_live.parameters_changed,
+                "coast": coast_live.parameters_changed,
             },
             make_draft_job=_make_draft_job,
             finish_draft_job=_finish_draft_job,
@@ -172,3 +200,4 @@ def unregister() -> None:
     hooks.disconnect()
     open_sea.close_all()
     open_terrain.close_all()
+    open_coast.close_all()

@@ -15,6 +15,8 @@ _SECTIONS = (
     ("bpy.ops.libocean.*terrain*", "#terrain"),
     ("bpy.ops.libocean.*_break*", "#terrain"),
     ("bpy.types.terrain*", "#terrain"),
+    ("bpy.ops.libocean.*coast*", "#coast"),
+    ("bpy.types.coastsettings*", "#coast"),
     ("bpy.ops.libocean.add_material*", "#material"),
     ("bpy.ops.libocean.make_asset_library*", "#asset-library"),
     ("bpy.ops.libocean.*bake*", "#bake"),

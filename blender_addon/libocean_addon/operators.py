@@ -9,6 +9,7 @@ from bpy_extras import object_utils
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
 from . import translations
+from .coast import node_group as coast_group
 from .look import foam_images, material
 from .sea import live, messages, node_group, parameter_values, sea_text
 from .sea.resolutions import OF_SEA
@@ -136,6 +137,9 @@ class AddModifier(bpy.types.Operator):
         if terrain_group.modifiers(ob):
             cls.poll_message_set(tr("The active object has a terrain"))
             return False
+        if coast_group.modifiers(ob):
+            cls.poll_message_set(tr("The active object has a coast"))
+            return False
         return True
 
     def execute(self, context):
@@ -211,7 +215,16 @@ class LoadPreset(OnOcean, bpy.types.Operator):
         return {"FINISHED"}
 
 
-class AddWaves(OnOcean, bpy.types.Operator):
+class OnSea(OnOcean):
+    """Base of operators on the waves of the active object's sea, which may be that of a coast."""
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        ob = context.object
+        return (ob is not None and bool(coast_group.modifiers(ob))) or super().poll(context)
+
+
+class AddWaves(OnSea, bpy.types.Operator):
     """Add a wave system, for example a swell beside a wind sea"""
 
     bl_idname = "libocean.add_waves"
@@ -227,7 +240,7 @@ class AddWaves(OnOcean, bpy.types.Operator):
         return {"FINISHED"}
 
 
-class RemoveWaves(OnOcean, bpy.types.Operator):
+class RemoveWaves(OnSea, bpy.types.Operator):
     """Remove the active wave system"""
 
     bl_idname = "libocean.remove_waves"

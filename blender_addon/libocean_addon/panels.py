@@ -40,6 +40,10 @@ SHORT = {
     "viewport_resolution": "Viewport",
     "render_resolution": "Render",
     "mesh_resolution": "Mesh",
+    "seabed_origin": "Bed origin",
+    "seabed_unit": "Bed unit",
+    "seabed_sign": "Bed sign",
+    "surf_foam_lifetime": "Surf foam",
 }
 """Short labels for fields whose label does not fit a panel of default width."""
 
@@ -80,7 +84,7 @@ def is_used(group, entry) -> bool:
     return "used_by" not in entry or not chosen.isdisjoint(entry["used_by"])
 
 
-def _draw_parameter(layout, group, entry) -> None:
+def draw_parameter(layout, group, entry) -> None:
     if not is_used(group, entry):
         return
     if entry["type"] == "list":
@@ -104,7 +108,7 @@ def _draw_divisors(layout, settings, label: str) -> None:
 
 def _draw_parameters(layout, settings, keys) -> None:
     for key in keys:
-        _draw_parameter(layout, settings, _ENTRIES[key])
+        draw_parameter(layout, settings, _ENTRIES[key])
 
 
 def _draw_map_size(layout, ob) -> None:
@@ -129,6 +133,15 @@ class WavesList(bpy.types.UIList):
         wind = layout.row()
         wind.active = item.use_wind_speed
         wind.prop(item, "wind_speed", text="", emboss=False)
+
+
+def draw_waves(layout, settings) -> None:
+    """Draws the list of wave systems, with the buttons that add and remove one."""
+    row = layout.row()
+    row.template_list(WavesList.bl_idname, "", settings, "waves", settings, "active_wave", rows=2)
+    column = row.column(align=True)
+    column.operator(operators.AddWaves.bl_idname, text="", icon="ADD")
+    column.operator(operators.RemoveWaves.bl_idname, text="", icon="REMOVE")
 
 
 class _Panel:
@@ -193,19 +206,13 @@ class WavesPanel(_Panel, bpy.types.Panel):
     @never_raises
     def draw(self, context) -> None:
         layout, settings = self.layout, context.object.libocean
-        row = layout.row()
-        row.template_list(
-            WavesList.bl_idname, "", settings, "waves", settings, "active_wave", rows=2
-        )
-        column = row.column(align=True)
-        column.operator(operators.AddWaves.bl_idname, text="", icon="ADD")
-        column.operator(operators.RemoveWaves.bl_idname, text="", icon="REMOVE")
+        draw_waves(layout, settings)
         place_labels(layout)
         if settings.active_wave < len(settings.waves):
             system = settings.waves[settings.active_wave]
             layout.operator(records.PickRecord.bl_idname, icon="FILE_FOLDER").filepath = ""
             for entry in parameter_values.entries(waves=True):
-                _draw_parameter(layout, system, entry)
+                draw_parameter(layout, system, entry)
             layout.separator()
         _draw_parameters(layout, settings, SEA)
 

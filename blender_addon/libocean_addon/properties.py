@@ -195,6 +195,7 @@ class OceanSettings(bpy.types.PropertyGroup):
         **_parameters(waves=False),
         "exact": _EXACT,
         "take_lines": bpy.props.StringProperty(options={"HIDDEN"}),
+        "bed_lines": bpy.props.StringProperty(options={"HIDDEN"}),
         "waves": bpy.props.CollectionProperty(type=OceanWaves),
         "active_wave": bpy.props.IntProperty(
             name="Active wave system",

@@ -12,7 +12,8 @@ from __future__ import annotations
 
 import bpy
 
-from .terrain import german
+from .coast import german as coast_german
+from .terrain import german as terrain_german
 
 SEA = "libocean"
 """Context of the terms of seas and terrains: in "*" Blender's own words come first, for "Fetch"
@@ -26,6 +27,17 @@ GERMAN = {
         "Gravity": "Schwerkraft",
         "Surface tension": "Oberfl.spannung",
         "Density": "Dichte",
+        "Sea bed": "Meeresgrund",
+        "Sea bed origin": "Ursprung des Grundes",
+        "Sea bed unit": "Einheit des Grundes",
+        "Sea bed sign": "Vorzeichen des Grundes",
+        "Bed origin": "Grund ab",
+        "Bed unit": "Grundeinheit",
+        "Bed sign": "Grundrichtung",
+        "Surf foam": "Brandung",
+        "Water level": "Wasserstand",
+        "Swash": "Wellenauflauf",
+        "Surf foam lifetime": "Brandungsschaum",
         "Resolution": "Auflösung",
         "Patch size": "Kachelgröße",
         "Cascades": "Kaskaden",
@@ -80,6 +92,7 @@ GERMAN = {
         "Estimator": "Schätzverfahren",
         # Their switches.
         "Use Depth": "Wassertiefe angeben",
+        "Use Sea bed origin": "Ursprung des Grundes angeben",
         "Use Wind speed": "Windgeschwindigkeit angeben",
         "Use Wind direction": "Windrichtung angeben",
         "Use Significant wave height": "Signifikante Wellenhöhe angeben",
@@ -98,6 +111,13 @@ GERMAN = {
         "Donelan banner": "Donelan-Banner",
         "Maximum entropy": "Maximale Entropie",
         "Fourier": "Fourier",
+        "M": "m",
+        "Ft": "ft",
+        "Us ft": "US-ft",
+        "Up": "Aufwärts",
+        "Down": "Abwärts",
+        "On": "An",
+        "Off": "Aus",
         # Facts about the sea.
         "Energy resolved": "Energieanteil",
         "Shortest wave": "Kürzeste Welle",
@@ -432,8 +452,10 @@ GERMAN = {
     },
 }
 
-for _context, _words in ((SEA, german.TERMS), ("Operator", german.OPERATORS), ("*", german.TEXTS)):
-    GERMAN[_context].update(_words)
+for _german in (terrain_german, coast_german):
+    GERMAN[SEA].update(_german.TERMS)
+    GERMAN["Operator"].update(_german.OPERATORS)
+    GERMAN["*"].update(_german.TEXTS)
 
 
 def _by_context(language: dict[str, dict[str, str]]) -> dict[tuple[str, str], str]:

@@ -14,6 +14,7 @@ from conftest import plane
 from libocean_addon import manual, operators, panels, whole_sea
 from libocean_addon.assets import asset_library
 from libocean_addon.bundled import libocean
+from libocean_addon.coast import operators as coast_operators
 from libocean_addon.look import first_view
 from libocean_addon.sea import parameter_values
 from libocean_addon.sea.resolutions import OF_SEA
@@ -111,6 +112,7 @@ NEED_NO_OCEAN = (
     operators.AddOcean,
     terrain_operators.AddTerrain,
     terrain_operators.AddTerrainFile,
+    coast_operators.AddCoast,
     first_view.AddScene,
     asset_library.MakeAssetLibrary,
     whole_sea.StopDraft,
@@ -119,6 +121,7 @@ NEED_NO_OCEAN = (
 CHANGE_NO_DATA = (  # which undo would have to restore
     operators.SaveSea,
     terrain_operators.SaveTerrain,
+    coast_operators.SaveCoast,
     asset_library.MakeAssetLibrary,
     whole_sea.StopDraft,
     whole_sea.FinishDraft,

@@ -153,7 +153,7 @@ def test_every_parameter_is_in_one_panel(ocean):
         key = entry["key"]
         key = resolutions.listed(key) if key in parameter_values.PARAMETERS.resolutions else key
         count = shown.count(key)
-        wanted = settings.cascades if entry["type"] == "list" else 1
+        wanted = {"list": settings.cascades, "numbers": 2}.get(entry["type"], 1)
         assert count == (wanted if panels.is_used(group, entry) else 0), key
 
 

@@ -192,7 +192,7 @@ def test_the_panel_asks_for_the_seas_words():
     for entry in parameter_values.TABLE:
         group = settings.waves[0] if entry["section"] == "waves" else settings
         layout = unittest.mock.MagicMock()
-        panels._draw_parameter(layout, group, entry)
+        panels.draw_parameter(layout, group, entry)
         drawn = layout.column.return_value
         label, context = panels.label_of(entry), translations.SEA
         if not panels.is_used(group, entry):

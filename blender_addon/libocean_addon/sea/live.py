@@ -264,11 +264,12 @@ def follow(depsgraph, scene) -> None:
         follower(depsgraph, Moment(scene, rendering=False, moving=drafts.allowed))
 
 
-def parameters_changed(ob) -> None:
-    """Shows an object after one of its properties was set in the user interface or by a script."""
+def parameters_changed(ob) -> bool:
+    """Shows an object after one of its properties was set in the user interface or by a script.
+    Returns False for an object that is no ocean."""
     ocean = look_up(ob)
     if not ocean.modifiers:
-        return
+        return False
     ob.update_tag()  # else what is evaluated goes on having the values of before
     if baked.follow(ob, ocean.modifiers):
         ocean.sea.shown.clear()
@@ -281,6 +282,7 @@ def parameters_changed(ob) -> None:
     draft = drafts.is_draft(ob.name_full)
     if not draft or meshes.is_empty(ob.data):
         follow_mesh(ob, draft=draft)
+    return True
 
 
 def follow_mesh(ob, *, draft: bool = False) -> None:

@@ -19,8 +19,9 @@ PARAMETERS = ParameterTable(
     rows=TABLE,
     item_section="waves",
     file_kind="Sea file",
-    files=("file", "take"),
+    files=("seabed", "file", "take"),
     copies={
+        "seabed": "bed_lines",
         "take": "take_lines",
         "file": "measured_record",
         "record": "measured_record",
@@ -46,6 +47,7 @@ def values_of(group) -> sea_text.SeaValues:
             for system in group.waves
         ],
         group.take_lines,
+        group.bed_lines,
     )
 
 
@@ -66,6 +68,7 @@ def assign(group, sea: sea_text.SeaValues) -> None:
     with changes.quiet():
         group.exact = ""
         group.take_lines = sea.take
+        group.bed_lines = sea.bed
         property_texts.set_texts(group, sea.values, PARAMETERS, items=False)
         group.waves.clear()
         for system in sea.waves:

@@ -31,10 +31,12 @@ class SeaValues:
     waves: list[WaveValues]
     take: str = ""
     """The lines of its take."""
+    bed: str = ""
+    """The lines of its bed."""
 
     def structure(self) -> tuple[Any, ...]:
         """Returns the part that cannot be changed parameter by parameter in an open sea."""
-        return (self.take, *(system.record for system in self.waves))
+        return (self.take, self.bed, *(system.record for system in self.waves))
 
     def by_name(self) -> dict[str, str]:
         """Returns every parameter under the name that the library knows it by: "waves.1.fetch"."""
@@ -47,11 +49,13 @@ class SeaValues:
         """Returns the sea file of these values, not resolved."""
         tables = {_record_name(number): system.record for number, system in enumerate(self.waves)}
         tables[_TAKE] = self.take
+        tables[self.bed.partition("\n")[0].strip()] = self.bed
         given = {name: text for name, text in tables.items() if text}
         return libocean.text_of_values({**self.by_name(), **given})
 
 
 _TAKE = "[take]"  # tables that the library names beside the parameters
+_BEDS = ("[water.bed_heights]", "[water.bed_terrain]")
 
 
 def _record_name(system: int) -> str:
@@ -65,8 +69,10 @@ def read(sea) -> SeaValues:
         section, _, key = name.strip("[]").partition(".")
         if name == _TAKE:
             found.take = text
+        elif name in _BEDS:
+            found.bed = text
         elif section != "waves":
-            found.values[key] = text
+            found.values[key.rpartition(".")[2]] = text
         else:
             number, _, key = key.partition(".")
             if int(number) == len(found.waves):

@@ -18,7 +18,7 @@ class Hooks:
     """Each of them is required: a module that is left out fails when the add-on registers."""
 
     property_changed: Mapping[str, Callable[[Any], None]]
-    """Shows an object whose properties were set, by the subject, "sea" or "terrain"."""
+    """Shows an object whose properties were set, by the subject, "sea", "terrain" or "coast"."""
     make_draft_job: Callable[[str], Any]
     """Returns the job of the whole subject of an object, by its full name; None without a job."""
     finish_draft_job: Callable[[str, Any], None]
@@ -28,7 +28,7 @@ class Hooks:
 
 
 _NONE = Hooks(
-    property_changed={"sea": lambda _ob: None, "terrain": lambda _ob: None},
+    property_changed={subject: lambda _ob: None for subject in ("sea", "terrain", "coast")},
     make_draft_job=lambda _name: None,
     finish_draft_job=lambda _name, job: job.close(),
     followers=(),

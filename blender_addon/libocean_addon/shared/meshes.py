@@ -95,7 +95,7 @@ def _patch_vertices(size: float, samples: int, tiles: int = 1) -> np.ndarray:
     return vertices.reshape(-1, 3)
 
 
-def _patch_faces(cells: int, rows: int | None = None) -> np.ndarray:
+def grid_faces(cells: int, rows: int | None = None) -> np.ndarray:
     """Returns the quads of a rectangle of cells x rows, of a square by default."""
     side, rows = cells + 1, cells if rows is None else rows
     corner = (np.arange(rows)[:, None] * side + np.arange(cells)[None, :]).ravel()
@@ -206,7 +206,7 @@ def follow_patch(
             mesh.vertices.foreach_set("co", vertices.ravel())
             mesh.update()
         else:
-            fill(mesh, vertices, _patch_faces(cells))
+            fill(mesh, vertices, grid_faces(cells))
         _write_labels(mesh, size, layers)
 
     made_of = f"patch {size!r} {samples}" + (f" {tiles}" if tiles > 1 else "")
@@ -225,7 +225,7 @@ def follow_grid(ob, words: str, along: tuple[np.ndarray, np.ndarray]) -> None:
         vertices = np.zeros((len(north), len(east), 3), np.float32)
         vertices[..., 0] = east[None, :]
         vertices[..., 1] = north[:, None]
-        fill(mesh, vertices.reshape(-1, 3), _patch_faces(len(east) - 1, len(north) - 1))
+        fill(mesh, vertices.reshape(-1, 3), grid_faces(len(east) - 1, len(north) - 1))
         sides = float(east[-1] - east[0]), float(north[-1] - north[0])
         _write_labels(mesh, sides, {UV_MAP}, (float(east[0]), float(north[0])))
 
@@ -238,7 +238,7 @@ STAND_IN = "stand-in"
 def fill_stand_in(mesh, size: float) -> None:
     """Fills a mesh with one face, in place of the mesh that will be made when the object is
     shown."""
-    fill(mesh, _patch_vertices(size, 1), _patch_faces(1))
+    fill(mesh, _patch_vertices(size, 1), grid_faces(1))
     mesh[_MADE_OF] = STAND_IN
 
 

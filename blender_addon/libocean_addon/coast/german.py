@@ -1,0 +1,35 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The German words of coasts, which translations.py adds to the others."""
+
+from __future__ import annotations
+
+TERMS: dict[str, str] = {}
+
+OPERATORS = {
+    "Coast": "Küste",
+    "Load Coast": "Küste laden",
+    "Save Coast": "Küste speichern",
+}
+
+TEXTS = {
+    "Coast (libocean)": "Küste (libocean)",
+    "Bed": "Grund",
+    "Bed: {:.4g} to {:.4g} m": "Grund: {:.4g} bis {:.4g} m",
+    "End at the waterline": "An der Wasserlinie enden",
+    "Below land": "Unter dem Land",
+    "A draft; the whole coast follows: {:.0%}": "Ein Entwurf; die ganze Küste folgt: {:.0%}",
+    "A draft: the coast as it was": "Ein Entwurf: die Küste, wie sie war",
+    "Cell: {:.3g} m": "Zelle: {:.3g} m",
+    "{}: waves over the bed, {:.0%}": "{}: Wellen über dem Grund, {:.0%}",
+    "{}: water and foam, {:.0%}": "{}: Wasser und Schaum, {:.0%}",
+    "The active object has a coast": "Das aktive Objekt hat eine Küste",
+    "The active object is no water of a coast": "Das aktive Objekt ist kein Wasser einer Küste",
+    "The sea has no bed: choose a file for Sea bed, or load a sea that has one": (
+        "Die See hat keinen Grund: wählen Sie eine Datei für Meeresgrund, oder laden Sie eine See, "
+        "die einen hat"
+    ),
+    "{}: the sea has no bed: a coast needs seabed in [water]": (
+        "{}: die See hat keinen Grund: eine Küste braucht seabed in [water]"
+    ),
+}

@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The land of a coast: a mesh of the bed, with the attributes that the terrain's material reads."""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+
+from ..look import air
+from ..shared import meshes
+from ..terrain import material as terrain_material
+from ..terrain import node_group as terrain_group
+from ..terrain.extent import Extent
+
+_RUN_UP = 0.3
+"""Height over still water up to which waves wet the land, as a share of the significant wave
+height: that of a beach of moderate slope."""
+_DRY_SAND = 1.0  # [m] of sand above that
+
+
+def is_there(land) -> bool:
+    """Returns whether a land is in use: a deleted one stays in the file as long as the settings of
+    a coast name it."""
+    return land is not None and len(land.users_collection) > 0
+
+
+def normals_of(heights: np.ndarray, cell: float) -> np.ndarray:
+    """Returns the upward unit normals of heights on a grid, (rows, columns, 3)."""
+    by_north, by_east = np.gradient(heights.astype(np.float64), cell)
+    normals = np.stack([-by_east, -by_north, np.ones_like(by_east)], axis=-1)
+    return (normals / np.linalg.norm(normals, axis=-1, keepdims=True)).astype(np.float32)
+
+
+def _write(mesh, name: str, kind: str, values: np.ndarray) -> None:
+    layer = mesh.attributes.get(name) or mesh.attributes.new(name, kind, "POINT")
+    layer.data.foreach_set("value" if kind == "FLOAT" else "vector", values.ravel())
+
+
+def run_up(state: dict) -> float:
+    """Returns the height up to which the waves of a sea in that state wet its land [m]."""
+    return _RUN_UP * state["significant_wave_height"]["resolved"]
+
+
+def follow(land, words: str, extent: Extent, heights: np.ndarray, wet: float) -> None:
+    """Has an object show the bed, unless it does, is linked or being edited. words: as made_of of
+    meshes.follow(); heights: on the samples of the extent [m]; wet: the run-up of the waves [m]."""
+    if not is_there(land) or land.type != "MESH" or land.mode != "OBJECT":
+        return
+    if land.library is not None or land.data.library is not None:
+        return
+
+    def make(mesh) -> None:
+        vertices = np.empty((*extent.shape, 3), np.float32)
+        vertices[..., 0] = extent.along(0)[None, :]
+        vertices[..., 1] = extent.along(1)[:, None]
+        vertices[..., 2] = heights
+        columns, rows = extent.samples
+        meshes.fill(mesh, vertices.reshape(-1, 3), meshes.grid_faces(columns - 1, rows - 1))
+        _write(mesh, terrain_group.HEIGHT, "FLOAT", heights)
+        beach = np.clip((wet + _DRY_SAND - heights) / _DRY_SAND, 0.0, 1.0)
+        _write(mesh, "beach", "FLOAT", beach.astype(np.float32))
+        _write(mesh, terrain_group.NORMAL, "FLOAT_VECTOR", normals_of(heights, extent.cell))
+
+    meshes.follow(land, words, make)
+
+
+def look_of(state: dict, size: float) -> dict[str, float]:
+    """Returns the sockets of the terrain's material for the land of a sea in that state: sand up to
+    the run-up of its waves and a little higher, wet where they reach. size: of the land [m]."""
+    bed = state["bed"]
+    spread = (bed["highest"] - bed["lowest"]) / 4.0
+    ground = {
+        "rms": {"resolved": spread},
+        "mean": bed["mean"],
+        "highest": bed["highest"],
+        "size": (size,),
+    }
+    look = terrain_material.look_of(ground, 0.0)
+    wet = run_up(state)
+    return {**look, "Wet Line": wet, "Sand Line": wet + _DRY_SAND}
+
+
+def give(land, look: dict[str, float], world) -> None:
+    """Gives a land a new material of these sockets. world: whose sky lends the haze its light."""
+    material = terrain_material.make(look)
+    terrain_material.put_in_first_slot(land, material)
+    for ground in terrain_material.grounds(land):
+        air.follow(material.node_tree, ground, world)
+
+
+def new(water):
+    """Returns a new land of a coast, a child of its water, without vertices yet."""
+    land = bpy.data.objects.new("Land", bpy.data.meshes.new("Land"))
+    for collection in water.users_collection:
+        collection.objects.link(land)
+    land.parent = water
+    return land

@@ -1,0 +1,207 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Brings the images, the inputs and the meshes of coasts up to date.
+
+    sea (evaluated: keyframes and drivers count) + time -> libocean -> float images -> nodes
+                                                                    -> heights of the bed -> land
+
+Objects are found again by the node group that they use, and coasts (open_coast) by the names of
+their objects. handlers calls it, and changes of properties by way of hooks.
+"""
+
+from __future__ import annotations
+
+import threading
+
+import bpy
+
+from ..sea import live as sea_live
+from ..sea import messages
+from ..sea.live import Moment
+from ..shared import console, drafts, images, meshes, modifier_groups
+from ..shared.native import libocean
+from ..terrain.extent import Extent, ExtentError
+from . import land, node_group
+from .coast_job import CoastJob, View
+from .node_group import BLANKS, DISPLACEMENT, FOAM, NORMAL, VELOCITY
+from .open_coast import OpenCoast, coast_of
+
+coast_objects = node_group.FAMILY.objects
+
+
+def show(ob, depsgraph, moment: Moment) -> None:
+    """Brings the images and the inputs of a coast up to date, and its meshes where they may be
+    changed."""
+    seen = ob.evaluated_get(depsgraph) if depsgraph else ob
+    coast, settings = coast_of(ob.name_full), ob.libocean_coast
+    values = sea_live.current_values(seen.libocean, moment.scene)
+    problem = ""
+    try:
+        coast.follow(values)
+        follow_region(coast, seen.libocean_coast)
+        view = _view_of(coast, seen.libocean, moment)
+        for modifier in node_group.modifiers(ob):
+            problem = _show_in(ob, coast, modifier, view, moment)
+    except ExtentError as failure:
+        problem = str(failure)
+    except libocean.Error as failure:
+        problem = messages.of_error(failure, len(values.waves))
+    except MemoryError as failure:
+        problem = type(failure).__name__
+    if settings.problem != problem:
+        settings.problem = problem
+
+
+def follow_region(coast: OpenCoast, settings) -> None:
+    """Has a coast show the rectangle of the settings, as its panel shows them."""
+    coast.region = None
+    if settings.use_region:
+        coast.region = tuple(round(part, 4) for part in settings.region)
+    coast.cell = round(settings.cell, 6)
+
+
+def _view_of(coast: OpenCoast, settings, moment: Moment) -> View:
+    """Returns what is to be seen of a coast. settings: of its sea. Raises ExtentError."""
+    at = sea_live.own_time(settings)
+    if at is None:
+        at = coast.time_of(moment.scene.frame_current_final)
+    wanted = {
+        DISPLACEMENT: True,
+        VELOCITY: settings.use_velocity,
+        NORMAL: settings.use_normal,
+        FOAM: settings.use_foam,
+    }
+    return View(at, coast.extent, tuple(name for name, is_used in wanted.items() if is_used))
+
+
+def _is_main_thread() -> bool:
+    return threading.current_thread() is threading.main_thread()
+
+
+def _images_of(ob, modifier, fields) -> dict:
+    """Returns the images of a modifier by their inputs, made where they are missing."""
+    found = {}
+    for name in fields:
+        found[name] = modifier_groups.value(modifier, name)
+        if found[name] is None:
+            found[name] = images.make(ob.name, name.lower(), (1, 1), BLANKS[name])
+            modifier_groups.assign(modifier, {name: found[name]})
+    return found
+
+
+def _show_in(ob, coast: OpenCoast, modifier, view: View, moment: Moment) -> str:
+    """Fills the images of a modifier and sets its other inputs. Returns a sentence on the reason
+    why the view cannot be made; "" if it can."""
+    name, key = ob.name_full, coast.key(view)
+    may_wait = moment.moving or (moment.again and drafts.wants(name, key))
+    draft = may_wait and not coast.is_ready(view)
+    if draft:
+        quick = [field for field in view.fields if field in (DISPLACEMENT, FOAM)]
+        shown = coast.show_draft(view, _images_of(ob, modifier, quick))
+        fields = tuple(quick) if shown != view.extent else view.fields
+        if coast.failed is not None and coast.failed[0] == key:
+            _set_inputs(ob, coast, modifier, shown or view.extent, fields)
+            return coast.failed[1]
+        drafts.ask(name, key)
+    else:
+        fields = view.fields
+        with console.work(name, "water"):
+            shown = coast.show(view, _images_of(ob, modifier, fields))
+        drafts.forget(name, key, more_follows=False)
+    if _is_main_thread():
+        follow_meshes(ob, coast.extent)
+    _set_inputs(ob, coast, modifier, shown or view.extent, fields)
+    return ""
+
+
+def _set_inputs(ob, coast: OpenCoast, modifier, shown: Extent, fields) -> None:
+    """Sets the inputs of a modifier beside the images. shown: the samples of these."""
+    settings = ob.libocean_coast
+    half = tuple(0.5 / count for count in shown.samples)
+    modifier_groups.assign(
+        modifier,
+        {
+            "Map Size": (*shown.map_size, 1.0),
+            "Half Texels": (*half, 0.0),
+            "Low": (*half, 0.0),
+            "High": (*(1.0 - part for part in half), 0.0),
+            "Origin": (*(-first for first in shown.origin), 0.0),
+            "On Samples": meshes.made_of(ob.data) == _grid_words(shown),
+            "Use Velocity": VELOCITY in fields,
+            "Use Normal": NORMAL in fields,
+            "Use Foam": FOAM in fields,
+            "Use Clip": settings.use_clip,
+            "Clip Depth": settings.clip_depth,
+        },
+    )
+
+
+def show_all(scene, depsgraph=None, *, rendering: bool = False, passing: bool = False) -> None:
+    """Shows all coasts. passing: Blender says that the frame has changed."""
+    moving, again = drafts.may_suffice(rendering=rendering, passing=passing)
+    moment = Moment(scene, rendering, moving, again)
+    for ob in coast_objects():
+        show(ob, depsgraph, moment)
+
+
+def parameters_changed(ob) -> None:
+    """Shows an object after one of its properties was set in the user interface or by a script."""
+    if not node_group.modifiers(ob):
+        return
+    ob.update_tag()  # else what is evaluated goes on having the values of before
+    show(ob, None, Moment(bpy.context.scene, rendering=False, moving=drafts.allowed))
+
+
+# Meshes ------------------------------------------------------------------------
+
+
+def _grid_words(extent: Extent) -> str:
+    return f"grid {extent.origin} {extent.cell!r} {extent.samples}"
+
+
+def follow_meshes(ob, extent: Extent) -> None:
+    """Makes the grid of the water, and the land as soon as its heights are known. Linked meshes
+    stay as their file has them."""
+    coast = coast_of(ob.name_full)
+    if ob.library is None and ob.data.library is None and ob.mode == "OBJECT":
+        along = extent.along(0), extent.along(1)
+        meshes.follow_grid(ob, _grid_words(extent), along)
+    heights = coast.bed(extent)
+    if heights is not None:
+        with console.work(ob.name_full, "land"):
+            words, wet = coast.words_of_bed(extent), land.run_up(coast.state)
+            land.follow(ob.libocean_coast.land, words, extent, heights, wet)
+
+
+# The whole coast after a draft ---------------------------------------------------
+
+
+def _named(name: str):
+    return next((ob for ob in coast_objects() if ob.name_full == name), None)
+
+
+def make_draft_job(name: str) -> CoastJob | None:
+    ob = _named(name)
+    if ob is None or ob.libocean_coast.problem:
+        return None
+    coast = coast_of(name)
+    if coast.sea is None or coast.values is None:
+        return None
+    moment = Moment(bpy.context.scene, rendering=False)
+    return coast.job(_view_of(coast, ob.libocean, moment))
+
+
+def finish_draft_job(name: str, job: CoastJob) -> None:
+    ob = _named(name)
+    if ob is None or job.is_cancelled():
+        job.close()
+        return
+    coast = coast_of(name)
+    if coast.take_over(job):
+        show(ob, None, Moment(bpy.context.scene, rendering=False, moving=drafts.allowed))
+    elif isinstance(job.failure, (libocean.Error, MemoryError)):
+        text = type(job.failure).__name__
+        if isinstance(job.failure, libocean.Error):
+            text = messages.of_error(job.failure, len(ob.libocean.waves))
+        coast.failed = (job.key, text)
+        ob.libocean_coast.problem = text

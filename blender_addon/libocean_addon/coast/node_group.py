@@ -1,0 +1,163 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The node group of the water of a coast: it reads finished fields of a region from images, by the
+parts in field_nodes.py, and leaves out the faces that lie dry.
+
+    position - origin, / map size, + half a texel -> images -> attributes, offset -> wet faces
+
+The images end at their edges: a sea over a bed does not repeat.
+"""
+
+from __future__ import annotations
+
+from ..shared import compat, field_nodes
+from ..shared.field_nodes import Turn
+from ..shared.modifier_groups import Family
+from ..shared.node_builder import Builder
+
+VERSION = 1
+FAMILY = Family("libocean_coast", VERSION)
+modifiers = FAMILY.modifiers
+
+DISPLACEMENT, VELOCITY, NORMAL, FOAM = "Displacement", "Velocity", "Normal", "Foam"
+CHANNELS = {
+    DISPLACEMENT: ("dx", "dy", "height", "depth"),
+    VELOCITY: ("vx", "vy", "vz", "jacobian"),
+    NORMAL: ("nx", "ny", "nz", "breaking"),
+    FOAM: ("foam", "cover"),
+}
+"""The channels of the image in each input."""
+BLANKS = {
+    DISPLACEMENT: (0.0, 0.0, 0.0, 0.0),
+    VELOCITY: (0.0, 0.0, 0.0, 1.0),
+    NORMAL: (0.0, 0.0, 1.0, 0.0),
+    FOAM: (0.0, 0.0, 0.0, 0.0),
+}
+"""The colours of images that nothing fills: water at rest, wet everywhere."""
+
+
+def _declare(group) -> None:
+    socket = compat.add_socket
+    socket(group, "Geometry", "NodeSocketGeometry")
+    for name, channels in CHANNELS.items():
+        socket(group, name, "NodeSocketImage", description=", ".join(channels))
+    vectors = {
+        "Map Size": "Sides of all texels of an image together [m]",
+        "Half Texels": "As shares of the map",
+        "Low": "Where the images end, as shares",
+        "High": "Where the images end, as shares",
+        "Origin": "The place of the object's origin in the map [m]",
+    }
+    for name, description in vectors.items():
+        socket(group, name, "NodeSocketVector", description=description)
+    socket(
+        group,
+        "On Samples",
+        "NodeSocketBool",
+        description="Each vertex lies on a sample of the map, and takes it as it is",
+    )
+    for name in ("Use Velocity", "Use Normal", "Use Foam", "Use Clip"):
+        socket(group, name, "NodeSocketBool")
+    socket(
+        group,
+        "Clip Depth",
+        "NodeSocketFloat",
+        default_value=0.3,
+        description="How far the bed lies above the water where faces are left out [m]",
+    )
+    socket(group, "Geometry", "NodeSocketGeometry", output=True)
+
+
+def _stored(b: Builder, inputs, place, interpolation: str):
+    """Returns the geometry with the attributes that are in use."""
+
+    def color(geometry, name: str):
+        return compat.capture(b.group, geometry, b.texture(inputs[name], place, interpolation))
+
+    geometry = inputs["Geometry"]
+    made, foam = color(geometry, FOAM)
+    foam, cover, *_ = b.components(foam)
+    made = b.store(made, "foam", "FLOAT", foam)
+    made = b.store(made, "cover", "FLOAT", cover)
+    geometry = b.switch("GEOMETRY", inputs["Use Foam"], geometry, made)
+
+    made, velocity = color(geometry, VELOCITY)
+    made = b.store(made, "jacobian", "FLOAT", b.alpha(velocity))
+    # Cycles takes `velocity` for motion blur and shows shaders zeros in its place.
+    made = b.store(made, "velocity", "FLOAT_VECTOR", velocity)
+    made = b.store(made, "ocean_velocity", "FLOAT_VECTOR", velocity)
+    geometry = b.switch("GEOMETRY", inputs["Use Velocity"], geometry, made)
+
+    made, normal = color(geometry, NORMAL)
+    made = b.store(made, "ocean_normal", "FLOAT_VECTOR", normal)
+    made = b.store(made, "breaking", "FLOAT", b.alpha(normal))
+    return b.switch("GEOMETRY", inputs["Use Normal"], geometry, made)
+
+
+def _without_dry(b: Builder, geometry, inputs, depth):
+    """Returns the geometry without the faces of which each corner lies dry."""
+    is_wet = b.number("GREATER_THAN", depth, b.number("MULTIPLY", inputs["Clip Depth"], -1.0))
+    geometry, wet = compat.capture(b.group, geometry, b.color(is_wet, is_wet, is_wet, 1.0))
+    node = b.node("GeometryNodeDeleteGeometry", domain="FACE")
+    b.link(geometry, node.inputs["Geometry"])
+    # On a face it is the share of its corners that are wet.
+    b.link(b.number("LESS_THAN", b.components(wet)[0], 1e-3), node.inputs["Selection"])
+    # The node may put the vertices that it leaves in another order.
+    return b.switch("GEOMETRY", inputs["Use Clip"], geometry, node.outputs[0])
+
+
+def _displaced(b: Builder, inputs, interpolation: str):
+    """Returns the geometry with its attributes, moved and clipped."""
+    place = field_nodes.place_on_map(
+        b,
+        Turn(b, None),
+        origin=inputs["Origin"],
+        period=inputs["Map Size"],
+        half_texel=inputs["Half Texels"],
+    )
+    place = b.math("MINIMUM", b.math("MAXIMUM", place, inputs["Low"]), inputs["High"])
+    geometry = _stored(b, inputs, place, interpolation)
+    offset = b.texture(inputs[DISPLACEMENT], place, interpolation)
+    geometry, offset = compat.capture(b.group, geometry, offset)
+    depth = b.alpha(offset)
+    geometry = b.store(geometry, "depth", "FLOAT", depth)
+    # z = 1 tells the label of a place from an absent attribute.
+    position = b.node("GeometryNodeInputPosition").outputs[0]
+    label = b.math("MULTIPLY_ADD", position, (1.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    geometry = b.store(geometry, "label", "FLOAT_VECTOR", label)
+    moved = b.node("GeometryNodeSetPosition")
+    b.link(geometry, moved.inputs["Geometry"])
+    b.link(offset, moved.inputs["Offset"])
+    return _without_dry(b, moved.outputs["Geometry"], inputs, depth)
+
+
+def get():
+    """Returns the group, made if it is missing."""
+    name = f".libocean.coast.v{VERSION}"
+    group = FAMILY.find(name)
+    if group is not None:
+        return group
+    group = FAMILY.new(name)
+    _declare(group)
+    compat.hide_inputs(group)
+    b = Builder(group)
+    inputs = b.node("NodeGroupInput").outputs
+    given = {socket.name: socket for socket in inputs if socket.name}
+
+    def branch(interpolation: str):
+        def make(b: Builder, *sockets):
+            return [_displaced(b, dict(zip(given, sockets, strict=True)), interpolation)]
+
+        part = f"{name.removeprefix('.libocean.')} {interpolation.lower()}"
+        return b.nested(part, make, *given.values())[0]
+
+    shown = b.switch("GEOMETRY", inputs["On Samples"], branch("Linear"), branch("Closest"))
+    b.link(shown, b.node("NodeGroupOutput").inputs[0])
+    b.arrange(rows=4, height=240)
+    return group
+
+
+def image_inputs(group) -> list[str]:
+    """Returns the names of the inputs of images."""
+    named = compat.input_identifiers(group)  # a linked group may be of an earlier version
+    return [name for name in CHANNELS if name in named]

@@ -1,0 +1,203 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The operators of coasts: bpy.ops.libocean."""
+
+from __future__ import annotations
+
+import bpy
+from bpy_extras import object_utils
+from bpy_extras.io_utils import ExportHelper, ImportHelper
+
+from ..look import foam_images
+from ..look import material as water_material
+from ..sea import live as sea_live
+from ..sea import messages, parameter_values, sea_text
+from ..sea import node_group as sea_group
+from ..sea.sea_text import SeaValues
+from ..shared import changes, console, modifier_groups, paths
+from ..shared.compat import tr
+from ..shared.messages import of_file
+from ..shared.native import libocean
+from . import land, node_group
+from .open_coast import coast_of
+
+DEFAULT_PRESET = "beaufort_5"
+"""The sea over a bed that is added while no ocean is active."""
+_BEDS = (".asc", ".flt", ".hdr")
+_FILES = ";".join(f"*{ending}" for ending in (".toml", *_BEDS))
+
+
+def _is_bed(path) -> bool:
+    """Returns whether a file holds a bed, by its name or as a terrain file."""
+    if path.suffix.lower() in _BEDS:
+        return True
+    try:
+        libocean.open_terrain(str(path)).close()
+    except libocean.Error:
+        return False
+    return True
+
+
+def read(filepath: str, ob, scene) -> SeaValues:
+    """Returns the sea of a sea file with a bed; of a file that holds a bed alone, the sea of an
+    object, or else of the default preset, over it. Raises libocean.Error."""
+    path = paths.absolute(filepath)
+    if not _is_bed(path):
+        with libocean.open(str(path)) as sea:
+            if "bed" not in sea.state:
+                raise libocean.Error(
+                    tr("{}: the sea has no bed: a coast needs seabed in [water]", path), 0
+                )
+            return sea_text.read(sea)
+    with _sea_of(ob, scene) as sea:
+        sea.set("seabed", str(path))
+        return sea_text.read(sea)
+
+
+def _sea_of(ob, scene):
+    """Returns the open sea of an object, or else of the default preset."""
+    has_sea = ob is not None and (sea_group.modifiers(ob) or node_group.modifiers(ob))
+    if not has_sea:
+        return libocean.preset(DEFAULT_PRESET)
+    text = sea_live.current_values(ob.libocean, scene).text()
+    return libocean.parse(text, base_dir=bpy.path.abspath("//") or None)
+
+
+class OnCoast:
+    """Base of operators on the active object's coast."""
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        if context.object is not None and node_group.modifiers(context.object):
+            return True
+        cls.poll_message_set(tr("The active object is no water of a coast"))
+        return False
+
+
+class AddCoast(bpy.types.Operator, ImportHelper, object_utils.AddObjectHelper):
+    """Add a coast: the water of a sea file that has a bed, and the land. A file that holds a bed
+    alone gets the sea of the active object, or a moderate one"""
+
+    bl_idname = "libocean.add_coast"
+    bl_label = "Coast"
+    bl_options = {"REGISTER", "UNDO"}
+
+    filter_glob: bpy.props.StringProperty(default=_FILES, options={"HIDDEN"})
+    cell: bpy.props.FloatProperty(
+        name="Cell",
+        description="Distance of the samples and vertices of water and land; 0: so that the longer "
+        "side has 512 of them",
+        unit="LENGTH",
+        precision=3,
+        min=0.0,
+        max=1e5,
+        soft_max=100.0,
+        default=0.0,
+    )
+    use_land: bpy.props.BoolProperty(
+        name="Land", description="Add the land too, a mesh of the bed", default=True
+    )
+    use_material: bpy.props.BoolProperty(
+        name="Material",
+        description="Give them materials of sea water with foam, and of land by height and slope",
+        default=True,
+    )
+    water_type: water_material.water_type_property()
+
+    def execute(self, context):
+        try:
+            values = read(self.filepath, context.object, context.scene)
+        except libocean.Error as failure:
+            self.report({"ERROR"}, str(failure))
+            return {"CANCELLED"}
+        with console.work("Coast", "a new coast"):
+            self._make(context, values)
+        return {"FINISHED"}
+
+    def _make(self, context, values: SeaValues) -> None:
+        if self.use_material:
+            foam_images.prepare()
+        mesh = bpy.data.meshes.new("Water")
+        ob = object_utils.object_data_add(context, mesh, operator=self)
+        modifier_groups.add(ob, "Coast", node_group.get)
+        with changes.quiet():
+            ob.libocean_coast.cell = self.cell
+            if self.use_land:
+                ob.libocean_coast.land = land.new(ob)
+        parameter_values.assign(ob.libocean, values)
+        state = coast_of(ob.name_full).state
+        if self.use_material and state is not None:
+            with console.work(ob.name_full, "material"):
+                self._give_materials(context, ob, state)
+
+    def _give_materials(self, context, ob, state: dict) -> None:
+        made = water_material.make(self.water_type)
+        water_material.fit(made, ob, context.scene)
+        water_material.put(made, water_material.look_of(state))
+        water_material.assign(ob, made)
+        if self.use_land:
+            size = max(coast_of(ob.name_full).own.size)
+            land.give(ob.libocean_coast.land, land.look_of(state, size), context.scene.world)
+
+
+class LoadCoast(OnCoast, bpy.types.Operator, ImportHelper):
+    """Load the sea of a sea file that has a bed; a file that holds a bed alone lays it below the
+    present sea"""
+
+    bl_idname = "libocean.load_coast"
+    bl_label = "Load Coast"
+    bl_options = {"REGISTER", "UNDO"}
+
+    filter_glob: bpy.props.StringProperty(default=_FILES, options={"HIDDEN"})
+
+    def execute(self, context):
+        try:
+            values = read(self.filepath, context.object, context.scene)
+        except libocean.Error as failure:
+            self.report({"ERROR"}, str(failure))
+            return {"CANCELLED"}
+        parameter_values.assign(context.object.libocean, values)
+        return {"FINISHED"}
+
+
+class SaveCoast(OnCoast, bpy.types.Operator, ExportHelper):
+    """Write the sea and its bed as a file that every libocean tool reads"""
+
+    bl_idname = "libocean.save_coast"
+    bl_label = "Save Coast"
+
+    filename_ext = ".toml"
+    filter_glob: bpy.props.StringProperty(default="*.toml", options={"HIDDEN"})
+
+    def execute(self, context):
+        values = sea_live.current_values(context.object.libocean, context.scene)
+        try:
+            with libocean.parse(values.text(), base_dir=bpy.path.abspath("//") or None) as sea:
+                text = sea.text
+            paths.write_text(self.filepath, text)
+        except libocean.Error as failure:
+            self.report({"ERROR"}, messages.of_error(failure, len(values.waves)))
+            return {"CANCELLED"}
+        except OSError as failure:
+            self.report({"ERROR"}, of_file(failure))
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
+
+CLASSES = (AddCoast, LoadCoast, SaveCoast)
+
+
+def _draw_add(self, _context) -> None:
+    self.layout.operator(AddCoast.bl_idname, icon="MOD_OCEAN")
+
+
+def register() -> None:
+    for cls in CLASSES:
+        bpy.utils.register_class(cls)
+    bpy.types.VIEW3D_MT_mesh_add.append(_draw_add)
+
+
+def unregister() -> None:
+    bpy.types.VIEW3D_MT_mesh_add.remove(_draw_add)
+    for cls in reversed(CLASSES):
+        bpy.utils.unregister_class(cls)

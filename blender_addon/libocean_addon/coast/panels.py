@@ -1,0 +1,143 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The panels below the modifiers of the water of a coast: its sea, its waves and its bed, and how
+it is shown."""
+
+from __future__ import annotations
+
+import bpy
+
+from .. import panels as sea_panels
+from .. import translations, whole_sea
+from ..sea import parameter_values
+from ..shared import drafts
+from ..shared.compat import tr_label
+from ..shared.drawing import field, never_raises, place_labels, say, say_state
+from ..terrain.look_panels import SIDES
+from . import facts, node_group, operators
+
+BED = ("seabed", "seabed_origin", "seabed_unit", "seabed_sign", "level", "depth")
+_ENTRIES = {entry["key"]: entry for entry in parameter_values.entries(waves=False)}
+SHORE = tuple(key for key, entry in _ENTRIES.items() if entry["section"] == "water.shore")
+LOOK = ("choppiness", *sea_panels.FOAM)
+
+
+class _Panel:
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    bl_context = "modifier"
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        return context.object is not None and bool(node_group.modifiers(context.object))
+
+
+class CoastPanel(_Panel, bpy.types.Panel):
+    """The coast of the active object"""
+
+    bl_idname = "LIBOCEAN_PT_coast"
+    bl_label = "Coast (libocean)"
+
+    @never_raises
+    def draw(self, context) -> None:
+        layout, ob = self.layout, context.object
+        place_labels(layout)
+        row = layout.row(align=True)
+        row.operator(operators.LoadCoast.bl_idname, text="Load", icon="IMPORT")
+        row.operator(operators.SaveCoast.bl_idname, text="Save", icon="EXPORT")
+        if ob.libocean_coast.problem:
+            say(layout, ob.libocean_coast.problem, "ERROR")
+        if context.scene.unit_settings.scale_length != 1.0:
+            say(layout, tr_label("The sea takes a Blender unit for a metre"), "INFO")
+        share = drafts.progress(ob.name_full)
+        whole_sea.draw_draft(
+            layout,
+            ob.name_full,
+            tr_label("A draft; the whole coast follows: {:.0%}", share or 0.0),
+            tr_label("A draft: the coast as it was"),
+        )
+        _draw_state(layout, ob)
+
+
+def _draw_state(layout, ob) -> None:
+    state = facts.state_of(ob)
+    if state is None:
+        return
+    box = layout.box().column(align=True)
+    say_state(box, state)
+    for text in facts.sizes_of(ob):
+        say(box, text)
+    for warning in facts.warnings_of(ob):
+        say(box, warning, "ERROR")
+
+
+class CoastWavesPanel(_Panel, bpy.types.Panel):
+    """The waves that reach the coast"""
+
+    bl_idname = "LIBOCEAN_PT_coast_waves"
+    bl_parent_id = CoastPanel.bl_idname
+    bl_label = "Sea"
+
+    @never_raises
+    def draw(self, context) -> None:
+        layout, settings = self.layout, context.object.libocean
+        sea_panels.draw_waves(layout, settings)
+        place_labels(layout)
+        if settings.active_wave < len(settings.waves):
+            system = settings.waves[settings.active_wave]
+            for entry in parameter_values.entries(waves=True):
+                sea_panels.draw_parameter(layout, system, entry)
+        layout.separator()
+        _draw_parameters(layout, settings, ("seed", "patch_size", "resolution"))
+
+
+def _draw_parameters(layout, settings, keys) -> None:
+    for key in keys:
+        sea_panels.draw_parameter(layout, settings, _ENTRIES[key])
+
+
+class CoastBedPanel(_Panel, bpy.types.Panel):
+    """The bed and the height of the water over it"""
+
+    bl_idname = "LIBOCEAN_PT_coast_bed"
+    bl_parent_id = CoastPanel.bl_idname
+    bl_label = "Bed"
+
+    @never_raises
+    def draw(self, context) -> None:
+        layout, ob = self.layout, context.object
+        place_labels(layout)
+        _draw_parameters(layout, ob.libocean, (*BED, *SHORE))
+        field(layout, ob.libocean_coast, "land")
+
+
+class CoastLookPanel(_Panel, bpy.types.Panel):
+    """How the water is shown"""
+
+    bl_idname = "LIBOCEAN_PT_coast_look"
+    bl_parent_id = CoastPanel.bl_idname
+    bl_label = "Look"
+
+    @never_raises
+    def draw(self, context) -> None:
+        layout, ob = self.layout, context.object
+        settings = ob.libocean_coast
+        place_labels(layout)
+        layout.prop(settings, "cell")
+        layout.prop(settings, "use_region")
+        if settings.use_region:
+            column = layout.column(align=True)
+            for index, text in enumerate(SIDES):
+                column.prop(settings, "region", index=index, text=text, text_ctxt=translations.SEA)
+        layout.prop(settings, "use_clip")
+        if settings.use_clip:
+            layout.prop(settings, "clip_depth")
+        column = layout.column(heading="Attributes")
+        for name in ("use_foam", "use_velocity", "use_normal"):
+            column.prop(ob.libocean, name)
+        _draw_parameters(layout, ob.libocean, LOOK)
+
+
+CLASSES = (CoastPanel, CoastWavesPanel, CoastBedPanel, CoastLookPanel)
+
+register, unregister = bpy.utils.register_classes_factory(CLASSES)

@@ -1,0 +1,270 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The evaluated water of a coast is libocean's region, clipped at the waterline, and its land the
+bed; both follow frames, values, steps, files and renders."""
+
+import bpy
+import numpy as np
+import pytest
+from conftest import add_ocean, attribute, evaluated_mesh, positions, rest
+from libocean_addon.bundled import libocean
+from libocean_addon.coast import open_coast, panels
+from libocean_addon.sea import live as sea_live
+from libocean_addon.shared import drafts, drawing
+from test_panel import NARROW, ROW, NarrowLayout
+from test_terrain_panel import drawn_by, shown_in
+
+SEA = """libocean = 1
+[water]
+depth = 8.0
+seabed = "bed.asc"
+seabed_origin = [10.0, 20.0]
+[grid]
+resolution = 64
+patch_size = 120.0
+[surface]
+foam_lifetime = 1.0
+foam_coverage = "threshold"
+foam_threshold = 1.0
+[[waves]]
+spectrum = "jonswap"
+wind_speed = 8.0
+"""
+CELL = 4.0
+COLUMNS, ROWS = 41, 31
+
+
+def bed() -> np.ndarray:
+    """Returns the heights of the bed [m], (rows, columns): a beach with a headland."""
+    east, north = np.meshgrid(np.linspace(-8.0, 3.0, COLUMNS), np.linspace(-1.0, 1.0, ROWS))
+    return np.round(east + 3.0 * np.exp(-8.0 * north**2), 3)
+
+
+def write_bed(folder) -> None:
+    head = f"ncols {COLUMNS}\nnrows {ROWS}\nxllcorner 0\nyllcorner 0\ncellsize {CELL}\n"
+    rows = [" ".join(map(str, row)) for row in bed()[::-1]]
+    (folder / "bed.asc").write_text(head + "\n".join(rows) + "\n")
+
+
+@pytest.fixture
+def sea_file(tmp_path):
+    write_bed(tmp_path)
+    (tmp_path / "sea.toml").write_text(SEA)
+    return tmp_path / "sea.toml"
+
+
+def add_coast(path, **arguments):
+    """Adds the coast of a file, without materials."""
+    arguments = {"cell": CELL, "use_material": False, **arguments}
+    assert bpy.ops.libocean.add_coast(filepath=str(path), **arguments) == {"FINISHED"}
+    ob = bpy.context.object
+    assert ob.libocean_coast.problem == ""
+    return ob
+
+
+@pytest.fixture
+def coast(sea_file):
+    return add_coast(sea_file)
+
+
+def library_of(ob):
+    """Returns the library's own sea of the values in the panel."""
+    return libocean.parse(sea_live.current_values(ob.libocean, bpy.context.scene).text())
+
+
+FIELDS = ("displacement", "normal", "velocity", "jacobian")
+
+
+def region_of(ob, frame: float) -> dict[str, np.ndarray]:
+    """Returns the library's fields of all that lies over the bed, a value for each sample, and its
+    significant wave height."""
+    with library_of(ob) as sea:
+        at, place = sea.time_of_frame(frame), ((10.0, 20.0), (COLUMNS, ROWS), CELL)
+        found = sea.region(at, *place, FIELDS)
+        found.update(sea.region(at, *place, ("depth", "breaking")))
+        found.update(sea.region(at, *place, ("foam",)))
+        height = sea.state["significant_wave_height"]["resolved"]
+    made = {name: field.reshape(-1, *field.shape[2:]) for name, field in found.items()}
+    return {**made, "Hs": height}
+
+
+def assert_is_sea(ob) -> None:
+    """Asserts that the water, all of it, is the library's region at the scene's frame."""
+    ob.libocean_coast.use_clip = False
+    want = region_of(ob, bpy.context.scene.frame_current)
+    tolerance = 1e-5 * want["Hs"]
+    assert np.abs(positions(ob) - rest(ob) - want["displacement"]).max() <= tolerance
+    assert np.abs(attribute(ob, "depth") - want["depth"]).max() <= tolerance
+    for name in ("foam", "breaking", "jacobian", "velocity"):
+        assert np.abs(attribute(ob, name) - want[name]).max() <= 1e-5, name
+    assert np.abs(attribute(ob, "ocean_normal") - want["normal"]).max() <= 1e-5
+    ob.libocean_coast.use_clip = True
+
+
+# Water and land -------------------------------------------------------------------
+
+
+def test_the_water_is_the_librarys_region_and_follows_the_frame(coast, scene):
+    assert len(coast.data.vertices) == COLUMNS * ROWS
+    for frame in (1, 9):
+        scene.frame_set(frame)
+        assert_is_sea(coast)
+    assert attribute(coast, "foam").max() > 0.1
+
+
+def test_the_water_ends_where_the_land_rises_above_it(coast):
+    want = region_of(coast, 1)
+    whole = (rest(coast) + want["displacement"]).reshape(ROWS, COLUMNS, 3)
+    wet = (want["depth"] > -coast.libocean_coast.clip_depth).reshape(ROWS, COLUMNS)
+    faces = wet[:-1, :-1] | wet[1:, :-1] | wet[:-1, 1:] | wet[1:, 1:]
+    assert 0.3 < faces.mean() < 0.95  # of a coast that has both
+    assert len(evaluated_mesh(coast).polygons) == faces.sum()
+    shown = positions(coast)
+    assert len(shown) < COLUMNS * ROWS
+    assert shown[:, 0].max() < whole[..., 0].max() - CELL
+
+
+def test_the_land_is_the_bed(coast):
+    land = coast.libocean_coast.land
+    assert land.parent == coast and land.name == "Land"
+    heights = positions(land)[:, 2].reshape(ROWS, COLUMNS)
+    assert np.abs(heights - bed()).max() <= 1e-5
+    assert tuple(positions(land)[0, :2]) == (10.0, 20.0)
+    assert np.array_equal(attribute(land, "terrain_height"), positions(land)[:, 2])
+    beach = attribute(land, "beach")
+    assert beach[heights.ravel() < 0.0].min() == 1.0 and beach[heights.ravel() > 3.0].max() == 0.0
+    nx, _, nz = attribute(land, "terrain_normal").reshape(ROWS, COLUMNS, 3)[0, 5]
+    assert -nx / nz == pytest.approx(11.0 / (COLUMNS - 1) / CELL, abs=1e-3)
+
+
+def test_water_and_land_have_materials(sea_file):
+    ob = add_coast(sea_file, use_material=True)
+    land = ob.libocean_coast.land
+    (ground,) = [n for n in land.material_slots[0].material.node_tree.nodes if n.type == "GROUP"]
+    with library_of(ob) as sea:
+        height = sea.state["significant_wave_height"]["resolved"]
+    assert ground.inputs["Wet Line"].default_value == pytest.approx(0.3 * height)
+    (water,) = [n for n in ob.material_slots[0].material.node_tree.nodes if n.type == "GROUP"]
+    assert water.inputs["Wave Height"].default_value == pytest.approx(height)
+
+
+def test_the_automatic_cell_gives_the_longer_side_512_samples(sea_file, monkeypatch):
+    monkeypatch.setattr(open_coast, "AUTOMATIC", 64)
+    ob = add_coast(sea_file, cell=0.0)
+    assert open_coast.coast_of(ob.name_full).extent.samples == (64, 48)
+    assert len(ob.data.vertices) == 64 * 48
+
+
+def test_a_region_shows_a_part_at_its_own_cell(coast):
+    settings = coast.libocean_coast
+    settings.region = (50.0, 40.0, 90.0, 100.0)
+    settings.use_region, settings.use_clip = True, False
+    settings.cell = 2.0
+    assert settings.problem == ""
+    assert len(coast.data.vertices) == 21 * 31
+    with library_of(coast) as sea:
+        want = sea.region(sea.time_of_frame(1), (50.0, 40.0), (21, 31), 2.0)["displacement"]
+        tolerance = 1e-5 * sea.state["significant_wave_height"]["resolved"]
+    assert np.abs(positions(coast) - rest(coast) - want.reshape(-1, 3)).max() <= tolerance
+    assert len(settings.land.data.vertices) == 21 * 31
+    settings.region = (-500.0, 40.0, 90.0, 100.0)
+    assert "reaches beyond" in settings.problem
+
+
+# Values ---------------------------------------------------------------------------
+
+
+def test_another_wind_and_another_level_make_another_coast(coast):
+    settings = coast.libocean
+    settings.waves[0].wind_speed = 6.0
+    assert_is_sea(coast)
+    settings.level = 1.0
+    assert_is_sea(coast)
+    heights = positions(coast.libocean_coast.land)[:, 2].reshape(ROWS, COLUMNS)
+    assert np.abs(heights - bed() + 1.0).max() <= 1e-5
+
+
+def test_keyframes_move_the_waves(coast, scene):
+    waves = coast.libocean.waves[0]
+    for frame, wind in ((1, 6.0), (11, 9.0)):
+        waves.wind_speed = wind
+        coast.keyframe_insert("libocean.waves[0].wind_speed", frame=frame)
+    for frame in (11, 1):
+        scene.frame_set(frame)
+        assert_is_sea(coast)
+
+
+def test_a_bed_alone_gets_the_sea_of_the_active_ocean(sea_file):
+    ocean = add_ocean(64, use_material=False)
+    ocean.libocean.waves[0].wind_speed = 7.5
+    ob = add_coast(sea_file.with_name("bed.asc"))
+    assert ob.libocean.waves[0].wind_speed == 7.5
+    assert len(ob.data.vertices) == COLUMNS * ROWS
+    assert ob.libocean_coast.land is not None
+
+
+BAD = {
+    "no bed": "libocean = 1\n[grid]\nresolution = 64\n",
+    "patch_size": "libocean = 1\n[grid]\npatch_size = -3\n",
+    "no such file": 'libocean = 1\n[water]\nseabed = "gone.asc"\n',
+    "libocean": "",
+}
+
+
+@pytest.mark.parametrize("said", BAD)
+def test_a_bad_file_is_a_sentence_and_changes_nothing(coast, tmp_path, said):
+    path, before = tmp_path / "bad.toml", len(bpy.data.objects)
+    path.write_text(BAD[said])
+    lines = coast.libocean.bed_lines
+    for operator in (bpy.ops.libocean.add_coast, bpy.ops.libocean.load_coast):
+        with pytest.raises(RuntimeError, match=said):
+            operator(filepath=str(path))
+    assert len(bpy.data.objects) == before and coast.libocean.bed_lines == lines
+    assert_is_sea(coast)
+
+
+def test_a_sea_that_cannot_be_is_said_and_the_water_stays(coast):
+    before = positions(coast)
+    settings = coast.libocean
+    settings.waves[0].wind_speed = 0.0
+    assert "no waves" in coast.libocean_coast.problem
+    assert np.array_equal(positions(coast), before)
+    settings.waves[0].wind_speed = 8.0
+    assert coast.libocean_coast.problem == ""
+    assert_is_sea(coast)
+    settings.seabed = ""
+    assert "has no bed" in coast.libocean_coast.problem
+
+
+# The panel ------------------------------------------------------------------------
+
+
+def test_the_panels_show_the_sea_and_its_bed(coast, monkeypatch):
+    coast.libocean_coast.region = (50.0, 40.0, 90.0, 100.0)
+    coast.libocean_coast.use_region = True
+    shown = " ".join(what for cls in panels.CLASSES for what in drawn_by(cls))
+    for word in ("wind_speed", "seabed", "level", "swash", "cell", "region", "clip_depth", "land"):
+        assert word in shown, word
+    assert "libocean.add_waves" in shown and "Bed: -7.999 to 6 m" in shown
+    coast.libocean_coast.region = (-500.0, 40.0, 90.0, 100.0)
+    assert "reaches beyond" in " ".join(drawn_by(panels.CoastPanel))
+    monkeypatch.setattr(drafts, "progress", lambda _name: 0.25)
+    assert "25%" in " ".join(drawn_by(panels.CoastPanel))
+
+
+def test_nothing_is_cut_in_a_narrow_editor(coast, monkeypatch):
+    coast.libocean_coast.use_region = True
+    monkeypatch.setattr(drawing, "width", lambda: NARROW)
+    cut: list[str] = []
+    for cls in panels.CLASSES:
+        cls.draw.__wrapped__(shown_in(NarrowLayout(cut, ROW), cls), bpy.context)
+    assert cut == []
+
+
+def test_the_waves_of_a_coast_come_and_go(coast):
+    assert bpy.ops.libocean.add_waves() == {"FINISHED"}
+    assert_is_sea(coast)
+    assert bpy.ops.libocean.remove_waves() == {"FINISHED"}
+    assert_is_sea(coast)
+    with pytest.raises(RuntimeError, match="has a coast"):
+        bpy.ops.libocean.add_modifier()
