@@ -7,7 +7,7 @@
 namespace ocean {
 
 /// Is called on the calling thread with the share of the work that is done, 0 .. 1; may throw to
-/// stop it. Empty: nobody asks.
+/// stop it. Empty: no reports.
 using ShoreProgress = std::function<void(double share)>;
 
 }  // namespace ocean
