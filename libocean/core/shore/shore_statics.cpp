@@ -11,17 +11,13 @@
 #include "ocean/dispersion.hpp"
 #include "ocean/thread_pool.hpp"
 #include "shore/energy_march.hpp"
+#include "shore/shore_blend.hpp"
 #include "shore/shore_delays.hpp"
 #include "shore/shore_land.hpp"
 #include "terrain/coast_blur.hpp"
 
 namespace ocean {
 namespace {
-
-float smooth_step(float t) {
-    const float x = std::clamp(t, 0.0f, 1.0f);
-    return x * x * x * (x * (6.0f * x - 15.0f) + 10.0f);
-}
 
 /// Returns an angle within -pi .. pi.
 float wrapped_angle(float angle) {
@@ -55,7 +51,7 @@ std::vector<float> breaking_slope(const BedGrid& bed, ThreadPool& pool) {
                 const float depth = -smooth.at(i, j);
                 slope[static_cast<std::size_t>(j) * static_cast<std::size_t>(width) +
                       static_cast<std::size_t>(i)] =
-                    std::sqrt(x * x + y * y) * smooth_step((kDeep - depth) / kFade);
+                    std::sqrt(x * x + y * y) * shore_step(Plain((kDeep - depth) / kFade)).value();
             }
         }
     });
@@ -70,7 +66,7 @@ void raise_felt(const DelayMaps& maps, double wavenumber, std::vector<float>& fe
     for (std::size_t i = 0; i < felt.size(); ++i) {
         const float gained =
             std::abs(maps.phase[i]) + k * std::hypot(maps.shift_x[i], maps.shift_y[i]);
-        felt[i] = std::max(felt[i], smooth_step(gained / kFully));
+        felt[i] = std::max(felt[i], shore_step(Plain(gained / kFully)).value());
     }
 }
 
@@ -138,7 +134,7 @@ std::vector<float> felt_by_energy(const EnergyMaps& maps) {
     for (const std::vector<float>& amplitude : maps.amplitude) {
         for (std::size_t i = 0; i < felt.size(); ++i) {
             const float change = std::abs(amplitude[i] - 1.0f) - kNothing;
-            felt[i] = std::max(felt[i], smooth_step(change / kFully));
+            felt[i] = std::max(felt[i], shore_step(Plain(change / kFully)).value());
         }
     }
     return felt;
