@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -76,6 +78,24 @@ void add_trace(SurfTrace trace, const ShoreSurface& surface, std::span<const Sur
     });
 }
 
+/// Returns the source of a trace at labels, whose lifetime [s] does not change. `surface_at`
+/// returns the surface of a time; the labels that waves reach are found at the first tick.
+FoamSource trace_source(SurfTrace trace, std::span<const WorldPoint> labels, double lifetime,
+                        const std::function<const ShoreSurface&(double time)>& surface_at,
+                        ThreadPool& pool,
+                        const std::function<void(std::int64_t, std::int64_t)>& progress) {
+    return {[lifetime](double) { return lifetime; },
+            [=, &pool, surf = std::vector<SurfLabels>()](double t, const FoamLayer& before,
+                                                         std::span<float> left) mutable {
+                const ShoreSurface& surface = surface_at(t);
+                if (surf.empty()) {
+                    surf = find_surf(surface.statics(), surface.run_up(), labels, pool);
+                }
+                add_trace(trace, surface, surf, before, left, pool);
+            },
+            progress};
+}
+
 /// The clock of the foam of breaking waves: their fronts are some metres wide, so that a quarter of
 /// a second passes no gap.
 FoamClock surf_clock(const Parameters& parameters) {
@@ -137,32 +157,22 @@ void Ocean::prepare_coast() {
 }
 
 FoamLayer Ocean::surf_foam(double time, std::span<const WorldPoint> labels, FoamState& state) {
-    std::vector<SurfLabels> surf;
-    const FoamSource source{
-        [this](double) { return sea_.parameters.water.shore.surf_foam_lifetime; },
-        [&](double t, const FoamLayer& before, std::span<float> foam) {
-            const ShoreSurface& surface = shore_surface(t, false);
-            if (surf.empty()) surf = find_surf(surface.statics(), surface.run_up(), labels, pool_);
-            ++runs_.foam_ticks;
-            add_trace(SurfTrace::foam, surface, surf, before, foam, pool_);
-        },
-        options_.foam_progress};
-    return state.layer(time, source);
+    const double lifetime = sea_.parameters.water.shore.surf_foam_lifetime;
+    const auto surface_at = [this](double t) -> const ShoreSurface& {
+        ++runs_.foam_ticks;
+        return shore_surface(t, false);
+    };
+    return state.layer(time, trace_source(SurfTrace::foam, labels, lifetime, surface_at, pool_,
+                                          options_.foam_progress));
 }
 
 FoamLayer Ocean::wet_ground(double time, std::span<const WorldPoint> labels, FoamState& state) {
-    std::vector<SurfLabels> surf;
-    const FoamSource source{[](double) { return kDryingTime; },
-                            [&](double t, const FoamLayer& before, std::span<float> wet) {
-                                const ShoreSurface& surface = shore_surface(t, false);
-                                if (surf.empty())
-                                    surf = find_surf(surface.statics(), surface.run_up(), labels,
-                                                     pool_);
-                                ++runs_.foam_ticks;
-                                add_trace(SurfTrace::wet_ground, surface, surf, before, wet, pool_);
-                            },
-                            options_.foam_progress};
-    return state.layer(time, source);
+    const auto surface_at = [this](double t) -> const ShoreSurface& {
+        ++runs_.foam_ticks;
+        return shore_surface(t, false);
+    };
+    return state.layer(time, trace_source(SurfTrace::wet_ground, labels, kDryingTime, surface_at,
+                                          pool_, options_.foam_progress));
 }
 
 Surface Ocean::region(double time, const Domain& domain, ChannelSet channels) {
