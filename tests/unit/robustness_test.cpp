@@ -43,9 +43,9 @@ class RandomParameters {
 
   private:
     static bool skipped(const ParameterInfo& info) {
-        return info.type() == "text" || info.type() == "list" || info.section == "time" ||
-               info.key == "resolution" || info.key == "shortest_wavelength" ||
-               info.key == "longest_wavelength";
+        return info.type() == "text" || info.type() == "list" || info.type() == "numbers" ||
+               info.section == "time" || info.key == "resolution" ||
+               info.key == "shortest_wavelength" || info.key == "longest_wavelength";
     }
 
     ParameterValue number(const ParameterInfo& info) {

@@ -341,6 +341,8 @@ TEST(Ocean, EachParameterRunsItsOwnStagesAgainAndNoOthers) {
             value = info.choices()[1];
         } else if (info.type() == "list") {
             value = "1";
+        } else if (info.type() == "numbers") {
+            value = "[1, 2]";
         } else if (info.rule == NumberRule::power_of_two) {
             value = "64";
         } else if (info.key == "cascades") {
