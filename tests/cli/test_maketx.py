@@ -15,7 +15,7 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 
 def readme_line() -> list[str]:
     """`maketx --wrap periodic ...`, without the names of files."""
-    line = re.search(r"^maketx (.*?)( +#.*)?$", (ROOT / "README.md").read_text(), re.MULTILINE)
+    line = re.search(r"^maketx (.*?)( +#.*)?$", (ROOT / "docs/renderers.md").read_text(), re.M)
     words = line[1].split()
     assert words[-3].endswith(".exr") and words[-2:-1] == ["-o"]
     return ["maketx", *words[:-3]]

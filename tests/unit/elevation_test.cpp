@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -43,6 +44,52 @@ TEST(Elevation, CellsOfDegreesAreScaledByTheLatitudeOfTheCentre) {
     EXPECT_NEAR(model.domain.step(1), 11113.1777, 2e-4);
     model.domain = {.origin = {0.0, 89.0}, .size = {1.0, 2.0}, .samples = {11, 21}, .wraps = false};
     EXPECT_THROW(scale_degrees(model), Error);
+}
+
+/// A model of 9 x 13 cells of 2 m x 3 m at (100, 200) with the heights of a function of the place.
+template <typename Height>
+ElevationModel oblong(Height height) {
+    ElevationModel model;
+    model.domain = {
+        .origin = {100.0, 200.0}, .size = {16.0, 36.0}, .samples = {9, 13}, .wraps = false};
+    for (int j = 0; j < 13; ++j) {
+        for (int i = 0; i < 9; ++i) {
+            const auto [x, y] = model.domain.place(i, j);
+            model.heights.push_back(static_cast<float>(height(x, y)));
+        }
+    }
+    return model;
+}
+
+TEST(Elevation, SquareCellsKeepAPlaneAndItsPlace) {
+    const auto plane = [](double x, double y) { return 5.0 + 0.25 * x - 0.5 * y; };
+    const ElevationModel model = oblong(plane);
+    for (const double cell : {0.7, 2.0, 3.0, 4.0}) {
+        const Domain grid = with_square_cells(model, cell).domain;
+        const PageVector<float> heights = with_square_cells(model, cell).heights;
+        EXPECT_EQ(grid.origin, model.domain.origin);
+        EXPECT_DOUBLE_EQ(grid.step(0), cell);
+        EXPECT_DOUBLE_EQ(grid.step(1), cell);
+        EXPECT_EQ(grid.samples[1], static_cast<int>(36.0 / cell) + 1);
+        std::size_t next = 0;
+        for (int j = 0; j < grid.samples[1]; ++j) {
+            for (int i = 0; i < grid.samples[0]; ++i, ++next) {
+                const auto [x, y] = grid.place(i, j);
+                EXPECT_NEAR(double{heights[next]}, plane(x, y), 2e-5) << i << " " << j;
+            }
+        }
+    }
+}
+
+TEST(Elevation, CoarserSquareCellsHoldTheMeanAndAHoleSpreads) {
+    const auto comb = [](double x, double) { return std::fmod(x, 4.0) == 0.0 ? 10.0 : 0.0; };
+    ElevationModel model = oblong(comb);
+    const ElevationModel coarse = with_square_cells(model, 8.0);
+    ASSERT_EQ(coarse.domain.samples, (std::array{3, 5}));
+    EXPECT_NEAR(double{coarse.heights[1]}, 5.0, 1e-5) << "every second cell is 10";
+    model.heights[4 * 9 + 4] = kHole;
+    EXPECT_TRUE(std::isnan(with_square_cells(model, 4.0).heights[3 * 5 + 2]));
+    EXPECT_THROW(with_square_cells(model, 100.0), Error);
 }
 
 TEST(Elevation, TheSummaryLeavesHolesOut) {

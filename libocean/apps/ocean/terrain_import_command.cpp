@@ -35,6 +35,7 @@ struct ImportCommandOptions {
     std::string range;
     std::string corner;
     std::string crop;
+    std::string square;
 };
 
 /// Returns the numbers of "X0,Y0,X1,Y1", each of them within -1e9 .. 1e9.
@@ -211,6 +212,10 @@ void settle_holes(ElevationModel& model, const ImportCommandOptions& options,
 }
 
 void run(const ImportCommandOptions& options, const Context& context) {
+    constexpr double kMinSquare = 1e-3, kMaxSquare = 1e6;
+    const double square = options.square.empty()
+                              ? 0.0
+                              : parse_number(options.square, "--square", kMinSquare, kMaxSquare);
     ElevationImport request = request_of(options);
     if (!options.output.empty()) check_output(options);
     request.options.progress = row_progress_on(context.console);
@@ -220,11 +225,15 @@ void run(const ImportCommandOptions& options, const Context& context) {
                                               : facts_text(model, summary));
     if (options.output.empty()) return;
     settle_holes(model, options, summary);
+    if (square > 0.0) model = with_square_cells(model, square);
     const auto hold = context.interrupts.hold();
     io::make_folder(utf8_path(options.output).parent_path().string());
     io::write_elevation(model, options.output);
     if (!context.options.quiet && !context.options.json) {
-        context.console.data("written  " + options.output + ", with .hdr and .prj beside it\n");
+        const Domain& grid = model.domain;
+        context.console.data("written  " + options.output + ", " + std::to_string(grid.samples[0]) +
+                             " x " + std::to_string(grid.samples[1]) +
+                             " cells, with .hdr and .prj beside it\n");
     }
 }
 
@@ -277,7 +286,10 @@ Command terrain_import_command() {
                {"--corner", &options->corner, "NAME",
                 "South-west corner of an SRTM tile whose file has another name, as N34W119"},
                {"--crop", &options->crop, "WEST,SOUTH,EAST,NORTH",
-                "Keep the cells whose centres lie within these edges [m]"}}},
+                "Keep the cells whose centres lie within these edges [m]"},
+               {"--square", &options->square, "METRES",
+                "Write square cells of this side, as the bed of a sea needs: between cells by "
+                "interpolation, larger ones as means"}}},
              run_options("Print the facts as a JSON object")},
         .footer = kFooter,
         .run = [options](const Context& context) { run(*options, context); },

@@ -94,7 +94,7 @@ void require_bed_grid(const Domain& grid) {
     throw bed_error("has cells that are not square: they are " + significant_text(grid.step(0), 9) +
                         " m long to the east and " + significant_text(grid.step(1), 9) +
                         " m to the north",
-                    "square cells, as a GIS resamples to");
+                    "square cells; `ocean terrain import --square METRES` makes them");
 }
 
 double metres_of(BedUnit unit) {

@@ -10,6 +10,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/region.hpp"
 
 namespace ocean {
 namespace {
@@ -115,6 +116,44 @@ void relax(const HeightGrid& grid, std::span<const std::uint64_t> holes) {
     }
 }
 
+/// The samples that one sample of another grid is a mean of, along a side.
+struct Taps {
+    std::size_t first = 0;
+    std::vector<double> weights;  // their sum is 1
+};
+
+/// Returns the integral of the hat function 1 - |t|, which is 0 beyond |t| = 1, from -1 to `t`.
+double hat_integral(double t) {
+    const double inside = std::clamp(t, -1.0, 1.0);
+    const double rest = 1.0 - std::abs(inside);
+    return inside < 0.0 ? 0.5 * rest * rest : 1.0 - 0.5 * rest * rest;
+}
+
+/// Returns the taps of each sample of `to` along a side: the mean of the linear interpolant over
+/// the sample's cell, which is cut at the borders of `from` equally on both sides.
+std::vector<Taps> mean_taps(const Domain& from, const Domain& to, int side) {
+    const auto axis = static_cast<std::size_t>(side);
+    const int last = from.samples[axis] - 1;
+    const double cell = to.step(side) / from.step(side);
+    std::vector<Taps> taps(static_cast<std::size_t>(to.samples[axis]));
+    for (std::size_t i = 0; i < taps.size(); ++i) {
+        const double place = std::min(static_cast<double>(i) * cell, static_cast<double>(last));
+        // An interval of no length is a point: so short a one changes no float.
+        const double half = std::max(1e-6, std::min({0.5 * cell, place, last - place}));
+        const int begin = std::clamp(static_cast<int>(std::floor(place - half)), 0, last);
+        const int end = std::clamp(static_cast<int>(std::ceil(place + half)), begin, last);
+        taps[i].first = static_cast<std::size_t>(begin);
+        double sum = 0.0;
+        for (int k = begin; k <= end; ++k) {
+            const double weight = hat_integral(place + half - k) - hat_integral(place - half - k);
+            taps[i].weights.push_back(weight);
+            sum += weight;
+        }
+        for (double& weight : taps[i].weights) weight /= sum;
+    }
+    return taps;
+}
+
 }  // namespace
 
 ElevationSummary summarize(const ElevationModel& model) {
@@ -135,6 +174,37 @@ ElevationSummary summarize(const ElevationModel& model) {
     summary.mean = sum / count;
     summary.rms = std::sqrt(std::max(0.0, squares / count - summary.mean * summary.mean));
     return summary;
+}
+
+ElevationModel with_square_cells(const ElevationModel& model, double cell) {
+    const Domain& given = model.domain;
+    ElevationModel square = model;
+    square.domain = domain_of({.origin = given.origin, .size = given.size, .cell = cell});
+    const auto [columns, rows] = square.domain.samples;
+    const std::vector<Taps> across = mean_taps(given, square.domain, 0);
+    const std::vector<Taps> along = mean_taps(given, square.domain, 1);
+    const auto width = static_cast<std::size_t>(columns);
+    square.heights = PageVector<float>(width * static_cast<std::size_t>(rows));
+    std::vector<double> sums(static_cast<std::size_t>(given.samples[0]));
+    for (int j = 0; j < rows; ++j) {
+        std::ranges::fill(sums, 0.0);
+        const Taps& lines = along[static_cast<std::size_t>(j)];
+        for (std::size_t n = 0; n < lines.weights.size(); ++n) {
+            const std::size_t start = (lines.first + n) * sums.size();
+            for (std::size_t i = 0; i < sums.size(); ++i) {
+                sums[i] += lines.weights[n] * double{model.heights[start + i]};
+            }
+        }
+        for (std::size_t i = 0; i < width; ++i) {
+            const Taps& taps = across[i];
+            double height = 0.0;
+            for (std::size_t n = 0; n < taps.weights.size(); ++n) {
+                height += taps.weights[n] * sums[taps.first + n];
+            }
+            square.heights[static_cast<std::size_t>(j) * width + i] = static_cast<float>(height);
+        }
+    }
+    return square;
 }
 
 std::array<double, 2> metres_per_degree(double latitude) {

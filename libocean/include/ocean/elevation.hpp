@@ -65,6 +65,12 @@ void scale_degrees(ElevationModel& model);
 /// their bits. Throws Error invalid_value if no height is known.
 void fill_holes(std::span<float> heights, int columns);
 
+/// Returns the model with square cells of `cell` [m] from its south-west sample on: each height is
+/// the mean over its cell of the surface that is linear between the samples, so that a plane stays
+/// that plane. Holes spread to the cells that they touch. Throws Error invalid_value unless a side
+/// has 2 .. 32768 samples.
+ElevationModel with_square_cells(const ElevationModel& model, double cell);
+
 /// Returns the heights as bytes of little-endian floats.
 std::vector<std::byte> bytes_of_heights(std::span<const float> heights);
 /// Returns the SHA-256 of samples, cell and heights, in hexadecimal; the origin does not count.

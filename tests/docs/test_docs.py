@@ -1,0 +1,130 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""The site builds without a warning, and every block of code in its pages does what the page says.
+
+Blocks of a page run in one folder, in order: `sh` by bash, `python` in one process, `c` and `cpp`
+compiled (C also linked and run), `toml` of a whole file read by `ocean info`. Two comments before
+a block change that:
+    <!-- not run: REASON -->    the block is left out; the reason is counted and printed
+    <!-- before: COMMAND -->    the command makes what a reader of the page has
+Of `--frames 1-N` only the first two frames are computed.
+"""
+
+import importlib.util
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+DOCS = ROOT / "docs"
+PROGRAMS = Path(os.environ["OCEAN"]).resolve().parent
+LIBRARY = Path(os.environ["LIBOCEAN_LIBRARY"]).resolve()
+README_LIMIT = 9000  # bytes: one screen and the quick starts
+
+PAGES = [
+    ROOT / "README.md",
+    *(page for page in sorted(DOCS.glob("**/*.md")) if page.name != "commands.md"),
+]
+BLOCK = re.compile(
+    r"(?P<comments>(?:^<!--.*?-->\n)*)^```(?P<language>\w+)\n(?P<code>.*?)^```$", re.M | re.S
+)
+COMMENT = re.compile(r"<!-- (not run|before): (.*?) -->", re.S)
+RUNNABLE = ("sh", "python", "c", "cpp", "toml")
+
+
+def run(command: list, folder: Path, **options) -> str:
+    environment = os.environ | {
+        "PATH": f"{PROGRAMS}:{os.environ['PATH']}",
+        "PYTHONPATH": str(ROOT / "libocean/python"),
+        "SOURCE": str(ROOT),
+    }
+    done = subprocess.run(
+        command, cwd=folder, env=environment, text=True, stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, timeout=300, **options,
+    )  # fmt: skip
+    assert done.returncode == 0, f"{command}\n{done.stdout}"
+    return done.stdout
+
+
+def run_shell(code: str, folder: Path) -> None:
+    short = re.sub(r"--frames 1-\d+", "--frames 1-2", code)
+    run(["bash", "-euo", "pipefail", "-c", short], folder)
+
+
+def compiled(code: str, name: str, folder: Path) -> None:
+    """Compiles a program; one in C is also linked and run on a preset."""
+    (folder / name).write_text(code)
+    include = f"-I{ROOT / 'libocean/include'}"
+    if name.endswith(".cpp"):
+        run(["g++", "-std=c++20", "-fsyntax-only", "-Wall", "-Werror", include, name], folder)
+        return
+    link = [str(LIBRARY), f"-Wl,-rpath,{LIBRARY.parent}", "-o", "program"]
+    run(["gcc", "-std=c11", "-Wall", "-Werror", include, name, *link], folder)
+    run_shell("ocean presets beaufort_4 > calm.toml && ./program calm.toml", folder)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
+def test_every_block_of_a_page_runs(page: Path, tmp_path: Path, capsys) -> None:
+    (tmp_path / "renders").symlink_to(ROOT / "renders")
+    counts = {"run": 0, "left out": 0}
+    python = ""
+    for block in BLOCK.finditer(page.read_text()):
+        language, code = block["language"], block["code"]
+        if language not in RUNNABLE:
+            continue
+        comments = COMMENT.findall(block["comments"])
+        reasons = [text for kind, text in comments if kind == "not run"]
+        if reasons:
+            counts["left out"] += 1
+            with capsys.disabled():
+                print(f"\n{page.name}: not run: {reasons[0]}", end="")
+            continue
+        counts["run"] += 1
+        for kind, command in comments:
+            if kind == "before":
+                run_shell(command, tmp_path)
+        if language == "sh":
+            run_shell(code, tmp_path)
+        elif language == "python":
+            python += code  # what a later block uses, an earlier one has made
+        elif language == "toml":
+            (tmp_path / "block.toml").write_text(code)
+            run(["ocean", "info", "block.toml"], tmp_path)
+        else:
+            compiled(code, f"block.{language}", tmp_path)
+    if python:
+        run([sys.executable, "-c", python], tmp_path)
+    with capsys.disabled():
+        print(f"\n{page.name}: {counts['run']} run, {counts['left out']} left out", end="")
+
+
+def test_the_site_builds_without_a_warning(tmp_path: Path) -> None:
+    run([DOCS / "build.py", "--library", LIBRARY, "--output", tmp_path], tmp_path)
+    html = tmp_path / "html"
+    assert (html / "index.html").exists()
+    for page in html.glob("**/*.html"):
+        text = page.read_text()
+        loaded = re.findall(r'(?:src|href)="(https?://[^"]*)"', text)
+        links = re.findall(r'<a [^>]*href="(https?://[^"]*)"', text)
+        assert not set(loaded) - set(links), f"{page.name} asks another host"
+
+
+def test_links_of_the_pages_lead_to_files() -> None:
+    spec = importlib.util.spec_from_file_location("build_docs", DOCS / "build.py")
+    build = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(build)
+    missing = []
+    for page in [ROOT / "README.md", *build.pages()]:
+        for link in build.CODE_OR_LINK.finditer(page.read_text()):
+            target = link[3]
+            if target and not re.match(r"[a-z]+:", target) and not (page.parent / target).exists():
+                missing.append(f"{page.relative_to(ROOT)}: {target}")
+    assert not missing
+
+
+def test_the_readme_is_one_screen() -> None:
+    assert (ROOT / "README.md").stat().st_size <= README_LIMIT
