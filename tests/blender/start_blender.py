@@ -25,9 +25,9 @@ ROOT = HERE.parents[1]
 def sources(library: Path, wheels: list[Path]) -> list[Path]:
     """The files that the zips are made of, and what makes them."""
     addon = [path for path in (ROOT / "blender_addon").rglob("*") if path.is_file()]
-    wrapper = ROOT / "libocean" / "python" / "libocean"
     version = ROOT / "libocean" / "include" / "ocean" / "version.hpp"
-    found = [*addon, *wrapper.glob("*.py"), version, ROOT / "LICENSE", library, *wheels]
+    wrapper = [path for path in (ROOT / "libocean" / "python").rglob("*") if path.is_file()]
+    found = [*addon, *wrapper, version, ROOT / "LICENSE", library, *wheels]
     return sorted(path for path in found if path.suffix != ".pyc")
 
 
@@ -45,8 +45,11 @@ def pack(library: Path, kept: Path, folder: Path) -> tuple[Path, Path]:
         if not packed.exists():
             shutil.rmtree(kept)
             unfinished = kept / "unfinished"
-            command = [sys.executable, ROOT / "blender_addon" / "package.py", "--library", library]
-            command += [*(f"--wheel={wheel}" for wheel in wheels), "--output", unfinished]
+            make_wheel = ROOT / "libocean" / "python" / "make_wheel.py"
+            run = [sys.executable, make_wheel, "--output", kept / "wheels", library]
+            own = subprocess.run(run, check=True, stdout=subprocess.PIPE, text=True).stdout.split()
+            command = [sys.executable, ROOT / "blender_addon" / "package.py", *own, *wheels]
+            command += ["--output", unfinished]
             subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
             unfinished.rename(packed)
         for path in packed.iterdir():

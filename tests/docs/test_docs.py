@@ -27,6 +27,7 @@ README_LIMIT = 9000  # bytes: one screen and the quick starts
 
 PAGES = [
     ROOT / "README.md",
+    ROOT / "libocean/python/README.md",
     *(page for page in sorted(DOCS.glob("**/*.md")) if page.name != "commands.md"),
 ]
 BLOCK = re.compile(
