@@ -65,5 +65,17 @@ TEST(ShoreChannels, PartsOfARegionHaveTheBitsOfTheWhole) {
     }
 }
 
+TEST(ShoreChannels, LandBeyondTheSwashHasNoFoamOfTheOpenSea) {
+    Parameters parameters = beach_sea();
+    parameters.waves.front().wind_speed = 18.0;
+    Ocean ocean(parameters);
+    // The bed is 2.5 m high at x = 900 m and rises; the swash ends below.
+    const Domain land{{900.0, 100.0}, {100.0, 300.0}, {26, 76}, false};
+    const Surface map = ocean.region(4.0, land, {Channel::foam, Channel::cover, Channel::whitecap});
+    for (const Channel channel : {Channel::foam, Channel::cover, Channel::whitecap}) {
+        EXPECT_EQ(std::ranges::max(map.channel(channel)), 0.0f);
+    }
+}
+
 }  // namespace
 }  // namespace ocean
