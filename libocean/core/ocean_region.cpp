@@ -228,7 +228,7 @@ void Ocean::query_shore(double time, std::span<const WorldPoint> points,
                     "an exact query sums the waves of the open sea, and this sea has a bed "
                     "(water.seabed): its surface comes from maps alone");
     }
-    spline_resolution(sea_.parameters.grid.resolution, options);  // refuses a bad `refine`
+    spline_resolution(sea_.parameters.grid.resolution, {.refine = options.refine});  // may refuse
     if (points.empty()) return;
     ShoreSurface& surface = shore_surface(time, true);
     const auto [west, east] = std::ranges::minmax(points, {}, &WorldPoint::x);

@@ -31,9 +31,11 @@ BACK = '[[waves]]\nspectrum = "jonswap"\nwind_speed = 6.0\nwind_direction = 180\
         (grid(BEACH)[:-2000], "the file ends after 907 of 1196 heights"),
         (grid(BEACH).replace("nrows 26", "nrows 27"), "the file ends after 1196 of 1242 heights"),
         (grid(BEACH).replace("nrows 26", "nrows 25"), "more than the 1150 heights of the header"),
-        (grid(BEACH).replace("cellsize 4", "cellsize -4"), "cellsize"),
+        (grid(BEACH).replace("cellsize 4", "cellsize -4"), "allowed are positive sizes"),
         ("", "the file ends within the header"),
     ],
+    ids=["holes", "nan", "inf", "1x1", "row", "oblong", "100km", "cut", "rows+1", "rows-1",
+         "negative", "empty"],
 )
 def test_a_bad_grid_is_refused(coast, bed, sentence):
     coast.write("bed.asc", bed)
@@ -65,7 +67,7 @@ def test_floats_that_do_not_fit_their_header_are_refused(coast, floats, header, 
 def test_rows_and_columns_in_exchange_are_another_coast(coast):
     coast.write("sea.toml", SEA.replace("bed.asc", "bed.flt"))
     coast.write("bed.flt", FLOATS)
-    coast.write("bed.hdr", HEADER.replace("46", "x").replace("26", "46").replace("x", "26"))
+    coast.write("bed.hdr", HEADER.replace("ncols 46\nnrows 26", "ncols 26\nnrows 46"))
     shown = coast("bake", "sea.toml", "-o", "s.exr", *REGION, "--products", "height")
     assert "the waves come in over 73.9 % of those sides in water shallower" in shown.stderr
     assert "32.4 % of the region lies beyond the bed, 0 .. 100 m along x" in shown.stderr
@@ -113,7 +115,7 @@ def test_a_changed_or_missing_bed_is_told_by_its_hash(coast):
     coast.write("held.toml", coast.good("info", "sea.toml", "--sea-file"))
     coast.write("bed.asc", grid(np.tile(BEACH, (24, 10)) + 0.5))
     message = coast.bad("bake", "held.toml", "-o", "s.exr", *REGION)
-    assert message.count("SHA-256") == 1 and "held.toml" in message, message
+    assert "is another bed: its hash is" in message and "allowed: the bed with the hash" in message
     (coast.folder / "bed.asc").unlink()
     assert "no such file" in coast.bad("bake", "held.toml", "-o", "s.exr", *REGION)
 
@@ -134,7 +136,7 @@ def test_a_changed_or_missing_bed_is_told_by_its_hash(coast):
         (BEACH, ("patch_size=50",), "180 m long and the waves offshore repeat every 50 m"),
         (BEACH, ("wind_direction=90",), "come in over 76.1 % of those sides"),
         (BEACH, ("wind_direction=180",), "are land alone: no wave reaches the bed"),
-        (BEACH, ("seabed_origin=[500000,0]",), "100 % of the region lies beyond the bed, 500000"),
+        (BEACH, ("seabed_origin=[500000,0]",), "100 % of the region lies beyond the bed, 500000 .. 500180 m"),
     ],
 )
 def test_an_unsuitable_coast_is_baked_with_a_warning(coast, bed, settings, sentence):
@@ -178,7 +180,7 @@ def test_points_beyond_the_bed_and_in_its_ground_are_counted(coast):
     shown = coast("gauge", "sea.toml", *gauge).stderr
     assert "2 of 4 points lie beyond the bed" in shown
     assert "1 of 4 points lie in the ground of the bed" in shown  # still water's level on land
-    assert "refine = 3; allowed" in coast.bad(*query, "--refine", "3")
+    assert "refine = 3; allowed" in coast(*query, "--refine", "3").stderr.splitlines()[-1]
 
 
 def displacement(coast, sea: str, *arguments):
@@ -224,17 +226,6 @@ def test_a_loop_over_a_bed_closes_with_its_traces(coast):
         first, last = (image(coast.folder / f"s.{product}.{n}.exr") for n in ("0001", "0097"))
         assert (first == last).all(), product
         assert first.std() > 0.01
-
-
-def test_an_empty_bay_behind_a_spit_has_no_sea(coast):
-    # Land on all sides but a gap that waves from the west pass in the south alone.
-    bed = np.full((26, 46), -12.0)
-    bed[:, 12] = 3.0
-    bed[:8, 12] = -12.0
-    coast.write("bed.asc", grid(bed))
-    coast.good("bake", "sea.toml", "-o", "s.exr", *REGION, "--products", "height", "-q")
-    heights = image(coast.folder / "s.exr")
-    assert heights[-3:, 5:15].std() < 0.35 * heights[:, 0].std()
 
 
 def test_queries_agree_with_the_region_whatever_the_choppiness(coast):

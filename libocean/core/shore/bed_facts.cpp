@@ -214,8 +214,10 @@ std::vector<std::string> region_warnings(const SeaBed& bed, const Domain& region
     }
     if (beyond == 0) return {};
     const auto side = [&](std::size_t axis, const char* name) {
-        return shortest_text(bed.domain.origin[axis]) + " .. " +
-               shortest_text(bed.domain.origin[axis] + bed.domain.size[axis]) + " m along " + name;
+        constexpr int kDigits = 9;
+        const double first = bed.domain.origin[axis];
+        return significant_text(first, kDigits) + " .. " +
+               significant_text(first + bed.domain.size[axis], kDigits) + " m along " + name;
     };
     return {"water.seabed: " + percent(beyond, region.count()) +
             " of the region lies beyond the bed, " + side(0, "x") + " and " + side(1, "y") +
