@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from coasts import REGION, SEA, image
 
+
 def test_a_region_is_the_surface_that_queries_find(coast):
     coast.good(
         "bake",

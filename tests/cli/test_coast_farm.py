@@ -20,9 +20,7 @@ def test_shards_chunks_and_single_frames_have_the_bytes_of_the_whole(coast):
     expected = coast.hashes("whole")
     assert len(expected) == 5 * 4 + 1
     for shard in ("3/3", "1/3", "2/3"):
-        coast.good(
-            *BAKE, f"parts/{EXR}", "--frames", "196-200", "--shard", shard, "--threads", "1"
-        )
+        coast.good(*BAKE, f"parts/{EXR}", "--frames", "196-200", "--shard", shard, "--threads", "1")
     coast.good(*BAKE, f"back/{EXR}", "--frames", "200,199,198,197,196", "--threads", "2")
     coast.good(*BAKE, f"some/{EXR}", "--frames", "197")
     coast.good(*BAKE, f"some/{EXR}", "--frames", "196-200", "--skip-existing")
