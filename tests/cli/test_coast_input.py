@@ -88,7 +88,7 @@ def test_rows_and_columns_in_exchange_are_another_coast(coast):
         (("--region", "160,80,40,20", "--cell", "1"), "X1 must be above X0"),
         (("--region", "nan,0,9,9", "--cell", "1"), "--region = nan"),
         (("--region", "1e12,0,1.1e12,9", "--cell", "1"), "--region = 1e12"),
-        ((*REGION, "--products", "displacment"), "did you mean displacement?"),
+        ((*REGION, "--products", "displacement_x"), "did you mean displacement?"),
         ((*REGION, "--backend", "gl"), "--backend gl"),
         ((*REGION, "--stage", "h0"), "made on the CPU alone"),
         (("-o", "s.inc", "--eye", "0,0,5"), "needs maps that repeat"),
