@@ -68,11 +68,12 @@ TEST(ShoreChannels, PartsOfARegionHaveTheBitsOfTheWhole) {
     }
 }
 
-TEST(ShoreChannels, LandBeyondTheSwashHasNoFoamOfTheOpenSea) {
+TEST(ShoreChannels, LandThatNoWaveReachesHasNoFoamOfTheOpenSea) {
     Parameters parameters = beach_sea();
     parameters.waves.front().wind_speed = 18.0;
+    parameters.waves.front().wind_direction = 180.0;  // from the land
     Ocean ocean(parameters);
-    // The bed is 2.5 m high at x = 900 m and rises; the swash ends below.
+    // The bed is 2.5 m high at x = 900 m and rises.
     const Domain land{{900.0, 100.0}, {56.0, 300.0}, {15, 76}, false};
     const Surface map = ocean.region(4.0, land, {Channel::foam, Channel::cover, Channel::whitecap});
     for (const Channel channel : {Channel::foam, Channel::cover, Channel::whitecap}) {
