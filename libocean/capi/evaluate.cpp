@@ -17,6 +17,7 @@
 #include "ocean/detail.hpp"
 #include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/sea_bed.hpp"
 #include "outputs.hpp"
 #include "sea_handle.hpp"
 
@@ -141,6 +142,20 @@ ocean_result ocean_region(ocean_sea* sea, double time, const ocean_region_reques
         std::vector<MapOutput>& maps = sea->map_outputs;
         const Domain region = read_region(*request, maps);
         sea->ocean->region_into(time, region, maps);
+    });
+}
+
+ocean_result ocean_bed_region(const ocean_sea* sea, double x, double y, double cell,
+                              int32_t columns, int32_t rows, float* heights) {
+    return guarded([&] {
+        const Visit visit(sea);
+        require(heights, "heights");
+        const Domain region = region_domain(x, y, cell, columns, rows);
+        const SeaBed* const bed = sea->ocean->parameters().water.bed.get();
+        if (bed == nullptr) {
+            throw CallError(OCEAN_UNSUPPORTED, "this sea has no bed (water.seabed)");
+        }
+        write_bed_heights(*bed, region, {heights, region.count()});
     });
 }
 

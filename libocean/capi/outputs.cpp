@@ -211,16 +211,15 @@ void read_outputs(const OutputArray& outputs, std::size_t count, int columns, in
     }
 }
 
-Domain read_region(const ocean_region_request& request, std::vector<MapOutput>& maps) {
-    const auto asked = read_struct(&request, sizeof(ocean_region_request), "ocean_region_request");
+Domain region_domain(double x, double y, double cell, std::int32_t columns, std::int32_t rows) {
     const auto require_side = [](const char* name, std::int32_t side) {
         if (side >= 2 && side <= kMaxRegionSide) return;
         refuse({.parameter = name,
                 .value = std::to_string(side),
                 .allowed = "2 .. " + std::to_string(kMaxRegionSide)});
     };
-    require_side("columns", asked.columns);
-    require_side("rows", asked.rows);
+    require_side("columns", columns);
+    require_side("rows", rows);
     const auto require_number = [](const char* name, double value, double lowest) {
         constexpr double kFarthest = 1e8;  // [m]
         if (value >= lowest && value <= kFarthest) return;
@@ -228,18 +227,21 @@ Domain read_region(const ocean_region_request& request, std::vector<MapOutput>& 
                 .value = shortest_text(value),
                 .allowed = shortest_text(lowest) + " .. " + shortest_text(kFarthest) + " m"});
     };
-    require_number("x", asked.x, -1e8);
-    require_number("y", asked.y, -1e8);
-    require_number("cell", asked.cell, 1e-3);
+    require_number("x", x, -1e8);
+    require_number("y", y, -1e8);
+    require_number("cell", cell, 1e-3);
+    return {{x, y}, {cell * (columns - 1), cell * (rows - 1)}, {columns, rows}, false};
+}
+
+Domain read_region(const ocean_region_request& request, std::vector<MapOutput>& maps) {
+    const auto asked = read_struct(&request, sizeof(ocean_region_request), "ocean_region_request");
+    const Domain region = region_domain(asked.x, asked.y, asked.cell, asked.columns, asked.rows);
     read_outputs(OutputArray(asked.outputs, asked.output_count, asked.output_size),
                  asked.output_count, asked.columns, asked.rows, maps);
     for (const MapOutput& map : maps) {
         if (map.seam) refuse("outputs: a region has no seam");
     }
-    return {{asked.x, asked.y},
-            {asked.cell * (asked.columns - 1), asked.cell * (asked.rows - 1)},
-            {asked.columns, asked.rows},
-            false};
+    return region;
 }
 
 }  // namespace ocean::capi

@@ -18,6 +18,7 @@
 #include "ocean/parameter_table.hpp"
 #include "parameters/performer.hpp"
 #include "shore/coast.hpp"
+#include "shore/region_channels.hpp"
 #include "shore/shore_motion.hpp"
 #include "spray/spray_follower.hpp"
 #include "surface/map_writer.hpp"
@@ -307,22 +308,31 @@ bool Ocean::has_foam(ChannelSet channels) const {
 }
 
 SprayFollower& Ocean::spray_at(double time, const SpraySettings& settings) {
-    require_open_sea("spray");
     require_time(time);
     validate(settings);
     go_to(time);
-    const Lattice lattice = spray_lattice(now().grid);
+    const bool has_bed = now().water.bed != nullptr;
     if (!spray_ || spray_->settings() != settings) {
         spray_.reset();
-        require_map_memory(lattice.resolution, kSprayChannels.size(), kSprayChannels);
+        const Domain domain = spray_domain(now());
+        if (has_bed) {
+            require_memory(2 * domain.count() * kSprayChannels.size() * sizeof(float), "spray");
+        } else {
+            require_map_memory(domain.samples[0], kSprayChannels.size(), kSprayChannels);
+        }
         spray_ = std::make_unique<SprayFollower>(
-            settings, foam_clock(sea_.parameters.surface, sea_.parameters.time.loop_period),
-            lattice, sea_.parameters.seed);
+            settings, foam_clock(sea_.parameters.surface, sea_.parameters.time.loop_period), domain,
+            sea_.parameters.seed);
     }
-    spray_->go_to(time, {[this](double t, Surface& map) {
+    spray_->go_to(time, {[&](double t, Surface& map) {
                       go_to(t);
                       ++runs_.spray_ticks;
-                      write_maps(t, outputs_of(map), map.resolution(), {});
+                      if (has_bed) {
+                          map = region(t, map.domain(), kSprayChannels);
+                          leave_out_swash(*now().water.bed, map);
+                      } else {
+                          write_maps(t, outputs_of(map), map.resolution(), {});
+                      }
                       return spray_air(now());
                   }});
     return *spray_;

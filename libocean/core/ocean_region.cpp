@@ -224,10 +224,12 @@ void Ocean::query_shore(double time, std::span<const WorldPoint> points,
                         std::span<QuerySample> samples, const QueryOptions& options) {
     require_finite(points);
     if (options.exact) {
-        throw Error(ErrorKind::unsupported,
-                    "an exact query sums the waves of the open sea, and this sea has a bed "
-                    "(water.seabed): its surface comes from maps alone");
+        throw Error(
+            ErrorKind::unsupported,
+            "an exact query sums the waves of the open sea, and this sea has a bed "
+            "(water.seabed): its surface comes from maps alone, exact to 2e-6 of its waves");
     }
+    spline_resolution(sea_.parameters.grid.resolution, {.refine = options.refine});  // may refuse
     if (points.empty()) return;
     ShoreSurface& surface = shore_surface(time, true);
     const auto [west, east] = std::ranges::minmax(points, {}, &WorldPoint::x);

@@ -720,10 +720,16 @@ OCEAN_API ocean_result ocean_terrain_region(ocean_terrain* terrain,
  * at a time [s] together, by label. Beside the channels of every sea it has OCEAN_DEPTH,
  * OCEAN_BREAKING and OCEAN_WETNESS. The first call computes where the waves go over the bed, which
  * takes seconds; later calls keep that until bed or waves change. UNSUPPORTED for a sea without a
- * bed. All other functions that compute maps, slope tiles or spray of a sea return UNSUPPORTED for
- * a sea over a bed: their maps repeat, and it does not. */
+ * bed. All other functions that compute maps or slope tiles of a sea return UNSUPPORTED for a sea
+ * over a bed: their maps repeat, and it does not. */
 OCEAN_API ocean_result ocean_region(ocean_sea* sea, double time,
                                     const ocean_region_request* request);
+/* ocean_bed_region writes the heights of the bed of a sea over still water [m], linear between its
+ * samples and beyond it those of its border, at columns x rows places `cell` apart [m] from (x, y)
+ * on, row by row from the south into heights[0 .. columns * rows - 1]. columns and rows: 2 ..
+ * 32768. UNSUPPORTED for a sea without a bed. */
+OCEAN_API ocean_result ocean_bed_region(const ocean_sea* sea, double x, double y, double cell,
+                                        int32_t columns, int32_t rows, float* heights);
 /* A mesh of land around a camera at (x, y, z) [m]: fine near it, coarser by a factor of 2 with each
  * doubling of the distance, and without cracks. ground: the height of the land under the camera
  * [m]; distances are taken to the plane of that height, so that a coarse height keeps the mesh calm

@@ -14,7 +14,6 @@
 
 #include "ocean/cascades.hpp"
 #include "ocean/directional_spectrum.hpp"
-#include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/land_mask.hpp"
@@ -133,15 +132,10 @@ class SeaSubject final : public Subject {
         std::vector<std::string> all = full_development_warnings(parameters);
         if (parameters.water.bed) {
             const SeaBed& bed = *parameters.water.bed;
-            const SpectralMoments waves =
-                make_directional_spectrum(parameters).moments(parameters.water);
-            const double peak =
-                waves.peak_omega > 0.0
-                    ? kTwoPi / Dispersion(parameters.water).wavenumber(waves.peak_omega)
-                    : 0.0;
             std::ranges::move(bed_warnings(bed, parameters.water), std::back_inserter(all));
-            std::ranges::move(coast_warnings(bed, {peak, waves.mean_direction, grid().patch_size,
-                                                   parameters.water.depth}),
+            std::ranges::move(coast_warnings(bed, incoming_waves(parameters)),
+                              std::back_inserter(all));
+            std::ranges::move(region_warnings(bed, domain(default_resolution())),
                               std::back_inserter(all));
         }
         return all;

@@ -127,6 +127,25 @@ BENCHMARK_CAPTURE(show_region, normals, normals)->Apply(show_region_options);
 BENCHMARK_CAPTURE(show_region, velocity, velocity)->Apply(show_region_options);
 BENCHMARK_CAPTURE(show_region, foam, foam)->Apply(show_region_options);
 
+/// Computes where the waves go over the 4 km2 of the bed: delays and energy.
+void make_statics(benchmark::State& state) {
+    const ocean::Parameters sea = sea_over_bed();
+    for (auto _ : state) {
+        state.PauseTiming();
+        ocean::Ocean ocean(sea, {.threads = static_cast<int>(state.range(0))});
+        ocean.modes();
+        state.ResumeTiming();
+        ocean.prepare_coast();
+    }
+    state.SetItemsProcessed(state.iterations() *
+                            static_cast<std::int64_t>(sea.water.bed->domain.count()));
+}
+BENCHMARK(make_statics)
+    ->ArgName("threads")
+    ->DenseRange(1, 2)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
 /// Shows the first frame with foam, which follows the past of the foam, statics apart.
 void show_first_foam(benchmark::State& state) {
     const ocean::Domain domain{{1000.0, 300.0}, {499.0, 499.0}, {500, 500}, false};

@@ -84,6 +84,7 @@ void a_region_over_a_bed_is_computed_and_maps_that_repeat_are_not(void) {
     enum { kSide = 5 };
     float heights[kColumns * kRows];
     float values[2 * kSide * kSide] = {0};
+    float bed[kSide * kSide];
     ocean_output output = {.data = values,
                            .count = 2 * kSide * kSide,
                            .channel = {OCEAN_HEIGHT, OCEAN_DEPTH},
@@ -103,12 +104,23 @@ void a_region_over_a_bed_is_computed_and_maps_that_repeat_are_not(void) {
                              .resolution = 32};
     ocean_sea* sea = open_small_sea(NULL);
     CHECK_RESULT(OCEAN_UNSUPPORTED, ocean_region(sea, 0.0, &region));
+    CHECK_RESULT(OCEAN_UNSUPPORTED, ocean_bed_region(sea, 0, 0, 1, kSide, kSide, bed));
     make_beach(heights);
     CHECK_RESULT(OCEAN_OK, ocean_set_bed(sea, heights, kColumns, kRows, 0.0, 0.0, 5.0));
     CHECK_RESULT(OCEAN_OK, ocean_region(sea, 1.0, &region));
     /* The bed rises to the east: 4.5 m of water at its western end, less all along. */
     CHECK(values[1] > values[2 * (kSide - 1) + 1]);
     CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_region(sea, HUGE_VAL, &region));
+    CHECK_RESULT(OCEAN_OK, ocean_bed_region(sea, -5.0, 0.0, 2.5, kSide, kSide, bed));
+    /* West of the bed its border goes on; between samples it is linear. */
+    CHECK(bed[0] == -4.5f && bed[1] == -4.5f && bed[2] == -4.5f);
+    CHECK(bed[3] == -4.0f && bed[kSide + 4] == -3.5f);
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_bed_region(NULL, 0, 0, 1, kSide, kSide, bed));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_bed_region(sea, 0, 0, 1, kSide, kSide, NULL));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_bed_region(sea, 0, 0, 1, 1, kSide, bed));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_bed_region(sea, 0, 0, 1, kSide, 32769, bed));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_bed_region(sea, 0, 0, 0, kSide, kSide, bed));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_bed_region(sea, HUGE_VAL, 0, 1, kSide, kSide, bed));
     region.columns = 1;
     CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_region(sea, 1.0, &region));
     map.channels = 1;

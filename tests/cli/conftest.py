@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 from bake_runs import BAKE, pattern
+from coasts import BEACH, SEA, grid
 
 OCEAN = os.environ.get("OCEAN", "")
 if not Path(OCEAN).is_file():
@@ -141,6 +142,14 @@ def ocean(tmp_path) -> Program:
     program.write("sea.toml", SMALL_SEA)
     program.write("buoy.toml", f'libocean = 1\n[[waves]]\nspectrum = "measured"\nfile = "{BUOY}"\n')
     return program
+
+
+@pytest.fixture
+def coast(ocean) -> Program:
+    """The program in a folder with a sea over a beach."""
+    ocean.write("bed.asc", grid(BEACH))
+    ocean.write("sea.toml", SEA)
+    return ocean
 
 
 @pytest.fixture

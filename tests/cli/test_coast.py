@@ -7,39 +7,8 @@ import csv
 import io
 
 import numpy as np
-import OpenImageIO
 import pytest
-
-SEA = """libocean = 1
-[water]
-depth = 12.0
-seabed = "bed.asc"
-[grid]
-resolution = 64
-patch_size = 200.0
-[[waves]]
-spectrum = "jonswap"
-wind_speed = 9.0
-fetch = 30000.0
-"""
-REGION = ("--region", "40,20,160,80", "--cell", "4")
-
-
-@pytest.fixture
-def coast(ocean):
-    """A beach that rises 1:12 to the east, 12 m of water to 3 m of land."""
-    head = "ncols 46\nnrows 26\nxllcenter 0\nyllcenter 0\ncellsize 4\n"
-    row = " ".join(f"{4.0 * i / 12.0 - 12.0:.3f}" for i in range(46))
-    ocean.write("bed.asc", head + (row + "\n") * 26)
-    ocean.write("sea.toml", SEA)
-    return ocean
-
-
-def image(path):
-    source = OpenImageIO.ImageInput.open(str(path))
-    pixels = source.read_image("float")
-    source.close()
-    return pixels[::-1].squeeze()  # the first row is the southern one
+from coasts import REGION, SEA, image
 
 
 def test_a_region_is_the_surface_that_queries_find(coast):

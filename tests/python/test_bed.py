@@ -63,3 +63,15 @@ def test_a_region_is_the_surface_that_queries_find(sea):
 def test_a_region_needs_a_bed(sea):
     with pytest.raises(libocean.Error, match="has no bed"):
         sea.region(0.0, (0.0, 0.0), (4, 4), 1.0)
+
+
+def test_the_bed_of_a_region_is_linear_between_its_samples(sea):
+    with pytest.raises(libocean.Error, match="has no bed"):
+        sea.bed_region((0.0, 0.0), (4, 4), 1.0)
+    sea.set_bed(BEACH, cell=5.0)
+    heights = sea.bed_region((-5.0, 2.0), (8, 3), 2.5)
+    assert heights.shape == (3, 8) and heights.dtype == np.float32
+    expected = np.clip(-5.0 + 2.5 * np.arange(8), 0.0, 40.0) / 5.0 - 4.5
+    assert np.abs(heights - expected).max() < 1e-6
+    with pytest.raises(ValueError, match="columns"):
+        sea.bed_region((0.0, 0.0), (1, 4), 1.0)

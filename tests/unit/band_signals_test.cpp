@@ -6,12 +6,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 #include <tuple>
+#include <vector>
 
 #include "divided_sea.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
+#include "shore/signal_task.hpp"
 
 namespace ocean {
 namespace {
@@ -245,6 +249,43 @@ TEST(BandSignals, AFrameCostsAtMostThreeOpenMaps) {
         }
         // The rms of 40 errors is within a third of the rms of all.
         EXPECT_LT(rms(error), 1.33 * 2e-6 * rms(exact));
+    }
+}
+
+// Products and sums are not fused, so that the sea of a machine is that of every other.
+TEST(BandSignals, EveryInstructionSetReadsTheSameBits) {
+    constexpr std::uint32_t kColumns = 32, kRows = 16;
+    constexpr std::size_t kPitch = kColumns + 4, kCount = 150;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    std::vector<float> values(2 * kPitch * kRows), rates(values.size());
+    for (float& value : values) value = static_cast<float>(uniform(random));
+    for (float& rate : rates) rate = static_cast<float>(uniform(random));
+    std::vector<double> x(kCount), y(kCount);
+    for (std::size_t i = 0; i < kCount; ++i) {
+        x[i] = 3000.0 * uniform(random);
+        y[i] = 3000.0 * uniform(random);
+    }
+    const auto read = [&](SimdLevel level) {
+        std::vector<float> out(8 * kCount);
+        const auto part = [&](std::size_t number) { return out.data() + number * kCount; };
+        signal_loop(level)(
+            {.count = kCount,
+             .x = x.data(),
+             .y = y.data(),
+             .cells_per_metre = {0.31, 0.17},
+             .mask = {kColumns - 1, kRows - 1},
+             .half_turns = {0.041, -0.013},
+             .value = {values.data(), kPitch},
+             .rate = {rates.data(), kPitch},
+             .out = {part(0), part(1), part(2), part(3), part(4), part(5), part(6), part(7)}});
+        return out;
+    };
+    const std::vector<float> expected = read(SimdLevel::portable);
+    EXPECT_GT(*std::ranges::max_element(expected), 0.1f);
+    for (const SimdLevel level : {SimdLevel::sse4, SimdLevel::avx2, SimdLevel::avx512}) {
+        if (!simd_available(level)) continue;
+        EXPECT_EQ(read(level), expected) << simd_name(level);
     }
 }
 

@@ -6,10 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
@@ -157,15 +159,16 @@ TEST(SeaBed, WarningsNameAWrongSignUnitAndDatumAndNothingOfABeach) {
 }
 
 TEST(SeaBed, ABedThatDoesNotSuitItsWavesIsWarnedOf) {
-    const auto warnings = [](const GivenBed& given, double direction, double wavelength,
-                             double period) {
-        const Parameters parameters = with_bed(given);
+    const auto warnings_in = [](const GivenBed& given, const IncomingWaves& waves) {
         std::string all;
-        for (const std::string& text :
-             coast_warnings(*parameters.water.bed, {wavelength, direction, period, 100.0})) {
+        for (const std::string& text : coast_warnings(*with_bed(given).water.bed, waves)) {
             all += text + "\n";
         }
         return all;
+    };
+    const auto warnings = [&](const GivenBed& given, double direction, double wavelength,
+                              double period, double depth = 100.0) {
+        return warnings_in(given, {{{"", wavelength, direction}}, wavelength, period, depth});
     };
     // 2 m of water in the west, dry land in the east.
     const GivenBed bed = beach(321, 11, 0.25, 2.0);
@@ -175,6 +178,53 @@ TEST(SeaBed, ABedThatDoesNotSuitItsWavesIsWarnedOf) {
     EXPECT_NE(warnings(bed, kPi, 3.9, 1000.0).find("no wave reaches the bed"), std::string::npos);
     EXPECT_NE(warnings(bed, 0.0, 1.5, 1000.0).find("are coarse for waves"), std::string::npos);
     EXPECT_NE(warnings(bed, 0.0, 3.9, 15.0).find("repeat every 15 m"), std::string::npos);
+    // Its western half is deeper than half a metre, which waves of 1.2 m feel and of 0.9 m do not.
+    EXPECT_NE(warnings(bed, 0.0, 1.2, 1000.0, 0.5).find("deeper than water.depth = 0.5 m"),
+              std::string::npos);
+    EXPECT_EQ(warnings(bed, 0.0, 0.9, 1000.0, 0.5).find("deeper than"), std::string::npos);
+    EXPECT_NE(warnings(bed, 0.0, 90.0, 1000.0).find("80 m long, less than a peak wavelength, 90 m"),
+              std::string::npos);
+    // Of two systems the one from the land is named.
+    const std::string both =
+        warnings_in(bed, {{{"waves.0", 3.9, 0.0}, {"waves.1", 3.9, kPi}}, 3.9, 1000.0, 100.0});
+    EXPECT_NE(both.find("the waves of waves.1 come in are land alone"), std::string::npos);
+    EXPECT_EQ(both.find("waves.0"), std::string::npos);
+}
+
+TEST(SeaBed, IncomingWavesAreThoseOfEachSystemThatHasEnergy) {
+    Parameters parameters;
+    parameters.waves.front().wind_direction = 180.0;
+    const IncomingWaves one = incoming_waves(parameters);
+    ASSERT_EQ(one.systems.size(), 1u);
+    EXPECT_EQ(one.systems[0].name, "");
+    EXPECT_NEAR(std::abs(one.systems[0].direction), kPi, 0.05);  // the table's own accuracy
+    EXPECT_EQ(one.systems[0].peak_wavelength, one.peak_wavelength);
+    parameters.waves.push_back(parameters.waves.front());
+    parameters.waves.push_back(parameters.waves.front());
+    parameters.waves[1].wind_speed = 0.0;
+    parameters.waves[2].wind_direction = 0.0;
+    const IncomingWaves two = incoming_waves(parameters);
+    ASSERT_EQ(two.systems.size(), 2u);
+    EXPECT_EQ(two.systems[1].name, "waves.2");
+    EXPECT_NEAR(two.systems[1].direction, 0.0, 0.05);
+}
+
+TEST(SeaBed, HeightsOfARegionAreLinearAndGoOnBeyondTheBorder) {
+    const Parameters parameters = with_bed(beach(41, 3, 10.0));
+    const SeaBed& bed = *parameters.water.bed;
+    const Domain region{{-15.0, 5.0}, {450.0, 10.0}, {31, 2}, false};
+    std::vector<float> heights(region.count());
+    write_bed_heights(bed, region, heights);
+    for (int i = 0; i < 31; ++i) {
+        const double x = std::clamp(-15.0 + 15.0 * i, 0.0, 400.0);
+        EXPECT_NEAR(heights[static_cast<std::size_t>(i)], x / 20.0 - 10.0, 1e-5);
+    }
+    ASSERT_EQ(region_warnings(bed, region).size(), 1u);
+    // Of 31 columns three lie beyond the bed: x = -15, 405 and 420 .. 435 m.
+    EXPECT_NE(region_warnings(bed, region)[0].find("12.9 % of the region lies beyond the bed"),
+              std::string::npos)
+        << region_warnings(bed, region)[0];
+    EXPECT_TRUE(region_warnings(bed, bed.domain).empty());
 }
 
 TEST(SeaBed, ASeaWithABedHasTheStateOfTheOpenSeaAndTheBed) {

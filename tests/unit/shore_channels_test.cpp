@@ -6,10 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <vector>
 
+#include "ocean/directional_spectrum.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/sea_bed.hpp"
+#include "shore/shore_statics.hpp"
 
 namespace ocean {
 namespace {
@@ -63,6 +66,48 @@ TEST(ShoreChannels, PartsOfARegionHaveTheBitsOfTheWhole) {
                       large.channel(Channel::height)[(j + 10) * 81 + i + 30]);
         }
     }
+}
+
+TEST(ShoreChannels, LandThatNoWaveReachesHasNoFoamOfTheOpenSea) {
+    Parameters parameters = beach_sea();
+    parameters.waves.front().wind_speed = 18.0;
+    parameters.waves.front().wind_direction = 180.0;  // from the land
+    Ocean ocean(parameters);
+    // The bed is 2.5 m high at x = 900 m and rises.
+    const Domain land{{900.0, 100.0}, {56.0, 300.0}, {15, 76}, false};
+    const Surface map = ocean.region(4.0, land, {Channel::foam, Channel::cover, Channel::whitecap});
+    for (const Channel channel : {Channel::foam, Channel::cover, Channel::whitecap}) {
+        EXPECT_EQ(std::ranges::max(map.channel(channel)), 0.0f);
+    }
+}
+
+TEST(ShoreStatics, AreAsLargeAsToldAndAtMost5500KilobytesForASquareKilometreAndSector) {
+    Parameters parameters = beach_sea();
+    GivenBed given;
+    given.grid = {{0.0, 0.0}, {1000.0, 1000.0}, {251, 251}, false};
+    for (int j = 0; j < 251; ++j) {
+        for (int i = 0; i < 251; ++i) {
+            given.heights.push_back(std::max(-20.0f, (4.0f * static_cast<float>(i) - 900) / 40.0f));
+        }
+    }
+    parameters.water.bed = nullptr;
+    parameters.water.bed = make_sea_bed(std::move(given), parameters.water);
+    const SeaBed& ground = *parameters.water.bed;
+    const BedGrid bed{ground.domain, {ground.heights.begin(), ground.heights.end()}};
+    const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
+    const ShoreBands bands = choose_bands(spectrum, parameters);
+    ThreadPool pool(1);
+    const auto delays = make_shore_delays(bed, bands, parameters.water, pool);
+    const auto energy = make_shore_energy(bed, *delays, spectrum, parameters.water, pool);
+    std::size_t bytes =
+        delays->ground.bytes() + energy->breaking.bytes() + energy->remainder.bytes();
+    for (const QuadGrid& waves : delays->waves) bytes += waves.bytes();
+    for (const QuadGrid& amplitudes : energy->amplitudes) bytes += amplitudes.bytes();
+    std::set<int> sectors;
+    for (const ShoreWaves& waves : bands.waves) sectors.insert(waves.sector);
+    ASSERT_GE(sectors.size(), 3u);
+    EXPECT_LE(static_cast<double>(bytes) / static_cast<double>(sectors.size()), 5.5e6);
+    EXPECT_LE(bytes, shore_statics_bytes(ground.domain, bands.waves.size()));
 }
 
 }  // namespace

@@ -253,7 +253,6 @@ TEST(ShoreSurface, WhatDoesNotKnowTheBedIsRefused) {
     };
     EXPECT_TRUE(refuses([&] { ocean.evaluate(0.0, Channel::height); }));
     EXPECT_TRUE(refuses([&] { ocean.detail_budget(0.0); }));
-    EXPECT_TRUE(refuses([&] { ocean.spray(0.0); }));
     Ocean open(surf_sea(20.0));
     EXPECT_TRUE(refuses([&] { open.region(0.0, square(0, 0, 8, 1.0), Channel::height); }));
 }

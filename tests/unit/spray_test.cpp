@@ -16,6 +16,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/foam.hpp"
+#include "ocean/sea_bed.hpp"
 #include "spray/spray_birth.hpp"
 #include "spray/spray_flight.hpp"
 #include "test_seas.hpp"
@@ -139,6 +140,47 @@ TEST(Spray, AFrameAloneHasTheBitsOfTheSequence) {
     slower.time.fps = 12.0;
     Ocean other(slower, {.threads = 1});
     EXPECT_TRUE(equal(other.spray(parameters.time.start + 199.0 / 24.0), expected));
+}
+
+/// A beach that rises to the east, 1:24 from 8 m of water to 2 m of land, in a wind that makes few
+/// whitecaps.
+Parameters windy_beach() {
+    Parameters parameters = windy_sea(9.5, 64, 240.0);
+    parameters.surface.choppiness = 1.0;
+    parameters.surface.foam_step = 0.1;
+    parameters.water.depth = 8.0;
+    GivenBed given;
+    given.grid = {{0.0, 0.0}, {240.0, 80.0}, {121, 41}, false};
+    for (int j = 0; j < 41; ++j) {
+        for (int i = 0; i < 121; ++i) given.heights.push_back(static_cast<float>(i) / 12.0f - 8.0f);
+    }
+    parameters.water.bed = make_sea_bed(std::move(given), parameters.water);
+    return parameters;
+}
+
+TEST(Spray, OverABedTheFrontsOfBreakingWavesHaveIt) {
+    const Parameters parameters = windy_beach();
+    const SpraySettings settings{.lifetime = 0.5, .density = 200.0};
+    Ocean sea(parameters, {.threads = 1});
+    const Particles alone = spray_of(sea, 60, settings);
+    std::size_t offshore = 0, surf = 0;
+    for (const SprayParticle& particle : alone) {
+        // Near where it was born: gusts carry it some metres, and to both sides.
+        const float bed = bed_height(*parameters.water.bed, particle.x - particle.vx * particle.age,
+                                     particle.y - particle.vy * particle.age);
+        EXPECT_LT(bed, 0.0f) << "swash has no spray";
+        offshore += bed < -4.0f ? 1u : 0u;
+        surf += bed > -2.5f ? 1u : 0u;
+    }
+    // The surf is 1.3 to 2.5 m deep: 29 m wide, and the sea offshore 96 m.
+    EXPECT_GT(surf, 100u);
+    EXPECT_GT(static_cast<double>(surf) / 29.0, 3.0 * static_cast<double>(offshore) / 96.0)
+        << surf << " in the surf, " << offshore << " offshore";
+
+    Ocean busy(parameters, {.threads = 2});
+    for (int frame = 57; frame < 60; ++frame) spray_of(busy, frame, settings);
+    busy.region(1.0, {{100.0, 10.0}, {60.0, 40.0}, {31, 21}, false}, Channel::height);
+    EXPECT_TRUE(equal(spray_of(busy, 60, settings), alone)) << "in a sequence, on two threads";
 }
 
 TEST(Spray, ASequencePaysForNewTicksAlone) {

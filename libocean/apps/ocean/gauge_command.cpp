@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "bed_points.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "gauge/gauge_files.hpp"
@@ -113,6 +114,14 @@ void run(const GaugeOptions& options, const Context& context) {
     for (const std::string& output : {options.output, options.spectrum}) inputs.spare(output);
     const GaugePlan plan = plan_of(options, sea);
     if (!plan.left_out.empty()) context.console.warning("--points: " + plan.left_out);
+    std::vector<WaterPoint> places;
+    for (const Gauge& gauge : plan.gauges) {
+        const GaugePlace at = gauge.track.front().place;
+        places.push_back({at.x, at.y, at.z});
+    }
+    for (const std::string& text : bed_point_warnings(sea, places, true)) {
+        context.console.warning(text);
+    }
     Ocean ocean(sea, {.threads = context.options.threads});
     ThreadPool pool(context.options.threads);
     require_room(plan, ocean, pool.size());

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "bed_points.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "input_files.hpp"
@@ -59,6 +60,14 @@ class QueryRun {
                                                              {"name", PointColumn::Kind::text}}};
         const PointTable table = read_points(options_.points, kColumns);
         if (!table.left_out().empty()) context_.console.warning("--points: " + table.left_out());
+        std::vector<WaterPoint> places;
+        for (std::size_t i = 0; i < table.size(); ++i) {
+            places.push_back(
+                {table.numbers("x")[i], table.numbers("y")[i], options_.orbital_z.value_or(0.0)});
+        }
+        for (const auto& text : bed_point_warnings(sea_, places, options_.orbital_z.has_value())) {
+            context_.console.warning(text);
+        }
         Ocean ocean(sea_, {.threads = context_.options.threads,
                            .foam_progress = foam_progress_on(context_.console)});
         write(std::string(kHeader) + (options_.orbital_z ? kOrbitalHeader : "") +

@@ -94,7 +94,9 @@ std::vector<io::HeaderString> spray_setting_strings(const SpraySettings& setting
 }
 
 FrameMaps spray_maps(const BakePlan& draft) {
-    FrameMaps maps{{}, {spray_lattice(sea_of(*draft.subject).parameters.grid).resolution}};
+    const Parameters& parameters = sea_of(*draft.subject).parameters;
+    const bool has_bed = parameters.water.bed != nullptr;
+    FrameMaps maps{{}, {has_bed ? draft.resolution : spray_domain(parameters).samples[0]}};
     maps.sequential = true;
     return maps;
 }
@@ -129,10 +131,15 @@ std::uint64_t max_spray_points(const BakePlan& plan, const SprayPoints& spray) {
 
 std::uint64_t spray_frame_bytes(const BakePlan& plan, const SprayPoints& spray) {
     const std::uint64_t points = max_spray_points(plan, spray);
-    const Grid& grid = sea_of(*plan.subject).parameters.grid;
-    return spray_bytes(points) + io::points_bytes(points) +
-           maps_bytes(plan.finest(), kSprayChannels.size()) +
-           work_bytes(grid, plan.backend, kSprayChannels, plan.finest());
+    return spray_bytes(points) + io::points_bytes(points) + spray_map_bytes(plan);
+}
+
+std::uint64_t spray_map_bytes(const BakePlan& plan) {
+    const Parameters& parameters = sea_of(*plan.subject).parameters;
+    const Domain domain = spray_domain(parameters);
+    const std::uint64_t map = domain.count() * kSprayChannels.size() * sizeof(float);
+    if (parameters.water.bed) return 2 * map;  // one that is computed, and that of before
+    return map + work_bytes(parameters.grid, plan.backend, kSprayChannels, domain.samples[0]);
 }
 
 io::Points make_spray_points(const FrameWork& work, const SprayPoints& spray) {

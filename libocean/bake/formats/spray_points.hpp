@@ -47,6 +47,8 @@ std::vector<io::HeaderString> spray_strings(const BakePlan& plan, const SprayPoi
 std::string spray_recipe(const BakePlan& plan, const SprayPoints& spray, const BakeFile& file);
 /// Returns the number of points of a frame, an upper bound.
 std::uint64_t max_spray_points(const BakePlan& plan, const SprayPoints& spray);
+/// Returns the bytes of the maps that spray is emitted on.
+std::uint64_t spray_map_bytes(const BakePlan& plan);
 std::uint64_t spray_frame_bytes(const BakePlan& plan, const SprayPoints& spray);
 io::Points make_spray_points(const FrameWork& work, const SprayPoints& spray);
 void adopt_spray_settings(const BakedHeader& header, BakeOptions& options);

@@ -89,21 +89,23 @@ std::uint64_t frame_bytes(const BakePlan& plan, const VolumesOrSpray& settings) 
 /// Returns the cell of the points' grid [m]: that of the spray's lattice, so that each cell holds a
 /// few points.
 double cell_of(const BakePlan& plan) {
-    const Lattice lattice = spray_lattice(sea_of(*plan.subject).parameters.grid);
-    return lattice.period / lattice.resolution;
+    return spray_domain(sea_of(*plan.subject).parameters).step(0);
 }
 
 std::uint64_t max_bytes(const BakePlan& plan, const VolumesOrSpray& settings, const BakeFile&) {
     const SprayPoints* const spray = spray_of(settings);
     if (spray == nullptr) return max_volume_bytes(plan, volumes_of(settings));
-    // Leaves of the period, and of the margin that the wind carries points into, in four layers.
+    // Leaves of where spray is born, and of the margin that the wind carries it into, in four
+    // layers.
     constexpr double kMaxSpeed = 60.0;  // [m/s]
-    const double leaf = 8.0 * cell_of(plan);
-    const double side =
-        plan.domain().size[0] / leaf + 2.0 + 2.0 * kMaxSpeed * spray->settings.lifetime / leaf;
+    const Domain born = spray_domain(sea_of(*plan.subject).parameters);
+    const double leaf = 8.0 * born.step(0);
+    const auto leaves = [&](std::size_t axis) {
+        return born.size[axis] / leaf + 2.0 + 2.0 * kMaxSpeed * spray->settings.lifetime / leaf;
+    };
     return 2 * plan.subject_text.size() + 8192 +
            io::points_vdb_bytes(max_spray_points(plan, *spray),
-                                static_cast<std::uint64_t>(4.0 * side * side));
+                                static_cast<std::uint64_t>(4.0 * leaves(0) * leaves(1)));
 }
 
 void write(const FrameWork& work, const VolumesOrSpray& settings, std::span<const BakeFile> files) {

@@ -52,7 +52,7 @@ GridCounts max_counts(const BakePlan& plan, const VolumeSettings& settings) {
         counts.columns = std::max(counts.columns, voxels.columns());
         const double period = plan.domain().size[0];
         double copies = 1.0;
-        for (std::size_t axis = 0; axis < 2; ++axis) {
+        for (std::size_t axis = 0; axis < 2 && plan.domain().wraps; ++axis) {
             copies *= (box.high[axis] - box.low[axis] + 2.0 * reach) / period + 1.0;
         }
         counts.puffs =
@@ -79,12 +79,8 @@ QueryOptions velocity_query(const BakePlan& plan, const VolumeSettings& settings
 
 /// Returns the bytes of the mist's puffs and of the spray that makes them.
 std::uint64_t mist_bytes(const BakePlan& plan, const SpraySettings& spray, std::uint64_t puffs) {
-    const Grid& grid = sea_of(*plan.subject).parameters.grid;
-    const int lattice = spray_lattice(grid).resolution;
     return spray_bytes(max_spray_particles(sea_of(*plan.subject), spray)) +
-           puffs * (sizeof(io::DensityPuff) + 2 * sizeof(std::uint32_t)) +
-           maps_bytes(lattice, kSprayChannels.size()) +
-           work_bytes(grid, plan.backend, kSprayChannels, lattice);
+           puffs * (sizeof(io::DensityPuff) + 2 * sizeof(std::uint32_t)) + spray_map_bytes(plan);
 }
 
 }  // namespace
@@ -219,9 +215,10 @@ io::VdbGrid make_velocity(const FrameWork& work, const VolumeSettings& settings,
     return io::make_velocity(voxels, heights, layer, axes, work.source.pool());
 }
 
-/// Returns the puffs of all copies of the period that reach into the box.
+/// Returns the puffs, of a sea that repeats of all copies of the period, that reach into the box.
 std::vector<io::DensityPuff> puffs_around(const FrameWork& work, const VolumeSettings& settings) {
     const double period = work.plan.domain().size[0];
+    const bool wraps = work.plan.domain().wraps;
     const std::array<double, 6>& box = *settings.box;
     const double area = settings.spray.density > 0.0 ? settings.mist / settings.spray.density : 0.0;
     std::vector<io::DensityPuff> puffs;
@@ -229,10 +226,12 @@ std::vector<io::DensityPuff> puffs_around(const FrameWork& work, const VolumeSet
         io::DensityPuff puff{{mist.x, mist.y, mist.z}, mist.deviation, area * mist.share};
         const double reach = io::density_reach(puff, settings.velocity_voxel);
         const auto first = [&](std::size_t axis) {
-            return std::ceil((box[axis] - reach - puff.place[axis]) / period);
+            const double copy = std::ceil((box[axis] - reach - puff.place[axis]) / period);
+            return wraps ? copy : std::max(copy, 0.0);
         };
         const auto last = [&](std::size_t axis) {
-            return std::floor((box[axis + 3] + reach - puff.place[axis]) / period);
+            const double copy = std::floor((box[axis + 3] + reach - puff.place[axis]) / period);
+            return wraps ? copy : std::min(copy, 0.0);
         };
         const double first_x = first(0), last_x = last(0), first_y = first(1), last_y = last(1);
         for (double ny = first_y; ny <= last_y; ++ny) {

@@ -23,26 +23,9 @@
 #include "shore/band_lattice.hpp"
 #include "shore/batch_fft.hpp"
 #include "shore/shore_bands.hpp"
+#include "shore/signal_task.hpp"
 
 namespace ocean {
-
-/// Where a read writes, a value for each place. nullptr: not requested.
-struct SignalOutputs {
-    float* re = nullptr;  // [m]
-    float* im = nullptr;
-    float* re_x = nullptr;  // the gradient, [m/m]
-    float* im_x = nullptr;
-    float* re_y = nullptr;
-    float* im_y = nullptr;
-    float* re_t = nullptr;  // the rate [m/s]
-    float* im_t = nullptr;
-
-    bool has_value() const { return re != nullptr || im != nullptr; }
-    bool has_gradient() const {
-        return re_x != nullptr || im_x != nullptr || re_y != nullptr || im_y != nullptr;
-    }
-    bool has_rate() const { return re_t != nullptr || im_t != nullptr; }
-};
 
 /// A signal at a place, summed mode by mode.
 struct ExactSignal {
@@ -77,8 +60,7 @@ class BandSignals {
     std::uint64_t bytes() const;
 
   private:
-    /// Coefficients in rows of `pitch` complex numbers: the one before the first column, all
-    /// columns, the three after the last, so that the four beside a place are neighbours.
+    /// A SignalMap with its coefficients.
     struct SplineRows {
         std::size_t pitch = 0;
         PageVector<float> values;
@@ -102,17 +84,13 @@ class BandSignals {
         std::vector<BatchRow> spectrum;
         std::vector<BatchRow> samples;
     };
-    struct Block;
-
     void prepare(Pair& pair, std::array<int, 2> side) const;
     void transform_rows(const Batch& batch, double tau, Work& work);
     void transform_columns(const Batch& batch, Work& work);
-    template <bool kGradient>
-    static void read_block(const Pair& pair, const SplineRows& map, const double* x,
-                           const double* y, std::size_t n, Block& block);
 
     Modes clock_;  // without arrays: converts time to tau
     bool rates_;
+    SignalLoop loop_ = signal_loop(simd_level());
     std::vector<Pair> pairs_;
     std::vector<Batch> row_batches_;
     std::vector<Batch> column_batches_;

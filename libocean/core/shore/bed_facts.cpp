@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ocean/directional_spectrum.hpp"
+#include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/sea_bed.hpp"
 #include "ocean/text.hpp"
 
@@ -87,6 +90,9 @@ std::vector<std::string> bed_warnings(const SeaBed& bed, const Water& water) {
 
 namespace {
 
+/// Water of this share of a depth counts as deep as that.
+constexpr double kAsDeep = 0.98;
+
 /// The bed along the sides by which waves come in.
 struct Inflow {
     std::size_t samples = 0;
@@ -95,11 +101,12 @@ struct Inflow {
     double shallowest = 1e30;  // of the wet ones [m]
 };
 
-Inflow inflow_of(const SeaBed& bed, const IncomingWaves& waves) {
+Inflow inflow_of(const SeaBed& bed, const IncomingWaves::System& waves, double open_depth) {
     // Waves that run along a side do not come in by it.
     constexpr double kLeast = 0.2;
     const int columns = bed.domain.samples[0];
     const int rows = bed.domain.samples[1];
+    const double enough = kAsDeep * std::min(0.5 * waves.peak_wavelength, open_depth);
     Inflow inflow;
     const auto add = [&](int i, int j) {
         const double depth =
@@ -110,8 +117,6 @@ Inflow inflow_of(const SeaBed& bed, const IncomingWaves& waves) {
             ++inflow.dry;
             return;
         }
-        constexpr double kAsDeep = 0.98;  // of the open sea
-        const double enough = std::min(0.5 * waves.peak_wavelength, kAsDeep * waves.depth);
         inflow.shallow += depth < enough ? 1u : 0u;
         inflow.shallowest = std::min(inflow.shallowest, depth);
     };
@@ -122,23 +127,65 @@ Inflow inflow_of(const SeaBed& bed, const IncomingWaves& waves) {
     return inflow;
 }
 
+std::string percent(std::size_t part, std::size_t whole) {
+    return significant_text(100.0 * static_cast<double>(part) / static_cast<double>(whole), 3) +
+           " %";
+}
+
+double wavelength_of(double omega, const Water& water) {
+    return omega > 0.0 ? kTwoPi / Dispersion(water).wavenumber(omega) : 0.0;
+}
+
+SpectralMoments moments_of(const Parameters& parameters) {
+    return make_directional_spectrum(parameters)
+        .moments(parameters.water, parameters.surface.shortest_wavelength,
+                 parameters.surface.longest_wavelength);
+}
+
 }  // namespace
+
+IncomingWaves incoming_waves(const Parameters& parameters) {
+    const Water& water = parameters.water;
+    const SpectralMoments all = moments_of(parameters);
+    IncomingWaves waves{.systems = {},
+                        .peak_wavelength = wavelength_of(all.peak_omega, water),
+                        .period = parameters.grid.patch_size,
+                        .depth = water.depth};
+    Parameters alone = parameters;
+    for (std::size_t i = 0; i < parameters.waves.size(); ++i) {
+        const bool is_only = parameters.waves.size() == 1;
+        if (!is_only) alone.waves = {parameters.waves[i]};
+        const SpectralMoments system = is_only ? all : moments_of(alone);
+        if (!(system.m0 > 0.0)) continue;
+        waves.systems.push_back({is_only ? "" : "waves." + std::to_string(i),
+                                 wavelength_of(system.peak_omega, water), system.mean_direction});
+    }
+    return waves;
+}
 
 std::vector<std::string> coast_warnings(const SeaBed& bed, const IncomingWaves& waves) {
     std::vector<std::string> warnings;
     const auto warn = [&](const std::string& text) { warnings.push_back("water.seabed: " + text); };
-    const auto percent = [](std::size_t part, std::size_t whole) {
-        return significant_text(100.0 * static_cast<double>(part) / static_cast<double>(whole), 3) +
-               " %";
-    };
-    const Inflow inflow = inflow_of(bed, waves);
-    if (inflow.dry == inflow.samples) {
-        warn("the sides by which the waves come in are land alone: no wave reaches the bed");
-    } else if (inflow.shallow > 0) {
-        warn("the waves come in over " + percent(inflow.shallow, inflow.samples) +
-             " of those sides in water shallower than half a peak wavelength, " +
-             metres(0.5 * waves.peak_wavelength) + ", down to " + metres(inflow.shallowest) +
-             ": what the bed beyond has done to them is not known; a larger bed shows it");
+    for (const IncomingWaves::System& system : waves.systems) {
+        const Inflow inflow = inflow_of(bed, system, waves.depth);
+        const std::string of = system.name.empty() ? "" : " of " + system.name;
+        if (inflow.dry == inflow.samples) {
+            warn("the sides by which the waves" + of +
+                 " come in are land alone: no wave reaches the bed");
+        } else if (inflow.shallow > 0) {
+            warn("the waves" + of + " come in over " + percent(inflow.shallow, inflow.samples) +
+                 " of those sides in water shallower than half a peak wavelength, " +
+                 metres(0.5 * system.peak_wavelength) + ", down to " + metres(inflow.shallowest) +
+                 ": what the bed beyond has done to them is not known; a larger bed shows it");
+        }
+    }
+    // Deeper ground counts as level at water.depth, which waves of twice that length do not feel.
+    const auto is_deeper = [&](float h) { return -kAsDeep * double{h} > waves.depth; };
+    const auto deeper = static_cast<std::size_t>(std::ranges::count_if(bed.heights, is_deeper));
+    if (deeper > 0 && waves.depth < 0.5 * waves.peak_wavelength) {
+        warn(percent(deeper, bed.heights.size()) + " of the bed is deeper than water.depth = " +
+             metres(waves.depth) + ", less than half a peak wavelength: the waves are as over " +
+             metres(waves.depth) + " there; a larger water.depth lets them feel the bed");
     }
     constexpr double kCoarse = 1.0 / 8.0;  // of a wavelength
     if (bed.cell() > kCoarse * waves.peak_wavelength) {
@@ -146,11 +193,35 @@ std::vector<std::string> coast_warnings(const SeaBed& bed, const IncomingWaves& 
              metres(waves.peak_wavelength) + ": where these break it has few samples");
     }
     const double size = std::max(bed.domain.size[0], bed.domain.size[1]);
+    if (size < waves.peak_wavelength) {
+        warn("the bed is " + metres(size) + " long, less than a peak wavelength, " +
+             metres(waves.peak_wavelength) + ": check the unit of its cells");
+    }
     if (size > waves.period) {
         warn("the bed is " + metres(size) + " long and the waves offshore repeat every " +
              metres(waves.period) + ": a larger grid.patch_size hides the repeat");
     }
     return warnings;
+}
+
+std::vector<std::string> region_warnings(const SeaBed& bed, const Domain& region) {
+    std::size_t beyond = 0;
+    for (int j = 0; j < region.samples[1]; ++j) {
+        for (int i = 0; i < region.samples[0]; ++i) {
+            const auto [x, y] = region.place(i, j);
+            beyond += is_over(bed, x, y) ? 0u : 1u;
+        }
+    }
+    if (beyond == 0) return {};
+    const auto side = [&](std::size_t axis, const char* name) {
+        constexpr int kDigits = 9;
+        const double first = bed.domain.origin[axis];
+        return significant_text(first, kDigits) + " .. " +
+               significant_text(first + bed.domain.size[axis], kDigits) + " m along " + name;
+    };
+    return {"water.seabed: " + percent(beyond, region.count()) +
+            " of the region lies beyond the bed, " + side(0, "x") + " and " + side(1, "y") +
+            ": the sea is open there, whatever ground its depth is over"};
 }
 
 }  // namespace ocean

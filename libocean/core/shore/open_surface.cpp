@@ -27,11 +27,13 @@ constexpr int kMaxSamples = 4096;
 /// Returns the samples of the spline that OpenSurface chooses.
 int spline_samples(const Modes& modes, int shown, double tolerance, ThreadPool& pool) {
     int samples = std::min(2 * shown, kMaxResolution);
-    const auto aliases = [&](int spline) {
-        return query_bounds(modes, shown, spline, false, pool).error;
+    // The waves of cascades that are too short to be shown are no error of the spline.
+    const double hidden = query_bounds(modes, shown, kMaxResolution, true, pool).error;
+    const auto variance = [&](int spline) {
+        const double error = query_bounds(modes, shown, spline, false, pool).error;
+        return error * error - hidden * hidden;
     };
-    const double lacking = query_bounds(modes, shown, kMaxResolution, true, pool).error;
-    while (2 * samples <= kMaxSamples && aliases(samples) - lacking > tolerance) samples *= 2;
+    while (2 * samples <= kMaxSamples && variance(samples) > tolerance * tolerance) samples *= 2;
     return samples;
 }
 

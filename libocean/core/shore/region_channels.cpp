@@ -10,6 +10,7 @@
 #include "ocean/land_mask.hpp"
 #include "query/query_points.hpp"
 #include "shore/shore_query.hpp"
+#include "shore/swash.hpp"
 #include "wave/wave.hpp"
 
 namespace ocean {
@@ -32,25 +33,6 @@ float read_period(const Surface& map, Channel channel, WorldPoint label) {
     const auto t = static_cast<float>(v - j);
     const auto row = [&](int of) { return at(i, of) + s * (at(i + 1, of) - at(i, of)); };
     return row(j) + t * (row(j + 1) - row(j));
-}
-
-/// Returns the height of the bed at a place, linear between its samples; beyond the bed that of its
-/// edge.
-float bed_height(const SeaBed& bed, double x, double y) {
-    const Domain& domain = bed.domain;
-    const double u = std::clamp((x - domain.origin[0]) / domain.step(0), 0.0,
-                                static_cast<double>(domain.samples[0] - 1));
-    const double v = std::clamp((y - domain.origin[1]) / domain.step(1), 0.0,
-                                static_cast<double>(domain.samples[1] - 1));
-    const int i = std::min(static_cast<int>(u), domain.samples[0] - 2);
-    const int j = std::min(static_cast<int>(v), domain.samples[1] - 2);
-    const auto row = [&](int of) {
-        const float* const cells =
-            bed.heights.data() +
-            static_cast<std::size_t>(of) * static_cast<std::size_t>(domain.samples[0]);
-        return cells[i] + static_cast<float>(u - i) * (cells[i + 1] - cells[i]);
-    };
-    return row(j) + static_cast<float>(v - j) * (row(j + 1) - row(j));
 }
 
 /// The share of the water that foam of breaking waves hides is foam to this power: its lace opens
@@ -134,6 +116,18 @@ float RegionChannels::value(Channel channel, WorldPoint label, std::size_t index
             return foam_.cover(label, index, point.breaking, point.surf);
     }
     return 0.0f;
+}
+
+void leave_out_swash(const SeaBed& bed, Surface& map) {
+    const Domain& domain = map.domain();
+    const std::span<float> whitecaps = map.channel(Channel::whitecap);
+    std::size_t next = 0;
+    for (int j = 0; j < domain.samples[1]; ++j) {
+        for (int i = 0; i < domain.samples[0]; ++i, ++next) {
+            const auto [x, y] = domain.place(i, j);
+            whitecaps[next] = std::min(whitecaps[next], surf_left(bed_height(bed, x, y)));
+        }
+    }
 }
 
 void RegionChannels::write_row(int j, Surface& map) const {

@@ -33,6 +33,9 @@ struct RegionFoamMaps {
 /// Returns what channels of a region need of its surface.
 JetParts region_parts(ChannelSet channels);
 
+/// Ends the whitecaps of a region where the swash begins: its tips are foam that no wind tears off.
+void leave_out_swash(const SeaBed& bed, Surface& map);
+
 class RegionChannels {
   public:
     /// For maps of these channels. `wet`: the faded earlier wetness of the ground. Keeps references

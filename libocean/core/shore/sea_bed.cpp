@@ -171,4 +171,40 @@ void validate_bed(const Water& water) {
          .value = "\"" + water.seabed + "\""});
 }
 
+bool is_over(const SeaBed& bed, double x, double y) {
+    const auto is_within = [&](double at, std::size_t axis) {
+        const double rounding = 1e-6 * bed.cell();
+        const double from_side = at - bed.domain.origin[axis];
+        return from_side >= -rounding && from_side <= bed.domain.size[axis] + rounding;
+    };
+    return is_within(x, 0) && is_within(y, 1);
+}
+
+float bed_height(const SeaBed& bed, double x, double y) {
+    const Domain& domain = bed.domain;
+    const double u = std::clamp((x - domain.origin[0]) / domain.step(0), 0.0,
+                                static_cast<double>(domain.samples[0] - 1));
+    const double v = std::clamp((y - domain.origin[1]) / domain.step(1), 0.0,
+                                static_cast<double>(domain.samples[1] - 1));
+    const int i = std::min(static_cast<int>(u), domain.samples[0] - 2);
+    const int j = std::min(static_cast<int>(v), domain.samples[1] - 2);
+    const auto row = [&](int of) {
+        const float* const cells =
+            bed.heights.data() +
+            static_cast<std::size_t>(of) * static_cast<std::size_t>(domain.samples[0]);
+        return cells[i] + static_cast<float>(u - i) * (cells[i + 1] - cells[i]);
+    };
+    return row(j) + static_cast<float>(v - j) * (row(j + 1) - row(j));
+}
+
+void write_bed_heights(const SeaBed& bed, const Domain& domain, std::span<float> heights) {
+    std::size_t next = 0;
+    for (int j = 0; j < domain.samples[1]; ++j) {
+        for (int i = 0; i < domain.samples[0]; ++i) {
+            const auto [x, y] = domain.place(i, j);
+            heights[next++] = bed_height(bed, x, y);
+        }
+    }
+}
+
 }  // namespace ocean

@@ -231,7 +231,9 @@ void ShoreSurface::finish(Block<Scalar>& block, std::span<ShorePoint> points) co
         coast[n].displacement_y =
             share * wavy.sums.along_y.at<Scalar>(n) + calm * rest.displacement_y +
             open * (sea.displacement_y - rest.displacement_y - wavy.sums.left_y.at<Scalar>(n));
-        points[i].surf = surf_weight(rms_height.value(), depth.value());
+        // The waves in no band, which break by the wind, end before the water does.
+        points[i].surf = std::max(surf_weight(rms_height.value(), depth.value()),
+                                  1.0f - short_waves_left(Plain(depth.value())).value());
         points[i].breaking = breaking_source(real.value(), imaginary.value(), rms_height.value(),
                                              depth.value(), block.breaking.value[1][n]);
         end_in_swash<Scalar>(swash_place<Scalar>(block.ground, i, block.breaking, n),

@@ -46,15 +46,19 @@ class Place {
   public:
     /// Interpolates in a cell, at an offset from its centre of -1/2 .. 1/2 cells.
     Place(const Surface& map, std::size_t cell, double x, double y) : map_(map) {
-        const auto n = static_cast<std::size_t>(map.resolution());
-        const std::size_t i = cell % n;
-        const std::size_t j = cell / n;
-        const auto neighbour = [n](std::size_t k, double offset) {
-            return (k + (offset < 0.0 ? n - 1 : 1)) % n;
+        const Domain& domain = map.domain();
+        const auto columns = static_cast<std::size_t>(domain.samples[0]);
+        const auto rows = static_cast<std::size_t>(domain.samples[1]);
+        const std::size_t i = cell % columns;
+        const std::size_t j = cell / columns;
+        const auto neighbour = [&](std::size_t k, double offset, std::size_t count) {
+            if (domain.wraps) return (k + (offset < 0.0 ? count - 1 : 1)) % count;
+            if (offset < 0.0) return k - std::min<std::size_t>(k, 1);
+            return std::min(k + 1, count - 1);
         };
-        const std::size_t i2 = neighbour(i, x);
-        const std::size_t j2 = neighbour(j, y);
-        corner_ = {j * n + i, j * n + i2, j2 * n + i, j2 * n + i2};
+        const std::size_t i2 = neighbour(i, x, columns);
+        const std::size_t j2 = neighbour(j, y, rows);
+        corner_ = {j * columns + i, j * columns + i2, j2 * columns + i, j2 * columns + i2};
         const double u = std::abs(x);
         const double v = std::abs(y);
         weight_ = {(1.0 - u) * (1.0 - v), u * (1.0 - v), (1.0 - u) * v, u * v};
@@ -105,12 +109,14 @@ SprayBirth birth_of(const SprayTick& tick, const Surface& map, std::size_t cell,
 
     // The surface continues as at the tick for a part of a step.
     const Place place(map, cell, x, y);
-    const auto n = static_cast<std::size_t>(map.resolution());
-    const double size = map.period() / static_cast<double>(n);
+    const Domain& domain = map.domain();
+    const auto columns = static_cast<std::size_t>(domain.samples[0]);
+    const auto along = [&](std::size_t axis, std::size_t index, double offset) {
+        return domain.origin[axis] + (static_cast<double>(index) + offset) * domain.step(axis);
+    };
     birth.velocity = {place(Channel::vx), place(Channel::vy), place(Channel::vz)};
-    birth.place = {(static_cast<double>(cell % n) + x) * size + place(Channel::dx),
-                   (static_cast<double>(cell / n) + y) * size + place(Channel::dy),
-                   place(Channel::height)};
+    birth.place = {along(0, cell % columns, x) + place(Channel::dx),
+                   along(1, cell / columns, y) + place(Channel::dy), place(Channel::height)};
     const Vector3 torn = gust(tick.air, draws);
     const double mean = crest_wind(tick.air.wind_speed);
     birth.gust = {mean * std::cos(tick.air.direction) + torn[0],
@@ -166,8 +172,8 @@ std::vector<SprayBirth> births_of(const SprayTick& tick, const Surface& map,
             events.push_back(static_cast<std::uint32_t>(cell));
         }
     }
-    const double size = map.period() / map.resolution();
-    const double wanted = wanted_of(tick, size * size, events.size());
+    const double cell_area = map.domain().step(0) * map.domain().step(1);
+    const double wanted = wanted_of(tick, cell_area, events.size());
     constexpr std::uint32_t kNobody = 0xFFFFFFFFu;  // the number of no particle
     std::vector<SprayBirth> births;
     for (const std::uint32_t cell : events) {

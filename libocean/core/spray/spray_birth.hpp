@@ -36,9 +36,9 @@ struct SprayTick {
 
 /// Returns one value for each cell: 1 where it is white.
 std::vector<std::uint8_t> white_cells(const Surface& map);
-/// Returns the births of a tick in the order of the cells. `map`: kSprayChannels on the spray's
-/// lattice at the tick; `white_before`: white_cells of the tick before. Drops that do not rise are
-/// left out.
+/// Returns the births of a tick in the order of the cells. `map`: kSprayChannels on
+/// spray_domain at the tick; `white_before`: white_cells of the tick before. Drops that do not rise
+/// are left out.
 std::vector<SprayBirth> births_of(const SprayTick& tick, const Surface& map,
                                   std::span<const std::uint8_t> white_before);
 

@@ -10,7 +10,9 @@
 #include "ocean/error.hpp"
 #include "ocean/foam.hpp"
 #include "ocean/parameter_table.hpp"
+#include "ocean/region.hpp"
 #include "ocean/sea.hpp"
+#include "ocean/sea_bed.hpp"
 
 namespace ocean {
 namespace {
@@ -60,11 +62,30 @@ void validate(const SpraySettings& settings) {
     require_range("most", settings.most, 1, 1e8);
 }
 
-Lattice spray_lattice(const Grid& grid) {
+namespace {
+
+/// Returns the number of cells along a side of that length [m].
+int cells_along(double side) {
     constexpr int kMin = 64, kUsual = 512, kMax = 1024;
     int n = kMin;
-    while (n < kMax && grid.patch_size / n > (n < kUsual ? 2.5 : 4.0)) n *= 2;
-    return {std::min(n, default_map_resolution(grid)), grid.patch_size};
+    while (n < kMax && side / n > (n < kUsual ? 2.5 : 4.0)) n *= 2;
+    return n;
+}
+
+}  // namespace
+
+Lattice spray_lattice(const Grid& grid) {
+    return {std::min(cells_along(grid.patch_size), default_map_resolution(grid)), grid.patch_size};
+}
+
+Domain spray_domain(const Parameters& parameters) {
+    if (!parameters.water.bed) {
+        const Lattice lattice = spray_lattice(parameters.grid);
+        return Domain::tile(lattice.period, lattice.resolution);
+    }
+    const Domain& bed = parameters.water.bed->domain;
+    const double side = std::max(bed.size[0], bed.size[1]);
+    return with_cell(bed, side / cells_along(side));
 }
 
 std::uint64_t max_spray_particles(const Sea& sea, const SpraySettings& settings) {
@@ -76,7 +97,8 @@ std::uint64_t max_spray_particles(const Sea& sea, const SpraySettings& settings)
     const auto plays_coverage = [](const TakeEvent& event) {
         return event.parameter.info->holds<&SurfaceSettings::foam_coverage>();
     };
-    const bool by_wind = parameters.surface.foam_coverage == FoamCoverage::monahan &&
+    const bool by_wind = !parameters.water.bed &&  // there waves break by the depth too
+                         parameters.surface.foam_coverage == FoamCoverage::monahan &&
                          std::ranges::none_of(sea.take.events, plays_coverage);
     if (by_wind) {
         // A place is white for longer than this in seas of 9 to 30 m/s; a few crests more are
@@ -96,13 +118,13 @@ std::uint64_t spray_bytes(std::uint64_t particles) {
 }
 
 SprayFollower::SprayFollower(const SpraySettings& settings, const FoamClock& clock,
-                             const Lattice& lattice, std::uint32_t seed)
+                             const Domain& domain, std::uint32_t seed)
     : settings_(settings),
       clock_(clock),
       seed_(seed),
       lifetime_(longest_life(settings, clock.loop_period)),
       ticks_(living_ticks(clock, lifetime_)),
-      map_(lattice, 0.0, kSprayChannels) {}
+      map_(domain, 0.0, kSprayChannels) {}
 
 void SprayFollower::go_to(double time, const SpraySource& source) {
     now_ = clock_.moment(time);

@@ -18,13 +18,13 @@ namespace ocean {
 
 /// Callbacks that make the maps of spray.
 struct SpraySource {
-    /// Fills the map, kSprayChannels on the spray's lattice, at the time of a tick.
+    /// Fills the map, kSprayChannels on spray_domain, at the time of a tick.
     std::function<SprayAir(double time, Surface& map)> tick;
 };
 
 class SprayFollower {
   public:
-    SprayFollower(const SpraySettings& settings, const FoamClock& clock, const Lattice& lattice,
+    SprayFollower(const SpraySettings& settings, const FoamClock& clock, const Domain& domain,
                   std::uint32_t seed);
 
     const SpraySettings& settings() const { return settings_; }

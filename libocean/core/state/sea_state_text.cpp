@@ -140,10 +140,8 @@ void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
         return;
     }
     if (parameters.water.bed != nullptr) {
-        const IncomingWaves waves{state.peak_wavelength.asked,
-                                  state.mean_direction.asked * kPi / 180.0,
-                                  parameters.grid.patch_size, parameters.water.depth};
-        for (std::string& text : coast_warnings(*parameters.water.bed, waves)) {
+        for (std::string& text :
+             coast_warnings(*parameters.water.bed, incoming_waves(parameters))) {
             warn(std::move(text));
         }
     }

@@ -101,15 +101,36 @@ std::vector<std::string> bed_warnings(const SeaBed& bed, const Water& water);
 
 /// The waves that come to a coast, as far as its bed must suit them.
 struct IncomingWaves {
-    double peak_wavelength = 0.0;  // in the open sea [m]
-    double direction = 0.0;        // to which they travel [rad]
+    /// The waves of one system.
+    struct System {
+        std::string name;              // as in a sea file, or empty if there is one system alone
+        double peak_wavelength = 0.0;  // in the open sea [m]
+        double direction = 0.0;        // to which they travel [rad]
+    };
+    std::vector<System> systems;   // those that have energy
+    double peak_wavelength = 0.0;  // of all together [m]
     double period = 0.0;           // of the sea's surface in space [m]
     double depth = 0.0;            // of the open sea [m]
 };
 
+/// Returns the waves of a sea. Computes the spectrum of each system. Needs validated parameters.
+IncomingWaves incoming_waves(const Parameters& parameters);
+
 /// Returns a sentence for each way in which a bed does not suit its waves: water along the sides
 /// where they come in that is shallower than half a wavelength and than the open sea, land there,
-/// cells that are coarse for them, a surface that repeats within the bed.
+/// a bed deeper than an open sea whose waves feel its ground, shorter than a wave, cells that are
+/// coarse for them, a surface that repeats within the bed.
 std::vector<std::string> coast_warnings(const SeaBed& bed, const IncomingWaves& waves);
+
+/// Returns true for a place over the bed or on its border.
+bool is_over(const SeaBed& bed, double x, double y);
+/// Returns the height of the bed at a place [m], linear between its samples; beyond the bed that of
+/// its border.
+float bed_height(const SeaBed& bed, double x, double y);
+/// Writes these heights at the samples of a domain, row-major [j][i]. `heights` must hold
+/// domain.count() values.
+void write_bed_heights(const SeaBed& bed, const Domain& domain, std::span<float> heights);
+/// Returns a sentence if some samples of a region lie beyond the bed, where the sea is open.
+std::vector<std::string> region_warnings(const SeaBed& bed, const Domain& region);
 
 }  // namespace ocean

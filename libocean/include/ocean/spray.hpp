@@ -5,7 +5,8 @@
 // cannot be followed; an event can: the whitecap of one cell of a fixed lattice of the sea crosses
 // 1/2 upwards at a tick of the foam's clock. Particles are born there, and each is a pure function
 // of its birth: its position, its velocity and its end. Stands between the whitecap maps of the
-// surface and the files of points; Ocean::spray follows it over time.
+// surface and the files of points; Ocean::spray follows it over time. Over a bed the fronts of
+// waves that break by the depth turn white too, and the wind tears drops off them as off whitecaps.
 //
 // A particle stands for a parcel of drops of one size. The number of drops is known only to a
 // factor of a million [Andreas 1998], so the density is an artistic choice.
@@ -14,6 +15,7 @@
 #include <cstdint>
 
 #include "ocean/channel.hpp"
+#include "ocean/domain.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/parameters.hpp"
 
@@ -43,7 +45,8 @@ struct SprayParticle {
     /// in a loop at every repetition. Two of a million particles share an id with a probability of
     /// 3e-8; particles of one tick never do.
     std::uint64_t id;
-    double x, y, z;     // [m]; born within one period, then it may leave it: copies tile
+    double x, y, z;     // [m]; born within one period, then it may leave it: copies tile; over a
+                        // bed there are no copies
     double vx, vy, vz;  // d/dt of the position [m/s]
     double age;         // since its birth [s]
     double life;        // age at which it ends, fixed at its birth [s]
@@ -62,7 +65,10 @@ struct MistPuff {
 /// the patch, with cells of at most 2.5 m as long as 512 along a side suffice. Independent of all
 /// settings.
 Lattice spray_lattice(const Grid& grid);
-/// The channels that a map of the spray's lattice must have.
+/// Returns the samples that spray is emitted on: those of spray_lattice or, of a sea over a bed,
+/// the whole bed with cells by the same rule for its longer side.
+Domain spray_domain(const Parameters& parameters);
+/// The channels that a map of these samples must have.
 inline constexpr ChannelSet kSprayChannels = {Channel::dx,      Channel::dy, Channel::height,
                                               Channel::vx,      Channel::vy, Channel::vz,
                                               Channel::whitecap};

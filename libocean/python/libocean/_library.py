@@ -365,6 +365,7 @@ _SIGNATURES: dict[str, list[Any]] = {
     "ocean_terrain_evaluate": [c_void_p, POINTER(Request)],
     "ocean_terrain_domain": [c_void_p, POINTER(DomainStruct)],
     "ocean_region": [c_void_p, c_double, POINTER(RegionRequest)],
+    "ocean_bed_region": [c_void_p, c_double, c_double, c_double, c_int32, c_int32, c_void_p],
     "ocean_terrain_region": [c_void_p, POINTER(RegionRequest)],
     "ocean_terrain_mesh": [
         c_void_p,

@@ -9,6 +9,8 @@ import json
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+import numpy as np
+
 from . import _library
 from ._answers import DETAIL_BAND, Array, Detail
 from ._library import ProvenanceRequest, call, choose
@@ -81,6 +83,17 @@ class Sea(Maps, Queries):
         "depth", "breaking" and "wetness"; "" leaves a component as it is."""
         request = region_request(origin, cell, region_buffers(buffers), axes)
         self._call("ocean_region", float(time), ctypes.byref(request))
+
+    def bed_region(
+        self, origin: tuple[float, float], samples: tuple[int, int], cell: float
+    ) -> Array:
+        """Returns the heights of the bed over still water [m], an array (rows, columns): linear
+        between its samples, and beyond the bed those of its border. origin: the place of the first
+        one [m]; samples: columns and rows, `cell` apart [m]."""
+        columns, rows = samples
+        heights = np.empty((rows, columns), np.float32)
+        self._call("ocean_bed_region", *origin, cell, columns, rows, heights.ctypes.data)
+        return heights
 
     def provenance(
         self,

@@ -1,0 +1,247 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""What users give a coast: each bad bed, sea or option is one sentence with its number, and what is
+odd but possible is computed, with a warning where it matters."""
+
+import csv
+import io
+
+import numpy as np
+import pytest
+from coasts import BEACH, REGION, SEA, grid, image
+from conftest import BUOY
+
+HEADER = "ncols 46\nnrows 26\nxllcenter 0\nyllcenter 0\ncellsize 4\nbyteorder LSBFIRST\n"
+FLOATS = BEACH[::-1].astype("<f4").tobytes()
+HOLES = np.where(np.arange(46) == 7, -9999.0, BEACH)
+DEEP = np.full((26, 46), -400.0)
+MEASURED = f'[[waves]]\nspectrum = "measured"\nfile = "{BUOY}"\n'
+BACK = '[[waves]]\nspectrum = "jonswap"\nwind_speed = 6.0\nwind_direction = 180\nfetch = 20000.0\n'
+
+
+@pytest.mark.parametrize(
+    ("bed", "sentence"),
+    [
+        (grid(HOLES), "26 of 1196 heights that are holes"),
+        (grid(BEACH).replace("-11.667", "nan", 1), "column 1, row 25 from the south-west"),
+        (grid(BEACH).replace("-11.667", "inf", 1), "1 of 1196 heights"),
+        (grid([[-3.0]]), "has 1 x 1 cells"),
+        (grid(BEACH[:1]), "has 46 x 1 cells"),
+        (grid(BEACH).replace("cellsize 4", "dx 4\ndy 5"), "4 m long to the east and 5 m to the"),
+        (grid(BEACH, 4000.0), "is 180000 m x 1e+05 m large; allowed: sides of at most 100000 m"),
+        (grid(BEACH)[:-2000], "the file ends after 907 of 1196 heights"),
+        (grid(BEACH).replace("nrows 26", "nrows 27"), "the file ends after 1196 of 1242 heights"),
+        (grid(BEACH).replace("nrows 26", "nrows 25"), "more than the 1150 heights of the header"),
+        (grid(BEACH).replace("cellsize 4", "cellsize -4"), "allowed are positive sizes"),
+        ("", "the file ends within the header"),
+    ],
+    ids=range(12),
+)
+def test_a_bad_grid_is_refused(coast, bed, sentence):
+    coast.write("bed.asc", bed)
+    message = coast.bad("bake", "sea.toml", "-o", "s.exr", *REGION)
+    assert "sea.toml:4: water.seabed" in message and sentence in message, message
+
+
+@pytest.mark.parametrize(
+    ("floats", "header", "sentence"),
+    [
+        (FLOATS[:-5], HEADER, "has 4779 bytes, its header says 46 x 26 floats, which are 4784"),
+        (FLOATS + b"abcd", HEADER, "has 4788 bytes"),
+        (FLOATS, HEADER.replace("46", "47"), "its header says 47 x 26 floats"),
+        (FLOATS, HEADER.replace("46", "1000000"), "has 1000000 x 26 cells; allowed: 2 .. 65536"),
+        (FLOATS, HEADER.replace("LSB", "MSB"), "or the byteorder of the header is wrong"),
+        (FLOATS, None, "has no header beside it"),
+    ],
+)
+def test_floats_that_do_not_fit_their_header_are_refused(coast, floats, header, sentence):
+    coast.write("sea.toml", SEA.replace("bed.asc", "bed.flt"))
+    coast.write("bed.flt", floats)
+    if header is not None:
+        coast.write("bed.hdr", header)
+    message = coast.bad("bake", "sea.toml", "-o", "s.exr", *REGION)
+    assert sentence in message, message
+
+
+# A header may lie so that all sizes agree: it describes another bed, whose oddities are warned of.
+def test_rows_and_columns_in_exchange_are_another_coast(coast):
+    coast.write("sea.toml", SEA.replace("bed.asc", "bed.flt"))
+    coast.write("bed.flt", FLOATS)
+    coast.write("bed.hdr", HEADER.replace("ncols 46\nnrows 26", "ncols 26\nnrows 46"))
+    shown = coast("bake", "sea.toml", "-o", "s.exr", *REGION, "--products", "height")
+    assert "the waves come in over 73.9 % of those sides in water shallower" in shown.stderr
+    assert "48.4 % of the region lies beyond the bed, 0 .. 100 m along x" in shown.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (("--set", "level=1e9"), "water.level = 1000000000: is out of range"),
+        (("--set", "seabed_origin=[1e9,0]"), "water.seabed_origin = 1000000000"),
+        (("--set", "water.shore.swash=2"), "one of on, off"),
+        (("--set", "water.shore.surf_foam_lifetime=-1"), "surf_foam_lifetime = -1"),
+        ((*REGION[:3], "-1"), "--cell = -1; allowed: a number, 0.001 .. 1e+06"),
+        (
+            (*REGION[:3], "0.001"),
+            "120001 samples along x at a cell of 0.001 m; allowed: 2 .. 32768",
+        ),
+        (("--region", "160,80,40,20", "--cell", "1"), "X1 must be above X0"),
+        (("--region", "nan,0,9,9", "--cell", "1"), "--region = nan"),
+        (("--region", "1e12,0,1.1e12,9", "--cell", "1"), "--region = 1e12"),
+        ((*REGION, "--products", "displacement_x"), "did you mean displacement?"),
+        ((*REGION, "--backend", "gl"), "--backend gl"),
+        ((*REGION, "--stage", "h0"), "made on the CPU alone"),
+        (("-o", "s.inc", "--eye", "0,0,5"), "needs maps that repeat"),
+        (("-o", "s.df3", "--detail-map"), "a power of two"),
+        (("-o", "s.tif"), "its heights by place are a height field"),
+        (("--shard", "5/4"), "--shard 5/4"),
+    ],
+)
+def test_what_is_out_of_range_or_knows_no_coast_is_refused(coast, arguments, sentence):
+    output = () if "-o" in arguments else ("-o", "s.exr")
+    done = coast("bake", "sea.toml", *output, *arguments)
+    assert done.returncode == 2
+    assert sentence in done.stderr.splitlines()[-1], done.stderr
+    assert not list(coast.folder.glob("s.*"))
+
+
+def test_memory_is_told_before_it_is_taken(coast):
+    done = coast("bake", "sea.toml", "-o", "s.exr", *REGION[:3], "0.004")
+    assert done.returncode == 1
+    assert "a bake of 30001 x 30001 samples needs" in done.stderr.splitlines()[-1], done.stderr
+    assert "are available" in done.stderr.splitlines()[-1]
+
+
+def test_a_changed_or_missing_bed_is_told_by_its_hash(coast):
+    # Above 1 MB of heights the text holds the hash alone.
+    coast.write("bed.asc", grid(np.tile(BEACH, (24, 10))))
+    coast.write("held.toml", coast.good("info", "sea.toml", "--sea-file"))
+    coast.write("bed.asc", grid(np.tile(BEACH, (24, 10)) + 0.5))
+    message = coast.bad("bake", "held.toml", "-o", "s.exr", *REGION)
+    assert "is another bed: its hash is" in message and "allowed: the bed with the hash" in message
+    (coast.folder / "bed.asc").unlink()
+    assert "no such file" in coast.bad("bake", "held.toml", "-o", "s.exr", *REGION)
+
+
+@pytest.mark.parametrize(
+    ("bed", "settings", "sentence"),
+    [
+        (np.abs(BEACH) + 1.0, (), "the bed is land alone, from 1 m to 13 m over still water"),
+        (np.zeros((26, 46)), (), "no wave reaches the bed"),
+        (DEEP, (), "the bed is water alone, from 400 m to 400 m deep: it has no shore"),
+        (DEEP, (), "no water over the bed is shallower than water.depth = 12 m"),
+        (DEEP / 133.0, (), "over 100 % of those sides in water shallower than half a peak"),
+        (BEACH, ("level=50",), "the bed is water alone, from 47 m to 62 m deep"),
+        (BEACH, ("level=-50",), "the bed is land alone, from 38 m to 53 m over still water"),
+        (BEACH, ("seabed_sign=down",), "no wave reaches the bed"),
+        (BEACH, ("seabed_unit=ft",), "down to 3.658 m"),
+        (BEACH, ("depth=0.5",), "76.1 % of the bed is deeper than water.depth = 0.5 m"),
+        (BEACH, ("patch_size=50",), "180 m long and the waves offshore repeat every 50 m"),
+        (BEACH, ("wind_direction=90",), "come in over 76.1 % of those sides"),
+        (BEACH, ("wind_direction=180",), "are land alone: no wave reaches the bed"),
+        (
+            BEACH,
+            ("seabed_origin=[500000,0]",),
+            "region lies beyond the bed, 500000 .. 500180 m along x",
+        ),
+    ],
+)
+def test_an_unsuitable_coast_is_baked_with_a_warning(coast, bed, settings, sentence):
+    coast.write("bed.asc", grid(bed))
+    chosen = [word for setting in settings for word in ("--set", setting)]
+    done = coast("bake", "sea.toml", "-o", "s.exr", *REGION, "--products", "height", *chosen)
+    assert done.returncode == 0, done.stderr
+    assert sentence in done.stderr, done.stderr
+    assert np.isfinite(image(coast.folder / "s.exr")).all()
+
+
+@pytest.mark.parametrize(
+    ("cell", "sentence"),
+    [
+        (0.001, "the bed is 0.045 m long, less than a peak wavelength"),
+        (50.0, "its cells of 50 m are coarse for waves of 23.92 m"),
+        (50.0, "the bed is 2250 m long and the waves offshore repeat every 200 m"),
+    ],
+)
+def test_cells_in_a_wrong_unit_are_warned_of(coast, cell, sentence):
+    coast.write("bed.asc", grid(BEACH, cell))
+    done = coast("bake", "sea.toml", "-o", "s.exr", *REGION, "--products", "height")
+    assert done.returncode == 0 and sentence in done.stderr, done.stderr
+
+
+def test_one_of_several_systems_that_comes_from_land_is_named(coast):
+    coast.write("sea.toml", SEA + BACK)
+    shown = coast("info", "sea.toml")
+    assert "the sides by which the waves of waves.1 come in are land alone" in shown.stderr
+    assert "waves.0" not in shown.stderr
+
+
+def test_points_beyond_the_bed_and_in_its_ground_are_counted(coast):
+    coast.write("points.csv", "x,y\n50,50\n150,50\n500,50\n-9,50\n")
+    query = ("query", "sea.toml", "--time", "3", "--points", "points.csv", "--no-foam")
+    shown = coast(*query, "--orbital", "-8").stderr
+    assert "2 of 4 points lie beyond the bed (water.seabed), where the sea is open" in shown
+    assert "2 of 4 points lie in the ground of the bed" in shown
+    assert "in the ground" not in coast(*query).stderr
+    gauge = ("--points", "points.csv", "--from", "0", "--to", "1", "--rate", "1")
+    shown = coast("gauge", "sea.toml", *gauge).stderr
+    assert "2 of 4 points lie beyond the bed" in shown
+    assert "1 of 4 points lie in the ground of the bed" in shown  # still water's level on land
+    assert "refine = 3; allowed" in coast(*query, "--refine", "3").stderr.splitlines()[-1]
+
+
+def displacement(coast, sea: str, *arguments):
+    """Frame 5 of a sea."""
+    coast.good(
+        "bake", sea, "-o", f"{sea}.exr", "--products", "displacement", "--type", "float",
+        "--frames", "5", "--axes", "zup", "-q", *arguments,
+    )  # fmt: skip
+    return image(coast.folder / f"{sea}.exr")
+
+
+@pytest.mark.parametrize(
+    ("edit", "samples"),
+    [
+        (lambda sea: sea, 64),
+        (lambda sea: sea + BACK, 64),
+        (lambda sea: sea.replace("[[waves]]", "cascades = 3\n[[waves]]", 1), 256),
+        (lambda sea: sea + "[surface]\nchoppiness = 2.0\n", 64),
+        (lambda sea: sea + "[time]\nloop_period = 20\n", 64),
+        (lambda sea: sea.split("[[waves]]")[0] + MEASURED, 64),
+    ],
+    ids=["wind", "systems", "cascades", "choppy", "loop", "measured"],
+)
+def test_over_deep_ground_every_sea_is_the_open_one(coast, edit, samples):
+    open_sea = SEA.replace('seabed = "bed.asc"\n', "").replace("depth = 12.0", "depth = 900.0")
+    coast.write("open.toml", edit(open_sea))
+    coast.write("bed.asc", grid(np.full((3, 3), -900.0), 500.0))
+    coast.write("deep.toml", edit(SEA.replace("depth = 12.0", "depth = 900.0")))
+    cell = 200.0 / samples
+    side = 200.0 - cell
+    expected = displacement(coast, "open.toml", "--resolution", samples)
+    found = displacement(coast, "deep.toml", "--region", f"0,0,{side},{side}", "--cell", cell)
+    assert found.shape == expected.shape
+    assert np.abs(found - expected).max() < 2e-6 * 4.0 * expected[..., 2].std()
+
+
+def test_a_loop_over_a_bed_closes_with_its_traces(coast):
+    bake = ("bake", "sea.toml", "--set", "time.loop_period=4", *REGION, "-q")
+    products = ("--products", "height,foam,wetness", "--frames", "1,97")
+    coast.good(*bake, "-o", "s.####.exr", *products)
+    for product in ("height", "foam", "wetness"):
+        first, last = (image(coast.folder / f"s.{product}.{n}.exr") for n in ("0001", "0097"))
+        assert (first == last).all(), product
+        assert first.std() > 0.01
+
+
+def test_queries_agree_with_the_region_whatever_the_choppiness(coast):
+    offsets = displacement(coast, "sea.toml", *REGION, "--set", "choppiness=2")
+    labels = np.stack(np.meshgrid(40 + 4.0 * np.arange(31), 20 + 4.0 * np.arange(16)), -1)
+    places = (labels + offsets[..., :2]).reshape(-1, 2)
+    coast.write("points.csv", "x,y\n" + "".join(f"{x:.7f},{y:.7f}\n" for x, y in places))
+    answer = coast.good(
+        "query", "sea.toml", "--frame", "5", "--points", "points.csv", "--no-foam",
+        "--set", "choppiness=2",
+    )  # fmt: skip
+    heights = np.array([float(row["height"]) for row in csv.DictReader(io.StringIO(answer))])
+    assert np.abs(heights - offsets[..., 2].ravel()).max() < 1e-4
