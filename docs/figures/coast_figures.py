@@ -10,9 +10,10 @@ realisations (seeds of the sea).
 import sys
 from pathlib import Path
 
-import libocean
 import matplotlib
 import numpy as np
+
+import libocean
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
@@ -165,14 +166,16 @@ def heights():
             at[shown] - length, mean[shown], bar[shown], fmt="o", ms=3, color=MARK, label="surface"
         )
         axis.fill_between(x - length, -0.16 * depth_at(x), 0, color="#e8dcc0", lw=0)
-        axis.set(title=name, xlabel="m from the end", xlim=(max(-length, -900), 20), ylim=(-0.6, 2.6))
+        axis.set(
+            title=name, xlabel="m from the end", xlim=(max(-length, -900), 20), ylim=(-0.6, 2.6)
+        )
         there = np.interp(at, x, law)
         near = depth_at(at) >= 1.0
         worst = np.abs(mean[near] / there[near] - 1)
         tell(
             f"heights {name}: Hrms against Thornton-Guza worst {100 * worst.max():.1f} %"
-            f" at {depth_at(at[near][worst.argmax()]):.1f} m, rms {100 * np.sqrt((worst**2).mean()):.1f} %;"
-            f" error of the mean {100 * (bar / mean).max() / 2:.1f} %"
+            f" at {depth_at(at[near][worst.argmax()]):.1f} m, rms"
+            f" {100 * np.sqrt((worst**2).mean()):.1f} %; error of the mean {100 * (bar / mean).max() / 2:.1f} %"
         )
         for depth in (2.0, 1.5, 1.0):
             if name == "bar":
@@ -224,7 +227,9 @@ def waves():
         omega = 2 * np.pi * np.fft.fftfreq(seconds)[:, None]
         along = 2 * np.pi * np.fft.fftfreq(rows, 4.0)[None, :]
         carrier = (omega > 0.75 * peak) & (omega < 1.6 * peak)
-        analytic = np.fft.fft(np.fft.ifft(np.where(carrier[..., None], spectrum, 0), axis=1), axis=0)
+        analytic = np.fft.fft(
+            np.fft.ifft(np.where(carrier[..., None], spectrum, 0), axis=1), axis=0
+        )
         envelope = np.abs(analytic) ** 2
         envelope = np.fft.fft2(envelope - envelope.mean((0, 1)), axes=(0, 1))
         error, turn, group = [], [], []
@@ -326,14 +331,12 @@ def shape():
         number = 0.75 * mean[:, 0] / np.sqrt(2) * k / (k * depths) ** 3
         laws = shape_laws(number)
         for n, axis in enumerate(axes):
-            axis.errorbar(
-                number, mean[:, 1 + n], bar[:, 1 + n], fmt=mark, ms=4, label=f"1:{run:g}"
-            )
+            axis.errorbar(number, mean[:, 1 + n], bar[:, 1 + n], fmt=mark, ms=4, label=f"1:{run:g}")
         for n, d in enumerate(depths):
             tell(
                 f"shape 1:{run:g} at {d} m, Ur {number[n]:.2f}: skewness {mean[n, 1]:.2f} +-"
-                f" {bar[n, 1]:.2f} ({laws[0][n]:.2f}), asymmetry {mean[n, 2]:.2f} +- {bar[n, 2]:.2f}"
-                f" ({laws[1][n]:.2f})"
+                f" {bar[n, 1]:.2f} ({laws[0][n]:.2f}), asymmetry {mean[n, 2]:.2f} +-"
+                f" {bar[n, 2]:.2f} ({laws[1][n]:.2f})"
             )
     for axis, name in zip(axes, ("skewness", "asymmetry"), strict=True):
         axis.set(title=name, xlabel="Ursell number", xscale="log")
@@ -372,9 +375,7 @@ def run_up():
                 period = sea.state["peak_period"]["resolved"]
                 height = sea.state["significant_wave_height"]["resolved"]
                 scale = np.sqrt(height * GRAVITY * period**2 / (2 * np.pi))
-                law = 1.1 * (
-                    0.35 * scale / run + 0.5 * scale * np.sqrt(0.563 / run**2 + 0.004)
-                )
+                law = 1.1 * (0.35 * scale / run + 0.5 * scale * np.sqrt(0.563 / run**2 + 0.004))
                 z = np.linspace(-0.6, min(2.2 * law, 4.4), 24)
                 y = 70.0 + patch * np.arange(6) / 6
                 x, rows = np.meshgrid(14.0 * run + z * run, y)
@@ -398,13 +399,19 @@ def run_up():
             law = both[:, 1].mean()
             worst = max(worst, abs(ratio - 1))
             axis.errorbar(law, ratio * law, bar * law, fmt=mark, ms=4, color=MARK)
-            tell(f"run_up {wind:g} m/s, 1:{run:g}: R2 {ratio * law:.2f} m, {ratio:.2f} +- {bar:.2f}")
+            tell(
+                f"run_up {wind:g} m/s, 1:{run:g}: R2 {ratio * law:.2f} m, {ratio:.2f} +- {bar:.2f}"
+            )
     tell(f"run_up worst {worst:.2f}")
     limit = np.array([0, 5.0])
     axis.plot(limit, limit, color=LAW)
     axis.fill_between(limit, 0.8 * limit, 1.2 * limit, color="#e9ebec", lw=0)
     axis.set(
-        title="2 % run-up [m]", xlabel="Stockdon et al. 2006", ylabel="surface", xlim=limit, ylim=limit
+        title="2 % run-up [m]",
+        xlabel="Stockdon et al. 2006",
+        ylabel="surface",
+        xlim=limit,
+        ylim=limit,
     )
     save(figure, "run_up")
 
@@ -444,11 +451,20 @@ def foam():
             depth = 14.0 - x / run
             belts = zip(edges, edges[1:], strict=False)
             found.append([cover[(depth >= a) & (depth < b)].mean() for a, b in belts])
-            shares.append([cover[(depth >= a) & (depth < b)].mean() for a, b in ((0, 4), (4, 8), (8, 14))])
+            shares.append(
+                [cover[(depth >= a) & (depth < b)].mean() for a, b in ((0, 4), (4, 8), (8, 14))]
+            )
         mean, bar = standard_error(found)
-        axis.errorbar((edges[1:] + edges[:-1]) / 2, 100 * mean, 100 * bar, fmt="o-", ms=3, label=f"1:{run:g}")
+        axis.errorbar(
+            (edges[1:] + edges[:-1]) / 2, 100 * mean, 100 * bar, fmt="o-", ms=3, label=f"1:{run:g}"
+        )
         share, error = standard_error(shares)
-        tell(f"foam 1:{run:g} where d < 4 m, 4 to 8 m, deeper:", (100 * share).round(2), "+-", (100 * error).round(2))
+        tell(
+            f"foam 1:{run:g} where d < 4 m, 4 to 8 m, deeper:",
+            (100 * share).round(2),
+            "+-",
+            (100 * error).round(2),
+        )
     axis.set(title="cover of surf foam [%]", xlabel="depth [m]", xlim=(10, 0), ylim=(0, None))
     axis.legend(frameon=False, fontsize=8)
     save(figure, "foam")

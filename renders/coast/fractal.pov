@@ -16,7 +16,7 @@ Ocean_Load(Ocean_Frame_Name(frame_number))
 Terrain_Load("land")
 
 #declare Eye = <860, 480, -250>;
-#declare Target = <810, 0, 600>;
+#declare Target = <810, 0, 560>;
 #declare View_Angle = 44;
 camera { location Eye right x*image_width/image_height angle View_Angle look_at Target }
 

@@ -12,9 +12,10 @@ usage: surf.py FOLDER COLUMNSxROWS      writes FOLDER/0000.png ...
 import sys
 from pathlib import Path
 
-import libocean
 import numpy as np
 import OpenImageIO as oiio
+
+import libocean
 
 CORNER, WIDTH = (840.0, 470.0), 420.0  # m, of the view
 FRAMES, RATE, FIRST = 24, 8.0, 60.0
@@ -40,7 +41,7 @@ def read(maps, x, y):
 
 
 def frame(sea, time, columns, rows, step, lace):
-    names = ["displacement", "normal", "cover", "depth", "wetness"]
+    names = ["displacement", "normal", "cover", "depth", "wetness", "breaking"]
     samples = (columns + 1, rows + 1)
     maps = sea.region(time, CORNER, samples, step, names)
     all_maps = np.dstack([maps[name].reshape(rows + 1, columns + 1, -1) for name in names])
@@ -74,8 +75,9 @@ def frame(sea, time, columns, rows, step, lace):
     lit = (normal @ SUN)[..., None]
     tilt = normal[..., 0:1] * SUN[0] + normal[..., 1:2] * SUN[1]
     water = body * (0.35 + 1.0 * lit) + np.array([0.05, 0.07, 0.09]) * (1 + 3.2 * tilt)
-    # White where the lace lies below the cover.
-    white = ease(-0.2, 0.25, cover - 0.9 * lace)
+    # White where waves break, and where the lace lies below the cover of foam.
+    white = ease(-0.15, 0.15, cover - lace) * ease(0.0, 0.15, cover)
+    white = np.maximum(white, ease(0.3, 0.8, here[..., 9:10]))
     water = water + white * (FOAM * (0.55 + 0.5 * lit) - water)
     colour = np.where(depth > 0.0, water, land)
     return np.clip(colour, 0, 1)[::-1] ** (1 / 2.2)

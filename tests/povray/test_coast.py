@@ -4,10 +4,10 @@
 
 Claims: functions of the coast have the values of the library's region at its labels, and outside of
 it those of the open sea; where the map ends within the bed it fades into the open sea without a
-step; the land is the bed, and as wet as the library has it; its water lies where its functions say, and no ray from an eye over the
-beach that must meet land or water misses both, at the border of the map neither; land and water,
-sky and wet sand have their colours in the scene of the folder; what does not belong is refused in a
-sentence.
+step; the land is the bed, and as wet as the library has it; its water lies where its functions say,
+and no ray from an eye over the beach that must meet land or water misses both, at the border of the
+map neither; land and water, sky and wet sand have their colours in the scene of the folder; what
+does not belong is refused in a sentence.
 """
 
 import json
