@@ -175,7 +175,8 @@ def heights():
         tell(
             f"heights {name}: Hrms against Thornton-Guza worst {100 * worst.max():.1f} %"
             f" at {depth_at(at[near][worst.argmax()]):.1f} m, rms"
-            f" {100 * np.sqrt((worst**2).mean()):.1f} %; error of the mean {100 * (bar / mean).max() / 2:.1f} %"
+            f" {100 * np.sqrt((worst**2).mean()):.1f} %;"
+            f" error of the mean {100 * (bar / mean).max() / 2:.1f} %"
         )
         for depth in (2.0, 1.5, 1.0):
             if name == "bar":
