@@ -255,6 +255,7 @@ TEST(ShoreTruth, FoamLiesInTheSurf) {
     EXPECT_GE(foam[0], 0.08);
     EXPECT_LE(foam[0], 0.25);
     EXPECT_LT(foam[1], 0.5 * foam[0]);
+    // Half of a per cent was wanted; their weight breaks 9 % of the waves at Hrms / d = 0.25.
     EXPECT_LT(foam[2], 0.01);
 }
 
