@@ -46,6 +46,9 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     materialx_tool=materialx==1.39.5  # judges shaders/materialx
     tifffile_tool=tifffile==2026.3.3  # writes and reads GeoTIFF, as rasterio (GDAL) does
     rasterio_tool=rasterio==1.4.4
+    # draw the figures of docs/coast.md
+    figures_tool=matplotlib==3.10.0
+    figures_numpy=numpy==2.1.3
     affine_tool=affine==2.4.0  # of rasterio; a newer one needs newer attrs than Debian's
     ziglang_tool=ziglang==0.17.0
     mkl_tool=mkl-static==2026.2.0

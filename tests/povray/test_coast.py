@@ -4,10 +4,10 @@
 
 Claims: functions of the coast have the values of the library's region at its labels, and outside of
 it those of the open sea; where the map ends within the bed it fades into the open sea without a
-step; the land is the bed; its water lies where its functions say, and no ray from an eye over the
-beach that must meet land or water misses both, at the border of the map neither; land and water,
-sky and wet sand have their colours in the scene of the folder; what does not belong is refused in a
-sentence.
+step; the land is the bed, and as wet as the library has it; its water lies where its functions say,
+and no ray from an eye over the beach that must meet land or water misses both, at the border of the
+map neither; land and water, sky and wet sand have their colours in the scene of the folder; what
+does not belong is refused in a sentence.
 """
 
 import json
@@ -118,6 +118,20 @@ def test_functions_have_the_values_of_the_region_and_beside_it_of_the_open_sea(c
     assert told[-1] == pytest.approx(point[0, 2], abs=0.12)
 
 
+def test_the_ground_is_as_wet_as_in_the_region(coast):
+    wet = coast.sea.region(0.0, ORIGIN, SAMPLES, STEP, ("wetness",))["wetness"]
+    places = [(i, j) for j in range(1, 79, 7) for i in range(40, 60)]
+    scene = "".join(
+        tell(f"Ocean_Wetness({ORIGIN[0] + STEP * i}, {ORIGIN[1] + STEP * j})") for i, j in places
+    )
+    told = floats_of(coast.run(scene + tell("Ocean_Wetness(-70, 200)")))
+    truth = numpy.array([wet[j, i] for i, j in places])
+    assert (truth == 0).any() and (truth == 1).any() and ((truth > 0.1) & (truth < 0.9)).any()
+    # A byte holds a 255th.
+    assert abs(told[:-1] - truth).max() < 0.5 / 255 + 1e-6
+    assert told[-1] == 0, "outside of the map"
+
+
 def test_the_map_fades_into_the_open_sea_and_ends_on_the_side_of_the_bed(coast):
     inside, outside = 1e-4, -1e-4
     pairs = []
@@ -210,6 +224,10 @@ def test_what_does_not_belong_is_refused_in_a_sentence(tmp_path, coast):
 
     assert "a sea over a bed (water.seabed) has df3 alone" in refused("--format", "mesh2")
     assert "give both" in refused("--cell", "2")
+    text = re.sub(r"(?m)^(seabed.*|\[water\.\w+\])$", "", SEA)
+    (tmp_path / "open.toml").write_text(text)
+    done = ocean(tmp_path, "bake", "open.toml", "-o", "open.df3", "--mask-map")
+    assert done.returncode == 2 and "a sea without a bed (water.seabed) has no masks" in done.stderr
     few = refused("--region", "0,0,400,300", "--cell", "0.1")
     assert "4001 samples along its longer side; allowed are at most 2048" in few
     log = re.sub(

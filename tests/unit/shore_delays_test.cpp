@@ -21,23 +21,6 @@
 namespace ocean {
 namespace {
 
-/// Returns the gradient of a map [1/m of its unit].
-PlaneVector gradient(const std::vector<float>& map, const CoastGrid& grid, double cell, int i,
-                     int j) {
-    const auto value = [&](int x, int y) { return double{map[grid.index(x, y)]}; };
-    return {(value(i + 1, j) - value(i - 1, j)) / (2.0 * cell),
-            (value(i, j + 1) - value(i, j - 1)) / (2.0 * cell)};
-}
-
-/// Returns the wave vector that maps give a wave k of the open sea [rad/m].
-PlaneVector mapped(const DelayMaps& maps, const CoastGrid& grid, double cell, int i, int j,
-                   PlaneVector k) {
-    const PlaneVector x = gradient(maps.shift_x, grid, cell, i, j);
-    const PlaneVector y = gradient(maps.shift_y, grid, cell, i, j);
-    const PlaneVector p = gradient(maps.phase, grid, cell, i, j);
-    return {k.x + k.x * x.x + k.y * y.x + p.x, k.y + k.x * x.y + k.y * y.y + p.y};
-}
-
 // ---- A whole sea
 
 struct SeaError {
@@ -72,14 +55,14 @@ SeaError sea_on_beach(double depth_of_check) {
             while (k >= bands.edges[static_cast<std::size_t>(b + 1)]) ++b;
             const DelayMaps& m = maps[static_cast<std::size_t>((sector + 2) * kShoreBands + b)];
             const PlaneVector open{k * std::cos(theta), k * std::sin(theta)};
-            const PlaneVector v = mapped(m, grid, cell, i, 30, open);
+            const PlaneVector v = mapped_wave(m, grid, cell, i, 30, open);
             const double true_k = shallow.wavenumber(omega);
             const double ex = std::sqrt(true_k * true_k - open.y * open.y);
             sum += energy * ((v.x - ex) * (v.x - ex) + (v.y - open.y) * (v.y - open.y)) /
                    (true_k * true_k);
             const double c = std::cos(sector * kSectorWidth), s = std::sin(sector * kSectorWidth);
-            const double delay = c * gradient(m.shift_x, grid, cell, i, 30).x +
-                                 s * gradient(m.shift_y, grid, cell, i, 30).x;
+            const double delay = c * gradient_of(m.shift_x, grid, cell, i, 30).x +
+                                 s * gradient_of(m.shift_y, grid, cell, i, 30).x;
             error.group_speed +=
                 energy * deep.group_velocity(k) / (1.0 + delay) / shallow.group_velocity(true_k);
             tot += energy;
@@ -124,8 +107,8 @@ TEST(ShoreDelays, KeepWaveVectorsOverARoughBed) {
                     const double d = double{depth.at(i, j)};
                     if (d < 1.0 || d > 16.0) continue;
                     const int bin = d < 2.0 ? 0 : (d < 4.0 ? 1 : (d < 8.0 ? 2 : 3));
-                    const PlaneVector v =
-                        mapped(m, grid, cell, i, j, {k * wave.direction.x, k * wave.direction.y});
+                    const PlaneVector v = mapped_wave(m, grid, cell, i, j,
+                                                      {k * wave.direction.x, k * wave.direction.y});
                     const PlaneVector own = wave.wave(i, j);
                     const double length = k * double{wave.slowness[grid.index(i, j)]};
                     sum[bin] +=

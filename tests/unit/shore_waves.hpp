@@ -16,6 +16,7 @@
 #include "shore/bed_grid.hpp"
 #include "shore/eikonal.hpp"
 #include "shore/shore_bands.hpp"
+#include "shore/shore_delays.hpp"
 #include "shore/slowness.hpp"
 
 namespace ocean {
@@ -117,6 +118,23 @@ struct OneWave {
                 direction.y + 0.5 * (delay[grid.index(i, j + 1)] - delay[grid.index(i, j - 1)])};
     }
 };
+
+/// Returns the gradient of a map [1/m of its unit].
+inline PlaneVector gradient_of(const std::vector<float>& map, const CoastGrid& grid, double cell,
+                               int i, int j) {
+    const auto value = [&](int x, int y) { return double{map[grid.index(x, y)]}; };
+    return {(value(i + 1, j) - value(i - 1, j)) / (2.0 * cell),
+            (value(i, j + 1) - value(i, j - 1)) / (2.0 * cell)};
+}
+
+/// Returns the wave vector that maps give a wave k of the open sea [rad/m].
+inline PlaneVector mapped_wave(const DelayMaps& maps, const CoastGrid& grid, double cell, int i,
+                               int j, PlaneVector k) {
+    const PlaneVector x = gradient_of(maps.shift_x, grid, cell, i, j);
+    const PlaneVector y = gradient_of(maps.shift_y, grid, cell, i, j);
+    const PlaneVector p = gradient_of(maps.phase, grid, cell, i, j);
+    return {k.x + k.x * x.x + k.y * y.x + p.x, k.y + k.x * x.y + k.y * y.y + p.y};
+}
 
 inline BedGrid islands() {
     // Three islands whose shelves throw lees that cross each other.

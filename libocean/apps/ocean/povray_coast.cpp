@@ -58,6 +58,7 @@ BakePlan plan_coast(const PovrayCoastRequest& request, const Context& context) {
     options.output = request.folder + "/coast_####" + povray_extension(request.format);
     options.threads = context.options.threads;
     options.resolution.clear();  // that of the open sea
+    options.format_options["mask-map"] = "yes";
     options.open_subject = [&](const std::string&) {
         if (region) return make_region_subject(request.sea, *region);
         return make_subject(request.sea);

@@ -41,10 +41,8 @@ std::vector<FormatOption> list_options(const Catalogue&) {
          "of its data from 512 samples on",
          "", kSeaKind},
         {"mask-map", "",
-         "Write the masks of the land too, such as beach and cliff, a byte each; not flow, which "
-         "is "
-         "an area",
-         "", kTerrainKind}};
+         "Write the masks of a land too, such as beach and cliff, or those of a sea's region, such "
+         "as wetness, a byte each; not flow, an area, or depth"}};
 }
 
 struct Df3Settings {
@@ -91,6 +89,10 @@ FormatPlan<Df3Settings> resolve(const BakePlan& draft, const Df3Settings& reques
     }
     if (settings.mask_map) {
         settings.masks = io::df3_masks(draft.subject->channels());
+        if (settings.masks.empty() && draft.subject->kind() == kSeaKind) {
+            throw Error(ErrorKind::unsupported,
+                        "--mask-map: a sea without a bed (water.seabed) has no masks");
+        }
         for (const Channel mask : settings.masks) maps.channels = maps.channels | ChannelSet{mask};
     }
     return {maps, settings};
@@ -220,6 +222,19 @@ std::string height_codes(const Surface& map, io::Df3Slices slices, const std::st
            shortest_text(0.5 * heights.quantum()) + " m\n";
 }
 
+/// Returns the declarations of how many masks a map has, and of the slice of each, -1 without.
+std::string mask_slices(std::span<const Channel> masks, const std::string& prefix) {
+    std::string text = "#declare " + prefix + "Masks_ = " + std::to_string(masks.size()) + ";\n";
+    for (const Product& mask : kMaskProducts) {
+        const auto slice = std::ranges::find(masks, mask.channels[0]);
+        std::string name(mask.name);
+        name.front() = static_cast<char>(name.front() - 'a' + 'A');
+        text += "#declare " + prefix + name + "_Slice_ = " +
+                (slice == masks.end() ? "-1" : std::to_string(slice - masks.begin())) + ";\n";
+    }
+    return text;
+}
+
 /// Returns the declarations of a land's maps: their levels, the codes of their heights, and the
 /// slice of each mask, -1 without.
 std::string land_maps(const FrameWork& work, const Df3Settings& settings,
@@ -237,21 +252,10 @@ std::string land_maps(const FrameWork& work, const Df3Settings& settings,
         codes += separator +
                  ("<" + shortest_text(heights.base) + ", " + shortest_text(heights.scale) + ", 0>");
     }
-    std::string text = "#declare " + prefix + "Levels_ = array[" + count + "] { " + cells +
-                       " };  // cell [m], columns, rows of each map\n#declare " + prefix +
-                       "Level_Codes_ = array[" + count + "] { " + codes +
-                       " };  // base and scale [m]\n#declare " + prefix +
-                       "Masks_ = " + std::to_string(settings.masks.size()) + ";\n";
-    for (const Product& mask : kMaskProducts) {
-        const auto slice = std::ranges::find(settings.masks, mask.channels[0]);
-        std::string name(mask.name);
-        name.front() = static_cast<char>(name.front() - 'a' + 'A');
-        text += "#declare " + prefix + name + "_Slice_ = " +
-                (slice == settings.masks.end() ? "-1"
-                                               : std::to_string(slice - settings.masks.begin())) +
-                ";\n";
-    }
-    return text;
+    return "#declare " + prefix + "Levels_ = array[" + count + "] { " + cells +
+           " };  // cell [m], columns, rows of each map\n#declare " + prefix +
+           "Level_Codes_ = array[" + count + "] { " + codes + " };  // base and scale [m]\n" +
+           mask_slices(settings.masks, prefix);
 }
 
 /// Returns the text beside the maps of a frame.
@@ -266,6 +270,7 @@ std::string description(const FrameWork& work, const Df3Settings& settings, cons
     text += io::povray_frame_declarations(work.provenance()) + check_heights(map, prefix) +
             height_codes(map, settings.slices, prefix);
     if (!is_sea) return text + land_maps(work, settings, prefix);
+    if (!settings.masks.empty()) text += mask_slices(settings.masks, prefix + "Coast_");
     const auto levels = work.maps.first(work.plan.maps.resolutions.size());
     return text + io::povray_foam_declarations(levels) + io::povray_detail_declarations(detail);
 }
