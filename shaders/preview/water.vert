@@ -4,13 +4,24 @@
 // A vertex of the water.
 #include "preview/clipmap.glsl"
 #include "preview/sea.glsl"
+#if COAST
+#include "preview/coast.glsl"
+#endif
 
 out vec2 label;
 out vec3 position;
 out float line_share;  // of the lines' colour in the picture
 
 vec3 surface_point(vec2 at, float spacing) {
+#if COAST
+    CoastShape coast = coast_shape(at);
+    vec3 point = shown_point(at, coast.shape);
+    if (coast.share >= 1.0) return point;
+    vec3 open = shown_point(at, displacement_at(copies_at(at), at, spacing));
+    return mix(open, point, coast.share);
+#else
     return shown_point(at, displacement_at(copies_at(at), at, spacing));
+#endif
 }
 
 void main() {

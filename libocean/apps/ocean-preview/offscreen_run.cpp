@@ -123,7 +123,7 @@ class OffscreenRun {
             const InterruptWatch::Hold whole = context_.interrupts.hold();
             return io::write_png(path, stage.width, stage.height, stage.rgb);
         }
-        const preview::ShownScene& shown = scene_->shown_at(time);
+        const preview::ShownScene& shown = scene_->shown_at(options, time);
         std::string warning;
         const preview::Camera camera = scene_->camera_of(options, warning);
         if (!warning.empty()) context_.console.warning(warning);
