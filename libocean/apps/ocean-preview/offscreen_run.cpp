@@ -171,7 +171,7 @@ void draw_with_bridge(const PreviewOptions& options, const Sea& sea, const Conte
     preview::Renderer renderer(renderer_for(options, info, options.follow > 0.0));
     bool first = true;
     const auto show = [&](double milliseconds) {
-        const preview::ShownSea shown = live.show();
+        const preview::ShownSea shown = live.show(options.camera.eye);
         for (const auto& place : options.probes) {
             const std::string when =
                 options.follow > 0.0 ? format_text("%.1f,", milliseconds) : std::string();
@@ -192,14 +192,15 @@ using ShowFrame = std::function<preview::ShownScene(int frame)>;
 
 /// Returns the frames of a running sea, at its own rate from a time on [s].
 ShowFrame frames_of(const Sea& sea, const Computing& computing, const Context& context,
-                    double start, const gl::AfterStage& after_stage) {
+                    const PreviewOptions& options, const gl::AfterStage& after_stage) {
     const auto live = std::make_shared<Ocean>(sea, OceanOptions{.threads = context.options.threads,
                                                                 .backend = computing.backend,
                                                                 .foam_start = FoamStart::empty});
     const auto maps = std::make_shared<preview::SeaMaps>(computing.maps, after_stage);
-    return [live, maps, start, fps = sea.parameters.time.fps](int frame) {
-        return maps->show(*live, start + frame / fps);
-    };
+    std::array<double, 3> eye = options.camera.eye;
+    if (const auto& bed = sea.parameters.water.bed) eye = eye_on_coast(options, *bed);
+    return [live, maps, eye, start = time_of(options, sea), fps = sea.parameters.time.fps](
+               int frame) { return maps->show(*live, start + frame / fps, eye); };
 }
 
 /// Returns the frames of a land, which stands still.
@@ -240,8 +241,12 @@ void print_budget(const PreviewOptions& options, const OpenedScene& scene, const
     ShowFrame show;
     preview::Camera camera = options.camera;
     if (const auto* const sea = std::get_if<Sea>(&scene)) {
-        show = frames_of(*sea, computing_for(device.backend, options, *sea, info), context,
-                         time_of(options, *sea), after_stage);
+        show = frames_of(*sea, computing_for(device.backend, options, *sea, info), context, options,
+                         after_stage);
+        if (sea->parameters.water.bed) {
+            const preview::ShownScene first = show(0);
+            place_on_coast(options, *std::get<preview::ShownSea>(first).coast, camera);
+        }
     } else {
         show = frames_of(std::get<Terrain>(scene), options, device, context);
         place_on_land(options, std::get<preview::ShownLand>(show(0)), camera);
