@@ -216,9 +216,11 @@ void Water::draw_clipmap(const PictureFrame& frame) {
     glm::dvec3 eye = eye_of(frame.camera);
     if (sea_->coast)
         eye.z = std::max(eye.z - sea_->coast->surface_at(eye.x, eye.y), kLeastDistance);
+    if (fitting.coast) glEnable(GL_CLIP_DISTANCE0);
     clipmap_.draw(water, eye, finest,
                   Frustum(frame.projection.clip_from_world, frame.camera.eye[2]),
                   reach_of(*sea_, frame.camera.eye[2]), frame.options.wireframe);
+    glDisable(GL_CLIP_DISTANCE0);
     if (sea_->coast && row_of(frame.options.view).use == ViewUse::picture) {
         coast_->draw(*sea_->coast, frame, clipmap_, eye, finest);
     }

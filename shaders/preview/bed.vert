@@ -14,9 +14,10 @@ out vec3 detail_place;  // as of ground.vert: the bed has no slopes beside its m
 flat out vec2 detail_layer;
 
 vec3 surface_point(vec2 at, float spacing) {
-    CoastShape coast = coast_shape(at);
+    CoastReads reads = coast_reads(at);
+    vec4 shape = coast_shape(reads);
     float bed = textureLod(ground_map, map_place(at), 0.0).x;
-    bed = mix(bed, coast.shape.z - coast.shape.w, coast.share);
+    bed = mix(bed, shape.z - shape.w, reads.whole);
     return vec3(at, bed - drop_at(at));
 }
 

@@ -39,23 +39,38 @@ vec4 window_shape(int window, vec2 place) {
     return mix(below, above, t.y);
 }
 
-// A value of the windows and their share beside the open sea's.
-struct CoastShape {
-    vec4 shape;
-    float share;
+// The windows at a label: a window and the one outside it, into which it is blended.
+struct CoastReads {
+    int count;
+    int window[2];
+    vec2 place[2];   // in its samples
+    float share[2];  // beside the open sea's
+    float whole;     // their sum
 };
 
-CoastShape coast_shape(vec2 at) {
-    CoastShape coast = CoastShape(vec4(0.0), 0.0);
+CoastReads coast_reads(vec2 at) {
+    CoastReads reads;
+    reads.count = 0;
+    reads.whole = 0.0;
     float left = coast_share(at);
-    for (int i = 0; i < coast_count.x && left > 0.0; ++i) {
+    for (int i = 0; i < coast_count.x && left > 0.0 && reads.count < 2; ++i) {
         vec2 place = window_place(i, at);
         float share = left * window_share(i, place);
         if (share <= 0.0) continue;
-        coast.shape += share * window_shape(i, place);
-        coast.share += share;
+        reads.window[reads.count] = i;
+        reads.place[reads.count] = place;
+        reads.share[reads.count++] = share;
+        reads.whole += share;
         left -= share;
     }
-    if (coast.share > 0.0) coast.shape /= coast.share;
-    return coast;
+    return reads;
+}
+
+// Returns the shape of the windows alone.
+vec4 coast_shape(CoastReads reads) {
+    vec4 shape = vec4(0.0);
+    for (int i = 0; i < reads.count; ++i) {
+        shape += reads.share[i] * window_shape(reads.window[i], reads.place[i]);
+    }
+    return reads.whole > 0.0 ? shape / reads.whole : shape;
 }

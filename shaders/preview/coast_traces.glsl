@@ -7,18 +7,14 @@
 
 uniform sampler2DArray coast_traces;  // cover of breaking waves' foam, its bubbles, wetness
 
-// Adds the means of an image of the windows at a label to `sum`. Returns their share.
-float add_coast(inout vec4 sum, sampler2DArray images, vec2 at, Footprint footprint) {
-    float left = coast_share(at), whole = 0.0;
-    for (int i = 0; i < coast_count.x && left > 0.0; ++i) {
-        vec2 place = window_place(i, at);
-        float share = left * window_share(i, place);
-        if (share <= 0.0) continue;
-        float side = coast_window[i].w;
-        sum += share * filtered(images, float(i), (place + 0.5) / side, footprint,
-                                coast_window[i].z / side, coast_window[i].z);
-        whole += share;
-        left -= share;
+// Returns the sum of the means of an image of the windows, by their shares.
+vec4 coast_mean(sampler2DArray images, CoastReads reads, Footprint footprint) {
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < reads.count; ++i) {
+        vec4 window = coast_window[reads.window[i]];
+        sum += reads.share[i] * filtered(images, float(reads.window[i]),
+                                         (reads.place[i] + 0.5) / window.w, footprint,
+                                         window.z / window.w, window.z);
     }
-    return whole;
+    return sum;
 }

@@ -8,7 +8,6 @@
 #include "preview/sky.glsl"
 #include "wave/haze.glsl"
 #if COAST
-#include "preview/coast_traces.glsl"
 #include "wave/reflectance.glsl"
 #endif
 
@@ -45,13 +44,7 @@ float ramp(float from, float to, float x) {
 // its height.
 float wetness_of(Ground ground, float noise) {
     float above = water_line.y > 0.0 ? ground.height - water_line.x : 1e3;
-    float wet = 1.0 - ramp(0.2, 1.0, above + 0.2 * noise);
-#if COAST
-    vec4 traces = vec4(0.0);
-    float share = add_coast(traces, coast_traces, label, footprint_of(label));
-    wet = mix(wet, 0.0, share) + traces.z;
-#endif
-    return wet;
+    return ground.wetted + ground.still * (1.0 - ramp(0.2, 1.0, above + 0.2 * noise));
 }
 
 // Returns the colour c of the ground as streams, gullies and the sea have made it.
@@ -150,7 +143,7 @@ vec3 shaded(Ground ground) {
     vec3 light = albedo * (sun.w * lit * sun_colour.rgb + open * sky_light.rgb + bounced);
 #if COAST
     // A film of water on sand mirrors the sky.
-    float film = wetness_of(ground, 0.0) * ramp(0.3, 0.7, ground.shore);
+    float film = ground.wetted * ramp(0.3, 0.7, ground.shore);
     float cosine = max(-dot(normal, from_eye / distance), 1e-3);
     vec3 mirrored = reflect(from_eye / distance, normal);
     mirrored.z = abs(mirrored.z);

@@ -50,10 +50,6 @@ vec4 shown_view(Water state) {
 }
 
 void main() {
-    Water state = water_at(label);
-    colour = shown_view(state);
-#if COAST
-    if (state.depth <= 0.0) discard;
-#endif
+    colour = shown_view(water_at(label));
     colour.a *= line_share;  // 1, unless only lines are drawn
 }

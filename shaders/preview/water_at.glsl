@@ -49,28 +49,25 @@ uniform sampler2DArray coast_gradients;  // as gradient_maps
 uniform sampler2DArray coast_moments;    // squares of the slopes, their product, dDx/dy
 
 // Blends the windows of the coast in.
-void add_windows(inout Water water, vec2 at, Footprint footprint) {
-    CoastShape coast = coast_shape(at);
-    if (coast.share <= 0.0) return;
-    vec4 gradients = vec4(0.0), moments = vec4(0.0);
-    add_coast(gradients, coast_gradients, at, footprint);
-    add_coast(moments, coast_moments, at, footprint);
-    vec4 displacement = vec4(coast.shape.xyz, 0.0);
-    water.displacement = mix(water.displacement, displacement, coast.share);
+void add_windows(inout Water water, CoastReads reads, Footprint footprint) {
+    if (reads.count == 0) return;
+    vec4 shape = coast_shape(reads);
+    vec4 gradients = coast_mean(coast_gradients, reads, footprint);
+    vec4 moments = coast_mean(coast_moments, reads, footprint);
+    water.displacement = mix(water.displacement, vec4(shape.xyz, 0.0), reads.whole);
     water.displacement.w += moments.w;
-    vec2 slope = gradients.xy / coast.share;
+    vec2 slope = gradients.xy / reads.whole;
     water.gradients = water.open * water.gradients + gradients;
     water.variance = water.open * water.variance + moments.xyz -
-                     coast.share * vec3(slope * slope, slope.x * slope.y);
+                     reads.whole * vec3(slope * slope, slope.x * slope.y);
     water.squeezing *= water.open;
-    water.depth = mix(water.depth, coast.shape.w, coast.share);
+    water.depth = mix(water.depth, shape.w, reads.whole);
 }
 
 // Lays the foam of breaking waves over that of the open sea, whose whitecaps do not break where
 // waves feel the bed: by their height over the depth, as the core has it.
-void add_surf(inout Water water, vec2 at, Footprint footprint) {
-    vec4 traces = vec4(0.0);
-    add_coast(traces, coast_traces, at, footprint);
+void add_surf(inout Water water, CoastReads reads, Footprint footprint) {
+    vec4 traces = coast_mean(coast_traces, reads, footprint);
     float rms = 0.7071 * waves.y;
     float surf = (1.0 - water.open) * smoothstep(0.12, 0.22, rms / max(water.depth, 0.1));
     float white = traces.x;
@@ -93,7 +90,8 @@ Water water_at(vec2 at) {
     water.open = 1.0;
     water.depth = 1e3;
 #if COAST
-    water.open = 1.0 - coast_shape(at).share;
+    CoastReads reads = coast_reads(at);
+    water.open = 1.0 - reads.whole;
 #endif
     Copies copies = copies_at(at);
     float resolved = 0.0;  // mean square slope of the maps
@@ -104,7 +102,7 @@ Water water_at(vec2 at) {
              CASCADES, copies, at, footprint);
 #endif
 #if COAST
-    add_windows(water, at, footprint);
+    add_windows(water, reads, footprint);
 #endif
     water.variance = max(water.variance, vec3(0.0, 0.0, water.variance.z));
     water.footprint = seen_footprint(water);
@@ -127,7 +125,7 @@ Water water_at(vec2 at) {
         water.foam[v] = sum / squares;
     }
 #if COAST
-    add_surf(water, at, footprint);
+    add_surf(water, reads, footprint);
 #endif
     return water;
 }
