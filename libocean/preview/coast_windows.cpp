@@ -55,35 +55,66 @@ float covered_by(float depth) {
     return t * t * (3.0f - 2.0f * t);
 }
 
-void write_image(CoastImage& image, const Surface& surface, const CoastTraces& traces,
+/// Returns the part of a window over a bed: beside it the open sea is shown.
+CoastPart part_over(const CoastWindow& window, const Domain& bed, Domain& domain) {
+    CoastPart part;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const auto corner = static_cast<double>(window.corner[axis]);
+        const double low = bed.origin[axis] / window.cell - corner;
+        const double high = (bed.origin[axis] + bed.size[axis]) / window.cell - corner;
+        const double last = window.samples - 1;
+        const int first = static_cast<int>(std::clamp(std::floor(low), 0.0, last));
+        const int end = static_cast<int>(std::clamp(std::ceil(high), 0.0, last));
+        part.first[axis] = first;
+        domain.samples[axis] = end - first + 1;
+        domain.origin[axis] = (corner + first) * window.cell;
+        domain.size[axis] = (end - first) * window.cell;
+    }
+    return part;
+}
+
+/// Calls visit(index in the window, index in the part) for each sample of a part.
+template <typename Visit>
+void visit_part(const CoastPart& part, int window_samples, Visit&& visit) {
+    const std::array<int, 2> samples = part.surface.domain().samples;
+    std::size_t from = 0;
+    for (int j = 0; j < samples[1]; ++j) {
+        std::size_t to =
+            static_cast<std::size_t>(part.first[1] + j) * static_cast<std::size_t>(window_samples) +
+            static_cast<std::size_t>(part.first[0]);
+        for (int i = 0; i < samples[0]; ++i) visit(to++, from++);
+    }
+}
+
+void write_image(CoastImage& image, const CoastPart& part, const CoastTraces& traces,
                  double choppiness) {
     const std::size_t count = sample_count(image.window);
     for (auto* values : {&image.shape, &image.gradients, &image.moments, &image.traces}) {
-        values->resize(kComponents * count);
+        values->assign(kComponents * count, 0.0f);
     }
     // Maps of the open sea have displacements at choppiness 1, which points away.
     const auto scale = static_cast<float>(choppiness > 0.0 ? -1.0 / choppiness : 0.0);
-    const auto read = [&](Channel channel) { return surface.channel(channel); };
+    const auto read = [&](Channel channel) { return part.surface.channel(channel); };
     const auto dx = read(Channel::dx), dy = read(Channel::dy), height = read(Channel::height);
     const auto slope_x = read(Channel::slope_x), slope_y = read(Channel::slope_y);
     const auto dx_x = read(Channel::dx_x), dy_y = read(Channel::dy_y), dx_y = read(Channel::dx_y);
     const auto depth = read(kDepth);
-    for (std::size_t n = 0; n < count; ++n) {
+    visit_part(part, image.window.samples, [&](std::size_t to, std::size_t n) {
         const auto set = [&](std::vector<float>& of, float a, float b, float c, float d) {
-            float* const texel = &of[kComponents * n];
+            float* const texel = &of[kComponents * to];
             texel[0] = a;
             texel[1] = b;
             texel[2] = c;
             texel[3] = d;
         };
-        const float cover = std::pow(traces.foam[n], kSurfCoverPower);
+        const float foam = traces.foam[to];
         set(image.shape, scale * dx[n], scale * dy[n], height[n], depth[n]);
         set(image.gradients, slope_x[n], slope_y[n], scale * dx_x[n], scale * dy_y[n]);
         set(image.moments, slope_x[n] * slope_x[n], slope_y[n] * slope_y[n],
             slope_x[n] * slope_y[n], scale * dx_y[n]);
-        set(image.traces, cover, traces.foam[n] * traces.foam[n] * traces.foam[n], traces.wet[n],
+        set(image.traces, std::pow(foam, kSurfCoverPower), foam * foam * foam, traces.wet[to],
             0.0f);
-    }
+    });
 }
 
 }  // namespace
@@ -145,12 +176,12 @@ std::vector<CoastImage>& CoastSurface::at(Ocean& sea, double time,
     }
     move_traces(windows);
     if (is_new && options_.foam_start == FoamStart::settled) settle(sea, time);
-    const std::vector<Surface> surfaces = follow(sea, time, kShapeChannels);
+    const std::vector<CoastPart> parts = follow(sea, time, kShapeChannels);
     images_.resize(windows.size());
     const double choppiness = sea.parameters().surface.choppiness;
     for (std::size_t w = 0; w < windows.size(); ++w) {
         images_[w].window = windows[w];
-        write_image(images_[w], surfaces[w], traces_[w], choppiness);
+        write_image(images_[w], parts[w], traces_[w], choppiness);
     }
     return images_;
 }
@@ -164,24 +195,28 @@ void CoastSurface::settle(Ocean& sea, double time) {
     }
 }
 
-std::vector<Surface> CoastSurface::follow(Ocean& sea, double time, ChannelSet channels) {
+std::vector<CoastPart> CoastSurface::follow(Ocean& sea, double time, ChannelSet channels) {
     const double lifetime = sea.parameters().water.shore.surf_foam_lifetime;
     const double passed = followed_ ? time - *followed_ : 0.0;
     const auto left_of = [&](double of) { return static_cast<float>(std::exp(-passed / of)); };
     const float foam_left = lifetime > 0.0 ? left_of(lifetime) : 0.0f;
     const float wet_left = left_of(kDryingTime);
-    std::vector<Surface> surfaces;
+    const Domain& bed = sea.parameters().water.bed->domain;
+    std::vector<CoastPart> parts;
     for (CoastTraces& traces : traces_) {
-        surfaces.push_back(sea.region(time, traces.window.domain(), channels));
-        const auto breaking = surfaces.back().channel(kBreaking);
-        const auto depth = surfaces.back().channel(kDepth);
-        for (std::size_t n = 0; n < traces.foam.size(); ++n) {
-            traces.foam[n] = std::max(breaking[n], foam_left * traces.foam[n]);
-            traces.wet[n] = std::max(covered_by(depth[n]), wet_left * traces.wet[n]);
-        }
+        Domain domain{.origin = {}, .size = {}, .samples = {}, .wraps = false};
+        CoastPart& part = parts.emplace_back(part_over(traces.window, bed, domain));
+        if (domain.samples[0] < 2 || domain.samples[1] < 2) continue;
+        part.surface = sea.region(time, domain, channels);
+        const auto breaking = part.surface.channel(kBreaking);
+        const auto depth = part.surface.channel(kDepth);
+        visit_part(part, traces.window.samples, [&](std::size_t to, std::size_t from) {
+            traces.foam[to] = std::max(breaking[from], foam_left * traces.foam[to]);
+            traces.wet[to] = std::max(covered_by(depth[from]), wet_left * traces.wet[to]);
+        });
     }
     followed_ = time;
-    return surfaces;
+    return parts;
 }
 
 void CoastSurface::move_traces(const std::vector<CoastWindow>& windows) {

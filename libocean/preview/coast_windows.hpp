@@ -25,6 +25,12 @@ struct CoastTraces {
     std::vector<float> foam, wet;  // 0 .. 1
 };
 
+/// The part of a window that lies over a bed, and its surface.
+struct CoastPart {
+    std::array<int, 2> first{};  // sample
+    Surface surface = {};        // empty: none of the window does
+};
+
 class CoastSurface {
   public:
     explicit CoastSurface(const CoastMapsOptions& options) : options_(options) {}
@@ -35,7 +41,7 @@ class CoastSurface {
 
   private:
     /// Follows the traces up to a time, and returns the surface of each window.
-    std::vector<Surface> follow(Ocean& sea, double time, ChannelSet channels);
+    std::vector<CoastPart> follow(Ocean& sea, double time, ChannelSet channels);
     void move_traces(const std::vector<CoastWindow>& windows);
     void settle(Ocean& sea, double time);
 
