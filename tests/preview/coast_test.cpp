@@ -142,7 +142,7 @@ TEST_F(CoastPreviewTest, FoamIsWhatBreaksOrWhatIsLeftOfIt) {
         EXPECT_NEAR(*found, std::pow(expected, 1.35), 1e-4) << x;
         highest = std::max(highest, expected);
     }
-    EXPECT_GT(highest, 0.1);
+    EXPECT_GT(highest, 0.02);
 }
 
 TEST_F(CoastPreviewTest, ACoastInWorkIsGroundInTheOpenSea) {
