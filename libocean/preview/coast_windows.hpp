@@ -19,7 +19,7 @@ std::optional<double> read_windows(const std::vector<CoastImage>& windows,
                                    std::vector<float> CoastImage::*image, std::size_t component,
                                    double x, double y);
 
-/// What breaking waves have left at the samples of a window.
+/// Foam and wet ground that breaking waves have left at the samples of a window.
 struct CoastTraces {
     CoastWindow window;
     std::vector<float> foam, wet;  // 0 .. 1

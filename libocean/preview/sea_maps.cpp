@@ -331,7 +331,7 @@ class SeaMaps::Impl {
     gl::VertexArray no_vertices_;
     gl::Framebuffer framebuffer_;
 
-    // Of a sea over a bed.
+    // A sea over a bed has these beside its maps.
     CoastMaps coast_;
     std::optional<Ocean> open_;  // the sea around it
     std::uint64_t open_of_ = 0;  // revision of the sea that it is of

@@ -54,7 +54,7 @@ unsigned map_of(const ShownTile& tile) {
     return tile.texture;
 }
 
-/// Of ground from the eye, which may lie far above still water [m].
+/// Shortest distance of the eye from a surface that may lie far above still water [m].
 constexpr double kLeastDistance = 0.1;
 
 /// Returns how far the drawn surface is from its labels, and where it ends.
@@ -221,8 +221,7 @@ void Water::draw_clipmap(const PictureFrame& frame) {
                   Frustum(frame.projection.clip_from_world, frame.camera.eye[2]),
                   reach_of(*sea_, frame.camera.eye[2]), frame.options.wireframe);
     glDisable(GL_CLIP_DISTANCE0);
-    if (sea_->coast && frame.options.ground &&
-        row_of(frame.options.view).use == ViewUse::picture) {
+    if (sea_->coast && frame.options.ground && row_of(frame.options.view).use == ViewUse::picture) {
         coast_->draw(*sea_->coast, frame, clipmap_, eye, finest);
     }
     glDisable(GL_SAMPLE_SHADING);

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""A sea over a bed in `ocean-preview`: pictures, probes, wrong input, the time of a frame, a window."""
+"""A sea over a bed in `ocean-preview`: pictures, probes, wrong input, frame time, a window."""
 
 import numpy
 import pytest
@@ -104,7 +104,7 @@ def test_a_window_computes_its_coast_beside_its_pictures(folder, display):
         used.rest()
         before = used.at_rest()
         used.key("w")
-        assert before.shape == (180, 320, 3) and before.std() > 0.05
+        assert before.std() > 0.05  # sky, water and sand
         used.end()
     finally:
         if used.program.poll() is None:

@@ -102,7 +102,7 @@ struct SeaMapsOptions {
     bool live = false;
     /// Adds the waves too short for the maps, as slope tiles that the CPU computes.
     bool detail = false;
-    /// Of a sea over a bed, whose coast the CPU computes; the maps are those of the open sea.
+    /// The windows over a bed, which the CPU computes; the maps are those of the open sea.
     CoastMapsOptions coast = {};
 
     bool operator==(const SeaMapsOptions&) const = default;
