@@ -23,8 +23,9 @@ std::uint64_t map_bytes(const ShownLand& land) {
 
 }  // namespace
 
-std::string ground_defines(int taps) {
-    return "#define TAPS " + std::to_string(taps) + "\n" + view_defines(SceneKind::land);
+std::string ground_defines(int taps, bool coast) {
+    return "#define TAPS " + std::to_string(taps) + "\n#define COAST " + (coast ? "1" : "0") +
+           "\n" + view_defines(SceneKind::land);
 }
 
 Ground::Ground(const RendererOptions& options)

@@ -15,8 +15,8 @@
 namespace ocean::preview {
 
 /// Returns the defines that the shaders of land are compiled with. taps: samples along a footprint;
-/// 0: the driver's anisotropic filter.
-std::string ground_defines(int taps);
+/// 0: the driver's anisotropic filter. coast: the land is the bed of a sea.
+std::string ground_defines(int taps, bool coast = false);
 
 class Ground : public Drawable {
   public:

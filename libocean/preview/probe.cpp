@@ -23,6 +23,7 @@ std::array<float, 4> middle_pixel(Renderer& renderer, const Shown& shown, const 
     options.width = options.height = kSide;
     options.view = view;
     options.cascade = cascade;
+    options.ground = false;
     canvas.bind();
     renderer.draw_from_above(shown, camera, place[0], place[1], 0.01 * kSide * texel, options);
     const std::vector<float> pixels = canvas.rgba();

@@ -93,10 +93,17 @@ class UploadedCascades {
 
 }  // namespace
 
+/// Returns the sea without its bed, which surrounds a coast.
+Sea without_bed(Sea sea) {
+    sea.parameters.water.bed = nullptr;
+    sea.parameters.water.seabed.clear();
+    return sea;
+}
+
 class SeaMaps::Impl {
   public:
     Impl(const SeaMapsOptions& options, gl::AfterStage after_stage)
-        : options_(options), after_stage_(std::move(after_stage)) {
+        : options_(options), after_stage_(std::move(after_stage)), coast_(options.coast) {
         if (options.compute) {
             computed_.emplace(
                 gl::SeaTextureOptions{.cascade_resolution = options.cascade_resolution,
@@ -111,7 +118,8 @@ class SeaMaps::Impl {
         framebuffer_ = gl::make_framebuffer();
     }
 
-    ShownSea show(Ocean& sea, double time) {
+    ShownSea show(Ocean& of, double time, const std::optional<std::array<double, 3>>& eye) {
+        Ocean& sea = open_sea(of);
         if (computed_) {
             compute(sea, time);
         } else {
@@ -123,6 +131,16 @@ class SeaMaps::Impl {
             shown_.tiles = detail_.make(sea, time, shown_.cascades);
             done("detail");
         }
+        shown_.coast = nullptr;
+        if (const auto& bed = of.parameters().water.bed) {
+            shown_.coast = eye ? coast_.show(of, time, *eye) : coast_.show_ground(bed);
+            done("coast");
+        }
+        return shown_;
+    }
+
+    ShownSea fade_from(const ShownSea& before, double share) {
+        if (shown_.coast && before.coast) shown_.coast = coast_.fade_from(*before.coast, share);
         return shown_;
     }
 
@@ -140,6 +158,18 @@ class SeaMaps::Impl {
     }
 
   private:
+    Ocean& open_sea(Ocean& sea) {
+        if (!sea.parameters().water.bed) return sea;
+        if (!open_) {
+            open_.emplace(without_bed(sea.sea()), OceanOptions{.threads = sea.pool().size(),
+                                                               .foam_start = options_.foam_start});
+        } else if (open_of_ != sea.revision()) {
+            open_->change(without_bed(sea.sea()));
+        }
+        open_of_ = sea.revision();
+        return *open_;
+    }
+
     void compute(Ocean& sea, double time) {
         computed_->show(sea, time);
         show_cascades(sea.modes(time), computed_->arrays(), sea.parameters().grid.patch_size);
@@ -301,6 +331,11 @@ class SeaMaps::Impl {
     gl::VertexArray no_vertices_;
     gl::Framebuffer framebuffer_;
 
+    // A sea over a bed has these beside its maps.
+    CoastMaps coast_;
+    std::optional<Ocean> open_;  // the sea around it
+    std::uint64_t open_of_ = 0;  // revision of the sea that it is of
+
     // Computed by shaders.
     std::optional<gl::SeaTextures> computed_;
 
@@ -315,6 +350,7 @@ class SeaMaps::Impl {
 
 double finest_texel(const ShownSea& sea) {
     double finest = sea.period;
+    if (sea.coast && !sea.coast->windows.empty()) finest = sea.coast->windows[0].window.cell;
     for (const ShownCascade& cascade : sea.cascades) {
         finest = std::min(finest, cascade.period / cascade.maps.resolution);
     }
@@ -360,8 +396,12 @@ SeaMaps::SeaMaps(const SeaMapsOptions& options, gl::AfterStage after_stage)
     : impl_(std::make_unique<Impl>(options, std::move(after_stage))) {}
 SeaMaps::~SeaMaps() = default;
 
-ShownSea SeaMaps::show(Ocean& sea, double time) {
-    return impl_->show(sea, time);
+ShownSea SeaMaps::show(Ocean& sea, double time, const std::optional<std::array<double, 3>>& eye) {
+    return impl_->show(sea, time, eye);
+}
+
+ShownSea SeaMaps::fade_from(const ShownSea& before, double share) {
+    return impl_->fade_from(before, share);
 }
 
 void SeaMaps::set_detail(bool on) {

@@ -9,7 +9,7 @@
 namespace ocean::preview {
 
 /// The bindings of the blocks. A drawable with a block of its own adds a binding here.
-enum class BlockBinding : GLuint { frame, water, land };
+enum class BlockBinding : GLuint { frame, water, land, coast };
 
 /// Makes a program read a block by its binding; a program without the block is left as it is.
 inline void attach_block(GLuint program, const char* name, BlockBinding binding) {

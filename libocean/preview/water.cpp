@@ -54,11 +54,15 @@ unsigned map_of(const ShownTile& tile) {
     return tile.texture;
 }
 
+/// Shortest distance of the eye from a surface that may lie far above still water [m].
+constexpr double kLeastDistance = 0.1;
+
 /// Returns how far the drawn surface is from its labels, and where it ends.
 Reach reach_of(const ShownSea& sea, double eye_height) {
     const double crest = std::max(1.5 * sea.significant_wave_height, 0.1);
+    const double highest = sea.coast ? std::max(crest, sea.coast->highest) : crest;
     return {.sideways = 1.5 * sea.choppiness * sea.significant_wave_height,
-            .up = crest,
+            .up = highest,
             .farthest = 1.05 * (horizon_distance(eye_height) + horizon_distance(crest))};
 }
 
@@ -73,6 +77,7 @@ Water::Water(const RendererOptions& options)
       available_units_(available_units(options)),
       clipmap_(options.cells),
       lace_maps_(!options.live),
+      options_(options),
       sampler_(make_footprint_sampler(taps_)),
       block_(BlockBinding::water) {}
 
@@ -92,7 +97,9 @@ double Water::farthest(const PictureFrame& frame) const {
     if (is_seed(frame.look, frame.options)) {
         return glm::length(eye_of(frame.camera)) + kSeedTiles * sea_->period;
     }
-    return reach_of(*sea_, frame.camera.eye[2]).farthest;
+    const double open = reach_of(*sea_, frame.camera.eye[2]).farthest;
+    if (!sea_->coast) return open;
+    return std::max(open, CoastGround::farthest(*sea_->coast, frame));
 }
 
 void Water::draw(const PictureFrame& frame) {
@@ -111,6 +118,7 @@ WaterVariant Water::variant(const PictureFrame& frame) const {
     WaterVariant variant;
     variant.cascades = array_sizes(sea_->cascades, maps_of);
     variant.covers = sea_->covers.size();
+    variant.coast = sea_->coast != nullptr && !sea_->coast->windows.empty();
     variant.lace =
         view.pattern == FoamPattern::always ||
         (view.pattern == FoamPattern::if_visible && frame.look.foam_amount > 0.0 && sea_->has_foam);
@@ -136,6 +144,7 @@ gl::ShaderProgram& Water::program(Programs& known, const std::string& name,
     program.use();
     PictureFrame::attach(program.name());
     attach_block(program.name(), "WaterBlock", BlockBinding::water);
+    attach_block(program.name(), "CoastBlock", BlockBinding::coast);
     return program;
 }
 
@@ -159,6 +168,7 @@ void Water::bind_maps(gl::ShaderProgram& program, TextureUnits& units,
                    sea_->covers[v].texture, sampler_.name());
     }
     if (variant.lace) bind_lace(program, units, lace_is_ready);
+    if (variant.coast) bind_coast(program, units, *sea_->coast, sampler_.name());
     if (variant.tiles[0] == 0) return;
     visit_arrays(sea_->tiles, map_of, [&](std::size_t a, const ShownTile& tile) {
         units.bind(program, "tile_maps[" + std::to_string(a) + "]", GL_TEXTURE_2D_ARRAY,
@@ -190,6 +200,11 @@ void Water::draw_seed(const PictureFrame& frame) {
 }
 
 void Water::draw_clipmap(const PictureFrame& frame) {
+    // Water first: it hides its bed.
+    if (sea_->coast) {
+        if (!coast_) coast_.emplace(options_);
+        coast_->prepare(*sea_->coast, frame);
+    }
     WaterVariant fitting = variant(frame);
     left_out_ = fit_to_units(fitting, available_units_);
     gl::ShaderProgram& water = program(waters_, "water", fitting);
@@ -197,10 +212,18 @@ void Water::draw_clipmap(const PictureFrame& frame) {
     bind_maps(water, units, fitting);
     if (frame.options.shaded_samples > 1) glEnable(GL_SAMPLE_SHADING);
     glMinSampleShading(1.0f);
-    clipmap_.draw(water, eye_of(frame.camera),
-                  std::exp2(std::floor(std::log2(finest_texel(*sea_)))),
+    const double finest = std::exp2(std::floor(std::log2(finest_texel(*sea_))));
+    glm::dvec3 eye = eye_of(frame.camera);
+    if (sea_->coast)
+        eye.z = std::max(eye.z - sea_->coast->surface_at(eye.x, eye.y), kLeastDistance);
+    if (fitting.coast) glEnable(GL_CLIP_DISTANCE0);
+    clipmap_.draw(water, eye, finest,
                   Frustum(frame.projection.clip_from_world, frame.camera.eye[2]),
                   reach_of(*sea_, frame.camera.eye[2]), frame.options.wireframe);
+    glDisable(GL_CLIP_DISTANCE0);
+    if (sea_->coast && frame.options.ground && row_of(frame.options.view).use == ViewUse::picture) {
+        coast_->draw(*sea_->coast, frame, clipmap_, eye, finest);
+    }
     glDisable(GL_SAMPLE_SHADING);
 }
 

@@ -5,9 +5,11 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "clipmap.hpp"
+#include "coast_ground.hpp"
 #include "drawable.hpp"
 #include "lace_maps.hpp"
 #include "seed_mesh.hpp"
@@ -48,6 +50,8 @@ class Water : public Drawable {
     Clipmap clipmap_;
     SeedMesh seed_mesh_;
     LaceMaps lace_maps_;
+    RendererOptions options_;
+    std::optional<CoastGround> coast_;  // made for the first picture of a coast
     Programs waters_, seeds_;
     gl::Sampler sampler_;
     UniformBlock<WaterBlock> block_;

@@ -14,6 +14,8 @@ namespace {
 constexpr int kMapsOfCascades = 3;  // displacement, gradients and moments
 constexpr int kLaceUnits = static_cast<int>(kFoamTextures.size()) + 1;
 
+constexpr int kCoastUnits = 4;  // shape, gradients, moments and traces
+
 using Counts = std::array<std::size_t, kMaxArrays>;
 
 std::string define(const std::string& name, std::size_t value) {
@@ -36,13 +38,15 @@ std::string water_defines(const WaterVariant& variant, int taps) {
            define("COVERS", variant.covers) + define("LACE", variant.lace ? 1 : 0) +
            define("DETAIL", sum(variant.tiles)) + define("TILE_SPLIT", variant.tiles[0]) +
            define("TILE_MAPS", static_cast<std::size_t>(arrays(variant.tiles))) +
-           define("BELOW", variant.below ? 1 : 0) + define("TAPS", static_cast<std::size_t>(taps)) +
-           define("TILES", kSeedTiles) + view_defines(SceneKind::sea);
+           define("BELOW", variant.below ? 1 : 0) + define("COAST", variant.coast ? 1 : 0) +
+           define("TAPS", static_cast<std::size_t>(taps)) + define("TILES", kSeedTiles) +
+           view_defines(SceneKind::sea);
 }
 
 int texture_units(const WaterVariant& variant) {
     return 1 + kMapsOfCascades * arrays(variant.cascades) + static_cast<int>(variant.covers) +
-           (variant.lace ? kLaceUnits : 0) + arrays(variant.tiles);
+           (variant.lace ? kLaceUnits : 0) + arrays(variant.tiles) +
+           (variant.coast ? kCoastUnits : 0);
 }
 
 LeftOut fit_to_units(WaterVariant& variant, int available) {

@@ -26,6 +26,7 @@ struct WaterVariant {
     bool lace = false;                            // the foam has its pattern
     std::array<std::size_t, kMaxArrays> tiles{};  // in each array of slope tiles
     bool below = false;                           // the eye may be under water
+    bool coast = false;                           // windows of a coast lie over the maps
 
     auto operator<=>(const WaterVariant&) const = default;
 };

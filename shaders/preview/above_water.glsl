@@ -8,6 +8,7 @@
 #include "wave/crest_light.glsl"
 #include "wave/haze.glsl"
 #include "wave/reflectance.glsl"
+#include "preview/sand.glsl"
 
 // Returns the light of the sun that facets mirror: the density of their slopes at the slope that
 // mirrors it into the eye, over the visible area of water [Cox and Munk 1954], [Ross 2005].
@@ -68,10 +69,18 @@ vec3 shaded(Water state, Foam froth, vec2 froth_slope) {
     float across = 6.9 * mean_cosine * sqrt(max(dot(covariance * aside, aside), 0.0));
     vec3 mirrored = mirrored_sky(to_eye, seen, spread, max(across, look.z));
 
-    vec3 body = (water.rgb + foam_plume * froth.plume) * light_from_above();
+    vec3 albedo = water.rgb + foam_plume * froth.plume;
+    vec3 passed = vec3(0.0);  // share of the light of the bed
+#if COAST
+    // The way down is that of a high sun; the way up leans as refraction lets it.
+    float refracted = sqrt(1.0 - (1.0 - mean_cosine * mean_cosine) / (water.w * water.w));
+    passed = exp(-loss.rgb * max(state.depth, 0.0) * (1.1 + 1.0 / refracted));
+    albedo = mix(albedo, bed_albedo, passed);
+#endif
+    vec3 body = albedo * light_from_above();
     float through = crest_light(state.displacement.z / max(waves.y, 1e-3), jacobian_of(state),
                                 dot(-to_eye.xy, sun.xy), dot(normal.xy, sun.xy));
-    body += crest.w * through * sun.w * sun_colour.rgb * crest.rgb;
+    body += crest.w * through * sun.w * sun_colour.rgb * crest.rgb * (1.0 - passed);
 
     vec3 radiance = reflected * mirrored + (1.0 - reflected) * body +
                     glitter(to_eye, lean, covariance, area, range / distance);

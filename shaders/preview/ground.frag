@@ -38,6 +38,10 @@ vec4 shown_view(Ground ground) {
 }
 
 void main() {
+#if COAST
+    colour = vec4(drawn_colour(shaded(ground_at(label))), 1.0);  // in every view of its water
+#else
     colour = shown_view(with_detail(ground_at(label)));
+#endif
     colour.a *= line_share;  // 1, unless only lines are drawn
 }

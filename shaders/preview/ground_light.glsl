@@ -4,8 +4,12 @@
 // The colours of the ground, and its light under sun and sky.
 #include "preview/cover_noise.glsl"
 #include "preview/ground_state.glsl"
+#include "preview/sand.glsl"
 #include "preview/sky.glsl"
 #include "wave/haze.glsl"
+#if COAST
+#include "wave/reflectance.glsl"
+#endif
 
 in vec2 label;
 in vec3 position;
@@ -18,8 +22,6 @@ const vec3 scree_albedo = vec3(0.22, 0.195, 0.165);
 const vec3 grass_albedo = vec3(0.082, 0.092, 0.036);
 const vec3 dry_grass_albedo = vec3(0.19, 0.16, 0.075);
 const vec3 forest_albedo = vec3(0.028, 0.042, 0.018);
-const vec3 sand_albedo = vec3(0.42, 0.36, 0.26);
-const vec3 wet_sand_albedo = vec3(0.19, 0.155, 0.11);
 const vec3 cliff_albedo = vec3(0.135, 0.12, 0.105);
 const vec3 gravel_albedo = vec3(0.115, 0.108, 0.098);
 const vec3 meadow_albedo = vec3(0.062, 0.098, 0.028);
@@ -38,6 +40,13 @@ float ramp(float from, float to, float x) {
     return t * t * (3.0 - 2.0 * t);
 }
 
+// Returns how wet sand is, 0 .. 1: where waves have wetted it, or, in water that stands still, by
+// its height.
+float wetness_of(Ground ground, float noise) {
+    float above = water_line.y > 0.0 ? ground.height - water_line.x : 1e3;
+    return ground.wetted + ground.still * (1.0 - ramp(0.2, 1.0, above + 0.2 * noise));
+}
+
 // Returns the colour c of the ground as streams, gullies and the sea have made it.
 vec3 made_albedo(vec3 c, Ground ground, float noise) {
     float rough = 1.0 + 0.2 * noise;
@@ -46,10 +55,7 @@ vec3 made_albedo(vec3 c, Ground ground, float noise) {
             0.7 * ground.deposit * ramp(0.6, 0.25, ground.steepness + 0.1 * noise));
     c = mix(c, gravel_albedo * rough, 0.8 * ramp(0.35, 0.8, ground.streambed + 0.15 * noise));
     c = mix(c, cliff_albedo * rough, ramp(0.15, 0.6, -ground.shore + 0.15 * noise));
-    // Sand is dark where waves have wetted it.
-    float above = water_line.y > 0.0 ? ground.height - water_line.x : 1e3;
-    vec3 sand = mix(wet_sand_albedo, sand_albedo, ramp(0.2, 1.0, above + 0.2 * noise)) *
-                (1.0 + 0.08 * noise);
+    vec3 sand = mix(sand_albedo, wet_sand_albedo, wetness_of(ground, noise)) * (1.0 + 0.08 * noise);
     return mix(c, sand, ramp(0.3, 0.7, ground.shore + 0.12 * noise));
 }
 
@@ -135,6 +141,15 @@ vec3 shaded(Ground ground) {
     float open = clamp(1.0 + 0.35 * wear, 0.5, 1.1) * (0.5 + 0.5 * normal.z);
     vec3 bounced = 0.15 * (0.5 - 0.5 * normal.z) * light_from_above();
     vec3 light = albedo * (sun.w * lit * sun_colour.rgb + open * sky_light.rgb + bounced);
+#if COAST
+    // A film of water on sand mirrors the sky.
+    float film = ground.wetted * ramp(0.3, 0.7, ground.shore);
+    float cosine = max(-dot(normal, from_eye / distance), 1e-3);
+    vec3 mirrored = reflect(from_eye / distance, normal);
+    mirrored.z = abs(mirrored.z);
+    light = mix(light, sky(normalize(mirrored), 0.1),
+                film * film * rough_water_reflectance(cosine, 0.1));
+#endif
 
     float range_to = max(length(from_eye.xy), 1e-3);
     vec3 air = sky(normalize(vec3(from_eye.xy, 0.02 * range_to)), look.z);

@@ -4,6 +4,9 @@
 // The ground at a fragment: means of the map over its footprint.
 #include "preview/footprint.glsl"
 #include "preview/ground.glsl"
+#if COAST
+#include "preview/coast_traces.glsl"
+#endif
 
 struct Ground {
     float height;       // [m]
@@ -14,6 +17,8 @@ struct Ground {
     float streambed;    // 0 .. 1, as the others
     float deposit;
     float gully_wear;   // -1 floor of a gully .. 1 crest
+    float wetted;       // by waves of a coast, 0 .. 1
+    float still;        // share of water that stands still, beside a coast's windows
 };
 
 // Returns the map at a level of its mipmaps by cubic B-splines, as smooth as the eye needs where a
@@ -45,6 +50,12 @@ Ground ground_at(vec2 at) {
     if (far < 1.0) mean = mix(smooth_read(place, 0.0), mean, far);
     vec4 masks = textureLod(mask_map, place, log2(max(side / tile.w, 1.0)));
     vec2 sides = (2.0 * masks.xw - 1.0) * step(0.006, abs(masks.xw - 0.5));  // 128/255 is none
+    float wetted = 0.0, still = 1.0;
+#if COAST
+    CoastReads reads = coast_reads(at);
+    wetted = coast_mean(coast_traces, reads, footprint).z;
+    still = 1.0 - reads.whole;
+#endif
     return Ground(mean.x, mean.yz, sqrt(max(mean.w, dot(mean.yz, mean.yz))), side, sides.x,
-                  masks.y, masks.z, sides.y);
+                  masks.y, masks.z, sides.y, wetted, still);
 }

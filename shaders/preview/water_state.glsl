@@ -8,6 +8,9 @@
 #include "wave/slope_tiles.glsl"
 #include "wave/surface.glsl"
 #include "wave/visible_slope.glsl"
+#if COAST
+#include "preview/coast_traces.glsl"
+#endif
 
 in vec2 label;
 in vec3 position;
@@ -21,6 +24,8 @@ struct Water {
     float squeezing;    // variance of dDx/dx + dDy/dy that is not in the mean
     vec3 foam[COVERS];  // as cover_map
     float footprint;    // side of the water that a pixel sees [m]
+    float open;         // share of the open sea beside a coast's windows
+    float depth;        // over the bed [m]; of the open sea more than light passes
 };
 
 vec3 from_eye_here() { return position - vec3(0.0, 0.0, eye.z); }

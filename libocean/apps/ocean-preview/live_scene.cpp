@@ -31,6 +31,23 @@ CameraGround ground_of(LiveSea& sea) {
     return {.height = height, .boat = boat};
 }
 
+/// By the shown windows: a query of the coast would take longer than its picture.
+CameraGround ground_of(const std::shared_ptr<const preview::ShownCoast>& coast) {
+    const auto boat = [coast](double x, double y, double) {
+        double sum = 0.0;
+        for (const double east : {-0.5, 0.0, 0.5}) {
+            for (const double north : {-0.5, 0.0, 0.5}) {
+                sum += coast->surface_at(x + kBoat * east, y + kBoat * north);
+            }
+        }
+        return sum / 9.0;
+    };
+    return {.height = [coast](double x, double y) { return coast->surface_at(x, y); },
+            .boat = boat,
+            .clearance = lowest_eye(*coast),
+            .is_solid = true};
+}
+
 CameraGround ground_of(const preview::ShownLand& land) {
     return {.height = [land](double x, double y) { return land.surface_at(x, y); },
             .boat = {},
@@ -50,9 +67,9 @@ preview::SceneKind LiveScene::kind() const {
     return sea_ ? preview::SceneKind::sea : preview::SceneKind::land;
 }
 
-void LiveScene::show() {
+void LiveScene::show(const std::array<double, 3>& eye) {
     if (sea_) {
-        shown_ = sea_->show();
+        shown_ = sea_->show(eye);
     } else {
         shown_ = land_->show();
     }
@@ -63,7 +80,7 @@ void LiveScene::advance(double seconds) {
 }
 
 bool LiveScene::is_still() const {
-    return !sea_ || (sea_->paused && !sea_->fading());
+    return !sea_ || (sea_->paused && !sea_->fading() && !sea_->coast_in_work());
 }
 
 preview::Pending LiveScene::pending() const {
@@ -71,6 +88,8 @@ preview::Pending LiveScene::pending() const {
 }
 
 CameraGround LiveScene::ground() {
+    const auto* const shown = std::get_if<preview::ShownSea>(&shown_);
+    if (shown != nullptr && shown->coast) return ground_of(shown->coast);
     if (sea_) return ground_of(*sea_);
     return ground_of(std::get<preview::ShownLand>(shown_));
 }

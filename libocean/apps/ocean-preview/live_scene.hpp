@@ -5,6 +5,7 @@
 // may make it one of the other kind.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <span>
@@ -52,8 +53,8 @@ class LiveScene {
     LiveLand* land() { return land_.get(); }
     const LiveLand* land() const { return land_.get(); }
 
-    /// Computes the scene at its time. Throws Error, and shown() stays.
-    void show();
+    /// Computes the scene at its time, a coast around an eye [m]. Throws Error, and shown() stays.
+    void show(const std::array<double, 3>& eye);
     const preview::ShownScene& shown() const { return shown_; }
     /// Advances a sea's clock and fades [s].
     void advance(double seconds);

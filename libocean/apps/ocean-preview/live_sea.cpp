@@ -34,7 +34,9 @@ LiveSea::LiveSea(Sea sea, LiveSeaOptions options)
       time_(kept_.parameters.time.start),
       performed_until_(end_of(kept_)),
       ocean_(std::make_unique<Ocean>(kept_, ocean_options(computing_))),
-      maps_(std::make_unique<preview::SeaMaps>(computing_.maps)) {}
+      maps_(std::make_unique<preview::SeaMaps>(computing_.maps)) {
+    if (kept_.parameters.water.bed) begin_coast(kept_, std::nullopt);
+}
 
 OceanOptions LiveSea::ocean_options(const Computing& computing) const {
     return {.threads = options_.threads,
@@ -42,16 +44,21 @@ OceanOptions LiveSea::ocean_options(const Computing& computing) const {
             .foam_start = options_.foam_start};
 }
 
-preview::ShownSea LiveSea::show() {
+preview::ShownSea LiveSea::show(const std::array<double, 3>& eye) {
+    const auto eye_of = [&](bool has_coast) {
+        return has_coast ? std::optional(eye) : std::nullopt;
+    };
     maps_->set_detail(near_detail);
-    preview::ShownSea shown = maps_->show(*ocean_, time_);
+    preview::ShownSea shown = maps_->show(*ocean_, time_, eye_of(has_coast_));
     if (!before_) return shown;
     maps_before_->set_detail(near_detail);
-    const preview::ShownSea from = maps_before_->show(*before_, time_before_);
+    const preview::ShownSea from = maps_before_->show(*before_, time_before_, eye_of(had_coast_));
+    shown = maps_->fade_from(from, faded_);
     return preview::cross_fade(from, shown, faded_, correlation_);
 }
 
 void LiveSea::advance(double wall_seconds) {
+    if (work_ && work_->done() && !fading()) end_coast();
     if (!paused) {
         time_ += speed * wall_seconds;
         time_before_ += speed * wall_seconds;
@@ -78,6 +85,10 @@ void LiveSea::go_to(double time) {
 }
 
 void LiveSea::fade_to(const Sea& sea, double time) {
+    if (sea.parameters.water.bed) {
+        return begin_coast(sea, time == time_ ? std::nullopt : std::optional(time));
+    }
+    work_.reset();
     const Computing computing = options_.computing(sea);
     auto next = std::make_unique<Ocean>(*ocean_, ocean_options(computing));
     next->change(sea);
@@ -86,17 +97,58 @@ void LiveSea::fade_to(const Sea& sea, double time) {
     now_time_.reset();
     waiting_ = fading() && correlation < kSameWaves && time == time_ && !recording_;
     if (waiting_) return;
+    fade_in(std::move(next), computing, correlation, time);
+    has_coast_ = false;
+}
+
+void LiveSea::fade_in(std::unique_ptr<Ocean> next, const Computing& computing, double correlation,
+                      double time) {
     if (!maps_before_ || computing != computing_) {
         maps_before_ = std::make_unique<preview::SeaMaps>(computing.maps);
     }
     std::swap(maps_, maps_before_);
     maps_->foam_changed();
     before_ = std::exchange(ocean_, std::move(next));
+    had_coast_ = has_coast_;
     time_before_ = std::exchange(time_, time);
     computing_ = computing;
     correlation_ = correlation;
     faded_ = 0.0;
-    performed_until_ = end_of(sea);
+    performed_until_ = end_of(ocean_->sea());
+}
+
+void LiveSea::begin_coast(const Sea& sea, std::optional<double> time) {
+    validate(sea);
+    static_cast<void>(options_.computing(sea));  // throws if it cannot be computed
+    waiting_ = false;
+    now_time_.reset();
+    work_.reset();  // stops the one before
+    work_ = std::make_unique<CoastWork>(*ocean_, sea);
+    work_time_ = time;
+}
+
+void LiveSea::end_coast() {
+    const std::unique_ptr<CoastWork> work = std::exchange(work_, nullptr);
+    now_time_.reset();
+    try {
+        const Ocean& made = work->result();
+        const Computing computing = options_.computing(made.sea());
+        auto next = std::make_unique<Ocean>(made, ocean_options(computing));
+        const double time = work_time_.value_or(time_);
+        if (ocean_->parameters().water.bed && !has_coast_) {
+            // Nothing to fade from.
+            ocean_ = std::move(next);
+            time_ = time;
+        } else {
+            const double correlation =
+                height_correlation(ocean_->modes(time_), time_, next->modes(time), time);
+            fade_in(std::move(next), computing, correlation, time);
+        }
+        has_coast_ = true;
+    } catch (const Error&) {
+        kept_ = ocean_->sea();
+        throw;
+    }
 }
 
 void LiveSea::become(const Sea& sea) {
@@ -133,7 +185,9 @@ void LiveSea::set(const std::string& name, const std::string& value) {
     }
     Sea changed = sea();
     set_in_sea(changed, name, value);
-    if (live && changed.parameters.time.loop_period == 0.0 && time_ >= performed_until_) {
+    const bool glides = live && changed.parameters.time.loop_period == 0.0 &&
+                        !changed.parameters.water.bed && time_ >= performed_until_;
+    if (glides) {
         if (ocean_->sea().take.events.size() > kept_.take.events.size() + kMaxGlides) {
             become(kept_);
         }
@@ -155,7 +209,12 @@ void LiveSea::open(Sea sea) {
 }
 
 void LiveSea::settle() {
-    if (!recording_) become(kept_);
+    if (work_) {
+        work_->wait();
+        end_coast();
+    } else if (!recording_) {
+        become(kept_);
+    }
     before_.reset();
 }
 
@@ -177,6 +236,11 @@ void LiveSea::start_recording() {
         throw Error(ErrorKind::invalid_value,
                     "time.loop_period = " + shortest_text(kept_.parameters.time.loop_period) +
                         " s: a loop repeats and a recording does not; allowed: 0 to record");
+    }
+    if (kept_.parameters.water.bed) {
+        throw Error(ErrorKind::unsupported,
+                    "this sea has a bed (water.seabed), whose coast is computed for one sea state: "
+                    "nothing can be recorded over it");
     }
     Sea recorded = kept_;
     std::erase_if(recorded.take.events,
@@ -203,9 +267,14 @@ double LiveSea::foam_settling() const {
            ocean_->parameters().surface.foam_step;
 }
 
+preview::Pending LiveSea::pending() const {
+    if (!work_) return maps_->pending();
+    return work_->done() ? preview::Pending::ready : preview::Pending::in_work;
+}
+
 const Parameters& LiveSea::now() {
     if (!now_time_ || *now_time_ != time_) {
-        now_ = (waiting_ ? kept_ : ocean_->sea()).at(time_);
+        now_ = (waiting_ || work_ ? kept_ : ocean_->sea()).at(time_);
         now_time_ = time_;
     }
     return now_;

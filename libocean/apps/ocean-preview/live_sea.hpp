@@ -4,11 +4,13 @@
 // A running sea: its clock, its changes while it runs, and their recording.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "coast_work.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/preview/sea_maps.hpp"
 
@@ -37,13 +39,15 @@ class LiveSea {
   public:
     LiveSea(Sea sea, LiveSeaOptions options);
 
-    /// Returns the sea at its time, or two seas that are faded into each other. Throws Error.
-    preview::ShownSea show();
+    /// Returns the sea at its time, or two seas that are faded into each other. eye: the place that
+    /// the windows of a coast surround [m]. Throws Error.
+    preview::ShownSea show(const std::array<double, 3>& eye = {});
 
     // The clock of the sea [s].
     double time() const { return time_; }
     /// Advances the clock by `speed` times so many seconds, unless it is paused. A cross-fade
-    /// advances also in a pause.
+    /// advances also in a pause, and a coast that is ready replaces the one before. Throws Error if
+    /// the coast could not be computed; the one before stays.
     void advance(double wall_seconds);
     /// Sets the clock. A step back ends a recording, and gliding parameters have their saved
     /// values.
@@ -58,11 +62,12 @@ class LiveSea {
 
     // Changes.
     /// Sets a parameter. A live parameter glides to the value from now on, unless the sea has a
-    /// loop; any other change makes another sea, into which this one fades over a second. Throws
-    /// Error, also for a live parameter that the take plays while nothing is recorded.
+    /// loop or a bed; any other change makes another sea, into which this one fades over a second,
+    /// over a bed once its coast is computed. Throws Error, also for a live parameter that the take
+    /// plays while nothing is recorded.
     void set(const std::string& name, const std::string& value);
-    /// Gives gliding parameters their final values and ends a cross-fade. Gliding goes on while it
-    /// records.
+    /// Gives gliding parameters their final values, waits for a coast that is in work and ends a
+    /// cross-fade. Gliding goes on while it records.
     void settle();
     /// Fades into another sea, its clock at its start. Throws Error.
     void open(Sea sea);
@@ -72,10 +77,15 @@ class LiveSea {
     /// Computes the sea anew if the options' `computing` has another answer. Throws Error.
     void compute_anew();
     bool fading() const { return before_ != nullptr; }
+    /// Returns what is computed of a coast that is in work, and its share: "delays 40 %"; else "".
+    std::string coast_progress() const { return work_ ? work_->progress() : ""; }
+    bool coast_in_work() const { return work_ != nullptr; }
+    /// Returns whether a query does not wait for the coast.
+    bool can_query() const { return has_coast_ || !ocean_->parameters().water.bed; }
 
     // The take.
     /// Makes live changes events of the take from now on, and drops later events that it has.
-    /// Throws Error for a sea with a loop.
+    /// Throws Error for a sea with a loop or a bed.
     void start_recording();
     void stop_recording();
     bool recording() const { return recording_; }
@@ -91,13 +101,20 @@ class LiveSea {
     /// Returns the seconds until foam that began empty has settled.
     double foam_settling() const;
     /// Returns whether the sea will look different although its clock stands; see SeaMaps.
-    preview::Pending pending() const { return maps_->pending(); }
+    preview::Pending pending() const;
 
   private:
     OceanOptions ocean_options(const Computing& computing) const;
     /// Shows another sea with its clock at a time, into which the sea before fades. The change
     /// waits if a fade is in progress and would jump.
     void fade_to(const Sea& sea, double time);
+    /// Shows a sea whose modes are made, into which the one before fades.
+    void fade_in(std::unique_ptr<Ocean> next, const Computing& computing, double correlation,
+                 double time);
+    /// Begins to compute the coast of a sea, which replaces the shown one when it is ready. time:
+    /// of its clock then; nothing: the clock goes on.
+    void begin_coast(const Sea& sea, std::optional<double> time);
+    void end_coast();
     /// Shows another sea at once.
     void become(const Sea& sea);
     void perform(const std::string& name, const std::string& value);
@@ -117,7 +134,11 @@ class LiveSea {
     double time_before_ = 0.0;
     double faded_ = 0.0;
     double correlation_ = 0.0;
-    bool waiting_ = false;  // another sea follows when this one has faded in
+    bool waiting_ = false;             // another sea follows when this one has faded in
+    std::unique_ptr<CoastWork> work_;  // of kept_
+    std::optional<double> work_time_;  // of its clock when it is shown
+    bool has_coast_ = false;           // the shown sea's is computed
+    bool had_coast_ = false;           // of the sea that fades away
     Parameters now_;
     std::optional<double> now_time_;  // of now_; nothing if it is out of date
 };

@@ -123,7 +123,7 @@ class OffscreenRun {
             const InterruptWatch::Hold whole = context_.interrupts.hold();
             return io::write_png(path, stage.width, stage.height, stage.rgb);
         }
-        const preview::ShownScene& shown = scene_->shown_at(time);
+        const preview::ShownScene& shown = scene_->shown_at(options, time);
         std::string warning;
         const preview::Camera camera = scene_->camera_of(options, warning);
         if (!warning.empty()) context_.console.warning(warning);
@@ -171,7 +171,7 @@ void draw_with_bridge(const PreviewOptions& options, const Sea& sea, const Conte
     preview::Renderer renderer(renderer_for(options, info, options.follow > 0.0));
     bool first = true;
     const auto show = [&](double milliseconds) {
-        const preview::ShownSea shown = live.show();
+        const preview::ShownSea shown = live.show(options.camera.eye);
         for (const auto& place : options.probes) {
             const std::string when =
                 options.follow > 0.0 ? format_text("%.1f,", milliseconds) : std::string();
@@ -187,19 +187,25 @@ void draw_with_bridge(const PreviewOptions& options, const Sea& sea, const Conte
     run_with_bridge(*options.bridge, options.follow, live, context.console, show);
 }
 
+bool has_coast(const OpenedScene& scene) {
+    const auto* const sea = std::get_if<Sea>(&scene);
+    return sea != nullptr && sea->parameters.water.bed != nullptr;
+}
+
 /// A function that makes the scene of a frame, counted from 0.
 using ShowFrame = std::function<preview::ShownScene(int frame)>;
 
 /// Returns the frames of a running sea, at its own rate from a time on [s].
 ShowFrame frames_of(const Sea& sea, const Computing& computing, const Context& context,
-                    double start, const gl::AfterStage& after_stage) {
+                    const PreviewOptions& options, const gl::AfterStage& after_stage) {
     const auto live = std::make_shared<Ocean>(sea, OceanOptions{.threads = context.options.threads,
                                                                 .backend = computing.backend,
                                                                 .foam_start = FoamStart::empty});
     const auto maps = std::make_shared<preview::SeaMaps>(computing.maps, after_stage);
-    return [live, maps, start, fps = sea.parameters.time.fps](int frame) {
-        return maps->show(*live, start + frame / fps);
-    };
+    std::array<double, 3> eye = options.camera.eye;
+    if (const auto& bed = sea.parameters.water.bed) eye = eye_on_coast(options, *bed);
+    return [live, maps, eye, start = time_of(options, sea), fps = sea.parameters.time.fps](
+               int frame) { return maps->show(*live, start + frame / fps, eye); };
 }
 
 /// Returns the frames of a land, which stands still.
@@ -240,8 +246,12 @@ void print_budget(const PreviewOptions& options, const OpenedScene& scene, const
     ShowFrame show;
     preview::Camera camera = options.camera;
     if (const auto* const sea = std::get_if<Sea>(&scene)) {
-        show = frames_of(*sea, computing_for(device.backend, options, *sea, info), context,
-                         time_of(options, *sea), after_stage);
+        show = frames_of(*sea, computing_for(device.backend, options, *sea, info), context, options,
+                         after_stage);
+        if (sea->parameters.water.bed) {
+            const preview::ShownScene first = show(0);
+            place_on_coast(options, *std::get<preview::ShownSea>(first).coast, camera);
+        }
     } else {
         show = frames_of(std::get<Terrain>(scene), options, device, context);
         place_on_land(options, std::get<preview::ShownLand>(show(0)), camera);
@@ -283,7 +293,8 @@ void run_offscreen(const PreviewOptions& options, const std::vector<ListedPictur
     const Device device = open_device(options.backend);
     const gl::HeadlessContext::Current current(*device.context);
     context.console.note("drawn by " + device.context->info().text() + "; the " +
-                         noun_of(kind_of(scene)) + " by " + std::string(device.backend.name));
+                         noun_of(kind_of(scene)) + " by " + std::string(device.backend.name) +
+                         (has_coast(scene) ? ", its coast by the processor" : ""));
     if (options.bridge) {
         const Sea& sea = std::get<Sea>(scene);
         return draw_with_bridge(options, sea, context, device, time_of(options, sea));

@@ -23,6 +23,9 @@ std::string line_of(const std::array<double, 2>& place, std::initializer_list<do
     return line + "\n";
 }
 
+/// Samples along a side of a coast's windows in pictures that take their time.
+constexpr int kStillCoast = 384;
+
 class OffscreenSea : public OffscreenScene {
   public:
     OffscreenSea(const Sea& sea, const PreviewOptions& options, const Backend& backend,
@@ -38,10 +41,13 @@ class OffscreenSea : public OffscreenScene {
     }
     double time_of_frame(int frame) const override { return sea_.sea().time_of(frame); }
 
-    const preview::ShownScene& shown_at(double time) override {
-        if (!shown_ || sea_of(*shown_).time != time) {
+    const preview::ShownScene& shown_at(const PreviewOptions& options, double time) override {
+        const auto& bed = sea_.parameters().water.bed;
+        const std::array<double, 3> eye = bed ? eye_on_coast(options, *bed) : eye_;
+        if (!shown_ || sea_of(*shown_).time != time || eye != eye_) {
             shown_.reset();
-            shown_ = maps_.show(sea_, time);
+            shown_ = maps_.show(sea_, time, eye);
+            eye_ = eye;
         }
         return *shown_;
     }
@@ -53,11 +59,15 @@ class OffscreenSea : public OffscreenScene {
 
     std::string probe_line(preview::Renderer& renderer, const PreviewOptions& options,
                            const std::array<double, 2>& place, double time) override {
-        return sea_probe_line(renderer, sea_of(shown_at(time)), options, place);
+        return sea_probe_line(renderer, sea_of(shown_at(options, time)), options, place);
     }
 
-    preview::Camera camera_of(const PreviewOptions& options, std::string&) override {
-        return options.camera;
+    preview::Camera camera_of(const PreviewOptions& options, std::string& warning) override {
+        preview::Camera camera = options.camera;
+        if (const auto coast = shown_ ? sea_of(*shown_).coast : nullptr) {
+            warning = place_on_coast(options, *coast, camera);
+        }
+        return camera;
     }
 
   private:
@@ -67,6 +77,8 @@ class OffscreenSea : public OffscreenScene {
     static preview::SeaMapsOptions settled(preview::SeaMapsOptions maps) {
         maps.foam_start = FoamStart::settled;
         maps.live = false;
+        maps.coast.foam_start = FoamStart::settled;
+        maps.coast.samples = kStillCoast;
         return maps;
     }
 
@@ -74,6 +86,7 @@ class OffscreenSea : public OffscreenScene {
     preview::SeaMaps maps_;
     gl::StageMaker stages_;
     std::optional<preview::ShownScene> shown_;  // what maps_ holds
+    std::array<double, 3> eye_{};               // of the coast that it has
 };
 
 class OffscreenLand : public OffscreenScene {
@@ -91,7 +104,7 @@ class OffscreenLand : public OffscreenScene {
     double time_of(const PreviewOptions&) const override { return 0.0; }
     double time_of_frame(int) const override { return 0.0; }
 
-    const preview::ShownScene& shown_at(double) override {
+    const preview::ShownScene& shown_at(const PreviewOptions&, double) override {
         if (!shown_) shown_ = maps_.show(land_, resolution_);
         return *shown_;
     }
@@ -106,7 +119,7 @@ class OffscreenLand : public OffscreenScene {
         const WorldPoint point{place[0], place[1]};
         QuerySample sample{};
         land_.query({&point, 1}, {&sample, 1}, {.exact = true});
-        const auto& shown = std::get<preview::ShownLand>(shown_at(time));
+        const auto& shown = std::get<preview::ShownLand>(shown_at(options, time));
         std::string warning;
         const auto found = preview::probe(renderer, shown, camera_of(options, warning), place);
         if (!found) return line_of(place, {sample.height});
@@ -116,7 +129,8 @@ class OffscreenLand : public OffscreenScene {
 
     preview::Camera camera_of(const PreviewOptions& options, std::string& warning) override {
         preview::Camera camera = options.camera;
-        warning = place_on_land(options, std::get<preview::ShownLand>(shown_at(0.0)), camera);
+        warning =
+            place_on_land(options, std::get<preview::ShownLand>(shown_at(options, 0.0)), camera);
         return camera;
     }
 

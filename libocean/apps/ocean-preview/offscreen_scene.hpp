@@ -26,8 +26,9 @@ class OffscreenScene {
     virtual double time_of(const PreviewOptions& options) const = 0;
     /// Returns the time of a frame [s]; 0 for land.
     virtual double time_of_frame(int frame) const = 0;
-    /// Returns the scene at a time; pictures and probes of one time share its maps. Throws Error.
-    virtual const preview::ShownScene& shown_at(double time) = 0;
+    /// Returns the scene of a picture at a time; those of one time share its maps, over a bed those
+    /// of one eye. Throws Error.
+    virtual const preview::ShownScene& shown_at(const PreviewOptions& options, double time) = 0;
     /// Returns a stage of the scene at a time. Throws Error.
     virtual StagePicture stage(const PreviewOptions& options, double time) = 0;
     /// Returns the line of a probe. Throws Error.

@@ -351,7 +351,9 @@ void require_fit(const PreviewOptions& options, const OpenedScene& scene) {
     const preview::SceneKind kind = kind_of(scene);
     const auto& missing =
         kind == preview::SceneKind::sea ? options.only_of_land : options.only_of_sea;
-    if (!missing.empty()) {
+    const auto* const sea = std::get_if<Sea>(&scene);
+    const bool is_coast = sea != nullptr && sea->parameters.water.bed != nullptr;  // with land
+    if (!missing.empty() && !is_coast) {
         const auto other =
             kind == preview::SceneKind::sea ? preview::SceneKind::land : preview::SceneKind::sea;
         throw Error(ErrorKind::invalid_value, missing.front() + " is for a " + noun_of(other) +
@@ -365,7 +367,6 @@ void require_fit(const PreviewOptions& options, const OpenedScene& scene) {
                                                   " has no view '" + options.view +
                                                   "'; allowed: " + allowed);
     }
-    const auto* const sea = std::get_if<Sea>(&scene);
     if (sea == nullptr || !options.cascade) return;
     const int cascades = sea->parameters.grid.cascades;
     if (*options.cascade >= 0 && *options.cascade < cascades) return;

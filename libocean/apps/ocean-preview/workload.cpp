@@ -13,10 +13,11 @@
 namespace ocean::app {
 namespace {
 
-/// Max samples of maps, cells of the mesh, steps of a shadow and share of the pixels along a side
-/// for a software GPU.
+/// Max samples of maps and of a coast's windows, cells of the mesh, steps of a shadow and share of
+/// the pixels along a side for a software GPU.
 constexpr int kSoftwareMap = 256;
 constexpr int kSoftwareFoamMap = 512;
+constexpr int kSoftwareCoast = 128;
 constexpr int kSoftwareCells = 64;
 constexpr int kSoftwareShadowSteps = 12;
 constexpr double kSoftwareScale = 0.5;
@@ -68,6 +69,9 @@ bool computes_by_shaders(const Backend& backend) {
 }
 
 std::string why_not(const Backend& backend, const Sea& sea, const gl::ContextInfo& context) {
+    if (sea.parameters.water.bed && backend != Backend::cpu && backend != gl::kBackend) {
+        return "knows no bed (water.seabed); cpu and gl do, both with a coast by the processor";
+    }
     return why_not(backend, {"seas", "grid", sea.parameters.grid.resolution}, context);
 }
 
@@ -95,6 +99,7 @@ Computing computing_for(const Backend& backend, const PreviewOptions& options, c
     if (context.software) {
         maps.cascade_resolution = std::min(grid.resolution, kSoftwareMap);
         maps.foam_resolution = std::min(default_map_resolution(grid), kSoftwareFoamMap);
+        maps.coast.samples = kSoftwareCoast;
     }
     if (options.map) maps.cascade_resolution = *options.map;
     if (options.foam_map) maps.foam_resolution = *options.foam_map;

@@ -17,6 +17,11 @@ void draw_sea_readings(const LiveSea& sea, const preview::ShownSea& shown) {
     // A line that comes and goes would move the controls under the mouse.
     const std::string foam =
         settling > 0.0 ? format_text("foam settling: %.1f s", settling) : "foam settled";
+    if (sea.sea().parameters.water.bed) {
+        const std::string work = sea.coast_progress();
+        ImGui::Text("%s", work.empty() ? "coast: by the processor"
+                                       : ("computing the coast: " + work).c_str());
+    }
     const std::size_t changes = sea.sea().take.events.size();
     ImGui::Text("%s   %s %zu changes", foam.c_str(),
                 sea.recording() ? "RECORDING," : "take:", changes);

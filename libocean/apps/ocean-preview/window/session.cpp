@@ -26,6 +26,11 @@
 namespace ocean::app {
 namespace {
 
+bool is_coast(const LiveScene& scene) {
+    const auto* const sea = std::get_if<preview::ShownSea>(&scene.shown());
+    return sea != nullptr && sea->coast != nullptr;
+}
+
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
         .count();
@@ -135,9 +140,17 @@ void Session::reset_camera() {
     guarded([&] {
         PreviewOptions start = options_;
         const bool is_first = first_ == kind_;
+        if (scene_.sea() != nullptr && scene_.sea()->sea().parameters.water.bed) {
+            scene_.show(start.camera.eye);  // its ground
+        }
         if (!is_first) start = PreviewOptions();
         if (const auto* const land = std::get_if<preview::ShownLand>(&scene_.shown())) {
             const std::string warning = place_on_land(start, *land, start.camera);
+            if (!warning.empty()) state_.message = warning;
+        }
+        const auto* const sea = std::get_if<preview::ShownSea>(&scene_.shown());
+        if (sea != nullptr && sea->coast) {
+            const std::string warning = place_on_coast(start, *sea->coast, start.camera);
             if (!warning.empty()) state_.message = warning;
         }
         camera_.reset(start.camera);
@@ -202,9 +215,12 @@ void Session::draw() {
 }
 
 void Session::draw_scene() {
-    const bool shown = guarded([&] { scene_timer_.measure([&] { scene_.show(); }); });
+    const bool shown =
+        guarded([&] { scene_timer_.measure([&] { scene_.show(camera_.camera().eye); }); });
     if (LiveSea* const sea = scene_.sea()) {
         if (!shown) sea->paused = true;
+        // The water rises too, and the ground of another bed.
+        if (is_coast(scene_)) guarded([&] { camera_.stay_above(scene_.ground()); });
         state_.cascades = static_cast<int>(cascade_divisors(sea->ocean().parameters().grid).size());
         if (state_.cascade >= state_.cascades) state_.cascade = -1;  // of another sea
     } else {
@@ -264,6 +280,7 @@ void Session::look_under_mouse() {
         if (picked) state_.under_mouse = describe(*picked, *scene_.land());
         return;
     }
+    if (!scene_.sea()->can_query()) return;
     const auto picked = pick_water(*scene_.sea(), camera, place, aspect);
     if (!picked) return;
     state_.under_mouse =

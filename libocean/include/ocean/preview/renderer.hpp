@@ -85,6 +85,8 @@ struct DrawOptions {
     /// Draws linear light times the exposure, for a canvas of GL_RGBA32F; else the colours of a
     /// screen.
     bool linear = false;
+    /// Draws the ground of a coast; without it pixels beside its water stay as they are.
+    bool ground = true;
 };
 
 /// Needs the context that was current when it was made to be current in every call, the destructor

@@ -7,10 +7,12 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "ocean/detail.hpp"
 #include "ocean/gl/sea_textures.hpp"
+#include "ocean/preview/coast_maps.hpp"
 
 namespace ocean::preview {
 
@@ -60,11 +62,12 @@ struct ShownTile {
 /// A sea at a time. Its textures are valid until the next show() of its SeaMaps.
 struct ShownSea {
     std::vector<ShownCascade> cascades;
-    std::vector<ShownCover> covers;  // one, or two in a cross-fade
-    bool has_foam = false;           // or has had some
-    std::vector<ShownTile> tiles;    // empty without SeaMapsOptions::detail
-    double period = 0.0;             // [m]
-    double time = 0.0;               // [s]
+    std::vector<ShownCover> covers;           // one, or two in a cross-fade
+    bool has_foam = false;                    // or has had some
+    std::vector<ShownTile> tiles;             // empty without SeaMapsOptions::detail
+    std::shared_ptr<const ShownCoast> coast;  // null: the sea has no bed
+    double period = 0.0;                      // [m]
+    double time = 0.0;                        // [s]
     double choppiness = 0.0;
     double foam_threshold = 0.0;  // of the whitecaps
     double foam_width = 1.0;
@@ -99,6 +102,8 @@ struct SeaMapsOptions {
     bool live = false;
     /// Adds the waves too short for the maps, as slope tiles that the CPU computes.
     bool detail = false;
+    /// The windows over a bed, which the CPU computes; the maps are those of the open sea.
+    CoastMapsOptions coast = {};
 
     bool operator==(const SeaMapsOptions&) const = default;
 };
@@ -117,8 +122,13 @@ class SeaMaps {
     SeaMaps(const SeaMaps&) = delete;
     SeaMaps& operator=(const SeaMaps&) = delete;
 
-    /// Returns the sea at a time [s]; overwrites the textures of the ShownSea before. Throws Error.
-    ShownSea show(Ocean& sea, double time);
+    /// Returns the sea at a time [s]; overwrites the textures of the ShownSea before. eye: of a sea
+    /// over a bed, the place that the windows of its coast surround [m]; nothing: the coast is in
+    /// work, and the open sea is shown before its ground. Throws Error.
+    ShownSea show(Ocean& sea, double time,
+                  const std::optional<std::array<double, 3>>& eye = std::array{0.0, 0.0, 0.0});
+    /// Blends the coast of another sea into that of the last show(), with the share 1 - `share`.
+    ShownSea fade_from(const ShownSea& before, double share);
     /// Sets SeaMapsOptions::detail.
     void set_detail(bool on);
     /// Discards the foam from a time on [s], or all of it, after a change of the sea.

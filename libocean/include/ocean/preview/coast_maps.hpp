@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The sea over a bed for the renderer: nested windows of the coast's surface around the eye,
+// computed by the CPU, and the bed as ground.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "ocean/foam.hpp"
+#include "ocean/preview/land_maps.hpp"
+#include "ocean/sea_bed.hpp"
+
+namespace ocean {
+class Ocean;
+}
+
+namespace ocean::preview {
+
+inline constexpr std::size_t kMaxWindows = 4;
+
+/// A square of samples on a lattice that is fixed in the world: whole numbers of cells from (0, 0).
+struct CoastWindow {
+    std::array<std::int64_t, 2> corner{};  // of sample (0, 0) [cells]
+    double cell = 0.0;                     // [m]
+    int samples = 0;                       // along a side
+
+    Domain domain() const;
+    bool operator==(const CoastWindow&) const = default;
+};
+
+/// The values of a window, row-major [j][i]. Components as the textures of ShownCoast have them.
+struct CoastImage {
+    CoastWindow window;
+    std::vector<float> shape, gradients, moments, traces;  // four floats a sample
+};
+
+/// A coast at a time. Its textures are valid until the next show() of its CoastMaps.
+struct ShownCoast {
+    // Arrays of textures with a layer for each window.
+    unsigned shape = 0;      // Dx, Dy at choppiness 1, height, depth of the water over the bed [m]
+    unsigned gradients = 0;  // slope x, slope y, dDx/dx, dDy/dy
+    unsigned moments = 0;    // squares of the slopes, their product, dDx/dy
+    unsigned traces = 0;  // cover of the foam of breaking waves, its bubbles, wetness of the ground
+    /// The finest window first; none while the coast is in work: the open sea is shown then.
+    std::vector<CoastImage> windows;
+    std::shared_ptr<const SeaBed> bed;
+    ShownLand ground;      // the bed as land, without a field
+    double highest = 0.0;  // greatest distance of the surface from still water, over water [m]
+
+    /// Returns the height of the bed [m], beyond the bed that of its edge.
+    double ground_at(double x, double y) const;
+    /// Returns the height of the water, displaced sideways by less than a cell of its window, or of
+    /// dry ground [m].
+    double surface_at(double x, double y) const;
+};
+
+struct CoastMapsOptions {
+    int samples = 192;                  // along a side of a window
+    double finest = 0.5;                // cell of the finest window for an eye near the water [m]
+    std::size_t windows = kMaxWindows;  // each has cells four times as large as the one before
+    FoamStart foam_start = FoamStart::empty;
+
+    bool operator==(const CoastMapsOptions&) const = default;
+};
+
+/// Returns the windows around an eye [m], the finest first: their cells grow with its height.
+std::vector<CoastWindow> coast_windows(const std::array<double, 3>& eye,
+                                       const CoastMapsOptions& options);
+
+/// Needs the context that was current when it was made to be current in every call, the destructor
+/// too. OpenGL 4.1 core.
+class CoastMaps {
+  public:
+    explicit CoastMaps(const CoastMapsOptions& options);
+    ~CoastMaps();
+    CoastMaps(const CoastMaps&) = delete;
+    CoastMaps& operator=(const CoastMaps&) = delete;
+
+    /// Returns the coast of a sea with a bed at a time [s] for an eye [m]. Foam of breaking waves
+    /// and wet ground are followed from call to call at samples that are fixed in the world; where
+    /// a window gets new samples they begin with those of the coarser window. Throws Error.
+    std::shared_ptr<const ShownCoast> show(Ocean& sea, double time,
+                                           const std::array<double, 3>& eye);
+    /// Returns its ground alone, for a coast that is still in work.
+    std::shared_ptr<const ShownCoast> show_ground(const std::shared_ptr<const SeaBed>& bed);
+    /// Blends a coast of the same windows in, with the share 1 - `share`; others are left out.
+    std::shared_ptr<const ShownCoast> fade_from(const ShownCoast& before, double share);
+
+  private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace ocean::preview

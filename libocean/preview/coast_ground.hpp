@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The bed of a coast as ground under its water: on the lattice of the water's vertices, so that
+// both end in one line.
+#pragma once
+
+#include "clipmap.hpp"
+#include "coast_block.hpp"
+#include "drawable.hpp"
+#include "land_block.hpp"
+#include "texture_units.hpp"
+
+namespace ocean::preview {
+
+/// Binds the windows of a coast for the current program, which uses `sampler` for their means.
+void bind_coast(gl::ShaderProgram& program, TextureUnits& units, const ShownCoast& coast,
+                GLuint sampler);
+
+class CoastGround {
+  public:
+    explicit CoastGround(const RendererOptions& options);
+
+    /// Returns the distance beyond which no ground of the coast is seen [m].
+    static double farthest(const ShownCoast& coast, const PictureFrame& frame);
+    /// Sets the values of a picture, for the water's program too.
+    void prepare(const ShownCoast& coast, const PictureFrame& frame);
+    /// Draws the ground of that picture. mesh, eye, finest: those of the water.
+    void draw(const ShownCoast& coast, const PictureFrame& frame, const Clipmap& mesh,
+              const glm::dvec3& eye, double finest);
+
+  private:
+    int shadow_steps_;
+    gl::ShaderProgram program_;
+    gl::Sampler ground_sampler_, sampler_;
+    UniformBlock<LandBlock> land_block_;
+    UniformBlock<CoastBlock> coast_block_;
+};
+
+}  // namespace ocean::preview

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "coast_windows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ocean/land_mask.hpp"
+
+namespace ocean::preview {
+namespace {
+
+constexpr std::size_t kComponents = 4;
+constexpr double kWindowRatio = 4.0;  // of the cells of neighbouring windows
+/// An eye sees a cell of the finest window under less than 1 in so many.
+constexpr double kFinestAngle = 128.0;
+
+// As the core follows them: time in which wet sand dries to 1/e [s], depth that covers the ground
+// [m], power that makes cover of the foam of breaking waves.
+constexpr double kDryingTime = 25.0;
+constexpr float kCoveringDepth = 0.02f;
+constexpr float kSurfCoverPower = 1.35f;
+
+/// Ticks before a first picture whose foam is settled, and the ticks of wet ground before them [s].
+constexpr double kFoamTick = 0.25;
+constexpr double kWetTick = 1.0;
+/// Lifetimes after which 5 % of the foam are left.
+constexpr double kSettledLifetimes = 3.0;
+
+constexpr Channel kDepth = channel_of(LandMask::depth);
+constexpr Channel kBreaking = channel_of(LandMask::breaking);
+constexpr ChannelSet kTraceChannels = {kDepth, kBreaking};
+constexpr ChannelSet kShapeChannels = {
+    Channel::dx,   Channel::dy,   Channel::height, Channel::slope_x, Channel::slope_y,
+    Channel::dx_x, Channel::dy_y, Channel::dx_y,   kDepth,           kBreaking};
+
+std::size_t sample_count(const CoastWindow& window) {
+    return static_cast<std::size_t>(window.samples) * static_cast<std::size_t>(window.samples);
+}
+
+/// Returns the index of the sample next to a place, or nothing outside the window.
+std::optional<std::size_t> nearest_sample(const CoastWindow& window, double x, double y) {
+    const auto index = [&](std::size_t axis, double at) {
+        return std::llround(at / window.cell) - window.corner[axis];
+    };
+    const std::int64_t i = index(0, x), j = index(1, y);
+    if (i < 0 || j < 0 || i >= window.samples || j >= window.samples) return std::nullopt;
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(window.samples) +
+           static_cast<std::size_t>(i);
+}
+
+float covered_by(float depth) {
+    const float t = std::clamp(depth / kCoveringDepth, 0.0f, 1.0f);
+    return t * t * (3.0f - 2.0f * t);
+}
+
+/// Returns the part of a window over a bed: beside it the open sea is shown.
+CoastPart part_over(const CoastWindow& window, const Domain& bed, Domain& domain) {
+    CoastPart part;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const auto corner = static_cast<double>(window.corner[axis]);
+        const double low = bed.origin[axis] / window.cell - corner;
+        const double high = (bed.origin[axis] + bed.size[axis]) / window.cell - corner;
+        const double last = window.samples - 1;
+        const int first = static_cast<int>(std::clamp(std::floor(low), 0.0, last));
+        const int end = static_cast<int>(std::clamp(std::ceil(high), 0.0, last));
+        part.first[axis] = first;
+        domain.samples[axis] = end - first + 1;
+        domain.origin[axis] = (corner + first) * window.cell;
+        domain.size[axis] = (end - first) * window.cell;
+    }
+    return part;
+}
+
+/// Calls visit(index in the window, index in the part) for each sample of a part.
+template <typename Visit>
+void visit_part(const CoastPart& part, int window_samples, Visit&& visit) {
+    const std::array<int, 2> samples = part.surface.domain().samples;
+    std::size_t from = 0;
+    for (int j = 0; j < samples[1]; ++j) {
+        std::size_t to =
+            static_cast<std::size_t>(part.first[1] + j) * static_cast<std::size_t>(window_samples) +
+            static_cast<std::size_t>(part.first[0]);
+        for (int i = 0; i < samples[0]; ++i) visit(to++, from++);
+    }
+}
+
+void write_image(CoastImage& image, const CoastPart& part, const CoastTraces& traces,
+                 double choppiness) {
+    const std::size_t count = sample_count(image.window);
+    for (auto* values : {&image.shape, &image.gradients, &image.moments, &image.traces}) {
+        values->assign(kComponents * count, 0.0f);
+    }
+    // Maps of the open sea have displacements at choppiness 1, which points away.
+    const auto scale = static_cast<float>(choppiness > 0.0 ? -1.0 / choppiness : 0.0);
+    const auto read = [&](Channel channel) { return part.surface.channel(channel); };
+    const auto dx = read(Channel::dx), dy = read(Channel::dy), height = read(Channel::height);
+    const auto slope_x = read(Channel::slope_x), slope_y = read(Channel::slope_y);
+    const auto dx_x = read(Channel::dx_x), dy_y = read(Channel::dy_y), dx_y = read(Channel::dx_y);
+    const auto depth = read(kDepth);
+    visit_part(part, image.window.samples, [&](std::size_t to, std::size_t n) {
+        const auto set = [&](std::vector<float>& of, float a, float b, float c, float d) {
+            float* const texel = &of[kComponents * to];
+            texel[0] = a;
+            texel[1] = b;
+            texel[2] = c;
+            texel[3] = d;
+        };
+        const float foam = traces.foam[to];
+        set(image.shape, scale * dx[n], scale * dy[n], height[n], depth[n]);
+        set(image.gradients, slope_x[n], slope_y[n], scale * dx_x[n], scale * dy_y[n]);
+        set(image.moments, slope_x[n] * slope_x[n], slope_y[n] * slope_y[n],
+            slope_x[n] * slope_y[n], scale * dx_y[n]);
+        set(image.traces, std::pow(foam, kSurfCoverPower), foam * foam * foam, traces.wet[to],
+            0.0f);
+    });
+}
+
+}  // namespace
+
+Domain CoastWindow::domain() const {
+    const double side = (samples - 1) * cell;
+    return {{static_cast<double>(corner[0]) * cell, static_cast<double>(corner[1]) * cell},
+            {side, side},
+            {samples, samples},
+            false};
+}
+
+std::vector<CoastWindow> coast_windows(const std::array<double, 3>& eye,
+                                       const CoastMapsOptions& options) {
+    const double seen = std::abs(eye[2]) / (kFinestAngle * options.finest);
+    double cell = options.finest * std::exp2(std::max(0.0, std::ceil(std::log2(seen))));
+    std::vector<CoastWindow> windows(options.windows);
+    for (CoastWindow& window : windows) {
+        const auto corner = [&](double at) {
+            return std::llround(at / cell) - options.samples / 2;
+        };
+        window = {{corner(eye[0]), corner(eye[1])}, cell, options.samples};
+        cell *= kWindowRatio;
+    }
+    return windows;
+}
+
+std::optional<double> read_windows(const std::vector<CoastImage>& windows,
+                                   std::vector<float> CoastImage::*image, std::size_t component,
+                                   double x, double y) {
+    for (const CoastImage& values : windows) {
+        const CoastWindow& window = values.window;
+        const double u = x / window.cell - static_cast<double>(window.corner[0]);
+        const double v = y / window.cell - static_cast<double>(window.corner[1]);
+        const double last = window.samples - 1;
+        if (!(u >= 0.0 && v >= 0.0 && u < last && v < last)) continue;
+        const auto i = static_cast<std::size_t>(u), j = static_cast<std::size_t>(v);
+        const auto at = [&](std::size_t column, std::size_t row) {
+            const std::size_t n = row * static_cast<std::size_t>(window.samples) + column;
+            return static_cast<double>((values.*image)[kComponents * n + component]);
+        };
+        const double s = u - std::floor(u), t = v - std::floor(v);
+        return std::lerp(std::lerp(at(i, j), at(i + 1, j), s),
+                         std::lerp(at(i, j + 1), at(i + 1, j + 1), s), t);
+    }
+    return std::nullopt;
+}
+
+std::vector<CoastImage>& CoastSurface::at(Ocean& sea, double time,
+                                          const std::array<double, 3>& eye) {
+    const std::vector<CoastWindow> windows = coast_windows(eye, options_);
+    const double lifetime = sea.parameters().water.shore.surf_foam_lifetime;
+    const bool is_new = !followed_ || revision_ != sea.revision() || time < *followed_ ||
+                        time > *followed_ + kSettledLifetimes * lifetime;
+    revision_ = sea.revision();
+    if (is_new) {
+        traces_.clear();
+        followed_.reset();
+    }
+    move_traces(windows);
+    if (is_new && options_.foam_start == FoamStart::settled) settle(sea, time);
+    const std::vector<CoastPart> parts = follow(sea, time, kShapeChannels);
+    images_.resize(windows.size());
+    const double choppiness = sea.parameters().surface.choppiness;
+    for (std::size_t w = 0; w < windows.size(); ++w) {
+        images_[w].window = windows[w];
+        write_image(images_[w], parts[w], traces_[w], choppiness);
+    }
+    return images_;
+}
+
+void CoastSurface::settle(Ocean& sea, double time) {
+    const double lifetime = sea.parameters().water.shore.surf_foam_lifetime;
+    const double foam = kSettledLifetimes * lifetime;
+    for (double ago = std::max(kDryingTime, foam + kWetTick); ago > 0.0;) {
+        follow(sea, time - ago, kTraceChannels);
+        ago -= ago > foam ? kWetTick : kFoamTick;
+    }
+}
+
+std::vector<CoastPart> CoastSurface::follow(Ocean& sea, double time, ChannelSet channels) {
+    const double lifetime = sea.parameters().water.shore.surf_foam_lifetime;
+    const double passed = followed_ ? time - *followed_ : 0.0;
+    const auto left_of = [&](double of) { return static_cast<float>(std::exp(-passed / of)); };
+    const float foam_left = lifetime > 0.0 ? left_of(lifetime) : 0.0f;
+    const float wet_left = left_of(kDryingTime);
+    const Domain& bed = sea.parameters().water.bed->domain;
+    std::vector<CoastPart> parts;
+    for (CoastTraces& traces : traces_) {
+        Domain domain{.origin = {}, .size = {}, .samples = {}, .wraps = false};
+        CoastPart& part = parts.emplace_back(part_over(traces.window, bed, domain));
+        if (domain.samples[0] < 2 || domain.samples[1] < 2) continue;
+        part.surface = sea.region(time, domain, channels);
+        const auto breaking = part.surface.channel(kBreaking);
+        const auto depth = part.surface.channel(kDepth);
+        visit_part(part, traces.window.samples, [&](std::size_t to, std::size_t from) {
+            traces.foam[to] = std::max(breaking[from], foam_left * traces.foam[to]);
+            traces.wet[to] = std::max(covered_by(depth[from]), wet_left * traces.wet[to]);
+        });
+    }
+    followed_ = time;
+    return parts;
+}
+
+void CoastSurface::move_traces(const std::vector<CoastWindow>& windows) {
+    const bool same = std::ranges::equal(windows, traces_, {}, {}, &CoastTraces::window);
+    if (same) return;
+    std::vector<CoastTraces> moved;
+    for (const CoastWindow& window : windows) {
+        CoastTraces& to = moved.emplace_back();
+        to.window = window;
+        to.foam.resize(sample_count(window));
+        to.wet.resize(sample_count(window));
+        if (traces_.empty()) continue;
+        const Domain domain = window.domain();
+        std::size_t n = 0;
+        for (int j = 0; j < window.samples; ++j) {
+            for (int i = 0; i < window.samples; ++i, ++n) {
+                const auto [x, y] = domain.place(i, j);
+                // Its own samples first: a finer window has other means.
+                const auto holds = [&, x = x, y = y](const CoastTraces& from) {
+                    return from.window.cell >= window.cell && nearest_sample(from.window, x, y);
+                };
+                auto from = std::ranges::find_if(traces_, holds);
+                if (from == traces_.end()) {
+                    from = std::ranges::find_if(traces_, [&, x = x, y = y](const auto& any) {
+                        return nearest_sample(any.window, x, y).has_value();
+                    });
+                }
+                if (from == traces_.end()) continue;
+                const std::size_t at = *nearest_sample(from->window, x, y);
+                to.foam[n] = from->foam[at];
+                to.wet[n] = from->wet[at];
+            }
+        }
+    }
+    traces_ = std::move(moved);
+}
+
+}  // namespace ocean::preview

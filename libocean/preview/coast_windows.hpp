@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The windows of a coast around the eye, their values by the coast's surface, and the foam and wet
+// ground that breaking waves have left at their samples.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ocean/ocean.hpp"
+#include "ocean/preview/coast_maps.hpp"
+
+namespace ocean::preview {
+
+/// Reads a component of the finest window that holds a place, linear between samples; nothing where
+/// none does.
+std::optional<double> read_windows(const std::vector<CoastImage>& windows,
+                                   std::vector<float> CoastImage::*image, std::size_t component,
+                                   double x, double y);
+
+/// Foam and wet ground that breaking waves have left at the samples of a window.
+struct CoastTraces {
+    CoastWindow window;
+    std::vector<float> foam, wet;  // 0 .. 1
+};
+
+/// The part of a window that lies over a bed, and its surface.
+struct CoastPart {
+    std::array<int, 2> first{};  // sample
+    Surface surface = {};        // empty: none of the window does
+};
+
+class CoastSurface {
+  public:
+    explicit CoastSurface(const CoastMapsOptions& options) : options_(options) {}
+
+    /// Returns the windows at a time [s] around an eye [m]. Valid until the next call. Throws
+    /// Error.
+    std::vector<CoastImage>& at(Ocean& sea, double time, const std::array<double, 3>& eye);
+
+  private:
+    /// Follows the traces up to a time, and returns the surface of each window.
+    std::vector<CoastPart> follow(Ocean& sea, double time, ChannelSet channels);
+    void move_traces(const std::vector<CoastWindow>& windows);
+    void settle(Ocean& sea, double time);
+
+    CoastMapsOptions options_;
+    std::vector<CoastTraces> traces_;
+    std::optional<double> followed_;  // time of the traces
+    std::uint64_t revision_ = 0;      // of the sea that they are of
+    std::vector<CoastImage> images_;
+};
+
+}  // namespace ocean::preview

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Means over a footprint of the windows of a coast.
+#include "preview/coast.glsl"
+#include "preview/footprint.glsl"
+
+uniform sampler2DArray coast_traces;  // cover of breaking waves' foam, its bubbles, wetness
+
+// Returns the sum of the means of an image of the windows, by their shares.
+vec4 coast_mean(sampler2DArray images, CoastReads reads, Footprint footprint) {
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < reads.count; ++i) {
+        vec4 window = coast_window[reads.window[i]];
+        sum += reads.share[i] * filtered(images, float(reads.window[i]),
+                                         (reads.place[i] + 0.5) / window.w, footprint,
+                                         window.z / window.w, window.z);
+    }
+    return sum;
+}

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A coast in a picture: the drawn water has the heights of the library's region, its windows stand
+// still in the world, and land and water leave no gap.
+#include <algorithm>
+#include <cmath>
+
+#include "coast_windows.hpp"
+#include "ocean/land_mask.hpp"
+#include "ocean/ocean.hpp"
+#include "ocean/preview/probe.hpp"
+#include "preview/beach_sea.hpp"
+#include "preview/preview_fixture.hpp"
+
+namespace ocean::preview {
+namespace {
+
+constexpr double kTime = 20.0;
+constexpr std::array<double, 3> kEye = {224.3, 96.4, 2.0};
+
+class CoastPreviewTest : public PreviewTest {
+  protected:
+    static SeaMapsOptions options() {
+        SeaMapsOptions options;
+        options.compute = false;
+        options.coast.samples = 64;
+        return options;
+    }
+    static Camera camera() {
+        Camera camera;
+        camera.eye = kEye;
+        camera.look_at({260.0, 96.0, 0.0});
+        return camera;
+    }
+    const ShownSea& shown() {
+        shown_ = maps_.show(sea_, kTime, kEye);
+        return shown_;
+    }
+
+    Ocean sea_{test::beach_sea()};
+    SeaMaps maps_{options()};
+    Renderer renderer_{{.cells = 32}};
+    ShownSea shown_;
+};
+
+TEST_F(CoastPreviewTest, VerticesAtSamplesOfAWindowHaveTheHeightsOfTheRegion) {
+    const ShownSea& sea = shown();
+    // Labels of the finest window within the finest level of the mesh.
+    const Domain labels{{220.0, 92.0}, {8.0, 8.0}, {9, 9}, false};
+    const Surface region = sea_.region(kTime, labels, {Channel::dx, Channel::dy, Channel::height});
+    double highest = 0.0;
+    for (const int n : {0, 8, 20, 40, 50, 72, 80}) {
+        const auto [x, y] = labels.place(n % 9, n / 9);
+        const auto at = [&](Channel channel) {
+            return static_cast<double>(region.channel(channel)[static_cast<std::size_t>(n)]);
+        };
+        const auto found =
+            probe(renderer_, sea, camera(), {x + at(Channel::dx), y + at(Channel::dy)});
+        ASSERT_TRUE(found) << x << " " << y;
+        // The quantum is that of a vertex in a picture: 1/256 of a pixel of 5 mm.
+        EXPECT_NEAR(found->mesh_height, at(Channel::height),
+                    1e-5 * sea.significant_wave_height + 2e-5)
+            << x << " " << y;
+        highest = std::max(highest, std::abs(at(Channel::height)));
+    }
+    EXPECT_GT(highest, 0.05);
+}
+
+TEST_F(CoastPreviewTest, WaterEndsWhereTheRegionIsDry) {
+    const ShownSea& sea = shown();
+    const Domain row{{180.0, 96.0}, {80.0, 1.0}, {161, 3}, false};
+    const Surface region = sea_.region(kTime, row, channel_of(LandMask::depth));
+    const auto depth = region.channel(channel_of(LandMask::depth));
+    int wet = 0, dry = 0;
+    for (std::size_t i = 0; i < 161; i += 5) {
+        const auto [x, y] = row.place(static_cast<int>(i), 0);
+        if (std::abs(depth[i]) < 0.1f) continue;  // a coarser mesh has another line
+        const auto found = probe(renderer_, sea, camera(), {x, y});
+        EXPECT_EQ(found.has_value(), depth[i] > 0.0f) << x << ": " << depth[i];
+        ++(depth[i] > 0.0f ? wet : dry);
+    }
+    EXPECT_GT(wet, 5);
+    EXPECT_GT(dry, 5);
+}
+
+TEST_F(CoastPreviewTest, LandAndWaterLeaveNoGap) {
+    const ShownSea& sea = shown();
+    const Canvas canvas(96, 96, GL_RGBA32F);
+    canvas.bind();
+    renderer_.draw_from_above(sea, camera(), 225.0, 96.0, 90.0, {.width = 96, .height = 96});
+    const std::vector<float> pixels = canvas.rgba();
+    int holes = 0;
+    for (std::size_t n = 3; n < pixels.size(); n += 4) holes += pixels[n] < 1.0f ? 1 : 0;
+    EXPECT_EQ(holes, 0);
+}
+
+TEST_F(CoastPreviewTest, WindowsStandStillInTheWorldAndKeepTheirFoam) {
+    CoastMapsOptions options;
+    options.samples = 64;
+    CoastSurface surface(options);
+    // Surf breaks for some seconds.
+    for (int tick = 0; tick < 24; ++tick) surface.at(sea_, kTime + 0.25 * tick, kEye);
+    const double time = kTime + 6.0;
+    const std::vector<CoastImage> before = surface.at(sea_, time, kEye);
+    const std::vector<CoastImage> after = surface.at(sea_, time, {kEye[0] + 3.3, kEye[1], 2.0});
+    ASSERT_NE(before[0].window, after[0].window);
+    double foam = 0.0;
+    for (int i = 0; i < 20; ++i) {
+        const double x = 214.0 + i, y = 96.0;
+        for (const auto& [image, component] :
+             {std::pair{&CoastImage::shape, 2u}, std::pair{&CoastImage::traces, 0u},
+              std::pair{&CoastImage::traces, 2u}}) {
+            const auto was = read_windows(before, image, component, x, y);
+            const auto is = read_windows(after, image, component, x, y);
+            ASSERT_TRUE(was && is);
+            EXPECT_NEAR(*was, *is, 1e-6) << x;
+        }
+        foam = std::max(foam, *read_windows(after, &CoastImage::traces, 0, x, y));
+    }
+    EXPECT_GT(foam, 0.05);
+}
+
+TEST_F(CoastPreviewTest, FoamIsWhatBreaksOrWhatIsLeftOfIt) {
+    CoastMapsOptions options;
+    options.samples = 64;
+    CoastSurface surface(options);
+    surface.at(sea_, kTime, kEye);
+    const std::vector<CoastImage> then = surface.at(sea_, kTime + 0.5, kEye);
+    const double left = std::exp(-0.5 / sea_.parameters().water.shore.surf_foam_lifetime);
+    const Domain row{{212.0, 96.0}, {40.0, 1.0}, {81, 3}, false};
+    const Channel breaking = channel_of(LandMask::breaking);
+    const Surface first = sea_.region(kTime, row, breaking);
+    const Surface second = sea_.region(kTime + 0.5, row, breaking);
+    double highest = 0.0;
+    for (std::size_t i = 0; i < 81; ++i) {
+        const auto [x, y] = row.place(static_cast<int>(i), 0);
+        const double expected = std::max(static_cast<double>(second.channel(breaking)[i]),
+                                         left * static_cast<double>(first.channel(breaking)[i]));
+        const auto found = read_windows(then, &CoastImage::traces, 0, x, y);
+        if (!found || std::abs(x - kEye[0]) > 14.0) continue;  // the finest window
+        EXPECT_NEAR(*found, std::pow(expected, 1.35), 1e-4) << x;
+        highest = std::max(highest, expected);
+    }
+    EXPECT_GT(highest, 0.02);
+}
+
+TEST_F(CoastPreviewTest, ACoastInWorkIsGroundInTheOpenSea) {
+    const ShownSea ground = maps_.show(sea_, kTime, std::nullopt);
+    ASSERT_TRUE(ground.coast);
+    EXPECT_TRUE(ground.coast->windows.empty());
+    EXPECT_NEAR(ground.coast->surface_at(300.0, 96.0), 3.0, 1e-5);
+    EXPECT_EQ(sea_.stage_runs().surface, 0);  // nothing of the coast was computed
+    const auto land = picture(renderer_, ground, camera());
+    const auto sea = picture(renderer_, shown(), camera());
+    EXPECT_NE(land, sea);
+}
+
+TEST_F(CoastPreviewTest, WindowsGrowWithTheHeightOfTheEye) {
+    const CoastMapsOptions options;
+    const auto low = coast_windows({0.0, 0.0, 2.0}, options);
+    const auto high = coast_windows({0.0, 0.0, 300.0}, options);
+    EXPECT_EQ(low[0].cell, 0.5);
+    EXPECT_EQ(high[0].cell, 4.0);
+    for (std::size_t w = 1; w < low.size(); ++w) EXPECT_EQ(low[w].cell, 4.0 * low[w - 1].cell);
+}
+
+}  // namespace
+}  // namespace ocean::preview
