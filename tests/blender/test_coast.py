@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from conftest import add_ocean, attribute, evaluated_mesh, positions, rest
 from libocean_addon.bundled import libocean
-from libocean_addon.coast import open_coast, panels
+from libocean_addon.coast import coast_job, open_coast, panels
 from libocean_addon.sea import live as sea_live
 from libocean_addon.shared import drafts, drawing
 from test_panel import NARROW, ROW, NarrowLayout
@@ -149,9 +149,10 @@ def test_water_and_land_have_materials(sea_file):
 
 
 def test_the_automatic_cell_gives_the_longer_side_512_samples(sea_file, monkeypatch):
-    monkeypatch.setattr(open_coast, "AUTOMATIC", 64)
+    monkeypatch.setattr(coast_job, "AUTOMATIC", 64)
     ob = add_coast(sea_file, cell=0.0)
-    assert open_coast.coast_of(ob.name_full).extent.samples == (64, 48)
+    own = open_coast.coast_of(ob.name_full).own
+    assert coast_job.region_of(ob.libocean_coast).extent(own).samples == (64, 48)
     assert len(ob.data.vertices) == 64 * 48
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from ..sea import messages
 from ..shared.compat import tr_label
 from ..terrain.extent import ExtentError
+from .coast_job import region_of
 from .open_coast import coast_of
 
 
@@ -27,11 +28,11 @@ def sizes_of(ob) -> list[str]:
     coast = coast_of(ob.name_full)
     if coast.state is None:
         return []
+    settings = ob.libocean
     try:
-        extent = coast.extent
+        extent = region_of(ob.libocean_coast).extent(coast.own)
     except ExtentError:  # said above
         return []
-    settings = ob.libocean
     fields = 1 + settings.use_velocity + settings.use_normal + settings.use_foam
     megabytes = 16e-6 * extent.count * fields
     bed = coast.state["bed"]

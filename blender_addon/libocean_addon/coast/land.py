@@ -55,8 +55,12 @@ def follow(land, words: str, extent: Extent, heights: np.ndarray, wet: float) ->
         vertices[..., 0] = extent.along(0)[None, :]
         vertices[..., 1] = extent.along(1)[:, None]
         vertices[..., 2] = heights
-        columns, rows = extent.samples
-        meshes.fill(mesh, vertices.reshape(-1, 3), meshes.grid_faces(columns - 1, rows - 1))
+        if meshes.made_of(mesh).endswith(f" {extent.samples}"):
+            mesh.vertices.foreach_set("co", vertices.ravel())
+            mesh.update()
+        else:
+            columns, rows = extent.samples
+            meshes.fill(mesh, vertices.reshape(-1, 3), meshes.grid_faces(columns - 1, rows - 1))
         _write(mesh, terrain_group.HEIGHT, "FLOAT", heights)
         beach = np.clip((wet + _DRY_SAND - heights) / _DRY_SAND, 0.0, 1.0)
         _write(mesh, "beach", "FLOAT", beach.astype(np.float32))

@@ -22,7 +22,7 @@ from ..shared import console, drafts, images, meshes, modifier_groups
 from ..shared.native import libocean
 from ..terrain.extent import Extent, ExtentError
 from . import land, node_group
-from .coast_job import CoastJob, View
+from .coast_job import CoastJob, View, region_of
 from .node_group import BLANKS, DISPLACEMENT, FOAM, NORMAL, VELOCITY
 from .open_coast import OpenCoast, coast_of
 
@@ -38,8 +38,9 @@ def show(ob, depsgraph, moment: Moment) -> None:
     problem = ""
     try:
         coast.follow(values)
-        follow_region(coast, seen.libocean_coast)
-        view = _view_of(coast, seen.libocean, moment)
+        if coast.own is None:
+            coast.open()
+        view = _view_of(coast, seen.libocean, seen.libocean_coast, moment)
         for modifier in node_group.modifiers(ob):
             problem = _show_in(ob, coast, modifier, view, moment)
     except ExtentError as failure:
@@ -52,26 +53,19 @@ def show(ob, depsgraph, moment: Moment) -> None:
         settings.problem = problem
 
 
-def follow_region(coast: OpenCoast, settings) -> None:
-    """Has a coast show the rectangle of the settings, as its panel shows them."""
-    coast.region = None
-    if settings.use_region:
-        coast.region = tuple(round(part, 4) for part in settings.region)
-    coast.cell = round(settings.cell, 6)
-
-
-def _view_of(coast: OpenCoast, settings, moment: Moment) -> View:
-    """Returns what is to be seen of a coast. settings: of its sea. Raises ExtentError."""
-    at = sea_live.own_time(settings)
+def _view_of(coast: OpenCoast, sea_settings, settings, moment: Moment) -> View:
+    """Returns what is to be seen of a coast, as its panels show it."""
+    at = sea_live.own_time(sea_settings)
     if at is None:
         at = coast.time_of(moment.scene.frame_current_final)
     wanted = {
         DISPLACEMENT: True,
-        VELOCITY: settings.use_velocity,
-        NORMAL: settings.use_normal,
-        FOAM: settings.use_foam,
+        VELOCITY: sea_settings.use_velocity,
+        NORMAL: sea_settings.use_normal,
+        FOAM: sea_settings.use_foam,
     }
-    return View(at, coast.extent, tuple(name for name, is_used in wanted.items() if is_used))
+    fields = tuple(name for name, is_used in wanted.items() if is_used)
+    return View(at, region_of(settings), fields)
 
 
 def _is_main_thread() -> bool:
@@ -96,21 +90,22 @@ def _show_in(ob, coast: OpenCoast, modifier, view: View, moment: Moment) -> str:
     may_wait = moment.moving or (moment.again and drafts.wants(name, key))
     draft = may_wait and not coast.is_ready(view)
     if draft:
+        whole = view.region.extent(coast.own)
         quick = [field for field in view.fields if field in (DISPLACEMENT, FOAM)]
-        shown = coast.show_draft(view, _images_of(ob, modifier, quick))
-        fields = tuple(quick) if shown != view.extent else view.fields
+        shown = coast.show_draft(view, _images_of(ob, modifier, quick)) or whole
+        fields = tuple(quick) if shown != whole else view.fields
         if coast.failed is not None and coast.failed[0] == key:
-            _set_inputs(ob, coast, modifier, shown or view.extent, fields)
+            _set_inputs(ob, coast, modifier, shown, fields)
             return coast.failed[1]
         drafts.ask(name, key)
     else:
         fields = view.fields
         with console.work(name, "water"):
-            shown = coast.show(view, _images_of(ob, modifier, fields))
+            shown = whole = coast.show(view, _images_of(ob, modifier, fields))
         drafts.forget(name, key, more_follows=False)
     if _is_main_thread():
-        follow_meshes(ob, coast.extent)
-    _set_inputs(ob, coast, modifier, shown or view.extent, fields)
+        follow_meshes(ob, whole)
+    _set_inputs(ob, coast, modifier, shown, fields)
     return ""
 
 
@@ -185,10 +180,10 @@ def make_draft_job(name: str) -> CoastJob | None:
     if ob is None or ob.libocean_coast.problem:
         return None
     coast = coast_of(name)
-    if coast.sea is None or coast.values is None:
+    if coast.own is None:
         return None
     moment = Moment(bpy.context.scene, rendering=False)
-    return coast.job(_view_of(coast, ob.libocean, moment))
+    return coast.job(_view_of(coast, ob.libocean, ob.libocean_coast, moment))
 
 
 def finish_draft_job(name: str, job: CoastJob) -> None:

@@ -20,25 +20,14 @@ import numpy as np
 from ..sea import messages
 from ..sea.sea_text import SeaValues
 from ..shared import drafts, images
-from ..shared.compat import tr
-from ..shared.native import libocean
 from ..shared.open_by_object import OpenByObject
-from ..terrain import extent as extents
 from ..terrain.extent import Extent
+from .bed_sea import BedSea
 from .coast_job import CoastJob, Maps, View, bed_heights, fill_maps
 from .node_group import DISPLACEMENT, FOAM
 
-AUTOMATIC = 512
-"""The max samples of the longer side of a region whose cell is chosen by itself."""
 _AT_HAND = 3.0  # [s] of the sea that foam advances while a user waits
 _OF_BED = ("level", "seabed", "seabed_origin", "seabed_unit", "seabed_sign")
-
-
-def own_extent(values: SeaValues, state: dict) -> Extent:
-    """Returns the samples of a bed. state: that of its sea."""
-    bed = state["bed"]
-    origin = json.loads(values.values["seabed_origin"]) or [0.0, 0.0]
-    return Extent(tuple(map(float, origin)), float(bed["cell"]), tuple(bed["samples"]), False)
 
 
 class OpenCoast:
@@ -46,19 +35,14 @@ class OpenCoast:
 
     def __init__(self) -> None:
         self.lock = threading.RLock()  # renders run in a thread of their own
-        self.sea = None
         self.values: SeaValues | None = None
-        self.state: dict | None = None
-        self.own: Extent | None = None
-        """The samples of the bed."""
-        self.region: tuple[float, ...] | None = None
-        """Corners of the rectangle to show [m]; None: all of the bed."""
-        self.cell = 0.0
-        """Distance of the samples [m]; 0: automatic."""
+        """The values to show, which the handle takes when it is free."""
         self.changes = 0
         self.failed: tuple | None = None
         """The key of a view that could not be made, and the sentence that says why."""
         self.pace = drafts.Pace()
+        self._held = BedSea()
+        self._base_dir: str | None = None
         self._job: CoastJob | None = None  # that the handle is lent to
         self._prepared = -1  # the changes for which the library knows where waves go
         self._advanced: tuple | None = None  # changes, extent and time of the last foam
@@ -71,33 +55,31 @@ class OpenCoast:
 
     # The sea --------------------------------------------------------------------
 
-    def follow(self, values: SeaValues) -> None:
-        """Makes it the sea of these values. Raises libocean.Error, after which nothing is shown
-        until values follow that are right."""
-        if values == self.values:
-            return
-        messages.require_files(values)
-        before, self.values = self.values, None  # opened anew after a failure
-        if before is not None and values.structure() == before.structure() and not self.is_busy():
-            self.sea.set_all(dict(values.by_name().items() - before.by_name().items()))
-        else:
-            self._open(values)
-        state = self.sea.state
-        if "bed" not in state:
-            raise libocean.Error(
-                tr("The sea has no bed: choose a file for Sea bed, or load a sea that has one"), 0
-            )
-        self.values, self.state, self.own = values, state, own_extent(values, state)
-        self.changes += 1
+    @property
+    def state(self) -> dict | None:
+        """The state of the sea that the handle has; None before the first one."""
+        return self._held.state
 
-    def _open(self, values: SeaValues) -> None:
-        base_dir = bpy.path.abspath("//") or None
-        opened = libocean.parse(
-            values.text(), base_dir=base_dir, progress=drafts.tell_watcher_of_share
-        )
-        if self.sea is not None and not self.is_busy():
-            self.sea.close()  # else its job closes it
-        self.sea, self._job = opened, None
+    @property
+    def own(self) -> Extent | None:
+        """The samples of the bed that the handle has."""
+        return self._held.own
+
+    def follow(self, values: SeaValues) -> None:
+        """Makes these the values to show. Raises libocean.Error for files that are not named."""
+        messages.require_files(values)
+        if values != self.values:
+            self.values = values
+            self.changes += 1
+            self._base_dir = bpy.path.abspath("//") or None
+
+    def open(self) -> None:
+        """Has the handle take the values to show. Blocks until it is free. Raises
+        libocean.Error."""
+        with self.lock:
+            if self._held.values != self.values:
+                self._end_job(None)
+                self._held.take(self.values, self._base_dir)
 
     def is_busy(self) -> bool:
         """Returns whether a job has the handle: a call of it would wait."""
@@ -111,31 +93,20 @@ class OpenCoast:
 
     # The region -----------------------------------------------------------------
 
-    @property
-    def extent(self) -> Extent:
-        """Returns the samples of the region that is shown. Raises ExtentError."""
-        corners = self.region
-        if corners is None:
-            (west, south), (width, depth) = self.own.origin, self.own.size
-            corners = (west, south, west + width, south + depth)
-        side = max(corners[2] - corners[0], corners[3] - corners[1])
-        cell = self.cell or max(side, 1e-3) / (AUTOMATIC - 1)
-        return dataclasses.replace(extents.of_region(corners, cell, self.own), is_own=False)
-
     def key(self, view: View) -> tuple:
         return self.changes, view
 
-    def _bed_key(self, extent: Extent) -> tuple:
+    def _bed_words(self) -> tuple[str, ...]:
         values = self.values
-        return values.bed, *(values.values[name] for name in _OF_BED), extent
+        return values.bed, *(values.values[name] for name in _OF_BED)
 
     def bed(self, extent: Extent) -> np.ndarray | None:
         """Returns the heights of the bed on these samples [m]; None before they are known."""
-        return self._bed if self._bed_of == self._bed_key(extent) else None
+        return self._bed if self._bed_of == (*self._bed_words(), extent) else None
 
     def words_of_bed(self, extent: Extent) -> str:
         """Returns the words by which a mesh of the bed is known."""
-        name = {"sha256": self.state["bed"]["sha256"], "level": self.values.values["level"]}
+        name = {"sha256": self.state["bed"]["sha256"], "level": self._held.values.values["level"]}
         return f"bed {json.dumps(name)} {extent.origin} {extent.cell!r} {extent.samples}"
 
     # Images ---------------------------------------------------------------------
@@ -144,45 +115,52 @@ class OpenCoast:
         """Returns whether the whole maps of a view are there, or can be made while a user waits."""
         if self._filled == self.key(view):
             return True
-        if self.is_busy() or self.bed(view.extent) is None or not self._is_plain(view):
+        if self.is_busy() or self._prepared != self.changes:
             return False
-        return self._seconds * view.extent.count < drafts.SECONDS
+        extent = view.region.extent(self.own)
+        if self.bed(extent) is None or not self._is_plain(view, extent):
+            return False
+        return self._seconds * extent.count < drafts.SECONDS
 
-    def _has_past(self, view: View) -> bool:
+    def _has_past(self, view: View, extent: Extent) -> bool:
         """Returns whether the library has the past of the foam at hand."""
-        known = self._advanced is not None and self._advanced[:2] == (self.changes, view.extent)
+        known = self._advanced is not None and self._advanced[:2] == (self.changes, extent)
         return known and 0.0 <= view.time - self._advanced[2] <= _AT_HAND
 
     def show(self, view: View, image_named: dict) -> Extent:
         """Fills the images, by the inputs of the node group, with the whole maps of a view. Blocks
-        until they are made. Raises libocean.Error."""
+        until they are made. Returns their samples. Raises libocean.Error and ExtentError."""
         key = self.key(view)
         with self.lock:
             self._end_job(key)
+            self.open()
+            extent = view.region.extent(self.own)
             stale = self._stale(image_named, key)
-            if (stale or self.bed(view.extent) is None) and self._filled != key:
-                if self.bed(view.extent) is None:
-                    self._keep_bed(view.extent, bed_heights(self.sea, view.extent, view.time))
-                is_plain, begun = self._is_plain(view), time.perf_counter()
-                self._maps = fill_maps(self.sea, view, self._maps)
-                self._note(view, time.perf_counter() - begun, is_plain)
-            self._put(image_named, stale, key, view.extent)
-        return view.extent
+            if (stale or self.bed(extent) is None) and self._filled != key:
+                sea = self._held.sea
+                if self.bed(extent) is None:
+                    self._keep_bed(extent, bed_heights(sea, extent, view.time))
+                is_plain, begun = self._is_plain(view, extent), time.perf_counter()
+                self._maps = fill_maps(sea, view, extent, self._maps)
+                self._note(view, extent, time.perf_counter() - begun, is_plain)
+            self._put(image_named, stale, key, extent)
+        return extent
 
-    def _is_plain(self, view: View) -> bool:
+    def _is_plain(self, view: View, extent: Extent) -> bool:
         """Returns whether maps of a view take no more than those of any frame of a shot."""
-        return self._prepared == self.changes and (FOAM not in view.fields or self._has_past(view))
+        is_known = self._prepared == self.changes
+        return is_known and (FOAM not in view.fields or self._has_past(view, extent))
 
-    def _note(self, view: View, seconds: float, is_plain: bool) -> None:
+    def _note(self, view: View, extent: Extent, seconds: float, is_plain: bool) -> None:
         """Notes that the whole maps of a view were made."""
         if is_plain:
-            self._seconds = seconds / view.extent.count
+            self._seconds = seconds / extent.count
         self._filled, self._prepared = self.key(view), self.changes
         if FOAM in view.fields:
-            self._advanced = (self.changes, view.extent, view.time)
+            self._advanced = (self.changes, extent, view.time)
 
     def _keep_bed(self, extent: Extent, heights: np.ndarray) -> None:
-        self._bed, self._bed_of = heights, self._bed_key(extent)
+        self._bed, self._bed_of = heights, (*self._bed_words(), extent)
 
     def show_draft(self, view: View, image_named: dict) -> Extent | None:
         """Fills the images with coarser maps of a view, if the handle is free and the library knows
@@ -191,17 +169,18 @@ class OpenCoast:
         if self._prepared != self.changes or self.is_busy():
             held = self._shown.get(image_named[DISPLACEMENT].name_full)
             return None if held is None else held[1]
-        coarse = view.extent.coarser(view.extent.step_for(self.pace.size))
-        draft = dataclasses.replace(view, extent=coarse, fields=tuple(image_named))
-        key = ("draft", *self.key(draft))
+        whole = view.region.extent(self.own)
+        coarse = whole.coarser(whole.step_for(self.pace.size))
+        draft = dataclasses.replace(view, fields=tuple(image_named))
+        key = ("draft", coarse, *self.key(draft))
         with self.lock:
             stale = self._stale(image_named, key)
             if stale:
                 begun = time.perf_counter()
-                self._maps = fill_maps(self.sea, draft, self._maps, quick=True)
+                self._maps = fill_maps(self._held.sea, draft, coarse, self._maps, quick=True)
                 self._filled = None
                 seconds = time.perf_counter() - begun
-                self.pace.note(self.pace.size, seconds, max(view.extent.samples) // 2)
+                self.pace.note(self.pace.size, seconds, max(whole.samples) // 2)
             self._put(image_named, stale, key, coarse)
         return coarse
 
@@ -226,14 +205,18 @@ class OpenCoast:
 
     def job(self, view: View) -> CoastJob:
         """Returns the job that makes the whole maps of a view, and lends it the handle."""
-        sea = self.sea
-        job = CoastJob(sea, self.key(view), view, lambda: self.sea is sea)
-        job.wants_bed = self.bed(view.extent) is None
-        job.is_plain = self._is_plain(view)
+        held = self._held
+        job = CoastJob(
+            self.key(view), held, self.values, self._base_dir, view, lambda: self._held is held
+        )
+        if self._bed_of is not None and self._bed_of[:-1] == self._bed_words():
+            job.bed_known = self._bed_of[-1]
+        if job.bed_known is not None:
+            job.is_plain = self._is_plain(view, job.bed_known)
         self._job = job
         return job
 
-    def _end_job(self, key: tuple) -> None:
+    def _end_job(self, key: tuple | None) -> None:
         """Takes the handle back: waits for a job that makes the maps of this key, ends others."""
         job = self._job
         if job is None or not job.is_alive():
@@ -246,14 +229,14 @@ class OpenCoast:
 
     def take_over(self, job: CoastJob) -> bool:
         """Keeps the maps of a job that has ended. Returns False if the job is of no use."""
-        if job.failure is not None or job.key[0] != self.changes or job.sea is not self.sea:
+        if job.failure is not None or job.key[0] != self.changes or job.lent is not self._held:
             job.close()
             return False
         with self.lock:
             self._maps = job.maps
             if job.bed is not None:
-                self._keep_bed(job.view.extent, job.bed)
-            self._note(job.view, job.seconds, job.is_plain and not job.wants_bed)
+                self._keep_bed(job.extent, job.bed)
+            self._note(job.view, job.extent, job.seconds, job.is_plain)
         return True
 
     def forget_images(self) -> None:
@@ -261,9 +244,9 @@ class OpenCoast:
         self._shown.clear()
 
     def close(self) -> None:
-        if self.sea is not None and not self.is_busy():
-            self.sea.close()
-        self.sea = None
+        held, self._held = self._held, BedSea()
+        if not self.is_busy():
+            held.close()  # else its job closes it
 
 
 _coasts = OpenByObject(OpenCoast)
