@@ -9,6 +9,7 @@ maps of one time. No Blender's data in here.
 from __future__ import annotations
 
 import dataclasses
+import hashlib
 from collections.abc import Callable
 
 import numpy as np
@@ -20,7 +21,7 @@ from ..shared.native import libocean
 from ..terrain import extent as extents
 from ..terrain.extent import Extent, ExtentError
 from .bed_sea import BedSea
-from .node_group import CHANNELS, FOAM
+from .node_group import CHANNELS, DISPLACEMENT, FOAM
 
 AUTOMATIC = 512
 """The max samples of the longer side of a region whose cell is chosen by itself."""
@@ -32,6 +33,11 @@ _THOUSANDTHS = 1000
 """The total of the progress of waves over a bed; that of foam is a number of ticks."""
 _QUICK = ("whitecap", "whitecap")
 """The channels of foam in a draft: whitecaps have no past."""
+
+
+def quick_fields(fields) -> tuple[str, ...]:
+    """Returns the inputs among these that a draft has."""
+    return tuple(name for name in fields if name in (DISPLACEMENT, FOAM))
 
 
 @dataclasses.dataclass(frozen=True)
@@ -90,9 +96,27 @@ def fill_maps(
     return made
 
 
-def bed_heights(sea, extent: Extent, at: float) -> np.ndarray:
-    """Returns the heights of the bed on the samples of an extent [m], (rows, columns). at: a time
-    [s]. Raises libocean.Error."""
+def _normals_of(heights: np.ndarray, cell: float) -> np.ndarray:
+    """Returns the upward unit normals of heights on a grid, (rows, columns, 3)."""
+    by_north, by_east = np.gradient(heights.astype(np.float64), cell)
+    normals = np.stack([-by_east, -by_north, np.ones_like(by_east)], axis=-1)
+    return (normals / np.linalg.norm(normals, axis=-1, keepdims=True)).astype(np.float32)
+
+
+@dataclasses.dataclass(frozen=True)
+class Bed:
+    """The bed on the samples of an extent."""
+
+    heights: np.ndarray
+    """[m], (rows, columns)"""
+    normals: np.ndarray
+    """(rows, columns, 3)"""
+    mark: str
+    """Tells these heights from others."""
+
+
+def make_bed(sea, extent: Extent, at: float) -> Bed:
+    """Returns the bed of a sea. at: a time [s]. Raises libocean.Error."""
     # Without choppiness a sample lies at its label, and over the bed that it has the depth of.
     choppiness = sea.get("choppiness")
     sea.set("choppiness", "0")
@@ -100,12 +124,15 @@ def bed_heights(sea, extent: Extent, at: float) -> np.ndarray:
         maps = sea.region(at, extent.origin, extent.samples, extent.cell, ("height", "depth"))
     finally:
         sea.set("choppiness", choppiness)
-    return maps["height"] - maps["depth"]
+    heights = maps["height"] - maps["depth"]
+    mark = hashlib.sha256(heights.tobytes()).hexdigest()[:16]
+    return Bed(heights, _normals_of(heights, extent.cell), mark)
 
 
 class CoastJob(drafts.Job):
-    """Makes the whole maps of a view of a sea, and the bed if it is unknown. It works with the
-    handle of the coast, which the coast does not touch meanwhile."""
+    """Makes the maps of a view of a sea, and the bed if it is unknown: quick ones, which do not
+    wait for the past of foam, of a sea that is new, then the whole. It works with the handle of the
+    coast, which the coast does not touch meanwhile."""
 
     def __init__(
         self,
@@ -120,9 +147,10 @@ class CoastJob(drafts.Job):
         coast."""
         super().__init__(key)
         self.lent, self.values, self.base_dir, self.view = lent, values, base_dir, view
+        self.is_quick = False
         self.bed_known: Extent | None = None
         """The samples on which the bed of these values is known."""
-        self.bed: np.ndarray | None = None
+        self.bed: Bed | None = None
         self.extent: Extent | None = None
         self.is_plain = False
         """True if the maps take no more than those of any frame of a shot."""
@@ -139,9 +167,12 @@ class CoastJob(drafts.Job):
         self._require_wanted()
         if self.bed_known != self.extent:
             self.is_plain = False
-            self.bed = bed_heights(self.lent.sea, self.extent, self.view.time)
+            self.bed = make_bed(self.lent.sea, self.extent, self.view.time)
         self._require_wanted()
-        self.maps = fill_maps(self.lent.sea, self.view, self.extent)
+        view = self.view
+        if self.is_quick:
+            view = dataclasses.replace(view, fields=quick_fields(view.fields))
+        self.maps = fill_maps(self.lent.sea, view, self.extent, quick=self.is_quick)
 
     def _require_wanted(self) -> None:
         if self.is_cancelled():

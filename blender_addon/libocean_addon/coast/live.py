@@ -22,7 +22,7 @@ from ..shared import console, drafts, images, meshes, modifier_groups
 from ..shared.native import libocean
 from ..terrain.extent import Extent, ExtentError
 from . import land, node_group
-from .coast_job import CoastJob, View, region_of
+from .coast_job import CoastJob, View, quick_fields, region_of
 from .node_group import BLANKS, DISPLACEMENT, FOAM, NORMAL, VELOCITY
 from .open_coast import OpenCoast, coast_of
 
@@ -91,9 +91,10 @@ def _show_in(ob, coast: OpenCoast, modifier, view: View, moment: Moment) -> str:
     draft = may_wait and not coast.is_ready(view)
     if draft:
         whole = view.region.extent(coast.own)
-        quick = [field for field in view.fields if field in (DISPLACEMENT, FOAM)]
-        shown = coast.show_draft(view, _images_of(ob, modifier, quick)) or whole
-        fields = tuple(quick) if shown != whole else view.fields
+        quick = quick_fields(view.fields)
+        image_named = _images_of(ob, modifier, quick)
+        shown = coast.show_draft(view, image_named) or whole
+        fields = view.fields if coast.is_whole(image_named[DISPLACEMENT]) else quick
         if coast.failed is not None and coast.failed[0] == key:
             _set_inputs(ob, coast, modifier, shown, fields)
             return coast.failed[1]
@@ -161,11 +162,10 @@ def follow_meshes(ob, extent: Extent) -> None:
     if ob.library is None and ob.data.library is None and ob.mode == "OBJECT":
         along = extent.along(0), extent.along(1)
         meshes.follow_grid(ob, _grid_words(extent), along)
-    heights = coast.bed(extent)
-    if heights is not None:
+    bed = coast.bed(extent)
+    if bed is not None:
         with console.work(ob.name_full, "land"):
-            words, wet = coast.words_of_bed(extent), land.run_up(coast.state)
-            land.follow(ob.libocean_coast.land, words, extent, heights, wet)
+            land.follow(ob.libocean_coast.land, extent, bed, land.run_up(coast.state))
 
 
 # The whole coast after a draft ---------------------------------------------------

@@ -9,13 +9,11 @@ the images hold.
 from __future__ import annotations
 
 import dataclasses
-import json
 import math
 import threading
 import time
 
 import bpy
-import numpy as np
 
 from ..sea import messages
 from ..sea.sea_text import SeaValues
@@ -23,10 +21,11 @@ from ..shared import drafts, images
 from ..shared.open_by_object import OpenByObject
 from ..terrain.extent import Extent
 from .bed_sea import BedSea
-from .coast_job import CoastJob, Maps, View, bed_heights, fill_maps
+from .coast_job import Bed, CoastJob, Maps, View, fill_maps, make_bed
 from .node_group import DISPLACEMENT, FOAM
 
 _AT_HAND = 3.0  # [s] of the sea that foam advances while a user waits
+_COARSE, _QUICK = "coarse", "quick"  # begin the keys of drafts
 _OF_BED = ("level", "seabed", "seabed_origin", "seabed_unit", "seabed_sign")
 
 
@@ -44,10 +43,11 @@ class OpenCoast:
         self._held = BedSea()
         self._base_dir: str | None = None
         self._job: CoastJob | None = None  # that the handle is lent to
+        self._draft: CoastJob | None = None  # the quick one that has ended last
         self._prepared = -1  # the changes for which the library knows where waves go
         self._advanced: tuple | None = None  # changes, extent and time of the last foam
-        self._bed: np.ndarray | None = None
-        self._bed_of: tuple | None = None  # the bed's values and extent of those heights
+        self._bed: Bed | None = None
+        self._bed_of: tuple | None = None  # its values and extent
         self._maps: Maps = {}
         self._filled: tuple | None = None  # the key of the maps
         self._shown: dict[str, tuple] = {}  # by image: key and extent of what it holds
@@ -100,14 +100,9 @@ class OpenCoast:
         values = self.values
         return values.bed, *(values.values[name] for name in _OF_BED)
 
-    def bed(self, extent: Extent) -> np.ndarray | None:
-        """Returns the heights of the bed on these samples [m]; None before they are known."""
+    def bed(self, extent: Extent) -> Bed | None:
+        """Returns the bed on these samples; None before it is known."""
         return self._bed if self._bed_of == (*self._bed_words(), extent) else None
-
-    def words_of_bed(self, extent: Extent) -> str:
-        """Returns the words by which a mesh of the bed is known."""
-        name = {"sha256": self.state["bed"]["sha256"], "level": self._held.values.values["level"]}
-        return f"bed {json.dumps(name)} {extent.origin} {extent.cell!r} {extent.samples}"
 
     # Images ---------------------------------------------------------------------
 
@@ -139,11 +134,11 @@ class OpenCoast:
             if (stale or self.bed(extent) is None) and self._filled != key:
                 sea = self._held.sea
                 if self.bed(extent) is None:
-                    self._keep_bed(extent, bed_heights(sea, extent, view.time))
+                    self._keep_bed(extent, make_bed(sea, extent, view.time))
                 is_plain, begun = self._is_plain(view, extent), time.perf_counter()
                 self._maps = fill_maps(sea, view, extent, self._maps)
                 self._note(view, extent, time.perf_counter() - begun, is_plain)
-            self._put(image_named, stale, key, extent)
+            self._put(image_named, stale, key, extent, self._maps)
         return extent
 
     def _is_plain(self, view: View, extent: Extent) -> bool:
@@ -159,20 +154,22 @@ class OpenCoast:
         if FOAM in view.fields:
             self._advanced = (self.changes, extent, view.time)
 
-    def _keep_bed(self, extent: Extent, heights: np.ndarray) -> None:
-        self._bed, self._bed_of = heights, (*self._bed_words(), extent)
+    def _keep_bed(self, extent: Extent, bed: Bed) -> None:
+        self._bed, self._bed_of = bed, (*self._bed_words(), extent)
 
     def show_draft(self, view: View, image_named: dict) -> Extent | None:
         """Fills the images with coarser maps of a view, if the handle is free and the library knows
         where the waves go; else they keep what they hold. Returns the samples of that; None for
         water at rest."""
+        if self._draft is not None and self._draft.key == self.key(view):
+            return self._put_draft(image_named)
         if self._prepared != self.changes or self.is_busy():
             held = self._shown.get(image_named[DISPLACEMENT].name_full)
             return None if held is None else held[1]
         whole = view.region.extent(self.own)
         coarse = whole.coarser(whole.step_for(self.pace.size))
         draft = dataclasses.replace(view, fields=tuple(image_named))
-        key = ("draft", coarse, *self.key(draft))
+        key = (_COARSE, coarse, *self.key(draft))
         with self.lock:
             stale = self._stale(image_named, key)
             if stale:
@@ -181,8 +178,21 @@ class OpenCoast:
                 self._filled = None
                 seconds = time.perf_counter() - begun
                 self.pace.note(self.pace.size, seconds, max(whole.samples) // 2)
-            self._put(image_named, stale, key, coarse)
+            self._put(image_named, stale, key, coarse, self._maps)
         return coarse
+
+    def _put_draft(self, image_named: dict) -> Extent:
+        """Fills the images with the maps of the quick job."""
+        job = self._draft
+        key = (_QUICK, *job.key)
+        with self.lock:
+            self._put(image_named, self._stale(image_named, key), key, job.extent, job.maps)
+        return job.extent
+
+    def is_whole(self, image) -> bool:
+        """Returns whether an image holds a whole map, of this view or of one before."""
+        shown = self._shown.get(image.name_full)
+        return shown is not None and shown[0][0] not in (_COARSE, _QUICK)
 
     def _stale(self, image_named: dict, key: tuple) -> list[str]:
         for image in image_named.values():
@@ -194,9 +204,11 @@ class OpenCoast:
             if self._shown.get(image.name_full, (None,))[0] != key
         ]
 
-    def _put(self, image_named: dict, stale: list[str], key: tuple, extent: Extent) -> None:
+    def _put(
+        self, image_named: dict, stale: list[str], key: tuple, extent: Extent, maps: Maps
+    ) -> None:
         for name in stale:
-            image, pixels = image_named[name], self._maps[name]
+            image, pixels = image_named[name], maps[name]
             images.resize(image, pixels.shape[:2])
             images.fill(image, pixels)
             self._shown[image.name_full] = (key, extent)
@@ -204,11 +216,13 @@ class OpenCoast:
     # In the background ----------------------------------------------------------
 
     def job(self, view: View) -> CoastJob:
-        """Returns the job that makes the whole maps of a view, and lends it the handle."""
+        """Returns the job that makes the maps of a view, and lends it the handle."""
         held = self._held
         job = CoastJob(
             self.key(view), held, self.values, self._base_dir, view, lambda: self._held is held
         )
+        # Foam waits for its past, which the water of another sea does not.
+        job.is_quick = self._prepared != self.changes and FOAM in view.fields
         if self._bed_of is not None and self._bed_of[:-1] == self._bed_words():
             job.bed_known = self._bed_of[-1]
         if job.bed_known is not None:
@@ -233,9 +247,12 @@ class OpenCoast:
             job.close()
             return False
         with self.lock:
-            self._maps = job.maps
             if job.bed is not None:
                 self._keep_bed(job.extent, job.bed)
+            if job.is_quick:
+                self._draft, self._prepared = job, self.changes
+                return True
+            self._maps, self._draft = job.maps, None
             self._note(job.view, job.extent, job.seconds, job.is_plain)
         return True
 
