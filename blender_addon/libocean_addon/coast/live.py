@@ -18,7 +18,7 @@ import bpy
 from ..sea import live as sea_live
 from ..sea import messages
 from ..sea.live import Moment
-from ..shared import console, drafts, images, meshes, modifier_groups
+from ..shared import console, drafts, hooks, images, meshes, modifier_groups
 from ..shared.native import libocean
 from ..terrain.extent import Extent, ExtentError
 from . import land, node_group
@@ -40,7 +40,7 @@ def show(ob, depsgraph, moment: Moment) -> None:
         coast.follow(values)
         if coast.own is None:
             coast.open()
-        view = _view_of(coast, seen.libocean, seen.libocean_coast, moment)
+        view = view_of(coast, seen.libocean, seen.libocean_coast, moment)
         for modifier in node_group.modifiers(ob):
             problem = _show_in(ob, coast, modifier, view, moment)
     except ExtentError as failure:
@@ -53,7 +53,7 @@ def show(ob, depsgraph, moment: Moment) -> None:
         settings.problem = problem
 
 
-def _view_of(coast: OpenCoast, sea_settings, settings, moment: Moment) -> View:
+def view_of(coast: OpenCoast, sea_settings, settings, moment: Moment) -> View:
     """Returns what is to be seen of a coast, as its panels show it."""
     at = sea_live.own_time(sea_settings)
     if at is None:
@@ -145,7 +145,14 @@ def parameters_changed(ob) -> None:
     if not node_group.modifiers(ob):
         return
     ob.update_tag()  # else what is evaluated goes on having the values of before
-    show(ob, None, Moment(bpy.context.scene, rendering=False, moving=drafts.allowed))
+    _show_with_floats(ob)
+
+
+def _show_with_floats(ob) -> None:
+    moment = Moment(bpy.context.scene, rendering=False, moving=drafts.allowed)
+    show(ob, None, moment)
+    for follower in hooks.connected().followers:
+        follower(None, moment)
 
 
 # Meshes ------------------------------------------------------------------------
@@ -183,7 +190,7 @@ def make_draft_job(name: str) -> CoastJob | None:
     if coast.own is None:
         return None
     moment = Moment(bpy.context.scene, rendering=False)
-    return coast.job(_view_of(coast, ob.libocean, ob.libocean_coast, moment))
+    return coast.job(view_of(coast, ob.libocean, ob.libocean_coast, moment))
 
 
 def finish_draft_job(name: str, job: CoastJob) -> None:
@@ -193,7 +200,7 @@ def finish_draft_job(name: str, job: CoastJob) -> None:
         return
     coast = coast_of(name)
     if coast.take_over(job):
-        show(ob, None, Moment(bpy.context.scene, rendering=False, moving=drafts.allowed))
+        _show_with_floats(ob)
     elif isinstance(job.failure, (libocean.Error, MemoryError)):
         text = type(job.failure).__name__
         if isinstance(job.failure, libocean.Error):

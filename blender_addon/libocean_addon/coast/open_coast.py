@@ -56,6 +56,11 @@ class OpenCoast:
     # The sea --------------------------------------------------------------------
 
     @property
+    def sea(self):
+        """The handle, for those who hold the lock and have opened it."""
+        return self._held.sea
+
+    @property
     def state(self) -> dict | None:
         """The state of the sea that the handle has; None before the first one."""
         return self._held.state
@@ -85,6 +90,10 @@ class OpenCoast:
         """Returns whether a job has the handle: a call of it would wait."""
         return self._job is not None and self._job.is_alive()
 
+    def is_at_hand(self) -> bool:
+        """Returns whether the handle is free, and knows where the waves of the values go."""
+        return self._prepared == self.changes and not self.is_busy()
+
     def time_of(self, frame: float) -> float:
         """Returns the sea's time at a frame [s], without the handle."""
         values = self.values.values
@@ -110,7 +119,7 @@ class OpenCoast:
         """Returns whether the whole maps of a view are there, or can be made while a user waits."""
         if self._filled == self.key(view):
             return True
-        if self.is_busy() or self._prepared != self.changes:
+        if not self.is_at_hand():
             return False
         extent = view.region.extent(self.own)
         if self.bed(extent) is None or not self._is_plain(view, extent):
@@ -132,11 +141,9 @@ class OpenCoast:
             extent = view.region.extent(self.own)
             stale = self._stale(image_named, key)
             if (stale or self.bed(extent) is None) and self._filled != key:
-                sea = self._held.sea
-                if self.bed(extent) is None:
-                    self._keep_bed(extent, make_bed(sea, extent, view.time))
+                self.require_bed(extent, view.time)
                 is_plain, begun = self._is_plain(view, extent), time.perf_counter()
-                self._maps = fill_maps(sea, view, extent, self._maps)
+                self._maps = fill_maps(self.sea, view, extent, self._maps)
                 self._note(view, extent, time.perf_counter() - begun, is_plain)
             self._put(image_named, stale, key, extent, self._maps)
         return extent
@@ -154,6 +161,13 @@ class OpenCoast:
         if FOAM in view.fields:
             self._advanced = (self.changes, extent, view.time)
 
+    def require_bed(self, extent: Extent, at: float) -> Bed:
+        """Returns the bed on these samples, made if it is unknown, for those who hold the lock and
+        have opened the handle. at: a time [s]. Raises libocean.Error."""
+        if self.bed(extent) is None:
+            self._keep_bed(extent, make_bed(self.sea, extent, at))
+        return self._bed
+
     def _keep_bed(self, extent: Extent, bed: Bed) -> None:
         self._bed, self._bed_of = bed, (*self._bed_words(), extent)
 
@@ -163,7 +177,7 @@ class OpenCoast:
         water at rest."""
         if self._draft is not None and self._draft.key == self.key(view):
             return self._put_draft(image_named)
-        if self._prepared != self.changes or self.is_busy():
+        if not self.is_at_hand():
             held = self._shown.get(image_named[DISPLACEMENT].name_full)
             return None if held is None else held[1]
         whole = view.region.extent(self.own)
@@ -174,7 +188,7 @@ class OpenCoast:
             stale = self._stale(image_named, key)
             if stale:
                 begun = time.perf_counter()
-                self._maps = fill_maps(self._held.sea, draft, coarse, self._maps, quick=True)
+                self._maps = fill_maps(self.sea, draft, coarse, self._maps, quick=True)
                 self._filled = None
                 seconds = time.perf_counter() - begun
                 self.pace.note(self.pace.size, seconds, max(whole.samples) // 2)
