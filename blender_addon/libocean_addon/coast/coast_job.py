@@ -91,7 +91,7 @@ def fill_maps(
         made[name] = before if fits else images.aligned(extent.shape)
 
     channels = {**CHANNELS, FOAM: _QUICK} if quick else CHANNELS
-    buffers = [(made[name], (*channels[name], "", "")[:4]) for name in view.fields]
+    buffers = [(made[name], (*channels[name], "", "", "")[:4]) for name in view.fields]
     sea.fill_region(view.time, buffers, extent.origin, extent.cell)
     return made
 

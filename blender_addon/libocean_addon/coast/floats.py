@@ -53,7 +53,7 @@ def float_pose(ob, body: tuple[float, ...], moment):
     coast.follow(live.sea_live.current_values(ob.libocean, moment.scene))
     if moment.moving and not coast.is_at_hand():
         return None
-    view = live.view_of(coast, ob.libocean, ob.libocean_coast, moment)
+    view = live.view_of(coast, ob.original, ob, moment)
     with coast.lock:
         coast.open()
         extent = view.region.extent(coast.own)

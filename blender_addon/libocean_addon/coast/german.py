@@ -15,6 +15,7 @@ OPERATORS = {
 TEXTS = {
     "Coast (libocean)": "Küste (libocean)",
     "Bed": "Grund",
+    "Wet ground": "Nasser Grund",
     "Bed: {:.4g} to {:.4g} m": "Grund: {:.4g} bis {:.4g} m",
     "End at the waterline": "An der Wasserlinie enden",
     "Below land": "Unter dem Land",

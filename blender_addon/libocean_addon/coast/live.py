@@ -21,9 +21,9 @@ from ..sea.live import Moment
 from ..shared import console, drafts, hooks, images, meshes, modifier_groups
 from ..shared.native import libocean
 from ..terrain.extent import Extent, ExtentError
-from . import land, node_group
+from . import land, land_nodes, node_group
 from .coast_job import CoastJob, View, quick_fields, region_of
-from .node_group import BLANKS, DISPLACEMENT, FOAM, NORMAL, VELOCITY
+from .node_group import BLANKS, DISPLACEMENT, FOAM, NORMAL, VELOCITY, WETNESS
 from .open_coast import OpenCoast, coast_of
 
 coast_objects = node_group.FAMILY.objects
@@ -40,7 +40,7 @@ def show(ob, depsgraph, moment: Moment) -> None:
         coast.follow(values)
         if coast.own is None:
             coast.open()
-        view = view_of(coast, seen.libocean, seen.libocean_coast, moment)
+        view = view_of(coast, ob, seen, moment)
         for modifier in node_group.modifiers(ob):
             problem = _show_in(ob, coast, modifier, view, moment)
     except ExtentError as failure:
@@ -53,8 +53,9 @@ def show(ob, depsgraph, moment: Moment) -> None:
         settings.problem = problem
 
 
-def view_of(coast: OpenCoast, sea_settings, settings, moment: Moment) -> View:
-    """Returns what is to be seen of a coast, as its panels show it."""
+def view_of(coast: OpenCoast, ob, seen, moment: Moment) -> View:
+    """Returns what is to be seen of the coast of an object. seen: the object, evaluated or not."""
+    sea_settings, settings = seen.libocean, seen.libocean_coast
     at = sea_live.own_time(sea_settings)
     if at is None:
         at = coast.time_of(moment.scene.frame_current_final)
@@ -63,6 +64,7 @@ def view_of(coast: OpenCoast, sea_settings, settings, moment: Moment) -> View:
         VELOCITY: sea_settings.use_velocity,
         NORMAL: sea_settings.use_normal,
         FOAM: sea_settings.use_foam,
+        WETNESS: settings.use_wetness and land.is_ours(ob.libocean_coast.land),
     }
     fields = tuple(name for name, is_used in wanted.items() if is_used)
     return View(at, region_of(settings), fields)
@@ -76,10 +78,11 @@ def _images_of(ob, modifier, fields) -> dict:
     """Returns the images of a modifier by their inputs, made where they are missing."""
     found = {}
     for name in fields:
-        found[name] = modifier_groups.value(modifier, name)
+        owner = land_nodes.require(ob.libocean_coast.land) if name == WETNESS else modifier
+        found[name] = modifier_groups.value(owner, name)
         if found[name] is None:
             found[name] = images.make(ob.name, name.lower(), (1, 1), BLANKS[name])
-            modifier_groups.assign(modifier, {name: found[name]})
+            modifier_groups.assign(owner, {name: found[name]})
     return found
 
 
@@ -106,22 +109,31 @@ def _show_in(ob, coast: OpenCoast, modifier, view: View, moment: Moment) -> str:
         drafts.forget(name, key, more_follows=False)
     if _is_main_thread():
         follow_meshes(ob, whole)
+    _wet_land(ob, coast, WETNESS in view.fields)
     _set_inputs(ob, coast, modifier, shown, fields)
     return ""
+
+
+def _wet_land(ob, coast: OpenCoast, is_wet: bool) -> None:
+    """Sets the inputs of the land's modifier beside the image, or removes it."""
+    ground = ob.libocean_coast.land
+    if not land.is_ours(ground):
+        return
+    modifier = land_nodes.modifier_of(ground)
+    image = modifier_groups.value(modifier, WETNESS) if modifier is not None else None
+    if not is_wet:
+        land_nodes.follow(ground, None)
+    elif image is not None and coast.extent_in(image) is not None:
+        land_nodes.follow(ground, coast.extent_in(image))
 
 
 def _set_inputs(ob, coast: OpenCoast, modifier, shown: Extent, fields) -> None:
     """Sets the inputs of a modifier beside the images. shown: the samples of these."""
     settings = ob.libocean_coast
-    half = tuple(0.5 / count for count in shown.samples)
     modifier_groups.assign(
         modifier,
         {
-            "Map Size": (*shown.map_size, 1.0),
-            "Half Texels": (*half, 0.0),
-            "Low": (*half, 0.0),
-            "High": (*(1.0 - part for part in half), 0.0),
-            "Origin": (*(-first for first in shown.origin), 0.0),
+            **node_group.map_inputs(shown),
             "On Samples": meshes.made_of(ob.data) == _grid_words(shown),
             "Use Velocity": VELOCITY in fields,
             "Use Normal": NORMAL in fields,
@@ -190,7 +202,7 @@ def make_draft_job(name: str) -> CoastJob | None:
     if coast.own is None:
         return None
     moment = Moment(bpy.context.scene, rendering=False)
-    return coast.job(view_of(coast, ob.libocean, ob.libocean_coast, moment))
+    return coast.job(view_of(coast, ob, ob, moment))
 
 
 def finish_draft_job(name: str, job: CoastJob) -> None:

@@ -14,33 +14,34 @@ from ..shared import compat, field_nodes
 from ..shared.field_nodes import Turn
 from ..shared.modifier_groups import Family
 from ..shared.node_builder import Builder
+from ..terrain.extent import Extent
 
 VERSION = 1
 FAMILY = Family("libocean_coast", VERSION)
 modifiers = FAMILY.modifiers
 
 DISPLACEMENT, VELOCITY, NORMAL, FOAM = "Displacement", "Velocity", "Normal", "Foam"
+WETNESS = "Wetness"
 CHANNELS = {
     DISPLACEMENT: ("dx", "dy", "height", "depth"),
     VELOCITY: ("vx", "vy", "vz", "jacobian"),
     NORMAL: ("nx", "ny", "nz", "breaking"),
     FOAM: ("foam", "cover"),
+    WETNESS: ("wetness",),
 }
-"""The channels of the image in each input."""
+"""The channels of the image in each input. The last one is of the group of the land."""
 BLANKS = {
     DISPLACEMENT: (0.0, 0.0, 0.0, 0.0),
     VELOCITY: (0.0, 0.0, 0.0, 1.0),
     NORMAL: (0.0, 0.0, 1.0, 0.0),
     FOAM: (0.0, 0.0, 0.0, 0.0),
+    WETNESS: (0.0, 0.0, 0.0, 0.0),
 }
 """The colours of images that nothing fills: water at rest, wet everywhere."""
 
 
-def _declare(group) -> None:
-    socket = compat.add_socket
-    socket(group, "Geometry", "NodeSocketGeometry")
-    for name, channels in CHANNELS.items():
-        socket(group, name, "NodeSocketImage", description=", ".join(channels))
+def declare_place(group) -> None:
+    """Adds the inputs of place_in_map()."""
     vectors = {
         "Map Size": "Sides of all texels of an image together [m]",
         "Half Texels": "As shares of the map",
@@ -49,7 +50,40 @@ def _declare(group) -> None:
         "Origin": "The place of the object's origin in the map [m]",
     }
     for name, description in vectors.items():
-        socket(group, name, "NodeSocketVector", description=description)
+        compat.add_socket(group, name, "NodeSocketVector", description=description)
+
+
+def map_inputs(extent: Extent) -> dict:
+    """Returns the values of these inputs. extent: the samples of the images."""
+    half = tuple(0.5 / count for count in extent.samples)
+    return {
+        "Map Size": (*extent.map_size, 1.0),
+        "Half Texels": (*half, 0.0),
+        "Low": (*half, 0.0),
+        "High": (*(1.0 - part for part in half), 0.0),
+        "Origin": (*(-first for first in extent.origin), 0.0),
+    }
+
+
+def place_in_map(b: Builder, inputs):
+    """Returns the texture coordinates of a vertex, which end at the outer samples."""
+    place = field_nodes.place_on_map(
+        b,
+        Turn(b, None),
+        origin=inputs["Origin"],
+        period=inputs["Map Size"],
+        half_texel=inputs["Half Texels"],
+    )
+    return b.math("MINIMUM", b.math("MAXIMUM", place, inputs["Low"]), inputs["High"])
+
+
+def _declare(group) -> None:
+    socket = compat.add_socket
+    socket(group, "Geometry", "NodeSocketGeometry")
+    for name, channels in CHANNELS.items():
+        if name != WETNESS:
+            socket(group, name, "NodeSocketImage", description=", ".join(channels))
+    declare_place(group)
     socket(
         group,
         "On Samples",
@@ -108,14 +142,7 @@ def _without_dry(b: Builder, geometry, inputs, depth):
 
 def _displaced(b: Builder, inputs, interpolation: str):
     """Returns the geometry with its attributes, moved and clipped."""
-    place = field_nodes.place_on_map(
-        b,
-        Turn(b, None),
-        origin=inputs["Origin"],
-        period=inputs["Map Size"],
-        half_texel=inputs["Half Texels"],
-    )
-    place = b.math("MINIMUM", b.math("MAXIMUM", place, inputs["Low"]), inputs["High"])
+    place = place_in_map(b, inputs)
     geometry = _stored(b, inputs, place, interpolation)
     offset = b.texture(inputs[DISPLACEMENT], place, interpolation)
     geometry, offset = compat.capture(b.group, geometry, offset)

@@ -22,11 +22,16 @@ from ..shared.open_by_object import OpenByObject
 from ..terrain.extent import Extent
 from .bed_sea import BedSea
 from .coast_job import Bed, CoastJob, Maps, View, fill_maps, make_bed
-from .node_group import DISPLACEMENT, FOAM
+from .node_group import DISPLACEMENT, FOAM, WETNESS
 
 _AT_HAND = 3.0  # [s] of the sea that foam advances while a user waits
 _COARSE, _QUICK = "coarse", "quick"  # begin the keys of drafts
 _OF_BED = ("level", "seabed", "seabed_origin", "seabed_unit", "seabed_sign")
+
+
+def _pasts(view: View) -> tuple[str, ...]:
+    """Returns the fields of a view that the library follows from their past."""
+    return tuple(name for name in view.fields if name in (FOAM, WETNESS))
 
 
 class OpenCoast:
@@ -45,7 +50,7 @@ class OpenCoast:
         self._job: CoastJob | None = None  # that the handle is lent to
         self._draft: CoastJob | None = None  # the quick one that has ended last
         self._prepared = -1  # the changes for which the library knows where waves go
-        self._advanced: tuple | None = None  # changes, extent and time of the last foam
+        self._advanced: tuple | None = None  # changes, extent, fields and time of the last past
         self._bed: Bed | None = None
         self._bed_of: tuple | None = None  # its values and extent
         self._maps: Maps = {}
@@ -127,9 +132,10 @@ class OpenCoast:
         return self._seconds * extent.count < drafts.SECONDS
 
     def _has_past(self, view: View, extent: Extent) -> bool:
-        """Returns whether the library has the past of the foam at hand."""
-        known = self._advanced is not None and self._advanced[:2] == (self.changes, extent)
-        return known and 0.0 <= view.time - self._advanced[2] <= _AT_HAND
+        """Returns whether the library has the past of foam and wet ground at hand."""
+        what = (self.changes, extent, _pasts(view))
+        known = self._advanced is not None and self._advanced[:-1] == what
+        return known and 0.0 <= view.time - self._advanced[-1] <= _AT_HAND
 
     def show(self, view: View, image_named: dict) -> Extent:
         """Fills the images, by the inputs of the node group, with the whole maps of a view. Blocks
@@ -151,15 +157,15 @@ class OpenCoast:
     def _is_plain(self, view: View, extent: Extent) -> bool:
         """Returns whether maps of a view take no more than those of any frame of a shot."""
         is_known = self._prepared == self.changes
-        return is_known and (FOAM not in view.fields or self._has_past(view, extent))
+        return is_known and (not _pasts(view) or self._has_past(view, extent))
 
     def _note(self, view: View, extent: Extent, seconds: float, is_plain: bool) -> None:
         """Notes that the whole maps of a view were made."""
         if is_plain:
             self._seconds = seconds / extent.count
         self._filled, self._prepared = self.key(view), self.changes
-        if FOAM in view.fields:
-            self._advanced = (self.changes, extent, view.time)
+        if _pasts(view):
+            self._advanced = (self.changes, extent, _pasts(view), view.time)
 
     def require_bed(self, extent: Extent, at: float) -> Bed:
         """Returns the bed on these samples, made if it is unknown, for those who hold the lock and
@@ -178,8 +184,7 @@ class OpenCoast:
         if self._draft is not None and self._draft.key == self.key(view):
             return self._put_draft(image_named)
         if not self.is_at_hand():
-            held = self._shown.get(image_named[DISPLACEMENT].name_full)
-            return None if held is None else held[1]
+            return self.extent_in(image_named[DISPLACEMENT])
         whole = view.region.extent(self.own)
         coarse = whole.coarser(whole.step_for(self.pace.size))
         draft = dataclasses.replace(view, fields=tuple(image_named))
@@ -208,6 +213,11 @@ class OpenCoast:
         shown = self._shown.get(image.name_full)
         return shown is not None and shown[0][0] not in (_COARSE, _QUICK)
 
+    def extent_in(self, image) -> Extent | None:
+        """Returns the samples that an image holds; None for one that nothing has filled."""
+        shown = self._shown.get(image.name_full)
+        return None if shown is None else shown[1]
+
     def _stale(self, image_named: dict, key: tuple) -> list[str]:
         for image in image_named.values():
             if images.let_go(image):
@@ -235,8 +245,8 @@ class OpenCoast:
         job = CoastJob(
             self.key(view), held, self.values, self._base_dir, view, lambda: self._held is held
         )
-        # Foam waits for its past, which the water of another sea does not.
-        job.is_quick = self._prepared != self.changes and FOAM in view.fields
+        # Foam and wet ground wait for their past, which the water of another sea does not.
+        job.is_quick = self._prepared != self.changes and bool(_pasts(view))
         if self._bed_of is not None and self._bed_of[:-1] == self._bed_words():
             job.bed_known = self._bed_of[-1]
         if job.bed_known is not None:

@@ -135,6 +135,7 @@ class CoastLookPanel(_Panel, bpy.types.Panel):
         column = layout.column(heading="Attributes")
         for name in ("use_foam", "use_velocity", "use_normal"):
             column.prop(ob.libocean, name)
+        column.prop(settings, "use_wetness")
         _draw_parameters(layout, ob.libocean, LOOK)
 
 

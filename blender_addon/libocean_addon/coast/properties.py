@@ -73,6 +73,13 @@ class CoastSettings(bpy.types.PropertyGroup):
             poll=_is_mesh,
             update=changed,
         ),
+        "use_wetness": bpy.props.BoolProperty(
+            name="Wet ground",
+            description="Give the land the attribute wetness: where waves have been it is dark, and "
+            "dries in half a minute. Its past takes about as long to make as that of the foam",
+            default=False,
+            update=changed,
+        ),
         "problem": bpy.props.StringProperty(
             name="Problem",
             description="Why the coast is not shown as requested",
