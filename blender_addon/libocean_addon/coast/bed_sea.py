@@ -17,10 +17,10 @@ from ..shared.native import libocean
 from ..terrain.extent import Extent
 
 
-def _extent_of(values: SeaValues, state: dict) -> Extent:
-    """Returns the samples of a bed. state: that of its sea."""
+def extent_of(origin: str, state: dict) -> Extent:
+    """Returns the samples of a bed. origin: seabed_origin of its sea; state: of that."""
     bed = state["bed"]
-    origin = json.loads(values.values["seabed_origin"]) or [0.0, 0.0]
+    origin = json.loads(origin) or [0.0, 0.0]
     return Extent(tuple(map(float, origin)), float(bed["cell"]), tuple(bed["samples"]), False)
 
 
@@ -54,7 +54,8 @@ class BedSea:
             raise libocean.Error(
                 tr("The sea has no bed: choose a file for Sea bed, or load a sea that has one"), 0
             )
-        self.values, self.state, self.own = values, state, _extent_of(values, state)
+        self.own = extent_of(values.values["seabed_origin"], state)
+        self.values, self.state = values, state
 
     def close(self) -> None:
         if self.sea is not None:

@@ -23,6 +23,15 @@ def state_of(ob) -> list[tuple[str, str]] | None:
     ]
 
 
+def samples_of(ob) -> tuple[int, int] | None:
+    """Returns columns and rows of the region; None before they are known."""
+    own = coast_of(ob.name_full).own
+    try:
+        return None if own is None else region_of(ob.libocean_coast).extent(own).samples
+    except ExtentError:  # said by the panel
+        return None
+
+
 def sizes_of(ob) -> list[str]:
     """Returns vertices and samples, in words."""
     coast = coast_of(ob.name_full)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How bodies lie on the water of a coast, from the handle that its maps come from.
 
-    place in the axes of the coast -> bed there -> pose, or the reason why nothing floats there
+place in the axes of the coast -> bed there -> pose, or the reason why nothing floats there
 """
 
 from __future__ import annotations

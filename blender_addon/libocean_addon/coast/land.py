@@ -20,20 +20,6 @@ height: that of a beach of moderate slope."""
 _DRY_SAND = 1.0  # [m] of sand above that
 
 
-def is_there(land) -> bool:
-    """Returns whether a land is in use: a deleted one stays in the file as long as the settings of
-    a coast name it."""
-    return land is not None and len(land.users_collection) > 0
-
-
-def is_ours(land) -> bool:
-    """Returns whether a land is in use and may be changed: a linked one stays as its file has
-    it."""
-    if not is_there(land) or land.type != "MESH":
-        return False
-    return land.library is None and land.data.library is None
-
-
 def _write(mesh, name: str, kind: str, values: np.ndarray) -> None:
     layer = mesh.attributes.get(name) or mesh.attributes.new(name, kind, "POINT")
     layer.data.foreach_set("value" if kind == "FLOAT" else "vector", values.ravel())
@@ -47,7 +33,7 @@ def run_up(state: dict) -> float:
 def follow(land, extent: Extent, bed: Bed, wet: float) -> None:
     """Has an object show the bed, unless it does, is linked or being edited. bed: on the samples of
     the extent; wet: the run-up of the waves [m]."""
-    if not is_ours(land) or land.mode != "OBJECT":
+    if not meshes.is_ours(land) or land.mode != "OBJECT":
         return
     heights = bed.heights
 

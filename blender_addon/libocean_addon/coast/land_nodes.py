@@ -7,16 +7,24 @@ ground, as the attribute `wetness`.
 from __future__ import annotations
 
 from ..shared import compat, modifier_groups
-from ..shared.modifier_groups import Family
+from ..shared.modifier_groups import BAKED, Family
 from ..shared.node_builder import Builder
-from .node_group import WETNESS, declare_place, map_inputs, place_in_map
+from .node_group import (
+    WETNESS,
+    LiveFields,
+    PlayedFields,
+    declare_frames,
+    declare_place,
+    map_inputs,
+    place_in_map,
+)
 
 FAMILY = Family("libocean_coast_land", 1)
 
 
-def _get():
-    """Returns the group, made if it is missing."""
-    name = ".libocean.coast_land.v1"
+def get(*, baked: bool = False):
+    """Returns the group, made if it is missing. baked: one that plays a bake."""
+    name = f".libocean.coast_land.v1{' baked' if baked else ''}"
     group = FAMILY.find(name)
     if group is not None:
         return group
@@ -24,12 +32,18 @@ def _get():
     compat.add_socket(group, "Geometry", "NodeSocketGeometry")
     compat.add_socket(group, WETNESS, "NodeSocketImage")
     declare_place(group)
+    if baked:
+        group[BAKED] = True
+        declare_frames(group)
     compat.add_socket(group, "Geometry", "NodeSocketGeometry", output=True)
     compat.hide_inputs(group)
     b = Builder(group)
     inputs = b.node("NodeGroupInput").outputs
-    wetness = b.components(b.texture(inputs[WETNESS], place_in_map(b, inputs), "Linear"))[0]
-    stored = b.store(inputs["Geometry"], "wetness", "FLOAT", wetness)
+    fields = PlayedFields(b, inputs) if baked else LiveFields(b, inputs)
+    geometry, _, (wetness, *_) = fields.captured(
+        inputs["Geometry"], WETNESS, place_in_map(b, inputs), "Linear"
+    )
+    stored = b.store(geometry, "wetness", "FLOAT", wetness)
     b.link(stored, b.node("NodeGroupOutput").inputs[0])
     b.arrange(rows=4, height=240)
     return group
@@ -42,7 +56,7 @@ def modifier_of(land):
 
 def require(land):
     """Returns the modifier of a land that wets it, made if it is missing."""
-    return modifier_of(land) or modifier_groups.add(land, "Wetness", _get)
+    return modifier_of(land) or modifier_groups.add(land, "Wetness", get)
 
 
 def follow(land, extent) -> None:

@@ -21,9 +21,9 @@ from ..sea.live import Moment
 from ..shared import console, drafts, hooks, images, meshes, modifier_groups
 from ..shared.native import libocean
 from ..terrain.extent import Extent, ExtentError
-from . import land, land_nodes, node_group
+from . import coast_bake, land, land_nodes, node_group
 from .coast_job import CoastJob, View, quick_fields, region_of
-from .node_group import BLANKS, DISPLACEMENT, FOAM, NORMAL, VELOCITY, WETNESS
+from .node_group import BLANKS, DISPLACEMENT, FOAM, NORMAL, VELOCITY, WETNESS, grid_words
 from .open_coast import OpenCoast, coast_of
 
 coast_objects = node_group.FAMILY.objects
@@ -32,6 +32,9 @@ coast_objects = node_group.FAMILY.objects
 def show(ob, depsgraph, moment: Moment) -> None:
     """Brings the images and the inputs of a coast up to date, and its meshes where they may be
     changed."""
+    modifiers = node_group.live_modifiers(ob)
+    if not modifiers:
+        return
     seen = ob.evaluated_get(depsgraph) if depsgraph else ob
     coast, settings = coast_of(ob.name_full), ob.libocean_coast
     values = sea_live.current_values(seen.libocean, moment.scene)
@@ -41,7 +44,7 @@ def show(ob, depsgraph, moment: Moment) -> None:
         if coast.own is None:
             coast.open()
         view = view_of(coast, ob, seen, moment)
-        for modifier in node_group.modifiers(ob):
+        for modifier in modifiers:
             problem = _show_in(ob, coast, modifier, view, moment)
     except ExtentError as failure:
         problem = str(failure)
@@ -55,19 +58,10 @@ def show(ob, depsgraph, moment: Moment) -> None:
 
 def view_of(coast: OpenCoast, ob, seen, moment: Moment) -> View:
     """Returns what is to be seen of the coast of an object. seen: the object, evaluated or not."""
-    sea_settings, settings = seen.libocean, seen.libocean_coast
-    at = sea_live.own_time(sea_settings)
+    at = sea_live.own_time(seen.libocean)
     if at is None:
         at = coast.time_of(moment.scene.frame_current_final)
-    wanted = {
-        DISPLACEMENT: True,
-        VELOCITY: sea_settings.use_velocity,
-        NORMAL: sea_settings.use_normal,
-        FOAM: sea_settings.use_foam,
-        WETNESS: settings.use_wetness and land.is_ours(ob.libocean_coast.land),
-    }
-    fields = tuple(name for name, is_used in wanted.items() if is_used)
-    return View(at, region_of(settings), fields)
+    return View(at, region_of(seen.libocean_coast), node_group.wanted_fields(ob, seen))
 
 
 def _is_main_thread() -> bool:
@@ -117,7 +111,7 @@ def _show_in(ob, coast: OpenCoast, modifier, view: View, moment: Moment) -> str:
 def _wet_land(ob, coast: OpenCoast, is_wet: bool) -> None:
     """Sets the inputs of the land's modifier beside the image, or removes it."""
     ground = ob.libocean_coast.land
-    if not land.is_ours(ground):
+    if not meshes.is_ours(ground):
         return
     modifier = land_nodes.modifier_of(ground)
     image = modifier_groups.value(modifier, WETNESS) if modifier is not None else None
@@ -134,7 +128,7 @@ def _set_inputs(ob, coast: OpenCoast, modifier, shown: Extent, fields) -> None:
         modifier,
         {
             **node_group.map_inputs(shown),
-            "On Samples": meshes.made_of(ob.data) == _grid_words(shown),
+            "On Samples": meshes.made_of(ob.data) == grid_words(shown),
             "Use Velocity": VELOCITY in fields,
             "Use Normal": NORMAL in fields,
             "Use Foam": FOAM in fields,
@@ -146,6 +140,8 @@ def _set_inputs(ob, coast: OpenCoast, modifier, shown: Extent, fields) -> None:
 
 def show_all(scene, depsgraph=None, *, rendering: bool = False, passing: bool = False) -> None:
     """Shows all coasts. passing: Blender says that the frame has changed."""
+    if sea_live.is_paused():
+        return
     moving, again = drafts.may_suffice(rendering=rendering, passing=passing)
     moment = Moment(scene, rendering, moving, again)
     for ob in coast_objects():
@@ -157,6 +153,8 @@ def parameters_changed(ob) -> None:
     if not node_group.modifiers(ob):
         return
     ob.update_tag()  # else what is evaluated goes on having the values of before
+    if coast_bake.follow(ob):
+        drafts.forget(ob.name_full, (), more_follows=False)
     _show_with_floats(ob)
 
 
@@ -170,17 +168,13 @@ def _show_with_floats(ob) -> None:
 # Meshes ------------------------------------------------------------------------
 
 
-def _grid_words(extent: Extent) -> str:
-    return f"grid {extent.origin} {extent.cell!r} {extent.samples}"
-
-
 def follow_meshes(ob, extent: Extent) -> None:
     """Makes the grid of the water, and the land as soon as its heights are known. Linked meshes
     stay as their file has them."""
     coast = coast_of(ob.name_full)
     if ob.library is None and ob.data.library is None and ob.mode == "OBJECT":
         along = extent.along(0), extent.along(1)
-        meshes.follow_grid(ob, _grid_words(extent), along)
+        meshes.follow_grid(ob, grid_words(extent), along)
     bed = coast.bed(extent)
     if bed is not None:
         with console.work(ob.name_full, "land"):
@@ -196,7 +190,7 @@ def _named(name: str):
 
 def make_draft_job(name: str) -> CoastJob | None:
     ob = _named(name)
-    if ob is None or ob.libocean_coast.problem:
+    if ob is None or ob.libocean_coast.problem or not node_group.live_modifiers(ob):
         return None
     coast = coast_of(name)
     if coast.own is None:

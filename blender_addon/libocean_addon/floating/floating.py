@@ -14,7 +14,7 @@ import contextlib
 import bpy
 
 from ..sea import live
-from ..shared import changes, drafts
+from ..shared import changes, drafts, meshes
 from ..shared.compat import tr
 from ..shared.drawing import field, never_raises, place_labels, say
 from . import riding
@@ -87,7 +87,7 @@ def is_baked(ob) -> bool:
 
 def ride(ob, depsgraph, moment) -> None:
     """Puts an object on the waves of a moment, or frees it if its ocean is gone."""
-    if not riding.is_there(ob.libocean_float.ocean):
+    if not meshes.is_there(ob.libocean_float.ocean):
         _let_go(ob)
     elif not is_baked(ob):
         riding.ride(ob, depsgraph, moment)

@@ -32,12 +32,6 @@ def is_water(ob) -> bool:
     return bool(node_group.modifiers(ob) or coast_group.modifiers(ob))
 
 
-def is_there(ocean) -> bool:
-    """Returns whether an ocean is in use: a deleted one stays in the file as long as settings of
-    floats name it."""
-    return ocean is not None and len(ocean.users_collection) > 0
-
-
 def constraint_of(ob):
     """The one through which the waves move it; None where there is none."""
     motion = ob.libocean_float.motion
@@ -118,7 +112,9 @@ def _pose(settings, ocean, heading: float, location: Vector, moment):
     local = to_world.inverted() @ Vector((*location.xy, to_world.translation.z))
     place, turn = local, to_world.to_3x3().normalized()
     is_coast = bool(coast_group.modifiers(ocean))
-    if ocean.libocean.follow_world and not is_coast:  # the sea is that of the world, however the mesh lies in it
+    if (
+        ocean.libocean.follow_world and not is_coast
+    ):  # the sea is that of the world, however the mesh lies in it
         place, turn = turn @ local + to_world.translation, Matrix.Identity(3)
     level = Matrix.Rotation(math.radians(heading), 3, "Z")
     body = (
