@@ -4,9 +4,9 @@
 
 usage: blender --background --python renders/blender/scenes.py -- SCENE PICTURE [SAMPLES] [PERCENT]
 
-The add-on must be installed. SCENE is open_sea, dusk, storm, volume, below, coast_dusk or coast_bay; PICTURE ends in .jpg
-or .png. Storm and volume also need the command `ocean` (or another by the environment variable
-OCEAN), and volume OpenVDB's Python module.
+The add-on must be installed. SCENE is open_sea, dusk, storm, volume, below, coast_dusk or
+coast_bay; PICTURE ends in .jpg or .png. Storm and volume also need the command `ocean` (or another
+by the environment variable OCEAN), and volume OpenVDB's Python module.
 """
 
 import atexit

@@ -124,6 +124,24 @@ def test_the_water_ends_where_the_land_rises_above_it(coast):
     assert shown[:, 0].max() < whole[..., 0].max() - CELL
 
 
+def test_no_gap_opens_between_water_and_land(coast, scene):
+    """The water goes on below the land wherever it ends before the border of the region."""
+    for frame in (1, 7, 13):
+        scene.frame_set(frame)
+        mesh = evaluated_mesh(coast)
+        faces = np.array([face.vertices[:] for face in mesh.polygons])
+        sides = np.sort(
+            np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2), axis=1
+        )
+        sides, counts = np.unique(sides, axis=0, return_counts=True)
+        ends = np.unique(sides[counts == 1])
+        label, depth = attribute(coast, "label")[ends, :2], attribute(coast, "depth")[ends]
+        low, high = np.array((10.0, 20.0)), np.array((10.0, 20.0)) + CELL * np.array((40, 30))
+        inside = ((label > low + 1e-3) & (label < high - 1e-3)).all(axis=1)
+        assert inside.sum() > 20
+        assert depth[inside].max() < 0.0
+
+
 def test_the_land_is_the_bed(coast):
     land = coast.libocean_coast.land
     assert land.parent == coast and land.name == "Land"

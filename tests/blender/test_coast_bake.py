@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The bake of a coast plays what was live, to the bit, without the add-on; it is stopped, killed and
-gone on with; its files are those of `ocean bake --region`."""
+"""The bake of a coast plays what was live, to the bit, without the add-on; it goes on after it was
+stopped or killed; its files are those of `ocean bake --region`."""
 
 import os
 import shutil
@@ -33,7 +33,7 @@ def shot(coast, scene, tmp_path):  # noqa: F811
 def seen(ob) -> dict[str, np.ndarray]:
     land = ob.libocean_coast.land
     found = {name: attribute(ob, name) for name in OF_WATER}
-    return {**found, "place": positions(ob), "wetness": attribute(land, "wetness")}
+    return {**found, "place": positions(ob), "wetness": attribute(land, "shore_wetness")}
 
 
 def at_frames(ob) -> list[dict[str, np.ndarray]]:
@@ -251,7 +251,7 @@ want = np.load(arguments[1])
 for frame in (1, 2, 4):
     bpy.context.scene.frame_set(frame)
     depsgraph = bpy.context.evaluated_depsgraph_get()
-    for name, attribute, kind in (("Water", "position", 3), ("Land", "wetness", 1)):
+    for name, attribute, kind in (("Water", "position", 3), ("Land", "shore_wetness", 1)):
         mesh = bpy.data.objects[name].evaluated_get(depsgraph).data
         out = np.empty(kind * len(mesh.vertices), np.float32)
         if attribute == "position":

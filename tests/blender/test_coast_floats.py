@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Objects ride the water of a coast where the library says, follow steps and values, and are refused
-on land."""
+"""Objects ride the water of a coast where the library says, follow steps and values, and are
+refused on land."""
 
 import math
 

@@ -24,7 +24,7 @@ def wetness_of(ob, frame: float) -> np.ndarray:
 def assert_is_wet(ob, frame: float) -> None:
     want = wetness_of(ob, frame)
     assert 0.1 < (want > 0.5).mean() < 0.95
-    assert np.abs(attribute(ob.libocean_coast.land, "wetness") - want).max() <= 1e-5
+    assert np.abs(attribute(ob.libocean_coast.land, "shore_wetness") - want).max() <= 1e-5
 
 
 @pytest.fixture
@@ -38,22 +38,22 @@ def test_the_land_is_as_wet_as_the_library_says(wet, scene):
     for frame in (1, 40, 9):
         scene.frame_set(frame)
         assert_is_wet(wet, frame)
-        shown.append(attribute(wet.libocean_coast.land, "wetness"))
+        shown.append(attribute(wet.libocean_coast.land, "shore_wetness"))
     assert not np.array_equal(shown[0], shown[1])
     assert "use_wetness" in " ".join(drawn_by(panels.CoastLookPanel))
 
 
 def test_another_wind_wets_it_otherwise(wet):
-    before = attribute(wet.libocean_coast.land, "wetness")
+    before = attribute(wet.libocean_coast.land, "shore_wetness")
     wet.libocean.waves[0].wind_speed = 5.0
     assert_is_wet(wet, 1)
-    assert not np.array_equal(attribute(wet.libocean_coast.land, "wetness"), before)
+    assert not np.array_equal(attribute(wet.libocean_coast.land, "shore_wetness"), before)
 
 
 def test_without_it_the_land_has_no_modifier(wet):
     wet.libocean_coast.use_wetness = False
     assert land_nodes.modifier_of(wet.libocean_coast.land) is None
-    assert "wetness" not in evaluated_mesh(wet.libocean_coast.land).attributes
+    assert "shore_wetness" not in evaluated_mesh(wet.libocean_coast.land).attributes
 
 
 def test_a_step_is_undone_and_redone(coast):  # noqa: F811
@@ -62,7 +62,7 @@ def test_a_step_is_undone_and_redone(coast):  # noqa: F811
     bpy.ops.ed.undo_push(message="After")
     bpy.ops.ed.undo()
     ob = bpy.data.objects["Water"]
-    assert "wetness" not in evaluated_mesh(ob.libocean_coast.land).attributes
+    assert "shore_wetness" not in evaluated_mesh(ob.libocean_coast.land).attributes
     bpy.ops.ed.redo()
     assert_is_wet(bpy.data.objects["Water"], 1)
 
@@ -76,9 +76,9 @@ def test_a_file_is_opened_wet(wet, scene, tmp_path):
 
 
 def test_it_is_made_in_the_background(wet, waiting, slow):  # noqa: F811
-    before = attribute(wet.libocean_coast.land, "wetness")
+    before = attribute(wet.libocean_coast.land, "shore_wetness")
     wet.libocean.waves[0].wind_speed = 5.0
-    assert np.array_equal(attribute(wet.libocean_coast.land, "wetness"), before)
+    assert np.array_equal(attribute(wet.libocean_coast.land, "shore_wetness"), before)
     finish()
     drafts.allowed = False
     assert_is_wet(wet, 1)
@@ -91,22 +91,47 @@ def test_a_land_that_is_deleted_takes_its_wetness_along(wet):
     assert wet.libocean_coast.problem == ""
 
 
-def test_wet_sand_is_darker_and_mirrors(sea_file, studio, tmp_path):  # noqa: F811
-    """The colour of the ground, and the light of a uniform sky that a slope sends back."""
+@pytest.fixture
+def ground(sea_file, studio):  # noqa: F811
+    """The node of the land's material, all of sand without the damp band, seen from above."""
     ob = add_coast(sea_file, use_material=True)
-    land = ob.libocean_coast.land
     ob.hide_render = True
     studio.camera.data.ortho_scale = 100.0
     studio.camera.location = (80.0, 80.0, 100.0)
-    material = land.material_slots[0].material
-    (ground,) = [n for n in material.node_tree.nodes if n.type == "GROUP"]
-    ground.inputs["Wet Line"].default_value = -100.0  # without the damp band
-    ground.inputs["Sand Line"].default_value = 100.0
-    seen = {}
-    for name in (False, True):
-        ob.libocean_coast.use_wetness = name
-        shine(land, material, ground.outputs["Colour"])
-        seen[name] = taken(studio, tmp_path)
-    lit = seen[False].mean(axis=2) > 0.0
-    ratio = seen[True].mean(axis=2)[lit] / seen[False].mean(axis=2)[lit]
+    tree = ob.libocean_coast.land.material_slots[0].material.node_tree
+    (found,) = [node for node in tree.nodes if node.type == "GROUP"]
+    found.inputs["Wet Line"].default_value = -100.0
+    found.inputs["Sand Line"].default_value = 100.0
+    return found
+
+
+def dry_and_wet(scene, tmp_path) -> list[np.ndarray]:
+    found = []
+    for is_wet in (False, True):
+        bpy.data.objects["Water"].libocean_coast.use_wetness = is_wet
+        found.append(taken(scene, tmp_path).mean(axis=2))
+    return found
+
+
+def test_wet_sand_is_darker(ground, scene, tmp_path):
+    land = bpy.data.objects["Land"]
+    shine(land, land.material_slots[0].material, ground.outputs["Colour"])
+    dry, wet = dry_and_wet(scene, tmp_path)
+    ratio = wet[dry > 0.0] / dry[dry > 0.0]
     assert ratio.min() < 0.6 and ratio.max() == pytest.approx(1.0, abs=1e-3)
+
+
+def test_wet_sand_mirrors_the_sky(ground, scene, tmp_path):
+    """On black ground water sends back what Fresnel's law says of a white sky: from above 2 %."""
+    for socket in ground.inputs:
+        if socket.name.endswith("Colour"):
+            socket.default_value = (0.0, 0.0, 0.0, 1.0)
+    scene.world = bpy.data.worlds.new("White")
+    scene.world.use_nodes = True
+    scene.world.node_tree.nodes["Background"].inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
+    scene.cycles.samples = 16
+    dry, wet = dry_and_wet(scene, tmp_path)
+    (height, width), land = dry.shape, slice(128, 384)  # within the land's outline
+    assert dry[land, land].max() == 0.0
+    assert wet[land, land].max() == pytest.approx(0.02, rel=0.4)
+    assert height == width == 512

@@ -62,8 +62,8 @@ def _require_one_map(values: sea_text.SeaValues, shown: tuple, before: set) -> N
     if len(before) > 1:
         raise BakeError(
             tr(
-                "The patch size, the resolution, the cascades or the region are animated: "
-                "a bake has one of each"
+                "The size, the resolution, the cascades or the region are animated: a bake has one "
+                "of each"
             )
         )
 

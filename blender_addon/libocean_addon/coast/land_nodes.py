@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The node group of the land of a coast: it reads from an image how wet the waves have left the
-ground, as the attribute `wetness`.
+ground, as the attribute `shore_wetness`; `wetness` is a mask of the streams of a terrain.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from .node_group import (
 )
 
 FAMILY = Family("libocean_coast_land", 1)
+ATTRIBUTE = "shore_wetness"
 
 
 def get(*, baked: bool = False):
@@ -43,7 +44,7 @@ def get(*, baked: bool = False):
     geometry, _, (wetness, *_) = fields.captured(
         inputs["Geometry"], WETNESS, place_in_map(b, inputs), "Linear"
     )
-    stored = b.store(geometry, "wetness", "FLOAT", wetness)
+    stored = b.store(geometry, ATTRIBUTE, "FLOAT", wetness)
     b.link(stored, b.node("NodeGroupOutput").inputs[0])
     b.arrange(rows=4, height=240)
     return group

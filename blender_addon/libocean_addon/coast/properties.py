@@ -75,8 +75,8 @@ class CoastSettings(bpy.types.PropertyGroup):
         ),
         "use_wetness": bpy.props.BoolProperty(
             name="Wet ground",
-            description="Give the land the attribute wetness: where waves have been it is dark, and "
-            "dries in half a minute. Its past takes about as long to make as that of the foam",
+            description="Give the land the attribute shore_wetness: where waves have been it is "
+            "dark, and dries within minutes. Its past takes as long to make as that of foam",
             default=False,
             update=changed,
         ),

@@ -181,7 +181,8 @@ class AddFloat(bpy.types.Operator):
                 settings.ocean = ocean
             ride(ob, None, live.Moment(context.scene, rendering=False, moving=drafts.allowed))
             if settings.problem:
-                self.report({"ERROR"}, f"{ob.name}: {settings.problem}")
+                text = f"{ob.name}: {settings.problem}"
+                self.report({"ERROR"}, text)
                 _let_go(ob)
         is_afloat = any(ob.libocean_float.ocean == ocean for ob in context.selected_objects)
         return {"FINISHED"} if is_afloat else {"CANCELLED"}

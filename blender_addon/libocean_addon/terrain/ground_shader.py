@@ -6,8 +6,8 @@
     object coordinates -> noise of four scales                     -> grass, forest, scree, rock,
     lines, slopes, colours                                         /  snow, sand -> Surface, Colour
     attributes beach, cliff, streambed, flow, wear: sand, rock, scree, forest and shades where the
-    land has them; wetness: dark sand and a film of water; an attribute that is absent reads 0 and
-    changes nothing
+    land has them; shore_wetness: dark sand and a film of water; an attribute that is absent reads
+    0 and changes nothing
 
 Each cover lies over those before it, with an edge that the noise moves up and down. Noise of a
 single scale would make spots all of one size.
@@ -240,7 +240,7 @@ def _build(group) -> None:
     shares = t.nested("ground covers", covers, height, slopes, noise, *by_masks, *given)
     # Sand is dark where waves have wetted it.
     above = t.number("SUBTRACT", height, inputs["Wet Line"])
-    wetness = _mask(t, "wetness")
+    wetness = _mask(t, "shore_wetness")
     dry = t.number("MULTIPLY", t.eased(-0.3, 0.5, above), t.number("SUBTRACT", 1.0, wetness))
     sand = t.mix(inputs["Wet Sand Colour"], inputs["Sand Colour"], dry)
     colour = inputs["Grass Colour"]
