@@ -18,7 +18,7 @@ from ..terrain.extent import Extent, ExtentError
 from . import land_nodes, node_group
 from .bed_sea import extent_of
 from .coast_job import region_of
-from .node_group import FILES, WETNESS, grid_words
+from .node_group import CHANNELS, FILES, WETNESS
 
 
 @dataclasses.dataclass(kw_only=True)
@@ -101,47 +101,29 @@ def _change(modifier, group) -> None:
 
 def _play(ob, modifier, files: list[str]) -> None:
     """Has a modifier play these files of the bake of the record, those that it has."""
-    record = ob.libocean.bake
-    place = bake_record.place_of(ob)
+    record, place = ob.libocean.bake, bake_record.place_of(ob)
     known = record.fields.split(",")
     images = {
         node_group.image_of(file): baked.sequence(ob, place, file) if file in known else None
         for file in files
     }
-    modifier_groups.assign(
-        modifier,
-        {
-            **images,
-            **node_group.map_inputs(bake_record.extent_of(record.extent)),
-            "First": float(record.first),
-            "Last": float(record.last),
-            "Frame Length": record.frame_length,
-        },
-    )
+    frames = {"First": float(record.first), "Last": float(record.last)}
+    frames["Frame Length"] = record.frame_length
+    modifier_groups.assign(modifier, {**images, **frames})
 
 
 def _follow_water(ob, is_playing: bool) -> None:
-    settings, record = ob.libocean, ob.libocean.bake
     for modifier in node_group.modifiers(ob):
         if node_group.is_baked(modifier.node_group) != is_playing:
             _change(modifier, node_group.get(baked=is_playing))
-        if not is_playing:
-            continue
-        files = [file for name in node_group.CHANNELS if name != WETNESS for file in FILES[name]]
-        _play(ob, modifier, files)
-        known = record.fields.split(",")
-        extent = bake_record.extent_of(record.extent)
-        modifier_groups.assign(
-            modifier,
-            {
-                "On Samples": meshes.made_of(ob.data) == grid_words(extent),
-                "Use Velocity": settings.use_velocity and "velocity" in known,
-                "Use Normal": settings.use_normal and "normal" in known,
-                "Use Foam": settings.use_foam and "foam" in known,
-                "Use Clip": ob.libocean_coast.use_clip,
-                "Clip Depth": ob.libocean_coast.clip_depth,
-            },
-        )
+        if is_playing:
+            record = ob.libocean.bake
+            files = [file for name in CHANNELS if name != WETNESS for file in FILES[name]]
+            _play(ob, modifier, files)
+            known = record.fields.split(",")
+            fields = [name for name in node_group.wanted_fields(ob) if FILES[name][0] in known]
+            extent = bake_record.extent_of(record.extent)
+            modifier_groups.assign(modifier, node_group.water_inputs(ob, extent, fields))
 
 
 def _follow_land(ob, is_playing: bool) -> None:
@@ -158,6 +140,7 @@ def _follow_land(ob, is_playing: bool) -> None:
             _change(modifier, land_nodes.get(baked=is_playing))
         if is_playing:
             _play(ob, modifier, list(FILES[WETNESS]))
+            land_nodes.follow(ground, bake_record.extent_of(ob.libocean.bake.extent))
 
 
 def follow(ob) -> bool:

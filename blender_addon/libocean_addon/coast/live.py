@@ -23,7 +23,7 @@ from ..shared.native import libocean
 from ..terrain.extent import Extent, ExtentError
 from . import coast_bake, land, land_nodes, node_group
 from .coast_job import CoastJob, View, quick_fields, region_of
-from .node_group import BLANKS, DISPLACEMENT, FOAM, NORMAL, VELOCITY, WETNESS, grid_words
+from .node_group import BLANKS, DISPLACEMENT, WETNESS, grid_words
 from .open_coast import OpenCoast, coast_of
 
 coast_objects = node_group.FAMILY.objects
@@ -93,7 +93,7 @@ def _show_in(ob, coast: OpenCoast, modifier, view: View, moment: Moment) -> str:
         shown = coast.show_draft(view, image_named) or whole
         fields = view.fields if coast.is_whole(image_named[DISPLACEMENT]) else quick
         if coast.failed is not None and coast.failed[0] == key:
-            _set_inputs(ob, coast, modifier, shown, fields)
+            modifier_groups.assign(modifier, node_group.water_inputs(ob, shown, fields))
             return coast.failed[1]
         drafts.ask(name, key)
     else:
@@ -104,7 +104,7 @@ def _show_in(ob, coast: OpenCoast, modifier, view: View, moment: Moment) -> str:
     if _is_main_thread():
         follow_meshes(ob, whole)
     _wet_land(ob, coast, WETNESS in view.fields)
-    _set_inputs(ob, coast, modifier, shown, fields)
+    modifier_groups.assign(modifier, node_group.water_inputs(ob, shown, fields))
     return ""
 
 
@@ -119,23 +119,6 @@ def _wet_land(ob, coast: OpenCoast, is_wet: bool) -> None:
         land_nodes.follow(ground, None)
     elif image is not None and coast.extent_in(image) is not None:
         land_nodes.follow(ground, coast.extent_in(image))
-
-
-def _set_inputs(ob, coast: OpenCoast, modifier, shown: Extent, fields) -> None:
-    """Sets the inputs of a modifier beside the images. shown: the samples of these."""
-    settings = ob.libocean_coast
-    modifier_groups.assign(
-        modifier,
-        {
-            **node_group.map_inputs(shown),
-            "On Samples": meshes.made_of(ob.data) == grid_words(shown),
-            "Use Velocity": VELOCITY in fields,
-            "Use Normal": NORMAL in fields,
-            "Use Foam": FOAM in fields,
-            "Use Clip": settings.use_clip,
-            "Clip Depth": settings.clip_depth,
-        },
-    )
 
 
 def show_all(scene, depsgraph=None, *, rendering: bool = False, passing: bool = False) -> None:

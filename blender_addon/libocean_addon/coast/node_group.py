@@ -17,7 +17,7 @@ from ..shared.modifier_groups import BAKED, Family
 from ..shared.node_builder import Builder
 from ..terrain.extent import Extent
 
-VERSION = 2
+VERSION = 1
 FAMILY = Family("libocean_coast", VERSION)
 modifiers = FAMILY.modifiers
 
@@ -99,6 +99,21 @@ def map_inputs(extent: Extent) -> dict:
 def grid_words(extent: Extent) -> str:
     """Returns the words by which the grid of the water on these samples is known."""
     return f"grid {extent.origin} {extent.cell!r} {extent.samples}"
+
+
+def water_inputs(ob, extent: Extent, fields) -> dict:
+    """Returns the inputs of the water beside its images. extent: the samples of these; fields: the
+    inputs that are in use."""
+    settings = ob.libocean_coast
+    return {
+        **map_inputs(extent),
+        "On Samples": meshes.made_of(ob.data) == grid_words(extent),
+        "Use Velocity": VELOCITY in fields,
+        "Use Normal": NORMAL in fields,
+        "Use Foam": FOAM in fields,
+        "Use Clip": settings.use_clip,
+        "Clip Depth": settings.clip_depth,
+    }
 
 
 def place_in_map(b: Builder, inputs):
