@@ -308,9 +308,9 @@ def coast_bay(scene) -> None:
     sand    a belt between water and grass, dark where it is wet
     edges   the water ends at the land in a closed line; no step where the map ends"""
     sky(scene, elevation=28.0, azimuth=100.0, strength=0.16, dust=0.8)
-    coast_of((3.0, 3.0, 1530.0, 1530.0), 2.0)
+    coast_of((400.0, 140.0, 1530.0, 1300.0), 2.0)
     scene.frame_set(1)
-    camera(scene, (1750.0, 1250.0, 420.0), (850.0, 760.0, 0.0), 32.0)
+    camera(scene, (1420.0, 1150.0, 600.0), (960.0, 700.0, 0.0), 45.0)
 
 
 def bake(sea: Path, *arguments: str) -> Path:
