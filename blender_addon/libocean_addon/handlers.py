@@ -80,7 +80,7 @@ def _data_replaced(*_) -> None:
     for ob in terrains:
         terrain_live.follow_mesh(ob)
     coast_live.show_all(bpy.context.scene)
-    if oceans:
+    if oceans or coasts:
         live.follow(bpy.context.evaluated_depsgraph_get(), bpy.context.scene)
 
 

@@ -289,24 +289,28 @@ class BakePanel(_Panel, bpy.types.Panel):
 
     @never_raises
     def draw(self, context) -> None:
-        layout, ob = self.layout, context.object
-        settings = ob.libocean
-        place_labels(layout)
-        if bake_record.exists(ob):
-            layout.prop(settings, "use_bake")
-        field(layout, settings.bake, "directory")
-        layout.prop(settings.bake, "use_custom_range")
-        if settings.bake.use_custom_range:
-            column = layout.column(align=True)
-            column.prop(settings.bake, "frame_start")
-            column.prop(settings.bake, "frame_end", text="To", text_ctxt=translations.SEA)
-        row = layout.row(align=True)
-        row.operator(bake.BakeOcean.bl_idname, text="Bake", icon="RENDER_ANIMATION")
-        if bake_record.exists(ob):
-            row.operator(bake.FreeBake.bl_idname, text="Free")
-            row.operator(bake.FreeBake.bl_idname, text="", icon="TRASH").delete_files = True
-        for text, icon in bake_state.state(ob, context.scene):
-            say(layout, text, icon)
+        draw_bake(self.layout, context.object, context.scene)
+
+
+def draw_bake(layout, ob, scene) -> None:
+    """Draws the bake of an ocean or a coast."""
+    settings = ob.libocean
+    place_labels(layout)
+    if bake_record.exists(ob):
+        layout.prop(settings, "use_bake")
+    field(layout, settings.bake, "directory")
+    layout.prop(settings.bake, "use_custom_range")
+    if settings.bake.use_custom_range:
+        column = layout.column(align=True)
+        column.prop(settings.bake, "frame_start")
+        column.prop(settings.bake, "frame_end", text="To", text_ctxt=translations.SEA)
+    row = layout.row(align=True)
+    row.operator(bake.BakeOcean.bl_idname, text="Bake", icon="RENDER_ANIMATION")
+    if bake_record.exists(ob):
+        row.operator(bake.FreeBake.bl_idname, text="Free")
+        row.operator(bake.FreeBake.bl_idname, text="", icon="TRASH").delete_files = True
+    for text, icon in bake_state.state(ob, scene):
+        say(layout, text, icon)
 
 
 class VolumesPanel(_Panel, bpy.types.Panel):

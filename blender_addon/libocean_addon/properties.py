@@ -87,6 +87,8 @@ class OceanBake(bpy.types.PropertyGroup):
     frame_length: bpy.props.FloatProperty(options={"HIDDEN"}, default=1.0)
     sea: bpy.props.StringProperty(options={"HIDDEN"})
     recipes: bpy.props.StringProperty(options={"HIDDEN"})
+    # Of a coast: origin, cell and samples of its region, as JSON; empty: of an ocean.
+    extent: bpy.props.StringProperty(options={"HIDDEN"})
     # JSON of detail_tiles.Band; empty: baked without detail.
     bands: bpy.props.StringProperty(options={"HIDDEN"})
     # By which the files of each frame are known, from the first on; empty: of an earlier version.

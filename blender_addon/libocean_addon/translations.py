@@ -438,8 +438,9 @@ GERMAN = {
             "Die Grenzen der Wellenlänge sind animiert: mit Details der Nähe wird nur je ein Wert "
             "gebacken"
         ),
-        "The patch size, the resolution or the cascades are animated: a bake has one of each": (
-            "Kachelgröße, Auflösung oder Kaskaden sind animiert: gebacken wird nur je ein Wert"
+        "The size, the resolution, the cascades or the region are animated: a bake has one of "
+        "each": (
+            "Größe, Auflösung, Kaskaden oder Region sind animiert: gebacken wird nur je ein Wert"
         ),
         "To write EXR files takes the Python package OpenEXR, which this copy of the add-on does "
         "not have for Python {}: {}": (

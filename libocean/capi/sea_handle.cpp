@@ -130,6 +130,10 @@ OceanOptions ocean::capi::read_options(const ocean_options* given) {
             throw CallError(OCEAN_CANCELLED, "the host's progress function ended the call");
         };
         options.foam_progress = report;
+        options.build_progress = [report](std::string_view, double share) {
+            constexpr double kWhole = 1000.0;
+            report(static_cast<std::int64_t>(kWhole * share), static_cast<std::int64_t>(kWhole));
+        };
         options.interrupt = [report] { report(0, 0); };
     }
     if (asked.run_jobs != nullptr) options.run_jobs = on_host(asked.run_jobs, asked.jobs_user);

@@ -34,18 +34,11 @@ namespace {
 
 LandOptions land_options(const ocean_options* given) {
     OceanOptions options = read_options(given);
-    LandOptions land = {.threads = options.threads,
-                        .run_jobs = std::move(options.run_jobs),
-                        .backend = options.backend,
-                        .interrupt = std::move(options.interrupt)};
-    if (options.foam_progress) {
-        constexpr double kWhole = 1000.0;
-        land.progress = [report = std::move(options.foam_progress)](std::string_view,
-                                                                    double share) {
-            report(static_cast<std::int64_t>(kWhole * share), static_cast<std::int64_t>(kWhole));
-        };
-    }
-    return land;
+    return {.threads = options.threads,
+            .run_jobs = std::move(options.run_jobs),
+            .backend = options.backend,
+            .interrupt = std::move(options.interrupt),
+            .progress = std::move(options.build_progress)};
 }
 
 /// Makes another terrain of the handle: whole, or, where `edit` throws, not at all.

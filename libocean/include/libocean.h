@@ -126,10 +126,10 @@ enum { OCEAN_FOAM_SETTLED, OCEAN_FOAM_EMPTY };
 
 /* The library calls this from the thread that called the library, about a hundred times a second
  * while it works. While it follows foam from its beginning, done and total are ticks; while it
- * builds a land with gullies, streams or a shore, thousandths of the present step of that and 1000;
- * otherwise both are 0. A result other than 0 ends the call, which returns OCEAN_CANCELLED within
- * 50 ms. Outputs of that call are unfinished then; the sea stays usable. The function must not call
- * functions of this sea. */
+ * builds a land with gullies, streams or a shore, or follows the waves over the bed of a sea,
+ * thousandths of the present step of that and 1000; otherwise both are 0. A result other than 0
+ * ends the call, which returns OCEAN_CANCELLED within 50 ms. Outputs of that call are unfinished
+ * then; the sea stays usable. The function must not call functions of this sea. */
 typedef int32_t (*ocean_progress)(void* user, int64_t done, int64_t total);
 
 /* Replaces the library's threads by the host's: runs job(work, 0) .. job(work, count - 1), in any

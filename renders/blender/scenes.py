@@ -4,9 +4,9 @@
 
 usage: blender --background --python renders/blender/scenes.py -- SCENE PICTURE [SAMPLES] [PERCENT]
 
-The add-on must be installed. SCENE is open_sea, dusk, storm, volume or below; PICTURE ends in .jpg
-or .png. Storm and volume also need the command `ocean` (or another by the environment variable
-OCEAN), and volume OpenVDB's Python module.
+The add-on must be installed. SCENE is open_sea, dusk, storm, volume, below, coast_dusk or
+coast_bay; PICTURE ends in .jpg or .png. Storm and volume also need the command `ocean` (or another
+by the environment variable OCEAN), and volume OpenVDB's Python module.
 """
 
 import atexit
@@ -260,6 +260,59 @@ def below(scene) -> None:
     scene.frame_set(73)
 
 
+BEACH = HERE.parent / "coast" / "beach.toml"
+
+
+def coast_of(region: tuple[float, ...], cell: float):
+    """The water and the land of a rectangle of the beach's bed, and still water around it."""
+    enable_addon()
+    bpy.ops.libocean.add_coast(filepath=str(BEACH), cell=50.0, water_type="jerlov_1c")
+    water = bpy.context.object
+    settings = water.libocean_coast
+    settings.region, settings.use_region = region, True
+    settings.cell, settings.use_wetness = cell, True
+    west, south, east, north = region
+    far = 40e3
+    corners = [(x, y, 0.0) for y in (-far, south, north, far) for x in (-far, west, east, far)]
+    squares = [(i, i + 1, i + 5, i + 4) for i in (0, 1, 2, 4, 6, 8, 9, 10)]  # not the middle one
+    mesh = bpy.data.meshes.new("Still water")
+    mesh.from_pydata(corners, [], squares)
+    # The roughness of the waves that it has not, by Cox and Munk's law for 6 m/s.
+    slopes = mesh.attributes.new("slope_variance", "FLOAT", "POINT")
+    slopes.data.foreach_set("value", [0.003 + 0.00512 * 6.0] * len(corners))
+    mesh.materials.append(water.material_slots[0].material)
+    bpy.context.scene.collection.objects.link(bpy.data.objects.new("Still water", mesh))
+    return water
+
+
+def coast_dusk(scene) -> None:
+    """A beach at dusk, from a man's height, against the sun. The list by which it is judged:
+    horizon   a line at the height of the eye, without a step where the map ends
+    surf      two or more lines of white water that break towards the beach
+    wet sand  darker than the dry, mirrors the bright sky, ends in lobes where waves ended
+    land      the headland a silhouette
+    edges     water meets sand in a closed line, without gaps"""
+    sky(scene, elevation=3.0, azimuth=40.0, strength=0.25, dust=2.0)
+    water = coast_of((850.0, 560.0, 1530.0, 1530.0), 1.0)
+    scene.frame_set(1)
+    land = water.libocean_coast.land
+    eye = Vector((905.0, 640.0, 0.0))
+    eye.z = max(v.co.z for v in land.data.vertices if (v.co.xy - eye.xy).length < 1.5) + 1.8
+    camera(scene, eye, eye + Vector((0.7, 0.7, -0.1)), 28.0)
+
+
+def coast_bay(scene) -> None:
+    """The bay from above, in the afternoon. The list by which it is judged:
+    waves   the swell bends into the bay and around the island, calm in its lee
+    surf    white where it is shallow: along the beach, at the feet of headland and cape
+    sand    a belt between water and grass, dark where it is wet
+    edges   the water ends at the land in a closed line; no step where the map ends"""
+    sky(scene, elevation=28.0, azimuth=100.0, strength=0.16, dust=0.8)
+    coast_of((400.0, 140.0, 1530.0, 1300.0), 2.0)
+    scene.frame_set(1)
+    camera(scene, (1420.0, 1150.0, 600.0), (960.0, 700.0, 0.0), 45.0)
+
+
 def bake(sea: Path, *arguments: str) -> Path:
     """Volumes of a sea's first frame, by the command in OCEAN."""
     folder = Path(tempfile.mkdtemp(prefix="libocean-"))
@@ -270,7 +323,15 @@ def bake(sea: Path, *arguments: str) -> Path:
     return output
 
 
-SCENES = {"open_sea": open_sea, "dusk": dusk, "storm": storm, "volume": volume, "below": below}
+SCENES = {
+    "open_sea": open_sea,
+    "dusk": dusk,
+    "storm": storm,
+    "volume": volume,
+    "below": below,
+    "coast_dusk": coast_dusk,
+    "coast_bay": coast_bay,
+}
 
 
 def main() -> None:

@@ -422,7 +422,7 @@ def test_sizes_are_told(scene, sea, kind):
     bands = [planes for field, planes in one.items() if field.startswith("detail")]
     assert len(bands) == 3
     samples = sum(plane.size for planes in one.values() for plane in planes.values())
-    assert bake_plan.size_estimate(sea, 64, 5) == 5 * 4 * samples
+    assert bake_plan.size_estimate(sea, (64, 64), 5) == 5 * 4 * samples
     size = sum(path.stat().st_size for path in folder.iterdir())
     said = [text for text, _ in bake_state.state(sea, scene)]
     assert f"3 of 3 frames, {size / 1e6:.1f} MB" in said

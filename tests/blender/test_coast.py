@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from conftest import add_ocean, attribute, evaluated_mesh, positions, rest
 from libocean_addon.bundled import libocean
-from libocean_addon.coast import open_coast, panels
+from libocean_addon.coast import coast_job, open_coast, panels
 from libocean_addon.sea import live as sea_live
 from libocean_addon.shared import drafts, drawing
 from test_panel import NARROW, ROW, NarrowLayout
@@ -124,6 +124,24 @@ def test_the_water_ends_where_the_land_rises_above_it(coast):
     assert shown[:, 0].max() < whole[..., 0].max() - CELL
 
 
+def test_no_gap_opens_between_water_and_land(coast, scene):
+    """The water goes on below the land wherever it ends before the border of the region."""
+    for frame in (1, 7, 13):
+        scene.frame_set(frame)
+        mesh = evaluated_mesh(coast)
+        faces = np.array([face.vertices[:] for face in mesh.polygons])
+        sides = np.sort(
+            np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2), axis=1
+        )
+        sides, counts = np.unique(sides, axis=0, return_counts=True)
+        ends = np.unique(sides[counts == 1])
+        label, depth = attribute(coast, "label")[ends, :2], attribute(coast, "depth")[ends]
+        low, high = np.array((10.0, 20.0)), np.array((10.0, 20.0)) + CELL * np.array((40, 30))
+        inside = ((label > low + 1e-3) & (label < high - 1e-3)).all(axis=1)
+        assert inside.sum() > 20
+        assert depth[inside].max() < 0.0
+
+
 def test_the_land_is_the_bed(coast):
     land = coast.libocean_coast.land
     assert land.parent == coast and land.name == "Land"
@@ -149,9 +167,10 @@ def test_water_and_land_have_materials(sea_file):
 
 
 def test_the_automatic_cell_gives_the_longer_side_512_samples(sea_file, monkeypatch):
-    monkeypatch.setattr(open_coast, "AUTOMATIC", 64)
+    monkeypatch.setattr(coast_job, "AUTOMATIC", 64)
     ob = add_coast(sea_file, cell=0.0)
-    assert open_coast.coast_of(ob.name_full).extent.samples == (64, 48)
+    own = open_coast.coast_of(ob.name_full).own
+    assert coast_job.region_of(ob.libocean_coast).extent(own).samples == (64, 48)
     assert len(ob.data.vertices) == 64 * 48
 
 

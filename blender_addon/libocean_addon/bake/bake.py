@@ -9,7 +9,10 @@ import threading
 import bpy
 
 from .. import operators
-from ..shared import changes, compat, console, messages, overrides
+from ..coast import node_group as coast_group
+from ..coast.coast_bake import CoastBake
+from ..sea import messages
+from ..shared import changes, compat, console, overrides
 from ..shared.compat import tr, tr_label
 from . import bake_files, bake_job, bake_record, exr_files
 from .bake_plan import Bake, BakeError, Work, asked_range
@@ -31,15 +34,25 @@ running: Work | None = None
 """The work that a user waits for; a single one, since there is one status bar."""
 
 
+def _is_own(cls, context) -> bool:
+    if context.object.library is None:
+        return True
+    cls.poll_message_set(tr("The object is linked: bake it in its own file"))
+    return False
+
+
 class _OnOwnOcean(operators.OnOcean):
     @classmethod
     def poll(cls, context) -> bool:
-        if not super().poll(context):
-            return False
-        if context.object.library is None:
-            return True
-        cls.poll_message_set(tr("The object is linked: bake it in its own file"))
-        return False
+        return super().poll(context) and _is_own(cls, context)
+
+
+class _OnOwnSea(operators.OnSea):
+    """Base of operators on an ocean or the water of a coast."""
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        return super().poll(context) and _is_own(cls, context)
 
 
 class Frames(_OnOwnOcean):
@@ -169,7 +182,7 @@ class Frames(_OnOwnOcean):
             context.workspace.status_text_set(None)
 
 
-class BakeOcean(Frames, bpy.types.Operator):
+class BakeOcean(_OnOwnSea, Frames, bpy.types.Operator):
     """Write the sea of each frame as files, and play those: rendering them takes neither the
     add-on nor the library. Existing files of the same sea are kept. ESC stops it"""
 
@@ -177,10 +190,11 @@ class BakeOcean(Frames, bpy.types.Operator):
     bl_label = "Bake Ocean"
 
     def begin(self, context, shot: tuple[int, int]) -> Bake:
-        return Bake(context, context.object, self.directory, shot, overwrite=self.overwrite)
+        kind = CoastBake if coast_group.modifiers(context.object) else Bake
+        return kind(context, context.object, self.directory, shot, overwrite=self.overwrite)
 
 
-class FreeBake(_OnOwnOcean, bpy.types.Operator):
+class FreeBake(_OnOwnSea, bpy.types.Operator):
     """Show the live sea again and forget the bake"""
 
     bl_idname = "libocean.free_bake"
@@ -213,7 +227,7 @@ class FreeBake(_OnOwnOcean, bpy.types.Operator):
         with changes.quiet():
             ob.libocean.use_bake = False
             ob.libocean.bake.fields = ""
-            ob.libocean.problem = ""
+            ob.libocean.problem = ob.libocean_coast.problem = ""
         changes.tell(ob)
         if not self.delete_files:
             return {"FINISHED"}

@@ -106,13 +106,17 @@ class Expected:
     sea: str | None = None
     """The mark of the one sea of all frames."""
     resolution: int | None = None
+    region: tuple[int, int] | None = None
+    """Rows and columns of the images of a region."""
 
     def fault(self, found: Identity, frame: int, field: str | None) -> Fault | None:
         """Returns FOREIGN where a file shows anything else than this frame. field: of an image."""
         is_other = bool(found.frame) and found.frame != str(frame)
         if field is not None:
             is_other |= bool(found.field) and found.field != field
-            if self.resolution is not None:
+            if self.region is not None:
+                is_other |= found.size != self.region
+            elif self.resolution is not None:
                 is_other |= found.size != exr_files.shape(field, self.resolution)
         if frame in self.frame_marks:
             is_other |= found.frame_mark != self.frame_marks[frame]

@@ -65,8 +65,14 @@ class Job:
         `failure`."""
         try:
             self._run(tell)
+        except _StoppedError:
+            return
         except Exception as failure:  # of the library, the disk, OpenEXR: a thread has no caller
             self.failure = failure
+
+    def _watch(self, _done: int, _total: int) -> None:
+        if self.stop.is_set():
+            raise _StoppedError
 
     def _run(self, tell: Callable[[], None]) -> None:
         sea, text = None, ""
@@ -75,7 +81,7 @@ class Job:
                 if sea is None or frame.sea != text:
                     if sea is not None:
                         sea.close()
-                    sea = libocean.parse(frame.sea, base_dir=self.base_dir)
+                    sea = libocean.parse(frame.sea, base_dir=self.base_dir, progress=self._watch)
                     text, resolved = frame.sea, sea.text
                 timed = frame.timed(sea)
                 if not self._bake(sea, resolved, timed):
@@ -93,6 +99,10 @@ class Job:
         """Writes the files of a frame that are missing. Returns whether all of them are present
         now: not if the job was stopped."""
         raise NotImplementedError
+
+
+class _StoppedError(Exception):
+    """The user has stopped a job while the library was at work."""
 
 
 class OtherTilesError(Exception):

@@ -41,27 +41,29 @@ def with_margins(first: int, last: int) -> tuple[int, int]:
     return max(first - 1, 0), last + 1
 
 
-def size_estimate(ob, resolution: int, frames: int) -> int:
-    """Returns the max size of a bake [bytes]."""
+def size_estimate(ob, samples: tuple[int, int], frames: int) -> int:
+    """Returns the max size of a bake [bytes]. samples: columns and rows of its maps."""
     fields = bake_record.wanted_fields(ob.libocean)
     if detail.is_wanted(ob.libocean):  # the library says how many bands there are, not at once
         fields = [*fields, *exr_files.DETAIL]
-    samples = 0
+    is_ocean = bool(node_group.modifiers(ob))
+    numbers = 0
     for field in fields:
-        rows, columns = exr_files.shape(field, resolution)
-        samples += rows * columns * len(exr_files.channels(field))
-    return frames * 4 * samples
+        columns, rows = reversed(exr_files.shape(field, samples[0])) if is_ocean else samples
+        numbers += rows * columns * len(exr_files.channels(field))
+    return frames * 4 * numbers
 
 
-def _require_one_map(values: sea_text.SeaValues, resolution: int, before: set) -> None:
-    """Raises BakeError unless all frames have one period and one size."""
+def _require_one_map(values: sea_text.SeaValues, shown: tuple, before: set) -> None:
+    """Raises BakeError unless all frames have one period, one size and one region. shown: the last
+    two, of this frame."""
     names = ("patch_size", "resolution", "cascades")
-    before.add((resolution, *(values.values[name] for name in names)))
+    before.add((*shown, *(values.values[name] for name in names)))
     if len(before) > 1:
         raise BakeError(
             tr(
-                "The patch size, the resolution or the cascades are animated: "
-                "a bake has one of each"
+                "The size, the resolution, the cascades or the region are animated: a bake has one "
+                "of each"
             )
         )
 
@@ -93,7 +95,8 @@ def _plan(context, ob, first: int, last: int) -> tuple[list[bake_job.Frame], dic
 
     def add(number: int, at: float, settings) -> None:
         values = live.current_values(settings, scene)
-        _require_one_map(values, settings.render_resolution, maps)
+        shown = (settings.render_resolution, bake_record.region_of(settings))
+        _require_one_map(values, shown, maps)
         frames.append(bake_job.Frame(number, at, values.text(), live.own_time(settings)))
         recipes[str(number)] = bake_record.recipe(settings, values)
 
@@ -166,6 +169,8 @@ class Work:
     """A job for an object, from its plan to the changed object."""
 
     job: bake_job.Job
+    modifiers = staticmethod(node_group.modifiers)
+    """Returns the modifiers by which an object is known to be still that of the work."""
 
     def __init__(self, ob, shot: tuple[int, int]) -> None:
         if shot[1] < shot[0]:
@@ -182,7 +187,7 @@ class Work:
         """Returns the object, not one of the copies that were made of it meanwhile."""
         found = [ob for ob in bpy.data.objects if ob.library is None and self.is_of(ob)]
         ob = min(found, key=lambda ob: ob.name != self.object_name, default=None)
-        if ob is None or not node_group.modifiers(ob):
+        if ob is None or not self.modifiers(ob):
             text = tr("{} is gone; its files are in {}", self.object_name, self.folder)
             raise BakeError(text)
         return ob
@@ -219,9 +224,7 @@ class Bake(Work):
         base_dir = bpy.path.abspath("//") or None
         try:
             with libocean.parse(frames[0].sea, base_dir=base_dir) as sea:
-                resolution = ob.libocean.render_resolution or sea.map_resolution()
-                self.period = float(sea.get("patch_size"))
-                self.samples = live.samples_of(ob.libocean, sea.map_resolution())
+                self._look(ob, sea)
             is_chosen = bool(asked or ob.libocean.bake.directory)
             place = bake_record.next_place(ob, self.recipes, asked)
             _require_own(ob, place, self.recipes)
@@ -230,18 +233,40 @@ class Bake(Work):
             self.folder, self.stem = place.folder, place.stem
         except libocean.Error as failure:
             raise BakeError(messages.of_error(failure)) from failure
-        self.job = bake_job.MapJob(
+        self.job = self._make_job(
+            ob,
             folder=make_folder(self.folder),
             stem=self.stem,
             frames=frames,
             fields=bake_record.wanted_fields(ob.libocean),
-            use_detail=detail.is_wanted(ob.libocean),
-            resolution=resolution,
             base_dir=base_dir,
             overwrite=overwrite,
             package=package,
         )
         ob.libocean.bake.begun = self.folder
+
+    def _look(self, ob, sea) -> None:
+        """Notes what the object and the sea of its first frame say of the maps."""
+        self.resolution = ob.libocean.render_resolution or sea.map_resolution()
+        self.period = float(sea.get("patch_size"))
+        self.samples = live.samples_of(ob.libocean, sea.map_resolution())
+
+    def _make_job(self, ob, **settings) -> bake_job.Job:
+        use_detail = detail.is_wanted(ob.libocean)
+        return bake_job.MapJob(**settings, resolution=self.resolution, use_detail=use_detail)
+
+    def _follow(self, ob) -> None:
+        """Has the object show the live sea or the bake, as its settings say."""
+        baked.follow(ob, node_group.modifiers(ob))
+
+    def _note(self, record) -> None:
+        """Writes what is of these maps alone into the record."""
+        job = self.job
+        record.extent = ""
+        record.resolution, record.period = job.resolution, self.period
+        record.samples, record.slope_variance = self.samples, job.slope_variance
+        record.cover_power = job.cover_power
+        record.bands = json.dumps(job.bands) if job.use_detail else ""
 
     def finish(self) -> str:
         """Has the object play its bake."""
@@ -250,14 +275,11 @@ class Bake(Work):
         with changes.quiet():
             # Live first: playing, the folder would be that of the bake before.
             settings.use_bake = False
-            baked.follow(ob, node_group.modifiers(ob))
+            self._follow(ob)
             record.fields = ",".join(job.fields)
             record.folder, record.stem = self.folder, self.stem
             record.first, record.last = self.range
-            record.resolution, record.period = job.resolution, self.period
-            record.samples, record.slope_variance = self.samples, job.slope_variance
-            record.cover_power = job.cover_power
-            record.bands = json.dumps(job.bands) if job.use_detail else ""
+            self._note(record)
             record.frame_length = self.frame_length
             record.sea = job.first_sea
             record.recipes = json.dumps(self.recipes)

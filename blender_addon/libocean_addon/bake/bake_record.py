@@ -16,10 +16,13 @@ from pathlib import Path
 
 import bpy
 
+from ..coast import coast_job
+from ..coast import node_group as coast_group
 from ..look import detail
 from ..sea import node_group, sea_text
 from ..shared import modifier_groups, overrides, paths
 from ..shared.compat import tr
+from ..terrain.extent import Extent
 from . import bake_files, exr_files
 
 
@@ -36,6 +39,8 @@ def wanted_fields(settings) -> list[str]:
         "normal": "use_normal",
         "jacobian": "use_velocity",
     }
+    if coast_group.modifiers(settings.id_data):
+        return [*coast_group.wanted_files(settings.id_data)]
     near = ["displacement", *(field for field, use in switches.items() if getattr(settings, use))]
     if settings.kind != "HORIZON":
         return near
@@ -79,13 +84,15 @@ class Place:
         return mine == its
 
 
-def _playing(ob) -> list:
-    return [m for m in node_group.modifiers(ob) if node_group.is_baked(m.node_group)]
+def playing(ob) -> list:
+    """Returns the modifiers of an object that play a bake."""
+    found = node_group.modifiers(ob) or coast_group.modifiers(ob)
+    return [modifier for modifier in found if modifier_groups.BAKED in modifier.node_group]
 
 
 def shown_image(ob):
     """The image that the playing modifier displaces by; None where there is none."""
-    images = (modifier_groups.value(modifier, "Displacement") for modifier in _playing(ob))
+    images = (modifier_groups.value(modifier, "Displacement") for modifier in playing(ob))
     return next((image for image in images if image is not None), None)
 
 
@@ -145,10 +152,16 @@ def _goes_on(ob, recipes: dict[str, str], asked: str) -> bool:
 # The sea of a bake -------------------------------------------------------------
 
 
+def region_of(settings) -> str:
+    """Returns the region of a coast, in words; "" for an ocean."""
+    ob = settings.id_data
+    return f" {coast_job.region_of(ob.libocean_coast)}" if coast_group.modifiers(ob) else ""
+
+
 def recipe(settings, values: sea_text.SeaValues) -> str:
     """A short text that is another one where the sea shown at a frame is."""
     time = settings.custom_time if settings.use_custom_time else None
-    whole = f"{time} {settings.render_resolution}\n{values.text()}"
+    whole = f"{time} {settings.render_resolution}{region_of(settings)}\n{values.text()}"
     return hashlib.sha256(whole.encode()).hexdigest()[:16]
 
 
@@ -172,20 +185,33 @@ def is_other_sea(ob, scene, values: sea_text.SeaValues) -> bool:
     return baked is not None and baked != recipe(ob.libocean, values)
 
 
+def extent_of(words: str) -> Extent:
+    """Returns the samples of the bake of a coast, from the words of its record."""
+    origin, cell, samples = json.loads(words)
+    return Extent(tuple(origin), cell, tuple(samples), wraps=False, is_own=False)
+
+
+def extent_words(extent: Extent) -> str:
+    return json.dumps([extent.origin, extent.cell, extent.samples])
+
+
 @functools.lru_cache(maxsize=16)
 def _expected(
-    first: int, marks: str, sea: str, recipes: str, resolution: int
+    first: int, marks: str, sea: str, recipes: str, resolution: int, extent: str
 ) -> bake_files.Expected:
     # A bake of an earlier version has no marks, but a sea where all frames have the same.
     one_sea = bake_files.sea_mark(sea) if sea and "" in _recipes(recipes) else None
     by_frame = dict(enumerate(marks.split(), first))
-    return bake_files.Expected(by_frame, one_sea, resolution)
+    region = extent_of(extent).shape if extent else None
+    return bake_files.Expected(by_frame, one_sea, resolution, region)
 
 
 def expected(ob) -> bake_files.Expected:
     """Returns what the files of the bake must show, by the object's record."""
     record = ob.libocean.bake
-    return _expected(record.first, record.marks, record.sea, record.recipes, record.resolution)
+    return _expected(
+        record.first, record.marks, record.sea, record.recipes, record.resolution, record.extent
+    )
 
 
 def played_fields(ob) -> list[str]:

@@ -7,6 +7,8 @@ from __future__ import annotations
 import json
 import os
 
+from ..coast import facts as coast_facts
+from ..coast import node_group as coast_group
 from ..sea import facts, live
 from ..shared.compat import tr_label
 from ..volumes import volumes
@@ -59,21 +61,28 @@ def of_volumes(ob, scene) -> list[tuple[str, str]]:
     return _of_what_runs(ob) or [(text, "DISK_DRIVE")]
 
 
+def _samples(ob) -> tuple[int, int] | None:
+    """Returns columns and rows of the maps of the next bake; None before they are known."""
+    if coast_group.modifiers(ob):
+        return coast_facts.samples_of(ob)
+    resolution = ob.libocean.render_resolution or facts.map_resolution(ob)
+    return (resolution, resolution) if resolution else None
+
+
 def state(ob, scene) -> list[tuple[str, str]]:
     """Returns the lines about the bake of an object, with icons."""
     if running := _of_what_runs(ob):
         return running
     lines = _of_the_bake(ob, scene) if bake_record.exists(ob) else []
-    resolution = ob.libocean.render_resolution or facts.map_resolution(ob)
-    if resolution:
+    samples = _samples(ob)
+    if samples is not None:
         first, last = with_margins(*asked_range(ob, scene))
-        most = size_estimate(ob, resolution, max(last - first + 1, 0))
+        most = size_estimate(ob, samples, max(last - first + 1, 0))
         text = tr_label(
             "Frames {} to {} of {} x {} samples: {} at most, in {}",
             first,
             last,
-            resolution,
-            resolution,
+            *samples,
             _bytes(most),
             bake_record.next_place(ob, _recipes_now(ob, scene)).folder,
         )

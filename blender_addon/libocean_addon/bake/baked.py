@@ -27,7 +27,7 @@ FILES |= {node_group.far_image(name): exr_files.far(file) for name, file in FILE
 # Images -----------------------------------------------------------------------
 
 
-def _sequence(ob, place: bake_record.Place, field: str):
+def sequence(ob, place: bake_record.Place, field: str):
     """Returns the image of a field's files. The first file, which the sequence is named by, may be
     absent: bake_record.faults says which files are."""
     between = "" if place.folder.endswith(("/", "\\")) else "/"
@@ -59,7 +59,7 @@ def _clear_inputs(modifier) -> set:
     return images
 
 
-def _remove_unused(images: set) -> None:
+def remove_unused(images: set) -> None:
     """Removes images without users. Image sequences that are in use, or by Blender's count
     overridden, read their files again: these may be other ones by now."""
     for image in images:
@@ -77,7 +77,7 @@ def _change_group(modifier, *, to_baked: bool) -> None:
     images = _clear_inputs(modifier)
     kind = node_group.kind_of(modifier.node_group)
     modifier.node_group = node_group.get(kind, baked=to_baked)
-    _remove_unused(images)
+    remove_unused(images)
 
 
 def _serves(ob, modifier) -> bool:
@@ -108,7 +108,7 @@ def _change(ob, modifier) -> None:
         return
     images = _clear_inputs(modifier)
     ob.modifiers.remove(modifier)
-    _remove_unused(images)
+    remove_unused(images)
     for other in theirs:
         overrides.restore(ob, other)
 
@@ -123,7 +123,7 @@ def _set_inputs(ob, modifier) -> None:
         folder = bpy.path.relpath(path) if bpy.data.filepath else path
         place = bake_record.Place(paths.normal(folder), place.stem)
     images = {
-        name: _sequence(ob, place, FILES[name]) if FILES[name] in fields else None
+        name: sequence(ob, place, FILES[name]) if FILES[name] in fields else None
         for name in node_group.image_inputs(modifier.node_group)
     }
     if overrides.is_librarys(ob, modifier):  # whose paths go from the library's file
@@ -203,7 +203,7 @@ def show_detail(ob) -> None:
         """None: the files of before are gone, and the material goes without."""
         field = exr_files.DETAIL[number]
         return (
-            _sequence(ob, place, field) if os.path.exists(place.file(field, record.first)) else None
+            sequence(ob, place, field) if os.path.exists(place.file(field, record.first)) else None
         )
 
     detail.play(ob, bands, (record.first, record.last), load)

@@ -96,26 +96,26 @@ class BakedFields:
     def half_texel(self):
         return self.inputs["Half Texel"]
 
-    def _read(self, name: str, place, interpolation: str):
+    def read(self, name: str, place, interpolation: str):
         """The images before and after."""
         image, frames = self.inputs[name], (self.before, self.after)
         return (self.b.texture(image, place, interpolation, frame) for frame in frames)
 
-    def _from_file(self, color, alpha):
+    def from_file(self, color, alpha):
         """The vector, from the axes tnb: (x, z, y)."""
         x, z, y = self.b.parts(color)
         return self.b.color(x, y, z, alpha)
 
     def color(self, field: str, place, interpolation: str):
-        mixed = self.b.mix(*self._read(field, place, interpolation), self.fraction)
-        return self._from_file(mixed, self.lost_slopes())
+        mixed = self.b.mix(*self.read(field, place, interpolation), self.fraction)
+        return self.from_file(mixed, self.lost_slopes())
 
     def far(self, field: str, place):
-        images = self._read(ring_nodes.far_image(field), place, "Linear")
+        images = self.read(ring_nodes.far_image(field), place, "Linear")
         if not self.has_alpha(field):
-            return self._from_file(self.b.mix(*images, self.fraction), 1.0)
+            return self.from_file(self.b.mix(*images, self.fraction), 1.0)
         mixed = self.b.mix_colors(*images, self.fraction)
-        return self._from_file(mixed, self.b.alpha(mixed))
+        return self.from_file(mixed, self.b.alpha(mixed))
 
     def has_alpha(self, field: str) -> bool:
         """Returns whether the fourth component of a field holds the variance of the slopes left

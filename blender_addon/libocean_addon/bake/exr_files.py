@@ -25,16 +25,20 @@ import numpy as np
 
 from ..look import detail_tiles
 from ..sea import atlas
+from ..terrain.extent import Extent
 
 EARLIER_STEM = "sea"
 """The stem of files of earlier versions; now it is the name of the blend file."""
 _TEMPORARY = ".baking"
 _MAPS = ("displacement", "cover", "velocity", "normal", "jacobian")
-_NUMBERS = ("cover", "jacobian")  # all else has three components
+_OF_COASTS = ("depth", "breaking", "foam", "wetness")
+_NUMBERS = ("cover", "jacobian", *_OF_COASTS)  # all else has three components
+_ALIKE = {"depth": "height", "breaking": "foam", "wetness": "foam"}
+"""Fields of every sea with the units of those that a coast alone has."""
 _FAR = "_far"  # after a field's name: the coarser maps of a horizon (atlas.py)
 DETAIL = tuple(f"detail{number + 1}" for number in range(detail_tiles.MOST_BANDS))
 """Slope tiles, those of the longest waves first: slopes along x and y, and an empty channel."""
-FIELDS = (*_MAPS, *(f"{field}{_FAR}" for field in _MAPS), *DETAIL)
+FIELDS = (*_MAPS, *_OF_COASTS, *(f"{field}{_FAR}" for field in _MAPS), *DETAIL)
 AXES = "tnb"  # (x, z, y), the default of `ocean bake`
 PYTHON = f"{sys.version_info[0]}.{sys.version_info[1]}"
 
@@ -97,15 +101,35 @@ class Provenance:
     time: float
     """[s]"""
     resolution: int
+    """Samples a side of a map; 0 with an extent."""
+    extent: Extent | None = None
+    """The samples of a region."""
     detail: object = None
     """The libocean.Detail of the frame; needed to write slope tiles, not to recognise them."""
 
     def strings(self, field: str) -> dict[str, str]:
         """Returns the strings of a field's header. Far maps name themselves beside their field."""
+        if self.extent is not None:
+            return {**self._strings_of_region(field), "ocean:field": field}
         product = field.removesuffix(_FAR)
         how = {"axes": AXES, "resolution": self.resolution, "detail": self.detail}
         strings = self.sea.provenance(self.frame, self.time, product, **how)
         return {**strings, "ocean:field": field}
+
+    def _strings_of_region(self, field: str) -> dict[str, str]:
+        axes = "zup" if channels(field) == "Y" else AXES
+        alike = _ALIKE.get(field, field)
+        strings = self.sea.provenance(self.frame, self.time, alike, axes=axes)
+        strings.pop("ocean:period", None)  # a region does not repeat
+        extent = self.extent
+        numbers = {"origin": extent.origin, "size": extent.size, "samples": extent.samples}
+        for name, pair in numbers.items():
+            strings[f"ocean:{name}"] = ",".join(repr(part).removesuffix(".0") for part in pair)
+        return {**strings, "ocean:resolution": str(extent.samples[0]), "ocean:wraps": "no"}
+
+    def shape(self, field: str) -> tuple[int, int]:
+        """Returns the rows and columns of a field's file."""
+        return shape(field, self.resolution) if self.extent is None else self.extent.shape
 
 
 class FileError(Exception):
@@ -261,7 +285,7 @@ def is_there(file_path: Path, provenance: Provenance, field: str) -> bool:
         with open(file_path, "rb") as file:
             reader = _Reader(file)
             found = _attributes(reader)
-            rows, columns = shape(field, provenance.resolution)
+            rows, columns = provenance.shape(field)
             wanted = {
                 name.encode(): text.encode() for name, text in provenance.strings(field).items()
             }
@@ -295,7 +319,7 @@ def _write_image(
     package, path: Path, provenance: Provenance, field: str, values: np.ndarray
 ) -> None:
     imath = importlib.import_module("Imath")
-    rows, columns = shape(field, provenance.resolution)
+    rows, columns = provenance.shape(field)
     names = channels(field)
     split = np.moveaxis(values, 2, 0) if len(names) > 1 else [values]
     planes = {
@@ -304,7 +328,9 @@ def _write_image(
     header = package.Header(columns, rows)
     header["channels"] = {name: imath.Channel(imath.PixelType(2)) for name in planes}  # 2: float
     header["compression"] = imath.Compression(_RLE if field in _MOSTLY_NOTHING else _NONE)
-    strings = {"wrapmodes": "periodic", **provenance.strings(field)}
+    strings = provenance.strings(field)
+    if provenance.extent is None:
+        strings["wrapmodes"] = "periodic"
     header.update({name: text.encode() for name, text in strings.items()})
     image = package.OutputFile(str(path), header)
     try:

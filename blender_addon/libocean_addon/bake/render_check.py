@@ -19,7 +19,8 @@ import sys
 
 import bpy
 
-from ..sea import live, node_group
+from ..coast import node_group as coast_group
+from ..sea import live
 from ..shared import compat, paths
 from ..shared.compat import tr, tr_label
 from ..shared.native import ADDON
@@ -77,10 +78,8 @@ def _rendered(objects: list, scene) -> list:
 
 
 def _is_playing(ob) -> bool:
-    return bake_record.exists(ob) and any(
-        node_group.is_baked(modifier.node_group) and modifier.show_render
-        for modifier in node_group.modifiers(ob)
-    )
+    playing = bake_record.playing(ob)
+    return bake_record.exists(ob) and any(modifier.show_render for modifier in playing)
 
 
 # Their files ----------------------------------------------------------------------
@@ -148,7 +147,8 @@ class Found:
 def find(scene, frames) -> Found:
     """Returns what is wrong with these frames of the scene."""
     frames, found = list(frames), Found([], [])
-    playing = [ob for ob in live.ocean_objects() if _is_playing(ob)]
+    seas = [*live.ocean_objects(), *coast_group.FAMILY.objects()]
+    playing = [ob for ob in seas if _is_playing(ob)]
     for ob in _rendered(playing, scene):
         faults = _faults_of_bake(ob, scene, frames)
         found.errors += bake_record.fault_texts(ob, faults)

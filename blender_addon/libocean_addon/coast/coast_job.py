@@ -3,26 +3,69 @@
 """The whole of a coast, which takes seconds: where the waves go over the bed, the bed itself, the
 maps of one time. No Blender's data in here.
 
-    sea over a bed + View -> heights of the bed, Maps: pixels by the input of the node group
+    BedSea, SeaValues, View -> heights of the bed, Maps: pixels by the input of the node group
 """
 
 from __future__ import annotations
 
 import dataclasses
+import hashlib
 from collections.abc import Callable
 
 import numpy as np
 
+from ..sea.sea_text import SeaValues
 from ..shared import drafts, images
 from ..shared.compat import tr_label
-from ..terrain.extent import Extent
-from .node_group import CHANNELS, FOAM
+from ..shared.native import libocean
+from ..terrain import extent as extents
+from ..terrain.extent import Extent, ExtentError
+from .bed_sea import BedSea
+from .node_group import CHANNELS, DISPLACEMENT, FOAM
+
+AUTOMATIC = 512
+"""The max samples of the longer side of a region whose cell is chosen by itself."""
 
 Maps = dict[str, np.ndarray]
 """Pixels (rows, columns, 4) by the input of the node group."""
 
+_THOUSANDTHS = 1000
+"""The total of the progress of waves over a bed; that of foam is a number of ticks."""
 _QUICK = ("whitecap", "whitecap")
 """The channels of foam in a draft: whitecaps have no past."""
+
+
+def quick_fields(fields) -> tuple[str, ...]:
+    """Returns the inputs among these that a draft has."""
+    return tuple(name for name in fields if name in (DISPLACEMENT, FOAM))
+
+
+@dataclasses.dataclass(frozen=True)
+class Region:
+    """The rectangle that is shown."""
+
+    corners: tuple[float, ...] | None
+    """West, south, east and north side [m]; None: all of the bed."""
+    cell: float
+    """Distance of the samples [m]; 0: automatic."""
+
+    def extent(self, own: Extent) -> Extent:
+        """Returns the samples. own: those of the bed. Raises ExtentError."""
+        corners = self.corners
+        if corners is None:
+            (west, south), (width, depth) = own.origin, own.size
+            corners = (west, south, west + width, south + depth)
+        side = max(corners[2] - corners[0], corners[3] - corners[1])
+        cell = self.cell or max(side, 1e-3) / (AUTOMATIC - 1)
+        return dataclasses.replace(extents.of_region(corners, cell, own), is_own=False)
+
+
+def region_of(settings) -> Region:
+    """Returns the region of Object.libocean_coast, as its panel shows it."""
+    corners = None
+    if settings.use_region:
+        corners = tuple(round(part, 4) for part in settings.region)
+    return Region(corners, round(settings.cell, 6))
 
 
 @dataclasses.dataclass(frozen=True)
@@ -31,29 +74,49 @@ class View:
 
     time: float
     """[s]"""
-    extent: Extent
+    region: Region
     fields: tuple[str, ...]
     """Inputs of the node group, in the order of its table."""
 
 
-def fill_maps(sea, view: View, maps: Maps | None = None, *, quick: bool = False) -> Maps:
-    """Returns the maps of a view, in the arrays of `maps` where they fit. quick: with whitecaps in
-    place of foam. Raises libocean.Error."""
+def fill_maps(
+    sea, view: View, extent: Extent, maps: Maps | None = None, *, quick: bool = False
+) -> Maps:
+    """Returns the maps of a view on the samples of an extent, in the arrays of `maps` where they
+    fit. quick: with whitecaps in place of foam. Raises libocean.Error."""
     made = {}
     for name in view.fields:
         before = (maps or {}).get(name)
-        fits = before is not None and before.shape[:2] == view.extent.shape
-        made[name] = before if fits else images.aligned(view.extent.shape)
+        fits = before is not None and before.shape[:2] == extent.shape
+        made[name] = before if fits else images.aligned(extent.shape)
 
     channels = {**CHANNELS, FOAM: _QUICK} if quick else CHANNELS
-    buffers = [(made[name], (*channels[name], "", "")[:4]) for name in view.fields]
-    sea.fill_region(view.time, buffers, view.extent.origin, view.extent.cell)
+    buffers = [(made[name], (*channels[name], "", "", "")[:4]) for name in view.fields]
+    sea.fill_region(view.time, buffers, extent.origin, extent.cell)
     return made
 
 
-def bed_heights(sea, extent: Extent, at: float) -> np.ndarray:
-    """Returns the heights of the bed on the samples of an extent [m], (rows, columns). at: a time
-    [s]. Raises libocean.Error."""
+def _normals_of(heights: np.ndarray, cell: float) -> np.ndarray:
+    """Returns the upward unit normals of heights on a grid, (rows, columns, 3)."""
+    by_north, by_east = np.gradient(heights.astype(np.float64), cell)
+    normals = np.stack([-by_east, -by_north, np.ones_like(by_east)], axis=-1)
+    return (normals / np.linalg.norm(normals, axis=-1, keepdims=True)).astype(np.float32)
+
+
+@dataclasses.dataclass(frozen=True)
+class Bed:
+    """The bed on the samples of an extent."""
+
+    heights: np.ndarray
+    """[m], (rows, columns)"""
+    normals: np.ndarray
+    """(rows, columns, 3)"""
+    mark: str
+    """Tells these heights from others."""
+
+
+def make_bed(sea, extent: Extent, at: float) -> Bed:
+    """Returns the bed of a sea. at: a time [s]. Raises libocean.Error."""
     # Without choppiness a sample lies at its label, and over the bed that it has the depth of.
     choppiness = sea.get("choppiness")
     sea.set("choppiness", "0")
@@ -61,32 +124,55 @@ def bed_heights(sea, extent: Extent, at: float) -> np.ndarray:
         maps = sea.region(at, extent.origin, extent.samples, extent.cell, ("height", "depth"))
     finally:
         sea.set("choppiness", choppiness)
-    return maps["height"] - maps["depth"]
+    heights = maps["height"] - maps["depth"]
+    mark = hashlib.sha256(heights.tobytes()).hexdigest()[:16]
+    return Bed(heights, _normals_of(heights, extent.cell), mark)
 
 
 class CoastJob(drafts.Job):
-    """Makes the whole maps of a view, and the bed if it is unknown. It works with the handle of the
+    """Makes the maps of a view of a sea, and the bed if it is unknown: quick ones, which do not
+    wait for the past of foam, of a sea that is new, then the whole. It works with the handle of the
     coast, which the coast does not touch meanwhile."""
 
-    def __init__(self, sea, key: tuple, view: View, is_owned: Callable[[], bool]) -> None:
-        """is_owned(): whether the handle is still that of its coast."""
+    def __init__(
+        self,
+        key: tuple,
+        lent: BedSea,
+        values: SeaValues,
+        base_dir: str | None,
+        view: View,
+        is_owned: Callable[[], bool],
+    ) -> None:
+        """lent: the handle, which takes the values. is_owned(): whether it is still that of its
+        coast."""
         super().__init__(key)
-        self.sea, self.view = sea, view
-        self.wants_bed = False
-        self.bed: np.ndarray | None = None
+        self.lent, self.values, self.base_dir, self.view = lent, values, base_dir, view
+        self.is_quick = False
+        self.bed_known: Extent | None = None
+        """The samples on which the bed of these values is known."""
+        self.bed: Bed | None = None
+        self.extent: Extent | None = None
         self.is_plain = False
         """True if the maps take no more than those of any frame of a shot."""
         self.maps: Maps | None = None
         self._is_owned = is_owned
-        self._is_at_maps = False
 
     def work(self) -> None:
         self._require_wanted()
-        if self.wants_bed:
-            self.bed = bed_heights(self.sea, self.view.extent, self.view.time)
+        self.lent.take(self.values, self.base_dir)
+        try:
+            self.extent = self.view.region.extent(self.lent.own)
+        except ExtentError as failure:
+            raise libocean.Error(str(failure), 0) from failure
         self._require_wanted()
-        self._is_at_maps = True
-        self.maps = fill_maps(self.sea, self.view)
+        if self.bed_known != self.extent:
+            self.is_plain = False
+            self.bed = make_bed(self.lent.sea, self.extent, self.view.time)
+        self._require_wanted()
+        view = self.view
+        if self.is_quick:
+            view = dataclasses.replace(view, fields=quick_fields(view.fields))
+        self.maps = fill_maps(self.lent.sea, view, self.extent, quick=self.is_quick)
 
     def _require_wanted(self) -> None:
         if self.is_cancelled():
@@ -94,9 +180,9 @@ class CoastJob(drafts.Job):
 
     def close(self) -> None:
         if not self._is_owned():
-            self.sea.close()
+            self.lent.close()
 
     def said(self, name: str) -> str:
-        if self._is_at_maps:
+        if self.ticks is not None and self.ticks[1] != _THOUSANDTHS:
             return tr_label("{}: water and foam, {:.0%}", name, self.share)
         return tr_label("{}: waves over the bed, {:.0%}", name, self.share)

@@ -8,6 +8,7 @@ from __future__ import annotations
 from ..sea import messages
 from ..shared.compat import tr_label
 from ..terrain.extent import ExtentError
+from .coast_job import region_of
 from .open_coast import coast_of
 
 
@@ -22,16 +23,25 @@ def state_of(ob) -> list[tuple[str, str]] | None:
     ]
 
 
+def samples_of(ob) -> tuple[int, int] | None:
+    """Returns columns and rows of the region; None before they are known."""
+    own = coast_of(ob.name_full).own
+    try:
+        return None if own is None else region_of(ob.libocean_coast).extent(own).samples
+    except ExtentError:  # said by the panel
+        return None
+
+
 def sizes_of(ob) -> list[str]:
     """Returns vertices and samples, in words."""
     coast = coast_of(ob.name_full)
     if coast.state is None:
         return []
+    settings = ob.libocean
     try:
-        extent = coast.extent
+        extent = region_of(ob.libocean_coast).extent(coast.own)
     except ExtentError:  # said above
         return []
-    settings = ob.libocean
     fields = 1 + settings.use_velocity + settings.use_normal + settings.use_foam
     megabytes = 16e-6 * extent.count * fields
     bed = coast.state["bed"]

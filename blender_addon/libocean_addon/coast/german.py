@@ -15,6 +15,7 @@ OPERATORS = {
 TEXTS = {
     "Coast (libocean)": "Küste (libocean)",
     "Bed": "Grund",
+    "Wet ground": "Nasser Grund",
     "Bed: {:.4g} to {:.4g} m": "Grund: {:.4g} bis {:.4g} m",
     "End at the waterline": "An der Wasserlinie enden",
     "Below land": "Unter dem Land",
@@ -25,6 +26,10 @@ TEXTS = {
     "{}: water and foam, {:.0%}": "{}: Wasser und Schaum, {:.0%}",
     "The active object has a coast": "Das aktive Objekt hat eine Küste",
     "The active object is no water of a coast": "Das aktive Objekt ist kein Wasser einer Küste",
+    "At {:.1f}, {:.1f} m {} shows no water": "Bei {:.1f}, {:.1f} m zeigt {} kein Wasser",
+    "At {:.1f}, {:.1f} m {} is dry land, {:.1f} m over water": (
+        "Bei {:.1f}, {:.1f} m ist {} trockenes Land, {:.1f} m über dem Wasser"
+    ),
     "The sea has no bed: choose a file for Sea bed, or load a sea that has one": (
         "Die See hat keinen Grund: wählen Sie eine Datei für Meeresgrund, oder laden Sie eine See, "
         "die einen hat"

@@ -12,24 +12,12 @@ from ..shared import meshes
 from ..terrain import material as terrain_material
 from ..terrain import node_group as terrain_group
 from ..terrain.extent import Extent
+from .coast_job import Bed
 
 _RUN_UP = 0.3
 """Height over still water up to which waves wet the land, as a share of the significant wave
 height: that of a beach of moderate slope."""
 _DRY_SAND = 1.0  # [m] of sand above that
-
-
-def is_there(land) -> bool:
-    """Returns whether a land is in use: a deleted one stays in the file as long as the settings of
-    a coast name it."""
-    return land is not None and len(land.users_collection) > 0
-
-
-def normals_of(heights: np.ndarray, cell: float) -> np.ndarray:
-    """Returns the upward unit normals of heights on a grid, (rows, columns, 3)."""
-    by_north, by_east = np.gradient(heights.astype(np.float64), cell)
-    normals = np.stack([-by_east, -by_north, np.ones_like(by_east)], axis=-1)
-    return (normals / np.linalg.norm(normals, axis=-1, keepdims=True)).astype(np.float32)
 
 
 def _write(mesh, name: str, kind: str, values: np.ndarray) -> None:
@@ -42,26 +30,30 @@ def run_up(state: dict) -> float:
     return _RUN_UP * state["significant_wave_height"]["resolved"]
 
 
-def follow(land, words: str, extent: Extent, heights: np.ndarray, wet: float) -> None:
-    """Has an object show the bed, unless it does, is linked or being edited. words: as made_of of
-    meshes.follow(); heights: on the samples of the extent [m]; wet: the run-up of the waves [m]."""
-    if not is_there(land) or land.type != "MESH" or land.mode != "OBJECT":
+def follow(land, extent: Extent, bed: Bed, wet: float) -> None:
+    """Has an object show the bed, unless it does, is linked or being edited. bed: on the samples of
+    the extent; wet: the run-up of the waves [m]."""
+    if not meshes.is_ours(land) or land.mode != "OBJECT":
         return
-    if land.library is not None or land.data.library is not None:
-        return
+    heights = bed.heights
 
     def make(mesh) -> None:
         vertices = np.empty((*extent.shape, 3), np.float32)
         vertices[..., 0] = extent.along(0)[None, :]
         vertices[..., 1] = extent.along(1)[:, None]
         vertices[..., 2] = heights
-        columns, rows = extent.samples
-        meshes.fill(mesh, vertices.reshape(-1, 3), meshes.grid_faces(columns - 1, rows - 1))
+        if meshes.made_of(mesh).endswith(f" {extent.samples}"):
+            mesh.vertices.foreach_set("co", vertices.ravel())
+            mesh.update()
+        else:
+            columns, rows = extent.samples
+            meshes.fill(mesh, vertices.reshape(-1, 3), meshes.grid_faces(columns - 1, rows - 1))
         _write(mesh, terrain_group.HEIGHT, "FLOAT", heights)
         beach = np.clip((wet + _DRY_SAND - heights) / _DRY_SAND, 0.0, 1.0)
         _write(mesh, "beach", "FLOAT", beach.astype(np.float32))
-        _write(mesh, terrain_group.NORMAL, "FLOAT_VECTOR", normals_of(heights, extent.cell))
+        _write(mesh, terrain_group.NORMAL, "FLOAT_VECTOR", bed.normals)
 
+    words = f"bed {bed.mark} {extent.origin} {extent.cell!r} {extent.samples}"
     meshes.follow(land, words, make)
 
 

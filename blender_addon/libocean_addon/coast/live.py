@@ -18,12 +18,12 @@ import bpy
 from ..sea import live as sea_live
 from ..sea import messages
 from ..sea.live import Moment
-from ..shared import console, drafts, images, meshes, modifier_groups
+from ..shared import console, drafts, hooks, images, meshes, modifier_groups
 from ..shared.native import libocean
 from ..terrain.extent import Extent, ExtentError
-from . import land, node_group
-from .coast_job import CoastJob, View
-from .node_group import BLANKS, DISPLACEMENT, FOAM, NORMAL, VELOCITY
+from . import coast_bake, land, land_nodes, node_group
+from .coast_job import CoastJob, View, quick_fields, region_of
+from .node_group import BLANKS, DISPLACEMENT, WETNESS, grid_words
 from .open_coast import OpenCoast, coast_of
 
 coast_objects = node_group.FAMILY.objects
@@ -32,15 +32,19 @@ coast_objects = node_group.FAMILY.objects
 def show(ob, depsgraph, moment: Moment) -> None:
     """Brings the images and the inputs of a coast up to date, and its meshes where they may be
     changed."""
+    modifiers = node_group.live_modifiers(ob)
+    if not modifiers:
+        return
     seen = ob.evaluated_get(depsgraph) if depsgraph else ob
     coast, settings = coast_of(ob.name_full), ob.libocean_coast
     values = sea_live.current_values(seen.libocean, moment.scene)
     problem = ""
     try:
         coast.follow(values)
-        follow_region(coast, seen.libocean_coast)
-        view = _view_of(coast, seen.libocean, moment)
-        for modifier in node_group.modifiers(ob):
+        if coast.own is None:
+            coast.open()
+        view = view_of(coast, ob, seen, moment)
+        for modifier in modifiers:
             problem = _show_in(ob, coast, modifier, view, moment)
     except ExtentError as failure:
         problem = str(failure)
@@ -52,26 +56,12 @@ def show(ob, depsgraph, moment: Moment) -> None:
         settings.problem = problem
 
 
-def follow_region(coast: OpenCoast, settings) -> None:
-    """Has a coast show the rectangle of the settings, as its panel shows them."""
-    coast.region = None
-    if settings.use_region:
-        coast.region = tuple(round(part, 4) for part in settings.region)
-    coast.cell = round(settings.cell, 6)
-
-
-def _view_of(coast: OpenCoast, settings, moment: Moment) -> View:
-    """Returns what is to be seen of a coast. settings: of its sea. Raises ExtentError."""
-    at = sea_live.own_time(settings)
+def view_of(coast: OpenCoast, ob, seen, moment: Moment) -> View:
+    """Returns what is to be seen of the coast of an object. seen: the object, evaluated or not."""
+    at = sea_live.own_time(seen.libocean)
     if at is None:
         at = coast.time_of(moment.scene.frame_current_final)
-    wanted = {
-        DISPLACEMENT: True,
-        VELOCITY: settings.use_velocity,
-        NORMAL: settings.use_normal,
-        FOAM: settings.use_foam,
-    }
-    return View(at, coast.extent, tuple(name for name, is_used in wanted.items() if is_used))
+    return View(at, region_of(seen.libocean_coast), node_group.wanted_fields(ob, seen))
 
 
 def _is_main_thread() -> bool:
@@ -82,10 +72,11 @@ def _images_of(ob, modifier, fields) -> dict:
     """Returns the images of a modifier by their inputs, made where they are missing."""
     found = {}
     for name in fields:
-        found[name] = modifier_groups.value(modifier, name)
+        owner = land_nodes.require(ob.libocean_coast.land) if name == WETNESS else modifier
+        found[name] = modifier_groups.value(owner, name)
         if found[name] is None:
             found[name] = images.make(ob.name, name.lower(), (1, 1), BLANKS[name])
-            modifier_groups.assign(modifier, {name: found[name]})
+            modifier_groups.assign(owner, {name: found[name]})
     return found
 
 
@@ -96,48 +87,44 @@ def _show_in(ob, coast: OpenCoast, modifier, view: View, moment: Moment) -> str:
     may_wait = moment.moving or (moment.again and drafts.wants(name, key))
     draft = may_wait and not coast.is_ready(view)
     if draft:
-        quick = [field for field in view.fields if field in (DISPLACEMENT, FOAM)]
-        shown = coast.show_draft(view, _images_of(ob, modifier, quick))
-        fields = tuple(quick) if shown != view.extent else view.fields
+        whole = view.region.extent(coast.own)
+        quick = quick_fields(view.fields)
+        image_named = _images_of(ob, modifier, quick)
+        shown = coast.show_draft(view, image_named) or whole
+        fields = view.fields if coast.is_whole(image_named[DISPLACEMENT]) else quick
         if coast.failed is not None and coast.failed[0] == key:
-            _set_inputs(ob, coast, modifier, shown or view.extent, fields)
+            modifier_groups.assign(modifier, node_group.water_inputs(ob, shown, fields))
             return coast.failed[1]
         drafts.ask(name, key)
     else:
         fields = view.fields
         with console.work(name, "water"):
-            shown = coast.show(view, _images_of(ob, modifier, fields))
+            shown = whole = coast.show(view, _images_of(ob, modifier, fields))
         drafts.forget(name, key, more_follows=False)
     if _is_main_thread():
-        follow_meshes(ob, coast.extent)
-    _set_inputs(ob, coast, modifier, shown or view.extent, fields)
+        follow_meshes(ob, whole)
+    _wet_land(ob, coast, WETNESS in view.fields)
+    modifier_groups.assign(modifier, node_group.water_inputs(ob, shown, fields))
     return ""
 
 
-def _set_inputs(ob, coast: OpenCoast, modifier, shown: Extent, fields) -> None:
-    """Sets the inputs of a modifier beside the images. shown: the samples of these."""
-    settings = ob.libocean_coast
-    half = tuple(0.5 / count for count in shown.samples)
-    modifier_groups.assign(
-        modifier,
-        {
-            "Map Size": (*shown.map_size, 1.0),
-            "Half Texels": (*half, 0.0),
-            "Low": (*half, 0.0),
-            "High": (*(1.0 - part for part in half), 0.0),
-            "Origin": (*(-first for first in shown.origin), 0.0),
-            "On Samples": meshes.made_of(ob.data) == _grid_words(shown),
-            "Use Velocity": VELOCITY in fields,
-            "Use Normal": NORMAL in fields,
-            "Use Foam": FOAM in fields,
-            "Use Clip": settings.use_clip,
-            "Clip Depth": settings.clip_depth,
-        },
-    )
+def _wet_land(ob, coast: OpenCoast, is_wet: bool) -> None:
+    """Sets the inputs of the land's modifier beside the image, or removes it."""
+    ground = ob.libocean_coast.land
+    if not meshes.is_ours(ground):
+        return
+    modifier = land_nodes.modifier_of(ground)
+    image = modifier_groups.value(modifier, WETNESS) if modifier is not None else None
+    if not is_wet:
+        land_nodes.follow(ground, None)
+    elif image is not None and coast.extent_in(image) is not None:
+        land_nodes.follow(ground, coast.extent_in(image))
 
 
 def show_all(scene, depsgraph=None, *, rendering: bool = False, passing: bool = False) -> None:
     """Shows all coasts. passing: Blender says that the frame has changed."""
+    if sea_live.is_paused():
+        return
     moving, again = drafts.may_suffice(rendering=rendering, passing=passing)
     moment = Moment(scene, rendering, moving, again)
     for ob in coast_objects():
@@ -149,14 +136,19 @@ def parameters_changed(ob) -> None:
     if not node_group.modifiers(ob):
         return
     ob.update_tag()  # else what is evaluated goes on having the values of before
-    show(ob, None, Moment(bpy.context.scene, rendering=False, moving=drafts.allowed))
+    if coast_bake.follow(ob):
+        drafts.forget(ob.name_full, (), more_follows=False)
+    _show_with_floats(ob)
+
+
+def _show_with_floats(ob) -> None:
+    moment = Moment(bpy.context.scene, rendering=False, moving=drafts.allowed)
+    show(ob, None, moment)
+    for follower in hooks.connected().followers:
+        follower(None, moment)
 
 
 # Meshes ------------------------------------------------------------------------
-
-
-def _grid_words(extent: Extent) -> str:
-    return f"grid {extent.origin} {extent.cell!r} {extent.samples}"
 
 
 def follow_meshes(ob, extent: Extent) -> None:
@@ -165,12 +157,11 @@ def follow_meshes(ob, extent: Extent) -> None:
     coast = coast_of(ob.name_full)
     if ob.library is None and ob.data.library is None and ob.mode == "OBJECT":
         along = extent.along(0), extent.along(1)
-        meshes.follow_grid(ob, _grid_words(extent), along)
-    heights = coast.bed(extent)
-    if heights is not None:
+        meshes.follow_grid(ob, grid_words(extent), along)
+    bed = coast.bed(extent)
+    if bed is not None:
         with console.work(ob.name_full, "land"):
-            words, wet = coast.words_of_bed(extent), land.run_up(coast.state)
-            land.follow(ob.libocean_coast.land, words, extent, heights, wet)
+            land.follow(ob.libocean_coast.land, extent, bed, land.run_up(coast.state))
 
 
 # The whole coast after a draft ---------------------------------------------------
@@ -182,13 +173,13 @@ def _named(name: str):
 
 def make_draft_job(name: str) -> CoastJob | None:
     ob = _named(name)
-    if ob is None or ob.libocean_coast.problem:
+    if ob is None or ob.libocean_coast.problem or not node_group.live_modifiers(ob):
         return None
     coast = coast_of(name)
-    if coast.sea is None or coast.values is None:
+    if coast.own is None:
         return None
     moment = Moment(bpy.context.scene, rendering=False)
-    return coast.job(_view_of(coast, ob.libocean, moment))
+    return coast.job(view_of(coast, ob, ob, moment))
 
 
 def finish_draft_job(name: str, job: CoastJob) -> None:
@@ -198,7 +189,7 @@ def finish_draft_job(name: str, job: CoastJob) -> None:
         return
     coast = coast_of(name)
     if coast.take_over(job):
-        show(ob, None, Moment(bpy.context.scene, rendering=False, moving=drafts.allowed))
+        _show_with_floats(ob)
     elif isinstance(job.failure, (libocean.Error, MemoryError)):
         text = type(job.failure).__name__
         if isinstance(job.failure, libocean.Error):

@@ -135,9 +135,23 @@ class CoastLookPanel(_Panel, bpy.types.Panel):
         column = layout.column(heading="Attributes")
         for name in ("use_foam", "use_velocity", "use_normal"):
             column.prop(ob.libocean, name)
+        column.prop(settings, "use_wetness")
         _draw_parameters(layout, ob.libocean, LOOK)
 
 
-CLASSES = (CoastPanel, CoastWavesPanel, CoastBedPanel, CoastLookPanel)
+class CoastBakePanel(_Panel, bpy.types.Panel):
+    """The coast as files, which play without the add-on"""
+
+    bl_idname = "LIBOCEAN_PT_coast_bake"
+    bl_parent_id = CoastPanel.bl_idname
+    bl_label = "Bake"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @never_raises
+    def draw(self, context) -> None:
+        sea_panels.draw_bake(self.layout, context.object, context.scene)
+
+
+CLASSES = (CoastPanel, CoastWavesPanel, CoastBedPanel, CoastLookPanel, CoastBakePanel)
 
 register, unregister = bpy.utils.register_classes_factory(CLASSES)

@@ -73,6 +73,13 @@ class CoastSettings(bpy.types.PropertyGroup):
             poll=_is_mesh,
             update=changed,
         ),
+        "use_wetness": bpy.props.BoolProperty(
+            name="Wet ground",
+            description="Give the land the attribute shore_wetness: where waves have been it is "
+            "dark, and dries within minutes. Its past takes as long to make as that of foam",
+            default=False,
+            update=changed,
+        ),
         "problem": bpy.props.StringProperty(
             name="Problem",
             description="Why the coast is not shown as requested",

@@ -13,15 +13,15 @@ import contextlib
 
 import bpy
 
-from ..sea import live, node_group
-from ..shared import changes
+from ..sea import live
+from ..shared import changes, drafts, meshes
 from ..shared.compat import tr
-from ..shared.drawing import field, never_raises, place_labels
+from ..shared.drawing import field, never_raises, place_labels, say
 from . import riding
 
 
 def _is_ocean(_self, ob) -> bool:
-    return bool(node_group.modifiers(ob))
+    return riding.is_water(ob)
 
 
 def _changed(self, context) -> None:
@@ -69,6 +69,9 @@ class FloatSettings(bpy.types.PropertyGroup):
         update=_changed,
     )
 
+    problem: bpy.props.StringProperty(
+        name="Problem", description="Why the object does not float", options={"HIDDEN"}
+    )
     motion: bpy.props.PointerProperty(
         type=bpy.types.Object, options={"HIDDEN"}, description="What the waves do to it"
     )
@@ -84,7 +87,7 @@ def is_baked(ob) -> bool:
 
 def ride(ob, depsgraph, moment) -> None:
     """Puts an object on the waves of a moment, or frees it if its ocean is gone."""
-    if not riding.is_there(ob.libocean_float.ocean):
+    if not meshes.is_there(ob.libocean_float.ocean):
         _let_go(ob)
     elif not is_baked(ob):
         riding.ride(ob, depsgraph, moment)
@@ -95,6 +98,7 @@ def _let_go(ob) -> None:
     riding.detach(ob)
     with changes.quiet():
         ob.libocean_float.ocean = None
+        ob.libocean_float.problem = ""
 
 
 def _own_motions(floating: list) -> None:
@@ -148,13 +152,13 @@ class AddFloat(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context) -> bool:
-        if any(not node_group.modifiers(ob) for ob in context.selected_objects):
+        if any(not riding.is_water(ob) for ob in context.selected_objects):
             return True
         cls.poll_message_set(tr("Select the objects that should float"))
         return False
 
     def _find(self, context):
-        oceans = [ob for ob in context.scene.objects if node_group.modifiers(ob)]
+        oceans = [ob for ob in context.scene.objects if riding.is_water(ob)]
         if self.ocean:
             return next((ob for ob in oceans if ob.name == self.ocean), None)
         if context.object in oceans:
@@ -168,15 +172,20 @@ class AddFloat(bpy.types.Operator):
             self.report({"ERROR"}, text)
             return {"CANCELLED"}
         for ob in context.selected_objects:
-            if node_group.modifiers(ob):
+            if riding.is_water(ob):
                 continue
             settings = ob.libocean_float
             with changes.quiet():
                 settings.length, settings.width = ob.dimensions.xy
                 settings.version = 1
                 settings.ocean = ocean
-            ride(ob, None, live.Moment(context.scene, rendering=False))
-        return {"FINISHED"}
+            ride(ob, None, live.Moment(context.scene, rendering=False, moving=drafts.allowed))
+            if settings.problem:
+                text = f"{ob.name}: {settings.problem}"
+                self.report({"ERROR"}, text)
+                _let_go(ob)
+        is_afloat = any(ob.libocean_float.ocean == ocean for ob in context.selected_objects)
+        return {"FINISHED"} if is_afloat else {"CANCELLED"}
 
 
 class _OnFloating:
@@ -274,6 +283,8 @@ class FloatPanel(bpy.types.Panel):
     @never_raises
     def draw(self, context) -> None:
         place_labels(self.layout)
+        if context.object.libocean_float.problem:
+            say(self.layout, context.object.libocean_float.problem, "ERROR")
         field(self.layout, context.object.libocean_float, "ocean")
         for name in ("length", "width", "use_tilt"):
             self.layout.prop(context.object.libocean_float, name)

@@ -16,7 +16,10 @@ import math
 import bpy
 from mathutils import Matrix, Vector
 
+from ..coast import floats as coast_floats
+from ..coast import node_group as coast_group
 from ..sea import live, node_group
+from ..shared.native import libocean
 
 CONSTRAINT = "Waves (libocean)"
 
@@ -24,10 +27,9 @@ CONSTRAINT = "Waves (libocean)"
 _NOISE = 2.0**-20
 
 
-def is_there(ocean) -> bool:
-    """Returns whether an ocean is in use: a deleted one stays in the file as long as settings of
-    floats name it."""
-    return ocean is not None and len(ocean.users_collection) > 0
+def is_water(ob) -> bool:
+    """Returns whether things float on an object: an ocean, or the water of a coast."""
+    return bool(node_group.modifiers(ob) or coast_group.modifiers(ob))
 
 
 def constraint_of(ob):
@@ -102,14 +104,17 @@ def _heading(rotation: Matrix) -> float:
 
 
 def _pose(settings, ocean, heading: float, location: Vector, moment):
-    """Height and axes of the plane below; None where there is no sea."""
+    """Height and axes of the plane below; None where there is no sea. Raises NoWaterError."""
     to_world = ocean.matrix_world
     scale = to_world.median_scale
     if not scale > 0.0:
         return None
     local = to_world.inverted() @ Vector((*location.xy, to_world.translation.z))
     place, turn = local, to_world.to_3x3().normalized()
-    if ocean.libocean.follow_world:  # the sea is that of the world, however the mesh lies in it
+    is_coast = bool(coast_group.modifiers(ocean))
+    if (
+        ocean.libocean.follow_world and not is_coast
+    ):  # the sea is that of the world, however the mesh lies in it
         place, turn = turn @ local + to_world.translation, Matrix.Identity(3)
     level = Matrix.Rotation(math.radians(heading), 3, "Z")
     body = (
@@ -118,7 +123,8 @@ def _pose(settings, ocean, heading: float, location: Vector, moment):
         settings.length / scale,
         settings.width / scale,
     )
-    pose = live.float_pose(ocean, body, moment)
+    find = coast_floats.float_pose if is_coast else live.float_pose
+    pose = find(ocean, body, moment)
     if pose is None:
         return None
     position, up, forward = (Vector(row[0].tolist()) for row in pose[:3])
@@ -163,9 +169,18 @@ def ride(ob, depsgraph, moment) -> None:
     place = _own_place(ob, seen, seen_motion)
     rotation = place.to_3x3().normalized()
     heading = _heading(rotation)
-    pose = None
-    if node_group.modifiers(ocean):
-        pose = _pose(seen.libocean_float, sea, heading, place.translation, moment)
+    pose, problem = None, ""
+    try:
+        if is_water(ocean):
+            pose = _pose(seen.libocean_float, sea, heading, place.translation, moment)
+            if pose is None and coast_group.modifiers(ocean):
+                return  # until the coast is made it stays as it is
+    except coast_floats.NoWaterError as failure:
+        problem = str(failure)
+    except libocean.Error:  # the coast says which
+        return
+    if settings.problem != problem:
+        settings.problem = problem
     if pose is None:
         wanted = Matrix.Identity(4)
     else:

@@ -244,6 +244,10 @@ def paused() -> Iterator[None]:
         _paused = False
 
 
+def is_paused() -> bool:
+    return _paused
+
+
 def show_all(
     oceans, scene, depsgraph=None, *, rendering: bool = False, passing: bool = False
 ) -> None:

@@ -28,7 +28,7 @@ from .ring_nodes import far_image
 VERSION = 6
 MARK = "libocean"  # custom property of a group: the version that built it
 _KIND = "libocean_kind"
-_BAKED = "libocean_baked"  # of one that plays a bake
+_BAKED = modifier_groups.BAKED
 
 FIELDS = ("Displacement", "Velocity", "Normal")
 """The maps; each image has a twin for renders. The alpha of the first is the cover of foam, whose

@@ -29,6 +29,20 @@ def fill(mesh, vertices: np.ndarray, *faces: np.ndarray) -> None:
     compat.shade_smooth(mesh)
 
 
+def is_there(ob) -> bool:
+    """Returns whether an object is in use: a deleted one stays in the file as long as the settings
+    of another name it."""
+    return ob is not None and len(ob.users_collection) > 0
+
+
+def is_ours(ob) -> bool:
+    """Returns whether an object is a mesh in use that may be changed: a linked one stays as its
+    file has it."""
+    if not is_there(ob) or ob.type != "MESH":
+        return False
+    return ob.library is None and ob.data.library is None
+
+
 LABEL = "label"
 UV_MAP = "UVMap"
 

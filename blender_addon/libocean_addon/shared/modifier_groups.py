@@ -15,6 +15,10 @@ DISPLACED = {"MESH", "CURVE", "SURFACE", "FONT"}
 """Types of objects whose points such a modifier moves."""
 
 
+BAKED = "libocean_baked"
+"""The custom property of a group that plays a bake."""
+
+
 class Family:
     """The node groups that the add-on builds for one subject, of all versions."""
 

@@ -6,7 +6,8 @@
     object coordinates -> noise of four scales                     -> grass, forest, scree, rock,
     lines, slopes, colours                                         /  snow, sand -> Surface, Colour
     attributes beach, cliff, streambed, flow, wear: sand, rock, scree, forest and shades where the
-    land has them; an attribute that is absent reads 0 and changes nothing
+    land has them; shore_wetness: dark sand and a film of water; an attribute that is absent reads
+    0 and changes nothing
 
 Each cover lies over those before it, with an edge that the noise moves up and down. Noise of a
 single scale would make spots all of one size.
@@ -20,7 +21,7 @@ from ..shared.shader_builder import Tree, facing, shader_group, stored_normal
 from .node_group import HEIGHT, NORMAL
 
 GROUP = "Terrain Ground"
-VERSION = 3
+VERSION = 4
 MARK = "libocean_ground"  # custom property of a group: the version that built it
 
 ALBEDOS = {
@@ -78,6 +79,9 @@ _NUMBERS = (
     ),
     ("Roughness", 0.5, 0.0, 1.0, "Of the ground, as Oren and Nayar have it: 0 is smooth and matt"),
 )
+_WATER_IOR = 1.33
+_FILM_ROUGHNESS = 0.12
+"""Of the film of water on ground that waves have wetted: grains of sand bend it, chosen by eye."""
 _SHADE = 0.35  # share of a colour that the finer noise takes or adds
 
 # The scales of the noise, each as a share of the one before it, and their weights.
@@ -236,7 +240,9 @@ def _build(group) -> None:
     shares = t.nested("ground covers", covers, height, slopes, noise, *by_masks, *given)
     # Sand is dark where waves have wetted it.
     above = t.number("SUBTRACT", height, inputs["Wet Line"])
-    sand = t.mix(inputs["Wet Sand Colour"], inputs["Sand Colour"], t.eased(-0.3, 0.5, above))
+    wetness = _mask(t, "shore_wetness")
+    dry = t.number("MULTIPLY", t.eased(-0.3, 0.5, above), t.number("SUBTRACT", 1.0, wetness))
+    sand = t.mix(inputs["Wet Sand Colour"], inputs["Sand Colour"], dry)
     colour = inputs["Grass Colour"]
     for name, share in zip(_COVERS, shares, strict=True):
         if name == "Snow":  # noise and wear shade the ground, not the snow on it
@@ -249,6 +255,13 @@ def _build(group) -> None:
     ground = t.shader(
         "ShaderNodeBsdfDiffuse", Color=colour, Roughness=inputs["Roughness"], Normal=normal
     )
+    film = t.shader(
+        "ShaderNodeBsdfGlossy", Color=(1.0, 1.0, 1.0, 1.0), Roughness=_FILM_ROUGHNESS, Normal=normal
+    )
+    fresnel = t.node("ShaderNodeFresnel")
+    fresnel.inputs["IOR"].default_value = _WATER_IOR
+    t.feed(normal, fresnel.inputs["Normal"])
+    ground = t.mix_shaders(t.number("MULTIPLY", fresnel.outputs[0], wetness), ground, film)
     output = t.node("NodeGroupOutput")
     haze = t.shader("ShaderNodeEmission", Color=inputs[air.SOCKET])
     hazy = t.mix_shaders(crest_nodes.seen_haze(t, inputs), ground, haze)

@@ -80,7 +80,8 @@ def open(path: str | os.PathLike[str], **options: Any) -> Sea:
     """Opens a sea file. The options are those of parse() and preset() too:
     threads: 0 = the cores this process may use. backend: "cpu", or the slow "radix2" and "dft".
     foam_start: "settled", or "empty" for live tools, which do not wait for the foam's past.
-    progress: called with (done, total) while the library follows foam; its exception ends the call.
+    progress: called with (done, total) while the library follows foam, or the waves over a bed; its
+    exception ends the call.
     jobs: called with (run, count) for a host's own threads: it calls run(0) .. run(count - 1), in
     any order, on any threads, and returns when all have returned."""
     name = os.fsencode(path)

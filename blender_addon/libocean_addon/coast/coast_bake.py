@@ -1,0 +1,157 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The bake of a coast: its region as image files, which the water and the wet ground play without
+the add-on.
+
+    frames (number, seconds, sea file), extent -> library -> fields of the region -> EXR files
+    record -> image sequences -> inputs of the baked node groups
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+
+from ..bake import bake_job, bake_plan, bake_record, baked, exr_files
+from ..shared import meshes, modifier_groups
+from ..terrain.extent import Extent, ExtentError
+from . import land_nodes, node_group
+from .bed_sea import extent_of
+from .coast_job import region_of
+from .node_group import CHANNELS, FILES, WETNESS
+
+
+@dataclasses.dataclass(kw_only=True)
+class RegionJob(bake_job.Job):
+    """Frames that become the fields of a region as EXR files."""
+
+    folder: Path
+    stem: str
+    """The beginning of the files' names."""
+    fields: list[str]
+    extent: Extent
+    package: object
+    """The Python package OpenEXR."""
+
+    first_sea: str = ""
+    """The resolved sea file of the first frame."""
+
+    def _bake(self, sea, resolved: str, frame: bake_job.Frame) -> bool:
+        self.first_sea = self.first_sea or resolved
+        extent = self.extent
+        provenance = exr_files.Provenance(sea, frame.number, frame.time, 0, extent)
+        paths = {
+            field: exr_files.path(self.folder, self.stem, field, frame.number)
+            for field in self.fields
+        }
+        missing = [
+            field
+            for field, path in paths.items()
+            if self.overwrite or not exr_files.is_there(path, provenance, field)
+        ]
+        if missing and not self.stop.is_set():
+            where = (extent.origin, extent.samples, extent.cell)
+            maps = sea.region(frame.time, *where, missing, axes=exr_files.AXES)
+            self.written += 1
+            for field in missing:
+                if self.stop.is_set():
+                    return False
+                exr_files.write(self.package, paths[field], provenance, field, maps[field])
+        return not self.stop.is_set()
+
+
+class CoastBake(bake_plan.Bake):
+    """The bake of a coast, until the object plays it."""
+
+    modifiers = staticmethod(node_group.modifiers)
+
+    def _look(self, ob, sea) -> None:
+        state = sea.state
+        if "bed" not in state:
+            raise bake_plan.BakeError(ob.libocean_coast.problem)
+        origin = sea.get("seabed_origin")
+        try:
+            self.extent = region_of(ob.libocean_coast).extent(extent_of(origin, state))
+        except ExtentError as failure:
+            raise bake_plan.BakeError(str(failure)) from failure
+
+    def _make_job(self, ob, **settings) -> RegionJob:
+        return RegionJob(**settings, extent=self.extent)
+
+    def _follow(self, ob) -> None:
+        follow(ob)
+
+    def _note(self, record) -> None:
+        record.extent = bake_record.extent_words(self.extent)
+        record.bands = ""
+
+
+# Playing ------------------------------------------------------------------------
+
+
+def _change(modifier, group) -> None:
+    """Gives a modifier another node group, and removes the old one's images unless they are in use
+    elsewhere."""
+    names = node_group.image_inputs(modifier.node_group)
+    images = {modifier_groups.value(modifier, name) for name in names} - {None}
+    modifier_groups.assign(modifier, dict.fromkeys(names))
+    modifier.node_group = group
+    baked.remove_unused(images)
+
+
+def _play(ob, modifier, files: list[str]) -> None:
+    """Has a modifier play these files of the bake of the record, those that it has."""
+    record, place = ob.libocean.bake, bake_record.place_of(ob)
+    known = record.fields.split(",")
+    images = {
+        node_group.image_of(file): baked.sequence(ob, place, file) if file in known else None
+        for file in files
+    }
+    frames = {"First": float(record.first), "Last": float(record.last)}
+    frames["Frame Length"] = record.frame_length
+    modifier_groups.assign(modifier, {**images, **frames})
+
+
+def _follow_water(ob, is_playing: bool) -> None:
+    for modifier in node_group.modifiers(ob):
+        if node_group.is_baked(modifier.node_group) != is_playing:
+            _change(modifier, node_group.get(baked=is_playing))
+        if is_playing:
+            record = ob.libocean.bake
+            files = [file for name in CHANNELS if name != WETNESS for file in FILES[name]]
+            _play(ob, modifier, files)
+            known = record.fields.split(",")
+            fields = [name for name in node_group.wanted_fields(ob) if FILES[name][0] in known]
+            extent = bake_record.extent_of(record.extent)
+            modifier_groups.assign(modifier, node_group.water_inputs(ob, extent, fields))
+
+
+def _follow_land(ob, is_playing: bool) -> None:
+    ground = ob.libocean_coast.land
+    if not meshes.is_ours(ground):
+        return
+    modifier = land_nodes.modifier_of(ground)
+    has_files = is_playing and "wetness" in ob.libocean.bake.fields.split(",")
+    if not ob.libocean_coast.use_wetness or (is_playing and not has_files):
+        land_nodes.follow(ground, None)
+    elif has_files or modifier is not None:
+        modifier = land_nodes.require(ground)
+        if node_group.is_baked(modifier.node_group) != is_playing:
+            _change(modifier, land_nodes.get(baked=is_playing))
+        if is_playing:
+            _play(ob, modifier, list(FILES[WETNESS]))
+            land_nodes.follow(ground, bake_record.extent_of(ob.libocean.bake.extent))
+
+
+def follow(ob) -> bool:
+    """Brings a coast in line with `use_bake` and its settings. Returns whether it plays a bake."""
+    settings = ob.libocean
+    is_playing = settings.use_bake and bool(settings.bake.extent) and bake_record.exists(ob)
+    if bake_record.shown_image(ob) is not None:
+        settings.bake.folder = bake_record.place_of(ob).folder
+    was_playing = bool(bake_record.playing(ob))
+    _follow_water(ob, is_playing)
+    _follow_land(ob, is_playing)
+    if is_playing and not was_playing:
+        ob.libocean_coast.problem = " ".join(bake_record.fault_texts(ob, bake_record.faults(ob)))
+    return is_playing

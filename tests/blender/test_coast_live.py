@@ -1,0 +1,133 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""While values of a coast move, one handle of the library serves, in a thread of its own; new water
+comes before the past of its foam."""
+
+import threading
+
+import bpy
+import numpy as np
+import pytest
+from conftest import positions
+from libocean_addon.bundled import libocean
+from libocean_addon.coast import open_coast
+from libocean_addon.shared import drafts
+from test_coast import assert_is_sea, coast, sea_file  # noqa: F401, fixtures
+from test_coast_steps import slow, work_on  # noqa: F401, a fixture
+from test_terrain_drafts import rest as finish
+from test_terrain_drafts import waiting  # noqa: F401, a fixture
+
+
+@pytest.fixture
+def calls(monkeypatch):
+    """The threads of the calls of the library, and the seas that it opens."""
+    threads = []
+
+    def noting(call):
+        def noted(*arguments, **options):
+            threads.append(threading.current_thread())
+            return call(*arguments, **options)
+
+        return noted
+
+    for name in ("_call", "_text"):
+        monkeypatch.setattr(libocean.Sea, name, noting(getattr(libocean.Sea, name)))
+    monkeypatch.setattr(libocean, "parse", noting(libocean.parse))
+    return threads
+
+
+SLIDES = {
+    "wind": lambda ob, x: setattr(ob.libocean.waves[0], "wind_speed", 5.0 + x),
+    "direction": lambda ob, x: setattr(ob.libocean.waves[0], "wind_direction", 20.0 + 5.0 * x),
+    "level": lambda ob, x: setattr(ob.libocean, "level", 0.5 + 0.1 * x),
+    "foam": lambda ob, x: setattr(ob.libocean, "surf_foam_lifetime", 2.0 + x),
+}
+
+
+@pytest.mark.parametrize("name", SLIDES)
+def test_nothing_that_slides_has_the_main_thread_wait(
+    coast,  # noqa: F811
+    waiting,  # noqa: F811
+    slow,  # noqa: F811
+    calls,
+    name,
+):
+    opened = open_coast.coast_of(coast.name_full)
+    handle, before = opened._held.sea, positions(coast)
+    for step in range(3):
+        SLIDES[name](coast, step)
+        if step == 1:  # also while the work on the value before is under way
+            work_on()
+    assert np.array_equal(positions(coast), before)
+    finish()
+    assert coast.libocean_coast.problem == ""
+    assert calls and threading.main_thread() not in calls
+    assert opened._held.sea is handle
+    assert np.array_equal(positions(coast), before) == (name == "foam")
+    drafts.allowed = False
+    assert_is_sea(coast)
+
+
+def test_another_bed_is_opened_in_the_background(coast, waiting, slow, calls, sea_file):  # noqa: F811
+    other = sea_file.with_name("other.asc")
+    text = sea_file.with_name("bed.asc").read_text()
+    other.write_text(text.replace("cellsize 4.0", "cellsize 2.0"))
+    coast.libocean.seabed = str(other)
+    finish()
+    assert coast.libocean_coast.problem == ""
+    assert calls and threading.main_thread() not in calls
+    assert open_coast.coast_of(coast.name_full).own.cell == 2.0
+    coast.libocean.seabed = str(other.with_name("gone.asc"))
+    finish()
+    assert "gone.asc" in coast.libocean_coast.problem
+    assert threading.main_thread() not in calls
+    coast.libocean.seabed = str(other)
+    finish()
+    assert coast.libocean_coast.problem == ""
+
+
+def test_new_water_comes_before_the_past_of_its_foam(coast, waiting, slow):  # noqa: F811
+    before = positions(coast)
+    coast.libocean.waves[0].wind_speed = 6.0
+    job = work_on()
+    assert job.is_quick
+    job.join()
+    drafts.step()
+    water = positions(coast)
+    assert drafts.is_draft(coast.name_full) and not np.array_equal(water, before)
+    coast.libocean_coast.use_clip = False
+    water = positions(coast)
+    finish()
+    assert np.array_equal(positions(coast), water)
+    drafts.allowed = False
+    assert_is_sea(coast)
+
+
+def test_the_way_of_the_waves_is_followed_and_stopped(coast, waiting, slow, monkeypatch):  # noqa: F811
+    """The library says how far it is, and ends when the work is stopped meanwhile."""
+    seen = []
+
+    def watch(job, done, total):
+        if total > 0:
+            seen.append((done, total))
+            drafts.stop(coast.name_full)
+        unwatched(job, done, total)
+
+    unwatched = drafts.Job._watch
+    monkeypatch.setattr(drafts.Job, "_watch", watch)
+    handle = open_coast.coast_of(coast.name_full)._held.sea
+    before = positions(coast)
+    coast.libocean.level = 0.3
+    job = work_on()
+    job.join()
+    assert len(seen) == 1 and seen[0][1] == 1000
+    assert isinstance(job.failure, drafts.CancelledError)
+    drafts.step()
+    assert np.array_equal(positions(coast), before)
+    monkeypatch.undo()
+    bpy.ops.libocean.finish_draft(name=coast.name_full)
+    drafts.allowed = True
+    finish()
+    assert open_coast.coast_of(coast.name_full)._held.sea is handle
+    drafts.allowed = False
+    assert_is_sea(coast)
