@@ -303,8 +303,8 @@ def coast_dusk(scene) -> None:
 
 def coast_bay(scene) -> None:
     """The bay from above, in the afternoon. The list by which it is judged:
-    waves   the swell bends into the bay and around the island, calm in its lee
-    surf    white where it is shallow: along the beach, at the feet of headland and cape
+    waves   the swell bends into the bay
+    surf    white where it is shallow: lines along the beach, at the feet of the headland
     sand    a belt between water and grass, dark where it is wet
     edges   the water ends at the land in a closed line; no step where the map ends"""
     sky(scene, elevation=28.0, azimuth=100.0, strength=0.16, dust=0.8)

@@ -81,7 +81,7 @@ _NUMBERS = (
 )
 _WATER_IOR = 1.33
 _FILM_ROUGHNESS = 0.12
-"""Of the film of water on ground that waves have wetted: grains of sand bend it, chosen by eye."""
+"""The film of water on wetted ground lies over grains of sand; chosen by eye."""
 _SHADE = 0.35  # share of a colour that the finer noise takes or adds
 
 # The scales of the noise, each as a share of the one before it, and their weights.
