@@ -26,24 +26,6 @@ double step_down(double end, double edge, double x) {
 
 }  // namespace
 
-double bed_height(const SeaBed& bed, double x, double y) {
-    const Domain& domain = bed.domain;
-    const auto place = [&](std::size_t axis, double at) {
-        return std::clamp((at - domain.origin[axis]) / domain.step(axis), 0.0,
-                          static_cast<double>(domain.samples[axis] - 1));
-    };
-    const double u = place(0, x), v = place(1, y);
-    const int i = std::min(static_cast<int>(u), domain.samples[0] - 2);
-    const int j = std::min(static_cast<int>(v), domain.samples[1] - 2);
-    const auto row = [&](int of) {
-        const float* const cells =
-            bed.heights.data() +
-            static_cast<std::size_t>(of) * static_cast<std::size_t>(domain.samples[0]) + i;
-        return std::lerp(static_cast<double>(cells[0]), static_cast<double>(cells[1]), u - i);
-    };
-    return std::lerp(row(j), row(j + 1), v - j);
-}
-
 LandImage bed_image(const SeaBed& bed, int max_resolution) {
     const Domain& domain = bed.domain;
     const int own = std::max(domain.samples[0], domain.samples[1]);

@@ -13,10 +13,6 @@
 
 namespace ocean::preview {
 
-/// Returns the height of a bed at a place, linear between its samples [m]; beyond it that of its
-/// edge.
-double bed_height(const SeaBed& bed, double x, double y);
-
 /// Returns the square of a bed's ground, along its longer side, with at most `max_resolution`
 /// samples: beyond the shorter one it holds the edge.
 LandImage bed_image(const SeaBed& bed, int max_resolution);

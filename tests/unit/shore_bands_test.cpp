@@ -146,6 +146,29 @@ TEST(ShoreBands, BandsEndWhereTheWavesEnd) {
     EXPECT_TRUE(choose_bands(spectrum, parameters).waves.empty());
 }
 
+// A sea that changes a little keeps the edges in every bit: those of the delays that are computed
+// already.
+TEST(ShoreBands, EdgesStayWhileTheSeaChangesALittle) {
+    Parameters parameters = test::wind_sea(256, 1000.0);
+    parameters.water.depth = 20.0;
+    const auto edges_at = [&](double wind) {
+        parameters.waves.front().wind_speed = wind;
+        return choose_bands(make_directional_spectrum(parameters), parameters).edges;
+    };
+    int changes = 0;
+    std::array<double, kShoreBands + 1> before = edges_at(10.0);
+    for (double wind = 10.1; wind < 14.0; wind += 0.1) {
+        const auto edges = edges_at(wind);
+        changes += edges == before ? 0 : 1;
+        before = edges;
+    }
+    EXPECT_LE(changes, 2);
+    parameters.waves.front().significant_wave_height = 1.0;
+    const auto low = edges_at(12.0);
+    parameters.waves.front().significant_wave_height = 3.7;
+    EXPECT_EQ(edges_at(12.0), low) << "a height alone moves no edge";
+}
+
 TEST(ShoreBands, AFlatSeaHasNone) {
     Parameters parameters = test::wind_sea();
     EXPECT_TRUE(choose_bands(DirectionalSpectrum(), parameters).waves.empty());

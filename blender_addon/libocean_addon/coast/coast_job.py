@@ -115,16 +115,9 @@ class Bed:
     """Tells these heights from others."""
 
 
-def make_bed(sea, extent: Extent, at: float) -> Bed:
-    """Returns the bed of a sea. at: a time [s]. Raises libocean.Error."""
-    # Without choppiness a sample lies at its label, and over the bed that it has the depth of.
-    choppiness = sea.get("choppiness")
-    sea.set("choppiness", "0")
-    try:
-        maps = sea.region(at, extent.origin, extent.samples, extent.cell, ("height", "depth"))
-    finally:
-        sea.set("choppiness", choppiness)
-    heights = maps["height"] - maps["depth"]
+def make_bed(sea, extent: Extent) -> Bed:
+    """Returns the bed of a sea. Raises libocean.Error."""
+    heights = sea.bed_region(extent.origin, extent.samples, extent.cell)
     mark = hashlib.sha256(heights.tobytes()).hexdigest()[:16]
     return Bed(heights, _normals_of(heights, extent.cell), mark)
 
@@ -167,7 +160,7 @@ class CoastJob(drafts.Job):
         self._require_wanted()
         if self.bed_known != self.extent:
             self.is_plain = False
-            self.bed = make_bed(self.lent.sea, self.extent, self.view.time)
+            self.bed = make_bed(self.lent.sea, self.extent)
         self._require_wanted()
         view = self.view
         if self.is_quick:

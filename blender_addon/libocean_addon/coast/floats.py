@@ -57,5 +57,5 @@ def float_pose(ob, body: tuple[float, ...], moment):
     with coast.lock:
         coast.open()
         extent = view.region.extent(coast.own)
-        require_water(ob.name, coast.require_bed(extent, view.time), extent, body[:2])
+        require_water(ob.name, coast.require_bed(extent), extent, body[:2])
         return coast.sea.float_pose([body], view.time)

@@ -147,7 +147,7 @@ class OpenCoast:
             extent = view.region.extent(self.own)
             stale = self._stale(image_named, key)
             if (stale or self.bed(extent) is None) and self._filled != key:
-                self.require_bed(extent, view.time)
+                self.require_bed(extent)
                 is_plain, begun = self._is_plain(view, extent), time.perf_counter()
                 self._maps = fill_maps(self.sea, view, extent, self._maps)
                 self._note(view, extent, time.perf_counter() - begun, is_plain)
@@ -167,11 +167,11 @@ class OpenCoast:
         if _pasts(view):
             self._advanced = (self.changes, extent, _pasts(view), view.time)
 
-    def require_bed(self, extent: Extent, at: float) -> Bed:
+    def require_bed(self, extent: Extent) -> Bed:
         """Returns the bed on these samples, made if it is unknown, for those who hold the lock and
-        have opened the handle. at: a time [s]. Raises libocean.Error."""
+        have opened the handle. Raises libocean.Error."""
         if self.bed(extent) is None:
-            self._keep_bed(extent, make_bed(self.sea, extent, at))
+            self._keep_bed(extent, make_bed(self.sea, extent))
         return self._bed
 
     def _keep_bed(self, extent: Extent, bed: Bed) -> None:

@@ -19,6 +19,7 @@ constexpr double kShareBelow = 2e-4;   // of the variance, below the lowest edge
 constexpr double kHighestEdge = 80.0;  // times the lowest
 constexpr double kLeastShare = 0.005;  // of the variance, that a pair must hold
 constexpr double kLeastWidth = 1e-9;   // of all bands together, relative
+constexpr double kEdgeStep = 0.5;      // of the lattice of the outer edges [octaves]
 constexpr auto kSectors = static_cast<std::size_t>(kShoreSectors);
 
 using SectorSums = std::array<double, kSectors>;
@@ -115,6 +116,15 @@ double frequency_above(const SectorSpectrum& sectors, FrequencyRange range, doub
     }
 }
 
+/// Returns the edge below or above a wavenumber on a lattice that no sea moves: seas that differ
+/// little have the same edges, and so the same delays over a bed, which take longest to compute.
+double edge_below(double wavenumber) {
+    return std::exp2(kEdgeStep * std::floor(std::log2(wavenumber) / kEdgeStep));
+}
+double edge_above(double wavenumber) {
+    return std::exp2(kEdgeStep * std::ceil(std::log2(wavenumber) / kEdgeStep));
+}
+
 /// Returns the pairs that hold at least `variance`.
 std::vector<ShoreWaves> pairs_above(double variance, const SectorSpectrum& sectors,
                                     FrequencyRange range, const Dispersion& dispersion,
@@ -167,11 +177,11 @@ ShoreBands choose_bands(const DirectionalSpectrum& spectrum, const Parameters& p
     if (!(whole > 0.0)) return bands;
 
     const double lowest =
-        dispersion.wavenumber(frequency_above(sectors, range, kShareBelow * whole));
+        edge_below(dispersion.wavenumber(frequency_above(sectors, range, kShareBelow * whole)));
     const double nyquist = kPi * parameters.grid.resolution / parameters.grid.patch_size *
                            cascade_divisors(parameters.grid).back();
     const double highest =
-        std::min({kHighestEdge * lowest, nyquist, dispersion.wavenumber(range.high)});
+        std::min({kHighestEdge * lowest, nyquist, edge_above(dispersion.wavenumber(range.high))});
     if (!(highest > lowest * (1.0 + kLeastWidth))) return bands;
     const double ratio = std::pow(highest / lowest, 1.0 / kShoreBands);
     bands.edges.front() = lowest;
