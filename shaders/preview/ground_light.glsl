@@ -7,9 +7,7 @@
 #include "preview/sand.glsl"
 #include "preview/sky.glsl"
 #include "wave/haze.glsl"
-#if COAST
 #include "wave/reflectance.glsl"
-#endif
 
 in vec2 label;
 in vec3 position;
