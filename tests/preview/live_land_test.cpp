@@ -50,8 +50,8 @@ TEST_F(LiveLandTest, ASliderRedoesTheStagesThatItDirties) {
     const auto runs_of = [&](const char* name, const char* value) {
         const TerrainRuns before = scene.land()->land().runs();
         scene.set(name, value);
-        scene.show();
-        scene.show();
+        scene.show({});
+        scene.show({});
         const TerrainRuns after = scene.land()->land().runs();
         return TerrainRuns{after.noise - before.noise, after.filter - before.filter,
                            after.maps - before.maps, after.shape - before.shape};
@@ -78,7 +78,7 @@ TEST_F(LiveLandTest, ASliderRedoesTheStagesThatItDirties) {
 TEST_F(LiveLandTest, ASeaAndATerrainTakeEachOthersPlace) {
     Parameters parameters = test::wind_sea(32, 200.0);
     LiveScene scene(Sea{parameters, {}}, options());
-    scene.show();
+    scene.show({});
     EXPECT_EQ(scene.kind(), preview::SceneKind::sea);
     scene.open(hills());
     EXPECT_EQ(scene.kind(), preview::SceneKind::land);
@@ -94,7 +94,7 @@ TEST_F(LiveLandTest, ASeaAndATerrainTakeEachOthersPlace) {
     EXPECT_EQ(scene.land()->terrain().beta, 2.0);
     scene.open(Sea{parameters, {}});
     EXPECT_EQ(scene.kind(), preview::SceneKind::sea);
-    scene.show();
+    scene.show({});
 }
 
 TEST_F(LiveLandTest, TheCameraWalksOnTheGroundAndIsNeverInIt) {
@@ -120,7 +120,7 @@ TEST_F(LiveLandTest, TheCameraWalksOnTheGroundAndIsNeverInIt) {
     // Ground that rises lifts the eye.
     camera.mode = CameraMode::fly;
     scene.set("mean", "800");
-    scene.show();
+    scene.show({});
     camera.stay_above(scene.ground());
     EXPECT_GT(camera.camera().eye[2], 500.0);
 }
