@@ -93,7 +93,7 @@ def test_a_frame_takes_at_most_three_of_the_open_sea(folder):
         return float(next(line for line in lines if line.startswith("frame")).split(",")[1])
 
     # The machine may be busy with something else during one of them.
-    assert min(frame("sea.toml") / frame("open.toml") for _ in range(3)) <= 3.0
+    assert any(frame("sea.toml") <= 3.0 * frame("open.toml") for _ in range(3))
 
 
 def test_a_window_computes_its_coast_beside_its_pictures(folder, display):
