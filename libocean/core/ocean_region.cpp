@@ -19,6 +19,7 @@
 #include "ocean/ocean.hpp"
 #include "ocean/region.hpp"
 #include "ocean/sea_bed.hpp"
+#include "ocean/surf_traces.hpp"
 #include "query/query_points.hpp"
 #include "shore/coast.hpp"
 #include "shore/region_channels.hpp"
@@ -104,9 +105,6 @@ FoamClock surf_clock(const Parameters& parameters) {
     settings.foam_step = std::max(settings.foam_step, kLeastStep);
     return foam_clock(settings, parameters.time.loop_period);
 }
-
-/// Time in which the sand that the swash has wetted dries to 1/e [s].
-constexpr double kDryingTime = 25.0;
 
 /// The clock of wet sand, which swash covers for seconds and which dries slowly.
 FoamClock wet_clock(const Parameters& parameters) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ocean/land_mask.hpp"
+#include "ocean/surf_traces.hpp"
 
 namespace ocean::preview {
 namespace {
@@ -15,12 +16,6 @@ constexpr std::size_t kComponents = 4;
 constexpr double kWindowRatio = 4.0;  // of the cells of neighbouring windows
 /// An eye sees a cell of the finest window under less than 1 in so many.
 constexpr double kFinestAngle = 128.0;
-
-// As the core follows them: time in which wet sand dries to 1/e [s], depth that covers the ground
-// [m], power that makes cover of the foam of breaking waves.
-constexpr double kDryingTime = 25.0;
-constexpr float kCoveringDepth = 0.02f;
-constexpr float kSurfCoverPower = 1.35f;
 
 /// Ticks before a first picture whose foam is settled, and the ticks of wet ground before them [s].
 constexpr double kFoamTick = 0.25;
@@ -48,11 +43,6 @@ std::optional<std::size_t> nearest_sample(const CoastWindow& window, double x, d
     if (i < 0 || j < 0 || i >= window.samples || j >= window.samples) return std::nullopt;
     return static_cast<std::size_t>(j) * static_cast<std::size_t>(window.samples) +
            static_cast<std::size_t>(i);
-}
-
-float covered_by(float depth) {
-    const float t = std::clamp(depth / kCoveringDepth, 0.0f, 1.0f);
-    return t * t * (3.0f - 2.0f * t);
 }
 
 /// Returns the part of a window over a bed: beside it the open sea is shown.

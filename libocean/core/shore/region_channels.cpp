@@ -8,6 +8,7 @@
 #include <span>
 
 #include "ocean/land_mask.hpp"
+#include "ocean/surf_traces.hpp"
 #include "query/query_points.hpp"
 #include "shore/shore_query.hpp"
 #include "shore/swash.hpp"
@@ -34,10 +35,6 @@ float read_period(const Surface& map, Channel channel, WorldPoint label) {
     const auto row = [&](int of) { return at(i, of) + s * (at(i + 1, of) - at(i, of)); };
     return row(j) + t * (row(j + 1) - row(j));
 }
-
-/// The share of the water that foam of breaking waves hides is foam to this power: its lace opens
-/// as it fades.
-constexpr float kSurfCoverPower = 1.35f;
 
 constexpr ChannelSet kRates = {Channel::vx, Channel::vy, Channel::vz};
 constexpr ChannelSet kGradients = {

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "kernel/simd_level.hpp"
+#include "ocean/surf_traces.hpp"
 #include "ocean/thread_pool.hpp"
 #include "query/query_bounds.hpp"
 #include "shore/shore_blend.hpp"

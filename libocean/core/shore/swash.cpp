@@ -4,6 +4,8 @@
 // Sand and foam of the swash: see swash.hpp.
 #include "shore/swash.hpp"
 
+#include "ocean/surf_traces.hpp"
+
 namespace ocean {
 
 float surf_left(float bed) {

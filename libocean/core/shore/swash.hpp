@@ -209,9 +209,6 @@ SwashSurface<Real> swash_surface(const RunUpSea& sea, const SwashPlace<Real>& pl
 /// where the foam is that of the tip.
 float surf_left(float bed);
 
-/// Returns how wet the ground is under water of this depth [m], 0 .. 1.
-float covered_by(float depth);
-
 /// Returns how damp sand is that only the highest waves reach, 0 .. 1, by its height over still
 /// water and the 2 % run-up [m], above which it is dry.
 float damp_of(float bed, float run_up);
