@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What waves leave behind on a coast: constants of the foam of breaking waves and of wet sand, for
-// hosts that follow these traces on samples of their own. Ocean::region() follows them on labels.
+// The traces of waves on a coast: constants of the foam of breaking waves and of wet sand, for
+// hosts that follow them on samples of their own. Ocean::region() follows them on labels.
 #pragma once
 
 namespace ocean {
