@@ -344,6 +344,7 @@ def near_water(scene, tmp_path):
     return ob
 
 
+@pytest.mark.slow  # test_bake.py renders bakes without the add-on too
 def test_without_the_addon_a_bake_looks_the_same(scene, tmp_path):
     ob = near_water(scene, tmp_path)
     live = {}
