@@ -25,6 +25,7 @@ from .shared.drawing import (
     say,
     say_state,
 )
+from .shared.modifier_panel import ModifierPanel
 from .spray import spray
 from .volumes import volumes
 
@@ -144,14 +145,8 @@ def draw_waves(layout, settings) -> None:
     column.operator(operators.RemoveWaves.bl_idname, text="", icon="REMOVE")
 
 
-class _Panel:
-    bl_space_type = "PROPERTIES"
-    bl_region_type = "WINDOW"
-    bl_context = "modifier"
-
-    @classmethod
-    def poll(cls, context) -> bool:
-        return context.object is not None and bool(node_group.modifiers(context.object))
+class _Panel(ModifierPanel):
+    modifiers = staticmethod(node_group.modifiers)
 
 
 class OceanPanel(_Panel, bpy.types.Panel):

@@ -87,7 +87,7 @@ class OceanBake(bpy.types.PropertyGroup):
     frame_length: bpy.props.FloatProperty(options={"HIDDEN"}, default=1.0)
     sea: bpy.props.StringProperty(options={"HIDDEN"})
     recipes: bpy.props.StringProperty(options={"HIDDEN"})
-    # Of a coast: origin, cell and samples of its region, as JSON; empty: of an ocean.
+    # A coast's bake has origin, cell and samples of its region here, as JSON; an ocean's has none.
     extent: bpy.props.StringProperty(options={"HIDDEN"})
     # JSON of detail_tiles.Band; empty: baked without detail.
     bands: bpy.props.StringProperty(options={"HIDDEN"})

@@ -111,21 +111,49 @@ class OtherTilesError(Exception):
 
 
 @dataclasses.dataclass(kw_only=True)
-class MapJob(Job):
-    """Frames that become maps as EXR files."""
+class FieldsJob(Job):
+    """Frames that become EXR files, one for each field."""
 
     folder: Path
     stem: str
     """The beginning of the files' names."""
     fields: list[str]
-    """The fields of maps; those of slope tiles are added when the first frame is known."""
-    use_detail: bool
-    resolution: int
     package: object
     """The Python package OpenEXR."""
 
     first_sea: str = ""
     """The resolved sea file of the first frame."""
+
+    def _write_missing(self, provenance, make) -> bool:
+        """Writes the files of a frame that are missing. make(fields): returns the maps of these
+        fields by their names, and the provenance to write. Returns as _bake()."""
+        paths = {
+            field: exr_files.path(self.folder, self.stem, field, provenance.frame)
+            for field in self.fields
+        }
+        missing = [
+            field
+            for field, path in paths.items()
+            if self.overwrite or not exr_files.is_there(path, provenance, field)
+        ]
+        if missing and not self.stop.is_set():
+            maps, provenance = make(missing)
+            self.written += 1
+            for field in missing:
+                if self.stop.is_set():
+                    return False
+                exr_files.write(self.package, paths[field], provenance, field, maps[field])
+        return not self.stop.is_set()
+
+
+@dataclasses.dataclass(kw_only=True)
+class MapJob(FieldsJob):
+    """Frames that become maps as EXR files. The fields of slope tiles are added when the first
+    frame is known."""
+
+    use_detail: bool
+    resolution: int
+
     slope_variance: float = 0.0
     """The variance of the slopes that the first frame's map leaves out."""
     cover_power: float = 1.0
@@ -148,27 +176,16 @@ class MapJob(Job):
         if self.done == 0:
             self._begin(sea, resolved, frame)
         provenance = exr_files.Provenance(sea, frame.number, frame.time, self.resolution)
-        paths = {
-            field: exr_files.path(self.folder, self.stem, field, frame.number)
-            for field in self.fields
-        }
-        missing = [
-            field
-            for field, path in paths.items()
-            if self.overwrite or not exr_files.is_there(path, provenance, field)
-        ]
-        if missing and not self.stop.is_set():
+
+        def make(missing: list[str]):
             maps = self._maps(sea, frame.time, missing)
-            if any(field in exr_files.DETAIL for field in missing):
-                detail = self._detail(sea, frame.time)
-                provenance = dataclasses.replace(provenance, detail=detail)
-                maps |= self._tiles(detail.bands)
-            self.written += 1
-            for field in missing:
-                if self.stop.is_set():
-                    return False
-                exr_files.write(self.package, paths[field], provenance, field, maps[field])
-        return not self.stop.is_set()
+            if not any(field in exr_files.DETAIL for field in missing):
+                return maps, provenance
+            detail = self._detail(sea, frame.time)
+            maps |= self._tiles(detail.bands)
+            return maps, dataclasses.replace(provenance, detail=detail)
+
+        return self._write_missing(provenance, make)
 
     def _maps(self, sea, time: float, fields: list[str]) -> dict[str, np.ndarray]:
         fields = [field for field in fields if field not in exr_files.DETAIL]

@@ -10,7 +10,6 @@ the add-on.
 from __future__ import annotations
 
 import dataclasses
-from pathlib import Path
 
 from ..bake import bake_job, bake_plan, bake_record, baked, exr_files
 from ..shared import meshes, modifier_groups
@@ -22,42 +21,21 @@ from .node_group import CHANNELS, FILES, WETNESS
 
 
 @dataclasses.dataclass(kw_only=True)
-class RegionJob(bake_job.Job):
+class RegionJob(bake_job.FieldsJob):
     """Frames that become the fields of a region as EXR files."""
 
-    folder: Path
-    stem: str
-    """The beginning of the files' names."""
-    fields: list[str]
     extent: Extent
-    package: object
-    """The Python package OpenEXR."""
-
-    first_sea: str = ""
-    """The resolved sea file of the first frame."""
 
     def _bake(self, sea, resolved: str, frame: bake_job.Frame) -> bool:
         self.first_sea = self.first_sea or resolved
         extent = self.extent
         provenance = exr_files.Provenance(sea, frame.number, frame.time, 0, extent)
-        paths = {
-            field: exr_files.path(self.folder, self.stem, field, frame.number)
-            for field in self.fields
-        }
-        missing = [
-            field
-            for field, path in paths.items()
-            if self.overwrite or not exr_files.is_there(path, provenance, field)
-        ]
-        if missing and not self.stop.is_set():
+
+        def make(missing: list[str]):
             where = (extent.origin, extent.samples, extent.cell)
-            maps = sea.region(frame.time, *where, missing, axes=exr_files.AXES)
-            self.written += 1
-            for field in missing:
-                if self.stop.is_set():
-                    return False
-                exr_files.write(self.package, paths[field], provenance, field, maps[field])
-        return not self.stop.is_set()
+            return sea.region(frame.time, *where, missing, axes=exr_files.AXES), provenance
+
+        return self._write_missing(provenance, make)
 
 
 class CoastBake(bake_plan.Bake):

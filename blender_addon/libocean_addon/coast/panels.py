@@ -13,6 +13,7 @@ from ..sea import parameter_values
 from ..shared import drafts
 from ..shared.compat import tr_label
 from ..shared.drawing import field, never_raises, place_labels, say, say_state
+from ..shared.modifier_panel import ModifierPanel
 from ..terrain.look_panels import SIDES
 from . import facts, node_group, operators
 
@@ -22,14 +23,8 @@ SHORE = tuple(key for key, entry in _ENTRIES.items() if entry["section"] == "wat
 LOOK = ("choppiness", *sea_panels.FOAM)
 
 
-class _Panel:
-    bl_space_type = "PROPERTIES"
-    bl_region_type = "WINDOW"
-    bl_context = "modifier"
-
-    @classmethod
-    def poll(cls, context) -> bool:
-        return context.object is not None and bool(node_group.modifiers(context.object))
+class _Panel(ModifierPanel):
+    modifiers = staticmethod(node_group.modifiers)
 
 
 class CoastPanel(_Panel, bpy.types.Panel):

@@ -13,6 +13,7 @@ from .. import translations, whole_sea
 from ..shared import drafts, file_row, parameter_fields
 from ..shared.compat import tr_label
 from ..shared.drawing import never_raises, place_labels, say, say_state
+from ..shared.modifier_panel import ModifierPanel
 from ..shared.property_texts import pairs_of
 from . import facts, node_group, operators
 from .parameter_values import is_measured, is_on, is_placed, is_replaced
@@ -93,16 +94,10 @@ def _draw_breaks(column, settings) -> None:
     column.operator(operators.AddBreak.bl_idname, icon="ADD")
 
 
-class ObjectPanel:
+class ObjectPanel(ModifierPanel):
     """A panel that objects with a terrain have"""
 
-    bl_space_type = "PROPERTIES"
-    bl_region_type = "WINDOW"
-    bl_context = "modifier"
-
-    @classmethod
-    def poll(cls, context) -> bool:
-        return context.object is not None and bool(node_group.modifiers(context.object))
+    modifiers = staticmethod(node_group.modifiers)
 
 
 class TerrainPanel(ObjectPanel, bpy.types.Panel):
