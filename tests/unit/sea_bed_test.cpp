@@ -184,7 +184,7 @@ TEST(SeaBed, ABedThatDoesNotSuitItsWavesIsWarnedOf) {
     EXPECT_EQ(warnings(bed, 0.0, 0.9, 1000.0, 0.5).find("deeper than"), std::string::npos);
     EXPECT_NE(warnings(bed, 0.0, 90.0, 1000.0).find("80 m long, less than a peak wavelength, 90 m"),
               std::string::npos);
-    // Of two systems the one from the land is named.
+    // The warning names the one of two systems that comes from the land.
     const std::string both =
         warnings_in(bed, {{{"waves.0", 3.9, 0.0}, {"waves.1", 3.9, kPi}}, 3.9, 1000.0, 100.0});
     EXPECT_NE(both.find("the waves of waves.1 come in are land alone"), std::string::npos);
@@ -220,7 +220,7 @@ TEST(SeaBed, HeightsOfARegionAreLinearAndGoOnBeyondTheBorder) {
         EXPECT_NEAR(heights[static_cast<std::size_t>(i)], x / 20.0 - 10.0, 1e-5);
     }
     ASSERT_EQ(region_warnings(bed, region).size(), 1u);
-    // Of 31 columns three lie beyond the bed: x = -15, 405 and 420 .. 435 m.
+    // Three of 31 columns lie beyond the bed: x = -15, 405 and 420 .. 435 m.
     EXPECT_NE(region_warnings(bed, region)[0].find("12.9 % of the region lies beyond the bed"),
               std::string::npos)
         << region_warnings(bed, region)[0];
