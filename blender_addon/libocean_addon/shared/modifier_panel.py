@@ -2,18 +2,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A panel that objects with one of the add-on's modifiers have."""
 
-from __future__ import annotations
-
-from collections.abc import Callable
-
 
 class ModifierPanel:
     bl_space_type = "PROPERTIES"
     bl_region_type = "WINDOW"
     bl_context = "modifier"
 
-    modifiers: Callable[[object], list]
-    """Returns the modifiers of an object that have the panel; set by subclasses."""
+    @staticmethod
+    def modifiers(shown) -> list:
+        """Returns the modifiers of an object that have the panel; a subclass says which."""
+        raise NotImplementedError
 
     @classmethod
     def poll(cls, context) -> bool:
