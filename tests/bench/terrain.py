@@ -6,11 +6,10 @@ noise by FastNoiseSIMD, whose heights have no slopes, and against numpy's transf
 usage: terrain.py [SIDE ...]     in a Python with numpy; FastNoiseSIMD where pyfastnoisesimd imports
 """
 
-import statistics
 import sys
-import time
 
 import numpy as np
+from rounds import measured, print_table
 
 import libocean
 
@@ -19,7 +18,6 @@ try:
 except ImportError:
     pyfastnoisesimd = None
 
-ROUNDS = 9
 OCTAVES = 11
 
 
@@ -81,21 +79,8 @@ class Numpy:
             np.fft.irfft2(field, s=(self.side, self.side))
 
 
-def measured(works: dict) -> dict:
-    """Returns the median seconds of each work, all of them in turn in every round."""
-    seconds = {name: [] for name in works}
-    for _ in range(ROUNDS):
-        for name, work in works.items():
-            start = time.perf_counter()
-            work()
-            seconds[name].append(time.perf_counter() - start)
-    return {name: statistics.median(taken[1:]) for name, taken in seconds.items()}
-
-
 def main() -> None:
     sides = [int(side) for side in sys.argv[1:]] or [1024, 2048]
-    print("| one thread, ms | " + " | ".join(f"N = {side}" for side in sides) + " |")
-    print("| --- |" + " --- |" * len(sides))
     columns = []
     for side in sides:
         ours = Ours(side)
@@ -108,14 +93,7 @@ def main() -> None:
             name = f"FastNoiseSIMD: {OCTAVES} octaves of Perlin, height alone"
             works[name] = FastNoise(side).heights
         columns.append(measured(works))
-    first = next(iter(columns[0]))
-    for name in columns[0]:
-        cells = [
-            f"{1e3 * column[name]:.1f}"
-            + ("" if name == first else f" ({column[name] / column[first]:.2f})")
-            for column in columns
-        ]
-        print(f"| {name} | " + " | ".join(cells) + " |")
+    print_table("one thread, ms", sides, columns)
     if pyfastnoisesimd is None:
         print("\npyfastnoisesimd does not import here: FastNoise was not measured.")
 

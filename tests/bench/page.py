@@ -1,0 +1,217 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Measures what docs/benchmarks.md shows and writes its measured parts: between two comments,
+`measured: NAME` and `end of measured`. `scripts/bench --page` builds what this runs.
+
+usage: page.py BENCH_ARGUMENT...     arguments of scripts/bench for the frames, --quick for instance
+"""
+
+import contextlib
+import io
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import report
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = ROOT / "build" / "bench"
+DEV = ROOT / "build" / "dev"
+LIBRARY = BUILD / "libocean" / "capi" / "libocean.so"
+PAGE = ROOT / "docs" / "benchmarks.md"
+PART = re.compile(r"(<!-- measured: (\w+) -->\n).*?(<!-- end of measured -->)", re.DOTALL)
+BLENDER_LINE = re.compile(
+    r"^(\S+), (\d+)( with detail)?: ([\d.]+) ms, (\d+) vertices; Blender's ([\d.]+) ms, (\d+);",
+    re.MULTILINE,
+)
+
+
+def run(*command: str | Path, **environment: str | Path) -> str:
+    print("page:", " ".join(str(word) for word in command), file=sys.stderr)
+    variables = os.environ | {name: str(value) for name, value in environment.items()}
+    done = subprocess.run(
+        [str(word) for word in command], cwd=ROOT, env=variables, stdout=subprocess.PIPE, text=True
+    )
+    if done.returncode != 0:
+        sys.exit(f"page: {command[0]} ended with {done.returncode}:\n{done.stdout}")
+    return done.stdout
+
+
+def table(head: list[str], rows: list[list[object]]) -> str:
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n".join("| " + " | ".join(str(cell) for cell in line) + " |" for line in lines)
+
+
+def tables_of(text: str) -> str:
+    """The lines of Markdown tables alone."""
+    return "\n".join(line for line in text.splitlines() if line.startswith("|"))
+
+
+def printed(function, *arguments) -> str:
+    with contextlib.redirect_stdout(io.StringIO()) as text:
+        function(*arguments)
+    return text.getvalue().strip()
+
+
+def machine() -> str:
+    facts = {}
+    for line in run("lscpu", LC_ALL="C").splitlines():
+        name, _, value = line.partition(":")
+        facts[name.strip()] = value.strip()
+    memory = Path("/proc/meminfo").read_text(encoding="utf-8").split(None, 2)[1]
+    # Virtual machines often hide the name of the processor; its family and model are there.
+    name = facts.get("Model name", "")
+    processor = f"{name}, family {facts.get('CPU family', '?')}, model {facts.get('Model', '?')}"
+    caches = ", ".join(
+        f"{level} {facts[f'{level} cache']}"
+        for level in ("L1d", "L2", "L3")
+        if f"{level} cache" in facts
+    )
+    commit = run("git", "rev-parse", "--short", "HEAD").strip()
+    count = facts.get("CPU(s)", "?")
+    return (
+        f"Measured on: {processor}; {count} processors; caches: {caches}; "
+        f"{int(memory) / 2**20:.0f} GiB of memory; at commit {commit}."
+    )
+
+
+class Frames:
+    """The runs of ocean_bench."""
+
+    def __init__(self, arguments: list[str]) -> None:
+        with tempfile.NamedTemporaryFile("r", suffix=".json") as lines:
+            run("scripts/bench", "--with-mkl", *arguments, "--json", lines.name)
+            self.run = [json.loads(line) for line in lines]
+        self.ratios = report.ratios([self.run])
+        self.milliseconds = report.milliseconds([self.run])
+
+    def kernel(self) -> str:
+        facts = printed(report.print_facts, [self.run])
+        return facts + "\n\n" + printed(report.print_summary, self.ratios, self.milliseconds)
+
+    def figures(self) -> str:
+        return printed(report.print_figures, [self.run])
+
+    def losses(self) -> list[str]:
+        found = []
+        for cell, names in self.ratios.items():
+            ratio = report.median(report.worst(names))
+            if ratio > 1.0:
+                simd, frame, threads, n = cell
+                found.append(f"{simd}, {frame}, {threads} threads, N = {n}: {ratio:.2f}")
+        return found
+
+
+def by_numpy() -> str:
+    python = ROOT / "build" / "fastnoise" / "bin" / "python"  # made by scripts/bench --terrain
+    return run(
+        python, "tests/bench/whole_sea.py",
+        LIBOCEAN_LIBRARY=LIBRARY, PYTHONPATH=ROOT / "libocean" / "python",
+    )  # fmt: skip
+
+
+def by_blender() -> str:
+    text = run(
+        "/usr/bin/python3", "tests/blender/start_blender.py", "--blender", "blender",
+        "--library", LIBRARY, "--profile", BUILD / "profile", "--",
+        "-s", "-k", "blenders_own", ROOT / "tests" / "blender" / "test_frame_cost.py",
+        OCEAN=BUILD / "bin" / "ocean",
+    )  # fmt: skip
+    found = BLENDER_LINE.findall(text)
+    if not found:
+        sys.exit(f"page: Blender's test has printed no times:\n{text}")
+    rows = []
+    for version, side, detail, ms, vertices, theirs, their_vertices in found:
+        ratio = float(ms) / int(vertices) / (float(theirs) / int(their_vertices))
+        # The mesh of its modifier has other sizes than ours: a vertex is what can be compared.
+        rows.append(
+            [version, f"{side}{detail}", f"{ms} ({vertices})", f"{theirs} ({their_vertices})",
+             f"{ratio:.2f}"]
+        )  # fmt: skip
+    return table(
+        ["Blender", "N", "ours, ms (vertices)", "Ocean modifier, ms (vertices)", "ratio a vertex"],
+        rows,
+    )
+
+
+def by_preview() -> str:
+    parts = []
+    for backend in ("cpu", "gl"):
+        text = run(
+            "xvfb-run", "-a", BUILD / "bin" / "ocean-preview", "preset:beaufort_6",
+            "--size", "640x360", "--budget", "60", "--no-detail", "--backend", backend,
+        )  # fmt: skip
+        parts.append(f"`--backend {backend}`:\n\n{tables_of(text)}")
+    return "\n\n".join(parts)
+
+
+def of_coasts() -> str:
+    found = json.loads(
+        run(
+            BUILD / "tests" / "bench" / "ocean_coast_bench", "--benchmark_format=json",
+            "--benchmark_filter=show_region/.*/side:500|make_statics",
+        )
+    )["benchmarks"]  # fmt: skip
+    rows = []
+    for line in found:
+        kind, *options = line["name"].removesuffix("/real_time").split("/")
+        threads = options[-1].removeprefix("threads:")
+        if kind == "make_statics":
+            rows.append(
+                ["statics of 4 km2 in cells of 4 m", threads, f"{line['real_time']:.0f} ms"]
+            )
+        else:
+            nanoseconds = 1e9 / line["items_per_second"]
+            rows.append([f"a point: {options[0]}", threads, f"{nanoseconds:.0f} ns"])
+    return table(["a coast", "threads", "time"], rows)
+
+
+def of_the_bridge() -> str:
+    loads = re.findall(
+        r"^(.*?) +p10 .*?, p50 (.*?) ms, p99 (.*?) ms",
+        run(DEV / "tests" / "bridge" / "bridge_load"),
+        re.MULTILINE,
+    )
+    chain = re.findall(
+        r"^(\S.*?) {2,}([\d.]+) +([\d.]+) +[\d.]+$",
+        run("/usr/bin/python3", "tests/bridge/chain.py", "--build", DEV),
+        re.MULTILINE,
+    )
+    rows = [[*row] for row in loads]
+    rows += [[f"a report on a mocked bus below libusb: {name}", *row] for name, *row in chain]
+    return table(["from a change to who is told", "median, ms", "99 of 100 within, ms"], rows)
+
+
+def main() -> None:
+    frames = Frames(sys.argv[1:])
+    terrain = run("scripts/bench", "--terrain")
+    losses = frames.losses()
+    parts = {
+        "machine": machine(),
+        "kernel": frames.kernel(),
+        "losses": "\n".join(f"- {loss}" for loss in losses)
+        or "Of the frames above: nowhere on this machine.",
+        "figures": frames.figures(),
+        "numpy": by_numpy(),
+        "blender": by_blender(),
+        "preview": by_preview(),
+        "coast": of_coasts(),
+        "terrain": terrain,
+        "bridge": of_the_bridge(),
+    }
+    page = PAGE.read_text(encoding="utf-8")
+    wanted = {name for _, name, _ in PART.findall(page)}
+    if wanted != set(parts):
+        sys.exit(f"page: {PAGE.name} and this script name other parts: {wanted ^ set(parts)}")
+    page = PART.sub(lambda part: f"{part[1]}\n{parts[part[2]].strip()}\n\n{part[3]}", page)
+    PAGE.write_text(page, encoding="utf-8")
+    print(PAGE.relative_to(ROOT))
+
+
+if __name__ == "__main__":
+    main()
