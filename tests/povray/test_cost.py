@@ -40,6 +40,7 @@ def test_a_choppy_frame_is_small_and_parses_fast(tmp_path):
     assert ratio_of_least(lambda: exact.run(scene), lambda: text.run(scene), 2.5) <= 2.5
 
 
+@pytest.mark.slow
 def test_the_view_parses_as_fast_as_a_period_of_its_sea(tmp_path):
     """At 512 samples: 0.7 times as long; before its rows lay where pixels are 5.7 times."""
     folder = Folder(tmp_path, sea_text(resolution=512, period=690.0, wind=12.3))
@@ -53,6 +54,7 @@ def test_the_view_parses_as_fast_as_a_period_of_its_sea(tmp_path):
     assert ratio_of_least(lambda: read(view), lambda: read("Ocean_Mesh()"), bound) <= bound
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("detail", [1, 2])
 def test_the_first_picture_and_each_further_frame_parse_in_four_seconds(tmp_path, detail):
     """The scene of a new folder of Beaufort 6 at 320 x 180: 2.0 s for each of two frames, at any

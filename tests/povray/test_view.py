@@ -152,7 +152,9 @@ def cameras_of_all_attitudes(maps, period, count):
     return cameras
 
 
-@pytest.mark.parametrize("count,detail", [(200, 0.05), (14, 0.6)])
+@pytest.mark.parametrize(
+    "count,detail", [(200, 0.05), pytest.param(14, 0.6, marks=pytest.mark.slow)]
+)
 def test_no_ray_that_must_meet_water_misses_it(tmp_path, count, detail):
     sea = sea_text(resolution=64, period=200.0, wind=13.0, choppiness=1.0)
     folder = Folder(tmp_path, sea)

@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""What ocean-preview shows of the five seas of renders/preview/views.toml: pictures of 160 x 90 by
-llvmpipe, and heights.csv, the surface at twelve places of each. The test compares with them.
+"""What ocean-preview shows of the seas of renders/preview/views.toml that stand beside one another:
+pictures of 160 x 90 by llvmpipe, and heights.csv, the surface at twelve places of each. The test
+compares with them.
 
-usage: OCEAN_PREVIEW=build/dev/bin/ocean-preview tests/data/preview/make.py [FOLDER]
+usage: OCEAN_PREVIEW=build/dev/bin/ocean-preview tests/data/preview/make.py [FOLDER [SEA...]]
 """
 
 import math
@@ -40,7 +41,7 @@ def main() -> None:
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else HERE
     probes = [word for x, y in PLACES for word in ("--probe", f"{x},{y}")]
     rows = ["sea,x,y,mesh,maps"]
-    for name in hosts.beside():
+    for name in sys.argv[2:] or hosts.beside():
         picture = ("--offscreen", folder / f"{name}.png", "--size", "160x90", "-q")
         for line in shown(name, *probes, *picture).splitlines()[: len(PLACES)]:
             x, y, mesh, maps = map(float, line.split(",")[:4])
