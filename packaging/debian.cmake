@@ -12,6 +12,8 @@ install(FILES libocean.xml DESTINATION share/mime/packages COMPONENT preview EXC
 install(FILES ocean-bridge.service DESTINATION lib/systemd/system COMPONENT bridge EXCLUDE_FROM_ALL)
 install(FILES ocean-bridge.default DESTINATION /etc/default RENAME ocean-bridge
         COMPONENT bridge EXCLUDE_FROM_ALL)
+install(FILES ${PROJECT_SOURCE_DIR}/libocean/bridge/PROTOCOL.md DESTINATION share/doc/ocean-bridge
+        COMPONENT bridge EXCLUDE_FROM_ALL)
 
 set(python_folder lib/python3/dist-packages)
 set(wrapper ${PROJECT_SOURCE_DIR}/libocean/python)

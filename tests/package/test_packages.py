@@ -99,6 +99,7 @@ def expected_files(component: str) -> list[str]:
             own.append("usr/share/mime/packages/libocean.xml")
         if component == "bridge":
             own.append("etc/default/ocean-bridge")
+            own.append("usr/share/doc/ocean-bridge/PROTOCOL.md")
             own.append("usr/lib/systemd/system/ocean-bridge.service")
             own.append("usr/lib/udev/rules.d/60-ocean-bridge.rules")
         return own
