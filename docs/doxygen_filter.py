@@ -4,15 +4,14 @@
 """Prints a public header as Doxygen and Sphinx can read it: a filter of Doxyfile.
 
 In C, comments are marked as Doxygen's: one on its own lines describes what follows it, one behind
-code describes that code. In C++, first values that Sphinx cannot parse, a lambda and members by
-their names, are left out.
+code describes that code. In C++, first values of members by their names, which Sphinx cannot parse,
+are left out.
 """
 
 import re
 import sys
 from pathlib import Path
 
-LAMBDA = r"\[\](?:\([^)]*\))?\s*\{(?:[^{}]|\{[^{}]*\})*\}"
 NAMED_MEMBERS = r"\{\.(?:[^{}]|\{[^{}]*\})*\}"
 
 
@@ -23,7 +22,7 @@ def marked(line: str) -> str:
 
 
 def without_first_values(text: str) -> str:
-    return re.sub(rf"\s*=\s*{LAMBDA};|(?:\s*=\s*|(?<=\w)){NAMED_MEMBERS};", ";", text)
+    return re.sub(rf"(?:\s*=\s*|(?<=\w)){NAMED_MEMBERS};", ";", text)
 
 
 header = Path(sys.argv[1])

@@ -18,13 +18,15 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
         libusb-1.0-0-dev liblo-dev librtmidi-dev libopenvdb-dev libboost-iostreams-dev)
     demo_packages=("${build_packages[@]}" povray povray-includes)
     lint_packages=(git python3 python3-venv ca-certificates clang-format shellcheck codespell)
+    deb_packages=(dpkg-dev file binutils)
     docs_packages=(python3-sphinx python3-myst-parser furo python3-breathe doxygen)
     test_packages=(
         "${demo_packages[@]}" "${lint_packages[@]}" "${docs_packages[@]}" binutils libgtest-dev libgmock-dev
         libfftw3-dev glslang-tools spirv-tools python3-numpy python3-pytest python3-openimageio
         openimageio-tools openexr clang libclang-rt-14-dev valgrind blender libegl1 libegl-mesa0 libgl1
         libgl1-mesa-dri xvfb xauth xdotool telnet netcat-openbsd python3-meshio python3-openvdb
-        libopenvdb-tools umockdev libumockdev-dev liblo-tools ccache lld)
+        libopenvdb-tools desktop-file-utils shared-mime-info
+        libglib2.0-bin man-db systemd dpkg-dev file umockdev libumockdev-dev liblo-tools ccache lld)
     bench_packages=(
         "${build_packages[@]}" libbenchmark-dev libfftw3-dev valgrind python3-venv ca-certificates)
     gl_packages=("${test_packages[@]}" mesa-vulkan-drivers)
@@ -36,6 +38,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
         libxrender1 libxxf86vm1)
     # Long-term releases and what came between; those that the index drops are dropped here.
     bpy_versions=(4.2.23 4.5.15 5.0.1 5.2.3)
+    chroot_packages=("${build_packages[@]}" "${deb_packages[@]}" debootstrap)
     cross_packages=("${build_packages[@]}" "${lint_packages[@]}" wine wine64)
     vm_packages=(qemu-system-x86 busybox-static cpio kmod udev binutils)
     # One release of each PyPI tool, so that a new one cannot turn a good tree red.

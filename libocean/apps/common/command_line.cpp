@@ -18,6 +18,7 @@
 
 #include "command_words.hpp"
 #include "console.hpp"
+#include "description.hpp"
 #include "interrupt.hpp"
 #include "ocean/error.hpp"
 
@@ -181,6 +182,10 @@ int parse_and_run(int argc, char** argv, const Program& program) {
     CommandLine command_line(program, options);
     try {
         const std::span words(argv, static_cast<std::size_t>(argc));
+        if (words.size() == 2 && words[1] == std::string_view("--describe")) {
+            console.data(description(program));
+            return 0;
+        }
         CommandWords read = read_command_words(program, words.subspan(1));
         if (read.help) {
             console.data(*read.help);
