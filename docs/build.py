@@ -3,9 +3,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Builds the pages of this folder as a static site.
 
-usage: docs/build.py --library LIBOCEAN_SO --output FOLDER
+usage: docs/build.py --library LIBOCEAN_SO --output FOLDER [--no-cpp]
 
-The site goes to FOLDER/html. A warning of Doxygen or Sphinx is an error. `scripts/docs` installs
+The site goes to FOLDER/html. A warning of Doxygen or Sphinx is an error. With --no-cpp the page of
+the C++ reference has no names, of which Sphinx needs a minute. `scripts/docs` installs
 what this needs, builds the library and calls it.
 
 The pages are also read in the repository itself, so their links are paths from file to file. In
@@ -70,13 +71,16 @@ def with_links_of_the_site(text: str, folder: Path, output: Path) -> str:
     return CODE_OR_LINK.sub(replaced, text)
 
 
-def stage(output: Path) -> None:
+def stage(output: Path, has_cpp: bool) -> None:
     """Writes the pages of the site as Sphinx reads them."""
     shutil.rmtree(output, ignore_errors=True)
     output.mkdir(parents=True)
     for path, name in pages().items():
         (output / name).parent.mkdir(parents=True, exist_ok=True)
-        (output / name).write_text(with_links_of_the_site(path.read_text(), path.parent, output))
+        text = with_links_of_the_site(path.read_text(), path.parent, output)
+        if name == "cpp_reference.md" and not has_cpp:
+            text = re.sub(r"^```.*?^```$", "", text, flags=re.M | re.S)
+        (output / name).write_text(text)
 
 
 def run(command: list, **options) -> None:
@@ -91,10 +95,11 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--library", required=True, type=Path)
     parser.add_argument("--output", required=True, type=Path)
+    parser.add_argument("--no-cpp", action="store_true")
     options = parser.parse_args()
     output = options.output.resolve()
     output.mkdir(parents=True, exist_ok=True)
-    stage(output / "pages")
+    stage(output / "pages", not options.no_cpp)
     environment = os.environ | {
         "OCEAN_DOXYGEN_OUTPUT": str(output),
         "OCEAN_DOXYGEN_XML": str(output / "xml"),

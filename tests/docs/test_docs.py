@@ -103,8 +103,9 @@ def test_every_block_of_a_page_runs(page: Path, tmp_path: Path, capsys) -> None:
         print(f"\n{page.name}: {counts['run']} run, {counts['left out']} left out", end="")
 
 
-def test_the_site_builds_without_a_warning(tmp_path: Path) -> None:
-    run([DOCS / "build.py", "--library", LIBRARY, "--output", tmp_path], tmp_path)
+@pytest.mark.parametrize("left_out", [["--no-cpp"], pytest.param([], marks=pytest.mark.slow)])
+def test_the_site_builds_without_a_warning(tmp_path: Path, left_out: list[str]) -> None:
+    run([DOCS / "build.py", "--library", LIBRARY, "--output", tmp_path, *left_out], tmp_path)
     html = tmp_path / "html"
     assert (html / "index.html").exists()
     for page in html.glob("**/*.html"):
