@@ -40,7 +40,7 @@ LocalSea ShoreSurface::local_sea(WorldPoint place, std::vector<LocalWave>& waves
     Jet imaginary(0.0f);
     for (std::size_t w = 0; w < statics_.bands().waves.size(); ++w) {
         const ShoreWaves& of = statics_.bands().waves[w];
-        const QuadSample delay = statics_.delays->waves[w].read(place.x, place.y);
+        const QuadSample delay = statics_.delays->waves[w].maps->read(place.x, place.y);
         const double x = place.x + static_cast<double>(delay.value[0]);
         const double y = place.y + static_cast<double>(delay.value[1]);
         float value[2], by_time[2];

@@ -99,7 +99,7 @@ void ShoreSurface::add_waves(JetParts parts, bool displaces, WavyBlock& block) c
         if (waves % 4 == 0) {
             statics_.energy->amplitudes[waves / 4].read(block.places.energy, slopes, amplitudes);
         }
-        statics_.delays->waves[waves].read(block.places.delays, slopes, delay);
+        statics_.delays->waves[waves].maps->read(block.places.delays, slopes, delay);
         for (std::size_t n = 0; n < count; ++n) {
             place_x[n] = block.places.x[n] + static_cast<double>(delay.value[0][n]);
             place_y[n] = block.places.y[n] + static_cast<double>(delay.value[1][n]);
