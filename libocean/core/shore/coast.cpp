@@ -71,8 +71,9 @@ const ShoreStatics& Coast::statics(const CoastSea& sea, ThreadPool& pool,
     return statics_;
 }
 
-ShoreSurface& Coast::surface(const CoastSea& sea, double time, ShoreSurface::Rates rates,
-                             ThreadPool& pool, const BuildProgress& progress) {
+/// Returns the surface of the sea, at any time.
+ShoreSurface& Coast::current_surface(const CoastSea& sea, ShoreSurface::Rates rates,
+                                     ThreadPool& pool, const BuildProgress& progress) {
     const ShoreStatics& made = statics(sea, pool, progress);
     const double choppiness = sea.parameters.surface.choppiness;
     const bool has_rates = surface_ && (surface_->rates() == ShoreSurface::Rates::with ||
@@ -81,18 +82,36 @@ ShoreSurface& Coast::surface(const CoastSea& sea, double time, ShoreSurface::Rat
                             surface_choppiness_ == choppiness && surface_shown_ == sea.shown;
     if (!is_current) {
         surface_.reset();
+        sums_.reset();
         surface_.emplace(sea.modes, sea.parameters, made, sea.shown, rates, pool);
         surface_modes_ = sea.modes.revision;
         surface_choppiness_ = choppiness;
         surface_shown_ = sea.shown;
         moved_ = false;
     }
-    if (!moved_ || surface_->time() != time) {
+    return *surface_;
+}
+
+ShoreSurface& Coast::surface(const CoastSea& sea, double time, ShoreSurface::Rates rates,
+                             ThreadPool& pool, const BuildProgress& progress) {
+    ShoreSurface& surface = current_surface(sea, rates, pool, progress);
+    if (!moved_ || surface.time() != time) {
         moved_ = false;
-        surface_->move_to(time, pool);
+        surface.move_to(time, pool);
         moved_ = true;
     }
-    return *surface_;
+    return surface;
+}
+
+Coast::Exact Coast::exact(const CoastSea& sea, double time, ThreadPool& pool,
+                          const BuildProgress& progress) {
+    ShoreSurface& surface = current_surface(sea, ShoreSurface::Rates::with, pool, progress);
+    if (!sums_) {
+        require_memory(2 * WaveSum::bytes(sea.modes, 1), "an exact query of this sea");
+        sums_ = surface.sums(sea.modes, sea.parameters.water);
+    }
+    if (sums_->time != time) sums_->set_time(time);
+    return {surface, *sums_};
 }
 
 }  // namespace ocean

@@ -58,8 +58,17 @@ class Coast {
     /// Returns the surface at a time [s]. Valid until the next call.
     ShoreSurface& surface(const CoastSea& sea, double time, ShoreSurface::Rates rates,
                           ThreadPool& pool, const BuildProgress& progress);
+    /// A surface with rates, for reads by its sums: its own time may be another.
+    struct Exact {
+        ShoreSurface& surface;
+        const ShoreSums& sums;
+    };
+    /// Returns the sums over the modes at a time [s]. Valid until the next call.
+    Exact exact(const CoastSea& sea, double time, ThreadPool& pool, const BuildProgress& progress);
 
   private:
+    ShoreSurface& current_surface(const CoastSea& sea, ShoreSurface::Rates rates, ThreadPool& pool,
+                                  const BuildProgress& progress);
     /// The input of the statics, compared with that of the next call.
     struct Source {
         Water water;
@@ -73,6 +82,7 @@ class Coast {
     std::vector<PairDelays> known_;  // the last used ones first
     Water known_over_;               // without what delays do not depend on
     std::optional<ShoreSurface> surface_;
+    std::optional<ShoreSums> sums_;  // of surface_
     Revision surface_modes_;
     double surface_choppiness_ = 0.0;
     int surface_shown_ = 0;

@@ -73,11 +73,20 @@ constexpr std::array<float, 9> kKernel = {1.0f / 256,  8.0f / 256,  28.0f / 256,
                                           28.0f / 256, 8.0f / 256,  1.0f / 256};
 constexpr int kKernelReach = 4;
 
-/// Writes the weighted sums of kKernel.size() arrays of `count` numbers.
+/// Writes the weighted sums of kKernel.size() arrays of `count` numbers, a vector of them at once.
 void weigh(const std::array<const float*, kKernel.size()>& arrays, std::size_t count, float* sums) {
-    std::fill_n(sums, count, 0.0f);
-    for (std::size_t n = 0; n < kKernel.size(); ++n) {
-        for (std::size_t k = 0; k < count; ++k) sums[k] += kKernel[n] * arrays[n][k];
+    constexpr std::size_t kLanes = 16;
+    std::size_t k = 0;
+    for (; k + kLanes <= count; k += kLanes) {
+        std::array<float, kLanes> sum{};
+        for (std::size_t n = 0; n < kKernel.size(); ++n) {
+            for (std::size_t l = 0; l < kLanes; ++l) sum[l] += kKernel[n] * arrays[n][k + l];
+        }
+        std::copy(sum.begin(), sum.end(), sums + k);
+    }
+    for (; k < count; ++k) {
+        sums[k] = 0.0f;
+        for (std::size_t n = 0; n < kKernel.size(); ++n) sums[k] += kKernel[n] * arrays[n][k];
     }
 }
 
