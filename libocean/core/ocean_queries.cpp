@@ -16,6 +16,7 @@
 #include "ocean_coast.hpp"
 #include "query/query_bounds.hpp"
 #include "shore/shore_motion.hpp"
+#include "shore/shore_query.hpp"
 #include "shore/shore_surface.hpp"
 
 namespace ocean {
@@ -92,6 +93,7 @@ double Ocean::query_height_error(double time, const QueryOptions& options) {
 
 void Ocean::water_motion(double time, std::span<const WaterPoint> points,
                          std::span<WaterMotion> motions, const QueryOptions& options) {
+    if (sea_.parameters.water.bed) require_query_of_coast(sea_.parameters.grid, options);
     for (const WaterPoint& point : points) {
         if (std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)) continue;
         throw Error(ErrorKind::invalid_value,

@@ -211,16 +211,7 @@ Surface Ocean::region(double time, const Domain& domain, ChannelSet channels) {
 void Ocean::query_shore(double time, std::span<const WorldPoint> points,
                         std::span<QuerySample> samples, const QueryOptions& options) {
     require_finite(points);
-    const int shown = default_map_resolution(sea_.parameters.grid);
-    if (options.resolution != 0 && options.resolution != shown) {
-        const std::string given = std::to_string(options.resolution);
-        throw Error(ErrorKind::unsupported,
-                    "resolution = " + given +
-                        ": over a bed (water.seabed) a query reads all waves of the grid; allowed: "
-                        "0 or " +
-                        std::to_string(shown));
-    }
-    spline_resolution(sea_.parameters.grid.resolution, {.refine = options.refine});  // may refuse
+    require_query_of_coast(sea_.parameters.grid, options);
     if (points.empty()) return;
     std::vector<ShorePoint> found(points.size());
     if (options.exact) {
@@ -242,6 +233,7 @@ void Ocean::query_shore(double time, std::span<const WorldPoint> points,
     FoamState state(surf_clock(sea_.parameters), labels.size());
     RegionFoamMaps foam;
     foam.surf = surf_foam(time, labels, state);
+    const int shown = default_map_resolution(sea_.parameters.grid);
     foam.open = Surface(Lattice{shown, sea_.parameters.grid.patch_size}, time, Channel::foam);
     write_open(time, outputs_of(foam.open), shown);
     for (std::size_t i = 0; i < labels.size(); ++i) {

@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
+#include "ocean/cascades.hpp"
+#include "ocean/error.hpp"
 #include "ocean/thread_pool.hpp"
+#include "query/query_points.hpp"
 
 namespace ocean {
 namespace {
@@ -115,6 +119,18 @@ std::array<float, 3> shore_normal(const ShorePoint& point) {
     if (!(length > 0.0f)) return {0.0f, 0.0f, 1.0f};
     const float scale = (nz < 0.0f ? -1.0f : 1.0f) / length;
     return {scale * nx, scale * ny, scale * nz};
+}
+
+void require_query_of_coast(const Grid& grid, const QueryOptions& options) {
+    const int shown = default_map_resolution(grid);
+    if (options.resolution != 0 && options.resolution != shown) {
+        throw Error(ErrorKind::unsupported,
+                    "resolution = " + std::to_string(options.resolution) +
+                        ": over a bed (water.seabed) a query reads all waves of the grid; allowed: "
+                        "0 or " +
+                        std::to_string(shown));
+    }
+    spline_resolution(grid.resolution, {.refine = options.refine});
 }
 
 void query_shore(const ShoreSurface& surface, std::span<const WorldPoint> points,

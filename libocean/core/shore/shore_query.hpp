@@ -21,6 +21,10 @@ void query_shore(const ShoreSurface& surface, std::span<const WorldPoint> points
                  std::span<QuerySample> samples, std::span<ShorePoint> labelled,
                  const ShoreSums* exact, ThreadPool& pool);
 
+/// Throws Error unsupported for the waves of a coarser map, of which a coast knows nothing, and
+/// invalid_value for a `refine` that a map of the grid does not allow.
+void require_query_of_coast(const Grid& grid, const QueryOptions& options);
+
 /// Returns the unit normal of the displayed surface at a label, on the side seen from above.
 std::array<float, 3> shore_normal(const ShorePoint& point);
 /// Returns the Jacobian of the displayed surface: below 0 it has folded over.
