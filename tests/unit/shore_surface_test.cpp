@@ -10,6 +10,7 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "ocean/error.hpp"
@@ -286,23 +287,41 @@ TEST(ShoreSurface, GaugesReadWhatQueriesFind) {
 
 TEST(ShoreSurface, WhatDoesNotKnowTheBedIsRefused) {
     Ocean ocean(beach_sea());
-    const auto refuses = [&](auto&& call) {
+    const auto refuses = [](const char* sentence, auto&& call) {
         try {
             call();
         } catch (const Error& error) {
-            return error.kind() == ErrorKind::unsupported;
+            EXPECT_EQ(error.kind(), ErrorKind::unsupported) << error.what();
+            EXPECT_NE(std::string(error.what()).find(sentence), std::string::npos) << error.what();
+            return;
         }
-        return false;
+        ADD_FAILURE() << "allowed: " << sentence;
     };
-    EXPECT_TRUE(refuses([&] { ocean.evaluate(0.0, Channel::height); }));
-    EXPECT_TRUE(refuses([&] { ocean.detail_budget(0.0); }));
-    WorldPoint point{500.0, 100.0};
+    std::vector<float> map(256 * 256);
+    const std::vector<MapOutput> height = {{map.data(), 1, {{{Channel::height}}}}};
+    const std::vector<MapOutput> linear = {{map.data(), 1, {{{Linear::height}}}}};
+    refuses("a map of one period", [&] { ocean.evaluate(0.0, Channel::height); });
+    refuses("a map of one period", [&] { ocean.evaluate_into(0.0, height, 256); });
+    refuses("a map of a cascade", [&] { ocean.evaluate_cascade_into(0, 0.0, height, 256); });
+    refuses("a slope tile", [&] { ocean.detail_budget(0.0); });
+    refuses("a lattice of foam", [&] { ocean.lattice_foam_into(0.0, {256, 256}, map); });
+    refuses("no linear fields", [&] { ocean.region_into(0.0, square(500, 100, 8, 1.0), linear); });
+    refuses("plays no take", [&] { ocean.perform(1.0, "wind_speed", "12"); });
+    const WorldPoint point{500.0, 100.0};
+    const WaterPoint depth{500.0, 100.0, -1.0};
     QuerySample sample;
-    EXPECT_TRUE(refuses([&] { ocean.query(0.0, {&point, 1}, {&sample, 1}, {.resolution = 64}); }));
+    WaterMotion motion;
+    refuses("resolution = 64: over a bed", [&] {
+        ocean.query(0.0, {&point, 1}, {&sample, 1}, {.foam = false, .resolution = 64});
+    });
+    refuses("resolution = 64: over a bed", [&] {
+        ocean.water_motion(0.0, {&depth, 1}, {&motion, 1}, {.resolution = 64});
+    });
     EXPECT_NO_THROW(
         ocean.query(0.0, {&point, 1}, {&sample, 1}, {.foam = false, .resolution = 256}));
     Ocean open(surf_sea(20.0));
-    EXPECT_TRUE(refuses([&] { open.region(0.0, square(0, 0, 8, 1.0), Channel::height); }));
+    refuses("has no bed", [&] { open.region(0.0, square(0, 0, 8, 1.0), Channel::height); });
+    refuses("has no bed", [&] { open.prepare_coast(); });
 }
 
 }  // namespace
