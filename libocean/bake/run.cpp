@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "complete_file.hpp"
+#include "formats/spray_points.hpp"
 #include "frame_baker.hpp"
 #include "frame_workers.hpp"
 #include "ocean/bake/existing_frames.hpp"
@@ -216,7 +217,10 @@ void warn_of_subject(const BakePlan& plan, BakeHost& host) {
         for (const std::string& warning : warnings) {
             host.warning(plays ? "frame " + std::to_string(frame) + ": " + warning : warning);
         }
-        if (!warnings.empty() || !plays) return;
+        if (!warnings.empty() || !plays) break;
+    }
+    if (const std::string warning = spray_cell_warning(plan); !warning.empty()) {
+        host.warning(warning);
     }
 }
 

@@ -13,7 +13,10 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean_coast.hpp"
+#include "query/query_bounds.hpp"
 #include "shore/shore_motion.hpp"
+#include "shore/shore_query.hpp"
 #include "shore/shore_surface.hpp"
 
 namespace ocean {
@@ -80,12 +83,17 @@ void Ocean::query(double time, std::span<const WorldPoint> points, std::span<Que
 }
 
 double Ocean::query_height_error(double time, const QueryOptions& options) {
-    if (sea_.parameters.water.bed) return shore_surface(time, false).height_error();
+    if (sea_.parameters.water.bed) {
+        if (!options.exact) return shore_surface(time, false).height_error();
+        const int map = default_map_resolution(sea_.parameters.grid);
+        return query_bounds(modes(time), map, map, true, pool_).error;
+    }
     return surface_query(time, options).height_error();
 }
 
 void Ocean::water_motion(double time, std::span<const WaterPoint> points,
                          std::span<WaterMotion> motions, const QueryOptions& options) {
+    if (sea_.parameters.water.bed) require_query_of_coast(sea_.parameters.grid, options);
     for (const WaterPoint& point : points) {
         if (std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)) continue;
         throw Error(ErrorKind::invalid_value,
@@ -104,9 +112,19 @@ void Ocean::water_motion(double time, std::span<const WaterPoint> points,
         }
         found.resize(level.size());
         if (sea_.parameters.water.bed) {
-            const ShoreSurface& surface = shore_surface(time, true);
             if (!shore_motion_) shore_motion_ = std::make_unique<ShoreMotion>();
-            shore_motion_->sample(surface, current_modes(), now().water, level, z, found, pool_);
+            if (options.exact) {
+                with_coast_sea(time, [&](const CoastSea& sea) {
+                    const Coast::Exact exact =
+                        coast_->exact(sea, time, pool_, options_.build_progress);
+                    shore_motion_->sample(exact.surface, sea.modes, now().water, level, z, found,
+                                          &exact.sums, pool_);
+                });
+            } else {
+                const ShoreSurface& surface = shore_surface(time, true);
+                shore_motion_->sample(surface, current_modes(), now().water, level, z, found,
+                                      nullptr, pool_);
+            }
         } else {
             orbital_motion(time, z, options).sample(level, found, pool_);
         }

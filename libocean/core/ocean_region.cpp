@@ -20,8 +20,8 @@
 #include "ocean/region.hpp"
 #include "ocean/sea_bed.hpp"
 #include "ocean/surf_traces.hpp"
+#include "ocean_coast.hpp"
 #include "query/query_points.hpp"
-#include "shore/coast.hpp"
 #include "shore/region_channels.hpp"
 #include "shore/shore_query.hpp"
 #include "shore/surf_labels.hpp"
@@ -123,16 +123,6 @@ void Ocean::require_open_sea(std::string_view what) const {
                     "it does not repeat; request a region");
 }
 
-template <typename Body>
-decltype(auto) Ocean::with_coast_sea(double time, const Body& body) {
-    require_time(time);
-    go_to(time);
-    const DirectionalSpectrum& spectrum = chain_->spectrum(pool_, runs_);
-    const Modes& modes = current_modes();
-    return body(CoastSea{now(), spectrum, chain_->spectrum_revision(), modes,
-                         default_map_resolution(now().grid)});
-}
-
 ShoreSurface& Ocean::shore_surface(double time, bool with_rates) {
     const auto rates = with_rates ? ShoreSurface::Rates::with : ShoreSurface::Rates::without;
     return with_coast_sea(time, [&](const CoastSea& sea) -> ShoreSurface& {
@@ -221,19 +211,20 @@ Surface Ocean::region(double time, const Domain& domain, ChannelSet channels) {
 void Ocean::query_shore(double time, std::span<const WorldPoint> points,
                         std::span<QuerySample> samples, const QueryOptions& options) {
     require_finite(points);
-    if (options.exact) {
-        throw Error(
-            ErrorKind::unsupported,
-            "an exact query sums the waves of the open sea, and this sea has a bed "
-            "(water.seabed): its surface comes from maps alone, exact to 2e-6 of its waves");
-    }
-    spline_resolution(sea_.parameters.grid.resolution, {.refine = options.refine});  // may refuse
+    require_query_of_coast(sea_.parameters.grid, options);
     if (points.empty()) return;
-    ShoreSurface& surface = shore_surface(time, true);
-    const auto [west, east] = std::ranges::minmax(points, {}, &WorldPoint::x);
-    surface.prepare(current_modes(), west.x - surface.reach(), east.x + surface.reach(), pool_);
     std::vector<ShorePoint> found(points.size());
-    ocean::query_shore(surface, points, samples, found, pool_);
+    if (options.exact) {
+        with_coast_sea(time, [&](const CoastSea& sea) {
+            const Coast::Exact exact = coast_->exact(sea, time, pool_, options_.build_progress);
+            ocean::query_shore(exact.surface, points, samples, found, &exact.sums, pool_);
+        });
+    } else {
+        ShoreSurface& surface = shore_surface(time, true);
+        const auto [west, east] = std::ranges::minmax(points, {}, &WorldPoint::x);
+        surface.prepare(current_modes(), west.x - surface.reach(), east.x + surface.reach(), pool_);
+        ocean::query_shore(surface, points, samples, found, nullptr, pool_);
+    }
     if (!options.foam) return;
     std::vector<WorldPoint> labels;
     for (const QuerySample& sample : samples.first(points.size())) {

@@ -217,6 +217,21 @@ void load_record(WaveSystem& system, std::size_t wave, const std::string& base_d
     }
 }
 
+/// Reads the bed of a sea whose text has been read before. Throws Error, of a file that cannot be
+/// read with the reason why it is needed although the text may hold heights.
+void read_bed_again(Water& water, const std::string& base_dir) {
+    try {
+        resolve_bed(water, base_dir);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::bad_file) throw;
+        throw Error(error.kind(),
+                    "water.seabed = \"" + water.seabed + "\": " + error.what() +
+                        "; seabed or seabed_unit has changed, so that the bed is read from this "
+                        "file: name one that can be read, or leave both as they were",
+                    error.fields());
+    }
+}
+
 }  // namespace
 
 void resolve_files(Sea& sea, const std::string& base_dir, const SpectrumReader& reader) {
@@ -228,7 +243,7 @@ void resolve_files(Sea& sea, const std::string& base_dir, const SpectrumReader& 
         if (needed) load_record(waves[wave], wave, base_dir, reader);
     }
     Water& water = sea.parameters.water;
-    if (!water.seabed.empty() && water.bed == nullptr) resolve_bed(water, base_dir);
+    if (!water.seabed.empty() && water.bed == nullptr) read_bed_again(water, base_dir);
     resolve_take(sea, base_dir);
 }
 

@@ -52,6 +52,33 @@ void a_bed_is_copied_moved_and_removed(void) {
     ocean_free(sea);
 }
 
+void exact_queries_over_a_bed_sum_the_modes(void) {
+    float heights[kColumns * kRows];
+    const double xy[] = {3.0, 7.0};
+    ocean_sample map, sum;
+    double error = -1.0;
+    ocean_query_request request = {.struct_size = sizeof(request),
+                                   .time = 4.0,
+                                   .xy = xy,
+                                   .count = 1,
+                                   .samples = &map,
+                                   .sample_size = sizeof(map),
+                                   .height_error = &error};
+    ocean_sea* sea = open_small_sea(NULL);
+    make_beach(heights);
+    CHECK_RESULT(OCEAN_OK, ocean_set_bed(sea, heights, kColumns, kRows, -20.0, 0.0, 5.0));
+    CHECK_RESULT(OCEAN_OK, ocean_query_points(sea, &request));
+    request.samples = &sum;
+    request.exact = 1;
+    CHECK_RESULT(OCEAN_OK, ocean_query_points(sea, &request));
+    CHECK(fabsf(map.height - sum.height) < 1e-4f && sum.height != 0.0f);
+    CHECK(error >= 0.0);
+    request.resolution = 16;
+    CHECK_RESULT(OCEAN_UNSUPPORTED, ocean_query_points(sea, &request));
+    CHECK(strstr(ocean_last_error(), "reads all waves of the grid") != NULL);
+    ocean_free(sea);
+}
+
 void bad_beds_are_refused_and_change_nothing(void) {
     float heights[kColumns * kRows];
     ocean_sea* sea = open_small_sea(NULL);

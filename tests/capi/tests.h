@@ -22,6 +22,7 @@
     TEST(set_and_get_go_through_the_table)                             \
     TEST(set_of_a_record_reads_it)                                     \
     TEST(a_bed_is_copied_moved_and_removed)                            \
+    TEST(exact_queries_over_a_bed_sum_the_modes)                       \
     TEST(a_region_over_a_bed_is_computed_and_maps_that_repeat_are_not) \
     TEST(bad_beds_are_refused_and_change_nothing)                      \
     TEST(texts_say_their_size_and_never_overrun)                       \

@@ -94,9 +94,22 @@ def test_what_cannot_be_baked_is_one_sentence(coast, arguments, sentence):
     assert not (coast.folder / "out").exists() or not list((coast.folder / "out").glob("*.exr"))
 
 
-def test_an_open_sea_has_no_region_and_an_exact_query_no_bed(coast):
+def test_an_open_sea_has_no_region(coast):
     coast.write("open.toml", SEA.replace('seabed = "bed.asc"\n', ""))
     assert "has no bed" in coast.bad("bake", "open.toml", "-o", "s.exr", *REGION)
-    coast.write("points.csv", "x,y\n10,10\n")
-    message = coast.bad("query", "sea.toml", "--time", "1", "--points", "points.csv", "--exact")
-    assert "this sea has a bed" in message
+
+
+def test_an_exact_query_and_a_gauge_find_the_surface_of_the_region(coast):
+    coast.write("points.csv", "x,y\n10,50\n90,60\n135,40\n")
+    ask = ("query", "sea.toml", "--time", "1", "--points", "points.csv", "--no-foam")
+    rows = [
+        np.array([list(map(float, row.values())) for row in csv.DictReader(io.StringIO(answer))])
+        for answer in (coast.good(*ask), coast.good(*ask, "--exact"))
+    ]
+    difference = np.abs(rows[0] - rows[1])
+    assert 0.0 < difference[:, 2].max() < 1e-5, "both interpolate, or differ by more than that"
+    record = ("--from", "1", "--to", "1", "--rate", "1")
+    coast.good("gauge", "sea.toml", "--points", "points.csv", *record, "-o", "g.csv", "-q")
+    lines = csv.DictReader((coast.folder / "g.csv").read_text().splitlines())
+    read = [float(row["elevation"]) for row in lines]
+    assert np.abs(np.array(read) - rows[1][:, 2]).max() < 1e-6

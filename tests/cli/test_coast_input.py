@@ -123,6 +123,16 @@ def test_a_changed_or_missing_bed_is_told_by_its_hash(coast):
     assert "no such file" in coast.bad("bake", "held.toml", "-o", "s.exr", *REGION)
 
 
+def test_another_unit_needs_the_file_of_the_bed(coast):
+    # The text holds heights, but in metres they are those of another unit.
+    coast.write("held.toml", coast.good("info", "sea.toml", "--sea-file"))
+    (coast.folder / "bed.asc").unlink()
+    coast.good("info", "held.toml")
+    message = coast.bad("info", "held.toml", "--set", "seabed_unit=ft")
+    assert 'water.seabed = "bed.asc": bed.asc: no such file' in message, message
+    assert "or leave both as they were" in message
+
+
 @pytest.mark.parametrize(
     ("bed", "settings", "sentence"),
     [
@@ -167,6 +177,16 @@ def test_cells_in_a_wrong_unit_are_warned_of(coast, cell, sentence):
     coast.write("bed.asc", grid(BEACH, cell))
     done = coast("bake", "sea.toml", "-o", "s.exr", *REGION, "--products", "height")
     assert done.returncode == 0 and sentence in done.stderr, done.stderr
+
+
+def test_cells_of_spray_that_are_wider_than_breakers_are_told(coast):
+    coast.write("bed.asc", grid(BEACH[:3], 120.0))
+    bake = ("bake", "sea.toml", "--frames", "1", "--set", "wind_speed=14")
+    spray = (*bake, "-o", "s.ply", "--products", "spray", "--spray-lifetime", "0.05")
+    shown = coast(*spray)
+    assert shown.returncode == 0, shown.stderr
+    assert "spray over a bed of 5400 m is emitted on cells of 5.27 m" in shown.stderr
+    assert "is emitted on" not in coast(*bake, "-o", "h.exr", "--products", "height").stderr
 
 
 def test_one_of_several_systems_that_comes_from_land_is_named(coast):

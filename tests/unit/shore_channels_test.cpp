@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include "ocean/directional_spectrum.hpp"
@@ -81,6 +82,47 @@ TEST(ShoreChannels, LandThatNoWaveReachesHasNoFoamOfTheOpenSea) {
     }
 }
 
+// A change of the sea computes delays of those waves only that no sea before had, and shows the
+// bits of a sea that is made anew; so does a sea that comes back.
+TEST(ShoreStatics, AChangedSeaComputesItsNewWavesAlone) {
+    Parameters parameters = beach_sea();
+    double delays = 0.0;  // the share of reports
+    OceanOptions options;
+    options.build_progress = [&](std::string_view work, double) {
+        delays += work == "coast: delays" ? 1.0 : 0.0;
+    };
+    Ocean ocean(parameters, options);
+    const Domain domain{{500.0, 100.0}, {300.0, 300.0}, {31, 31}, false};
+    const auto reports_of = [&](double wind, double direction) {
+        WaveSystem& waves = parameters.waves.front();
+        waves.wind_speed = wind;
+        waves.wind_direction = direction;
+        delays = 0.0;
+        ocean.change(Sea{parameters, {}});
+        const Surface changed = ocean.region(4.0, domain, Channel::height);
+        const double reports = delays;
+        const Surface anew = Ocean(parameters).region(4.0, domain, Channel::height);
+        EXPECT_TRUE(
+            std::ranges::equal(changed.channel(Channel::height), anew.channel(Channel::height)))
+            << wind << " m/s to " << direction;
+        return reports;
+    };
+    const double all = reports_of(12.0, 0.0);
+    ASSERT_GT(all, 20.0);
+    const double a_sector = reports_of(12.0, 40.0);
+    EXPECT_GT(a_sector, 0.0);
+    EXPECT_LT(a_sector, 0.5 * all) << "two of three sectors are those of before";
+    EXPECT_EQ(reports_of(12.0, 0.0), 0.0);
+    EXPECT_GT(reports_of(9.0, 0.0), 0.5 * all) << "other bands";
+    EXPECT_EQ(reports_of(12.0, 40.0), 0.0);
+    // What delays do not depend on:
+    parameters.water.shore.swash = Swash::off;
+    EXPECT_EQ(reports_of(12.0, 40.0), 0.0);
+    // What they do:
+    parameters.water.depth = 21.0;
+    EXPECT_GT(reports_of(12.0, 40.0), 0.5 * all);
+}
+
 TEST(ShoreStatics, AreAsLargeAsToldAndAtMost5500KilobytesForASquareKilometreAndSector) {
     Parameters parameters = beach_sea();
     GivenBed given;
@@ -101,7 +143,7 @@ TEST(ShoreStatics, AreAsLargeAsToldAndAtMost5500KilobytesForASquareKilometreAndS
     const auto energy = make_shore_energy(bed, *delays, spectrum, parameters.water, pool);
     std::size_t bytes =
         delays->ground.bytes() + energy->breaking.bytes() + energy->remainder.bytes();
-    for (const QuadGrid& waves : delays->waves) bytes += waves.bytes();
+    for (const PairDelays& waves : delays->waves) bytes += waves.maps->bytes();
     for (const QuadGrid& amplitudes : energy->amplitudes) bytes += amplitudes.bytes();
     std::set<int> sectors;
     for (const ShoreWaves& waves : bands.waves) sectors.insert(waves.sector);

@@ -10,6 +10,7 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "ocean/error.hpp"
@@ -228,6 +229,49 @@ TEST(ShoreSurface, WaterMovesWithTheSurfaceAndStandsStillInTheBed) {
     EXPECT_EQ(motion, WaterMotion{});
 }
 
+// Exact queries sum modes where the others interpolate: from beyond the border to the run-up the
+// two differ by the error of the interpolation, which is 2e-6 of the waves, and no more than that
+// by rounding. Motions sum too; without that they lack the error of OrbitalMotion, which at this
+// resolution is up to 3e-3 of the waves' speed.
+TEST(ShoreSurface, ExactQueriesDifferFromOthersByTheInterpolationAlone) {
+    Ocean ocean(beach_sea());
+    std::vector<WorldPoint> points;
+    std::vector<WaterPoint> depths;
+    for (int i = 0; i < 48; ++i) {
+        points.push_back({-60.0 + 18.3 * i, 10.0 + 5.1 * i});
+        depths.push_back({points.back().x, points.back().y, -1.0});
+    }
+    std::vector<QuerySample> sums(points.size()), reads(points.size());
+    std::vector<WaterMotion> exact(points.size()), motions(points.size());
+    ocean.query(9.0, points, sums, {.exact = true, .foam = false});
+    ocean.query(9.0, points, reads, {.foam = false});
+    ocean.water_motion(9.0, depths, exact, {.exact = true});
+    ocean.water_motion(9.0, depths, motions);
+    double error = 0.0, motion_error = 0.0, speed = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        error += std::pow(sums[i].height - reads[i].height, 2.0);
+        motion_error += std::pow(exact[i].velocity_x - motions[i].velocity_x, 2.0);
+        speed += std::pow(exact[i].velocity_x, 2.0);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            EXPECT_NEAR(sums[i].velocity[axis], reads[i].velocity[axis], 1e-4);
+            EXPECT_NEAR(sums[i].normal[axis], reads[i].normal[axis], 1e-4);
+        }
+    }
+    const double height = ocean.state().significant_wave_height.asked;
+    error = std::sqrt(error / static_cast<double>(points.size()));
+    EXPECT_LE(error, 2e-6 * height);
+    EXPECT_GT(error, 2e-8 * height) << "both interpolate";
+    EXPECT_LE(std::sqrt(motion_error / speed), 3e-3);
+    EXPECT_GT(motion_error, 0.0);
+    EXPECT_LT(ocean.query_height_error(9.0, {.exact = true}), ocean.query_height_error(9.0));
+    // A sea at another time does not disturb them, nor do threads.
+    Ocean alone(ocean, {.threads = 3});
+    std::vector<QuerySample> again(points.size());
+    alone.query(8.0, points, again, {.foam = false});
+    alone.query(9.0, points, again, {.exact = true, .foam = false});
+    for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(sums[i].height, again[i].height);
+}
+
 TEST(ShoreSurface, GaugesReadWhatQueriesFind) {
     Ocean ocean(beach_sea());
     Gauge gauge{"surf", {{0.0, {640.0, 150.0, -1.0}}}};
@@ -237,24 +281,47 @@ TEST(ShoreSurface, GaugesReadWhatQueriesFind) {
     ASSERT_EQ(series.times, 3u);
     const WorldPoint point{640.0, 150.0};
     QuerySample sample;
-    ocean.query(5.5, {&point, 1}, {&sample, 1}, {.foam = false});
+    ocean.query(5.5, {&point, 1}, {&sample, 1}, {.exact = true, .foam = false});
     EXPECT_EQ(series.reading(1, 0)[GaugeSeries::kElevation], sample.height);
 }
 
 TEST(ShoreSurface, WhatDoesNotKnowTheBedIsRefused) {
     Ocean ocean(beach_sea());
-    const auto refuses = [&](auto&& call) {
+    const auto refuses = [](const char* sentence, auto&& call) {
         try {
             call();
         } catch (const Error& error) {
-            return error.kind() == ErrorKind::unsupported;
+            EXPECT_EQ(error.kind(), ErrorKind::unsupported) << error.what();
+            EXPECT_NE(std::string(error.what()).find(sentence), std::string::npos) << error.what();
+            return;
         }
-        return false;
+        ADD_FAILURE() << "allowed: " << sentence;
     };
-    EXPECT_TRUE(refuses([&] { ocean.evaluate(0.0, Channel::height); }));
-    EXPECT_TRUE(refuses([&] { ocean.detail_budget(0.0); }));
+    std::vector<float> map(256 * 256);
+    const std::vector<MapOutput> height = {{map.data(), 1, {{{Channel::height}}}}};
+    const std::vector<MapOutput> linear = {{map.data(), 1, {{{Linear::height}}}}};
+    refuses("a map of one period", [&] { ocean.evaluate(0.0, Channel::height); });
+    refuses("a map of one period", [&] { ocean.evaluate_into(0.0, height, 256); });
+    refuses("a map of a cascade", [&] { ocean.evaluate_cascade_into(0, 0.0, height, 256); });
+    refuses("a slope tile", [&] { ocean.detail_budget(0.0); });
+    refuses("a lattice of foam", [&] { ocean.lattice_foam_into(0.0, {256, 256}, map); });
+    refuses("no linear fields", [&] { ocean.region_into(0.0, square(500, 100, 8, 1.0), linear); });
+    refuses("plays no take", [&] { ocean.perform(1.0, "wind_speed", "12"); });
+    const WorldPoint point{500.0, 100.0};
+    const WaterPoint depth{500.0, 100.0, -1.0};
+    QuerySample sample;
+    WaterMotion motion;
+    refuses("resolution = 64: over a bed", [&] {
+        ocean.query(0.0, {&point, 1}, {&sample, 1}, {.foam = false, .resolution = 64});
+    });
+    refuses("resolution = 64: over a bed", [&] {
+        ocean.water_motion(0.0, {&depth, 1}, {&motion, 1}, {.resolution = 64});
+    });
+    EXPECT_NO_THROW(
+        ocean.query(0.0, {&point, 1}, {&sample, 1}, {.foam = false, .resolution = 256}));
     Ocean open(surf_sea(20.0));
-    EXPECT_TRUE(refuses([&] { open.region(0.0, square(0, 0, 8, 1.0), Channel::height); }));
+    refuses("has no bed", [&] { open.region(0.0, square(0, 0, 8, 1.0), Channel::height); });
+    refuses("has no bed", [&] { open.prepare_coast(); });
 }
 
 }  // namespace

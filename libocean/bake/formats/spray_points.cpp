@@ -125,6 +125,24 @@ std::string spray_recipe(const BakePlan& plan, const SprayPoints& spray, const B
     return bake_recipe(plan, file.frame, lines + "\n");
 }
 
+std::string spray_cell_warning(const BakePlan& plan) {
+    constexpr double kLongest = 4.0;  // [m]; fronts of breakers are some metres wide
+    const std::vector<BakeFile> files = plan.format->files(plan, plan.frames.front());
+    const auto has_spray = [](const BakeFile& file) {
+        return file.product == kSprayProduct.name || file.product == "density";
+    };
+    if (std::ranges::none_of(files, has_spray)) return "";
+    const Parameters& parameters = sea_of(*plan.subject).parameters;
+    if (!parameters.water.bed) return "";
+    const Domain domain = spray_domain(parameters);
+    if (domain.step(0) <= kLongest) return "";
+    const double side = std::max(domain.size[0], domain.size[1]);
+    return format_text(
+        "spray over a bed of %.0f m is emitted on cells of %.3g m: fronts of breakers are narrower "
+        "than that, and some throw none; a bed of at most 4096 m has cells of 4 m",
+        side, domain.step(0));
+}
+
 std::uint64_t max_spray_points(const BakePlan& plan, const SprayPoints& spray) {
     return max_spray_particles(sea_of(*plan.subject), spray.settings);
 }

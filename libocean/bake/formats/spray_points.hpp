@@ -54,4 +54,8 @@ io::Points make_spray_points(const FrameWork& work, const SprayPoints& spray);
 void adopt_spray_settings(const BakedHeader& header, BakeOptions& options);
 void adopt_spray(const BakedHeader& header, BakeOptions& options);
 
+/// Returns a warning of spray whose cells over a bed are longer than breakers are; "" if there is
+/// none. Beds of more than 4096 m have such cells.
+std::string spray_cell_warning(const BakePlan& plan);
+
 }  // namespace ocean

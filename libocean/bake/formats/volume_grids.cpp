@@ -62,12 +62,15 @@ GridCounts max_counts(const BakePlan& plan, const VolumeSettings& settings) {
     return counts;
 }
 
+/// Returns a query of the waves of the map; over a bed, where no map repeats, of all.
 QueryOptions height_query(const BakePlan& plan) {
-    return {.foam = false, .resolution = plan.resolution};
+    return {.foam = false, .resolution = plan.domain().wraps ? plan.resolution : 0};
 }
 
-/// Returns a query of the waves that the velocity's voxels resolve: at least two voxels long.
+/// Returns a query of the waves that the velocity's voxels resolve: at least two voxels long; over
+/// a bed of all.
 QueryOptions velocity_query(const BakePlan& plan, const VolumeSettings& settings) {
+    if (!plan.domain().wraps) return {.foam = false};
     const double voxel = settings.velocity_voxel;
     const double period = plan.domain().size[0];
     int resolution = kMinResolution;

@@ -205,7 +205,7 @@ void read_performance(Ocean& ocean, const std::vector<Gauge>& gauges, const Samp
     }
 }
 
-/// Reads gauges over a bed from the surface that queries show, time by time.
+/// Reads gauges over a bed by exact queries, time by time.
 void read_coast(Ocean& ocean, const std::vector<Gauge>& gauges, const SampleTimes& times,
                 const std::function<void(std::size_t)>& progress, GaugeSeries& series) {
     std::vector<WorldPoint> points(gauges.size());
@@ -219,8 +219,8 @@ void read_coast(Ocean& ocean, const std::vector<Gauge>& gauges, const SampleTime
             points[g] = {place.x, place.y};
             depths[g] = {place.x, place.y, place.z};
         }
-        ocean.query(time, points, samples, {.foam = false});
-        ocean.water_motion(time, depths, motions);
+        ocean.query(time, points, samples, {.exact = true, .foam = false});
+        ocean.water_motion(time, depths, motions, {.exact = true});
         std::span<double> row = row_of(series, i);
         for (std::size_t g = 0; g < gauges.size(); ++g) {
             const QuerySample& sample = samples[g];

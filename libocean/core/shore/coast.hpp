@@ -5,10 +5,12 @@
 // the sea dirties.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/modes.hpp"
@@ -37,30 +39,50 @@ class Coast {
   public:
     Coast() = default;
     /// Makes the coast of another thread, which shares the statics.
-    Coast(const Coast& built) : statics_(built.statics_), made_of_(built.made_of_) {}
+    Coast(const Coast& built)
+        : statics_(built.statics_),
+          made_of_(built.made_of_),
+          known_(built.known_),
+          known_over_(built.known_over_) {}
     Coast& operator=(const Coast&) = delete;
 
-    /// Returns the statics. Makes them when the bed, its water or the division of the sea has
-    /// changed, and their energy alone when only the heights of waves have. Throws Error
-    /// invalid_value for a sea without waves, and out_of_memory.
+    /// Max bytes of the delays that are kept of the seas before, those of the last one included.
+    static constexpr std::uint64_t kKnownBytes = std::uint64_t{256} << 20;
+
+    /// Returns the statics. When the bed or its water has changed it makes them; when the sea has,
+    /// their energy and the delays of those pairs of a band and a sector that no sea before had, or
+    /// had so long ago that kKnownBytes did not hold them. Throws Error invalid_value for a sea
+    /// without waves, and out_of_memory.
     const ShoreStatics& statics(const CoastSea& sea, ThreadPool& pool,
                                 const BuildProgress& progress);
     /// Returns the surface at a time [s]. Valid until the next call.
     ShoreSurface& surface(const CoastSea& sea, double time, ShoreSurface::Rates rates,
                           ThreadPool& pool, const BuildProgress& progress);
+    /// A surface with rates, for reads by its sums: its own time may be another.
+    struct Exact {
+        ShoreSurface& surface;
+        const ShoreSums& sums;
+    };
+    /// Returns the sums over the modes at a time [s]. Valid until the next call.
+    Exact exact(const CoastSea& sea, double time, ThreadPool& pool, const BuildProgress& progress);
 
   private:
+    ShoreSurface& current_surface(const CoastSea& sea, ShoreSurface::Rates rates, ThreadPool& pool,
+                                  const BuildProgress& progress);
     /// The input of the statics, compared with that of the next call.
     struct Source {
         Water water;
-        std::vector<ShoreWaves> waves;
-        std::array<double, kShoreBands + 1> edges{};
         Revision spectrum;
+        bool operator==(const Source&) const = default;
     };
+    void keep(const std::vector<PairDelays>& pairs);
 
     ShoreStatics statics_;
     Source made_of_;
+    std::vector<PairDelays> known_;  // the last used ones first
+    Water known_over_;               // without what delays do not depend on
     std::optional<ShoreSurface> surface_;
+    std::optional<ShoreSums> sums_;  // of surface_
     Revision surface_modes_;
     double surface_choppiness_ = 0.0;
     int surface_shown_ = 0;

@@ -5,11 +5,13 @@
 #include <cmath>
 
 #include "shore/shore_blend.hpp"
+#include "shore/shore_block.hpp"
 #include "shore/shore_surface.hpp"
 
 namespace ocean {
 
-LocalSea ShoreSurface::local_sea(WorldPoint place, std::vector<LocalWave>& waves) const {
+LocalSea ShoreSurface::local_sea(WorldPoint place, std::vector<LocalWave>& waves,
+                                 const ShoreSums* exact) const {
     waves.clear();
     LocalSea here;
     const Jet share =
@@ -36,22 +38,21 @@ LocalSea ShoreSurface::local_sea(WorldPoint place, std::vector<LocalWave>& waves
     here.depth = static_cast<double>(depth);
     here.calm = static_cast<double>(short_waves_left(Jet(depth)).value() * remainder.value[0]);
     const Quad wavenumbers = energy.depths.band_wavenumbers(depth);
+    BlockSignal signal;
     Jet real(0.0f);
     Jet imaginary(0.0f);
     for (std::size_t w = 0; w < statics_.bands().waves.size(); ++w) {
         const ShoreWaves& of = statics_.bands().waves[w];
-        const QuadSample delay = statics_.delays->waves[w].read(place.x, place.y);
+        const QuadSample delay = statics_.delays->waves[w].maps->read(place.x, place.y);
         const double x = place.x + static_cast<double>(delay.value[0]);
         const double y = place.y + static_cast<double>(delay.value[1]);
-        float value[2], by_time[2];
-        signals_.read(w, 1, &x, &y,
-                      {.re = value, .im = value + 1, .re_t = by_time, .im_t = by_time + 1});
+        read_signal(w, 1, &x, &y, JetParts::all, exact, signal);
         const float amplitude =
             energy.amplitudes[w / 4].read(place.x, place.y).value[static_cast<int>(w % 4)];
         const Jet cosine(amplitude * std::cos(delay.value[2]));
         const Jet sine(amplitude * std::sin(delay.value[2]));
-        const Jet re(value[0], 0.0f, 0.0f, by_time[0]);
-        const Jet im(value[1], 0.0f, 0.0f, by_time[1]);
+        const Jet re(signal.re.part[0][0], 0.0f, 0.0f, signal.re.part[3][0]);
+        const Jet im(signal.im.part[0][0], 0.0f, 0.0f, signal.im.part[3][0]);
         waves.push_back({re * cosine - im * sine, re * sine + im * cosine,
                          static_cast<double>(wavenumbers[of.band]),
                          sector_centre(of.sector) + static_cast<double>(delay.value[3])});

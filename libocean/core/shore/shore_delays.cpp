@@ -73,26 +73,60 @@ constexpr std::array<float, 9> kKernel = {1.0f / 256,  8.0f / 256,  28.0f / 256,
                                           28.0f / 256, 8.0f / 256,  1.0f / 256};
 constexpr int kKernelReach = 4;
 
-/// Smooths lines of `length` samples, `along` apart, in place. Beyond its ends a line continues by
-/// its reflection in the end point, so that linear maps stay what they are.
-void smooth_lines(float* map, int length, std::size_t along, int lines, std::size_t across) {
-    std::vector<float> line(static_cast<std::size_t>(length + 2 * kKernelReach));
-    for (int l = 0; l < lines; ++l) {
-        float* const at = map + static_cast<std::size_t>(l) * across;
-        const auto value = [&](int k) { return at[static_cast<std::size_t>(k) * along]; };
-        for (int k = -kKernelReach; k < length + kKernelReach; ++k) {
-            const int inside = std::clamp(k, 0, length - 1);
-            const int mirrored = std::clamp(2 * inside - k, 0, length - 1);
-            line[static_cast<std::size_t>(k + kKernelReach)] =
-                k == inside ? value(k) : 2.0f * value(inside) - value(mirrored);
+/// Writes the weighted sums of kKernel.size() arrays of `count` numbers, a vector of them at once.
+void weigh(const std::array<const float*, kKernel.size()>& arrays, std::size_t count, float* sums) {
+    constexpr std::size_t kLanes = 16;
+    std::size_t k = 0;
+    for (; k + kLanes <= count; k += kLanes) {
+        std::array<float, kLanes> sum{};
+        for (std::size_t n = 0; n < kKernel.size(); ++n) {
+            for (std::size_t l = 0; l < kLanes; ++l) sum[l] += kKernel[n] * arrays[n][k + l];
         }
-        for (int k = 0; k < length; ++k) {
-            float sum = 0.0f;
-            for (std::size_t n = 0; n < kKernel.size(); ++n) {
-                sum += kKernel[n] * line[static_cast<std::size_t>(k) + n];
-            }
-            at[static_cast<std::size_t>(k) * along] = sum;
+        std::copy(sum.begin(), sum.end(), sums + k);
+    }
+    for (; k < count; ++k) {
+        sums[k] = 0.0f;
+        for (std::size_t n = 0; n < kKernel.size(); ++n) sums[k] += kKernel[n] * arrays[n][k];
+    }
+}
+
+/// Smooths a map along x, then along y, in place. Beyond its ends a line continues by its
+/// reflection in the end point, so that linear maps stay what they are.
+void smooth(std::vector<float>& map, const CoastGrid& grid) {
+    const auto columns = static_cast<std::size_t>(grid.columns);
+    const auto reach = static_cast<std::size_t>(kKernelReach);
+    std::array<const float*, kKernel.size()> arrays;
+    std::vector<float> line(columns + 2 * reach);
+    for (int j = 0; j < grid.rows; ++j) {
+        float* const row = map.data() + grid.index(0, j);
+        std::copy_n(row, columns, line.data() + reach);
+        for (std::size_t k = 1; k <= reach; ++k) {
+            const std::size_t mirrored = std::min(k, columns - 1);
+            line[reach - k] = 2.0f * row[0] - row[mirrored];
+            line[reach + columns - 1 + k] = 2.0f * row[columns - 1] - row[columns - 1 - mirrored];
         }
+        for (std::size_t n = 0; n < arrays.size(); ++n) arrays[n] = line.data() + n;
+        weigh(arrays, columns, row);
+    }
+    std::vector<float> rows(columns * (static_cast<std::size_t>(grid.rows) + 2 * reach));
+    const auto kept = [&](int j) { return &rows[columns * (reach + static_cast<std::size_t>(j))]; };
+    std::copy(map.begin(), map.end(), kept(0));
+    const auto mirror = [&](int end, int inwards) {
+        for (int k = 1; k <= kKernelReach; ++k) {
+            const float* const at = kept(end);
+            const float* const inside = kept(end + inwards * std::min(k, grid.rows - 1));
+            float* const beyond =
+                rows.data() + columns * static_cast<std::size_t>(kKernelReach + end - inwards * k);
+            for (std::size_t i = 0; i < columns; ++i) beyond[i] = 2.0f * at[i] - inside[i];
+        }
+    };
+    mirror(0, 1);
+    mirror(grid.rows - 1, -1);
+    for (int j = 0; j < grid.rows; ++j) {
+        for (std::size_t n = 0; n < arrays.size(); ++n) {
+            arrays[n] = rows.data() + columns * (static_cast<std::size_t>(j) + n);
+        }
+        weigh(arrays, columns, map.data() + grid.index(0, j));
     }
 }
 
@@ -106,9 +140,7 @@ std::vector<float> smoothed_delays(const EikonalSolver& solver, const CoastGrid&
             delays[grid.index(i, j)] = static_cast<float>(cell * solver.delay(i, j));
         }
     }
-    const auto columns = static_cast<std::size_t>(grid.columns);
-    smooth_lines(delays.data(), grid.columns, 1, grid.rows, columns);
-    smooth_lines(delays.data(), grid.rows, columns, grid.columns, 1);
+    smooth(delays, grid);
     return delays;
 }
 

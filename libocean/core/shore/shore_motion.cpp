@@ -42,11 +42,11 @@ WaterMotion motion_of(std::span<const LocalWave> waves, double z, double depth,
 
 /// Moves a motion to these modes and this time, or makes it.
 OrbitalMotion& moved(std::optional<OrbitalMotion>& motion, const Modes& modes, const Water& water,
-                     double time, double z, ThreadPool& pool) {
+                     double time, double z, bool exact, ThreadPool& pool) {
     if (motion) {
         motion->move_to(modes, water, time, z, pool);
     } else {
-        motion.emplace(modes, water, time, z, QueryOptions{}, pool);
+        motion.emplace(modes, water, time, z, QueryOptions{.exact = exact}, pool);
     }
     return *motion;
 }
@@ -55,15 +55,22 @@ OrbitalMotion& moved(std::optional<OrbitalMotion>& motion, const Modes& modes, c
 
 void ShoreMotion::sample(const ShoreSurface& surface, const Modes& modes, const Water& water,
                          std::span<const WorldPoint> places, double z,
-                         std::span<WaterMotion> motions, ThreadPool& pool) {
-    const double time = surface.time();
+                         std::span<WaterMotion> motions, const ShoreSums* exact, ThreadPool& pool) {
+    const bool is_exact = exact != nullptr;
+    if (is_exact != is_exact_) {
+        open_.reset();
+        remainder_.reset();
+    }
+    is_exact_ = is_exact;
+    const double time = is_exact ? exact->time : surface.time();
     std::vector<WaterMotion> open(places.size());
     std::vector<WaterMotion> rest(places.size());
-    moved(open_, modes, water, time, z, pool).sample(places, open, pool);
-    moved(remainder_, surface.remainder_modes(), water, time, z, pool).sample(places, rest, pool);
+    moved(open_, modes, water, time, z, is_exact, pool).sample(places, open, pool);
+    moved(remainder_, surface.remainder_modes(), water, time, z, is_exact, pool)
+        .sample(places, rest, pool);
     std::vector<LocalWave> waves;
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const LocalSea here = surface.local_sea(places[i], waves);
+        const LocalSea here = surface.local_sea(places[i], waves, exact);
         const WaterMotion coast =
             mixed(motion_of(waves, z, here.depth, water), here.limited, rest[i], here.calm);
         const WaterMotion felt = mixed(coast, here.felt, open[i], 1.0 - here.felt);

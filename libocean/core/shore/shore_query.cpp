@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
+#include "ocean/cascades.hpp"
+#include "ocean/error.hpp"
 #include "ocean/thread_pool.hpp"
+#include "query/query_points.hpp"
 
 namespace ocean {
 namespace {
@@ -50,7 +54,8 @@ bool improve(Search& search, const ShorePoint& found, double tolerance, double l
 }
 
 void query_block(const ShoreSurface& surface, std::span<const WorldPoint> points,
-                 std::span<QuerySample> samples, std::span<ShorePoint> labelled) {
+                 std::span<QuerySample> samples, std::span<ShorePoint> labelled,
+                 const ShoreSums* exact) {
     const double reach = surface.reach();
     const double tolerance = std::max(1e-6 * reach, 1e-6);
     std::array<Search, kBlock> searches;
@@ -64,7 +69,8 @@ void query_block(const ShoreSurface& surface, std::span<const WorldPoint> points
     std::size_t left = points.size();
     for (int step = 0; step < kSteps && left > 0; ++step) {
         for (std::size_t n = 0; n < left; ++n) labels[n] = searches[open[n]].label;
-        surface.read(std::span(labels).first(left), JetParts::all, std::span(found).first(left));
+        surface.read(std::span(labels).first(left), JetParts::all, std::span(found).first(left),
+                     exact);
         std::size_t kept = 0;
         for (std::size_t n = 0; n < left; ++n) {
             const std::size_t i = open[n];
@@ -115,14 +121,29 @@ std::array<float, 3> shore_normal(const ShorePoint& point) {
     return {scale * nx, scale * ny, scale * nz};
 }
 
+void require_query_of_coast(const Grid& grid, const QueryOptions& options) {
+    const int shown = default_map_resolution(grid);
+    if (options.resolution != 0 && options.resolution != shown) {
+        throw Error(ErrorKind::unsupported,
+                    "resolution = " + std::to_string(options.resolution) +
+                        ": over a bed (water.seabed) a query reads all waves of the grid; allowed: "
+                        "0 or " +
+                        std::to_string(shown));
+    }
+    spline_resolution(grid.resolution, {.refine = options.refine});
+}
+
 void query_shore(const ShoreSurface& surface, std::span<const WorldPoint> points,
-                 std::span<QuerySample> samples, std::span<ShorePoint> labelled, ThreadPool& pool) {
-    const std::size_t blocks = (points.size() + kBlock - 1) / kBlock;
+                 std::span<QuerySample> samples, std::span<ShorePoint> labelled,
+                 const ShoreSums* exact, ThreadPool& pool) {
+    // A sum over all modes is long enough to be a piece of its own.
+    const std::size_t piece = exact != nullptr ? 1 : kBlock;
+    const std::size_t blocks = (points.size() + piece - 1) / piece;
     pool.for_each_item(static_cast<int>(blocks), [&](int block, int) {
-        const std::size_t first = static_cast<std::size_t>(block) * kBlock;
-        const std::size_t count = std::min(kBlock, points.size() - first);
+        const std::size_t first = static_cast<std::size_t>(block) * piece;
+        const std::size_t count = std::min(piece, points.size() - first);
         query_block(surface, points.subspan(first, count), samples.subspan(first, count),
-                    labelled.subspan(first, count));
+                    labelled.subspan(first, count), exact);
     });
 }
 

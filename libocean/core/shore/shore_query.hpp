@@ -15,9 +15,15 @@ namespace ocean {
 class ThreadPool;
 
 /// Writes one sample for each point; foam is 0. The bits are the same for any number of threads.
-/// `labelled` receives the surface at the labels found. Points must be finite.
+/// `labelled` receives the surface at the labels found. Points must be finite. exact: see
+/// ShoreSurface::read.
 void query_shore(const ShoreSurface& surface, std::span<const WorldPoint> points,
-                 std::span<QuerySample> samples, std::span<ShorePoint> labelled, ThreadPool& pool);
+                 std::span<QuerySample> samples, std::span<ShorePoint> labelled,
+                 const ShoreSums* exact, ThreadPool& pool);
+
+/// Throws Error unsupported for the waves of a coarser map, of which a coast knows nothing, and
+/// invalid_value for a `refine` that a map of the grid does not allow.
+void require_query_of_coast(const Grid& grid, const QueryOptions& options);
 
 /// Returns the unit normal of the displayed surface at a label, on the side seen from above.
 std::array<float, 3> shore_normal(const ShorePoint& point);

@@ -58,16 +58,25 @@ std::vector<float> breaking_slope(const BedGrid& bed, ThreadPool& pool) {
     return slope;
 }
 
-/// Raises `felt` where one of the waves feels the bed: by the phase that their longest ones have
-/// gained on the open sea's [rad].
-void raise_felt(const DelayMaps& maps, double wavenumber, std::vector<float>& felt) {
+/// Returns for each sample how much the waves feel of the bed: by the most phase that the waves of
+/// a pair have gained on the open sea's [rad].
+std::vector<float> felt_by_delays(const ShoreDelays& delays, std::size_t samples,
+                                  ThreadPool& pool) {
     constexpr float kFully = 0.3f;  // [rad]
-    const auto k = static_cast<float>(wavenumber);
-    for (std::size_t i = 0; i < felt.size(); ++i) {
-        const float gained =
-            std::abs(maps.phase[i]) + k * std::hypot(maps.shift_x[i], maps.shift_y[i]);
-        felt[i] = std::max(felt[i], shore_step(Plain(gained / kFully)).value());
-    }
+    std::vector<float> felt(samples, 0.0f);
+    pool.for_each_range(static_cast<int>(samples), [&](int first, int last) {
+        for (std::size_t w = 0; w < delays.waves.size(); ++w) {
+            const std::span<const Quad> quads = delays.waves[w].maps->quads();
+            const auto k = static_cast<float>(delays.bands.centre(delays.bands.waves[w].band));
+            for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last);
+                 ++i) {
+                const Quad at = quads[i];
+                const float gained = std::abs(at[2]) + k * std::hypot(at[0], at[1]);
+                felt[i] = std::max(felt[i], shore_step(Plain(gained / kFully)).value());
+            }
+        }
+    });
+    return felt;
 }
 
 QuadGrid packed(const Domain& domain, const DelayMaps& maps, double sector) {
@@ -79,25 +88,57 @@ QuadGrid packed(const Domain& domain, const DelayMaps& maps, double sector) {
     return QuadGrid(domain, {maps.shift_x, maps.shift_y, maps.phase, turn});
 }
 
+/// Returns the pairs of a division, with the maps of those that are known.
+std::vector<PairDelays> pairs_of(const ShoreBands& bands, std::span<const PairDelays> known) {
+    std::vector<PairDelays> pairs;
+    for (const ShoreWaves& waves : bands.waves) {
+        const auto b = static_cast<std::size_t>(waves.band);
+        PairDelays pair{bands.edges[b], bands.edges[b + 1], waves.sector, nullptr};
+        const auto same = std::ranges::find_if(known, [&](const PairDelays& other) {
+            return other.low == pair.low && other.high == pair.high && other.sector == pair.sector;
+        });
+        if (same != known.end()) pair.maps = same->maps;
+        pairs.push_back(std::move(pair));
+    }
+    return pairs;
+}
+
+/// Computes the maps of the pairs that have none.
+void add_missing(const BedGrid& bed, const BedGrid& depth, const Water& water, ThreadPool& pool,
+                 const ShoreProgress& progress, ShoreDelays& delays) {
+    ShoreBands missing{delays.bands.edges, {}};
+    std::vector<std::size_t> at;
+    for (std::size_t i = 0; i < delays.waves.size(); ++i) {
+        if (delays.waves[i].maps) continue;
+        missing.waves.push_back(delays.bands.waves[i]);
+        at.push_back(i);
+    }
+    if (at.empty()) return;
+    std::vector<DelayMaps> maps = shore_delays(depth, missing, water, pool, progress);
+    const std::vector<std::uint32_t> nearest = nearest_water(bed, pool);
+    pool.for_each_item(static_cast<int>(at.size()), [&](int item, int) {
+        const auto i = static_cast<std::size_t>(item);
+        PairDelays& pair = delays.waves[at[i]];
+        continue_onto_land(maps[i], bed, nearest);
+        pair.maps = std::make_shared<const QuadGrid>(
+            packed(bed.domain, maps[i], sector_centre(pair.sector)));
+        maps[i] = {};
+    });
+}
+
 }  // namespace
 
 std::shared_ptr<const ShoreDelays> make_shore_delays(const BedGrid& bed, const ShoreBands& bands,
                                                      const Water& water, ThreadPool& pool,
-                                                     const ShoreProgress& progress) {
+                                                     const ShoreProgress& progress,
+                                                     std::span<const PairDelays> known) {
     auto delays = std::make_shared<ShoreDelays>();
     delays->bands = bands;
+    delays->waves = pairs_of(bands, known);
     const BedGrid depth = felt_depth(bed, water.depth);
-    std::vector<float> felt(bed.values.size(), 0.0f);
-    std::vector<DelayMaps> maps = shore_delays(depth, bands, water, pool, progress);
-    const std::vector<std::uint32_t> nearest = nearest_water(bed, pool);
-    for (std::size_t i = 0; i < maps.size(); ++i) {
-        const ShoreWaves& waves = bands.waves[i];
-        continue_onto_land(maps[i], bed, nearest);
-        raise_felt(maps[i], bands.centre(waves.band), felt);
-        delays->waves.push_back(packed(bed.domain, maps[i], sector_centre(waves.sector)));
-        maps[i] = {};
-    }
+    add_missing(bed, depth, water, pool, progress, *delays);
     const std::vector<float> slope = breaking_slope(bed, pool);
+    const std::vector<float> felt = felt_by_delays(*delays, bed.values.size(), pool);
     delays->ground = QuadGrid(bed.domain, {bed.values, depth.values, slope, felt});
     return delays;
 }
@@ -158,7 +199,7 @@ std::vector<float> correlation(const EnergyMaps& maps, const ShoreDelays& delays
             for (std::size_t w = 0; w < bands.waves.size(); ++w) {
                 const ShoreWaves& waves = bands.waves[w];
                 const double centre = sector_centre(waves.sector);
-                const QuadSample delay = delays.waves[w].read(x, y);
+                const QuadSample delay = delays.waves[w].maps->read(x, y);
                 const double gained = static_cast<double>(delay.value[2]) +
                                       bands.centre(waves.band) *
                                           (std::cos(centre) * static_cast<double>(delay.value[0]) +

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "ocean/directional_spectrum.hpp"
@@ -22,13 +23,21 @@ namespace ocean {
 
 class ThreadPool;
 
+/// The delays of the waves of one band and sector: shift_x, shift_y [m], phase [rad], and the angle
+/// by which they have turned from the centre of their sector [rad]. They depend on the bed, its
+/// level, the edges of the band and the sector alone, so that seas share them.
+struct PairDelays {
+    double low = 0.0;  // edges of the band [rad/m]
+    double high = 0.0;
+    int sector = 0;
+    std::shared_ptr<const QuadGrid> maps;
+};
+
 /// The delays of the waves of a coast. They depend on the bed, its level and the division of the
 /// sea, not on heights of waves.
 struct ShoreDelays {
     ShoreBands bands;
-    /// One for each of bands.waves: shift_x, shift_y [m], phase [rad], and the angle by which the
-    /// waves have turned from the centre of their sector [rad].
-    std::vector<QuadGrid> waves;
+    std::vector<PairDelays> waves;  // one for each of bands.waves
     /// Height of the bed [m], depth that waves feel [m], slope of the bed where waves break, and
     /// how much the waves feel of the bed: 0 where they are those of the open sea, 1 at the coast.
     QuadGrid ground;
@@ -57,10 +66,13 @@ struct ShoreStatics {
     const Domain& domain() const { return delays->ground.domain(); }
 };
 
-/// Returns the delays over a bed. Needs a spectrum that is not flat. Throws as shore_delays.
+/// Returns the delays over a bed. Needs a spectrum that is not flat. `known`: pairs of other seas
+/// over the same bed and water, which are not computed again; the bits are the same without. Throws
+/// as shore_delays.
 std::shared_ptr<const ShoreDelays> make_shore_delays(const BedGrid& bed, const ShoreBands& bands,
                                                      const Water& water, ThreadPool& pool,
-                                                     const ShoreProgress& progress = {});
+                                                     const ShoreProgress& progress = {},
+                                                     std::span<const PairDelays> known = {});
 /// Returns the energy over the same bed.
 std::shared_ptr<const ShoreEnergy> make_shore_energy(const BedGrid& bed, const ShoreDelays& delays,
                                                      const DirectionalSpectrum& spectrum,

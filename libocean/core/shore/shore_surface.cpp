@@ -24,12 +24,36 @@ namespace {
 constexpr double kOpenTolerance = 2e-7;
 constexpr double kSignalTolerance = 2e-6;
 
+/// Returns the sum of all modes at a label.
+template <typename Scalar>
+LinearWaves<Scalar> exact_waves(const WaveSum& sea, double x, double y) {
+    const LinearSample at = sea.at_label(x, y);
+    const auto jet = [](double value, double by_x, double by_y, double by_t) {
+        if constexpr (std::is_same_v<Scalar, Jet>) {
+            return Jet(static_cast<float>(value), static_cast<float>(by_x),
+                       static_cast<float>(by_y), static_cast<float>(by_t));
+        } else {
+            return Plain(static_cast<float>(value));
+        }
+    };
+    return {jet(at.height, at.slope_x, at.slope_y, at.height_rate),
+            jet(at.displacement_x, at.gradient_xx, at.gradient_xy, at.displacement_x_rate),
+            jet(at.displacement_y, at.gradient_xy, at.gradient_yy, at.displacement_y_rate)};
+}
+
 }  // namespace
+
+void ShoreSums::set_time(double to) {
+    open.set_time(to);
+    remainder.set_time(to);
+    time = to;
+}
 
 /// The state of up to kShoreBlock labels. Scalar: Jet, or Plain without derivatives.
 template <typename Scalar>
 struct ShoreSurface::Block {
     JetParts parts;
+    const ShoreSums* exact;
     BlockPlaces places;
     std::array<Scalar, kShoreBlock> share;  // of the coast, by the border alone
     std::array<Scalar, kShoreBlock> felt;   // 0: the open sea, exactly
@@ -49,6 +73,7 @@ ShoreSurface::ShoreSurface(const Modes& modes, const Parameters& parameters,
                   (statics.energy->peak_omega * statics.energy->peak_omega),
               parameters.water.shore.swash == Swash::on},
       choppiness_(parameters.surface.choppiness),
+      shown_(shown),
       remainder_modes_(open_remainder(modes, statics.bands())),
       open_(modes, shown, kOpenTolerance * statics.energy->open_height, pool),
       remainder_(remainder_modes_, shown, kOpenTolerance * statics.energy->open_height, pool),
@@ -58,6 +83,10 @@ ShoreSurface::ShoreSurface(const Modes& modes, const Parameters& parameters,
     // Shallow water lengthens the displacement by coth(k d), and breaking limits its height.
     constexpr double kShallow = 2.0;
     reach_ = kShallow * choppiness_ * query_bounds(modes, shown, 2 * shown, true, pool).farthest;
+}
+
+ShoreSums ShoreSurface::sums(const Modes& modes, const Water& water) const {
+    return {WaveSum(modes, water, shown_), WaveSum(remainder_modes_, water, shown_)};
 }
 
 void ShoreSurface::move_to(double time, ThreadPool& pool) {
@@ -91,9 +120,10 @@ void ShoreSurface::prepare(const Modes& modes, const OpenSpans& spans, ThreadPoo
 }
 
 void ShoreSurface::read(std::span<const WorldPoint> labels, JetParts parts,
-                        std::span<ShorePoint> points) const {
+                        std::span<ShorePoint> points, const ShoreSums* exact) const {
     const auto read_all = [&](auto& block) {
         block.parts = parts;
+        block.exact = exact;
         BlockPlaces& places = block.places;
         for (std::size_t first = 0; first < labels.size(); first += kShoreBlock) {
             places.count = std::min(kShoreBlock, labels.size() - first);
@@ -118,10 +148,15 @@ void ShoreSurface::read_block(Block<Scalar>& block, std::span<ShorePoint> points
     find_wavy(block);
     for (std::size_t i = 0; i < block.places.count; ++i) {
         const bool whole = block.share[i].value() >= 1.0f && block.felt[i].value() >= 1.0f;
-        block.open[i] = whole ? LinearWaves<Scalar>{}
-                              : open_.read<Scalar>(block.places.x[i], block.places.y[i]);
+        if (whole) {
+            block.open[i] = {};
+        } else {
+            const double x = block.places.x[i], y = block.places.y[i];
+            block.open[i] = block.exact != nullptr ? exact_waves<Scalar>(block.exact->open, x, y)
+                                                   : open_.read<Scalar>(x, y);
+        }
     }
-    if (block.wavy.places.count > 0) add_waves(block.parts, true, block.wavy);
+    if (block.wavy.places.count > 0) add_waves(block.parts, true, block.exact, block.wavy);
     finish(block, points);
 }
 
@@ -216,7 +251,9 @@ void ShoreSurface::finish(Block<Scalar>& block, std::span<ShorePoint> points) co
             limiter_gain_(rms_height / highest, typical_shape_root(rms_height, k, depth));
         const BrokenWave<Scalar> broken = broken_wave(real, imaginary, highest, gain, k, depth);
         // Waves that are in no band go with the shortest that are.
-        const auto rest = remainder_.read<Scalar>(wavy.places.x[n], wavy.places.y[n]);
+        const double x = wavy.places.x[n], y = wavy.places.y[n];
+        const auto rest = block.exact != nullptr ? exact_waves<Scalar>(block.exact->remainder, x, y)
+                                                 : remainder_.read<Scalar>(x, y);
         const Scalar calm =
             Scalar(1.0f) +
             felt *

@@ -17,6 +17,7 @@
 #include "ocean/modes.hpp"
 #include "ocean/parameters.hpp"
 #include "ocean/query.hpp"
+#include "ocean/wave_sum.hpp"
 #include "shore/band_signals.hpp"
 #include "shore/breaking.hpp"
 #include "shore/jet.hpp"
@@ -31,6 +32,7 @@ namespace ocean {
 
 class ThreadPool;
 struct BlockPlaces;
+struct BlockSignal;
 struct WavyBlock;
 
 /// The surface at one label. A point is displayed at its label plus (dx, dy).
@@ -63,6 +65,16 @@ struct LocalSea {
     double open = 1.0;
 };
 
+/// The open sea's waves of one time, mode by mode in double precision: what exact reads of a
+/// ShoreSurface take instead of its maps.
+struct ShoreSums {
+    WaveSum open;
+    WaveSum remainder;  // the waves that are in no band
+    double time = 0.0;  // [s]
+
+    void set_time(double to);
+};
+
 class ShoreSurface {
   public:
     /// Rates are derivatives in time, which double the work of move_to.
@@ -86,9 +98,10 @@ class ShoreSurface {
     void prepare(const Modes& modes, double first, double last, ThreadPool& pool);
     /// Writes the surface at each label, on the calling thread: of its heights and offsets the
     /// `parts`, of which `all` needs Rates::with; the others are 0. Values have the same bits
-    /// whichever parts are written. Several threads may read at once.
-    void read(std::span<const WorldPoint> labels, JetParts parts,
-              std::span<ShorePoint> points) const;
+    /// whichever parts are written. Several threads may read at once. `exact`: the waves are those
+    /// of its time, of which each mode is summed; prepare() and move_to() are not needed then.
+    void read(std::span<const WorldPoint> labels, JetParts parts, std::span<ShorePoint> points,
+              const ShoreSums* exact = nullptr) const;
     /// Writes at labels in the surf and in the swash ShorePoint::breaking, the source of foam, and
     /// the depth of the water [m], of which the part in the swash alone counts: elsewhere it is
     /// that of still water.
@@ -96,8 +109,11 @@ class ShoreSurface {
                    std::span<float> depths) const;
 
     /// Returns the weights of a place, and writes its waves; empty where none feels the bed.
-    /// Signals must be those of the time; prepare() is not needed.
-    LocalSea local_sea(WorldPoint place, std::vector<LocalWave>& waves) const;
+    /// Signals must be those of the time; prepare() is not needed. exact: see read().
+    LocalSea local_sea(WorldPoint place, std::vector<LocalWave>& waves,
+                       const ShoreSums* exact = nullptr) const;
+    /// Returns sums of its modes at time 0; `modes` and `water` are those of the constructor.
+    ShoreSums sums(const Modes& modes, const Water& water) const;
     /// Returns the modes of the waves that are in no band.
     const Modes& remainder_modes() const { return remainder_modes_; }
 
@@ -129,12 +145,17 @@ class ShoreSurface {
     /// Writes where labels lie in the maps of the coast.
     void find_places(BlockPlaces& places) const;
     /// Adds all waves at labels that feel the bed, without `displaces` the values of Z alone.
-    void add_waves(JetParts parts, bool displaces, WavyBlock& block) const;
-    void add_left(std::size_t waves, JetParts parts, WavyBlock& block) const;
+    void add_waves(JetParts parts, bool displaces, const ShoreSums* exact, WavyBlock& block) const;
+    void add_left(std::size_t waves, JetParts parts, const ShoreSums* exact,
+                  WavyBlock& block) const;
+    /// Writes the signal of one of the waves at `count` places.
+    void read_signal(std::size_t waves, std::size_t count, const double* x, const double* y,
+                     JetParts parts, const ShoreSums* exact, BlockSignal& signal) const;
 
     ShoreStatics statics_;
     RunUpSea run_up_;
     double choppiness_;
+    int shown_;
     double reach_;
     Modes remainder_modes_;
     OpenSurface open_;

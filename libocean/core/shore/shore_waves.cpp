@@ -4,6 +4,7 @@
 // The sum over the waves of a coast at the labels of a block, one band and sector after the other.
 #include <array>
 #include <cmath>
+#include <complex>
 
 #include "shore/shore_block.hpp"
 #include "shore/shore_delays.hpp"
@@ -81,7 +82,8 @@ void ShoreSurface::find_places(BlockPlaces& places) const {
     places.energy.find(statics_.energy->breaking.domain(), places.count, x, y);
 }
 
-void ShoreSurface::add_waves(JetParts parts, bool displaces, WavyBlock& block) const {
+void ShoreSurface::add_waves(JetParts parts, bool displaces, const ShoreSums* exact,
+                             WavyBlock& block) const {
     const std::size_t count = block.places.count;
     const bool slopes = parts != JetParts::value;
     QuadBlock delay, amplitudes;
@@ -99,12 +101,12 @@ void ShoreSurface::add_waves(JetParts parts, bool displaces, WavyBlock& block) c
         if (waves % 4 == 0) {
             statics_.energy->amplitudes[waves / 4].read(block.places.energy, slopes, amplitudes);
         }
-        statics_.delays->waves[waves].read(block.places.delays, slopes, delay);
+        statics_.delays->waves[waves].maps->read(block.places.delays, slopes, delay);
         for (std::size_t n = 0; n < count; ++n) {
             place_x[n] = block.places.x[n] + static_cast<double>(delay.value[0][n]);
             place_y[n] = block.places.y[n] + static_cast<double>(delay.value[1][n]);
         }
-        signals_.read(waves, count, place_x.data(), place_y.data(), signal.outputs(parts));
+        read_signal(waves, count, place_x.data(), place_y.data(), parts, exact, signal);
         task.centre = static_cast<float>(sector_centre(of.sector));
         task.amplitude[0] = amplitudes.value[waves % 4].data();
         task.amplitude[1] = amplitudes.by_x[waves % 4].data();
@@ -112,12 +114,30 @@ void ShoreSurface::add_waves(JetParts parts, bool displaces, WavyBlock& block) c
         const BlockJets& displacement = block.displacement[static_cast<std::size_t>(of.band)];
         for (std::size_t p = 0; p < 3; ++p) task.displacement[p] = displacement.part[p].data();
         pair_loop_(task);
-        if (displaces) add_left(waves, parts, block);
+        if (displaces) add_left(waves, parts, exact, block);
+    }
+}
+
+void ShoreSurface::read_signal(std::size_t waves, std::size_t count, const double* x,
+                               const double* y, JetParts parts, const ShoreSums* exact,
+                               BlockSignal& signal) const {
+    if (exact == nullptr) {
+        signals_.read(waves, count, x, y, signal.outputs(parts));
+        return;
+    }
+    for (std::size_t n = 0; n < count; ++n) {
+        const ExactSignal at = signals_.exact(waves, exact->time, x[n], y[n]);
+        const std::array<std::complex<double>, 4> numbers = {at.value, at.by_x, at.by_y, at.rate};
+        for (std::size_t p = 0; p < static_cast<std::size_t>(parts); ++p) {
+            signal.re.part[p][n] = static_cast<float>(numbers[p].real());
+            signal.im.part[p][n] = static_cast<float>(numbers[p].imag());
+        }
     }
 }
 
 /// Where the open sea fades in, what it displaces beside the sectors' middles fades in too.
-void ShoreSurface::add_left(std::size_t waves, JetParts parts, WavyBlock& block) const {
+void ShoreSurface::add_left(std::size_t waves, JetParts parts, const ShoreSums* exact,
+                            WavyBlock& block) const {
     std::size_t count = 0;
     std::array<std::size_t, kShoreBlock> wavy;
     std::array<double, kShoreBlock> x, y;
@@ -129,7 +149,7 @@ void ShoreSurface::add_left(std::size_t waves, JetParts parts, WavyBlock& block)
     }
     if (count == 0) return;
     BlockSignal signal;
-    signals_.read(waves, count, x.data(), y.data(), signal.outputs(parts));
+    read_signal(waves, count, x.data(), y.data(), parts, exact, signal);
     const ShoreWaves& of = statics_.bands().waves[waves];
     const double centre = sector_centre(of.sector);
     const auto along_x = static_cast<float>(std::cos(centre));

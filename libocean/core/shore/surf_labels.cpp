@@ -96,7 +96,7 @@ void ShoreSurface::read_surf(const SurfLabels& labels, std::span<float> breaking
         std::copy_n(labels.y.begin() + static_cast<std::ptrdiff_t>(first), places.count,
                     places.y.begin());
         find_places(places);
-        add_waves(JetParts::value, false, block);
+        add_waves(JetParts::value, false, nullptr, block);
         for (std::size_t n = 0; n < places.count; ++n) {
             const std::size_t at = first + n;
             const float real = block.sums.real.part[0][n];
