@@ -45,6 +45,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     usd_tool=usd_core==26.11  # judges our USD
     # judge our GeoTIFF; imagecodecs has the predictor of floats for tifffile
     geotiff_tools=(rasterio==1.4.4 tifffile==2026.3.3 imagecodecs==2026.3.6)
+    spdx_tool=spdx_tools==0.8.5  # judges scripts/sbom
     materialx_tool=materialx==1.39.5  # judges shaders/materialx
     tifffile_tool=tifffile==2026.3.3  # writes and reads GeoTIFF, as rasterio (GDAL) does
     rasterio_tool=rasterio==1.4.4
