@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # The cross compiler of cmake/zig.cmake, shared by the scripts that build for other systems. Sourced
-# after lib.sh.
+# after lib.sh, which has the version.
+# shellcheck disable=SC2154
 
 # ensure_zig: the path of the compiler is in $zig afterwards.
 ensure_zig() {
