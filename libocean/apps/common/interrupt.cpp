@@ -10,6 +10,7 @@
 #include "ocean/io/output_file.hpp"
 
 namespace ocean::app {
+
 // The lock is never released: a destructor of LastAct blocks until the process ends.
 void InterruptWatch::end_process() {
     std::unique_lock lock(mutex_);
