@@ -23,6 +23,7 @@ HERE = Path(__file__).parent
 NAME = "libocean_addon"
 ADDON = HERE / NAME
 BUNDLED = f"{NAME}/bundled"
+LEGACY = "legacy/"  # of the add-on: the zip for Blender before 4.2 alone has it
 
 # The platforms of Blender by how the tag of a wheel begins and ends.
 PLATFORMS = {
@@ -106,7 +107,7 @@ def extension_zip(platforms: list[str], given: list[Path]) -> bytes:
     }
     for mark, text in filled.items():
         manifest = manifest.replace(mark, text)
-    files = addon_files()
+    files = {name: data for name, data in addon_files().items() if not name.startswith(LEGACY)}
     files["blender_manifest.toml"] = manifest.encode()
     files |= {f"wheels/{name}": data for name, data in wheels.items()}
     return zipped(files)

@@ -17,7 +17,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
         libglm-dev libglfw3-dev libimgui-dev libstb-dev fonts-dejavu-core libasio-dev libedit-dev
         libusb-1.0-0-dev liblo-dev librtmidi-dev libopenvdb-dev libboost-iostreams-dev)
     demo_packages=("${build_packages[@]}" povray povray-includes)
-    lint_packages=(git python3 python3-venv ca-certificates clang-format shellcheck codespell)
+    lint_packages=(
+        git python3 python3-venv python3-numpy ca-certificates clang-format shellcheck codespell)
     deb_packages=(dpkg-dev file binutils)
     docs_packages=(python3-sphinx python3-myst-parser furo python3-breathe doxygen)
     test_packages=(
@@ -43,9 +44,11 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     vm_packages=(qemu-system-x86 busybox-static cpio kmod udev binutils)
     # One release of each PyPI tool, so that a new one cannot turn a good tree red.
     ruff_tool=ruff==0.17.5
+    mypy_tool=mypy==2.4.1
     usd_tool=usd_core==26.11  # judges our USD
     # judge our GeoTIFF; imagecodecs has the predictor of floats for tifffile
     geotiff_tools=(rasterio==1.4.4 tifffile==2026.3.3 imagecodecs==2026.3.6)
+    spdx_tool=spdx_tools==0.8.5  # judges scripts/sbom
     materialx_tool=materialx==1.39.5  # judges shaders/materialx
     tifffile_tool=tifffile==2026.3.3  # writes and reads GeoTIFF, as rasterio (GDAL) does
     rasterio_tool=rasterio==1.4.4

@@ -346,10 +346,10 @@ GERMAN = {
         "The box is empty: its upper corner must exceed its lower corner": (
             "Der Quader ist leer: jedes Ende liegt jenseits seines Anfangs"
         ),
-        "This Blender has no OpenVDB module, and there is no command ocean. Where there is one, "
-        "run: {}": (
-            "Dieses Blender hat kein Modul für OpenVDB, und einen Befehl ocean gibt es nicht. Wo "
-            "es ihn gibt: {}"
+        "This Blender has no OpenVDB module; 3.4 of Debian, 4.5 and later have it. The command "
+        "ocean writes the volumes, where it is installed: {}": (
+            "Dieses Blender hat kein Modul für OpenVDB; das 3.4 von Debian, 4.5 und spätere haben "
+            "es. Der Befehl ocean schreibt die Volumen, wo er installiert ist: {}"
         ),
         "{}, of the preferences, is no command that writes volumes": (
             "{} aus den Einstellungen ist kein Befehl, der Volumen schreibt"

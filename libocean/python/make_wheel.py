@@ -51,7 +51,8 @@ def platform_tag(library: Path) -> str:
 
 def version() -> str:
     header = (ROOT / "libocean/include/ocean/version.hpp").read_text()
-    return re.search(r'OCEAN_VERSION "(.*?)"', header)[1]
+    (version,) = re.findall(r'OCEAN_VERSION "(.*?)"', header)
+    return str(version)
 
 
 def metadata() -> str:
@@ -70,7 +71,8 @@ def metadata() -> str:
         *(f"License-File: {name}" for name in ("LICENSE", "LICENSES-bundled.txt")),
         "Description-Content-Type: text/markdown",
     ]
-    return "\n".join(lines) + "\n\n" + (HERE / project["readme"]).read_text()
+    page = (HERE / project["readme"]).read_text()
+    return "\n".join(lines) + f"\n\n{page}"
 
 
 def zipped(files: dict[str, bytes]) -> bytes:

@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 from conftest import evaluated_mesh, positions
 from libocean_addon.bundled import libocean
+from libocean_addon.legacy import ocean_command
 from libocean_addon.shared import compat
 from libocean_addon.volumes import volume_job, volumes
 from mathutils import Vector
@@ -36,10 +37,10 @@ def by(monkeypatch):
     """Chooses what writes."""
 
     def choose(way: str) -> None:
-        command = {"command": COMMAND, "module": None, "neither": None}[way]
+        command = ocean_command.Command(COMMAND) if way == "command" else None
+        module = OPENVDB if way == "module" else None
         monkeypatch.setattr(volumes, "find_command", lambda: command)
-        if way == "neither":
-            monkeypatch.setattr(compat, "load_openvdb", lambda: None)
+        monkeypatch.setattr(compat, "load_openvdb", lambda: module)
 
     return choose
 
@@ -502,11 +503,30 @@ def test_the_command_is_that_of_the_preferences_or_of_the_system(sea, tmp_path, 
     assert volumes.find_command() is None
     (tmp_path / "ocean").unlink()
     (tmp_path / "ocean").symlink_to(COMMAND)
-    assert volumes.find_command() == str(tmp_path / "ocean")
+    assert volumes.find_command().path == str(tmp_path / "ocean")
     preferences.ocean_command = COMMAND
-    assert volumes.find_command() == COMMAND
+    assert volumes.find_command().path == COMMAND
     preferences.ocean_command = "/bin/true"
+    monkeypatch.setattr(compat, "load_openvdb", lambda: None)
     assert "/bin/true, of the preferences, is no command that writes volumes" in failing()
+
+
+@needs_openvdb
+def test_blenders_own_module_comes_before_any_command(sea, monkeypatch, tmp_path):
+    def find():
+        raise AssertionError("a command was looked for")
+
+    monkeypatch.setattr(volumes, "find_command", find)
+    write(frame_start=2, frame_end=2)
+    assert numbers(tmp_path / "ocean_volumes") == [2]
+
+
+def test_the_extension_runs_no_command(sea, monkeypatch):
+    """It has no legacy/: what is left is the sentence, whatever the system has."""
+    monkeypatch.setattr(compat, "load_openvdb", lambda: None)
+    monkeypatch.setattr(volumes, "ocean_command", None)
+    monkeypatch.setenv("PATH", os.path.dirname(COMMAND))
+    assert "no OpenVDB module" in failing()
 
 
 def test_what_cannot_be_is_told(sea, way, tmp_path):

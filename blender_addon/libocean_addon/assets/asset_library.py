@@ -24,6 +24,7 @@ from ..shared import compat, messages, paths
 from ..shared.compat import tr, tr_label
 from ..shared.drawing import say
 from ..shared.native import ADDON
+from ..volumes.volumes import ocean_command
 from . import assets
 
 FILE = "seas.blend"
@@ -196,12 +197,13 @@ class OceanPreferences(bpy.types.AddonPreferences):
         description="Where the asset library goes; empty: among the user's data files of Blender",
         subtype="DIR_PATH",
     )
-    ocean_command: bpy.props.StringProperty(
-        name="Command ocean",
-        description="What writes volumes; empty: the command ocean of the system, or else "
-        "Blender's own module of OpenVDB",
-        subtype="FILE_PATH",
-    )
+    if ocean_command is not None:
+        ocean_command: bpy.props.StringProperty(
+            name="Command ocean",
+            description="Writes volumes where this Blender has no module of OpenVDB; empty: the "
+            "command ocean of the system",
+            subtype="FILE_PATH",
+        )
 
     def draw(self, _context) -> None:
         layout = self.layout
@@ -211,7 +213,8 @@ class OceanPreferences(bpy.types.AddonPreferences):
             layout.label(text=tr_label("Now: {}", default_folder()), translate=False)
         made = layout.operator(MakeAssetLibrary.bl_idname, icon="ASSET_MANAGER")
         made.directory = self.asset_folder
-        layout.prop(self, "ocean_command")
+        if ocean_command is not None:
+            layout.prop(self, "ocean_command")
         if not compat.has_denoiser():
             say(layout, compat.no_denoiser(), "INFO")
 

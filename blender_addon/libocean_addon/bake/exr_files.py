@@ -27,6 +27,11 @@ from ..look import detail_tiles
 from ..sea import atlas
 from ..terrain.extent import Extent
 
+try:
+    from ..legacy.packages import load
+except ModuleNotFoundError:  # in the extension, whose wheels Blender has installed
+    load = importlib.import_module
+
 EARLIER_STEM = "sea"
 """The stem of files of earlier versions; now it is the name of the blend file."""
 _TEMPORARY = ".baking"
@@ -44,15 +49,9 @@ PYTHON = f"{sys.version_info[0]}.{sys.version_info[1]}"
 
 
 def load_package():
-    """Returns the package OpenEXR for this Python, from the zip for older Blenders or from the
-    extension's wheels. Raises ImportError."""
-    bundled = Path(__file__).parents[1] / "bundled" / f"cp{PYTHON.replace('.', '')}"
-    sys.path.insert(0, str(bundled))
-    try:
-        importlib.import_module("Imath")  # which OpenEXR asks for when it is used
-        return importlib.import_module("OpenEXR")
-    finally:
-        sys.path.remove(str(bundled))
+    """Returns the package OpenEXR for this Python. Raises ImportError."""
+    load("Imath")  # which OpenEXR asks for when it is used
+    return load("OpenEXR")
 
 
 # Names and headers ------------------------------------------------------------

@@ -7,13 +7,14 @@ from __future__ import annotations
 import atexit
 import contextlib
 import ctypes
-import importlib
 import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import blf
 import bpy
+
+from . import modules
 
 VERSION = bpy.app.version[:2]
 
@@ -267,13 +268,9 @@ def load_openvdb():
     in 4.2. The Python module bpy has it in a folder that Python does not look into."""
     python = f"python{sys.version_info[0]}.{sys.version_info[1]}"
     own = Path(bpy.utils.resource_path("LOCAL"), "python", "lib", python, "site-packages")
-    sys.path.append(str(own))
-    try:
-        for name in ("openvdb", "pyopenvdb"):
-            with contextlib.suppress(ImportError):
-                return importlib.import_module(name)
-    finally:
-        sys.path.remove(str(own))
+    for name in ("openvdb", "pyopenvdb"):
+        with contextlib.suppress(ImportError):
+            return modules.load(name, own)
     return None
 
 

@@ -9,7 +9,7 @@ between live and baked gets a modifier of its own, and its library's one is swit
 
 from __future__ import annotations
 
-import sys
+import inspect
 
 import bpy
 
@@ -17,9 +17,7 @@ import bpy
 def overridable(cls):
     """Class decorator for a PropertyGroup: a library override may change all its properties, and
     add to its collections."""
-    module = vars(sys.modules[cls.__module__])
-    for name, made in cls.__annotations__.items():
-        deferred = eval(made, module) if isinstance(made, str) else made
+    for name, deferred in inspect.get_annotations(cls, eval_str=True).items():
         options = {"LIBRARY_OVERRIDABLE"}
         if deferred.function is bpy.props.CollectionProperty:
             options.add("USE_INSERTION")

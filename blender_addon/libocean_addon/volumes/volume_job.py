@@ -3,7 +3,7 @@
 """The water in a box as OpenVDB files: `surface`, a level set, and `vel`, its velocity. No Blender
 in here: it runs in a thread of its own, which may be asked to stop at any time.
 
-    frames -> `ocean bake`, or the library's queries -> columns -> OpenVDB's module -> files
+    frames -> the library's queries -> columns -> OpenVDB's module, or else `ocean bake` -> files
 
 Either way the files have the same headers, by which they are recognised.
 """
@@ -11,13 +11,10 @@ Either way the files have the same headers, by which they are recognised.
 from __future__ import annotations
 
 import dataclasses
-import json
 import math
-import subprocess
-import tempfile
-import threading
 from decimal import Decimal
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -25,6 +22,9 @@ from ..bake.bake_job import Frame, Job
 from ..bake.exr_files import NotWholeError, replacing
 from ..shared.native import libocean
 from .vdb_files import FileError, read_header
+
+if TYPE_CHECKING:
+    from ..legacy.ocean_command import Command
 
 SURFACE, VELOCITY = "surface", "vel"
 BAND = 3
@@ -38,7 +38,7 @@ class VolumeError(Exception):
     """A volume cannot be written; the sentence says why."""
 
 
-class _StoppedError(Exception):
+class StoppedError(Exception):
     """The user has stopped the job."""
 
 
@@ -161,7 +161,7 @@ class _Columns:
         """Their places (x, y), piece by piece."""
         for first in range(0, math.prod(self.shape), _PIECE):
             if self.stop.is_set():
-                raise _StoppedError
+                raise StoppedError
             at = np.arange(first, min(first + _PIECE, math.prod(self.shape)))
             i, j = np.divmod(at, self.shape[1])
             yield slice(first, first + len(at)), self.size * np.stack([self.i[i], self.j[j]], 1)
@@ -214,7 +214,7 @@ def _make_surface(module, columns: _Columns):
     step = max(1, _MOST_VOXELS // (columns.shape[1] * len(columns.k)))
     for first in range(0, columns.shape[0], step):
         if columns.stop.is_set():
-            raise _StoppedError
+            raise StoppedError
         part = slice(first, first + step)
         distance = columns.surface_distance(part, lowest, highest)
         np.maximum(distance, columns.box_distance(part), out=distance)
@@ -264,43 +264,15 @@ def _make_velocity(module, columns: _Columns, resolution: int):
 # The job ------------------------------------------------------------------------
 
 
-def _run(command: list[str], folder: Path, sea: str, stop: threading.Event) -> list[dict]:
-    """Runs `ocean bake --json` for a frame and returns the events that it reports."""
-    with tempfile.TemporaryFile() as given, tempfile.TemporaryFile() as told:
-        given.write(sea.encode())
-        given.seek(0)
-        process = subprocess.Popen(
-            command,
-            cwd=folder,
-            stdin=given,
-            stdout=subprocess.DEVNULL,
-            stderr=told,
-            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
-        )
-        while process.poll() is None:
-            if stop.wait(0.02):
-                process.terminate()  # it leaves whole files only
-                process.wait()
-        told.seek(0)
-        lines = told.read().decode(errors="replace").splitlines()
-    if stop.is_set():
-        raise _StoppedError
-    events = [json.loads(line) for line in lines if line.startswith("{")]
-    if process.returncode != 0:
-        said = [event["message"] for event in events if event["event"] == "error"]
-        raise VolumeError((said or lines or [f"{command[0]}: {process.returncode}"])[-1])
-    return events
-
-
 @dataclasses.dataclass(kw_only=True)
 class VolumeJob(Job):
-    """Frames that become volumes: by the command `ocean`, or else by OpenVDB's module."""
+    """Frames that become volumes: by OpenVDB's module, or else by the command `ocean`."""
 
     folder: Path
     stem: str
     settings: Settings
-    command: str | None
     module: object | None
+    command: Command | None
 
     replaced: int = 0
     """Frames in the place of others."""
@@ -316,11 +288,11 @@ class VolumeJob(Job):
             return not self.stop.is_set()
         is_other = path.exists()
         try:
-            if self.command is not None:
-                self._by_command(resolved, frame)
-            else:
+            if self.module is not None:
                 self._by_module(sea, frame, path, strings, period)
-        except _StoppedError:
+            else:
+                self._by_command(resolved, frame)
+        except StoppedError:
             return False
         self.written += 1
         self.replaced += is_other
@@ -332,8 +304,8 @@ class VolumeJob(Job):
         return ["bake", sea, *output, *self.settings.options()]
 
     def _by_command(self, sea: str, frame: Frame) -> None:
-        command = [self.command, *self.arguments("-", str(frame.number)), "--json"]
-        for event in _run(command, self.folder, sea, self.stop):
+        arguments = self.arguments("-", str(frame.number))
+        for event in self.command.run(arguments, self.folder, sea, self.stop):
             if event["event"] == "warning":
                 self.warning = event["message"]
 

@@ -11,7 +11,6 @@ from __future__ import annotations
 import itertools
 import os
 import shlex
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -26,6 +25,11 @@ from ..shared.compat import tr
 from ..shared.messages import of_file
 from ..shared.native import ADDON, libocean
 from . import volume_job
+
+try:
+    from ..legacy import ocean_command
+except ModuleNotFoundError:  # in the extension, which runs no other program
+    ocean_command = None
 
 _VOLUMES = "//ocean_volumes/"
 MARKS = "libocean_marks"
@@ -111,34 +115,21 @@ def _settings(ob, sea) -> volume_job.Settings:
     return volume_job.Settings(low, high, voxel, velocity_voxel, asked.use_half, resolution)
 
 
-# The command that writes them ---------------------------------------------------
+# Without a module of OpenVDB --------------------------------------------------------
 
 
-def _writes_volumes(command: str) -> bool:
-    """Returns whether a command is libocean's and was built with OpenVDB."""
-    try:
-        told = subprocess.run(
-            [command, "bake", "--help"],
-            capture_output=True,
-            timeout=30,
-            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
-        )
-    except (OSError, subprocess.TimeoutExpired):
-        return False
-    return told.returncode == 0 and b".vdb" in told.stdout
-
-
-def find_command() -> str | None:
-    """Returns the command `ocean` of the preferences, or else of the system; None without one.
-    Raises BakeError if that of the preferences cannot write volumes."""
+def find_command():
+    """Returns the command `ocean` of the preferences, or else of the system, where this copy of the
+    add-on may run one; None without one. Raises BakeError if that of the preferences cannot write
+    volumes."""
+    if ocean_command is None:
+        return None
     addon = bpy.context.preferences.addons.get(ADDON)
     chosen = addon.preferences.ocean_command if addon else ""
-    command = shutil.which(str(paths.absolute(chosen)) if chosen else "ocean")
-    if command is not None and _writes_volumes(command):
-        return os.path.abspath(command)
-    if chosen:
+    command = ocean_command.find(str(paths.absolute(chosen)) if chosen else "ocean")
+    if command is None and chosen:
         raise BakeError(tr("{}, of the preferences, is no command that writes volumes", chosen))
-    return None
+    return command
 
 
 def _what_to_run(job: volume_job.VolumeJob) -> str:
@@ -151,8 +142,8 @@ def _what_to_run(job: volume_job.VolumeJob) -> str:
     except OSError as failure:
         return of_file(failure)
     return tr(
-        "This Blender has no OpenVDB module, and there is no command ocean. Where there is one, "
-        "run: {}",
+        "This Blender has no OpenVDB module; 3.4 of Debian, 4.5 and later have it. The command "
+        "ocean writes the volumes, where it is installed: {}",
         lines,
     )
 
@@ -202,8 +193,8 @@ class Volumes(bake_plan.Work):
                 settings = _settings(ob, sea)
         except libocean.Error as failure:
             raise BakeError(messages.of_error(failure)) from failure
-        command = find_command()
-        module = None if command else compat.load_openvdb()
+        module = compat.load_openvdb()
+        command = find_command() if module is None else None
         stem = _stem(ob, self.folder)
         self.written = _join(self.folder, stem)
         self.job = volume_job.VolumeJob(
@@ -213,10 +204,10 @@ class Volumes(bake_plan.Work):
             settings=settings,
             base_dir=base_dir,
             overwrite=overwrite,
-            command=command,
             module=module,
+            command=command,
         )
-        if command is None and module is None:
+        if module is None and command is None:
             raise BakeError(_what_to_run(self.job))
         is_chosen = self.folder != _VOLUMES
         if is_chosen and not overwrite and ob.libocean.volumes.begun != self.written:

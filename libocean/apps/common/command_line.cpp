@@ -8,7 +8,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -21,12 +20,13 @@
 #include "description.hpp"
 #include "interrupt.hpp"
 #include "ocean/error.hpp"
+#include "standard_streams.hpp"
 
 namespace ocean::app {
 namespace {
 
 constexpr int kFailed = 1;
-constexpr int kClosedPipe = 128 + SIGPIPE;  // the exit code of a process that the signal ended
+constexpr int kClosedPipe = 128 + 13;  // the exit code of a process that SIGPIPE ended
 constexpr int kWrongUsage = 2;
 
 int exit_code(ErrorKind kind) {
@@ -223,6 +223,7 @@ OptionGroup run_options(const std::string& json_help) {
 
 int run_program(int argc, char** argv, const Program& program) {
     const char* name = program.main.name.c_str();
+    use_binary_streams();
     try {
         const int code = parse_and_run(argc, argv, program);
         // The parser writes help texts: a full disk is detected only here.

@@ -4,8 +4,6 @@
 // See console.hpp.
 #include "console.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -13,6 +11,7 @@
 #include <cstring>
 
 #include "ocean/error.hpp"
+#include "standard_streams.hpp"
 #include "text.hpp"
 
 namespace ocean::app {
@@ -21,11 +20,6 @@ namespace {
 double now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
         .count();
-}
-
-bool standard_error_is_terminal() {
-    static const bool terminal = ::isatty(STDERR_FILENO) != 0;
-    return terminal;
 }
 
 }  // namespace

@@ -10,39 +10,6 @@
 #include "ocean/io/output_file.hpp"
 
 namespace ocean::app {
-namespace {
-
-/// Ends the waiting thread; other processes do not send it.
-constexpr int kLeave = SIGUSR1;
-
-/// Returns true for signals that nohup or job control ignore on purpose: they stay ignored.
-bool ignored(int signal_number) {
-    struct sigaction action {};
-    return ::sigaction(signal_number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
-}
-
-}  // namespace
-
-InterruptWatch::InterruptWatch(std::function<void()> farewell) : farewell_(std::move(farewell)) {
-    // A file above its size limit and a closed pipe are reported as errors of the write instead.
-    std::signal(SIGXFSZ, SIG_IGN);
-    std::signal(SIGPIPE, SIG_IGN);
-    sigemptyset(&signals_);
-    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-        if (!ignored(number)) sigaddset(&signals_, number);
-    }
-    sigaddset(&signals_, kLeave);
-    ::pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
-    thread_ = std::thread([this] {
-        int received = 0;
-        if (sigwait(&signals_, &received) == 0 && received != kLeave) end_process();
-    });
-}
-
-InterruptWatch::~InterruptWatch() {
-    ::pthread_kill(thread_.native_handle(), kLeave);
-    thread_.join();
-}
 
 // The lock is never released: a destructor of LastAct blocks until the process ends.
 void InterruptWatch::end_process() {

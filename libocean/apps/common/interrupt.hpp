@@ -8,12 +8,11 @@
 #pragma once
 
 #include <condition_variable>
-#include <csignal>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <string_view>
-#include <thread>
 
 namespace ocean::app {
 
@@ -57,7 +56,7 @@ class InterruptWatch {
     };
 
   private:
-    void end_process();
+    [[noreturn]] void end_process();
 
     std::mutex mutex_;
     std::condition_variable changed_;
@@ -65,8 +64,8 @@ class InterruptWatch {
     bool ending_ = false;
     std::function<void()> last_act_;
     std::function<void()> farewell_;
-    sigset_t signals_;
-    std::thread thread_;
+    struct Signals;  // of the system
+    std::unique_ptr<Signals> signals_;
 };
 
 /// Calls io::write_output with a Hold.

@@ -103,25 +103,29 @@ def preset(name: str, **options: Any) -> Sea:
 
 def presets() -> list[str]:
     """Returns the names that preset() knows."""
-    return json.loads(text_of("ocean_preset", None))
+    names: list[str] = json.loads(text_of("ocean_preset", None))
+    return names
 
 
 def parameters() -> list[dict[str, Any]]:
     """Returns the parameter table: name, type, unit, label, help, default and range of every
     parameter."""
-    return json.loads(text_of("ocean_parameters_json"))
+    table: list[dict[str, Any]] = json.loads(text_of("ocean_parameters_json"))
+    return table
 
 
 def records(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
     """Returns the records of a file of measured spectra."""
-    return json.loads(text_of("ocean_records_json", os.fsencode(path)))
+    found: list[dict[str, Any]] = json.loads(text_of("ocean_records_json", os.fsencode(path)))
+    return found
 
 
 def water_types() -> list[dict[str, Any]]:
     """Returns Jerlov's optical types of sea water, clearest first: name, label, help, ior;
     absorption and scattering [1/m], albedo of the water below its surface, each as red, green and
     blue of linear Rec. 709; anisotropy, the mean cosine of scattering; foam_albedo."""
-    return json.loads(text_of("ocean_water_types_json"))
+    types: list[dict[str, Any]] = json.loads(text_of("ocean_water_types_json"))
+    return types
 
 
 def text_of_values(values: Mapping[str, Any]) -> str:
@@ -170,9 +174,11 @@ def terrain_preset(name: str, **options: Any) -> Terrain:
 
 def terrain_presets() -> list[str]:
     """Returns the names that terrain_preset() knows."""
-    return json.loads(text_of("ocean_terrain_preset", None))
+    names: list[str] = json.loads(text_of("ocean_terrain_preset", None))
+    return names
 
 
 def terrain_parameters() -> list[dict[str, Any]]:
     """Returns the parameter table of terrains, as parameters() does for seas."""
-    return json.loads(text_of("ocean_terrain_parameters_json"))
+    table: list[dict[str, Any]] = json.loads(text_of("ocean_terrain_parameters_json"))
+    return table

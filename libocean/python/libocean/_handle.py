@@ -136,7 +136,8 @@ class Handle:
     @property
     def state(self) -> dict[str, Any]:
         """The output of `ocean info --json`, statistics as asked and as resolved."""
-        return json.loads(self._text(self._prefix + "state_json"))
+        state: dict[str, Any] = json.loads(self._text(self._prefix + "state_json"))
+        return state
 
 
 class SeaHandle(Handle):
@@ -195,7 +196,8 @@ class SeaHandle(Handle):
         that is not set. "[take]", "[waves.0.measured_record]", "[water.bed_heights]" and
         "[water.bed_terrain]" are the lines of tables that the resolved file carries.
         libocean.text_of_values() is the inverse."""
-        return json.loads(self._text("ocean_values_json"))
+        values: dict[str, str] = json.loads(self._text("ocean_values_json"))
+        return values
 
     def time_of_frame(self, frame: float) -> float:
         """Returns the sea's time at a frame [s]: start + (frame - first_frame) / fps."""

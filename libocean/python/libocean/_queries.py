@@ -71,9 +71,17 @@ class Queries(SeaHandle):
         answers = self._samples(
             "ocean_query_points", QueryRequest, SAMPLE, rows_of(points, 2), time, how
         )
-        fields = [answers[name] for name in ("height", "normal", "velocity", "foam", "label")]
         flags = answers["flags"]
-        return Samples(*fields, flags & FOLDED != 0, flags & UNDECIDED != 0, error.value)
+        return Samples(
+            height=answers["height"],
+            normal=answers["normal"],
+            velocity=answers["velocity"],
+            foam=answers["foam"],
+            label=answers["label"],
+            folded=flags & FOLDED != 0,
+            undecided=flags & UNDECIDED != 0,
+            height_error=error.value,
+        )
 
     def orbital_velocity(self, points: npt.ArrayLike, time: float, z: float = 0.0) -> Array:
         """Returns the velocity of the water by linear theory at fixed world points (x, y), z metres
@@ -133,7 +141,7 @@ class Queries(SeaHandle):
         name: str,
         request_type: type[ctypes.Structure],
         sample: np.dtype[Any],
-        points: Array,
+        points: npt.NDArray[np.float64],
         time: float,
         how: tuple[Any, ...],
     ) -> npt.NDArray[Any]:

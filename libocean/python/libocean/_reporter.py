@@ -38,6 +38,7 @@ class Reporter:
         return int(self._signal is not None or self._failure is not None)
 
     def _run_jobs(self, _user: Any, job: Any, work: Any, count: int) -> None:
+        assert self._jobs is not None  # without jobs the library has no function to call
         try:
             self._jobs(lambda index: job(work, index), count)
         except BaseException as failure:

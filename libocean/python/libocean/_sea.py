@@ -118,4 +118,7 @@ class Sea(Maps, Queries):
             band = detail.bands[int(field.removeprefix("detail")) - 1].as_struct()
             request.band, request.band_size = band.ctypes.data, DETAIL_BAND.itemsize
             request.residual = detail.residual
-        return json.loads(self._text("ocean_provenance_json", ctypes.byref(request)))
+        strings: dict[str, str] = json.loads(
+            self._text("ocean_provenance_json", ctypes.byref(request))
+        )
+        return strings

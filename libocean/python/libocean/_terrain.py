@@ -226,4 +226,7 @@ class Terrain(MapWriter):
         "slope"; None: without strings about a product."""
         name = None if field is None else field.encode()
         turn = choose("axes", axes, _library.AXES)
-        return json.loads(self._text("ocean_terrain_provenance_json", name, turn))
+        strings: dict[str, str] = json.loads(
+            self._text("ocean_terrain_provenance_json", name, turn)
+        )
+        return strings

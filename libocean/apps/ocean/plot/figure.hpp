@@ -5,11 +5,13 @@
 // independent of the sea.
 #pragma once
 
-#include <cairo.h>
-
 #include <memory>
 #include <string>
 #include <vector>
+
+// As <cairo.h> has them: figure.cpp alone needs cairo.
+typedef struct _cairo cairo_t;
+typedef struct _cairo_surface cairo_surface_t;
 
 namespace ocean::app {
 
