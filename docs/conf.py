@@ -22,8 +22,8 @@ html_theme = "furo"
 html_title = f"libocean {version}"
 html_static_path = ["static"]
 html_css_files = ["site.css"]
-# Furo's own dark colours. Debian's build of Furo has them for its switch alone: a reader whose system
-# prefers dark would see dark code on a white page.
+# Furo's own dark colours. Debian's build of Furo has them for its switch alone: a reader whose
+# system prefers dark would see dark code on a white page.
 html_theme_options = {
     "dark_css_variables": {
         "color-problematic": "#ee5151",

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A picture of the panel of an ocean beside its modifier, in a window that is 1920 pixels wide.
 
-usage: blender --factory-startup --window-geometry 0 0 1920 2200 --python renders/blender/panel.py \\
-           -- PICTURE.png
+usage: blender --factory-startup --window-geometry 0 0 1920 2200 \\
+           --python renders/blender/panel.py -- PICTURE.png
 
 The add-on must be installed.
 """
@@ -44,6 +44,7 @@ def shoot() -> float | None:
     with bpy.context.temp_override(window=window, area=editor):
         bpy.ops.screen.screenshot_area(filepath=PICTURE)
     bpy.ops.wm.quit_blender()
+    return None
 
 
 def reported(step):
