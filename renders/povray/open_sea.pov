@@ -3,7 +3,7 @@
 //
 // A fairway to the horizon: buoys 4 m high, every 90 m, red to the left and green to the right.
 //   ocean povray renders/povray/open_sea.toml -o build/open_sea
-//   povray renders/povray/open_sea.pov +Lbuild/open_sea +W1280 +H720 +A0.08 +AM2 +R3
+//   povray renders/povray/open_sea.pov +Lbuild/open_sea +W960 +H540 +A0.1 +AM2 +R2
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 6 }

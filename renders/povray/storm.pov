@@ -4,7 +4,7 @@
 // A strong gale in the evening: waves of 7 m run towards us, the sun lights foam and buoy from the
 // side; the buoy is 4 m high.
 //   ocean povray renders/povray/storm.toml -o build/storm
-//   povray renders/povray/storm.pov +Lbuild/storm +W1280 +H720 +A0.08 +AM2 +R3
+//   povray renders/povray/storm.pov +Lbuild/storm +W960 +H540 +A0.1 +AM2 +R2
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 6 }
@@ -14,7 +14,7 @@ Ocean_Load("sea_0001")
 #declare Eye = <782, 2.6, 214>;
 #declare Target = Eye + <1, 0.045, 0.10>;
 camera { location Eye right x*image_width/image_height angle 44 look_at Target }
-Ocean_Sun(11, 96)
+Ocean_Sun(12, 80)
 
 // A lid of cloud that ends before the horizon.
 #declare Lid = function { pattern { wrinkles turbulence 0.65 octaves 7 omega 0.58 lambda 2.1 } }
