@@ -3,7 +3,7 @@
 //
 // A fairway to the horizon: buoys 4 m high, every 90 m, red to the left and green to the right.
 //   ocean povray renders/povray/open_sea.toml -o build/open_sea
-//   povray renders/povray/open_sea.pov +Lbuild/open_sea +W960 +H540 +A0.1 +AM2 +R2
+//   povray renders/povray/open_sea.pov +Lbuild/open_sea +W1280 +H720 +A0.08 +AM2 +R3
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 6 }
@@ -13,7 +13,7 @@ Ocean_Load("sea_0001")
 #declare Target = Eye + <1, -0.085, 0.03>;
 camera { location Eye right x*image_width/image_height angle 52 look_at Target }
 Ocean_Eye_At(Eye, 52)
-Ocean_Sun(24, 112)
+Ocean_Sun(21, 38)
 Ocean_Sky(0.45)
 object { Ocean_View(Eye, Target, 52, 1.6) Ocean_Material("jerlov_ii") no_reflection }
 
@@ -28,7 +28,7 @@ object { Ocean_View(Eye, Target, 52, 1.6) Ocean_Material("jerlov_ii") no_reflect
         #end
         torus { 0.34, 0.05 translate 2.3*y }
         object { Top translate 3.0*y }
-        sphere { 4.1*y, 0.09 pigment { rgb <0.75, 0.72, 0.62> } }
+        sphere { 4.15*y, 0.11 pigment { rgb <1, 0.95, 0.8> } finish { emission 1 } }
         pigment { rgb Colour }
         finish { Painted }
     }
