@@ -344,7 +344,9 @@ def main() -> None:
     scene.cycles.samples = samples
     scene.cycles.use_denoising = can_denoise()
     if not can_denoise():
-        print(f"warning: this Blender has no denoiser, {samples} samples leave noise", file=sys.stderr)
+        print(
+            f"warning: this Blender has no denoiser, {samples} samples leave noise", file=sys.stderr
+        )
     scene.render.resolution_x, scene.render.resolution_y = 1600, 800
     scene.render.resolution_percentage = percent
     SCENES[name](scene)
