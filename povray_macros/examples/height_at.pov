@@ -9,7 +9,7 @@ Ocean_Load(Ocean_Frame_Name(frame_number))
 #declare Eye = <10, 6, -6>;
 camera { location Eye right x*image_width/image_height angle 55 look_at <26, 0, 14> }
 Ocean_Eye_At(Eye, 55)
-Ocean_Sun(30, 80)
+Ocean_Sun(30, 170)
 Ocean_Sky(0.3)
 object { Ocean_View(Eye, <26, 0, 14>, 55, 0.5) Ocean_Material("jerlov_ii") no_reflection }
 #for (I, 0, 60)

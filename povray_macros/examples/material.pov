@@ -6,8 +6,8 @@
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 }
 Ocean_Load(Ocean_Frame_Name(frame_number))
-camera { location <190, 210, -130> right x*image_width/image_height angle 66 look_at <190, 0, 60> }
-Ocean_Sun(55, 100)
+camera { location <190, 190, -110> right x*image_width/image_height angle 66 look_at <190, 0, 62> }
+Ocean_Sun(40, 200)
 Ocean_Sky(0.2)
 #declare Tile = Ocean_Mesh()
 #declare Types = array[3] { "jerlov_i", "jerlov_1c", "jerlov_9c" }

@@ -53,7 +53,6 @@ def main() -> None:
     daylight.add_sky(scene, sky)
     daylight.add_sun(scene, *view["sun"])
     ocean = scenes.ocean_of(Path(sea).resolve(), view["water"])
-    ocean.libocean.use_detail = True
     # Anew: of this sea, sun, camera and air.
     bpy.context.view_layer.objects.active = ocean
     ocean.select_set(True)

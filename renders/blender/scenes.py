@@ -191,6 +191,7 @@ def ocean_of(sea_file: Path, water_type: str = "jerlov_ib"):
     ocean = bpy.context.object
     ocean.libocean.horizon_vertices = 1500000
     bpy.ops.libocean.load_sea(filepath=str(sea_file))
+    ocean.libocean.use_detail = True
     return ocean
 
 
@@ -205,7 +206,7 @@ def open_sea(scene) -> None:
 
 def dusk(scene) -> None:
     """What buoy 41010 measured on 8 June 2020, with the sun on the horizon."""
-    sky(scene, elevation=2.2, azimuth=25.0, strength=0.25, dust=2.0)
+    sky(scene, elevation=2.2, azimuth=25.0, strength=0.25, dust=0.5)
     camera(scene, (0.0, 0.0, 2.2), (30.0, 8.0, 1.9), 45.0)
     ocean = ocean_of(HERE.parent / "buoy_41010.toml")
     afloat(discus_buoy(), ocean, (24.0, 3.0), -20.0)
@@ -220,8 +221,8 @@ def storm(scene) -> None:
     ocean = ocean_of(sea, "jerlov_iii")
     ocean.libocean.use_spray = True
     ocean.libocean.spray_lifetime = 0.8
-    ocean.libocean.spray_density = 5.0
-    ocean.libocean.spray_size = 25.0
+    ocean.libocean.spray_density = 0.6
+    ocean.libocean.spray_size = 40.0
     scene.render.use_motion_blur = True
     box = ("--box", "770,100,-8,1070,400,crest", "--velocity-voxel", "0.75")
     baked = bake(sea, "--products", "density", "--spray-density", "2", "--mist", "0.12", *box)
@@ -241,7 +242,7 @@ def volume(scene) -> None:
 
 
 def below(scene) -> None:
-    """Beaufort 5 from 6 m below, at a weather buoy: the sun's light in shafts, the sky in Snell's
+    """Beaufort 5 from 5 m below, at a weather buoy: the sun's light in shafts, the sky in Snell's
     window, foam against it."""
     enable_addon()
     sun = {"sun_elevation": math.radians(60.0), "sun_bearing": math.radians(25.0)}
@@ -252,8 +253,8 @@ def below(scene) -> None:
     )
     ocean.libocean.patch_size = 150.0  # finer maps: shafts as narrow as 0.15 m
     ocean.libocean.use_detail = True
-    camera(scene, (0.0, 0.0, -6.0), (-6.0, 0.3, -2.6), 18.0)
-    afloat(discus_buoy(), ocean, (-5.0, 2.2), 25.0)
+    camera(scene, (0.0, 0.0, -5.0), (-5.0, 1.3, -0.5), 20.0)
+    afloat(discus_buoy(), ocean, (-4.2, 1.6), 25.0)
     scene.render.resolution_x, scene.render.resolution_y = 960, 540
     # What few rays find by themselves is left to those that are sent there.
     scene.cycles.sample_clamp_indirect = 1.0
@@ -342,6 +343,10 @@ def main() -> None:
     scene.render.engine = "CYCLES"
     scene.cycles.samples = samples
     scene.cycles.use_denoising = can_denoise()
+    if not can_denoise():
+        print(
+            f"warning: this Blender has no denoiser, {samples} samples leave noise", file=sys.stderr
+        )
     scene.render.resolution_x, scene.render.resolution_y = 1600, 800
     scene.render.resolution_percentage = percent
     SCENES[name](scene)

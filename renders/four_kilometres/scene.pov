@@ -19,8 +19,9 @@ camera {
     right 0.998*Period*x
 }
 
-// A low sun behind the crests' lee side, and the sky's light from everywhere.
-light_source { <-3, 1.6, -2>*1e6 rgb <1.75, 1.55, 1.25> parallel point_at <0, 0, 0> }
+// A sun high in the south-west. Water has no shade of its own: what changes from wave to wave is how
+// near its slope comes to the one that mirrors the sun, spread by the waves too short for the map.
+light_source { <-0.45, 1, -0.30>*1e6 rgb <1.0, 0.96, 0.88> parallel point_at <0, 0, 0> }
 
 #declare Whitecaps = pigment {
     image_map { exr "whitecap.exr" interpolate 2 }
@@ -34,13 +35,11 @@ height_field {
     scale <Period, Ocean_Scale, Period>
     translate Ocean_Base*y
     texture {
-        pigment {
-            pigment_pattern { Whitecaps }
-            color_map {
-                [0.00 rgb <0.010, 0.050, 0.075>]
-                [1.00 rgb <0.85, 0.89, 0.90>]
-            }
+        pigment_pattern { Whitecaps }
+        texture_map {
+            [0 pigment { rgb <0.006, 0.045, 0.090> }
+               finish { ambient 0 emission 1 diffuse 0 specular 0.035 roughness 0.04 }]
+            [1 pigment { rgb <0.90, 0.95, 0.97> } finish { ambient 0 emission 1 diffuse 0 }]
         }
-        finish { ambient rgb <0.7, 0.9, 1.1> diffuse 0.8 specular 0.7 roughness 0.04 }
     }
 }

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A strong gale at sunset: waves of 7 m run towards us from under the sun; a buoy 4 m high among them.
+// A strong gale in the evening: waves of 7 m run towards us, the sun lights foam and buoy from the
+// side; the buoy is 4 m high.
 //   ocean povray renders/povray/storm.toml -o build/storm
-//   povray renders/povray/storm.pov +Lbuild/storm +W1280 +H720 +A0.08 +AM2 +R3
+//   povray renders/povray/storm.pov +Lbuild/storm +W960 +H540 +A0.1 +AM2 +R2
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 6 }
@@ -13,7 +14,7 @@ Ocean_Load("sea_0001")
 #declare Eye = <782, 2.6, 214>;
 #declare Target = Eye + <1, 0.045, 0.10>;
 camera { location Eye right x*image_width/image_height angle 44 look_at Target }
-Ocean_Sun(5, 14)
+Ocean_Sun(12, 80)
 
 // A lid of cloud that ends before the horizon.
 #declare Lid = function { pattern { wrinkles turbulence 0.65 octaves 7 omega 0.58 lambda 2.1 } }
@@ -64,8 +65,8 @@ object { Ocean_View(Eye, Target, 44, 1.6) Ocean_Material("jerlov_iii") no_reflec
     torus { 0.56, 0.035 translate 1.7*y }
     torus { 0.36, 0.035 translate 2.6*y }
     cone { 3.1*y, 0.45, 3.9*y, 0 }
-    sphere { 4.0*y, 0.12 pigment { rgb <1, 0.9, 0.6> } finish { emission 1.5 } }
+    sphere { 4.0*y, 0.09 pigment { rgb <0.9, 0.7, 0.3> } }
     pigment { rgb <0.55, 0.30, 0.02> }
-    finish { diffuse 0.7 ambient 0 emission 0.12 specular 0.3 roughness 0.03 }
+    finish { diffuse 0.7 ambient 0 emission 0.7*Ocean_Sky_Light specular 0.3 roughness 0.03 }
 }
 object { Ocean_Float(Buoy, 824, 226, 30, 2.5, 2.5) }

@@ -103,6 +103,22 @@ def test_every_block_of_a_page_runs(page: Path, tmp_path: Path, capsys) -> None:
         print(f"\n{page.name}: {counts['run']} run, {counts['left out']} left out", end="")
 
 
+def test_every_picture_that_a_page_shows_has_its_command() -> None:
+    """The gallery says it, or the page. The macros and the steps of a terrain have tables of
+    commands."""
+    gallery = (DOCS / "gallery.md").read_text()
+    shown = 0
+    for page in PAGES:
+        text = page.read_text()
+        for name in re.findall(r"\(\S*?renders/(\S+\.(?:jpg|png))\)", text):
+            if name.startswith(("povray/macros/", "terrain/seed_")):
+                continue
+            shown += 1
+            command = f"`scripts/pictures {name}`"
+            assert command in gallery or command in text, f"{page.name} shows {name}"
+    assert shown > 40
+
+
 @pytest.mark.parametrize("left_out", [["--no-cpp"], pytest.param([], marks=pytest.mark.slow)])
 def test_the_site_builds_without_a_warning(tmp_path: Path, left_out: list[str]) -> None:
     run([DOCS / "build.py", "--library", LIBRARY, "--output", tmp_path, *left_out], tmp_path)
