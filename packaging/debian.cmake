@@ -41,7 +41,9 @@ install(FILES ${addon}/README.md DESTINATION share/blender/scripts/addons/liboce
         COMPONENT blender EXCLUDE_FROM_ALL)
 
 # The day of the change log is that of SOURCE_DATE_EPOCH, which scripts/packages takes from the commit.
-set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The libocean authors <libocean@users.noreply.github.com>")
+set(OCEAN_MAINTAINER "The libocean authors <libocean@example.org>" CACHE STRING
+    "Who answers for the Debian packages, NAME <ADDRESS>: set it for packages that others get")
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER ${OCEAN_MAINTAINER})
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 string(TIMESTAMP day "%a, %d %b %Y %H:%M:%S +0000" UTC)
 file(CONFIGURE OUTPUT changelog.Debian CONTENT
