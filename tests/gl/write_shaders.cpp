@@ -85,6 +85,10 @@ int main(int argc, char** argv) {
             }
         }
     }
+    for (const char* parts : {"1", "3", "4"}) {
+        write(std::string("coast_waves_") + parts, "compute/coast_waves.comp",
+              std::string("#define PARTS ") + parts + "\n");
+    }
     write("moments", "compute/moments.comp", "");
     write("stage", "compute/thesis/stage.comp", "");
     write("permutation", "compute/thesis/permutation.comp", "");

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string_view>
 
+#include "ocean/backend.hpp"
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/modes.hpp"
 #include "ocean/parameters.hpp"
@@ -49,6 +50,13 @@ class Coast {
     ShoreSurface& surface(const CoastSea& sea, double time, ShoreSurface::Rates rates,
                           ThreadPool& pool, const BuildProgress& progress);
 
+    /// Returns the function by which a backend sums the waves; empty: it leaves them to the
+    /// processor.
+    const CoastFunction& summed_by(const Backend& backend) {
+        if (!sum_waves_ && backend.start_coast != nullptr) sum_waves_ = backend.start_coast();
+        return sum_waves_;
+    }
+
   private:
     /// The input of the statics, compared with that of the next call.
     struct Source {
@@ -65,6 +73,7 @@ class Coast {
     double surface_choppiness_ = 0.0;
     int surface_shown_ = 0;
     bool moved_ = false;
+    CoastFunction sum_waves_;
 };
 
 }  // namespace ocean

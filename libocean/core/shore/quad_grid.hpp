@@ -100,6 +100,8 @@ class QuadGrid {
 
     const Domain& domain() const { return domain_; }
     std::size_t bytes() const { return quads_.size() * sizeof(Quad); }
+    /// Returns the samples, row-major.
+    const std::vector<Quad>& quads() const { return quads_; }
     /// Returns the fields at a place [m].
     QuadSample read(double x, double y) const;
     /// Writes the fields at places that were found in this domain, and with `slopes` their

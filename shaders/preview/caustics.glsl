@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Sunlight that the waves of a coast focus on its bed. Rays go through a lattice of places of the
+// water, and each gives its light to the bed around the place that it meets: also where several
+// rays meet, and with the light of level water in the mean.
+#include "preview/coast_traces.glsl"
+#include "preview/water_state.glsl"
+#if DETAIL > 0
+#include "preview/near_detail.glsl"
+#endif
+
+const int caustic_reach = 2;  // places of the lattice to each side
+
+// Returns the slope of the water at a label, in the mean over a circle [m].
+vec2 slope_over(vec2 at, float width) {
+    Footprint circle = Footprint(vec2(width, 0.0), vec2(0.0, width), vec2(width, 0.0), width);
+    vec2 slope = coast_mean(coast_gradients, coast_reads(at), circle).xy;
+#if DETAIL > 0
+    for (int d = 0; d < DETAIL; ++d) {
+        float fade = slope_tile_fade(width, tile_grid[d].z, tile_grid[d].w);
+        if (fade <= 0.0) continue;
+        float texels = width * tile[d].z * float(tile_cell[d].w);
+        int level = clamp(int(floor(log2(max(texels, 1.0)))), 0, 7);
+        bool is_first = TILE_MAPS == 1 || d < TILE_SPLIT;
+        slope += fade * tile[d].w *
+                 tile_slope(tile_maps[is_first ? 0 : TILE_MAPS - 1], d, at, level);
+    }
+#endif
+    return slope;
+}
+
+// Returns how far from the place above it a ray of the sun meets a bed at a depth [m].
+vec2 ray_shift(vec2 slope, float depth) {
+    vec3 ray = refract(-sun.xyz, normalize(vec3(-slope, 1.0)), 1.0 / water.w);
+    return depth * ray.xy / max(-ray.z, 0.1);
+}
+
+// Returns the light of the sun on the bed at a place, in units of that below level water. pixel:
+// the side of the water that a pixel sees [m].
+float caustic(vec2 bed_place, float depth, float pixel) {
+    // The rms distance by which the waves turn rays aside is the step of the lattice.
+    float aside = (1.0 - 1.0 / water.w) * depth * sqrt(0.5 * waves.z);
+    float step = max(aside, 0.02);
+    float shown = 1.0 - smoothstep(0.5, 1.0, pixel / step);
+    if (shown <= 0.0) return 1.0;
+    vec2 level_shift = ray_shift(vec2(0.0), depth);
+    vec2 middle = bed_place - level_shift;
+    float light = 0.0;
+    for (int j = -caustic_reach; j <= caustic_reach; ++j) {
+        for (int i = -caustic_reach; i <= caustic_reach; ++i) {
+            vec2 from = step * vec2(i, j);
+            vec2 met = from + ray_shift(slope_over(middle + from, 0.5 * step), depth) - level_shift;
+            vec2 near = max(1.0 - abs(met) / step, 0.0);
+            light += near.x * near.y;
+        }
+    }
+    return mix(1.0, light, shown);
+}
