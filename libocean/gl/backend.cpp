@@ -129,9 +129,12 @@ BackendFitness gpu_fitness(int resolution) {
 
 }  // namespace
 
-const Backend kBackend = {
-    "gl",      kEveryChannel, [] { return MapFunction(GpuFunction<GpuMaps>()); },
-    gpu_bytes, gpu_fitness,   true,
-    [] { return CoastFunction(GpuCoast()); }};
+const Backend kBackend = {"gl",
+                          kEveryChannel,
+                          [] { return MapFunction(GpuFunction<GpuMaps>()); },
+                          gpu_bytes,
+                          gpu_fitness,
+                          true,
+                          [] { return CoastFunction(GpuCoast()); }};
 
 }  // namespace ocean::gl

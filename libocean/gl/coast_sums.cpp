@@ -48,11 +48,11 @@ void CoastSums::load(const QuadMaps& maps, Layers& layers) const {
     if (layers.texture && layers.owner == maps.owner) return;
     const std::array<int, 2> samples = maps.domain.samples;
     if (std::ranges::max(samples) > limits_.texture_size) {
-        throw Error(ErrorKind::unsupported,
-                    "the bed has " + std::to_string(samples[0]) + " x " +
-                        std::to_string(samples[1]) + " samples, and this GPU's textures at most " +
-                        std::to_string(limits_.texture_size) +
-                        " along a side; the backend cpu has no such limit");
+        throw Error(ErrorKind::unsupported, "the bed has " + std::to_string(samples[0]) + " x " +
+                                                std::to_string(samples[1]) +
+                                                " samples, and this GPU's textures at most " +
+                                                std::to_string(limits_.texture_size) +
+                                                " along a side; the backend cpu has no such limit");
     }
     layers.texture = generate<Texture, &glGenTextures>();
     glBindTexture(GL_TEXTURE_2D_ARRAY, layers.texture.name());
@@ -109,11 +109,11 @@ void CoastSums::load_signals(const CoastWaves& waves, bool rates) {
     }
     const std::size_t bytes = floats * sizeof(float);
     if (bytes > static_cast<std::size_t>(limits_.storage_block_bytes)) {
-        throw Error(ErrorKind::unsupported,
-                    "the signals of this coast are " + std::to_string(bytes) +
-                        " bytes, and a buffer of this GPU at most " +
-                        std::to_string(limits_.storage_block_bytes) +
-                        "; the backend cpu has no such limit");
+        throw Error(ErrorKind::unsupported, "the signals of this coast are " +
+                                                std::to_string(bytes) +
+                                                " bytes, and a buffer of this GPU at most " +
+                                                std::to_string(limits_.storage_block_bytes) +
+                                                "; the backend cpu has no such limit");
     }
     resize_storage(coefficients_, bytes, nullptr);
     GLintptr at = 0;

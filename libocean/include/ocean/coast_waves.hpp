@@ -36,7 +36,7 @@ struct CoastPair {
     float centre = 0.0f;             // direction of the middle of the sector [rad]
     float open_displacement = 0.0f;  // coth(k d) of the band in the open sea
     std::array<double, 2> cells_per_metre{};
-    std::array<double, 2> half_turns{};  // [1/m]
+    std::array<double, 2> half_turns{};   // [1/m]
     std::array<std::uint32_t, 2> mask{};  // the columns and rows, powers of two, less 1
     std::size_t pitch = 0;                // complex numbers of a row
     /// Rows of coefficients: the one before the first column, all columns, the three after.
