@@ -24,8 +24,9 @@ inline Sea beach_sea(std::array<double, 2> corner = {}) {
     waves.wind_speed = 9.0;
     waves.wind_direction = 0.0;
     waves.fetch = 20000.0;
+    parameters.water.seabed_origin = {corner[0], corner[1]};
     GivenBed given;
-    given.grid = {corner, {320.0, 192.0}, {81, 49}, false};
+    given.grid = {{0.0, 0.0}, {320.0, 192.0}, {81, 49}, false};
     for (int j = 0; j < 49; ++j) {
         for (int i = 0; i < 81; ++i) {
             given.heights.push_back(static_cast<float>(std::max(-8.0, (4.0 * i - 240.0) / 20.0)));
