@@ -30,27 +30,31 @@ vec2 slope_over(vec2 at, float width) {
     return slope;
 }
 
-// Returns how far from the place above it a ray of the sun meets a bed at a depth [m].
-vec2 ray_shift(vec2 slope, float depth) {
-    vec3 ray = refract(-sun.xyz, normalize(vec3(-slope, 1.0)), 1.0 / water.w);
+// Returns how far from the place above it a ray from above meets a bed at a depth [m].
+vec2 ray_shift(vec3 from_above, vec2 slope, float depth) {
+    vec3 ray = refract(from_above, normalize(vec3(-slope, 1.0)), 1.0 / water.w);
     return depth * ray.xy / max(-ray.z, 0.1);
 }
 
-// Returns the light of the sun on the bed at a place, in units of that below level water. pixel:
-// the side of the water that a pixel sees [m].
-float caustic(vec2 bed_place, float depth, float pixel) {
-    // The rms distance by which the waves turn rays aside is the step of the lattice.
-    float aside = (1.0 - 1.0 / water.w) * depth * sqrt(0.5 * waves.z);
-    float step = max(aside, 0.02);
-    float shown = 1.0 - smoothstep(0.5, 1.0, pixel / step);
+// Returns the light of the sun on the bed that an eye sees at a label, in units of that below level
+// water. pixel: the side of the water that a pixel sees [m].
+float caustic(vec2 at, vec3 to_eye, float depth, float pixel) {
+    // The rms distance by which the waves turn rays aside is the step of the lattice. Sights are
+    // turned by the same waves, and blurred as much by those that the lattice does not hold.
+    float step = max((1.0 - 1.0 / water.w) * depth * sqrt(0.5 * waves.z), 0.02);
+    float shown = waves.z > 0.0 ? 1.0 - smoothstep(0.5, 1.0, pixel / step) : 0.0;
     if (shown <= 0.0) return 1.0;
-    vec2 level_shift = ray_shift(vec2(0.0), depth);
-    vec2 middle = bed_place - level_shift;
+    // The lattice lies around the place whose ray the long waves send to the bed that is seen.
+    vec2 bed = at + ray_shift(-to_eye, slope_over(at, step), depth);
+    vec2 above = bed - ray_shift(-sun.xyz, vec2(0.0), depth);
+    vec2 long_shift = ray_shift(-sun.xyz, slope_over(above, 4.0 * step), depth);
+    vec2 middle = bed - long_shift;
     float light = 0.0;
     for (int j = -caustic_reach; j <= caustic_reach; ++j) {
         for (int i = -caustic_reach; i <= caustic_reach; ++i) {
             vec2 from = step * vec2(i, j);
-            vec2 met = from + ray_shift(slope_over(middle + from, 0.5 * step), depth) - level_shift;
+            vec2 slope = slope_over(middle + from, 0.5 * step);
+            vec2 met = from + ray_shift(-sun.xyz, slope, depth) - long_shift;
             vec2 near = max(1.0 - abs(met) / step, 0.0);
             light += near.x * near.y;
         }
