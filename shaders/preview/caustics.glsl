@@ -40,10 +40,12 @@ vec2 ray_shift(vec3 from_above, vec2 slope, float depth) {
 // water. pixel: the side of the water that a pixel sees [m].
 float caustic(vec2 at, vec3 to_eye, float depth, float pixel) {
     // The rms distance by which the waves turn rays aside is the step of the lattice. Sights are
-    // turned by the same waves, and blurred as much by those that the lattice does not hold.
-    float step = max((1.0 - 1.0 / water.w) * depth * sqrt(0.5 * waves.z), 0.02);
-    float shown = waves.z > 0.0 ? 1.0 - smoothstep(0.5, 1.0, pixel / step) : 0.0;
+    // turned by the same waves, and blurred as much by those that the lattice does not hold. Where
+    // a pixel covers more the net is coarser, and ends before it is even.
+    float aside = max((1.0 - 1.0 / water.w) * depth * sqrt(0.5 * waves.z), 0.02);
+    float shown = waves.z > 0.0 ? 1.0 - smoothstep(2.0, 4.0, pixel / aside) : 0.0;
     if (shown <= 0.0) return 1.0;
+    float step = max(aside, pixel);
     // The lattice lies around the place whose ray the long waves send to the bed that is seen.
     vec2 bed = at + ray_shift(-to_eye, slope_over(at, step), depth);
     vec2 above = bed - ray_shift(-sun.xyz, vec2(0.0), depth);
