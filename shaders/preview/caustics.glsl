@@ -10,12 +10,15 @@
 #include "preview/near_detail.glsl"
 #endif
 
-const int caustic_reach = 2;  // places of the lattice to each side
-
-// Returns the slope of the water at a label, in the mean over a circle [m].
-vec2 slope_over(vec2 at, float width) {
+// Returns the slope of the windows at a label, in the mean over a circle [m].
+vec2 window_slope(vec2 at, float width) {
     Footprint circle = Footprint(vec2(width, 0.0), vec2(0.0, width), vec2(width, 0.0), width);
-    vec2 slope = coast_mean(coast_gradients, coast_reads(at), circle).xy;
+    return coast_mean(coast_gradients, coast_reads(at), circle).xy;
+}
+
+// Returns the slope of the waves that are shorter.
+vec2 short_slope(vec2 at, float width) {
+    vec2 slope = vec2(0.0);
 #if DETAIL > 0
     for (int d = 0; d < DETAIL; ++d) {
         float fade = slope_tile_fade(width, tile_grid[d].z, tile_grid[d].w);
@@ -30,6 +33,10 @@ vec2 slope_over(vec2 at, float width) {
     return slope;
 }
 
+vec2 slope_over(vec2 at, float width) {
+    return window_slope(at, width) + short_slope(at, width);
+}
+
 // Returns how far from the place above it a ray from above meets a bed at a depth [m].
 vec2 ray_shift(vec3 from_above, vec2 slope, float depth) {
     vec3 ray = refract(from_above, normalize(vec3(-slope, 1.0)), 1.0 / water.w);
@@ -39,23 +46,30 @@ vec2 ray_shift(vec3 from_above, vec2 slope, float depth) {
 // Returns the light of the sun on the bed that an eye sees at a label, in units of that below level
 // water. pixel: the side of the water that a pixel sees [m].
 float caustic(vec2 at, vec3 to_eye, float depth, float pixel) {
-    // The rms distance by which the waves turn rays aside is the step of the lattice. Sights are
-    // turned by the same waves, and blurred as much by those that the lattice does not hold. Where
-    // a pixel covers more the net is coarser, and ends before it is even.
-    float aside = max((1.0 - 1.0 / water.w) * depth * sqrt(0.5 * waves.z), 0.02);
-    float shown = waves.z > 0.0 ? 1.0 - smoothstep(2.0, 4.0, pixel / aside) : 0.0;
+    // A lattice of nine places catches the rays if its step is twice the rms distance by which the
+    // waves turn them aside. Sights are turned by the same waves, and blurred as much by those that
+    // the lattice does not hold. Where a pixel covers more the net is coarser, and ends before it
+    // is even.
+    float aside = 2.0 * (1.0 - 1.0 / water.w) * depth * sqrt(0.5 * waves.z);
+    float least = max(aside, 0.02);
+    float shown = waves.z > 0.0 ? 1.0 - smoothstep(1.0, 2.0, pixel / least) : 0.0;
     if (shown <= 0.0) return 1.0;
-    float step = max(aside, pixel);
+    float step = max(least, pixel);
     // The lattice lies around the place whose ray the long waves send to the bed that is seen.
     vec2 bed = at + ray_shift(-to_eye, slope_over(at, step), depth);
     vec2 above = bed - ray_shift(-sun.xyz, vec2(0.0), depth);
     vec2 long_shift = ray_shift(-sun.xyz, slope_over(above, 4.0 * step), depth);
     vec2 middle = bed - long_shift;
+    // The windows' slopes change little over the lattice.
+    vec2 level = window_slope(middle, step);
+    vec2 along_x = window_slope(middle + vec2(step, 0.0), step) - level;
+    vec2 along_y = window_slope(middle + vec2(0.0, step), step) - level;
     float light = 0.0;
-    for (int j = -caustic_reach; j <= caustic_reach; ++j) {
-        for (int i = -caustic_reach; i <= caustic_reach; ++i) {
+    for (int j = -1; j <= 1; ++j) {
+        for (int i = -1; i <= 1; ++i) {
             vec2 from = step * vec2(i, j);
-            vec2 slope = slope_over(middle + from, 0.5 * step);
+            vec2 slope = level + float(i) * along_x + float(j) * along_y +
+                         short_slope(middle + from, 0.5 * step);
             vec2 met = from + ray_shift(-sun.xyz, slope, depth) - long_shift;
             vec2 near = max(1.0 - abs(met) / step, 0.0);
             light += near.x * near.y;
