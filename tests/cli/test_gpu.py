@@ -249,7 +249,9 @@ def test_a_coast_is_that_of_the_cpu(coast):
     coast.good(*region, *products, "-o", "gl/c.####.exr", "--backend", "gl")
     coast.good(*region, *products, "-o", "cpu/c.####.exr")
     for product in ("displacement", "depth", "breaking"):
-        made, expected = (pixels(coast.folder / of / f"c.{product}.0121.exr") for of in ("gl", "cpu"))
+        made, expected = (
+            pixels(coast.folder / of / f"c.{product}.0121.exr") for of in ("gl", "cpu")
+        )
         assert numpy.ptp(expected) > 0.02, product
         # The waves are 0.8 m high.
         assert numpy.abs(made - expected).max() <= 1e-5 * 0.8, product
