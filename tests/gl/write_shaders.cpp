@@ -75,8 +75,7 @@ int main(int argc, char** argv) {
                 .covers = covers,
                 .lace = taps == 0,
                 .tiles = {tiles, covers == 1 ? 0 : tiles},
-                .below = cascades < 5,
-                .coast = cascades > 1};
+                .below = cascades<5, .coast = cascades> 1};
             const std::string end = "_" + std::to_string(cascades) + std::to_string(taps);
             for (const std::string name : {"water", "seed"}) {
                 for (const char* kind : {".vert", ".frag"}) {
