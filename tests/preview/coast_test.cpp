@@ -202,7 +202,7 @@ TEST_F(CoastBedTest, TheNetOfLightFadesWithDepthAndInTurbidWater) {
     const double shallow = contrast(1.0, "jerlov_i");
     const double deep = contrast(4.0, "jerlov_i");
     const double turbid = contrast(4.0, "jerlov_9c");
-    EXPECT_GT(shallow, 0.2);
+    EXPECT_GT(shallow, 0.1);  // a bed that is lit evenly: 0.002
     EXPECT_GT(shallow, 1.25 * deep);
     EXPECT_GT(deep, 10.0 * turbid);
     EXPECT_LT(contrast(1.0, "jerlov_9c"), 0.5 * shallow);
