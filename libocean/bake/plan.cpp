@@ -168,8 +168,9 @@ void choose_fast_backend(const Catalogue& catalogue, int resolution, BakePlan& p
     plan.backend = Backend::cpu;
     plan.backend_note = "backend cpu";
     for (const Backend& backend : catalogue.backends) {
-        if (!backend.may_be_fast) continue;
-        const BackendFitness fitness = backend.fitness(resolution);
+        const auto made = plan.subject->backend_resolution(backend, resolution);
+        if (!backend.may_be_fast || !made) continue;
+        const BackendFitness fitness = backend.fitness(*made);
         const std::string name(backend.name);
         if (fitness.runs && fitness.fast) {
             plan.backend = backend;
@@ -183,22 +184,18 @@ void choose_fast_backend(const Catalogue& catalogue, int resolution, BakePlan& p
 /// Sets the backend for the largest of the plan's maps. Throws Error no_gpu for one that does not
 /// run on this machine.
 void resolve_backend(const Catalogue& catalogue, const std::string& name, BakePlan& plan) {
-    if (!plan.subject->uses_backends()) {
-        if (!name.empty() && name != kAutoBackend && name != "cpu") {
-            throw Error(ErrorKind::unsupported,
-                        "--backend " + name +
-                            ": a sea over a bed, and land with gullies, streams, a shore or a "
-                            "place of its own, are made on the CPU alone");
-        }
-        plan.backend = Backend::cpu;
-        plan.backend_note = "backend cpu";
-        return;
-    }
     const int resolution = std::max(plan.maps.finer, std::ranges::max(plan.maps.resolutions));
     if (name == kAutoBackend) return choose_fast_backend(catalogue, resolution, plan);
     plan.backend = backend_by_name(catalogue, name.empty() ? "cpu" : name);
+    const auto made = plan.subject->backend_resolution(plan.backend, resolution);
+    if (!made) {
+        throw Error(ErrorKind::unsupported,
+                    "--backend " + name +
+                        ": land with gullies, streams, a shore or a place of its own is made on "
+                        "the CPU alone, and a sea over a bed by cpu and gl");
+    }
     if (plan.backend.fitness == nullptr) return;
-    const BackendFitness fitness = plan.backend.fitness(resolution);
+    const BackendFitness fitness = plan.backend.fitness(*made);
     if (!fitness.runs) throw Error(ErrorKind::no_gpu, "--backend " + name + ": " + fitness.reason);
     plan.backend_note = "backend " + name + ": " + fitness.reason;
 }

@@ -204,7 +204,7 @@ Surface Ocean::region(double time, const Domain& domain, ChannelSet channels) {
     const RegionChannels writer(surface, channels, settings, foam, wet, *now().water.bed);
     Surface map(domain, time, channels);
     surface.prepare(current_modes(), domain, pool_);
-    pool_.for_each_item(domain.samples[1], [&](int j, int) { writer.write_row(j, map); });
+    writer.write(coast_->summed_by(options_.backend), map, pool_);
     return map;
 }
 

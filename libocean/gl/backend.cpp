@@ -8,6 +8,7 @@
 #include <map>
 
 #include "checks.hpp"
+#include "coast_sums.hpp"
 #include "gpu_function.hpp"
 #include "map_frame.hpp"
 #include "ocean/error.hpp"
@@ -90,6 +91,20 @@ class GpuMaps {
     PageVector<float> texels_;
 };
 
+/// The sums over a coast's waves, in the context of their first call.
+class GpuCoast {
+  public:
+    void operator()(const CoastRequest& request) {
+        objects_.use([&](CoastSums& sums) {
+            sums.write(request);
+            return true;
+        });
+    }
+
+  private:
+    GpuObjects<CoastSums> objects_;
+};
+
 /// Returns the bytes of modes, packs, textures and the buffer for reading back.
 std::uint64_t gpu_bytes(const Grid&, LinearSet fields, int resolution) {
     const auto count = static_cast<std::uint64_t>(fields.size());
@@ -114,8 +129,12 @@ BackendFitness gpu_fitness(int resolution) {
 
 }  // namespace
 
-const Backend kBackend = {
-    "gl",      kEveryChannel, [] { return MapFunction(GpuFunction<GpuMaps>()); },
-    gpu_bytes, gpu_fitness,   true};
+const Backend kBackend = {"gl",
+                          kEveryChannel,
+                          [] { return MapFunction(GpuFunction<GpuMaps>()); },
+                          gpu_bytes,
+                          gpu_fitness,
+                          true,
+                          [] { return CoastFunction(GpuCoast()); }};
 
 }  // namespace ocean::gl

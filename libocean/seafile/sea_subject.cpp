@@ -152,7 +152,12 @@ class SeaSubject final : public Subject {
     }
     int default_resolution() const override { return shown_.default_resolution(grid()); }
     Domain domain(int resolution) const override { return shown_.domain(grid(), resolution); }
-    bool uses_backends() const override { return !shown_.is_region(); }
+    std::optional<int> backend_resolution(const Backend& backend, int resolution) const override {
+        if (!shown_.is_region()) return resolution;
+        // The foam of the open sea is followed on maps of its own.
+        const bool knows_coasts = backend == Backend::cpu || backend.start_coast != nullptr;
+        return knows_coasts ? std::optional(default_map_resolution(grid())) : std::nullopt;
+    }
     double shortest_wave(int resolution) const override {
         const double held = shown_.is_region() ? 2.0 * domain(resolution).step(0)
                                                : ocean::shortest_wave(grid(), resolution);

@@ -152,15 +152,17 @@ class TerrainSubject final : public Subject {
     ChannelSet channels() const override { return terrain_channels(terrain_); }
     int default_resolution() const override { return part_.default_resolution(terrain_); }
     Domain domain(int resolution) const override { return part_.domain(terrain_, resolution); }
-    bool uses_backends() const override { return !part_.region && !terrain_.is_shaped(); }
+    std::optional<int> backend_resolution(const Backend& backend, int resolution) const override {
+        return has_lattice() || backend == Backend::cpu ? std::optional(resolution) : std::nullopt;
+    }
     double shortest_wave(int resolution) const override {
-        if (!uses_backends()) return 2.0 * domain(resolution).step(0);
+        if (!has_lattice()) return 2.0 * domain(resolution).step(0);
         const Lattice lattice{std::min(resolution, terrain_.resolution), terrain_.patch_size};
         return std::max(terrain_.shortest_wavelength, lattice.shortest_wavelength());
     }
     HeightRange height_range() const override {
         Land land(terrain_);
-        if (!uses_backends()) {
+        if (!has_lattice()) {
             constexpr int kCoarse = 512;
             const Domain own = domain(std::min(default_resolution(), kCoarse));
             const Surface map = land.region(own, {Channel::height});
@@ -179,7 +181,7 @@ class TerrainSubject final : public Subject {
     std::uint64_t bytes(int) const override { return Land::bytes(terrain_); }
     std::uint64_t work_bytes(const MapsOptions& options, ChannelSet channels,
                              int resolution) const override {
-        if (!uses_backends()) return 0;
+        if (!has_lattice()) return 0;
         return ocean::work_bytes(grid(), options.backend, channels, resolution, options.channels);
     }
     std::uint64_t by_place_bytes(int) const override { return 0; }
@@ -189,6 +191,9 @@ class TerrainSubject final : public Subject {
     }
 
   private:
+    /// Returns true if it is a sum of waves over one period, false if it is a function of the
+    /// place.
+    bool has_lattice() const { return !part_.region && !terrain_.is_shaped(); }
     Grid grid() const {
         Grid grid;
         grid.resolution = terrain_.resolution;

@@ -9,6 +9,9 @@
 #include "wave/haze.glsl"
 #include "wave/reflectance.glsl"
 #include "preview/sand.glsl"
+#if COAST
+#include "preview/caustics.glsl"
+#endif
 
 // Returns the light of the sun that facets mirror: the density of their slopes at the slope that
 // mirrors it into the eye, over the visible area of water [Cox and Munk 1954], [Ross 2005].
@@ -41,6 +44,18 @@ vec3 mirrored_sky(vec3 to_eye, vec2 lean, vec2 deviation, float across) {
     }
     return sum;
 }
+
+#if COAST
+// Returns the light that leaves the bed below a fragment. passed: the share of it that arrives.
+vec3 bed_light(Water state, vec3 to_eye, vec3 passed) {
+    float focus = 1.0;
+    bool is_seen = max(passed.r, max(passed.g, passed.b)) > 0.01 && state.open < 1.0;
+    if (is_seen && sun.w > 0.0 && sun.z > 0.1) {
+        focus = caustic(label, to_eye, max(state.depth, 0.0), state.footprint);
+    }
+    return bed_albedo * (sky_light.rgb + focus * sun.w * sun_colour.rgb * max(sun.z, 0.0));
+}
+#endif
 
 vec3 shaded(Water state, Foam froth, vec2 froth_slope) {
     vec3 from_eye = from_eye_here();
@@ -75,9 +90,10 @@ vec3 shaded(Water state, Foam froth, vec2 froth_slope) {
     // The way down is that of a high sun; the way up leans as refraction lets it.
     float refracted = sqrt(1.0 - (1.0 - mean_cosine * mean_cosine) / (water.w * water.w));
     passed = exp(-loss.rgb * max(state.depth, 0.0) * (1.1 + 1.0 / refracted));
-    albedo = mix(albedo, bed_albedo, passed);
-#endif
+    vec3 body = mix(albedo * light_from_above(), bed_light(state, to_eye, passed), passed);
+#else
     vec3 body = albedo * light_from_above();
+#endif
     float through = crest_light(state.displacement.z / max(waves.y, 1e-3), jacobian_of(state),
                                 dot(-to_eye.xy, sun.xy), dot(normal.xy, sun.xy));
     body += crest.w * through * sun.w * sun_colour.rgb * crest.rgb * (1.0 - passed);

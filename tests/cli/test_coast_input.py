@@ -89,7 +89,6 @@ def test_rows_and_columns_in_exchange_are_another_coast(coast):
         (("--region", "nan,0,9,9", "--cell", "1"), "--region = nan"),
         (("--region", "1e12,0,1.1e12,9", "--cell", "1"), "--region = 1e12"),
         ((*REGION, "--products", "displacement_x"), "did you mean displacement?"),
-        ((*REGION, "--backend", "gl"), "--backend gl"),
         ((*REGION, "--stage", "h0"), "made on the CPU alone"),
         (("-o", "s.inc", "--eye", "0,0,5"), "needs maps that repeat"),
         (("-o", "s.df3", "--detail-map"), "a power of two"),

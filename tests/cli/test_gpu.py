@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy
 import OpenImageIO as oiio
 import pytest
+from coasts import REGION
 
 SHADERS = Path(__file__).resolve().parents[2] / "shaders"
 BAKE = ("bake", "sea.toml", "--products", "displacement,normal,foam", "--type", "float")
@@ -240,3 +241,21 @@ def test_the_shared_library_knows_no_gl():
         pytest.skip("LIBOCEAN_LIBRARY is not set")
     needed = subprocess.run(["readelf", "-d", library], capture_output=True, text=True).stdout
     assert "epoxy" not in needed and "libGL" not in needed
+
+
+def test_a_coast_is_that_of_the_cpu(coast):
+    region = ("bake", "sea.toml", *REGION, "--frames", "121", "--type", "float")
+    products = ("--products", "displacement,depth,breaking")
+    coast.good(*region, *products, "-o", "gl/c.####.exr", "--backend", "gl")
+    coast.good(*region, *products, "-o", "cpu/c.####.exr")
+    for product in ("displacement", "depth", "breaking"):
+        made, expected = (
+            pixels(coast.folder / of / f"c.{product}.0121.exr") for of in ("gl", "cpu")
+        )
+        assert numpy.ptp(expected) > 0.02, product
+        # The waves are 0.8 m high.
+        assert numpy.abs(made - expected).max() <= 1e-5 * 0.8, product
+    header = oiio.ImageInput.open(str(coast.folder / "gl/c.depth.0121.exr")).spec()
+    assert header.getattribute("ocean:backend") == "gl"
+    refused = coast.bad(*region, "-o", "s.exr", "--backend", "radix2")
+    assert "a sea over a bed by cpu and gl" in refused

@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
                 .covers = covers,
                 .lace = taps == 0,
                 .tiles = {tiles, covers == 1 ? 0 : tiles},
-                .below = cascades < 5};
+                .below = cascades<5, .coast = cascades> 1};
             const std::string end = "_" + std::to_string(cascades) + std::to_string(taps);
             for (const std::string name : {"water", "seed"}) {
                 for (const char* kind : {".vert", ".frag"}) {
@@ -84,6 +84,10 @@ int main(int argc, char** argv) {
                 }
             }
         }
+    }
+    for (const char* parts : {"1", "3", "4"}) {
+        write(std::string("coast_waves_") + parts, "compute/coast_waves.comp",
+              std::string("#define PARTS ") + parts + "\n");
     }
     write("moments", "compute/moments.comp", "");
     write("stage", "compute/thesis/stage.comp", "");

@@ -156,6 +156,58 @@ TEST_F(CoastPreviewTest, ACoastInWorkIsGroundInTheOpenSea) {
     EXPECT_NE(land, sea);
 }
 
+/// Pictures of the bed from above, under a light wind.
+class CoastBedTest : public PreviewTest {
+  protected:
+    /// Returns the range of light that the middle half of the pixels has: glitter and foam are few
+    /// pixels. The bed is that of beach_sea().
+    double contrast(double depth, const char* water_type) {
+        Camera camera;
+        camera.eye = {240.0 - 20.0 * depth, 96.0, 1.0};
+        camera.pitch = -90.0;
+        camera.field_of_view = 40.0;
+        const ShownSea sea = maps_.show(sea_, kTime, camera.eye);
+        Look look;
+        look.water_type = water_type;
+        look.sun_altitude = 60.0;
+        const std::vector<float> pixels = light(renderer_, sea, camera, look, kSide, kSide);
+        std::vector<double> green;
+        for (std::size_t n = 1; n < pixels.size(); n += 4) green.push_back(double{pixels[n]});
+        std::ranges::sort(green);
+        const std::size_t n = green.size();
+        return green[3 * n / 4] - green[n / 4];
+    }
+
+  private:
+    static constexpr int kSide = 96;
+    static Sea light_wind() {
+        Sea sea = test::beach_sea();
+        sea.parameters.waves.front().wind_speed = 2.5;
+        return sea;
+    }
+    static SeaMapsOptions options() {
+        SeaMapsOptions options;
+        options.compute = false;
+        options.detail = true;
+        options.coast.samples = 64;
+        return options;
+    }
+
+    Ocean sea_{light_wind()};
+    SeaMaps maps_{options()};
+    Renderer renderer_{{.cells = 32}};
+};
+
+TEST_F(CoastBedTest, TheNetOfLightFadesWithDepthAndInTurbidWater) {
+    const double shallow = contrast(1.0, "jerlov_i");
+    const double deep = contrast(4.0, "jerlov_i");
+    const double turbid = contrast(4.0, "jerlov_9c");
+    EXPECT_GT(shallow, 0.1);  // a bed that is lit evenly: 0.002
+    EXPECT_GT(shallow, 1.25 * deep);
+    EXPECT_GT(deep, 10.0 * turbid);
+    EXPECT_LT(contrast(1.0, "jerlov_9c"), 0.5 * shallow);
+}
+
 TEST_F(CoastPreviewTest, WindowsGrowWithTheHeightOfTheEye) {
     const CoastMapsOptions options;
     const auto low = coast_windows({0.0, 0.0, 2.0}, options);

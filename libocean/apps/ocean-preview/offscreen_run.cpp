@@ -187,11 +187,6 @@ void draw_with_bridge(const PreviewOptions& options, const Sea& sea, const Conte
     run_with_bridge(*options.bridge, options.follow, live, context.console, show);
 }
 
-bool has_coast(const OpenedScene& scene) {
-    const auto* const sea = std::get_if<Sea>(&scene);
-    return sea != nullptr && sea->parameters.water.bed != nullptr;
-}
-
 /// A function that makes the scene of a frame, counted from 0.
 using ShowFrame = std::function<preview::ShownScene(int frame)>;
 
@@ -293,8 +288,7 @@ void run_offscreen(const PreviewOptions& options, const std::vector<ListedPictur
     const Device device = open_device(options.backend);
     const gl::HeadlessContext::Current current(*device.context);
     context.console.note("drawn by " + device.context->info().text() + "; the " +
-                         noun_of(kind_of(scene)) + " by " + std::string(device.backend.name) +
-                         (has_coast(scene) ? ", its coast by the processor" : ""));
+                         noun_of(kind_of(scene)) + " by " + std::string(device.backend.name));
     if (options.bridge) {
         const Sea& sea = std::get<Sea>(scene);
         return draw_with_bridge(options, sea, context, device, time_of(options, sea));

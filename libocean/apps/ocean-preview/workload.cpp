@@ -70,7 +70,7 @@ bool computes_by_shaders(const Backend& backend) {
 
 std::string why_not(const Backend& backend, const Sea& sea, const gl::ContextInfo& context) {
     if (sea.parameters.water.bed && backend != Backend::cpu && backend != gl::kBackend) {
-        return "knows no bed (water.seabed); cpu and gl do, both with a coast by the processor";
+        return "knows no bed (water.seabed); cpu and gl do";
     }
     return why_not(backend, {"seas", "grid", sea.parameters.grid.resolution}, context);
 }

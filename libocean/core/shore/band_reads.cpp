@@ -45,21 +45,34 @@ void BandSignals::read(std::size_t index, std::size_t n, const double* x, const 
     if (out.has_rate() && !rates_) {
         throw Error(ErrorKind::invalid_value, "the signals were made without their rates");
     }
-    const Pair& pair = pairs_[index];
-    const double period = pair.lattice.period;
+    CoastPair pair;
+    describe(index, pair);
     SignalTask task{};
     task.count = n;
     task.x = x;
     task.y = y;
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        task.cells_per_metre[axis] = pair.side[axis] / period;
-        task.mask[axis] = static_cast<std::uint32_t>(pair.side[axis] - 1);
-        task.half_turns[axis] = 2.0 * pair.lattice.carrier[axis] / period;
+        task.cells_per_metre[axis] = pair.cells_per_metre[axis];
+        task.mask[axis] = pair.mask[axis];
+        task.half_turns[axis] = pair.half_turns[axis];
     }
-    task.value = {pair.map[0].values.data(), pair.map[0].pitch};
-    task.rate = {pair.map[1].values.data(), pair.map[1].pitch};
+    task.value = {pair.values.data(), pair.pitch};
+    task.rate = {pair.rates.data(), pair.pitch};
     task.out = out;
     loop_(task);
+}
+
+void BandSignals::describe(std::size_t index, CoastPair& pair) const {
+    const Pair& of = pairs_[index];
+    const double period = of.lattice.period;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        pair.cells_per_metre[axis] = of.side[axis] / period;
+        pair.mask[axis] = static_cast<std::uint32_t>(of.side[axis] - 1);
+        pair.half_turns[axis] = 2.0 * of.lattice.carrier[axis] / period;
+    }
+    pair.pitch = of.map[0].pitch;
+    pair.values = of.map[0].values;
+    pair.rates = of.map[1].values;
 }
 
 }  // namespace ocean

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "ocean/coast_waves.hpp"
 #include "ocean/modes.hpp"
 #include "ocean/page_vector.hpp"
 #include "ocean/thread_pool.hpp"
@@ -52,6 +53,8 @@ class BandSignals {
     /// Error invalid_value for a rate of signals that were made without rates.
     void read(std::size_t index, std::size_t n, const double* x, const double* y,
               const SignalOutputs& out) const;
+    /// Writes the maps of pair `index` and where places lie in them. Valid until the next move_to.
+    void describe(std::size_t index, CoastPair& pair) const;
     /// Returns the signal of pair `index` at a time and a place, in double, from its modes: slow,
     /// and independent of move_to.
     ExactSignal exact(std::size_t index, double time, double x, double y) const;

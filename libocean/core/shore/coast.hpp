@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ocean/backend.hpp"
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/modes.hpp"
 #include "ocean/parameters.hpp"
@@ -66,6 +67,13 @@ class Coast {
     /// Returns the sums over the modes at a time [s]. Valid until the next call.
     Exact exact(const CoastSea& sea, double time, ThreadPool& pool, const BuildProgress& progress);
 
+    /// Returns the function by which a backend sums the waves; empty: it leaves them to the
+    /// processor.
+    const CoastFunction& summed_by(const Backend& backend) {
+        if (!sum_waves_ && backend.start_coast != nullptr) sum_waves_ = backend.start_coast();
+        return sum_waves_;
+    }
+
   private:
     ShoreSurface& current_surface(const CoastSea& sea, ShoreSurface::Rates rates, ThreadPool& pool,
                                   const BuildProgress& progress);
@@ -87,6 +95,7 @@ class Coast {
     double surface_choppiness_ = 0.0;
     int surface_shown_ = 0;
     bool moved_ = false;
+    CoastFunction sum_waves_;
 };
 
 }  // namespace ocean

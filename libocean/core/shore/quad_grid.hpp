@@ -99,6 +99,7 @@ class QuadGrid {
     QuadGrid(const Domain& domain, const std::array<std::span<const float>, 4>& fields);
 
     const Domain& domain() const { return domain_; }
+    /// Returns the samples, row-major.
     std::span<const Quad> quads() const { return quads_; }
     std::size_t bytes() const { return quads_.size() * sizeof(Quad); }
     /// Returns the fields at a place [m].

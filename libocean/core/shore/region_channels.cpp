@@ -6,9 +6,13 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <vector>
 
+#include "ocean/coast_waves.hpp"
 #include "ocean/land_mask.hpp"
+#include "ocean/page_vector.hpp"
 #include "ocean/surf_traces.hpp"
+#include "ocean/thread_pool.hpp"
 #include "query/query_points.hpp"
 #include "shore/shore_query.hpp"
 #include "shore/swash.hpp"
@@ -127,7 +131,40 @@ void leave_out_swash(const SeaBed& bed, Surface& map) {
     }
 }
 
-void RegionChannels::write_row(int j, Surface& map) const {
+void RegionChannels::write(const CoastFunction& sum_waves, Surface& map, ThreadPool& pool) const {
+    const Domain& domain = map.domain();
+    const int rows = domain.samples[1];
+    if (!sum_waves) {
+        pool.for_each_item(rows, [&](int j, int) { write_row(j, {}, map); });
+        return;
+    }
+    // Enough labels for every core of a GPU, whose sums take some 10 MB.
+    constexpr int kLabels = 1 << 17;
+    const CoastWaves waves = surface_.waves();
+    const auto width = static_cast<std::size_t>(domain.samples[0]);
+    const int at_once = std::max(1, kLabels / domain.samples[0]);
+    std::vector<WorldPoint> labels;
+    PageVector<float> sums;
+    for (int first = 0; first < rows; first += at_once) {
+        const int count = std::min(at_once, rows - first);
+        labels.clear();
+        for (int j = first; j < first + count; ++j) {
+            for (int i = 0; i < domain.samples[0]; ++i) {
+                const auto [x, y] = domain.place(i, j);
+                labels.push_back({x, y});
+            }
+        }
+        const auto parts = static_cast<std::size_t>(parts_);
+        sums.resize(kCoastSums * parts * labels.size());
+        sum_waves({waves, first == 0, labels, parts, sums});
+        pool.for_each_item(count, [&](int row, int) {
+            write_row(first + row, {sums, labels.size(), static_cast<std::size_t>(row) * width},
+                      map);
+        });
+    }
+}
+
+void RegionChannels::write_row(int j, ReadySums ready, Surface& map) const {
     constexpr std::size_t kPiece = 256;
     const Domain& domain = map.domain();
     const auto width = static_cast<std::size_t>(domain.samples[0]);
@@ -140,7 +177,8 @@ void RegionChannels::write_row(int j, Surface& map) const {
             const auto [x, y] = domain.place(static_cast<int>(first + i), j);
             labels[i] = {x, y};
         }
-        surface_.read(std::span(labels).first(count), parts_, std::span(points).first(count));
+        surface_.read(std::span(labels).first(count), parts_, std::span(points).first(count),
+                      nullptr, {ready.sums, ready.labels, ready.first + first});
         for (int c = 0; c < kChannelCount; ++c) {
             const auto channel = static_cast<Channel>(c);
             if (!map.has(channel)) continue;

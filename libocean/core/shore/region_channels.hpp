@@ -6,6 +6,7 @@
 
 #include <cstddef>
 
+#include "ocean/backend.hpp"
 #include "ocean/foam_layer.hpp"
 #include "ocean/query.hpp"
 #include "ocean/sea_bed.hpp"
@@ -50,10 +51,13 @@ class RegionChannels {
           wet_(wet),
           bed_(bed) {}
 
-    /// Writes row j of every channel of the map. Several threads may write at once.
-    void write_row(int j, Surface& map) const;
+    /// Writes every channel of the map, on all threads. `sum_waves` sums the waves; empty: this
+    /// processor does.
+    void write(const CoastFunction& sum_waves, Surface& map, ThreadPool& pool) const;
 
   private:
+    /// Writes row j. `ready`: the sums at its labels.
+    void write_row(int j, ReadySums ready, Surface& map) const;
     float value(Channel channel, WorldPoint label, std::size_t index,
                 const ShorePoint& point) const;
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 
+#include "ocean/coast_waves.hpp"
 #include "shore/band_signals.hpp"
 #include "shore/jet.hpp"
 #include "shore/open_surface.hpp"
@@ -61,6 +62,11 @@ struct WaveSums {
     BlockJets along_x, along_y;  // displacement D at choppiness 1 [m]
     // The part of the open sea's displacement that the sectors' middles do not carry.
     BlockJets left_x, left_y;
+
+    /// Returns them in the order of CoastRequest.
+    std::array<BlockJets*, kCoastSums> all() {
+        return {&real, &imaginary, &squares, &along_x, &along_y, &left_x, &left_y};
+    }
 };
 
 /// A signal at the labels of a block.

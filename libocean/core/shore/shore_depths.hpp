@@ -32,6 +32,11 @@ class ShoreDepths {
     /// Returns the values at a depth [m] within kLeastFeltDepth .. water.depth.
     template <typename Scalar>
     Values<Scalar> at(const Scalar& depth) const;
+    /// Returns coth(k d) of the bands' middles at depths that are equal ratios apart, at
+    /// (log(depth) - first_log()) * per_log().
+    const std::vector<Quad>& displacements() const { return displacement_; }
+    float first_log() const { return first_; }
+    float per_log() const { return per_log_; }
     /// Returns the wavenumbers of the bands' middles at a depth [rad/m].
     Quad band_wavenumbers(float depth) const;
     /// Returns coth(k d) of a band's middle in the open sea.

@@ -120,7 +120,8 @@ void ShoreSurface::prepare(const Modes& modes, const OpenSpans& spans, ThreadPoo
 }
 
 void ShoreSurface::read(std::span<const WorldPoint> labels, JetParts parts,
-                        std::span<ShorePoint> points, const ShoreSums* exact) const {
+                        std::span<ShorePoint> points, const ShoreSums* exact,
+                        ReadySums ready) const {
     const auto read_all = [&](auto& block) {
         block.parts = parts;
         block.exact = exact;
@@ -131,7 +132,8 @@ void ShoreSurface::read(std::span<const WorldPoint> labels, JetParts parts,
                 places.x[i] = labels[first + i].x;
                 places.y[i] = labels[first + i].y;
             }
-            read_block(block, points.subspan(first, places.count));
+            read_block(block, {ready.sums, ready.labels, ready.first + first},
+                       points.subspan(first, places.count));
         }
     };
     if (parts == JetParts::value) {
@@ -144,7 +146,8 @@ void ShoreSurface::read(std::span<const WorldPoint> labels, JetParts parts,
 }
 
 template <typename Scalar>
-void ShoreSurface::read_block(Block<Scalar>& block, std::span<ShorePoint> points) const {
+void ShoreSurface::read_block(Block<Scalar>& block, const ReadySums& ready,
+                              std::span<ShorePoint> points) const {
     find_wavy(block);
     for (std::size_t i = 0; i < block.places.count; ++i) {
         const bool whole = block.share[i].value() >= 1.0f && block.felt[i].value() >= 1.0f;
@@ -156,7 +159,13 @@ void ShoreSurface::read_block(Block<Scalar>& block, std::span<ShorePoint> points
                                                    : open_.read<Scalar>(x, y);
         }
     }
-    if (block.wavy.places.count > 0) add_waves(block.parts, true, block.exact, block.wavy);
+    if (block.wavy.places.count > 0) {
+        if (ready.sums.empty()) {
+            add_waves(block.parts, true, block.exact, block.wavy);
+        } else {
+            take_sums(block.parts, ready, block.wavy);
+        }
+    }
     finish(block, points);
 }
 

@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "ocean/coast_waves.hpp"
 #include "ocean/modes.hpp"
 #include "ocean/parameters.hpp"
 #include "ocean/query.hpp"
@@ -44,6 +45,14 @@ struct ShorePoint {
     float surf = 0.0f;      // 1 where waves break by the depth, 0 where they do so by the wind
     float breaking = 0.0f;  // source of foam by breaking waves and at the water line, 0 .. 1
     float wetness = 1.0f;   // of the ground at this moment, 0 .. 1
+};
+
+/// Sums over the waves that a backend has written for a CoastRequest of some labels, from the label
+/// `first` on. Empty: none has.
+struct ReadySums {
+    std::span<const float> sums;
+    std::size_t labels = 0;  // of the request
+    std::size_t first = 0;
 };
 
 /// One band and sector of waves at a place, before the limiter.
@@ -100,8 +109,11 @@ class ShoreSurface {
     /// `parts`, of which `all` needs Rates::with; the others are 0. Values have the same bits
     /// whichever parts are written. Several threads may read at once. `exact`: the waves are those
     /// of its time, of which each mode is summed; prepare() and move_to() are not needed then.
+    /// `ready`: a backend has summed the waves.
     void read(std::span<const WorldPoint> labels, JetParts parts, std::span<ShorePoint> points,
-              const ShoreSums* exact = nullptr) const;
+              const ShoreSums* exact = nullptr, ReadySums ready = {}) const;
+    /// Returns what a backend needs to sum the waves. Valid until the next move_to.
+    CoastWaves waves() const;
     /// Writes at labels in the surf and in the swash ShorePoint::breaking, the source of foam, and
     /// the depth of the water [m], of which the part in the swash alone counts: elsewhere it is
     /// that of still water.
@@ -129,7 +141,8 @@ class ShoreSurface {
     template <typename Scalar>
     struct Block;
     template <typename Scalar>
-    void read_block(Block<Scalar>& block, std::span<ShorePoint> points) const;
+    void read_block(Block<Scalar>& block, const ReadySums& ready,
+                    std::span<ShorePoint> points) const;
     template <typename Scalar>
     void find_wavy(Block<Scalar>& block) const;
     template <typename Scalar>
@@ -146,6 +159,8 @@ class ShoreSurface {
     void find_places(BlockPlaces& places) const;
     /// Adds all waves at labels that feel the bed, without `displaces` the values of Z alone.
     void add_waves(JetParts parts, bool displaces, const ShoreSums* exact, WavyBlock& block) const;
+    /// Takes them from a backend's instead.
+    static void take_sums(JetParts parts, const ReadySums& ready, WavyBlock& block);
     void add_left(std::size_t waves, JetParts parts, const ShoreSums* exact,
                   WavyBlock& block) const;
     /// Writes the signal of one of the waves at `count` places.

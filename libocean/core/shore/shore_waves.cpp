@@ -91,11 +91,7 @@ void ShoreSurface::add_waves(JetParts parts, bool displaces, const ShoreSums* ex
     std::array<double, kShoreBlock> place_x, place_y;
     PairTask task = common_task(parts, block, signal, delay);
     task.displaces = displaces;
-    WaveSums& sums = block.sums;
-    for (BlockJets* const sum : {&sums.real, &sums.imaginary, &sums.squares, &sums.along_x,
-                                 &sums.along_y, &sums.left_x, &sums.left_y}) {
-        sum->clear(parts);
-    }
+    for (BlockJets* const sum : block.sums.all()) sum->clear(parts);
     for (std::size_t waves = 0; waves < statics_.bands().waves.size(); ++waves) {
         const ShoreWaves& of = statics_.bands().waves[waves];
         if (waves % 4 == 0) {
@@ -133,6 +129,49 @@ void ShoreSurface::read_signal(std::size_t waves, std::size_t count, const doubl
             signal.im.part[p][n] = static_cast<float>(numbers[p].imag());
         }
     }
+}
+
+void ShoreSurface::take_sums(JetParts parts, const ReadySums& ready, WavyBlock& block) {
+    const float* from = ready.sums.data() + ready.first;
+    for (BlockJets* const sum : block.sums.all()) {
+        for (std::size_t p = 0; p < static_cast<std::size_t>(parts); ++p, from += ready.labels) {
+            for (std::size_t n = 0; n < block.places.count; ++n) {
+                sum->part[p][n] = from[block.label[n]];
+            }
+        }
+    }
+}
+
+CoastWaves ShoreSurface::waves() const {
+    const ShoreDelays& delays = *statics_.delays;
+    const ShoreEnergy& energy = *statics_.energy;
+    const auto floats = [](std::span<const Quad> quads) {
+        return reinterpret_cast<const float*>(quads.data());
+    };
+    CoastWaves all;
+    for (std::size_t i = 0; i < delays.bands.waves.size(); ++i) {
+        const ShoreWaves& of = delays.bands.waves[i];
+        CoastPair& pair = all.pairs.emplace_back();
+        pair.band = of.band;
+        pair.centre = static_cast<float>(sector_centre(of.sector));
+        pair.open_displacement = energy.depths.open_displacement(of.band);
+        signals_.describe(i, pair);
+    }
+    const auto add = [&](QuadMaps& to, const QuadGrid& grid) {
+        to.domain = grid.domain();
+        to.maps.push_back(floats(grid.quads()));
+    };
+    for (const PairDelays& pair : delays.waves) add(all.delays, *pair.maps);
+    add(all.delays, delays.ground);
+    all.delays.owner = statics_.delays;
+    for (const QuadGrid& amplitudes : energy.amplitudes) add(all.energy, amplitudes);
+    add(all.energy, energy.remainder);
+    all.energy.owner = statics_.energy;
+    all.displacement = {floats(energy.depths.displacements()),
+                        4 * energy.depths.displacements().size()};
+    all.first_log = energy.depths.first_log();
+    all.per_log = energy.depths.per_log();
+    return all;
 }
 
 /// Where the open sea fades in, what it displaces beside the sectors' middles fades in too.

@@ -19,6 +19,7 @@
 namespace ocean {
 
 class ThreadPool;
+struct CoastRequest;
 
 /// Returns h so that a map of `map_resolution` samples holds the modes -h + 1 .. h - 1 along each
 /// axis, out of a lattice of `modes` of them. `stride` is the distance of neighbouring modes of the
@@ -78,6 +79,10 @@ struct MapRequest {
 /// what they keep until one of them changes it.
 using MapFunction = std::function<bool(const MapRequest&, ThreadPool&)>;
 
+/// Writes the sums over the waves of a coast at labels; see ocean/coast_waves.hpp. It may keep what
+/// does not change with time. One call at a time.
+using CoastFunction = std::function<void(const CoastRequest&)>;
+
 /// How well a backend suits this machine.
 struct BackendFitness {
     bool runs = true;
@@ -98,6 +103,8 @@ struct Backend {
     BackendFitness (*fitness)(int resolution) = nullptr;
     /// True if it is faster than cpu on some machines: `auto` then calls `fitness`.
     bool may_be_fast = false;
+    /// Returns an independent function for coasts; null: the processor sums their waves.
+    CoastFunction (*start_coast)() = nullptr;
 
     bool operator==(const Backend& other) const { return name == other.name; }
 

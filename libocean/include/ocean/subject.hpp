@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -100,9 +101,11 @@ class Subject {
     virtual double shortest_wave(int resolution) const = 0;
     virtual HeightRange height_range() const = 0;
 
-    /// Returns true if the backends make its maps; false if it has a function of the place of its
-    /// own, which runs on the CPU alone.
-    virtual bool uses_backends() const { return true; }
+    /// Returns the samples along a side of the maps that a backend makes for a map of `resolution`
+    /// samples; nothing if it makes none, because the subject is a function of the place.
+    virtual std::optional<int> backend_resolution(const Backend&, int resolution) const {
+        return resolution;
+    }
 
     /// Returns maps that have computed what all its copies share.
     virtual std::unique_ptr<SubjectMaps> open(const MapsOptions& options) const = 0;

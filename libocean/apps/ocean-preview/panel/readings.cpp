@@ -19,8 +19,8 @@ void draw_sea_readings(const LiveSea& sea, const preview::ShownSea& shown) {
         settling > 0.0 ? format_text("foam settling: %.1f s", settling) : "foam settled";
     if (sea.sea().parameters.water.bed) {
         const std::string work = sea.coast_progress();
-        ImGui::Text("%s", work.empty() ? "coast: by the processor"
-                                       : ("computing the coast: " + work).c_str());
+        ImGui::Text("%s",
+                    work.empty() ? "coast: computed" : ("computing the coast: " + work).c_str());
     }
     const std::size_t changes = sea.sea().take.events.size();
     ImGui::Text("%s   %s %zu changes", foam.c_str(),
