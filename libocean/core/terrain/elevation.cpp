@@ -134,7 +134,7 @@ double hat_integral(double t) {
 std::vector<Taps> mean_taps(const Domain& from, const Domain& to, int side) {
     const auto axis = static_cast<std::size_t>(side);
     const int last = from.samples[axis] - 1;
-    const double cell = to.step(side) / from.step(side);
+    const double cell = to.step(axis) / from.step(axis);
     std::vector<Taps> taps(static_cast<std::size_t>(to.samples[axis]));
     for (std::size_t i = 0; i < taps.size(); ++i) {
         const double place = std::min(static_cast<double>(i) * cell, static_cast<double>(last));
