@@ -82,7 +82,7 @@ LIBRARIES = {
         links=(
             "nlohmann_json::nlohmann_json",
             "tomlplusplus::tomlplusplus",
-            "zlib_static",
+            "zlib",
             "ZLIB::ZLIB",
         ),
         banned=frozenset({"iostream"}),
@@ -159,14 +159,16 @@ LIBRARIES = {
             "manifest.cpp": SYSTEM,  # its lock
             "manifest_json.cpp": ("nlohmann/",),
             "sha256.cpp": ("openssl/",),
+            "sha256_windows.cpp": ("windows.h", "bcrypt.h"),
         },
-        links=("OpenSSL::Crypto", "nlohmann_json::nlohmann_json"),
+        links=("OpenSSL::Crypto", "bcrypt", "nlohmann_json::nlohmann_json"),
     ),
     "apps": Library(
         below=("core", "seafile", "io", "netcdf", "elevation", "gl", "preview", "bridge", "bake"),
         foreign={
             "common/command_line.cpp": ("CLI/",),  # and no other file
-            "common/console.cpp": ("unistd.h",),
+            "common/interrupt_windows.cpp": ("windows.h",),
+            "common/standard_streams.cpp": ("fcntl.h", "io.h", "unistd.h"),
             "ocean/plot": ("cairo.h",),
             "ocean-bridge/line_input.cpp": ("editline/", "poll.h", "unistd.h"),
             "ocean-preview/window/file_dialog.cpp": (*SYSTEM, "spawn.h"),  # a child beside it
