@@ -15,7 +15,7 @@ ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = ROOT / "povray_macros" / "examples"
 SCENES = {
     "scene": ROOT / "povray_macros" / "scene.pov",
-    **{name: EXAMPLES / f"{name}.pov" for name in ("view", "tiles", "height_at")},
+    **{name: EXAMPLES / f"{name}.pov" for name in ("view", "tiles")},
 }
 WHITE = 254 / 255
 
