@@ -4,10 +4,12 @@
 """Measures what docs/benchmarks.md shows and writes its measured parts: between two comments,
 `measured: NAME` and `end of measured`. `scripts/bench --page` builds what this runs.
 
-usage: page.py BENCH_ARGUMENT...     arguments of scripts/bench for the frames, --quick for instance
+usage: page.py [--quick] [--processes N] [--parts PART...]
 """
 
+import argparse
 import contextlib
+import functools
 import io
 import json
 import os
@@ -80,31 +82,57 @@ def machine() -> str:
     )
 
 
+def runs_of(lines: list[dict]) -> list[list[dict]]:
+    """Parts what scripts/bench put into one file: each process begins with its facts."""
+    runs: list[list[dict]] = []
+    before = ""
+    for line in lines:
+        if line["kind"] == "fact" and before != "fact":
+            runs.append([])
+        runs[-1].append(line)
+        before = line["kind"]
+    return runs
+
+
 class Frames:
     """The runs of ocean_bench."""
 
-    def __init__(self, arguments: list[str]) -> None:
+    def __init__(self, words: argparse.Namespace) -> None:
+        self.words = words
+
+    @functools.cached_property
+    def runs(self) -> list[list[dict]]:
+        quick = ["--quick"] if self.words.quick else []
         with tempfile.NamedTemporaryFile("r", suffix=".json") as lines:
-            run("scripts/bench", "--with-mkl", *arguments, "--json", lines.name)
-            self.run = [json.loads(line) for line in lines]
-        self.ratios = report.ratios([self.run])
-        self.milliseconds = report.milliseconds([self.run])
+            run(
+                "scripts/bench", "--with-mkl", *quick, "--processes", self.words.processes,
+                "--json", lines.name,
+            )  # fmt: skip
+            return runs_of([json.loads(line) for line in lines])
+
+    @functools.cached_property
+    def ratios(self) -> dict:
+        return report.ratios(self.runs)
 
     def kernel(self) -> str:
-        facts = printed(report.print_facts, [self.run])
-        return facts + "\n\n" + printed(report.print_summary, self.ratios, self.milliseconds)
+        facts = printed(report.print_facts, self.runs)
+        return (
+            facts
+            + "\n\n"
+            + printed(report.print_summary, self.ratios, report.milliseconds(self.runs))
+        )
 
     def figures(self) -> str:
-        return printed(report.print_figures, [self.run])
+        return printed(report.print_figures, self.runs)
 
-    def losses(self) -> list[str]:
+    def losses(self) -> str:
         found = []
         for cell, names in self.ratios.items():
             ratio = report.median(report.worst(names))
             if ratio > 1.0:
                 simd, frame, threads, n = cell
-                found.append(f"{simd}, {frame}, {threads} threads, N = {n}: {ratio:.2f}")
-        return found
+                found.append(f"- {simd}, {frame}, {threads} threads, N = {n}: {ratio:.2f}")
+        return "\n".join(found) or "Of the frames above: nowhere on this machine."
 
 
 def by_numpy() -> str:
@@ -187,29 +215,44 @@ def of_the_bridge() -> str:
     return table(["from a change to who is told", "median, ms", "99 of 100 within, ms"], rows)
 
 
+def of_terrains() -> str:
+    return run("scripts/bench", "--terrain")
+
+
 def main() -> None:
-    frames = Frames(sys.argv[1:])
-    terrain = run("scripts/bench", "--terrain")
-    losses = frames.losses()
-    parts = {
-        "machine": machine(),
-        "kernel": frames.kernel(),
-        "losses": "\n".join(f"- {loss}" for loss in losses)
-        or "Of the frames above: nowhere on this machine.",
-        "figures": frames.figures(),
-        "numpy": by_numpy(),
-        "blender": by_blender(),
-        "preview": by_preview(),
-        "coast": of_coasts(),
-        "terrain": terrain,
-        "bridge": of_the_bridge(),
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("--quick", action="store_true", help="as scripts/bench has it")
+    parser.add_argument("--processes", default="3", help="as scripts/bench has it")
+    parser.add_argument("--parts", nargs="+", help="these parts alone; others stay as they are")
+    words = parser.parse_args()
+    frames = Frames(words)
+    measures = {
+        "machine": machine,
+        "kernel": frames.kernel,
+        "losses": frames.losses,
+        "figures": frames.figures,
+        "terrain": of_terrains,
+        "numpy": by_numpy,
+        "blender": by_blender,
+        "preview": by_preview,
+        "coast": of_coasts,
+        "bridge": of_the_bridge,
     }
     page = PAGE.read_text(encoding="utf-8")
-    wanted = {name for _, name, _ in PART.findall(page)}
-    if wanted != set(parts):
-        sys.exit(f"page: {PAGE.name} and this script name other parts: {wanted ^ set(parts)}")
-    page = PART.sub(lambda part: f"{part[1]}\n{parts[part[2]].strip()}\n\n{part[3]}", page)
-    PAGE.write_text(page, encoding="utf-8")
+    on_page = {name for _, name, _ in PART.findall(page)}
+    if on_page != set(measures):
+        sys.exit(f"page: {PAGE.name} and this script name other parts: {on_page ^ set(measures)}")
+    if unknown := set(words.parts or ()) - on_page:
+        sys.exit(f"page: there is no part {', '.join(sorted(unknown))}; {', '.join(measures)}")
+    for name, measure in measures.items():
+        if words.parts and name not in words.parts:
+            continue
+        text = measure().strip()
+        page = PART.sub(
+            lambda part: f"{part[1]}\n{text}\n\n{part[3]}" if part[2] == name else part[0],  # noqa: B023
+            page,
+        )
+        PAGE.write_text(page, encoding="utf-8")  # what was measured is kept, whatever fails later
     print(PAGE.relative_to(ROOT))
 
 
