@@ -19,8 +19,9 @@ GRAVITY = 9.81
 
 class Ours:
     def __init__(self, side: int) -> None:
-        self.sea = libocean.Sea(threads=1, resolution=side, patch_size=PATCH)
-        names = ("height", "displacement_x", "displacement_y", "slope_x", "slope_y")
+        values = {"grid.resolution": side, "grid.patch_size": PATCH}
+        self.sea = libocean.parse(libocean.text_of_values(values), threads=1)
+        names = ("height", "dx", "dy", "slope_x", "slope_y")
         self.maps = [(np.empty((side, side, 1), np.float32), (name,)) for name in names]
         self.time = 0.0
 
