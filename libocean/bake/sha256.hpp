@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// SHA-256 of bytes that arrive in pieces.
+// SHA-256 of bytes that arrive in pieces, by a library of the system: sha256_openssl.cpp,
+// sha256_windows.cpp.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -22,6 +24,8 @@ class Sha256 {
     std::string hex();
 
   private:
+    std::array<unsigned char, 32> digest();
+
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };

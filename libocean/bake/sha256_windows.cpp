@@ -8,7 +8,7 @@
 // It needs the types of the header above.
 #include <bcrypt.h>
 
-#include <array>
+#include <algorithm>
 #include <stdexcept>
 
 #include "sha256.hpp"
@@ -46,22 +46,10 @@ void Sha256::add(std::string_view bytes) {
     }
 }
 
-std::string Sha256::hex() {
+std::array<unsigned char, 32> Sha256::digest() {
     std::array<unsigned char, 32> digest{};
     require(BCryptFinishHash(impl_->hash, digest.data(), digest.size(), 0));
-    std::string text;
-    for (const unsigned char byte : digest) {
-        constexpr char kDigits[] = "0123456789abcdef";
-        text += kDigits[byte >> 4];
-        text += kDigits[byte & 15];
-    }
-    return text;
-}
-
-std::string sha256_hex(std::string_view bytes) {
-    Sha256 hash;
-    hash.add(bytes);
-    return hash.hex();
+    return digest;
 }
 
 }  // namespace ocean

@@ -158,7 +158,7 @@ LIBRARIES = {
         foreign={
             "manifest.cpp": SYSTEM,  # its lock
             "manifest_json.cpp": ("nlohmann/",),
-            "sha256.cpp": ("openssl/",),
+            "sha256_openssl.cpp": ("openssl/",),
             "sha256_windows.cpp": ("windows.h", "bcrypt.h"),
         },
         links=("OpenSSL::Crypto", "bcrypt", "nlohmann_json::nlohmann_json"),

@@ -115,10 +115,10 @@ TEST(ShoreStatics, AChangedSeaComputesItsNewWavesAlone) {
     EXPECT_EQ(reports_of(12.0, 0.0), 0.0);
     EXPECT_GT(reports_of(9.0, 0.0), 0.5 * all) << "other bands";
     EXPECT_EQ(reports_of(12.0, 40.0), 0.0);
-    // What delays do not depend on:
+    // Delays do not depend on the swash.
     parameters.water.shore.swash = Swash::off;
     EXPECT_EQ(reports_of(12.0, 40.0), 0.0);
-    // What they do:
+    // They depend on the depth of the open sea.
     parameters.water.depth = 21.0;
     EXPECT_GT(reports_of(12.0, 40.0), 0.5 * all);
 }
