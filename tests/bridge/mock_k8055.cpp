@@ -109,9 +109,15 @@ void MockK8055::unplug(std::chrono::milliseconds news) {
     std::this_thread::sleep_for(news);
     umockdev_testbed_uevent(bed_, kPath, "remove");
     umockdev_testbed_remove_device(bed_, kPath);
-    GError* error = nullptr;
-    umockdev_testbed_detach_ioctl(bed_, node_.c_str(), &error);
-    if (error != nullptr) witness_.error(error->message);
+    unplugged_.push_back(node_);
+}
+
+void MockK8055::close_unplugged() {
+    for (const std::string& node : std::exchange(unplugged_, {})) {
+        GError* error = nullptr;
+        umockdev_testbed_detach_ioctl(bed_, node.c_str(), &error);
+        if (error != nullptr) witness_.error(error->message);
+    }
 }
 
 void MockK8055::set(const Bytes& report) {

@@ -38,6 +38,9 @@ class MockK8055 {
     void plug(int address = 0);
     /// Transfers end first, and after `news` the system tells of it: 30 ms and more in a real one.
     void unplug(std::chrono::milliseconds news = std::chrono::milliseconds(10));
+    /// Closes the sockets by which umockdev answered for nodes that were unplugged. A program that
+    /// is opening one at that moment is aborted by umockdev: call it when there is none.
+    void close_unplugged();
     /// Sets the report from the next tick on.
     void set(const Bytes& report);
     /// Its own clock, every 10 ms in a real one: a report that is waited for is sent.
@@ -66,6 +69,7 @@ class MockK8055 {
     UMockdevIoctlBase* handler_;
     std::string root_;
     std::string node_;
+    std::vector<std::string> unplugged_;  // nodes whose sockets are still there
     int number_ = 1;
     int pipe_ = -1;
 

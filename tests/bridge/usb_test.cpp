@@ -328,6 +328,7 @@ TEST_F(UsbReplug, LeavesNothingBehindAndLosesNothing) {
         ASSERT_TRUE(wait_for("CONNECTED", i + 1));
         ASSERT_TRUE(seen_.wait([&] { return seen_.values["board0/c1"] == i; }));
     }
+    board_.close_unplugged();
     // umockdev closes a socket of its own in a while.
     const auto end = Clock::now() + kPatience;
     while (open_descriptors() > before && Clock::now() < end) std::this_thread::sleep_for(1ms);

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <random>
 
+#include "kernel/frame_parts.hpp"
 #include "kernel/frame_task.hpp"
 #include "kernel/map_kernel.hpp"
 #include "synthesis/mode_grid.hpp"
@@ -25,6 +26,26 @@ std::vector<SimdLevel> levels() {
         if (simd_available(level)) result.push_back(level);
     }
     return result;
+}
+
+TEST(FrameParts, ShareNoFieldAndAreJoinedUpToASize) {
+    using enum Linear;
+    FrameParts parts;
+    parts.add({height});
+    parts.add({slope_x, slope_y});
+    parts.add({});  // nothing
+    parts.add({displacement_x});
+    parts.add({gradient_xx, height});
+    parts.join(0);
+    EXPECT_EQ(parts.count(), 3);
+    EXPECT_EQ(parts.of({height}), parts.of({gradient_xx, height}));
+    EXPECT_NE(parts.of({height}), parts.of({slope_x}));
+    EXPECT_EQ(parts.of({}), 0);
+    parts.join(3);  // slopes and the displacement; the others would be five
+    EXPECT_EQ(parts.count(), 2);
+    EXPECT_EQ(parts.of({slope_y}), parts.of({displacement_x}));
+    parts.join(5);
+    EXPECT_EQ(parts.count(), 1);
 }
 
 TEST(Kernel, EveryCodeletIsTheDirectSumInEveryLane) {
@@ -157,7 +178,8 @@ class KernelFrames : public testing::Test {
     MapModes request_ = map_modes(modes_, 77.7, kSize);
 
     /// Every channel that has no past, planar, one after the other.
-    std::vector<PageVector<float>> channels(SimdLevel level, int threads) {
+    std::vector<PageVector<float>> channels(SimdLevel level, int threads,
+                                            const CacheSizes& caches = cache_sizes()) {
         ThreadPool pool(threads);
         std::vector<PageVector<float>> maps;
         std::vector<MapOutput> outputs;
@@ -167,18 +189,28 @@ class KernelFrames : public testing::Test {
             if (channel == Channel::foam) continue;
             outputs.push_back({maps.back().data(), 1, {{{channel, 1.0f}}}});
         }
-        run(level, outputs, pool);
+        run(level, outputs, pool, {}, caches);
         return maps;
     }
 
     void run(SimdLevel level, std::span<const MapOutput> outputs, ThreadPool& pool,
-             FoamLayer foam = {}) {
+             FoamLayer foam = {}, const CacheSizes& caches = cache_sizes()) {
         SurfaceSettings settings = parameters_.surface;
         settings.foam_threshold = 0.7;
-        MapKernel(pack_modes(request_, pool, level))
+        MapKernel(pack_modes(request_, pool, level), caches)
             .run({request_.tau, settings, outputs, foam}, pool);
     }
 };
+
+TEST_F(KernelFrames, HaveTheSameBitsForAnySizesOfCaches) {
+    constexpr std::size_t kEndless = std::size_t{1} << 40;
+    for (const SimdLevel level : levels()) {
+        const auto whole = channels(level, 1, {kEndless, kEndless});
+        EXPECT_EQ(channels(level, 1, {0, 0}), whole);
+        EXPECT_EQ(channels(level, 2, {0, kEndless}), whole);
+        EXPECT_EQ(channels(level, 2, {std::size_t{96} << 10, 0}), whole);
+    }
+}
 
 TEST_F(KernelFrames, HaveTheSameBitsForAnyNumberOfThreads) {
     for (const SimdLevel level : levels()) {

@@ -105,6 +105,35 @@ int available_cores() {
     return cores;
 }
 
+namespace {
+
+CacheSizes read_cache_sizes() {
+    CacheSizes sizes;
+#if defined(__linux__)
+    // sysconf() gives the last cache of the whole machine for that of a core's neighbours on AMD.
+    for (int index = 0; index < 8; ++index) {
+        const std::string folder =
+            "/sys/devices/system/cpu/cpu0/cache/index" + std::to_string(index) + '/';
+        int level = 0;
+        std::size_t kilobytes = 0;
+        char unit = 0;
+        std::ifstream(folder + "level") >> level;
+        std::ifstream(folder + "size") >> kilobytes >> unit;
+        if (kilobytes == 0 || unit != 'K') continue;
+        if (level == 2) sizes.core = kilobytes << 10;
+        if (level >= 2) sizes.shared = kilobytes << 10;
+    }
+#endif
+    return sizes;
+}
+
+}  // namespace
+
+CacheSizes cache_sizes() {
+    static const CacheSizes sizes = read_cache_sizes();
+    return sizes;
+}
+
 #if defined(__linux__)
 std::uint64_t available_memory() {
     std::uint64_t least = kilobytes_in("/proc/meminfo", "MemAvailable:");

@@ -49,6 +49,9 @@ struct Source {
     bool rate;    // made of dh/dt instead of h
     int own;      // slot of the field itself, or -1: not requested
     int derived;  // slot, or -1
+
+    /// Returns true if pass two makes a field of it.
+    bool is_read() const { return own >= 0 || derived >= 0; }
 };
 inline constexpr int kSourceCount = 8;
 
@@ -95,13 +98,19 @@ struct FrameTask {
     FoamLayer foam;
 
     float* intermediate;
-    std::size_t pair_stride;  // floats from one pair of x blocks to the next
-    std::size_t line_stride;  // and from one j < B / 2 to the next
+    std::size_t pair_stride;    // floats from one pair of x blocks to the next
+    std::size_t source_stride;  // from one source to the next
+    std::size_t line_stride;    // and from one j < B / 2 to the next
     bool stream_intermediate;
 
     Source source[kSourceCount];
     int source_count;
     int slots;  // linear fields
+
+    /// The sources that pass two reads next: of this item by another part, or of the next item.
+    int ahead[kSourceCount];
+    int ahead_count;
+    int ahead_items;
 
     DirectPlane direct[kMaxOutputs];
     int direct_count;
@@ -131,6 +140,8 @@ struct KernelCode {
     int lanes;
     int item_width;  // samples of an item of pass two
     std::size_t (*scratch_floats)(const FrameTask&);
+    /// Returns the floats of one field in the scratch of pass two.
+    std::size_t (*field_floats)(int size);
     /// Runs an item of pass one: a block of `lanes` ky.
     void (*pass_one)(const FrameTask&, int item, float* scratch);
     /// Runs an item of pass two: `item_width` neighbouring x.

@@ -45,6 +45,16 @@ OCEAN_INLINE void with_factors(int size, const Work& work) {
     }
 }
 
+static std::size_t field_floats(int size) {
+    std::size_t floats = 0;
+    with_factors(size, [&](auto factors) {
+        constexpr int A = decltype(factors)::A;
+        constexpr int B = decltype(factors)::B;
+        floats = B * (kPairs * Sweep<A, B>::kLine + kItemWidth);
+    });
+    return floats;
+}
+
 static std::size_t scratch_floats(const FrameTask& task) {
     std::size_t floats = 0;
     with_factors(task.size, [&](auto factors) {
@@ -52,9 +62,8 @@ static std::size_t scratch_floats(const FrameTask& task) {
         constexpr int B = decltype(factors)::B;
         using Line = Sweep<A, B>;
         const auto sources = static_cast<std::size_t>(task.source_count);
-        const auto slots = static_cast<std::size_t>(task.slots);
         const std::size_t one = sources * B * Line::kLine + B * kTileStride;
-        const std::size_t two = kPairs * slots * B * Line::kLine + slots * B * kItemWidth;
+        const std::size_t two = static_cast<std::size_t>(task.slots) * field_floats(task.size);
         floats = one > two ? one : two;
     });
     return floats;
@@ -122,7 +131,7 @@ static void run_codelet(int points, const float* in, float* out) {
 }
 
 extern const KernelCode kCode;
-constexpr KernelCode kCode = {kLanes,       kItemWidth,    scratch_floats, run_pass_one,
-                              run_pass_two, run_write_row, run_codelet};
+constexpr KernelCode kCode = {kLanes,       kItemWidth,   scratch_floats, field_floats,
+                              run_pass_one, run_pass_two, run_write_row,  run_codelet};
 
 }  // namespace ocean::OCEAN_KERNEL

@@ -27,7 +27,7 @@ struct Sweep {
 inline constexpr int kTileStride = (kLanes + 1) * 2 * kLanes;
 
 /// Between the passes, in the order in which pass two reads: for each pair of x blocks, for each
-/// j < B / 2, for each source, for each i: ky = j' + B i for the two lines j' of j, and for each of
+/// source, for each j < B / 2, for each i: ky = j' + B i for the two lines j' of j, and for each of
 /// them both blocks of x: [re | im].
 template <int A, int B>
 struct Intermediate {
@@ -42,10 +42,9 @@ struct Intermediate {
         const int j = ky % B;
         const bool mirrored = j >= B / 2;  // lines j and B - j, or 0 and B / 2
         const int line = j == B / 2 ? 0 : mirrored ? B - j : j;
-        return static_cast<std::size_t>(line) * task.line_stride +
-               (static_cast<std::size_t>(source) * rows(task) + static_cast<std::size_t>(ky / B)) *
-                   kEntry +
-               (mirrored ? 2 * kBlock : 0);
+        return static_cast<std::size_t>(source) * task.source_stride +
+               static_cast<std::size_t>(line) * task.line_stride +
+               static_cast<std::size_t>(ky / B) * kEntry + (mirrored ? 2 * kBlock : 0);
     }
     /// Returns the offset of a block of x: blocks 0 .. kPairs - 1 of an item are the first ones of
     /// its pairs.

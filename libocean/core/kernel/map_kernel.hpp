@@ -12,6 +12,7 @@
 
 #include "frame_task.hpp"
 #include "ocean/backend.hpp"
+#include "ocean/internal/platform.hpp"
 
 namespace ocean {
 
@@ -35,7 +36,9 @@ std::shared_ptr<const PackedModes> pack_modes(const MapModes& modes, ThreadPool&
 /// independent.
 class MapKernel {
   public:
-    explicit MapKernel(std::shared_ptr<const PackedModes> modes);
+    /// The sizes of caches change the order of the work, never its bits.
+    explicit MapKernel(std::shared_ptr<const PackedModes> modes,
+                       const CacheSizes& caches = cache_sizes());
     /// Switches to other modes of the same resolution and keeps the arrays.
     void use(std::shared_ptr<const PackedModes> modes);
     ~MapKernel();

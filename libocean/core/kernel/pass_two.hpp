@@ -88,45 +88,48 @@ void sweep_field(const FrameTask& task, int j, const float* entries, float* to) 
 /// Runs the first sweep of all fields of one pair. scratch: [slot][j][k].
 template <int A, int B>
 void sweep_pair(const FrameTask& task, int pair, float* scratch) {
-    using Layout = Intermediate<A, B>;
     const float* base = task.intermediate + static_cast<std::size_t>(pair) * task.pair_stride;
     const auto lines_of = [&](int slot) { return scratch + slot * B * Sweep<A, B>::kLine; };
-    for (int j = 0; j < B / 2; ++j) {
-        const float* entries = base + static_cast<std::size_t>(j) * task.line_stride;
-        for (int s = 0; s < task.source_count; ++s) {
-            const Source& source = task.source[s];
+    for (int s = 0; s < task.source_count; ++s) {
+        const Source& source = task.source[s];
+        const float* entries = base + static_cast<std::size_t>(s) * task.source_stride;
+        for (int j = 0; j < B / 2; ++j, entries += task.line_stride) {
             if (source.own >= 0) {
                 sweep_field<A, B, false>(task, j, entries, lines_of(source.own));
             }
             if (source.derived >= 0) {
                 sweep_field<A, B, true>(task, j, entries, lines_of(source.derived));
             }
-            entries += Layout::rows(task) * Layout::kEntry;
         }
     }
 }
 
-/// Prefetches the intermediate of the next item. A codelet of slot s prefetches a share of source
-/// s; there are at least as many fields as sources.
+/// Prefetches what pass two reads next. A codelet of slot s prefetches a share of source ahead[s].
 template <int A, int B>
 class NextEntries {
   public:
     using Lines = NextItem<(Intermediate<A, B>::kEntry > 64 ? Intermediate<A, B>::kEntry / 64 : 1)>;
 
     OCEAN_INLINE NextEntries(const FrameTask& task, int item, const float* nowhere)
-        : lines_(task.intermediate + static_cast<std::size_t>(item + 1) * kPairs * task.pair_stride,
-                 (item + 1) * kItemWidth < task.size ? kPairs * task.pair_stride : 0, nowhere),
-          sources_(task.source_count) {}
+        : task_(task),
+          first_(task.intermediate +
+                 static_cast<std::size_t>((item + task.ahead_items) * kPairs) * task.pair_stride),
+          count_((item + task.ahead_items) * kItemWidth < task.size ? task.ahead_count : 0),
+          nowhere_(nowhere) {}
 
     /// Returns the share for the sweep over the samples k of the field in `slot` of a pair.
     OCEAN_INLINE const float* share(int k, int slot, int pair) const {
-        const int none = sources_ * kPairs * A;
-        return lines_.share(slot < sources_ ? (k * sources_ + slot) * kPairs + pair : none, B);
+        const auto place = static_cast<std::size_t>(k * B * Lines::kFloats);
+        if (slot >= count_ || place >= task_.source_stride) return nowhere_;
+        return first_ + static_cast<std::size_t>(pair) * task_.pair_stride +
+               static_cast<std::size_t>(task_.ahead[slot]) * task_.source_stride + place;
     }
 
   private:
-    Lines lines_;
-    int sources_;
+    const FrameTask& task_;
+    const float* first_;
+    int count_;
+    const float* nowhere_;
 };
 
 /// Runs the second sweep of one field for the samples y = k + A l, all l.

@@ -39,6 +39,13 @@ class PlainFloats {
 /// Returns the bytes that can still be allocated (free memory, container and process limits), or
 /// the largest value if the system does not report them.
 std::uint64_t available_memory();
+/// Bytes of the caches: the second one, which a core has to itself, and the last one, which cores
+/// share. Both are guesses if the system does not report them.
+struct CacheSizes {
+    std::size_t core = std::size_t{512} << 10;
+    std::size_t shared = std::size_t{8} << 20;
+};
+CacheSizes cache_sizes();
 /// Returns the path of UTF-8 text, the encoding of all interfaces.
 std::filesystem::path utf8_path(std::string_view text);
 
