@@ -6,6 +6,7 @@
 //   runs ocean_bench --benchmark_filter=...   Google Benchmark's milliseconds, one subject at a
 //   time
 #include <benchmark/benchmark.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -24,9 +25,9 @@ namespace {
 
 constexpr const char* kUsage =
     "usage: ocean_bench --table [--sizes 256,512] [--only PART[,PART]] [--simd avx2|avx512]\n"
-    "                   [--quick] [--all-variants] [--json FILE]\n"
+    "                   [--quick] [--all-variants] [--ordinary-pages] [--json FILE]\n"
     "       ocean_bench [--benchmark_filter=REGEX] [--benchmark_...]\n"
-    "parts: vertices planar peers floor capi busy rebuild product hosts large\n";
+    "parts: vertices planar peers floor traffic capi busy rebuild product hosts large\n";
 
 struct Arguments {
     TableOptions table;
@@ -53,7 +54,7 @@ Arguments parse(int count, char** values) {
             if (++i == count) throw Error(ErrorKind::invalid_value, name + " wants a value");
             return values[i];
         };
-        if (name == "--table") continue;
+        if (name == "--table" || name == "--ordinary-pages") continue;
         if (name == "--quick") {
             arguments.table.quick = true;
         } else if (name == "--all-variants") {
@@ -81,8 +82,10 @@ Arguments parse(int count, char** values) {
 /// the one in libocean.so too, is not to use more than --simd.
 void prepare_environment(int count, char** values) {
     const char* simd = nullptr;
-    for (int i = 1; i + 1 < count; ++i) {
-        if (std::strcmp(values[i], "--simd") == 0) simd = values[i + 1];
+    for (int i = 1; i < count; ++i) {
+        if (std::strcmp(values[i], "--simd") == 0 && i + 1 < count) simd = values[i + 1];
+        // Whoever asks for huge pages, ours and rivals, gets none.
+        if (std::strcmp(values[i], "--ordinary-pages") == 0) prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0);
     }
     const char* const now = std::getenv("OCEAN_SIMD");
     const bool simd_set = simd == nullptr || (now != nullptr && std::strcmp(now, simd) == 0);
@@ -102,6 +105,7 @@ std::string processor() {
 
 void report_facts(const TableOptions& options, Report& report) {
     report.fact("processor", processor());
+    report.fact("pages", prctl(PR_GET_THP_DISABLE, 0, 0, 0, 0) == 1 ? "ordinary" : "huge");
     report.fact("compiler", OCEAN_BENCH_COMPILER);
     report.fact("instruction set", std::string(simd_name(options.level)));
     report.fact("FFTW3f", fftw_library().version());
@@ -121,6 +125,7 @@ int run_table(const Arguments& arguments) {
     const int n = has_1024 ? 1024 : options.sizes.back();
     bool right = true;
     if (arguments.wants("floor")) floor_figures(n, options, report);
+    if (arguments.wants("traffic")) traffic_figures(options, report);
     if (arguments.wants("vertices")) right &= frames_table(FrameKind::vertices, options, report);
     if (arguments.wants("planar")) right &= frames_table(FrameKind::planar, options, report);
     if (arguments.wants("peers")) right &= peers_table(n, options, report);

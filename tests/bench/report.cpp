@@ -52,6 +52,21 @@ void Report::add(const FrameResult& r) {
     std::fflush(json_);
 }
 
+void Report::add(const TrafficResult& r) {
+    std::printf(
+        "%-10s N=%-5d %d thr %-6s pass one %8.3f ms, limit %8.3f; two %8.3f ms, limit %8.3f\n",
+        r.frame.c_str(), r.n, r.threads, r.simd.c_str(), r.milliseconds[0], r.limits[0],
+        r.milliseconds[1], r.limits[1]);
+    std::fflush(stdout);
+    if (json_ == nullptr) return;
+    std::fprintf(json_,
+                 "{\"kind\": \"traffic\", \"frame\": %s, \"n\": %d, \"threads\": %d, "
+                 "\"simd\": %s, \"ms\": [%.6g, %.6g], \"limits\": [%.6g, %.6g]}\n",
+                 quoted(r.frame).c_str(), r.n, r.threads, quoted(r.simd).c_str(), r.milliseconds[0],
+                 r.milliseconds[1], r.limits[0], r.limits[1]);
+    std::fflush(json_);
+}
+
 void Report::figure(const std::string& name, const std::string& simd, int threads, double value,
                     const std::string& unit) {
     std::printf("%-50s %-6s %d thr %10.3f %s\n", name.c_str(), simd.c_str(), threads, value,

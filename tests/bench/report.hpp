@@ -30,6 +30,16 @@ struct FrameResult {
     int dropped;
 };
 
+/// Milliseconds of the two passes of a frame, and of their bytes at the speed of a copy.
+struct TrafficResult {
+    std::string frame;
+    int n;
+    int threads;
+    std::string simd;
+    double milliseconds[2];
+    double limits[2];
+};
+
 class Report {
   public:
     /// "" = no JSON.
@@ -39,6 +49,7 @@ class Report {
     Report& operator=(const Report&) = delete;
 
     void add(const FrameResult& result);
+    void add(const TrafficResult& result);
     void figure(const std::string& name, const std::string& simd, int threads, double value,
                 const std::string& unit);
     /// Machine, compiler, libraries.

@@ -143,6 +143,27 @@ def print_details(table, times):
     print()
 
 
+def print_traffic(runs):
+    """Both passes of a frame, as multiples of what their bytes take at the speed of a copy."""
+    found = defaultdict(list)
+    for run in runs:
+        for line in run:
+            if line["kind"] == "traffic":
+                found[cell_of(line)].append(line)
+    if not found:
+        return
+    print("Milliseconds of each pass; (over those of its bytes alone, copied):\n")
+    print_head("instruction set", "frame", "threads", "N", "pass one", "pass two")
+    for cell, lines in found.items():
+        columns = []
+        for number in (0, 1):
+            took = median(line["ms"][number] for line in lines)
+            times = median(line["ms"][number] / line["limits"][number] for line in lines)
+            columns.append(f"{took:.2f} ({times:.1f})")
+        print_row(*cell, *columns)
+    print()
+
+
 def floor_figures(run):
     """Our time, hot, over each floor that the same process found."""
     figures = []
@@ -197,6 +218,7 @@ def main():
     print_summary(table, times)
     if table:
         print_details(table, times)
+    print_traffic(runs)
     print_figures(runs)
 
 

@@ -28,6 +28,8 @@ bool peers_table(int n, const TableOptions& options, Report& report);
 
 /// Memory and multipliers; what a frame must take.
 void floor_figures(int n, const TableOptions& options, Report& report);
+/// Each pass beside the least time that its bytes take, for each size.
+void traffic_figures(const TableOptions& options, Report& report);
 /// ocean_evaluate into the caller's memory against the kernel alone. False if the bits differ.
 bool c_api_figures(int n, const TableOptions& options, Report& report);
 /// Two threads against one while another process wants a processor too.
