@@ -74,6 +74,10 @@ def test_what_a_coast_cannot_do_is_a_sentence(folder):
 
     assert "no such file" in told("sea.toml", "--set", "seabed=none.asc")
     assert "knows no bed" in told("sea.toml", "--backend", "radix2")
+    known = "0" * 64
+    (folder / "known.toml").write_text(COAST + f'[water.bed_heights]\nsha256 = "{known}"\n')
+    assert "is another bed: its hash is " in told("known.toml")
+    assert f"the bed with the hash {known}" in told("known.toml")
     assert "no waves" in told("sea.toml", "--set", "waves.0.wind_speed=0")
 
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bed_ground.hpp"
 #include "coast_windows.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/ocean.hpp"
@@ -206,6 +207,28 @@ TEST_F(CoastBedTest, TheNetOfLightFadesWithDepthAndInTurbidWater) {
     EXPECT_GT(shallow, 1.25 * deep);
     EXPECT_GT(deep, 10.0 * turbid);
     EXPECT_LT(contrast(1.0, "jerlov_9c"), 0.5 * shallow);
+}
+
+TEST(BedImage, OfALargeBedCoversItWithFewerTexels) {
+    const auto bed = test::beach_sea({1000.0, 500.0}).parameters.water.bed;
+    const LandImage whole = bed_image(*bed, 2048);
+    const LandImage fewer = bed_image(*bed, 41);
+    EXPECT_EQ(whole.resolution, 81);
+    EXPECT_EQ(fewer.resolution, 41);
+    const auto texel = [](const LandImage& image, std::size_t i, std::size_t j) {
+        return &image.texels[4 * (j * static_cast<std::size_t>(image.resolution) + i)];
+    };
+    for (std::size_t j = 0; j < 25; ++j) {  // the bed's rows; the edge is held beyond them
+        for (std::size_t i = 0; i < 41; ++i) {
+            ASSERT_EQ(texel(fewer, i, j)[0], texel(whole, 2 * i, 2 * j)[0]) << i << ' ' << j;
+        }
+    }
+    EXPECT_FLOAT_EQ(texel(fewer, 38, 3)[1], 1.0f / 20.0f);
+    for (const LandImage* image : {&whole, &fewer}) {
+        EXPECT_EQ(image->origin, bed->domain.origin);
+        // From the first texel to the last one: the longer side.
+        EXPECT_DOUBLE_EQ(image->period * (image->resolution - 1) / image->resolution, 320.0);
+    }
 }
 
 TEST_F(CoastPreviewTest, WindowsGrowWithTheHeightOfTheEye) {
