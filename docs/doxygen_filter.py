@@ -4,14 +4,15 @@
 """Prints a public header as Doxygen and Sphinx can read it: a filter of Doxyfile.
 
 In C, comments are marked as Doxygen's: one on its own lines describes what follows it, one behind
-code describes that code. In C++, first values of members by their names, which Sphinx cannot parse,
-are left out.
+code describes that code. In C++, what Sphinx cannot parse is left out: first values of members by
+their names, and values that a function without a name returns.
 """
 
 import re
 import sys
 from pathlib import Path
 
+COMPUTED = r" = \[\] \{\n.*?\n\}\(\);"  # up to the line that ends it
 NAMED_MEMBERS = r"\{\.(?:[^{}]|\{[^{}]*\})*\}"
 
 
@@ -22,6 +23,7 @@ def marked(line: str) -> str:
 
 
 def without_first_values(text: str) -> str:
+    text = re.sub(COMPUTED, ";", text, flags=re.DOTALL)
     return re.sub(rf"(?:\s*=\s*|(?<=\w)){NAMED_MEMBERS};", ";", text)
 
 
