@@ -13,7 +13,7 @@
 #include <string>
 
 #include "frame_maps.hpp"
-#include "memory_floor.hpp"
+#include "machine_speed.hpp"
 #include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
 #include "subject_ours.hpp"
@@ -130,7 +130,7 @@ Rounds measure_vertices(const Sea& sea, int threads, const TableOptions& options
 
 }  // namespace
 
-void floor_figures(int n, const TableOptions& options, Report& report) {
+void machine_figures(const TableOptions& options, Report& report) {
     const std::string simd = simd_text(options);
     for (const int threads : {1, 2}) {
         const MachineSpeed speed = measure_machine(options.level, threads);
@@ -139,15 +139,6 @@ void floor_figures(int n, const TableOptions& options, Report& report) {
         report.figure("store, non-temporal", simd, threads, 1e-9 * speed.write, "GB/s");
         report.figure("read", simd, threads, 1e-9 * speed.read, "GB/s");
         report.figure("multiply and add", simd, threads, 1e-9 * speed.fma, "GFLOP/s");
-        for (const FrameKind kind : {FrameKind::vertices, FrameKind::planar}) {
-            const FrameTraffic traffic = frame_traffic(kind, n);
-            const std::string name =
-                std::string("floor of ") + frame_name(kind) + ", N = " + std::to_string(n);
-            report.figure(name + ", copied", simd, threads,
-                          1e3 * (traffic.read + traffic.written) / speed.copy, "ms");
-            report.figure(name + ", read and stored", simd, threads,
-                          1e3 * (traffic.read / speed.read + traffic.written / speed.write), "ms");
-        }
     }
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Picks the loops that were compiled for an instruction set.
-#include "memory_floor.hpp"
+#include "machine_speed.hpp"
 #include "ocean/error.hpp"
 #include "rival_modes.hpp"
 
@@ -10,8 +10,8 @@ namespace ocean::bench {
 
 extern const SpectralLoops spectral_loops_avx2;
 extern const SpectralLoops spectral_loops_avx512;
-extern const FloorLoops floor_loops_avx2;
-extern const FloorLoops floor_loops_avx512;
+extern const MachineLoops machine_loops_avx2;
+extern const MachineLoops machine_loops_avx512;
 
 namespace {
 
@@ -26,8 +26,8 @@ const SpectralLoops& spectral_loops(SimdLevel level) {
     return is_avx512(level) ? spectral_loops_avx512 : spectral_loops_avx2;
 }
 
-const FloorLoops& floor_loops(SimdLevel level) {
-    return is_avx512(level) ? floor_loops_avx512 : floor_loops_avx2;
+const MachineLoops& machine_loops(SimdLevel level) {
+    return is_avx512(level) ? machine_loops_avx512 : machine_loops_avx2;
 }
 
 }  // namespace ocean::bench

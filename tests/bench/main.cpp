@@ -27,7 +27,7 @@ constexpr const char* kUsage =
     "usage: ocean_bench --table [--sizes 256,512] [--only PART[,PART]] [--simd avx2|avx512]\n"
     "                   [--quick] [--all-variants] [--ordinary-pages] [--json FILE]\n"
     "       ocean_bench [--benchmark_filter=REGEX] [--benchmark_...]\n"
-    "parts: vertices planar peers floor traffic capi busy rebuild product hosts large\n";
+    "parts: vertices planar peers machine traffic capi busy rebuild product hosts large\n";
 
 struct Arguments {
     TableOptions table;
@@ -124,7 +124,7 @@ int run_table(const Arguments& arguments) {
         std::find(options.sizes.begin(), options.sizes.end(), 1024) != options.sizes.end();
     const int n = has_1024 ? 1024 : options.sizes.back();
     bool right = true;
-    if (arguments.wants("floor")) floor_figures(n, options, report);
+    if (arguments.wants("machine")) machine_figures(options, report);
     if (arguments.wants("traffic")) traffic_figures(options, report);
     if (arguments.wants("vertices")) right &= frames_table(FrameKind::vertices, options, report);
     if (arguments.wants("planar")) right &= frames_table(FrameKind::planar, options, report);

@@ -122,6 +122,9 @@ class Frames:
             + printed(report.print_summary, self.ratios, report.milliseconds(self.runs))
         )
 
+    def passes(self) -> str:
+        return printed(report.print_traffic, self.runs)
+
     def figures(self) -> str:
         return printed(report.print_figures, self.runs)
 
@@ -230,6 +233,7 @@ def main() -> None:
         "machine": machine,
         "kernel": frames.kernel,
         "losses": frames.losses,
+        "passes": frames.passes,
         "figures": frames.figures,
         "terrain": of_terrains,
         "numpy": by_numpy,

@@ -9,7 +9,6 @@ against its strongest variant; over the processes it is the median; of hot and c
 """
 
 import json
-import re
 import sys
 from collections import defaultdict
 from statistics import median
@@ -164,27 +163,10 @@ def print_traffic(runs):
     print()
 
 
-def floor_figures(run):
-    """Our time, hot, over each floor that the same process found."""
-    figures = []
-    for line in run:
-        found = re.fullmatch(r"floor of (\w+), N = (\d+), (.*)", line.get("name", ""))
-        if not found:
-            continue
-        cell = line["simd"], found[1], line["threads"], int(found[2])
-        for frame in run:
-            if frame["kind"] != "frame" or frame["library"] != "ours" or frame["state"] != "hot":
-                continue
-            if cell_of(frame) == cell:
-                ratio = frame["ms"] / line["value"]
-                figures.append(dict(line, name=f"ours / {line['name']}", value=ratio, unit=""))
-    return figures
-
-
 def print_figures(runs):
     found = defaultdict(list)
     for run in runs:
-        for line in run + floor_figures(run):
+        for line in run:
             if line["kind"] == "figure":
                 key = line["name"], line["simd"], line["threads"], line["unit"]
                 found[key].append(line["value"])

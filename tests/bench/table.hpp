@@ -26,8 +26,8 @@ bool frames_table(FrameKind kind, const TableOptions& options, Report& report);
 /// Ours against Blender's scheme and the posts' radix-2, vertices, hot.
 bool peers_table(int n, const TableOptions& options, Report& report);
 
-/// Memory and multipliers; what a frame must take.
-void floor_figures(int n, const TableOptions& options, Report& report);
+/// Memory and multipliers.
+void machine_figures(const TableOptions& options, Report& report);
 /// Each pass beside the least time that its bytes take, for each size.
 void traffic_figures(const TableOptions& options, Report& report);
 /// ocean_evaluate into the caller's memory against the kernel alone. False if the bits differ.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "frame_maps.hpp"
-#include "memory_floor.hpp"
+#include "machine_speed.hpp"
 #include "ocean/page_vector.hpp"
 #include "table.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Measures the speeds of memory and multipliers.
-#include "memory_floor.hpp"
+#include "machine_speed.hpp"
 
 #include <omp.h>
 
@@ -14,18 +14,10 @@
 
 namespace ocean::bench {
 
-FrameTraffic frame_traffic(FrameKind kind, int n) {
-    const double samples = static_cast<double>(n) * n;
-    const double modes = 0.5 * samples * (2 * 8 + 0.5 * 8);
-    const double between = 0.5 * samples * 8 * (kind == FrameKind::vertices ? 4 : 5);
-    const double outputs = 4.0 * samples * (kind == FrameKind::vertices ? 6 : 8);
-    return {modes + between, between + outputs};
-}
-
 MachineSpeed measure_machine(SimdLevel level, int threads) {
     constexpr std::size_t kFloats = std::size_t{1} << 26;  // 256 MB
     constexpr std::size_t kChains = std::size_t{1} << 22;
-    const FloorLoops& loops = floor_loops(level);
+    const MachineLoops& loops = machine_loops(level);
     const HugeArray<float> from(kFloats);
     const HugeArray<float> to(kFloats);
     // Not zeros: there are processors that store those three times as fast.

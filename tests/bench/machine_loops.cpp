@@ -5,7 +5,7 @@
 // frame can be faster than. Compiled once for each instruction set, like spectral_loops.cpp.
 #include <immintrin.h>
 
-#include "memory_floor.hpp"
+#include "machine_speed.hpp"
 
 namespace ocean::bench {
 
@@ -78,7 +78,7 @@ float fma_chain(std::size_t count) {
 
 }  // namespace
 
-extern const FloorLoops OCEAN_BENCH_FLOOR;
-const FloorLoops OCEAN_BENCH_FLOOR = {copy, fill, sum, fma_chain, 12.0 * 2.0 * kLanes};
+extern const MachineLoops OCEAN_BENCH_MACHINE;
+const MachineLoops OCEAN_BENCH_MACHINE = {copy, fill, sum, fma_chain, 12.0 * 2.0 * kLanes};
 
 }  // namespace ocean::bench
