@@ -59,8 +59,10 @@ class Console {
     /// Reports that a signal ended the run, with its progress.
     void interrupted();
 
-  private:
+    /// Prints the paths of files that were written, unless -q.
     void deliver(const std::vector<std::string>& files);
+
+  private:
     void say(std::string_view kind, std::string_view text, bool wanted);
     void draw_bar(int frame, double seconds);
     void clear_bar();

@@ -81,12 +81,18 @@ void ConsoleHost::set_interrupt_handler(std::function<void()> handler) {
 }
 
 void show_forecast(const BakeForecast& forecast, const BakeForecast& beside, Console& console) {
-    const auto kept = [](const BakeForecast::File& file) { return file.kept; };
-    long all = 0, complete = 0;
     for (const BakeForecast* part : {&beside, &forecast}) {
         for (const BakeForecast::File& file : part->files) {
             console.data(file.path + (file.kept ? "\tkept\n" : "\n"));
         }
+    }
+    report_forecast(forecast, beside, console);
+}
+
+void report_forecast(const BakeForecast& forecast, const BakeForecast& beside, Console& console) {
+    const auto kept = [](const BakeForecast::File& file) { return file.kept; };
+    long all = 0, complete = 0;
+    for (const BakeForecast* part : {&beside, &forecast}) {
         all += static_cast<long>(part->files.size());
         complete += std::count_if(part->files.begin(), part->files.end(), kept);
     }

@@ -34,8 +34,10 @@ class ConsoleHost final : public BakeHost {
     std::optional<InterruptWatch::LastAct> last_act_;
 };
 
-/// Prints the files of a dry run, their sizes and their memory. `beside` are files of the same run
-/// that are not baked.
+/// Reports how many files a run writes, their sizes and its memory, and warns where there is no
+/// room. `beside` are files of the same run that are not baked.
+void report_forecast(const BakeForecast& forecast, const BakeForecast& beside, Console& console);
+/// Does so for a dry run, and prints the files.
 void show_forecast(const BakeForecast& forecast, const BakeForecast& beside, Console& console);
 
 }  // namespace ocean::app

@@ -115,13 +115,12 @@ void write_povray_coast(const PovrayCoastRequest& request, const Context& contex
     const std::string warning =
         foreign_frames_warning(existing, open.all_frames, request.folder + "/ocean.ini");
     if (!warning.empty()) context.console.warning(warning);
-    if (request.dry_run) {
-        BakeForecast beside = forecast_folder(files, request.folder);
-        const BakeForecast more = forecast_bake(coast);
-        beside.files.insert(beside.files.end(), more.files.begin(), more.files.end());
-        beside.bytes += more.bytes;
-        return show_forecast(forecast_bake(open), beside, context.console);
-    }
+    BakeForecast beside = forecast_folder(files, request.folder);
+    const BakeForecast more = forecast_bake(coast), baked = forecast_bake(open);
+    beside.files.insert(beside.files.end(), more.files.begin(), more.files.end());
+    beside.bytes += more.bytes;
+    if (request.dry_run) return show_forecast(baked, beside, context.console);
+    report_forecast(baked, beside, context.console);
     write_folder(files, request.folder, context);
     // A frame counts once its open sea is there: the coast comes first.
     for (const BakePlan* plan : {&coast, &open}) {

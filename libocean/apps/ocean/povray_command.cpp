@@ -146,9 +146,9 @@ void run(const Typed& typed, const Context& context) {
     const std::string warning =
         foreign_frames_warning(existing, plan.all_frames, folder + "/ocean.ini");
     if (!warning.empty()) context.console.warning(warning);
-    if (typed.dry_run) {
-        return show_forecast(forecast_bake(plan), forecast_folder(files, folder), context.console);
-    }
+    const BakeForecast baked = forecast_bake(plan), beside = forecast_folder(files, folder);
+    if (typed.dry_run) return show_forecast(baked, beside, context.console);
+    report_forecast(baked, beside, context.console);
     write_folder(files, folder, context);
     ConsoleHost host(context);
     run_bake(plan, host);

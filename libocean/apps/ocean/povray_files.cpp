@@ -75,7 +75,7 @@ void write_folder(const std::vector<FolderFile>& files, const std::string& folde
             continue;
         }
         io::write_file_atomically(path, file.text);
-        context.console.data(path + "\n");
+        context.console.deliver({path});
     }
 }
 
