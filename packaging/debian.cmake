@@ -32,6 +32,27 @@ install(FILES ${macros}/ocean.inc ${macros}/coast.inc ${macros}/terrain.inc
         DESTINATION share/povray-3.7/include COMPONENT povray EXCLUDE_FROM_ALL)
 install(DIRECTORY ${macros}/examples DESTINATION share/doc/povray-ocean
         COMPONENT povray EXCLUDE_FROM_ALL)
+set(coast ${PROJECT_SOURCE_DIR}/renders/coast)
+install(FILES ${coast}/beach.toml ${coast}/bay.toml DESTINATION share/doc/povray-ocean/examples
+        COMPONENT povray EXCLUDE_FROM_ALL)
+install(FILES ${macros}/README.md DESTINATION share/doc/povray-ocean
+        COMPONENT povray EXCLUDE_FROM_ALL)
+
+# The guides: all of them beside the command, and those of a host in its own package too.
+set(docs ${PROJECT_SOURCE_DIR}/docs)
+file(GLOB guides CONFIGURE_DEPENDS ${docs}/*.md)
+install(FILES ${guides} DESTINATION share/doc/ocean-tools/guides COMPONENT tools EXCLUDE_FROM_ALL)
+set(sea_guides ${docs}/sea_file.md ${docs}/parameters.md ${docs}/measured_seas.md)
+install(FILES ${docs}/python.md ${sea_guides} DESTINATION share/doc/python3-libocean/guides
+        COMPONENT python EXCLUDE_FROM_ALL)
+install(FILES ${docs}/c.md ${sea_guides} DESTINATION share/doc/libocean-dev/guides
+        COMPONENT library EXCLUDE_FROM_ALL)
+install(FILES ${docs}/povray.md DESTINATION share/doc/povray-ocean/guides
+        COMPONENT povray EXCLUDE_FROM_ALL)
+install(FILES ${docs}/blender.md DESTINATION share/doc/blender-ocean/guides
+        COMPONENT blender EXCLUDE_FROM_ALL)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/package/c ${PROJECT_SOURCE_DIR}/tests/package/cpp
+        DESTINATION share/doc/libocean-dev/examples COMPONENT library EXCLUDE_FROM_ALL)
 
 set(addon ${PROJECT_SOURCE_DIR}/blender_addon)
 install(DIRECTORY ${addon}/libocean_addon DESTINATION share/blender/scripts/addons
