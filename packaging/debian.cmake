@@ -38,19 +38,21 @@ install(FILES ${coast}/beach.toml ${coast}/bay.toml DESTINATION share/doc/povray
 install(FILES ${macros}/README.md DESTINATION share/doc/povray-ocean
         COMPONENT povray EXCLUDE_FROM_ALL)
 
-# The guides: all of them beside the command, and those of a host in its own package too.
-set(docs ${PROJECT_SOURCE_DIR}/docs)
-file(GLOB guides CONFIGURE_DEPENDS ${docs}/*.md)
-install(FILES ${guides} DESTINATION share/doc/ocean-tools/guides COMPONENT tools EXCLUDE_FROM_ALL)
-set(sea_guides ${docs}/sea_file.md ${docs}/parameters.md ${docs}/measured_seas.md)
-install(FILES ${docs}/python.md ${sea_guides} DESTINATION share/doc/python3-libocean/guides
-        COMPONENT python EXCLUDE_FROM_ALL)
-install(FILES ${docs}/c.md ${sea_guides} DESTINATION share/doc/libocean-dev/guides
-        COMPONENT library EXCLUDE_FROM_ALL)
-install(FILES ${docs}/povray.md DESTINATION share/doc/povray-ocean/guides
-        COMPONENT povray EXCLUDE_FROM_ALL)
-install(FILES ${docs}/blender.md DESTINATION share/doc/blender-ocean/guides
-        COMPONENT blender EXCLUDE_FROM_ALL)
+# The guides: all of them beside the command, and those of a host in its own package.
+function(ocean_guides package component)
+  list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/docs/)
+  install(FILES ${ARGN} DESTINATION share/doc/${package}/guides
+          COMPONENT ${component} EXCLUDE_FROM_ALL)
+endfunction()
+file(GLOB guides CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/docs ${PROJECT_SOURCE_DIR}/docs/*.md)
+set(sea_guides sea_file.md parameters.md measured_seas.md)
+ocean_guides(ocean-tools tools ${guides})
+ocean_guides(ocean-preview preview preview.md ${sea_guides})
+ocean_guides(ocean-bridge bridge bridge.md)
+ocean_guides(povray-ocean povray povray.md)
+ocean_guides(blender-ocean blender blender.md ${sea_guides})
+ocean_guides(python3-libocean python python.md ${sea_guides})
+ocean_guides(libocean-dev library c.md ${sea_guides})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/package/c ${PROJECT_SOURCE_DIR}/tests/package/cpp
         DESTINATION share/doc/libocean-dev/examples COMPONENT library EXCLUDE_FROM_ALL)
 

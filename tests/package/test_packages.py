@@ -104,10 +104,12 @@ def expected_files(component: str) -> list[str]:
             own.append("usr/share/man/man5/ocean-sea.5.gz")
             own += below("docs", "usr/share/doc/ocean-tools/guides", "*.md")
         if component == "preview":
+            own += guides("ocean-preview", "preview", *SEA_GUIDES)
             own.append("usr/share/applications/ocean-preview.desktop")
             own.append("usr/share/icons/hicolor/scalable/apps/ocean-preview.svg")
             own.append("usr/share/mime/packages/libocean.xml")
         if component == "bridge":
+            own += guides("ocean-bridge", "bridge")
             own.append("etc/default/ocean-bridge")
             own.append("usr/share/doc/ocean-bridge/PROTOCOL.md")
             own.append("usr/lib/systemd/system/ocean-bridge.service")
@@ -145,7 +147,7 @@ def expected_files(component: str) -> list[str]:
     assert component == "blender"
     folder = "usr/share/blender/scripts/addons/libocean_addon"
     own = below("blender_addon/libocean_addon", folder, "*.py", "*.jpg")
-    return [*own, f"{folder}/README.md", *guides("blender-ocean", "blender")]
+    return [*own, f"{folder}/README.md", *guides("blender-ocean", "blender", *SEA_GUIDES)]
 
 
 @pytest.mark.parametrize("component", PACKAGES)
