@@ -3,12 +3,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes manual pages and completions of shells from what programs say of their own options.
 
-usage: command_pages.py --output FOLDER [--sea-file GUIDE.md] PROGRAM...
+usage: command_pages.py --output FOLDER [--sea-file GUIDE] PROGRAM...
 
 Runs each PROGRAM with --describe. FOLDER/PROGRAM/ is then laid out like a prefix: compressed pages
 in share/man/man1, one for each command, and completions of bash, zsh and fish where these look for
-them. GUIDE.md, the guide to the sea file, becomes share/man/man5/ocean-sea.5.gz. The same programs
-give the same bytes.
+them. GUIDE, the Markdown page of the sea file, becomes share/man/man5/ocean-sea.5.gz. The same
+programs give the same bytes.
 """
 
 from __future__ import annotations

@@ -110,6 +110,11 @@ def test_the_cmake_of_the_c_page_is_that_of_the_installed_examples() -> None:
     assert blocks == [re.sub(r"^#.*\n", "", path.read_text(), flags=re.M) for path in projects]
 
 
+def test_the_script_of_the_blender_page_is_the_installed_example() -> None:
+    (block,) = re.findall(r"^```python\n(.*?)^```$", (DOCS / "blender.md").read_text(), re.M | re.S)
+    assert (ROOT / "blender_addon/examples/scene.py").read_text().endswith("scene.py\n" + block)
+
+
 def test_every_example_of_povray_says_how_its_folder_is_made() -> None:
     head = re.compile(r"^// ocean povray (\S+) -o (\w+).* && povray (\w+)\.pov \+L(\w+)$", re.M)
     examples = sorted((ROOT / "povray_macros/examples").glob("*.pov"))
