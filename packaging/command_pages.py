@@ -3,11 +3,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes manual pages and completions of shells from what programs say of their own options.
 
-usage: command_pages.py --output FOLDER PROGRAM...
+usage: command_pages.py --output FOLDER [--sea-file GUIDE] PROGRAM...
 
 Runs each PROGRAM with --describe. FOLDER/PROGRAM/ is then laid out like a prefix: compressed pages
 in share/man/man1, one for each command, and completions of bash, zsh and fish where these look for
-them. The same programs give the same bytes.
+them. GUIDE, the Markdown page of the sea file, becomes share/man/man5/ocean-sea.5.gz. The same
+programs give the same bytes.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from __future__ import annotations
 import argparse
 import gzip
 import json
+import re
 import subprocess
 from pathlib import Path
 
@@ -151,6 +153,25 @@ def manual_page(program: Program, command: dict) -> str:
         rows = [f".BR {roff(name)} (1)" for name in sorted(see)]
         text += ".SH SEE ALSO\n" + ",\n".join(rows) + "\n"
     return text
+
+
+def sea_file_page(program: Program, guide: str) -> str:
+    """Returns the page ocean-sea(5) of a guide that has a title, paragraphs and blocks of code."""
+    text = (
+        f'.TH OCEAN\\-SEA 5 "" "libocean {program.version}" "libocean"\n'
+        ".SH NAME\nocean\\-sea \\- file that describes a sea\n.SH DESCRIPTION\n"
+    )
+    for part in re.split(r"^(```.*?^```$)", guide.partition("\n")[2], flags=re.M | re.S):
+        if part.startswith("```"):
+            code = roff(part.partition("\n")[2].removesuffix("```"))
+            text += f".PP\n.RS 4\n.nf\n{code}.fi\n.RE\n"
+            continue
+        for paragraph in part.strip().split("\n\n"):
+            words = roff(re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", paragraph))
+            words = re.sub(r"\\\(ga(.*?)\\\(ga", r"\\fB\1\\fR", words)
+            words = re.sub(r"[*](.*?)[*]", r"\\fI\1\\fR", words)
+            text += f".PP\n{words}\n"
+    return text + ".SH SEE ALSO\n.BR ocean (1),\n.BR ocean\\-params (1),\n.BR ocean\\-presets (1)\n"
 
 
 # Completions. A shell first looks for the command among the words that are typed, then offers its
@@ -359,7 +380,7 @@ def fish_completion(program: Program) -> str:
     return "\n".join(lines) + "\n"
 
 
-def files_of(program: Program) -> dict[str, bytes]:
+def files_of(program: Program, sea_file: Path | None) -> dict[str, bytes]:
     """Returns the files by their paths below the prefix."""
     files = {
         f"share/bash-completion/completions/{program.name}": bash_completion(program).encode(),
@@ -370,17 +391,21 @@ def files_of(program: Program) -> dict[str, bytes]:
         name = program.usage(command).replace(" ", "-")
         page = manual_page(program, command).encode()
         files[f"share/man/man1/{name}.1.gz"] = gzip.compress(page, 9, mtime=0)
+    if sea_file:
+        page = sea_file_page(program, sea_file.read_text()).encode()
+        files["share/man/man5/ocean-sea.5.gz"] = gzip.compress(page, 9, mtime=0)
     return files
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--output", type=Path, required=True, help="the folder for the files")
+    parser.add_argument("--sea-file", type=Path, help="the guide that becomes ocean-sea(5)")
     parser.add_argument("program", type=Path, nargs="+", help="ocean, ocean-bridge, ocean-preview")
     asked = parser.parse_args()
     for path in asked.program:
         program = Program(described(path))
-        for name, data in files_of(program).items():
+        for name, data in files_of(program, asked.sea_file).items():
             target = asked.output / program.name / name
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_bytes(data)

@@ -32,11 +32,36 @@ install(FILES ${macros}/ocean.inc ${macros}/coast.inc ${macros}/terrain.inc
         DESTINATION share/povray-3.7/include COMPONENT povray EXCLUDE_FROM_ALL)
 install(DIRECTORY ${macros}/examples DESTINATION share/doc/povray-ocean
         COMPONENT povray EXCLUDE_FROM_ALL)
+set(coast ${PROJECT_SOURCE_DIR}/renders/coast)
+install(FILES ${coast}/beach.toml ${coast}/bay.toml DESTINATION share/doc/povray-ocean/examples
+        COMPONENT povray EXCLUDE_FROM_ALL)
+install(FILES ${macros}/README.md DESTINATION share/doc/povray-ocean
+        COMPONENT povray EXCLUDE_FROM_ALL)
+
+# The guides: all of them beside the command, and those of a host in its own package.
+function(ocean_guides package component)
+  list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/docs/)
+  install(FILES ${ARGN} DESTINATION share/doc/${package}/guides
+          COMPONENT ${component} EXCLUDE_FROM_ALL)
+endfunction()
+file(GLOB guides CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/docs ${PROJECT_SOURCE_DIR}/docs/*.md)
+set(sea_guides sea_file.md parameters.md measured_seas.md)
+ocean_guides(ocean-tools tools ${guides})
+ocean_guides(ocean-preview preview preview.md ${sea_guides})
+ocean_guides(ocean-bridge bridge bridge.md)
+ocean_guides(povray-ocean povray povray.md)
+ocean_guides(blender-ocean blender blender.md ${sea_guides})
+ocean_guides(python3-libocean python python.md ${sea_guides})
+ocean_guides(libocean-dev library c.md ${sea_guides})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/package/c ${PROJECT_SOURCE_DIR}/tests/package/cpp
+        DESTINATION share/doc/libocean-dev/examples COMPONENT library EXCLUDE_FROM_ALL)
 
 set(addon ${PROJECT_SOURCE_DIR}/blender_addon)
 install(DIRECTORY ${addon}/libocean_addon DESTINATION share/blender/scripts/addons
         COMPONENT blender EXCLUDE_FROM_ALL
         FILES_MATCHING PATTERN "*.py" PATTERN "*.jpg" PATTERN "__pycache__" EXCLUDE)
+install(FILES ${addon}/examples/scene.py DESTINATION share/doc/blender-ocean/examples
+        COMPONENT blender EXCLUDE_FROM_ALL)
 install(FILES ${addon}/README.md DESTINATION share/blender/scripts/addons/libocean_addon
         COMPONENT blender EXCLUDE_FROM_ALL)
 

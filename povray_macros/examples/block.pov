@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Ocean_Block(Depth): the same as a solid. Its walls move with the waves; a box cuts straight ones.
-// Folder: open
+// ocean povray open.toml -o open && povray block.pov +Lopen
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 8 }

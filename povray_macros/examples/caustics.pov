@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Ocean_Caustics(): photons through the waves of a pool.
-// Folder: pool
+// ocean povray pool.toml -o pool --near-only && povray caustics.pov +Lpool
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 10 photons { count 250000 autostop 0 jitter 0.4 } }

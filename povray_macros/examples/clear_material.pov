@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Ocean_Clear_Material(Type): posts of 1 m bands, seen through a pool of type 1C.
-// Folder: pool
+// ocean povray pool.toml -o pool --near-only && povray clear_material.pov +Lpool
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 8 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // A bay with surf, its land and the open sea beside it, from 6 m over the beach.
-// Folder: coast
+// ocean povray beach.toml -o coast --region 850,560,1250,960 --cell 2 && povray coast.pov +Lcoast
+// (beach.toml and its bed, bay.toml, lie beside this scene, or in renders/coast of the sources)
 #version 3.7;
 #include "coast.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 6 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Ocean_Cut_Out(Water, Hull): an open boat floats, and stays dry.
-// Folder: open
+// ocean povray open.toml -o open && povray cut_out.pov +Lopen
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Ocean_Float(Object, X, Z, Heading, Length, Width): rafts lie as the waves do.
-// Folder: open
+// ocean povray open.toml -o open && povray float.pov +Lopen
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 }

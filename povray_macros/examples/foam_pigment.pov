@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Ocean_Foam_Pigment(): the foam alone, over any pigment of yours.
-// Folder: open
+// ocean povray open.toml -o open && povray foam_pigment.pov +Lopen
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 }

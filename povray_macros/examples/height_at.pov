@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Ocean_Height_At(X, Z), Ocean_Normal_At, Ocean_Foam_At: a line of floats at given places.
-// Folder: open
+// ocean povray open.toml -o open && povray height_at.pov +Lopen
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Ocean_Height_Field(): one period from a 16-bit picture.
-// Folder: field
+// ocean povray open.toml -o field --format height_field && povray height_field.pov +Lfield
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 }

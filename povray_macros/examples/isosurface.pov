@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Ocean_Isosurface(Lowest, Highest): smooth however near the camera comes.
-// Folder: open
+// ocean povray open.toml -o open && povray isosurface.pov +Lopen
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Ocean_Material(Type): deep water of Jerlov's types I, 1C and 9C.
-// Folder: open
+// ocean povray open.toml -o open && povray material.pov +Lopen
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Ocean_Mesh(): one period of the sea, as a mesh with normals and foam.
-// Folder: open
+// ocean povray open.toml -o open && povray mesh.pov +Lopen
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 }

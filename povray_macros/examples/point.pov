@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Ocean_Point(X, Z), Ocean_Normal(X, Z), Ocean_Foam(X, Z): pins on the samples, red in foam.
-// Folder: open
+// ocean povray open.toml -o open && povray point.pov +Lopen
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Ocean_Sun(Altitude, Bearing), Ocean_Sky(Clouds): the same sea at 3 degrees, in broken cloud.
-// Folder: open
+// ocean povray open.toml -o open && povray sun_sky.pov +Lopen
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Terrain_Around(Object, Centre, Distance): copies of one tile to the horizon, in haze.
-// Folder: land
+// ocean povray preset:tujunga -o land --resolution 512 && povray terrain_around.pov +Lland
 #version 3.7;
 #include "terrain.inc"
 global_settings { assumed_gamma 1.0 }

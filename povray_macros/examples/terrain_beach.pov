@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // A region of an island, 2 m above a beach: masks of the land paint sand, rock and streambeds.
-// Folder: beach
+// ocean povray island.toml -o beach --region 800,5000,3400,6800 --cell 3 && povray terrain_beach.pov +Lbeach
 #version 3.7;
 #include "terrain.inc"
 global_settings { assumed_gamma 1.0 }

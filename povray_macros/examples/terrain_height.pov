@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Terrain_Height(X, Z), Terrain_Normal(X, Z), Terrain_Hazed(Texture): posts that stand on the ground,
 // a disc at the foot of each that lies on it.
-// Folder: land
+// ocean povray preset:tujunga -o land --resolution 512 && povray terrain_height.pov +Lland
 #version 3.7;
 #include "terrain.inc"
 global_settings { assumed_gamma 1.0 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Terrain_Material(Snow_Line): grass, forest, scree, rock and snow by height and slope.
-// Folder: land
+// ocean povray preset:tujunga -o land --resolution 512 && povray terrain_material.pov +Lland
 #version 3.7;
 #include "terrain.inc"
 global_settings { assumed_gamma 1.0 }

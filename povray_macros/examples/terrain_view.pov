@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Terrain_View(Location, Look_At, Angle, Pixel), Terrain_Water(Level): land and sea to the horizon.
-// Folder: island
+// ocean povray island.toml -o island && povray terrain_view.pov +Lisland
 #version 3.7;
 #include "terrain.inc"
 global_settings { assumed_gamma 1.0 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Ocean_Tiles(Object, Columns, Rows): copies that share the memory of one.
-// Folder: open
+// ocean povray open.toml -o open && povray tiles.pov +Lopen
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 }

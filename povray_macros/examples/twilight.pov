@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Ocean_Eye_At(Location, Angle), Ocean_Sun(Altitude, Bearing): twilight, the sun a degree below.
-// Folder: open
+// ocean povray open.toml -o open && povray twilight.pov +Lopen
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Ocean_Underwater(Type, Light), with Ocean_God_Rays: a buoy and its chain from below; type III.
-// Folder: open
+// ocean povray open.toml -o open && povray underwater.pov +Lopen
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 6 }

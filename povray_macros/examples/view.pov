@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Ocean_View(Eye, Look_At, Angle, Detail): all that a camera sees, to the horizon.
-// Folder: open
+// ocean povray open.toml -o open && povray view.pov +Lopen
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 }

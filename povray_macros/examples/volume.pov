@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 // Ocean_Volume(Centre, Radius, Depth, Detail): a solid disc of sea, seen from within.
-// Folder: open
+// ocean povray open.toml -o open && povray volume.pov +Lopen
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 8 }

@@ -57,7 +57,7 @@ def run_shell(code: str, folder: Path) -> None:
 
 
 def compiled(code: str, name: str, folder: Path) -> None:
-    """Compiles a program; one in C is also linked and run on a preset."""
+    """Compiles a program; one in C is also linked, run on a preset, and prints what it found."""
     (folder / name).write_text(code)
     include = f"-I{ROOT / 'libocean/include'}"
     if name.endswith(".cpp"):
@@ -65,7 +65,8 @@ def compiled(code: str, name: str, folder: Path) -> None:
         return
     link = [str(LIBRARY), f"-Wl,-rpath,{LIBRARY.parent}", "-o", "program"]
     run(["gcc", "-std=c11", "-Wall", "-Werror", include, name, *link], folder)
-    run_shell("ocean presets beaufort_4 > calm.toml && ./program calm.toml", folder)
+    run_shell("ocean presets beaufort_4 > calm.toml", folder)
+    assert run(["./program", "calm.toml"], folder).startswith("height ")
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
@@ -101,6 +102,28 @@ def test_every_block_of_a_page_runs(page: Path, tmp_path: Path, capsys) -> None:
         run([sys.executable, "-c", python], tmp_path)
     with capsys.disabled():
         print(f"\n{page.name}: {counts['run']} run, {counts['left out']} left out", end="")
+
+
+def test_the_cmake_of_the_c_page_is_that_of_the_installed_examples() -> None:
+    blocks = re.findall(r"^```cmake\n(.*?)^```$", (DOCS / "c.md").read_text(), re.M | re.S)
+    projects = [ROOT / f"tests/package/{name}/CMakeLists.txt" for name in ("c", "cpp")]
+    assert blocks == [re.sub(r"^#.*\n", "", path.read_text(), flags=re.M) for path in projects]
+
+
+def test_the_script_of_the_blender_page_is_the_installed_example() -> None:
+    (block,) = re.findall(r"^```python\n(.*?)^```$", (DOCS / "blender.md").read_text(), re.M | re.S)
+    assert (ROOT / "blender_addon/examples/scene.py").read_text().endswith("scene.py\n" + block)
+
+
+def test_every_example_of_povray_says_how_its_folder_is_made() -> None:
+    head = re.compile(r"^// ocean povray (\S+) -o (\w+).* && povray (\w+)\.pov \+L(\w+)$", re.M)
+    examples = sorted((ROOT / "povray_macros/examples").glob("*.pov"))
+    assert len(examples) > 20
+    for path in examples:
+        sea, output, name, folder = head.search(path.read_text()).groups()
+        assert (output, name) == (folder, path.stem)
+        beside = (path.parent / sea, ROOT / "renders/coast" / sea)
+        assert sea.startswith("preset:") or any(place.exists() for place in beside), path
 
 
 def test_every_picture_that_a_page_shows_has_its_command() -> None:

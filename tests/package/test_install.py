@@ -222,8 +222,46 @@ def test_another_minor_version_is_refused(everything, folder, version):
     assert f"version: {libocean.__version__}" in said
 
 
-def test_a_missing_dependency_is_named(everything, folder):
+@pytest.mark.parametrize(
+    ("components", "disabled", "lacking"),
+    [
+        ("COMPONENTS seafile", "ZLIB", "seafile: ZLIB, which seafile needs (Debian: zlib1g-dev)"),
+        ("", "ZLIB", "seafile: ZLIB, which seafile needs (Debian: zlib1g-dev)"),
+        ("COMPONENTS bake", "OpenSSL", "bake: OpenSSL, which bake needs (Debian: libssl-dev)"),
+        *(
+            (
+                "COMPONENTS bake",
+                package,
+                "bake: OpenVDB, which io needs (Debian: libopenvdb-dev, libboost-iostreams-dev)",
+            )
+            for package in ("OpenVDB", "Boost")
+        ),
+        ("COMPONENTS io core", "TIFF", "io: TIFF, which io needs (Debian: libtiff-dev)"),
+        ("COMPONENTS gl", "PkgConfig", "gl: PkgConfig, which gl needs (Debian: pkg-config)"),
+    ],
+)
+def test_a_missing_dependency_is_named(everything, folder, components, disabled, lacking):
+    option = f"-DCMAKE_DISABLE_FIND_PACKAGE_{disabled}=ON"
+    for required in ("REQUIRED ", ""):
+        said = look_for(everything, folder, f"{required}{components}", option)
+        assert f"Packages are missing for {lacking}." in said
+    assert said.endswith("targets:")
+
+
+def test_an_optional_component_without_its_packages_is_left_out(everything, folder):
     said = look_for(
-        everything, folder, "COMPONENTS seafile", "-DCMAKE_DISABLE_FIND_PACKAGE_ZLIB=ON"
+        *(everything, folder, "REQUIRED COMPONENTS seafile OPTIONAL_COMPONENTS bake"),
+        "-DCMAKE_DISABLE_FIND_PACKAGE_OpenVDB=ON",
     )
-    assert "libocean could not be found because dependency ZLIB could not be found" in said
+    assert said.endswith("targets: ocean::core;ocean::io_file;ocean::seafile")
+
+
+def test_missing_modules_of_pkg_config_are_named(everything, folder, monkeypatch):
+    monkeypatch.setenv("PKG_CONFIG_LIBDIR", str(folder))
+    said = look_for(everything, folder, "REQUIRED COMPONENTS bridge")
+    assert (
+        "Packages are missing for bridge:"
+        " libusb, which bridge needs (Debian: libusb-1.0-0-dev);"
+        " liblo, which bridge needs (Debian: liblo-dev);"
+        " rtmidi, which bridge needs (Debian: librtmidi-dev)." in said
+    )

@@ -90,14 +90,26 @@ def below(folder: str, destination: str, *patterns: str) -> list[str]:
     return [f"{destination}/{path.relative_to(ROOT / folder).as_posix()}" for path in found]
 
 
+def guides(package: str, *names: str) -> list[str]:
+    return [f"usr/share/doc/{package}/guides/{name}.md" for name in names]
+
+
+SEA_GUIDES = ("sea_file", "parameters", "measured_seas")
+
+
 def expected_files(component: str) -> list[str]:
     if component in PROGRAMS:
         own = files_of_program(component)
+        if component == "tools":
+            own.append("usr/share/man/man5/ocean-sea.5.gz")
+            own += below("docs", "usr/share/doc/ocean-tools/guides", "*.md")
         if component == "preview":
+            own += guides("ocean-preview", "preview", *SEA_GUIDES)
             own.append("usr/share/applications/ocean-preview.desktop")
             own.append("usr/share/icons/hicolor/scalable/apps/ocean-preview.svg")
             own.append("usr/share/mime/packages/libocean.xml")
         if component == "bridge":
+            own += guides("ocean-bridge", "bridge")
             own.append("etc/default/ocean-bridge")
             own.append("usr/share/doc/ocean-bridge/PROTOCOL.md")
             own.append("usr/lib/systemd/system/ocean-bridge.service")
@@ -110,25 +122,33 @@ def expected_files(component: str) -> list[str]:
         # CMake adds a file for the kind of build.
         kind = os.environ["OCEAN_BUILD_TYPE"].lower()
         names = ("c", f"c-{kind}", "config", "config-version")
+        examples = "usr/share/doc/libocean-dev/examples"
         return [
             "usr/include/libocean.h",
             "usr/lib/libocean.so",
             "usr/lib/pkgconfig/libocean.pc",
             *(f"{package}{name}.cmake" for name in names),
+            *guides("libocean-dev", "c", *SEA_GUIDES),
+            *below("tests/package/c", f"{examples}/c", "*"),
+            *below("tests/package/cpp", f"{examples}/cpp", "*"),
         ]
     if component == "python":
         folder = "usr/lib/python3/dist-packages/libocean"
         own = below("libocean/python/libocean", folder, "*.py", "py.typed")
+        own += guides("python3-libocean", "python", *SEA_GUIDES)
         return [*own, f"{folder}-{VERSION}.dist-info/METADATA"]
     if component == "povray":
         macros = ("ocean", "coast", "terrain")
         own = [f"usr/share/povray-3.7/include/{name}.inc" for name in macros]
         folder = "usr/share/doc/povray-ocean/examples"
+        own += [f"{folder}/beach.toml", f"{folder}/bay.toml"]
+        own += [*guides("povray-ocean", "povray"), "usr/share/doc/povray-ocean/README.md"]
         return own + below("povray_macros/examples", folder, "*.pov", "*.toml")
     assert component == "blender"
     folder = "usr/share/blender/scripts/addons/libocean_addon"
     own = below("blender_addon/libocean_addon", folder, "*.py", "*.jpg")
-    return [*own, f"{folder}/README.md"]
+    own.append("usr/share/doc/blender-ocean/examples/scene.py")
+    return [*own, f"{folder}/README.md", *guides("blender-ocean", "blender", *SEA_GUIDES)]
 
 
 @pytest.mark.parametrize("component", PACKAGES)
@@ -140,20 +160,41 @@ def test_a_component_has_the_files_of_its_package(installed, component):
     assert files == expected
 
 
+def shown_page(path: Path, *options: str) -> str:
+    """Returns the text that man makes of a manual page, without a warning."""
+    environment = os.environ | {"LC_ALL": "C.UTF-8", "MANROFFSEQ": "", "MANWIDTH": "80"}
+    encoding = ("--encoding=utf-8", "--troff-device=utf8")
+    shown = subprocess.run(
+        ["man", "--warnings", *encoding, *options, "--local-file", path],
+        check=True,
+        env=environment,
+        capture_output=True,
+        text=True,
+    )
+    assert shown.stderr == ""
+    return re.sub(".\x08", "", shown.stdout)  # bold is printed twice
+
+
+def test_the_sea_file_has_a_manual_page(tmp_path):
+    """It shows the guide: each of its paragraphs, and the example line by line."""
+    script, guide = PACKAGING / "command_pages.py", ROOT / "docs" / "sea_file.md"
+    run(script, "--output", tmp_path, "--sea-file", guide, BUILD / "bin" / "ocean")
+    page = tmp_path / "ocean/share/man/man5/ocean-sea.5.gz"
+    assert run("lexgrog", page).partition('"')[2].startswith("ocean-sea - file that describes")
+    shown = shown_page(page)
+    code = guide.read_text().split("```")[1].partition("\n")[2]
+    assert all(line.strip() in shown for line in code.splitlines())
+    words = " ".join(shown.split())
+    assert "TOML, strict: a key that does not exist" in words
+    assert "--set name=value, ocean_set and sea.set. Live parameters" in words
+
+
 @pytest.mark.parametrize("component", PROGRAMS)
 def test_manual_pages_name_every_option_of_the_help_and_raise_no_warning(installed, component):
     commands = described(component)["commands"]
     for page, command in zip(pages_of(component), commands, strict=True):
         path = installed(component) / page
-        environment = os.environ | {"LC_ALL": "C.UTF-8", "MANROFFSEQ": "", "MANWIDTH": "80"}
-        options = ("--warnings", "--encoding=utf-8", "--troff-device=utf8", "--ditroff")
-        shown = subprocess.run(
-            ["man", *options, "--local-file", path],
-            check=True,
-            env=environment,
-            capture_output=True,
-        )
-        assert shown.stderr == b""
+        shown_page(path, "--ditroff")
         summary = run("lexgrog", path).partition('"')[2]
         assert summary.startswith(f"{Path(page).name.removesuffix('.1.gz')} - ")
         text = gzip.decompress(path.read_bytes()).decode().replace("\\-", "-")
