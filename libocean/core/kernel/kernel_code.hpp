@@ -50,7 +50,7 @@ static std::size_t field_floats(int size) {
     with_factors(size, [&](auto factors) {
         constexpr int A = decltype(factors)::A;
         constexpr int B = decltype(factors)::B;
-        floats = kPairs * B * Sweep<A, B>::kLine + 2 * CombinedOutputs<A, B>::kSlotSamples;
+        floats = kPairs * B * Sweep<A, B>::kLine + CombinedOutputs<A, B>::kSlotFloats;
     });
     return floats;
 }

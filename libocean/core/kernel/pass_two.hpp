@@ -183,21 +183,21 @@ void write_direct_planes(const FrameTask& task, int k, int x0, const float* scra
 }
 
 /// All other outputs: the samples of the fields that they use, in the order of the rows of an item,
-/// and row by row the channels computed from them. Rows of y = k + A l are written while the
-/// samples of k + 1 are computed, some with each codelet: memory takes a stream of stores at its
-/// own speed while the core computes, but stops the core for a burst of them. [measured, N = 1024
-/// with AVX2]
+/// and row by row the channels computed from them. On large maps rows of y = k + A l are written
+/// while the samples of k + 1 are computed, some with each codelet: memory takes a stream of stores
+/// at its own speed while the core computes, but stops the core for a burst of them. [measured,
+/// AVX2: 3 % of a frame at N = 1024, nothing at 512; at 256 it would lose 7 %]
 template <int A, int B>
 class CombinedOutputs {
   public:
-    /// samples: twice kSlotSamples for each slot.
+    /// samples: kSlotFloats for each slot.
     OCEAN_INLINE CombinedOutputs(const FrameTask& task, int x0, float* samples)
         : task_(task), x0_(x0), samples_(samples), row_(row_samples(task, derived_)) {}
 
-    /// Computes the samples of k, and writes the rows of k - 1.
+    /// Computes the samples of k, and writes the rows of k, or those of k - 1.
     OCEAN_INLINE void advance(int k, const float* scratch, std::size_t pair_floats,
                               const NextEntries<A, B>& next) {
-        begin_rows(k - 1);
+        if (kBeside) begin_rows(k - 1);
         const int codelets = task_.used_count * kPairs;
         int done = 0;
         for (int u = 0; u < task_.used_count; ++u) {
@@ -210,22 +210,25 @@ class CombinedOutputs {
                                         store(to + l * kItemWidth, x.re);
                                         store(to + l * kItemWidth + kPartner, x.im);
                                     });
-                if (k > 0) write_until(B * ++done / codelets);
+                if (kBeside && k > 0) write_until(B * ++done / codelets);
             }
         }
-        if (k > 0) write_until(B);
+        if (!kBeside) begin_rows(k);
+        if (!kBeside || k > 0) write_until(B);
     }
-    /// Writes the rows of the last k.
+    /// Writes the rows that are left.
     OCEAN_INLINE void finish() {
+        if (!kBeside) return;
         begin_rows(A - 1);
         write_until(B);
     }
 
-    static constexpr int kSlotSamples = B * kItemWidth;
+    static constexpr bool kBeside = A * B >= 1024;
+    static constexpr int kSlotFloats = (kBeside ? 2 : 1) * B * kItemWidth;
 
   private:
     OCEAN_INLINE float* samples_of(int k, int slot) const {
-        return samples_ + ((k & 1) * task_.slots + slot) * kSlotSamples;
+        return samples_ + slot * kSlotFloats + (kBeside ? (k & 1) * B * kItemWidth : 0);
     }
     OCEAN_INLINE void begin_rows(int k) {
         row_k_ = k;
