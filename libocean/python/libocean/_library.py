@@ -253,6 +253,10 @@ class Error(Exception):
         self.value = value
         self.allowed = allowed
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Lets an error cross to another process with all of its attributes."""
+        return type(self), (*self.args, self.code), self.__dict__
+
 
 class InvalidValueError(Error, ValueError):
     """A parameter or argument is unknown, of a wrong type or out of range."""
