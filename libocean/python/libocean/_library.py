@@ -31,6 +31,7 @@ UNSUPPORTED = 5
 OUT_OF_MEMORY = 7
 BUFFER_TOO_SMALL = 8
 CANCELLED = 10
+BUSY = 11
 
 # The order of these is that of the C enums.
 ERROR_FIELDS = ("what", "parameter", "value", "allowed")
@@ -420,6 +421,8 @@ def _load() -> ctypes.CDLL:
 
 
 library = _load()
+version: str = library.ocean_version().decode()
+"""The version of the library."""
 
 
 def call(name: str, *arguments: Any) -> None:
