@@ -152,8 +152,9 @@ def test_sentences_have_the_words_of_python(sea):
         sea.provenance(1, 0.0, "detail9", detail=sea.detail(0.0))
     with pytest.raises(TypeError, match="samples must be two numbers"):
         sea.bed_region((0, 0), 4, 1.0)
-    with pytest.raises(TypeError, match="a buffer must be a NumPy array, not list"):
-        sea.fill(0.0, [([0.0], ["height"])])
+    for buffer in (5, ([0.0], ["height"]), np.zeros((64, 64, 1), np.float32)):
+        with pytest.raises(TypeError, match="a buffer must be a pair: a NumPy array"):
+            sea.fill(0.0, [buffer])
     with pytest.raises(TypeError, match="progress must be a function"):
         libocean.preset("beaufort_6", progress=5)
 
@@ -164,3 +165,5 @@ def test_a_class_says_who_makes_its_objects():
             libocean.Sea(*arguments)
         with pytest.raises(TypeError, match=r"a terrain is made by libocean.terrain\(\)"):
             libocean.Terrain(*arguments)
+    with pytest.raises(TypeError, match=r"made by surface\(\)"):
+        libocean.Surface()

@@ -39,10 +39,11 @@ def named_arrays(
     """Returns the arrays of a caller with the names of their channels; one name may be given
     alone."""
     arrays = []
-    for array, names in buffers:
-        if not isinstance(array, np.ndarray):
-            raise TypeError(f"a buffer must be a NumPy array, not {type(array).__name__}")
-        arrays.append((array, tuple(words("channels", names))))
+    for buffer in buffers:
+        is_pair = isinstance(buffer, (tuple, list)) and len(buffer) == 2
+        if not is_pair or not isinstance(buffer[0], np.ndarray):
+            raise TypeError("a buffer must be a pair: a NumPy array, and the names of its channels")
+        arrays.append((buffer[0], tuple(words("channels", buffer[1]))))
     return arrays
 
 

@@ -123,13 +123,15 @@ class Surface:
 
     def __init__(
         self,
-        subject: Sea | Terrain,
-        time: float,
-        resolution: int | None,
-        fields: Iterable[str] | None,
-        axes: str,
+        subject: Sea | Terrain | None = None,
+        time: float = 0.0,
+        resolution: int | None = None,
+        fields: Iterable[str] | None = None,
+        axes: str = "zup",
     ) -> None:
-        self._subject: Sea | Terrain | None = subject
+        if subject is None:
+            raise TypeError("a surface is made by surface() of a sea or a terrain")
+        self._subject: Sea | Terrain | None = subject  # None in one that was pickled
         self._changes = subject._changes
         self._axes = choose("axes", axes, _library.AXES)
         self._arrays: dict[str, Array] = {}
