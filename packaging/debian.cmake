@@ -24,8 +24,14 @@ set(metadata libocean-${PROJECT_VERSION}.dist-info)
 execute_process(COMMAND ${Python3_EXECUTABLE} -B -c "import make_wheel; print(make_wheel.metadata())"
   WORKING_DIRECTORY ${wrapper} OUTPUT_VARIABLE metadata_text COMMAND_ERROR_IS_FATAL ANY)
 file(CONFIGURE OUTPUT METADATA CONTENT "@metadata_text@" @ONLY)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/METADATA DESTINATION ${python_folder}/${metadata}
-        COMPONENT python EXCLUDE_FROM_ALL)
+# The list of the files, which pip shows. Their hashes are those of the package, which dpkg checks.
+file(GLOB recorded RELATIVE ${wrapper} CONFIGURE_DEPENDS
+     ${wrapper}/libocean/*.py ${wrapper}/libocean/py.typed)
+list(APPEND recorded ${metadata}/METADATA ${metadata}/RECORD)
+list(JOIN recorded ",,\n" record_text)
+file(CONFIGURE OUTPUT RECORD CONTENT "@record_text@,,\n" @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/METADATA ${CMAKE_CURRENT_BINARY_DIR}/RECORD
+        DESTINATION ${python_folder}/${metadata} COMPONENT python EXCLUDE_FROM_ALL)
 
 set(macros ${PROJECT_SOURCE_DIR}/povray_macros)
 install(FILES ${macros}/ocean.inc ${macros}/coast.inc ${macros}/terrain.inc

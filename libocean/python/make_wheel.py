@@ -55,8 +55,8 @@ def version() -> str:
     return str(version)
 
 
-def metadata() -> str:
-    """Returns what a package index shows, from pyproject.toml."""
+def metadata(*licences: str) -> str:
+    """Returns what a package index shows, from pyproject.toml. licences: the files beside it."""
     project = tomllib.loads((HERE / "pyproject.toml").read_text())["project"]
     lines = [
         "Metadata-Version: 2.1",
@@ -68,7 +68,7 @@ def metadata() -> str:
         *(f"Requires-Dist: {requirement}" for requirement in project["dependencies"]),
         *(f"Classifier: {name}" for name in project["classifiers"]),
         f"Keywords: {','.join(project['keywords'])}",
-        *(f"License-File: {name}" for name in ("LICENSE", "LICENSES-bundled.txt")),
+        *(f"License-File: {name}" for name in licences),
         "Description-Content-Type: text/markdown",
     ]
     page = (HERE / project["readme"]).read_text()
@@ -94,7 +94,7 @@ def wheel_of(library: Path) -> tuple[str, bytes]:
     sources = [*PACKAGE.glob("*.py"), PACKAGE / "py.typed"]
     files = {f"libocean/{path.name}": path.read_bytes() for path in sources}
     files[f"libocean/libocean{suffix_of(library)}"] = library.read_bytes()
-    files[f"{info}/METADATA"] = metadata().encode()
+    files[f"{info}/METADATA"] = metadata("LICENSE", "LICENSES-bundled.txt").encode()
     files[f"{info}/WHEEL"] = (
         f"Wheel-Version: 1.0\nGenerator: make_wheel.py\nRoot-Is-Purelib: false\nTag: {tag}\n"
     ).encode()

@@ -7,6 +7,7 @@ makes the packages and uses them in a bare root.
 
 import gzip
 import hashlib
+import importlib.metadata
 import json
 import os
 import re
@@ -136,7 +137,7 @@ def expected_files(component: str) -> list[str]:
         folder = "usr/lib/python3/dist-packages/libocean"
         own = below("libocean/python/libocean", folder, "*.py", "py.typed")
         own += guides("python3-libocean", "python", *SEA_GUIDES)
-        return [*own, f"{folder}-{VERSION}.dist-info/METADATA"]
+        return [*own, *(f"{folder}-{VERSION}.dist-info/{name}" for name in ("METADATA", "RECORD"))]
     if component == "povray":
         macros = ("ocean", "coast", "terrain")
         own = [f"usr/share/povray-3.7/include/{name}.inc" for name in macros]
@@ -187,6 +188,14 @@ def test_the_sea_file_has_a_manual_page(tmp_path):
     words = " ".join(shown.split())
     assert "TOML, strict: a key that does not exist" in words
     assert "--set name=value, ocean_set and sea.set. Live parameters" in words
+
+
+def test_pip_lists_the_files_of_the_python_package(installed):
+    folder = installed("python") / "usr/lib/python3/dist-packages"
+    (found,) = importlib.metadata.distributions(path=[str(folder)])
+    files = {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()}
+    assert {path.as_posix() for path in found.files} == files
+    assert "License-File" not in found.read_text("METADATA")  # Debian has them in share/doc
 
 
 @pytest.mark.parametrize("component", PROGRAMS)

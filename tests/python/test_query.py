@@ -71,6 +71,8 @@ def test_samples_say_all_that_is_known_of_a_point(sea):
     assert np.array_equal(samples.foam, rows[:, 9])
     assert np.abs(samples.label - points).max() < 20.0
     assert not samples.undecided.any()
+    without = sea.samples(points, 3.0)
+    assert np.isnan(without.foam).all() and np.array_equal(without.height, samples.height)
     exact = sea.samples(points, 3.0, exact=True)
     assert exact.height_error == 0.0
     error = np.sqrt(np.mean((samples.height - exact.height) ** 2))

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""The points that a Sea and a Terrain take, the values that they return beside maps, and the
-structs of libocean.h that they arrive in."""
+"""The values that a Sea and a Terrain return beside maps, and the structs of libocean.h that they
+arrive in."""
 
 from __future__ import annotations
 
@@ -10,23 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from . import _library
-
 Array = npt.NDArray[np.float32]
-
-
-def rows_of(rows: npt.ArrayLike, width: int) -> npt.NDArray[np.float64]:
-    """Returns (n, width) numbers; one row may be given as (width,)."""
-    array = np.ascontiguousarray(rows, dtype=np.float64)
-    if array.shape == (width,) or array.size == 0:
-        array = array.reshape(-1, width)
-    if array.ndim != 2 or array.shape[1] != width:
-        raise _library.error(
-            f"an array of shape {array.shape}; allowed: (n, {width})",
-            _library.INVALID_ARGUMENT,
-        )
-    return array
-
 
 GAUGE_COLUMNS = (
     *("time", "x", "y", "elevation", "slope_x", "slope_y"),
@@ -56,7 +40,7 @@ class Samples(NamedTuple):
     velocity: Array
     """(n, 3), of the shown point [m/s]."""
     foam: Array
-    """(n,), 0 .. 1."""
+    """(n,), 0 .. 1; NaN where it was not requested."""
     label: npt.NDArray[np.float64]
     """(n, 2), the undisplaced coordinate of the shown point [m]."""
     folded: npt.NDArray[np.bool_]

@@ -5,25 +5,16 @@
 from __future__ import annotations
 
 import ctypes
-from operator import index
 from typing import Any
 
 import numpy as np
 
-from ._library import INVALID_VALUE, FoamTextureRequest, InvalidValueError, Options, call
-
-
-def _whole(name: str, value: int, low: int, high: int) -> int:
-    """Returns the number as an int; raises where ctypes would silently cut it off."""
-    number = index(value)
-    if not low <= number <= high:
-        message = f"{name} = {number}; allowed: {low} .. {high}"
-        raise InvalidValueError(message, INVALID_VALUE)
-    return number
+from ._checks import text, whole
+from ._library import FoamTextureRequest, Options, call
 
 
 def _call(request: FoamTextureRequest, threads: int = 0) -> float:
-    options = Options(ctypes.sizeof(Options), _whole("threads", threads, 0, 1024))
+    options = Options(ctypes.sizeof(Options), whole("threads", threads, 0, 1024))
     period = ctypes.c_double()
     call("ocean_foam_texture", request, options, period)
     return period.value
@@ -37,9 +28,9 @@ def foam_texture(kind: str, *, size: int = 1024, seed: int = 1, threads: int = 0
     tile."""
     request = FoamTextureRequest(
         ctypes.sizeof(FoamTextureRequest),
-        kind.encode(),
-        _whole("size", size, 64, 4096),
-        _whole("seed", seed, 0, 2**32 - 1),
+        text("kind", kind),
+        whole("size", size, 64, 4096),
+        whole("seed", seed, 0, 2**32 - 1),
     )
     _call(request)
     texture = np.empty((request.size, request.size), np.float32)
@@ -50,4 +41,4 @@ def foam_texture(kind: str, *, size: int = 1024, seed: int = 1, threads: int = 0
 
 def foam_texture_period(kind: str) -> float:
     """Returns the side of the tile that a kind of texture is made for [m]."""
-    return _call(FoamTextureRequest(ctypes.sizeof(FoamTextureRequest), kind.encode(), 64))
+    return _call(FoamTextureRequest(ctypes.sizeof(FoamTextureRequest), text("kind", kind), 64))

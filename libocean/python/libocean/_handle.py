@@ -6,40 +6,56 @@ from __future__ import annotations
 
 import ctypes
 import json
-import numbers
+import os
 import threading
 from collections.abc import Callable, Mapping
-from typing import Any
+from decimal import Decimal
+from numbers import Integral, Real
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _library
+from ._checks import number, path, row, text, whole
+from ._checks import numbers as numbers_of
 from ._library import Options, call, choose, text_of
 from ._reporter import Reporter
+
+if TYPE_CHECKING:
+    from typing import Self
 
 
 def value_text(value: Any) -> str:
     """Returns a Python value as the library reads it, in the shortest form that keeps every bit."""
+    if isinstance(value, np.ndarray):
+        return value_text(value.tolist())
     if value is None:
         return ""
     if isinstance(value, (bool, np.bool_)):
         return "true" if value else "false"
-    if isinstance(value, numbers.Integral):
+    if isinstance(value, Integral):
         return str(int(value))
-    if isinstance(value, numbers.Real):
+    if isinstance(value, (Real, Decimal)):
         return repr(float(value))
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(value_text(item) for item in value) + "]"
-    text = str(value)
-    if "\0" in text:  # a C text ends at a NUL: the rest would be lost silently
-        raise _library.error("a text with a NUL", _library.INVALID_VALUE)
-    return text
+    if isinstance(value, (str, os.PathLike)):
+        return os.fspath(value)
+    raise TypeError(
+        "a value must be a number, a text, a path, a list of these or None, not "
+        f"{type(value).__name__}"
+    )
 
 
-def text_array(texts: list[str]) -> Any:
-    """Returns texts as an array of C texts."""
-    return (ctypes.c_char_p * len(texts))(*(text.encode() for text in texts))
+def value_arrays(values: Mapping[str, Any]) -> tuple[Any, Any, int]:
+    """Returns names and values of parameters as two arrays of C texts, and their number."""
+    if not isinstance(values, Mapping):
+        raise TypeError(f"values must be a mapping of names, not {type(values).__name__}")
+    array = ctypes.c_char_p * len(values)
+    names = (text("the name of a parameter", name) for name in values)
+    texts = (text(f"{name}", value_text(value)) for name, value in values.items())
+    return array(*names), array(*texts), len(values)
 
 
 class Handle:
@@ -48,10 +64,13 @@ class Handle:
     _noun = "sea"
     _prefix = "ocean_"
     """The beginning of the names of the subject's functions."""
+    _makers = "libocean.open(), parse() or preset()"
+    _base_dir = b""
+    """The folder from which the library takes relative files, b"" = the current one."""
 
     def __init__(
         self,
-        opener: Callable[[Any, Any], None],
+        opener: Callable[[Any, Any], None] | None = None,
         threads: int = 0,
         backend: str = "cpu",
         foam_start: str = "settled",
@@ -60,12 +79,17 @@ class Handle:
     ) -> None:
         self._handle: ctypes.c_void_p | None = None
         self._lock = threading.RLock()
+        if not callable(opener):
+            raise TypeError(f"a {self._noun} is made by {self._makers}")
+        for name, function in (("progress", progress), ("jobs", jobs)):
+            if function is not None and not callable(function):
+                raise TypeError(f"{name} must be a function, not {type(function).__name__}")
         self._changes = 0
         self._options = (threads, backend, foam_start, progress, jobs)
         self._reporter = Reporter(progress, jobs)
         options = Options(
             ctypes.sizeof(Options),
-            threads,
+            whole("threads", threads),
             choose("backend", backend, _library.BACKENDS),
             choose("foam_start", foam_start, _library.FOAM_STARTS),
             0,
@@ -77,10 +101,86 @@ class Handle:
         opener(ctypes.byref(options), ctypes.byref(handle))
         self._handle = handle
 
+    @classmethod
+    def _opened(cls, file: str | os.PathLike[str], **options: Any) -> Self:
+        name = path("path", file)
+        opened = cls(lambda given, out: call(cls._prefix + "open", name, given, out), **options)
+        opened._base_dir = os.path.dirname(os.path.abspath(name))
+        return opened
+
+    @classmethod
+    def _parsed(
+        cls,
+        toml: str,
+        base_dir: str | bytes | os.PathLike[str] | None = None,
+        *places: Any,
+        **options: Any,
+    ) -> Self:
+        code = text("text", toml)
+        base = b"" if base_dir is None else path("base_dir", base_dir)
+
+        def parse(given: Any, out: Any) -> None:
+            call(cls._prefix + "parse", code, len(code), base, given, out)
+
+        parsed = cls(parse, *places, **options)
+        parsed._base_dir = base
+        return parsed
+
+    def clone(self) -> Self:
+        """Returns the same subject for another thread; copy.copy() and copy.deepcopy() do so too.
+        Both share the data that this one has built, until either changes."""
+
+        def share(options: Any, out: Any) -> None:
+            self._call(self._prefix + "clone", options, out)
+
+        twin = type(self)(share, *self._options)
+        twin._base_dir = self._base_dir
+        return twin
+
+    __copy__ = clone
+
+    def __deepcopy__(self, _memo: dict[int, Any]) -> Self:
+        return self.clone()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickles the subject as its text, which gives the same one in every bit, without
+        `progress` and `jobs`."""
+        threads, backend, foam_start, *_ = self._options
+        base = os.path.abspath(self._base_dir)
+        return type(self)._parsed, (self.text, base, threads, backend, foam_start)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if not name.startswith("_"):
+            raise AttributeError(
+                f"'{name}' of a {self._noun} cannot be assigned; set(\"{name}\", {value!r}) sets a "
+                "parameter of that name"
+            )
+        super().__setattr__(name, value)
+
+    def __repr__(self) -> str:
+        return f"<libocean.{type(self).__name__}: {self._description()}>"
+
+    def _description(self) -> str:
+        if not self._lock.acquire(blocking=False):
+            return "busy in another thread"
+        try:
+            return self._summary()
+        except _library.Error as failure:
+            return str(failure)
+        finally:
+            self._lock.release()
+
+    def _summary(self) -> str:
+        raise NotImplementedError
+
+    def __enter__(self) -> Self:
+        return self
+
     def close(self) -> None:
         """Frees the library's memory. Surfaces keep the arrays they have. Closing twice is
         allowed."""
         with self._lock:
+            self._reporter.require_outside()
             handle, self._handle = self._handle, None
             if handle is not None:
                 getattr(_library.library, self._prefix + "free")(handle)
@@ -109,23 +209,22 @@ class Handle:
 
     def set(self, name: str, value: Any) -> None:
         """Sets a parameter ("wind_speed", "waves.1.fetch", "beta"); None unsets an optional one."""
+        texts = text("name", name), text(name, value_text(value))
         with self._lock:
-            self._call(self._prefix + "set", name.encode(), value_text(value).encode())
+            self._call(self._prefix + "set", *texts)
             self._changes += 1
 
     def set_all(self, values: Mapping[str, Any]) -> None:
         """Sets several parameters and checks them together: either all change or none."""
+        arrays = value_arrays(values)
         with self._lock:
-            texts = [value_text(value) for value in values.values()]
-            self._call(
-                self._prefix + "set_all", text_array(list(values)), text_array(texts), len(texts)
-            )
+            self._call(self._prefix + "set_all", *arrays)
             self._changes += 1
 
     def get(self, name: str) -> str:
         """Returns the value of a parameter as text; "" for an optional one that is not set."""
         out = ctypes.create_string_buffer(8192)
-        self._call(self._prefix + "get", name.encode(), out, len(out))
+        self._call(self._prefix + "get", text("name", name), out, len(out))
         return out.value.decode()
 
     @property
@@ -140,8 +239,38 @@ class Handle:
         return state
 
 
+def _bed_of(heights: npt.ArrayLike) -> npt.NDArray[np.float32]:
+    """Returns the heights of a bed as the library reads them."""
+    array = numbers_of("heights", heights, "[j][i]")
+    if array.ndim != 2 or not all(2 <= side <= 8192 for side in array.shape):
+        raise _library.error(
+            f"heights: an array of shape {array.shape}; allowed: [j][i], 2 .. 8192 samples a side, "
+            "or None for no bed",
+            _library.INVALID_ARGUMENT,
+        )
+    return np.ascontiguousarray(array, dtype=np.float32)
+
+
 class SeaHandle(Handle):
     """An open sea of the library."""
+
+    def _summary(self) -> str:
+        side, patch = self.get("grid.resolution"), self.get("patch_size")
+        # The height that was asked for is that of any grid, and a large one takes seconds.
+        with self.clone() as small:
+            small.set("grid.resolution", 32)
+            asked = small.state["significant_wave_height"]["asked"]
+        return f"{side} x {side} samples of {patch} m, significant wave height {asked:.3g} m asked"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        bed = self.values.get("[water.bed_heights]", "")
+        if bed and "\nsamples" not in bed and not self.get("seabed"):
+            raise _library.error(
+                "this sea cannot be pickled: its text keeps an array as the bed up to 1 MB, and "
+                "this one is larger; give the other process the array and call set_bed() there",
+                _library.UNSUPPORTED,
+            )
+        return super().__reduce__()
 
     def add_waves(self, name: str | None = None, **parameters: Any) -> str:
         """Adds a wave system with these parameters, as the last one or as `name` ("waves.1"; the
@@ -149,11 +278,11 @@ class SeaHandle(Handle):
         with self._lock:
             if name is None:
                 name = f"waves.{self.text.count(chr(10) + '[[waves]]')}"
-            self._call("ocean_add_waves", name.encode())
+            self._call("ocean_add_waves", text("name", name))
             self._changes += 1
             try:
                 self.set_all({f"{name}.{key}": value for key, value in parameters.items()})
-            except _library.Error:
+            except (_library.Error, TypeError):
                 self.remove_waves(name)
                 raise
             return name
@@ -161,7 +290,7 @@ class SeaHandle(Handle):
     def remove_waves(self, name: str) -> None:
         """Removes the wave system of that name; the systems behind it are renumbered one lower."""
         with self._lock:
-            self._call("ocean_remove_waves", name.encode())
+            self._call("ocean_remove_waves", text("name", name))
             self._changes += 1
 
     def set_bed(
@@ -173,21 +302,23 @@ class SeaHandle(Handle):
         """Gives the sea a bed: heights[j][i] over still water [m], positive up, rows from the
         south, samples `cell` [m] apart both ways; `origin` is the place of heights[0][0] [m]. It
         takes the place of `seabed`. None removes the bed."""
-        rows = np.zeros((0, 0)) if heights is None else np.asarray(heights)
-        if rows.ndim != 2:
-            raise ValueError(f"heights: {rows.ndim} dimensions; allowed: 2, [j][i]")
-        rows = np.ascontiguousarray(rows, dtype=np.float32)
-        data = None if heights is None else rows.ctypes.data
+        bed = np.zeros((0, 0), np.float32) if heights is None else _bed_of(heights)
+        data = None if heights is None else bed.ctypes.data
+        rows, columns = bed.shape
+        place, step = row("origin", origin, 2), number("cell", cell)
+        if step <= 0:
+            raise _library.error(f"cell = {step} m; allowed: above 0", _library.INVALID_ARGUMENT)
         with self._lock:
-            self._call("ocean_set_bed", data, rows.shape[1], rows.shape[0], *origin, cell)
+            self._call("ocean_set_bed", data, columns, rows, *place, step)
             self._changes += 1
 
     def perform(self, time: float, name: str, value: Any) -> None:
         """Lets a live parameter glide to the value from `time` [s] on, while the sea is shown. Adds
         an event to the sea's own take: `text` makes every frame again. Everything before that time
         stays."""
+        event = number("time", time), text("name", name), text(name, value_text(value))
         with self._lock:
-            self._call("ocean_perform", time, name.encode(), value_text(value).encode())
+            self._call("ocean_perform", *event)
             self._changes += 1
 
     @property
@@ -202,5 +333,5 @@ class SeaHandle(Handle):
     def time_of_frame(self, frame: float) -> float:
         """Returns the sea's time at a frame [s]: start + (frame - first_frame) / fps."""
         time = ctypes.c_double()
-        self._call("ocean_time_of_frame", frame, ctypes.byref(time))
+        self._call("ocean_time_of_frame", number("frame", frame), ctypes.byref(time))
         return time.value

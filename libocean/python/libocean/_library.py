@@ -31,6 +31,7 @@ UNSUPPORTED = 5
 OUT_OF_MEMORY = 7
 BUFFER_TOO_SMALL = 8
 CANCELLED = 10
+BUSY = 11
 
 # The order of these is that of the C enums.
 ERROR_FIELDS = ("what", "parameter", "value", "allowed")
@@ -253,6 +254,10 @@ class Error(Exception):
         self.value = value
         self.allowed = allowed
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Lets an error cross to another process with all of its attributes."""
+        return type(self), (*self.args, self.code), self.__dict__
+
 
 class InvalidValueError(Error, ValueError):
     """A parameter or argument is unknown, of a wrong type or out of range."""
@@ -416,6 +421,8 @@ def _load() -> ctypes.CDLL:
 
 
 library = _load()
+version: str = library.ocean_version().decode()
+"""The version of the library."""
 
 
 def call(name: str, *arguments: Any) -> None:

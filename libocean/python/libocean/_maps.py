@@ -12,6 +12,7 @@ import numpy as np
 
 from . import _library
 from ._answers import DETAIL_BAND, SPRAY_PARTICLE, Array, Detail, DetailBand, Spray
+from ._checks import number, resolution_or_0, whole, words
 from ._handle import Handle, SeaHandle
 from ._library import DetailRequest, Output, Request, SprayRequest, choose
 from ._surface import PRODUCTS, channel_number
@@ -30,6 +31,20 @@ def outputs_of(maps: list[Map]) -> Any:
         output.channel[: len(channels)] = channels
         output.channels = len(channels)
     return outputs
+
+
+def named_arrays(
+    buffers: Iterable[tuple[Array, Sequence[str]]],
+) -> list[tuple[Array, tuple[str, ...]]]:
+    """Returns the arrays of a caller with the names of their channels; one name may be given
+    alone."""
+    arrays = []
+    for buffer in buffers:
+        is_pair = isinstance(buffer, (tuple, list)) and len(buffer) == 2
+        if not is_pair or not isinstance(buffer[0], np.ndarray):
+            raise TypeError("a buffer must be a pair: a NumPy array, and the names of its channels")
+        arrays.append((buffer[0], tuple(words("channels", buffer[1]))))
+    return arrays
 
 
 def _shape_words(array: Array, columns: int) -> str:
@@ -62,7 +77,7 @@ class MapWriter(Handle):
         seam: bool,
         cascade: int | None = None,
     ) -> None:
-        maps = [(array, tuple(names)) for array, names in buffers]
+        maps = named_arrays(buffers)
         for array, names in maps:
             require_layout(array, names, len(array))
         if len({len(array) for array, _ in maps}) > 1:
@@ -73,8 +88,8 @@ class MapWriter(Handle):
             ]
             turn = choose("axes", axes, _library.AXES)
             resolution = len(maps[0][0]) - seam
-            number = 0 if cascade is None else cascade + 1
-            self._write_maps(time, resolution, turn, outputs, seam, number)
+            which = 0 if cascade is None else whole("cascade", cascade) + 1
+            self._write_maps(number("time", time), resolution, turn, outputs, seam, which)
 
     def _write_maps(
         self,
@@ -141,7 +156,8 @@ class Maps(MapWriter, SeaHandle):
         """Returns the exponent that turns a map's foam into its cover, for hosts that derive one
         from the other. Takes some tenths of a second after a change of waves or wind."""
         power = ctypes.c_double()
-        self._call("ocean_cover_power", time, resolution or 0, ctypes.byref(power))
+        request = number("time", time), resolution_or_0(resolution)
+        self._call("ocean_cover_power", *request, ctypes.byref(power))
         return power.value
 
     @property
@@ -158,7 +174,12 @@ class Maps(MapWriter, SeaHandle):
         surface), about half of the sea's slopes, as slope maps of samples x samples, 256, 512 or
         1024. Materials read them as shaders/wave/slope_tiles.glsl does. The first call makes the
         tiles' waves, later ones for the same map only their times."""
-        request = DetailRequest(ctypes.sizeof(DetailRequest), time, resolution or 0, samples)
+        request = DetailRequest(
+            ctypes.sizeof(DetailRequest),
+            number("time", time),
+            resolution_or_0(resolution),
+            whole("samples", samples),
+        )
         count = ctypes.c_size_t()
         residual = ctypes.c_double()
         with self._lock:
@@ -192,7 +213,13 @@ class Maps(MapWriter, SeaHandle):
         7 m/s none. most: about the max number alive at once; a larger number is thinned evenly. The
         first call makes a small map for every tick of the foam's clock within the lifetime, a later
         one the new ticks only."""
-        request = SprayRequest(ctypes.sizeof(SprayRequest), time, lifetime, density, most)
+        request = SprayRequest(
+            ctypes.sizeof(SprayRequest),
+            number("time", time),
+            number("spray: lifetime", lifetime),
+            number("spray: density", density),
+            whole("spray: most", most),
+        )
         count = ctypes.c_size_t()
         with self._lock:
             self._call("ocean_spray", ctypes.byref(request), ctypes.byref(count))

@@ -22,25 +22,31 @@ from ._answers import (
     FloatPose,
     Samples,
     Water,
-    rows_of,
 )
+from ._checks import number, numbers, rows, whole
 from ._handle import SeaHandle
 from ._library import Gauge, GaugeRequest, QueryRequest, WaterRequest
 
 
 def _track(gauge: npt.ArrayLike) -> tuple[npt.NDArray[np.float64], tuple[float, float]]:
     """Returns the fixes of a gauge, (m, 4), and the velocity at which it leaves a single one."""
-    track = np.ascontiguousarray(gauge, dtype=np.float64)
+    allowed = "(3,), (5,) or (m, 4)"
+    track = np.ascontiguousarray(numbers("a gauge", gauge, allowed), dtype=np.float64)
     velocity = (0.0, 0.0)
     if track.shape in [(3,), (5,)]:
         velocity = tuple(track[3:]) or velocity
         track = np.array([[0.0, *track[:3]]])
     if track.ndim != 2 or track.shape[1] != 4:
         raise _library.error(
-            f"a gauge of shape {track.shape}; allowed: (3,), (5,) or (m, 4)",
+            f"a gauge of shape {track.shape}; allowed: {allowed}",
             _library.INVALID_ARGUMENT,
         )
     return track, velocity
+
+
+def _how(resolution: int, refine: int, exact: bool) -> tuple[Any, ...]:
+    """Returns the members of a request that say which waves count, and how exactly."""
+    return whole("resolution", resolution), whole("refine", refine), bool(exact)
 
 
 class Queries(SeaHandle):
@@ -50,7 +56,9 @@ class Queries(SeaHandle):
         """Returns the shown surface at n world points (x, y) as (n, 10), the columns of
         `ocean query`: x, y, height, normal x y z, velocity x y z, foam. With foam=False (n, 9),
         without waiting for the foam's past."""
-        return self._answers("ocean_query", points, (time,), 2, 10 if foam else 9)
+        return self._answers(
+            "ocean_query", "points", points, (number("time", time),), 2, 10 if foam else 9
+        )
 
     def samples(
         self,
@@ -65,12 +73,14 @@ class Queries(SeaHandle):
         """Returns the shown surface at n world points (x, y), with label, folds and error.
         resolution: counts the waves that a map of that resolution holds, at a fraction of the cost.
         refine: 2, 4 ... for smaller errors. exact: the sum over all waves, a hundred times as
-        slow."""
+        slow. foam: with foam, which query() has by default; its past takes far longer than all the
+        rest. Without it `foam` is NaN."""
         error = ctypes.c_double()
-        how = (resolution, refine, exact, foam, ctypes.pointer(error))
-        answers = self._samples(
-            "ocean_query_points", QueryRequest, SAMPLE, rows_of(points, 2), time, how
-        )
+        how = *_how(resolution, refine, exact), bool(foam), ctypes.pointer(error)
+        where = rows("points", points, 2)
+        answers = self._samples("ocean_query_points", QueryRequest, SAMPLE, where, time, how)
+        if not foam:
+            answers["foam"] = np.nan
         flags = answers["flags"]
         return Samples(
             height=answers["height"],
@@ -86,7 +96,8 @@ class Queries(SeaHandle):
     def orbital_velocity(self, points: npt.ArrayLike, time: float, z: float = 0.0) -> Array:
         """Returns the velocity of the water by linear theory at fixed world points (x, y), z metres
         above still water: (n, 3) [m/s]. Above z = 0 it is that of 0, below the bottom it is 0."""
-        return self._answers("ocean_orbital_velocity", points, (time, z), 2, 3)
+        when = number("time", time), number("z", z)
+        return self._answers("ocean_orbital_velocity", "points", points, when, 2, 3)
 
     def water(
         self,
@@ -100,10 +111,8 @@ class Queries(SeaHandle):
         """Returns velocity and pressure of the water at n fixed world points (x, y, z) of any
         depths, by linear theory. Each distinct depth costs two transforms. resolution, refine and
         exact as in samples()."""
-        how = (resolution, refine, exact)
-        answers = self._samples(
-            "ocean_water_points", WaterRequest, WATER_SAMPLE, rows_of(points, 3), time, how
-        )
+        where, how = rows("points", points, 3), _how(resolution, refine, exact)
+        answers = self._samples("ocean_water_points", WaterRequest, WATER_SAMPLE, where, time, how)
         return Water(answers["velocity"], answers["pressure"])
 
     def gauges(
@@ -120,7 +129,9 @@ class Queries(SeaHandle):
             gauge.fix_count = len(track)
             gauge.velocity[:] = velocity
         request = GaugeRequest(
-            ctypes.sizeof(GaugeRequest), start, end, rate, array, len(array), ctypes.sizeof(Gauge)
+            ctypes.sizeof(GaugeRequest),
+            *(number("start", start), number("end", end), number("rate", rate)),
+            *(array, len(array), ctypes.sizeof(Gauge)),
         )
         times = ctypes.c_size_t()
         self._call("ocean_gauges", ctypes.byref(request), ctypes.byref(times))
@@ -133,7 +144,7 @@ class Queries(SeaHandle):
     def float_pose(self, bodies: npt.ArrayLike, time: float) -> FloatPose:
         """Returns how floating bodies lie on the sea, each (x, y, heading, length, width) [m], the
         heading [degrees counter-clockwise from +x], the length along it."""
-        poses = self._answers("ocean_float_pose", bodies, (time,), 5, 11)
+        poses = self._answers("ocean_float_pose", "bodies", bodies, (number("time", time),), 5, 11)
         return FloatPose(poses[:, 0:3], poses[:, 3:6], poses[:, 6:9], poses[:, 9], poses[:, 10])
 
     def _samples(
@@ -147,16 +158,23 @@ class Queries(SeaHandle):
     ) -> npt.NDArray[Any]:
         """Returns a sample for each point; `how` holds the request's members after them."""
         answers = np.empty(len(points), dtype=sample)
-        rows = (points.ctypes.data, len(points), answers.ctypes.data, sample.itemsize)
-        request = request_type(ctypes.sizeof(request_type), time, *rows, *how)
+        places = (points.ctypes.data, len(points), answers.ctypes.data, sample.itemsize)
+        when = number("time", time)
+        request = request_type(ctypes.sizeof(request_type), when, *places, *how)
         self._call(name, ctypes.byref(request))
         return answers
 
     def _answers(
-        self, name: str, rows: npt.ArrayLike, when: tuple[float, ...], width: int, columns: int
+        self,
+        function: str,
+        name: str,
+        values: npt.ArrayLike,
+        when: tuple[float, ...],
+        width: int,
+        columns: int,
     ) -> Array:
         """Returns one row of floats for each row of `width` numbers."""
-        points = rows_of(rows, width)
-        answers = np.empty((len(points), columns), dtype=np.float32)
-        self._call(name, *when, points.ctypes.data, len(points), answers.ctypes.data, columns)
+        given = rows(name, values, width)
+        answers = np.empty((len(given), columns), dtype=np.float32)
+        self._call(function, *when, given.ctypes.data, len(given), answers.ctypes.data, columns)
         return answers

@@ -12,16 +12,20 @@ import numpy as np
 
 from . import _library
 from ._answers import Array
+from ._checks import columns_and_rows, number, row, words
 from ._library import Output, RegionRequest, choose
-from ._maps import Map, outputs_of, require_layout
+from ._maps import Map, named_arrays, outputs_of, require_layout
 from ._surface import PRODUCTS, channel_number
 
 
 def region_arrays(fields: Iterable[str], samples: tuple[int, int]) -> dict[str, Map]:
     """Returns a new array for each field of a region of so many columns and rows."""
-    columns, rows = samples
+    columns, rows = columns_and_rows(samples)
+    names = words("fields", fields)
+    if not names:
+        raise _library.error("a region needs the name of a field", _library.INVALID_ARGUMENT)
     maps: dict[str, Map] = {}
-    for name in fields:
+    for name in names:
         choose("field", name, tuple(PRODUCTS))
         channels = tuple(channel_number(channel) for channel in PRODUCTS[name].channels)
         vector = (len(channels),) if len(channels) > 1 else ()
@@ -32,7 +36,7 @@ def region_arrays(fields: Iterable[str], samples: tuple[int, int]) -> dict[str, 
 def region_buffers(buffers: Iterable[tuple[Array, Sequence[str]]]) -> list[Map]:
     """Returns the buffers of fill_region() with the numbers of their channels. Raises Error for
     arrays that the library cannot write into."""
-    arrays = [(array, tuple(names)) for array, names in buffers]
+    arrays = named_arrays(buffers)
     if len({array.shape[:2] for array, _ in arrays}) != 1:
         raise _library.error("arrays of one shape are needed", _library.INVALID_ARGUMENT)
     for array, names in arrays:
@@ -53,6 +57,6 @@ def region_request(origin: tuple[float, float], cell: float, maps: Iterable[Map]
         output.axes = turn
     return RegionRequest(
         ctypes.sizeof(RegionRequest),
-        *(float(origin[0]), float(origin[1]), float(cell)),
+        *(*row("origin", origin, 2), number("cell", cell)),
         *(columns, rows, outputs, len(listed), ctypes.sizeof(Output)),
     )

@@ -26,6 +26,7 @@ class Reporter:
         self._jobs = jobs
         self._signal: tuple[int, Any] | None = None
         self._failure: BaseException | None = None
+        self._inside = False
         self.progress = _library.Progress(self._report)
         self.run_jobs = _library.RunJobs(self._run_jobs) if jobs else _library.RunJobs()
 
@@ -44,11 +45,21 @@ class Reporter:
         except BaseException as failure:
             self._failure = failure
 
+    def require_outside(self) -> None:
+        """Raises Error within a call of the library, which no function that it calls may enter."""
+        if self._inside:
+            raise _library.error(
+                "a progress or jobs function uses the subject whose call it serves; give it a "
+                "clone()",
+                _library.BUSY,
+            )
+
     @contextmanager
     def watched(self) -> Iterator[None]:
         """Raises, after the call inside it, the exception of a Python function, and handles Ctrl-C:
         Python's handlers run in the main thread alone, between two steps of Python. A signal within
         a call is noted and handled when the library has returned."""
+        self.require_outside()
         self._signal = self._failure = None
         before = None
         if threading.current_thread() is threading.main_thread():
@@ -57,10 +68,12 @@ class Reporter:
             signal.signal(signal.SIGINT, self._note)
         cancelled = None
         try:
+            self._inside = True
             yield
         except _library.CancelledError as failure:
             cancelled = failure
         finally:
+            self._inside = False
             if callable(before):
                 signal.signal(signal.SIGINT, before)
         if self._failure is not None:

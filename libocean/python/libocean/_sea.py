@@ -7,13 +7,13 @@ from __future__ import annotations
 import ctypes
 import json
 from collections.abc import Iterable, Sequence
-from typing import Any
 
 import numpy as np
 
 from . import _library
 from ._answers import DETAIL_BAND, Array, Detail
-from ._library import ProvenanceRequest, call, choose
+from ._checks import columns_and_rows, number, resolution_or_0, row, text, whole
+from ._library import ProvenanceRequest, choose
 from ._maps import Maps
 from ._queries import Queries
 from ._regions import region_arrays, region_buffers, region_request
@@ -23,20 +23,12 @@ from ._surface import Surface
 class Sea(Maps, Queries):
     """An open sea. Made by open(), parse() and preset(); a context manager. Calls of several
     threads wait for each other: clone the sea for each thread to work in parallel. Ctrl-C ends a
-    call and leaves the sea as it was."""
+    call and leaves the sea as it was.
 
-    def __enter__(self) -> Sea:
-        return self
-
-    def clone(self) -> Sea:
-        """Returns the same sea for another thread. Both share the data that this one has built,
-        until either changes."""
-
-        def share(options: Any, out: Any) -> None:
-            call("ocean_clone", self._open_handle(), options, out)
-
-        with self._lock:
-            return Sea(share, *self._options)
+    A pickle holds `text`, so that multiprocessing can hand a sea to another process. `progress` and
+    `jobs` are lost. Files that the text names are read again, from the folder of the sea file. An
+    array as the bed is part of the text up to 1 MB; with a larger one pickling raises
+    UnsupportedError. The foam is the same, but with foam_start = "empty", where it begins anew."""
 
     def surface(
         self,
@@ -67,7 +59,7 @@ class Sea(Maps, Queries):
         takes seconds."""
         maps = region_arrays(fields, samples)
         request = region_request(origin, cell, maps.values(), axes)
-        self._call("ocean_region", float(time), ctypes.byref(request))
+        self._call("ocean_region", number("time", time), ctypes.byref(request))
         return {name: array for name, (array, _) in maps.items()}
 
     def fill_region(
@@ -82,7 +74,7 @@ class Sea(Maps, Queries):
         shape (rows, columns, n) with the names of its n channels, 1 to 4 of those of fill(),
         "depth", "breaking" and "wetness"; "" leaves a component as it is."""
         request = region_request(origin, cell, region_buffers(buffers), axes)
-        self._call("ocean_region", float(time), ctypes.byref(request))
+        self._call("ocean_region", number("time", time), ctypes.byref(request))
 
     def bed_region(
         self, origin: tuple[float, float], samples: tuple[int, int], cell: float
@@ -90,9 +82,10 @@ class Sea(Maps, Queries):
         """Returns the heights of the bed over still water [m], an array (rows, columns): linear
         between its samples, and beyond the bed those of its border. origin: the place of the first
         one [m]; samples: columns and rows, `cell` apart [m]."""
-        columns, rows = samples
+        columns, rows = columns_and_rows(samples)
+        place = *row("origin", origin, 2), number("cell", cell)
         heights = np.empty((rows, columns), np.float32)
-        self._call("ocean_bed_region", *origin, cell, columns, rows, heights.ctypes.data)
+        self._call("ocean_bed_region", *place, columns, rows, heights.ctypes.data)
         return heights
 
     def provenance(
@@ -110,12 +103,14 @@ class Sea(Maps, Queries):
         product in the file, one of PRODUCTS, or "detail1" .. "detail3" beside maps of `resolution`;
         None: without strings about a product. axes: the order of the file's vectors. detail: of the
         frame, whose band the file holds."""
-        request = ProvenanceRequest(ctypes.sizeof(ProvenanceRequest), time, frame)
+        size = ctypes.sizeof(ProvenanceRequest)
+        request = ProvenanceRequest(size, number("time", time), whole("frame", frame))
         request.axes = choose("axes", axes, _library.AXES)
-        request.field = None if field is None else field.encode()
-        request.resolution = resolution or 0
+        request.field = None if field is None else text("field", field)
+        request.resolution = resolution_or_0(resolution)
         if detail is not None and field is not None and field.startswith("detail"):
-            band = detail.bands[int(field.removeprefix("detail")) - 1].as_struct()
+            fields = [f"detail{n}" for n in range(1, len(detail.bands) + 1)]
+            band = detail.bands[choose("field", field, fields)].as_struct()
             request.band, request.band_size = band.ctypes.data, DETAIL_BAND.itemsize
             request.residual = detail.residual
         strings: dict[str, str] = json.loads(

@@ -5,10 +5,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from . import _library
 from ._answers import Array
+from ._checks import resolution as checked_resolution
+from ._checks import time_of_maps, words
 from ._library import choose
 
 if TYPE_CHECKING:
@@ -93,7 +95,8 @@ them, and of seas over a bed."""
 
 class Surface:
     """The maps of one sea at one time, or of a terrain, as numpy arrays [j, i] or
-    [j, i, component], float32. Each field of PRODUCTS is a property."""
+    [j, i, component], float32. Each field of PRODUCTS is a property. A pickle holds the fields that
+    are computed, and no others. A copy looks at the same sea."""
 
     height: Array
     displacement: Array
@@ -120,36 +123,76 @@ class Surface:
 
     def __init__(
         self,
-        subject: Sea | Terrain,
-        time: float,
-        resolution: int | None,
-        fields: Iterable[str] | None,
-        axes: str,
+        subject: Sea | Terrain | None = None,
+        time: float = 0.0,
+        resolution: int | None = None,
+        fields: Iterable[str] | None = None,
+        axes: str = "zup",
     ) -> None:
-        self._subject = subject
+        if subject is None:
+            raise TypeError("a surface is made by surface() of a sea or a terrain")
+        self._subject: Sea | Terrain | None = subject  # None in one that was pickled
         self._changes = subject._changes
         self._axes = choose("axes", axes, _library.AXES)
         self._arrays: dict[str, Array] = {}
-        self.time = float(time)
-        self.resolution = self._checked_resolution(resolution)
-        names = [fields] if isinstance(fields, str) else list(fields or ())
+        self._time = time_of_maps(time)
+        own = subject.map_resolution()  # checked before an array of that size is made
+        self._resolution = own if resolution is None else checked_resolution(resolution, own)
+        names = words("fields", fields)
         if names:
             self._compute(names)
 
-    def _checked_resolution(self, resolution: int | None) -> int:
-        if resolution is None:
-            return self._subject.map_resolution()
-        # Checked here, before an array of that size is made.
-        if resolution not in [32 << n for n in range(9)] + [self._subject.map_resolution()]:
+    @property
+    def time(self) -> float:
+        """The time of the maps [s]."""
+        return self._time
+
+    @property
+    def resolution(self) -> int:
+        """The samples per side of the maps."""
+        return self._resolution
+
+    def __repr__(self) -> str:
+        side = self.resolution
+        names = ", ".join(self._arrays) or "none"
+        return f"<libocean.Surface: {self.time:g} s, {side} x {side} samples, computed: {names}>"
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if not name.startswith("_"):
+            raise AttributeError(
+                f"'{name}' of a surface cannot be assigned; set() of its sea or terrain sets a "
+                "parameter, and surface() makes a new surface"
+            )
+        super().__setattr__(name, value)
+
+    def __copy__(self) -> Surface:
+        twin = object.__new__(Surface)
+        twin.__dict__.update(self.__dict__, _arrays=dict(self._arrays))
+        return twin
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Surface:
+        twin = self.__copy__()
+        twin._arrays = {name: array.copy() for name, array in self._arrays.items()}
+        return twin
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Returns what a pickle holds: the arrays that are computed, without the sea."""
+        if not self._arrays:
             raise _library.error(
-                f"resolution = {resolution}; allowed: a power of two, 32 .. 8192",
+                "this surface has no field to pickle: name them in surface(..., fields=[...])",
                 _library.INVALID_ARGUMENT,
             )
-        return int(resolution)
+        return {**self.__dict__, "_subject": None}
 
     def _compute(self, names: list[str]) -> None:
         for name in names:
             choose("field", name, tuple(PRODUCTS))
+        if self._subject is None:
+            raise _library.error(
+                f"{names[0]} was not computed before this surface was pickled; it has "
+                + ", ".join(self._arrays),
+                _library.INVALID_ARGUMENT,
+            )
         with self._subject._lock:
             if self._changes != self._subject._changes:
                 raise _library.error(
@@ -158,7 +201,7 @@ class Surface:
                     "new surface",
                     _library.INVALID_ARGUMENT,
                 )
-            arrays = self._subject._evaluate(self.time, self.resolution, self._axes, names)
+            arrays = self._subject._evaluate(self._time, self._resolution, self._axes, names)
         self._arrays.update(zip(names, arrays, strict=True))
 
     def _field(self, name: str) -> Array:

@@ -7,14 +7,15 @@ from __future__ import annotations
 import ctypes
 import json
 from collections.abc import Iterable, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _library
-from ._answers import SAMPLE, Array, rows_of
-from ._library import DomainStruct, MeshRequest, QueryRequest, call, choose
+from ._answers import SAMPLE, Array
+from ._checks import number, row, rows, text, whole
+from ._library import DomainStruct, MeshRequest, QueryRequest, choose
 from ._maps import MapWriter
 from ._regions import region_arrays, region_buffers, region_request
 from ._surface import Surface
@@ -59,23 +60,18 @@ class TerrainMesh(NamedTuple):
 class Terrain(MapWriter):
     """An open terrain. Made by terrain(), open_terrain(), parse_terrain() and terrain_preset(); a
     context manager. Calls of several threads wait for each other: clone the terrain for each thread
-    to work in parallel. Ctrl-C ends a call and leaves the terrain as it was."""
+    to work in parallel. Ctrl-C ends a call and leaves the terrain as it was. A pickle holds `text`;
+    `progress` and `jobs` are lost."""
 
     _noun = "terrain"
     _prefix = "ocean_terrain_"
+    _makers = "libocean.terrain(), open_terrain(), parse_terrain() or terrain_preset()"
 
-    def __enter__(self) -> Terrain:
-        return self
-
-    def clone(self) -> Terrain:
-        """Returns the same terrain for another thread. Both share the data that this one has built,
-        until either changes."""
-
-        def share(options: Any, out: Any) -> None:
-            call("ocean_terrain_clone", self._open_handle(), options, out)
-
-        with self._lock:
-            return Terrain(share, *self._options)
+    def _summary(self) -> str:
+        own = self.domain
+        columns, rows = own.samples
+        kind = "a tile" if own.wraps else "land"
+        return f"{kind} of {columns} x {rows} samples, {own.cell:g} m apart"
 
     @property
     def domain(self) -> TerrainDomain:
@@ -133,12 +129,13 @@ class Terrain(MapWriter):
         from which distances are taken, None: that of the land; farthest: the distance up to which
         there is a mesh [m]; spacing: of the vertices at the camera [m]; range: the distance at
         which it has doubled once, in spacings."""
+        place = row("camera", camera, 3)
         if ground is None:
-            ground = float(self.query([camera[:2]]).height[0])
+            ground = float(self.query(place[:2]).height[0])
         request = MeshRequest(
             ctypes.sizeof(MeshRequest),
-            *(float(part) for part in camera),
-            *(float(ground), float(farthest), float(spacing), float(range)),
+            *(*place, number("ground", ground), number("farthest", farthest)),
+            *(number("spacing", spacing), number("range", range)),
         )
         counts = ctypes.c_size_t(), ctypes.c_size_t()
 
@@ -190,7 +187,7 @@ class Terrain(MapWriter):
         """Returns height and normal at n world points (x, y), at any distance. resolution: counts
         the waves that a map of that resolution holds. refine: 2, 4 ... for smaller errors. exact:
         the sum over all waves, a hundred times as slow."""
-        where = rows_of(points, 2)
+        where = rows("points", points, 2)
         error = ctypes.c_double()
         answers = np.empty(len(where), dtype=SAMPLE)
         request = QueryRequest(
@@ -200,9 +197,9 @@ class Terrain(MapWriter):
             len(where),
             answers.ctypes.data,
             SAMPLE.itemsize,
-            resolution,
-            refine,
-            exact,
+            whole("resolution", resolution),
+            whole("refine", refine),
+            bool(exact),
             0,
             ctypes.pointer(error),
         )
@@ -224,7 +221,7 @@ class Terrain(MapWriter):
         """Returns the strings by which `ocean terrain` labels a file, for headers of other files:
         "ocean:terrain", "ocean:period" ... field: the product in the file, "height", "normal" or
         "slope"; None: without strings about a product."""
-        name = None if field is None else field.encode()
+        name = None if field is None else text("field", field)
         turn = choose("axes", axes, _library.AXES)
         strings: dict[str, str] = json.loads(
             self._text("ocean_terrain_provenance_json", name, turn)
