@@ -245,8 +245,17 @@ def bash_completion(program: Program) -> str:
     elif [ "$before" = "=" ]; then
         before=${{COMP_WORDS[COMP_CWORD - 2]}}
     fi
+    # So does preset:NAME.
+    if [ "$before$word" = "preset:" ]; then
+        before=preset: word=
+    elif [ "$before" = ":" ] && [ "${{COMP_WORDS[COMP_CWORD - 2]}}" = preset ]; then
+        before=preset:
+    fi
 {find_command}    case $command in
 {commands}    esac
+    if [ "$before" = "preset:" ] || [ "$command $words" = "presets -" ]; then
+        words=$(ocean presets 2>/dev/null | sed -n 's/^  *\\([^ ]*\\).*/\\1/p')
+    fi
     if [ "$words" = "-" ]; then  # no value of an option
         words=$commands
         [[ $word != -* ]] || words=$options

@@ -226,6 +226,10 @@ def test_manual_pages_name_every_option_of_the_help_and_raise_no_warning(install
         (["ocean", "bake", "--set", "wind"], []),  # the value of an option, which is no file
         (["ocean", "bake", "--from", "sea"], ["sea.exr", "sea.toml"]),
         (["ocean", "info", "sea.t"], ["sea.toml"]),
+        # Bash parts words at a colon.
+        (["ocean", "info", "preset", ":", "bay_"], ["bay_island"]),
+        (["ocean", "presets", "bay_"], ["bay_island"]),
+        (["ocean-preview", "preset", ":", "seed_l"], ["seed_lantz"]),
         (["ocean-preview", "--offsc"], ["--offscreen"]),
         (["ocean-bridge", "--token"], ["--token-file"]),
     ],
@@ -240,7 +244,7 @@ def test_bash_completes(installed, tmp_path, words, completed):
     done = run(
         "bash", "-c", f"compopt() {{ :; }}; source {script}; COMP_WORDS=({typed}); "
         f"COMP_CWORD={len(words) - 1}; {function}; printf '%s\\n' \"${{COMPREPLY[@]}}\"",
-        cwd=tmp_path,
+        cwd=tmp_path, env=os.environ | {"PATH": f"{BUILD / 'bin'}:{os.environ['PATH']}"},
     )  # fmt: skip
     assert sorted(done.split()) == sorted(completed)
 
