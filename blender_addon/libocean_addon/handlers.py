@@ -18,7 +18,7 @@ from .coast import node_group as coast_group
 from .floating import floating
 from .look import foam_images
 from .sea import live, node_group, open_sea
-from .shared import compat, drafts, hooks, meshes, modifier_groups
+from .shared import compat, drafts, failures, hooks, meshes, modifier_groups
 from .spray import spray
 from .terrain import live as terrain_live
 from .terrain import node_group as terrain_group
@@ -28,6 +28,7 @@ _locked_by_us: set[str] = set()  # scenes
 
 
 @persistent
+@failures.told_once
 def _frame_changed(scene, depsgraph=None) -> None:
     rendering = depsgraph is not None and depsgraph.mode == "RENDER"
     if rendering:
@@ -38,6 +39,7 @@ def _frame_changed(scene, depsgraph=None) -> None:
 
 
 @persistent
+@failures.told_once
 def _depsgraph_updated(scene, depsgraph) -> None:
     if depsgraph.mode == "RENDER":
         return
@@ -60,6 +62,7 @@ def _depsgraph_updated(scene, depsgraph) -> None:
 
 
 @persistent
+@failures.told_once
 def _data_replaced(*_) -> None:
     render_check.forget()
     oceans, terrains = live.ocean_objects(), terrain_live.terrain_objects()
@@ -85,6 +88,7 @@ def _data_replaced(*_) -> None:
 
 
 @persistent
+@failures.told_once
 def _saving(*_) -> None:
     render_check.restore()
     live.complete_meshes()
@@ -93,6 +97,7 @@ def _saving(*_) -> None:
 
 
 @persistent
+@failures.told_once
 def _before_frame(scene, *_) -> None:
     render_check.check(scene)
 
@@ -110,6 +115,7 @@ def complete() -> None:
 
 
 @persistent
+@failures.told_once
 def _lock_interface(scene, *_) -> None:
     """Locks the interface: Blender must not draw images that a render in another thread
     rewrites."""
@@ -125,6 +131,7 @@ def _lock_interface(scene, *_) -> None:
 
 
 @persistent
+@failures.told_once
 def _unlock_interface(scene, *_) -> None:
     terrain_live.end_render()
     render_check.restore()

@@ -182,6 +182,11 @@ GERMAN = {
         "{}: a draft": "{}: ein Entwurf",
         "{} cascades: maps of {} x {} samples": "{} Kaskaden: Karten von {} x {} Stützstellen",
         "This cannot be shown: {}": "Das kann nicht gezeigt werden: {}",
+        "{} is a mesh of your own, which no patch or horizon replaces: kind MESH shows the sea on "
+        "it": (
+            "{} ist ein Mesh von Ihnen, das weder Feld noch Horizont ersetzt: die Art MESH zeigt "
+            "die See darauf"
+        ),
         # Hints and warnings.
         "Mesh: {:,} vertices": "Mesh: {:,} Punkte",
         "Maps: {} x {} samples, {:,.0f} MB": "Karten: {} x {} Stützstellen, {:,.0f} MB",

@@ -12,7 +12,7 @@ from conftest import add_ocean, evaluated_mesh, plane, positions
 from libocean_addon import hints, panels, translations
 from libocean_addon.floating import floating
 from libocean_addon.sea import facts, node_group, parameter_values
-from libocean_addon.shared import compat, drafts, drawing, resolutions
+from libocean_addon.shared import compat, drafts, drawing, failures, resolutions
 
 PANELS = [cls for cls in panels.CLASSES if issubclass(cls, bpy.types.Panel)]
 
@@ -113,7 +113,7 @@ def test_no_draw_function_raises(ocean, cls, monkeypatch, capsys):
 
     monkeypatch.setattr(Layout, "prop", fail)
     monkeypatch.setattr(facts, "state_of", fail)
-    monkeypatch.setattr(drawing, "_told", set())
+    monkeypatch.setattr(failures, "_told", set())
     for _ in range(3):
         cls.draw(types.SimpleNamespace(layout=layout), bpy.context)
     assert "out of order" in " ".join(drawn)

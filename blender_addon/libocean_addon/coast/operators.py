@@ -70,7 +70,12 @@ class OnCoast:
     def poll(cls, context) -> bool:
         if context.object is not None and node_group.modifiers(context.object):
             return True
-        cls.poll_message_set(tr("The active object is no water of a coast"))
+        cls.poll_message_set(
+            tr(
+                "The active object is no water of a coast; Object > Ocean mends one whose modifier "
+                "was removed"
+            )
+        )
         return False
 
 

@@ -5,12 +5,11 @@
 from __future__ import annotations
 
 import functools
-import traceback
 
 import bpy
 
 from .. import translations
-from . import compat
+from . import compat, failures
 from .compat import tr_label
 
 # Pixels at a resolution scale of 1, counted in pictures of a properties editor.
@@ -23,8 +22,6 @@ BUTTON = 26
 """The width of a button that has an icon alone."""
 _ANY_WIDTH = 600  # where the width is unknown
 
-_told: set[str] = set()
-
 
 def never_raises(draw):
     """Wraps a draw function so that an exception becomes a line of the panel: Blender would leave
@@ -35,11 +32,7 @@ def never_raises(draw):
         try:
             draw(self, context)
         except Exception as failure:
-            text = f"{type(failure).__name__}: {failure}"
-            if text not in _told:
-                _told.add(text)
-                traceback.print_exc()
-            say(self.layout, tr_label("This cannot be shown: {}", text), "ERROR")
+            say(self.layout, failures.sentence(failure), "ERROR")
 
     return drawn
 
