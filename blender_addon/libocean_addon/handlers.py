@@ -184,6 +184,22 @@ def _finish_draft_job(name: str, job: drafts.Job) -> None:
     finish(name, job)
 
 
+def _wake() -> None:
+    """Shows what is in a file that was opened before the add-on was switched on."""
+    if live.ocean_objects() or terrain_live.terrain_objects() or coast_live.coast_objects():
+        _data_replaced()
+
+
+def _wake_soon() -> None:
+    """Calls _wake(): from a timer where there is a window, else at once, since no timer runs before
+    the script of a command line."""
+    if bpy.app.background:
+        with compat.all_data():
+            _wake()
+    elif not bpy.app.timers.is_registered(_wake):
+        bpy.app.timers.register(_wake, first_interval=0.0)
+
+
 def register() -> None:
     for name, handler in _HANDLERS.items():
         getattr(bpy.app.handlers, name).append(handler)
@@ -200,9 +216,12 @@ def register() -> None:
         )
     )
     compat.remove_handlers_at_exit(_remove_handlers)
+    _wake_soon()
 
 
 def unregister() -> None:
+    if bpy.app.timers.is_registered(_wake):
+        bpy.app.timers.unregister(_wake)
     _remove_handlers()
     hooks.disconnect()
     open_sea.close_all()
