@@ -52,7 +52,11 @@ class BedSea:
         state = self.sea.state
         if "bed" not in state:
             raise libocean.Error(
-                tr("The sea has no bed: choose a file for Sea bed, or load a sea that has one"), 0
+                tr(
+                    "The sea has no bed: choose a terrain file or an elevation model for Sea bed, "
+                    "or load a sea that has one"
+                ),
+                0,
             )
         self.own = extent_of(values.values["seabed_origin"], state)
         self.values, self.state = values, state

@@ -37,9 +37,10 @@ TEXTS = {
     "At {:.1f}, {:.1f} m {} is dry land, {:.1f} m over water": (
         "Bei {:.1f}, {:.1f} m ist {} trockenes Land, {:.1f} m über dem Wasser"
     ),
-    "The sea has no bed: choose a file for Sea bed, or load a sea that has one": (
-        "Die See hat keinen Grund: wählen Sie eine Datei für Meeresgrund, oder laden Sie eine See, "
-        "die einen hat"
+    "The sea has no bed: choose a terrain file or an elevation model for Sea bed, or load a sea "
+    "that has one": (
+        "Die See hat keinen Grund: wählen Sie eine Geländedatei oder ein Höhenmodell für "
+        "Meeresgrund, oder laden Sie eine See, die einen hat"
     ),
     "{}: the sea has no bed: a coast needs seabed in [water]": (
         "{}: die See hat keinen Grund: eine Küste braucht seabed in [water]"
