@@ -45,7 +45,7 @@ class BedSea:
             self.sea.set_all(dict(values.by_name().items() - before.by_name().items()))
         else:
             opened = libocean.parse(
-                values.text(), base_dir=base_dir, progress=drafts.tell_watcher_of_share
+                values.text(), base_dir=base_dir, progress=drafts.tell_watcher_of_part
             )
             self.close()
             self.sea = opened
