@@ -58,6 +58,7 @@ def place_labels(layout) -> None:
 _LABEL = 0.38  # of a row: the label before a list, a path or an object
 _FIELD = 24  # pixels of a field beside its text: edges, arrow
 _ROW = 35  # pixels of a region beside its rows
+_ARROWS = 40  # pixels of a number's field beside its text
 
 
 def _choices(owner, name: str) -> list[str]:
@@ -97,6 +98,23 @@ def field(layout, owner, name: str, *, text: str | None = None, context: str = "
         return
     label = bpy.app.translations.pgettext_iface(label, context)
     beside(layout, label, _choices(owner, name)).prop(owner, name, text="")
+
+
+def number(layout, owner, name: str, text: str, context: str) -> None:
+    """Draws the field of a number with a label of this context, in a narrow editor inside or, where
+    label and value would be cut, above it."""
+    found, value = owner.bl_rna.properties[name], getattr(owner, name)
+    label = bpy.app.translations.pgettext_iface(text, context)
+    shown = bpy.utils.units.to_string("METRIC", found.unit, value, precision=3)
+    if found.type == "FLOAT" and found.unit == "NONE":
+        shown = f"{value:.3f}"
+    fits = compat.text_width(label + shown) <= width() - _ROW - _ARROWS
+    if fits or not is_narrow():
+        layout.prop(owner, name, text=text, text_ctxt=context)
+        return
+    column = layout.column(align=True)
+    column.label(text=label, translate=False)
+    column.prop(owner, name, text="")
 
 
 def mask_field(layout, settings, ob) -> None:
@@ -144,6 +162,10 @@ def say(layout, text: str, icon: str = "NONE", *, beside: float = 0.0) -> None:
 def say_state(box, state: list[tuple[str, str]]) -> None:
     """Draws a line for each label and its text."""
     for label, text in state:
+        if is_narrow():
+            label = bpy.app.translations.pgettext_iface(label, translations.SEA)
+            say(box, f"{label}: {text}")
+            continue
         row = box.split(factor=0.62)
         row.label(text=label, text_ctxt=translations.SEA)
         row.label(text=text, translate=False)
