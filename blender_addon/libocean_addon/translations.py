@@ -447,6 +447,11 @@ GERMAN = {
         "each": (
             "Größe, Auflösung, Kaskaden oder Region sind animiert: gebacken wird nur je ein Wert"
         ),
+        "To write EXR files takes the Python package OpenEXR, which this copy of the add-on does "
+        "not have for Python {}: {}": (
+            "EXR-Dateien zu schreiben braucht das Python-Paket OpenEXR, das dieser Kopie des "
+            "Add-ons für Python {} fehlt: {}"
+        ),
         "Which ocean? Make it the active object, or give its name": (
             "Welcher Ozean? Machen Sie ihn zum aktiven Objekt, oder nennen Sie seinen Namen"
         ),

@@ -167,12 +167,12 @@ bpy.ops.wm.open_mainfile(filepath=arguments[0])
 bpy.context.view_layer.objects.active = bpy.data.objects["Water"]
 from libocean_addon.coast import coast_bake
 from libocean_addon.bake import exr_files
-write = exr_files.exr_writer.write
-def dying(path, *what):
-    write(path, *what)
-    if ".velocity.0002." in path.name:
+write = exr_files._write_image
+def dying(package, path, provenance, field, values):
+    write(package, path, provenance, field, values)
+    if provenance.frame == 2 and field == "velocity":
         os.kill(os.getpid(), 9)
-exr_files.exr_writer.write = dying
+exr_files._write_image = dying
 bpy.ops.libocean.bake()
 """
 

@@ -118,6 +118,8 @@ class FieldsJob(Job):
     stem: str
     """The beginning of the files' names."""
     fields: list[str]
+    package: object
+    """The Python package OpenEXR."""
 
     first_sea: str = ""
     """The resolved sea file of the first frame."""
@@ -140,7 +142,7 @@ class FieldsJob(Job):
             for field in missing:
                 if self.stop.is_set():
                     return False
-                exr_files.write(paths[field], provenance, field, maps[field])
+                exr_files.write(self.package, paths[field], provenance, field, maps[field])
         return not self.stop.is_set()
 
 

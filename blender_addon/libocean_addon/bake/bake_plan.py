@@ -208,6 +208,16 @@ class Bake(Work):
     def __init__(self, context, ob, asked: str, shot: tuple[int, int], *, overwrite: bool) -> None:
         """asked: the folder; empty: that of the object's settings, or the default one."""
         super().__init__(ob, shot)
+        try:
+            package = exr_files.load_package()
+        except ImportError as failure:
+            text = tr(
+                "To write EXR files takes the Python package OpenEXR, which this copy of the "
+                "add-on does not have for Python {}: {}",
+                exr_files.PYTHON,
+                failure,
+            )
+            raise BakeError(text) from failure
         self.range = with_margins(*shot)
         self.frame_length = bake_record.frame_length(context.scene)
         frames, self.recipes = _plan(context, ob, *self.range)
@@ -231,6 +241,7 @@ class Bake(Work):
             fields=bake_record.wanted_fields(ob.libocean),
             base_dir=base_dir,
             overwrite=overwrite,
+            package=package,
         )
         ob.libocean.bake.begun = self.folder
 

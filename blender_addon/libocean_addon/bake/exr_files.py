@@ -13,8 +13,10 @@ from __future__ import annotations
 import contextlib
 import dataclasses
 import glob
+import importlib
 import os
 import struct
+import sys
 import threading
 from collections.abc import Iterator
 from pathlib import Path
@@ -24,7 +26,11 @@ import numpy as np
 from ..look import detail_tiles
 from ..sea import atlas
 from ..terrain.extent import Extent
-from . import exr_writer
+
+try:
+    from ..legacy.packages import load
+except ModuleNotFoundError:  # in the extension, whose wheels Blender has installed
+    load = importlib.import_module
 
 EARLIER_STEM = "sea"
 """The stem of files of earlier versions; now it is the name of the blend file."""
@@ -39,6 +45,13 @@ DETAIL = tuple(f"detail{number + 1}" for number in range(detail_tiles.MOST_BANDS
 """Slope tiles, those of the longest waves first: slopes along x and y, and an empty channel."""
 FIELDS = (*_MAPS, *_OF_COASTS, *(f"{field}{_FAR}" for field in _MAPS), *DETAIL)
 AXES = "tnb"  # (x, z, y), the default of `ocean bake`
+PYTHON = f"{sys.version_info[0]}.{sys.version_info[1]}"
+
+
+def load_package():
+    """Returns the package OpenEXR for this Python. Raises ImportError."""
+    load("Imath")  # which OpenEXR asks for when it is used
+    return load("OpenEXR")
 
 
 # Names and headers ------------------------------------------------------------
@@ -169,8 +182,8 @@ class _Reader:
         return int.from_bytes(self.take(4), "little")
 
 
-# Flags beside the version, 2.
-_FLAGS = exr_writer.LONG_NAMES | 1 << 9 | 1 << 11 | 1 << 12  # tiles, deep pixels, several parts
+_LONG_NAMES = 1 << 10  # flag beside the version, 2: attributes' names have more than 31 bytes
+_FLAGS = _LONG_NAMES | 1 << 9 | 1 << 11 | 1 << 12  # tiles, deep pixels, several parts
 
 
 def _attributes(reader: _Reader) -> dict[bytes, bytes]:
@@ -179,13 +192,21 @@ def _attributes(reader: _Reader) -> dict[bytes, bytes]:
     version = reader.number()
     if version & ~_FLAGS != 2:
         raise FileError
-    if version & ~exr_writer.LONG_NAMES != 2:
+    if version & ~_LONG_NAMES != 2:
         raise OtherKindError
     attributes = {}
     while name := reader.name():
         reader.name()  # its type
         attributes[name] = reader.take(reader.number())
     return attributes
+
+
+def _channels(names: str) -> bytes:
+    """Returns the attribute of float channels: name, type, linear, sampling."""
+    one = b"".join(
+        name.encode() + b"\0" + struct.pack("<iiii", 2, 0, 1, 1) for name in sorted(names)
+    )
+    return one + b"\0"
 
 
 def _offsets(reader: _Reader, rows: int, lines: int) -> tuple[int, ...]:
@@ -268,7 +289,7 @@ def is_there(file_path: Path, provenance: Provenance, field: str) -> bool:
                 name.encode(): text.encode() for name, text in provenance.strings(field).items()
             }
             wanted[b"dataWindow"] = struct.pack("<iiii", 0, 0, columns - 1, rows - 1)
-            wanted[b"channels"] = exr_writer.channel_list(channels(field))
+            wanted[b"channels"] = _channels(channels(field))
             if any(found.get(name) != value for name, value in wanted.items()):
                 return False
             _require_whole(file, reader, rows, found[b"compression"][0])
@@ -286,7 +307,38 @@ class NotWholeError(Exception):
 
 # As `ocean bake` compresses: ZIP saves a thirtieth of float vectors, for five times the time of a
 # frame.
+_NONE, _RLE = 0, 1
 _MOSTLY_NOTHING = ("cover", *DETAIL)
+
+# The package keeps Python waiting while it writes: not for longer than a blink of the interface.
+_ROWS_AT_A_TIME = 64
+
+
+def _write_image(
+    package, path: Path, provenance: Provenance, field: str, values: np.ndarray
+) -> None:
+    imath = importlib.import_module("Imath")
+    rows, columns = provenance.shape(field)
+    names = channels(field)
+    split = np.moveaxis(values, 2, 0) if len(names) > 1 else [values]
+    planes = {
+        name: np.ascontiguousarray(plane[::-1]) for name, plane in zip(names, split, strict=True)
+    }
+    header = package.Header(columns, rows)
+    header["channels"] = {name: imath.Channel(imath.PixelType(2)) for name in planes}  # 2: float
+    header["compression"] = imath.Compression(_RLE if field in _MOSTLY_NOTHING else _NONE)
+    strings = provenance.strings(field)
+    if provenance.extent is None:
+        strings["wrapmodes"] = "periodic"
+    header.update({name: text.encode() for name, text in strings.items()})
+    image = package.OutputFile(str(path), header)
+    try:
+        for row in range(0, rows, _ROWS_AT_A_TIME):
+            count = min(_ROWS_AT_A_TIME, rows - row)
+            part = {name: plane[row : row + count].tobytes() for name, plane in planes.items()}
+            image.writePixels(part, count)
+    finally:
+        image.close()
 
 
 @contextlib.contextmanager
@@ -302,19 +354,14 @@ def replacing(file_path: Path) -> Iterator[Path]:
         temporary.unlink(missing_ok=True)
 
 
-def write(file_path: Path, provenance: Provenance, field: str, values: np.ndarray) -> None:
+def write(package, file_path: Path, provenance: Provenance, field: str, values: np.ndarray) -> None:
     """Writes a whole file or none. values: (rows, columns, n) or (rows, columns), the bottom row
-    first, in the order of AXES. Raises NotWholeError."""
-    names, strings = channels(field), provenance.strings(field)
-    if provenance.extent is None:
-        strings["wrapmodes"] = "periodic"
-    compression = exr_writer.RLE if field in _MOSTLY_NOTHING else exr_writer.NONE
-    image = values.reshape(*provenance.shape(field), len(names))
+    first, in the order of AXES."""
     with replacing(file_path) as temporary:
-        try:
-            exr_writer.write(temporary, names, image, strings, compression)
-        except OSError as failure:
-            raise NotWholeError(file_path) from failure
+        _write_image(package, temporary, provenance, field, values)
+        # The package does not say when the disk ends before the file does.
+        if not is_there(temporary, provenance, field):
+            raise NotWholeError(file_path)
 
 
 def remove(folder: str | Path, stem: str) -> int:
