@@ -448,9 +448,11 @@ GERMAN = {
             "Größe, Auflösung, Kaskaden oder Region sind animiert: gebacken wird nur je ein Wert"
         ),
         "To write EXR files takes the Python package OpenEXR, which this copy of the add-on does "
-        "not have for Python {}: {}": (
+        "not have for Python {}: {}. The add-on's zip has it; the command ocean bake writes such "
+        "files without it": (
             "EXR-Dateien zu schreiben braucht das Python-Paket OpenEXR, das dieser Kopie des "
-            "Add-ons für Python {} fehlt: {}"
+            "Add-ons für Python {} fehlt: {}. Das Zip des Add-ons hat es; der Befehl ocean bake "
+            "schreibt solche Dateien ohne es"
         ),
         "Which ocean? Make it the active object, or give its name": (
             "Welcher Ozean? Machen Sie ihn zum aktiven Objekt, oder nennen Sie seinen Namen"
