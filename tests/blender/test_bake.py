@@ -684,7 +684,6 @@ def test_the_object_keeps_the_sea_that_its_files_name(sea, tmp_path):
     assert header["ocean:sea"] == str(sea.libocean.bake.sea.encode())
 
 
-@pytest.mark.skipif(bpy.app.version >= (4, 2), reason="an extension has the wheels of Blender")
 def test_a_package_that_is_missing_or_not_our_own_is_told(sea, tmp_path, monkeypatch):
     other = types.ModuleType("OpenEXR")
     other.__file__ = str(tmp_path / "OpenEXR.so")
