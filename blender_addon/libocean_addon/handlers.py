@@ -18,7 +18,7 @@ from .coast import node_group as coast_group
 from .floating import floating
 from .look import foam_images
 from .sea import live, node_group, open_sea
-from .shared import compat, drafts, hooks, meshes, modifier_groups
+from .shared import compat, drafts, failures, hooks, meshes, modifier_groups
 from .spray import spray
 from .terrain import live as terrain_live
 from .terrain import node_group as terrain_group
@@ -28,6 +28,7 @@ _locked_by_us: set[str] = set()  # scenes
 
 
 @persistent
+@failures.told_once
 def _frame_changed(scene, depsgraph=None) -> None:
     rendering = depsgraph is not None and depsgraph.mode == "RENDER"
     if rendering:
@@ -38,6 +39,7 @@ def _frame_changed(scene, depsgraph=None) -> None:
 
 
 @persistent
+@failures.told_once
 def _depsgraph_updated(scene, depsgraph) -> None:
     if depsgraph.mode == "RENDER":
         return
@@ -60,6 +62,7 @@ def _depsgraph_updated(scene, depsgraph) -> None:
 
 
 @persistent
+@failures.told_once
 def _data_replaced(*_) -> None:
     render_check.forget()
     oceans, terrains = live.ocean_objects(), terrain_live.terrain_objects()
@@ -85,6 +88,7 @@ def _data_replaced(*_) -> None:
 
 
 @persistent
+@failures.told_once
 def _saving(*_) -> None:
     render_check.restore()
     live.complete_meshes()
@@ -93,6 +97,7 @@ def _saving(*_) -> None:
 
 
 @persistent
+@failures.told_once
 def _before_frame(scene, *_) -> None:
     render_check.check(scene)
 
@@ -110,6 +115,7 @@ def complete() -> None:
 
 
 @persistent
+@failures.told_once
 def _lock_interface(scene, *_) -> None:
     """Locks the interface: Blender must not draw images that a render in another thread
     rewrites."""
@@ -125,6 +131,7 @@ def _lock_interface(scene, *_) -> None:
 
 
 @persistent
+@failures.told_once
 def _unlock_interface(scene, *_) -> None:
     terrain_live.end_render()
     render_check.restore()
@@ -177,6 +184,22 @@ def _finish_draft_job(name: str, job: drafts.Job) -> None:
     finish(name, job)
 
 
+def _wake() -> None:
+    """Shows what is in a file that was opened before the add-on was switched on."""
+    if live.ocean_objects() or terrain_live.terrain_objects() or coast_live.coast_objects():
+        _data_replaced()
+
+
+def _wake_soon() -> None:
+    """Calls _wake(): from a timer where there is a window, else at once, since no timer runs before
+    the script of a command line."""
+    if bpy.app.background:
+        with compat.all_data():
+            _wake()
+    elif not bpy.app.timers.is_registered(_wake):
+        bpy.app.timers.register(_wake, first_interval=0.0)
+
+
 def register() -> None:
     for name, handler in _HANDLERS.items():
         getattr(bpy.app.handlers, name).append(handler)
@@ -193,9 +216,12 @@ def register() -> None:
         )
     )
     compat.remove_handlers_at_exit(_remove_handlers)
+    _wake_soon()
 
 
 def unregister() -> None:
+    if bpy.app.timers.is_registered(_wake):
+        bpy.app.timers.unregister(_wake)
     _remove_handlers()
     hooks.disconnect()
     open_sea.close_all()

@@ -119,7 +119,7 @@ class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
 
 
 class AddModifier(bpy.types.Operator):
-    """Displace the selected meshes by a sea"""
+    """Displace the selected meshes by a sea; an object that had one shows it again"""
 
     bl_idname = "libocean.add_modifier"
     bl_label = "Ocean (libocean)"
@@ -143,8 +143,26 @@ class AddModifier(bpy.types.Operator):
         return True
 
     def execute(self, context):
-        add_modifier(context.object)
-        _start_sea(context.object, DEFAULT_PRESET)
+        ob = context.object
+        if ob.libocean_coast.land is not None or ob.libocean.seabed or ob.libocean.bed_lines:
+            return self._mend_coast(ob)
+        with changes.quiet():
+            if not meshes.is_made(ob.data):
+                ob.libocean.kind = "MESH"
+        add_modifier(ob, ob.libocean.kind)
+        _start_sea(ob, DEFAULT_PRESET)
+        return {"FINISHED"}
+
+    def _mend_coast(self, ob) -> set[str]:
+        """Gives the water of a coast its modifier again."""
+        if not meshes.is_made(ob.data):
+            text = tr(
+                "{} has the sea of a coast, and a mesh of its own: add a coast instead", ob.name
+            )
+            self.report({"ERROR"}, text)
+            return {"CANCELLED"}
+        modifier_groups.add(ob, "Coast", coast_group.get)
+        changes.tell(ob)
         return {"FINISHED"}
 
 

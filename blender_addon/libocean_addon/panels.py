@@ -100,7 +100,7 @@ def _draw_divisors(layout, settings, label: str) -> None:
     if not settings.use_cascade_divisors:
         return
     column = layout.column(align=True)
-    for number in range(settings.cascades):
+    for number in range(min(settings.cascades, parameter_values.DIVISORS)):
         text = "" if number else label
         column.prop(
             settings, "cascade_divisors", index=number, text=text, text_ctxt=translations.SEA

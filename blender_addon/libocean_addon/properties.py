@@ -213,6 +213,8 @@ class OceanSettings(bpy.types.PropertyGroup):
                 ("HORIZON", "Horizon", "Rings around the scene's camera"),
             ],
             default="MESH",
+            options=set(),
+            update=changed,
         ),
         "use_cascade_divisors": bpy.props.BoolProperty(
             name="Own divisors",

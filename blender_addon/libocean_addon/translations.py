@@ -182,6 +182,11 @@ GERMAN = {
         "{}: a draft": "{}: ein Entwurf",
         "{} cascades: maps of {} x {} samples": "{} Kaskaden: Karten von {} x {} Stützstellen",
         "This cannot be shown: {}": "Das kann nicht gezeigt werden: {}",
+        "{} is a mesh of your own, which no patch or horizon replaces: kind MESH shows the sea on "
+        "it": (
+            "{} ist ein Mesh von Ihnen, das weder Feld noch Horizont ersetzt: die Art MESH zeigt "
+            "die See darauf"
+        ),
         # Hints and warnings.
         "Mesh: {:,} vertices": "Mesh: {:,} Punkte",
         "Maps: {} x {} samples, {:,.0f} MB": "Karten: {} x {} Stützstellen, {:,.0f} MB",
@@ -443,9 +448,11 @@ GERMAN = {
             "Größe, Auflösung, Kaskaden oder Region sind animiert: gebacken wird nur je ein Wert"
         ),
         "To write EXR files takes the Python package OpenEXR, which this copy of the add-on does "
-        "not have for Python {}: {}": (
+        "not have for Python {}: {}. The add-on's zip has it; the command ocean bake writes such "
+        "files without it": (
             "EXR-Dateien zu schreiben braucht das Python-Paket OpenEXR, das dieser Kopie des "
-            "Add-ons für Python {} fehlt: {}"
+            "Add-ons für Python {} fehlt: {}. Das Zip des Add-ons hat es; der Befehl ocean bake "
+            "schreibt solche Dateien ohne es"
         ),
         "Which ocean? Make it the active object, or give its name": (
             "Welcher Ozean? Machen Sie ihn zum aktiven Objekt, oder nennen Sie seinen Namen"

@@ -8,6 +8,7 @@ import os
 import shutil
 import subprocess
 import sys
+import types
 from pathlib import Path
 
 import bpy
@@ -683,10 +684,14 @@ def test_the_object_keeps_the_sea_that_its_files_name(sea, tmp_path):
     assert header["ocean:sea"] == str(sea.libocean.bake.sea.encode())
 
 
-def test_a_missing_package_is_told(sea, tmp_path, monkeypatch):
-    monkeypatch.setitem(sys.modules, "OpenEXR", None)
-    assert "takes the Python package OpenEXR" in failing(bpy.ops.libocean.bake)
-    assert not files(tmp_path).exists()
+def test_a_package_that_is_missing_or_not_our_own_is_told(sea, tmp_path, monkeypatch):
+    other = types.ModuleType("OpenEXR")
+    other.__file__ = str(tmp_path / "OpenEXR.so")
+    for found, reason in ((None, "import of OpenEXR halted"), (other, "is not that of the add-on")):
+        monkeypatch.setitem(sys.modules, "OpenEXR", found)
+        said = failing(bpy.ops.libocean.bake)
+        assert "takes the Python package OpenEXR" in said and reason in said
+        assert not files(tmp_path).exists()
 
 
 # Stopping ---------------------------------------------------------------------

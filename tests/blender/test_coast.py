@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from conftest import add_ocean, attribute, evaluated_mesh, positions, rest
 from libocean_addon.bundled import libocean
-from libocean_addon.coast import coast_job, open_coast, panels
+from libocean_addon.coast import coast_job, first_coast, open_coast, panels
 from libocean_addon.sea import live as sea_live
 from libocean_addon.shared import drafts, drawing
 from test_panel import NARROW, ROW, NarrowLayout
@@ -188,6 +188,22 @@ def test_a_region_shows_a_part_at_its_own_cell(coast):
     assert len(settings.land.data.vertices) == 21 * 31
     settings.region = (-500.0, 40.0, 90.0, 100.0)
     assert "reaches beyond" in settings.problem
+
+
+def test_without_a_file_it_is_an_island_that_suits_its_sea(tmp_path, monkeypatch):
+    with libocean.parse(first_coast.values().text()) as sea:
+        state = sea.state
+    assert all("repeat every 600 m" in warning for warning in state["warnings"])
+    assert 0.1 < 1.0 - state["bed"]["wet_share"] < 0.5
+    # A smaller sea over fewer samples is made in no time.
+    small = first_coast._SEA.replace("= 256", "= 64").replace("600.0", "150.0")
+    monkeypatch.setattr(first_coast, "_SEA", small)
+    monkeypatch.setattr(first_coast, "_BED", first_coast._BED.replace("= 512", "= 64"))
+    for filepath in ("", f"{tmp_path}/"):
+        bpy.ops.libocean.add_coast(filepath=filepath, cell=64.0, use_material=False)
+        ob = bpy.context.object
+        assert ob.libocean_coast.problem == "" and ob.libocean.bed_lines
+        assert np.abs(attribute(ob, "ocean_velocity")).max() > 0.1
 
 
 # Values ---------------------------------------------------------------------------

@@ -90,10 +90,11 @@ def test_new_water_comes_before_the_past_of_its_foam(coast, waiting, slow):  # n
     before = positions(coast)
     coast.libocean.waves[0].wind_speed = 6.0
     job = work_on()
-    assert job.is_quick
+    assert job.is_quick and job.progress.share <= 0.5
     job.join()
     drafts.step()
     water = positions(coast)
+    assert work_on().progress.share >= 0.5
     assert drafts.is_draft(coast.name_full) and not np.array_equal(water, before)
     coast.libocean_coast.use_clip = False
     water = positions(coast)

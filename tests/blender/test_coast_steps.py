@@ -101,6 +101,24 @@ def test_a_land_that_is_deleted_stays_away(coast):  # noqa: F811
     assert_is_sea(coast)
 
 
+def test_a_modifier_that_was_removed_comes_back(coast):  # noqa: F811
+    coast.modifiers.clear()
+    bpy.context.view_layer.objects.active = coast
+    assert bpy.ops.libocean.add_modifier() == {"FINISHED"}
+    assert coast.libocean_coast.problem == ""
+    assert_is_sea(coast)
+    assert_is_bed(coast)
+
+
+def test_a_mesh_of_the_user_is_never_replaced_by_a_coast(coast):  # noqa: F811
+    coast.modifiers.clear()
+    coast.data = bpy.data.meshes.new("Own")
+    coast.data.from_pydata([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [], [(0, 1, 2)])
+    with pytest.raises(RuntimeError, match="add a coast instead"):
+        bpy.ops.libocean.add_modifier()
+    assert not coast.modifiers and len(coast.data.vertices) == 3
+
+
 # Files and renders ----------------------------------------------------------------
 
 

@@ -205,6 +205,16 @@ def test_the_console_says_what_is_computed():
     assert console.line(7.0) == ""
 
 
+def test_the_share_of_a_work_of_several_parts_never_falls():
+    said = []
+    with console.work("Water", "water"):
+        for total in (91, 1000, 1000, 501):
+            for done in (0, total // 2, total):
+                console.tell_part(done, total)
+                said.append(float(console.line(1.0).split(", ")[1].rstrip("%")))
+    assert said == sorted(said) and said[0] == 0.0 and 90.0 < said[-1] < 100.0
+
+
 def test_a_line_comes_after_each_interval(monkeypatch, capsys):
     monkeypatch.setattr(console, "INTERVAL", 0.1)
     with console.work("Ocean", "maps"):

@@ -7,10 +7,10 @@ from collections import Counter
 import bpy
 import numpy as np
 import pytest
-from conftest import add_ocean, attribute, evaluated_mesh, positions, rest
+from conftest import add_ocean, attribute, evaluated_mesh, plane, positions, rest
 from libocean_addon.bundled import libocean
-from libocean_addon.sea import atlas, horizon_mesh, ring_nodes
-from libocean_addon.shared import changes
+from libocean_addon.sea import atlas, horizon_mesh, live, ring_nodes
+from libocean_addon.shared import changes, failures
 
 FRAMES = (1, 40, 250)
 ROUND, ODD = 200.0, 137.3
@@ -158,6 +158,56 @@ def test_it_is_the_same_after_reload_undo_and_redo(scene, horizon, tmp_path):
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "shot.blend"))
     assert_rings(bpy.data.objects["Ocean"], sea, (37.1, -12.9), 9 / 24)
+
+
+def test_a_modifier_that_was_removed_comes_back(scene, horizon):
+    ob, sea = horizon()
+    ob.modifiers.clear()
+    assert bpy.ops.libocean.add_modifier() == {"FINISHED"}
+    assert ob.libocean.problem == ""
+    scene.frame_set(10)
+    assert_rings(ob, sea, (37.1, -12.9), 9 / 24)
+
+
+def test_a_patch_becomes_a_horizon_and_a_patch_again(scene, horizon):
+    ob, sea = horizon()
+    ob.libocean.kind = "PATCH"
+    assert ob.libocean.problem == "" and len(ob.data.vertices) == 65**2
+    ob.libocean.kind = "HORIZON"
+    assert ob.libocean.problem == ""
+    scene.frame_set(10)
+    assert_rings(ob, sea, (37.1, -12.9), 9 / 24)
+
+
+def test_a_mesh_of_the_user_is_never_replaced_by_a_horizon(scene):
+    ob = plane(10.0, 4)
+    bpy.ops.libocean.add_modifier()
+    before = rest(ob)
+    ob.libocean.kind = "HORIZON"
+    assert "mesh of your own" in ob.libocean.problem
+    scene.frame_set(2)
+    assert np.array_equal(rest(ob), before)
+    ob.libocean.kind = "MESH"
+    assert ob.libocean.problem == ""
+
+
+def test_what_fails_in_a_handler_is_said_in_the_panel_and_once_in_the_log(
+    scene, horizon, monkeypatch, capfd
+):
+    ob, _ = horizon()
+
+    def fail(*_rest, **_settings):
+        raise KeyError("out of order")
+
+    monkeypatch.setattr(failures, "_told", set())
+    with monkeypatch.context() as patch:
+        patch.setattr(live, "_set_inputs", fail)
+        for frame in (2, 3):
+            scene.frame_set(frame)
+    assert "out of order" in ob.libocean.problem
+    assert capfd.readouterr().err.count("Traceback") == 1
+    scene.frame_set(4)
+    assert ob.libocean.problem == ""
 
 
 def faces_of(mesh) -> list[tuple[int, ...]]:

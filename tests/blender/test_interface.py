@@ -285,6 +285,18 @@ def test_what_the_library_refuses_is_said_in_the_panel(ocean):
     assert ocean.libocean.problem == ""
 
 
+def test_a_value_beyond_its_limits_is_said_and_stays(ocean):
+    system = ocean.libocean.waves[0]
+    system.wind_speed = 500.0
+    assert system.wind_speed == 500.0
+    assert "Wind speed = 500: is out of range; allowed: 0 .. 75 m/s" in ocean.libocean.problem
+    system.wind_speed = 12.0
+    ocean.libocean.cascades = 7
+    assert "Cascades = 7" in ocean.libocean.problem
+    ocean.libocean.cascades = 1
+    assert ocean.libocean.problem == ""
+
+
 def test_messages_speak_of_the_panels_fields(ocean, tmp_path):
     settings = ocean.libocean
     settings.shortest_wavelength = 50.0

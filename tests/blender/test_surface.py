@@ -214,6 +214,18 @@ def test_a_saved_file_opens_with_the_same_surface(scene, load, tmp_path):
     assert_patch(bpy.data.objects["Ocean"], sea, 9 / 24)
 
 
+def test_an_add_on_that_comes_after_the_file_shows_its_sea(scene, load, tmp_path):
+    """As with `blender --background FILE --addons libocean_addon --python SCRIPT`."""
+    ob, sea = patch(load)
+    scene.frame_set(10)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
+    bpy.ops.preferences.addon_disable(module="libocean_addon")
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "shot.blend"))
+    assert np.abs(positions(bpy.data.objects["Ocean"])[:, 2]).max() == 0.0
+    bpy.ops.preferences.addon_enable(module="libocean_addon")
+    assert_patch(bpy.data.objects["Ocean"], sea, 9 / 24)
+
+
 def test_images_that_blender_packed_at_the_end_are_let_go(scene, load, tmp_path):
     """ "Save modified images", when Blender is left, packs what shows a sea into the file."""
     ob, sea = patch(load)

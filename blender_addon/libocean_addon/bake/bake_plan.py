@@ -213,7 +213,8 @@ class Bake(Work):
         except ImportError as failure:
             text = tr(
                 "To write EXR files takes the Python package OpenEXR, which this copy of the "
-                "add-on does not have for Python {}: {}",
+                "add-on does not have for Python {}: {}. The add-on's zip has it; the command "
+                "ocean bake writes such files without it",
                 exr_files.PYTHON,
                 failure,
             )

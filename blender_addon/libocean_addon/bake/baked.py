@@ -71,32 +71,33 @@ def remove_unused(images: set) -> None:
             image.reload()
 
 
-def _change_group(modifier, *, to_baked: bool) -> None:
+def _change_group(ob, modifier, *, to_baked: bool) -> None:
     """Changes the node group of a modifier, and removes the old group's images unless they are in
     use elsewhere."""
     images = _clear_inputs(modifier)
-    kind = node_group.kind_of(modifier.node_group)
-    modifier.node_group = node_group.get(kind, baked=to_baked)
+    modifier.node_group = node_group.get(ob.libocean.kind, baked=to_baked)
     remove_unused(images)
 
 
 def _serves(ob, modifier) -> bool:
-    """Returns whether a modifier shows the sea that the settings choose: live, or the bake of the
-    record."""
-    wanted = ob.libocean.use_bake
-    if node_group.is_baked(modifier.node_group) != wanted:
+    """Returns whether a modifier shows the sea that the settings choose: live, on a mesh of their
+    kind, or the bake of the record."""
+    wanted, group = ob.libocean.use_bake, modifier.node_group
+    if node_group.is_baked(group) != wanted:
         return False
-    if not wanted or not overrides.is_librarys(ob, modifier):
+    if not wanted:
+        return node_group.kind_of(group) == ob.libocean.kind
+    if not overrides.is_librarys(ob, modifier):
         return True
     return overrides.has_librarys_bake(ob)
 
 
 def _change(ob, modifier) -> None:
-    """From live to baked or back, or from the library's bake to that of the shot."""
+    """From live to baked or back, from the library's bake to that of the shot, or to a mesh of
+    another kind."""
     to_baked = ob.libocean.use_bake
     if overrides.is_librarys(ob, modifier):
-        kind = node_group.kind_of(modifier.node_group)
-        overrides.add_own(ob, modifier, node_group.get(kind, baked=to_baked))
+        overrides.add_own(ob, modifier, node_group.get(ob.libocean.kind, baked=to_baked))
         return
     theirs = [
         other
@@ -104,7 +105,7 @@ def _change(ob, modifier) -> None:
         if overrides.is_librarys(ob, other) and _serves(ob, other)
     ]
     if not theirs:
-        _change_group(modifier, to_baked=to_baked)
+        _change_group(ob, modifier, to_baked=to_baked)
         return
     images = _clear_inputs(modifier)
     ob.modifiers.remove(modifier)
@@ -160,7 +161,7 @@ def upgrade(ob) -> None:
     for modifier in node_group.modifiers(ob):
         if node_group.is_old(modifier.node_group):
             playing = node_group.is_baked(modifier.node_group)
-            _change_group(modifier, to_baked=playing)
+            _change_group(ob, modifier, to_baked=playing)
             if playing:
                 _set_inputs(ob, modifier)
     modifiers = node_group.modifiers(ob)
@@ -169,8 +170,8 @@ def upgrade(ob) -> None:
 
 
 def follow(ob, modifiers) -> bool:
-    """Brings the ocean modifiers of an object in line with `use_bake` and the settings. Returns
-    whether one was changed from live to baked or back: look the modifiers up again then."""
+    """Brings the ocean modifiers of an object in line with `kind`, `use_bake` and the settings.
+    Returns whether one got another node group: look the modifiers up again then."""
     settings = ob.libocean
     if not bake_record.exists(ob):
         if settings.use_bake:

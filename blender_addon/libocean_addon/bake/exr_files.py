@@ -28,7 +28,7 @@ from ..sea import atlas
 from ..terrain.extent import Extent
 
 try:
-    from ..legacy.packages import load
+    from ..legacy.packages import load_bundled as load
 except ModuleNotFoundError:  # in the extension, whose wheels Blender has installed
     load = importlib.import_module
 

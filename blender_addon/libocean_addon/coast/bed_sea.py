@@ -45,14 +45,18 @@ class BedSea:
             self.sea.set_all(dict(values.by_name().items() - before.by_name().items()))
         else:
             opened = libocean.parse(
-                values.text(), base_dir=base_dir, progress=drafts.tell_watcher_of_share
+                values.text(), base_dir=base_dir, progress=drafts.tell_watcher_of_part
             )
             self.close()
             self.sea = opened
         state = self.sea.state
         if "bed" not in state:
             raise libocean.Error(
-                tr("The sea has no bed: choose a file for Sea bed, or load a sea that has one"), 0
+                tr(
+                    "The sea has no bed: choose a terrain file or an elevation model for Sea bed, "
+                    "or load a sea that has one"
+                ),
+                0,
             )
         self.own = extent_of(values.values["seabed_origin"], state)
         self.values, self.state = values, state

@@ -18,6 +18,7 @@ from ..sea.sea_text import SeaValues
 from ..shared import drafts, images
 from ..shared.compat import tr_label
 from ..shared.native import libocean
+from ..shared.progress import Progress
 from ..terrain import extent as extents
 from ..terrain.extent import Extent, ExtentError
 from .bed_sea import BedSea
@@ -141,6 +142,7 @@ class CoastJob(drafts.Job):
         super().__init__(key)
         self.lent, self.values, self.base_dir, self.view = lent, values, base_dir, view
         self.is_quick = False
+        self.progress = Progress()
         self.bed_known: Extent | None = None
         """The samples on which the bed of these values is known."""
         self.bed: Bed | None = None
@@ -170,6 +172,15 @@ class CoastJob(drafts.Job):
     def _require_wanted(self) -> None:
         if self.is_cancelled():
             raise drafts.CancelledError
+
+    @property
+    def share(self) -> float:
+        """Returns the finished share of water and foam, 0 .. 1."""
+        return self.progress.share
+
+    def _watch(self, done: int, total: int) -> None:
+        self.progress.note(done, total)
+        super()._watch(done, total)
 
     def close(self) -> None:
         if not self._is_owned():

@@ -25,14 +25,22 @@ TEXTS = {
     "{}: waves over the bed, {:.0%}": "{}: Wellen über dem Grund, {:.0%}",
     "{}: water and foam, {:.0%}": "{}: Wasser und Schaum, {:.0%}",
     "The active object has a coast": "Das aktive Objekt hat eine Küste",
-    "The active object is no water of a coast": "Das aktive Objekt ist kein Wasser einer Küste",
+    "The active object is no water of a coast; Object > Ocean mends one whose modifier was "
+    "removed": (
+        "Das aktive Objekt ist kein Wasser einer Küste; Objekt > Ozean flickt eines, dessen "
+        "Modifikator entfernt wurde"
+    ),
+    "{} has the sea of a coast, and a mesh of its own: add a coast instead": (
+        "{} hat die See einer Küste und ein eigenes Mesh: fügen Sie statt dessen eine Küste hinzu"
+    ),
     "At {:.1f}, {:.1f} m {} shows no water": "Bei {:.1f}, {:.1f} m zeigt {} kein Wasser",
     "At {:.1f}, {:.1f} m {} is dry land, {:.1f} m over water": (
         "Bei {:.1f}, {:.1f} m ist {} trockenes Land, {:.1f} m über dem Wasser"
     ),
-    "The sea has no bed: choose a file for Sea bed, or load a sea that has one": (
-        "Die See hat keinen Grund: wählen Sie eine Datei für Meeresgrund, oder laden Sie eine See, "
-        "die einen hat"
+    "The sea has no bed: choose a terrain file or an elevation model for Sea bed, or load a sea "
+    "that has one": (
+        "Die See hat keinen Grund: wählen Sie eine Geländedatei oder ein Höhenmodell für "
+        "Meeresgrund, oder laden Sie eine See, die einen hat"
     ),
     "{}: the sea has no bed: a coast needs seabed in [water]": (
         "{}: die See hat keinen Grund: eine Küste braucht seabed in [water]"

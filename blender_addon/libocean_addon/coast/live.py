@@ -18,7 +18,7 @@ import bpy
 from ..sea import live as sea_live
 from ..sea import messages
 from ..sea.live import Moment
-from ..shared import console, drafts, hooks, images, meshes, modifier_groups
+from ..shared import console, drafts, failures, hooks, images, meshes, modifier_groups
 from ..shared.native import libocean
 from ..terrain.extent import Extent, ExtentError
 from . import coast_bake, land, land_nodes, node_group
@@ -52,6 +52,8 @@ def show(ob, depsgraph, moment: Moment) -> None:
         problem = messages.of_error(failure, len(values.waves))
     except MemoryError as failure:
         problem = type(failure).__name__
+    except Exception as failure:  # a fault of the add-on, which ends neither a frame nor an edit
+        problem = failures.sentence(failure)
     if settings.problem != problem:
         settings.problem = problem
 

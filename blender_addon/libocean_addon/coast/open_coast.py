@@ -19,6 +19,7 @@ from ..sea import messages
 from ..sea.sea_text import SeaValues
 from ..shared import drafts, images
 from ..shared.open_by_object import OpenByObject
+from ..shared.progress import Progress
 from ..terrain.extent import Extent
 from .bed_sea import BedSea
 from .coast_job import Bed, CoastJob, Maps, View, fill_maps, make_bed
@@ -247,6 +248,10 @@ class OpenCoast:
         )
         # Foam and wet ground wait for their past, which the water of another sea does not.
         job.is_quick = self._prepared != self.changes and bool(_pasts(view))
+        if job.is_quick:
+            job.progress = Progress(0.0, 0.5)
+        elif self._draft is not None and self._draft.key == job.key:
+            job.progress = Progress(0.5, 1.0)
         if self._bed_of is not None and self._bed_of[:-1] == self._bed_words():
             job.bed_known = self._bed_of[-1]
         if job.bed_known is not None:

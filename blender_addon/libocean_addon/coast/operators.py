@@ -18,7 +18,7 @@ from ..shared import changes, console, modifier_groups, paths
 from ..shared.compat import tr
 from ..shared.messages import of_file
 from ..shared.native import libocean
-from . import land, node_group
+from . import first_coast, land, node_group
 from .open_coast import coast_of
 
 DEFAULT_PRESET = "beaufort_5"
@@ -70,13 +70,19 @@ class OnCoast:
     def poll(cls, context) -> bool:
         if context.object is not None and node_group.modifiers(context.object):
             return True
-        cls.poll_message_set(tr("The active object is no water of a coast"))
+        cls.poll_message_set(
+            tr(
+                "The active object is no water of a coast; Object > Ocean mends one whose modifier "
+                "was removed"
+            )
+        )
         return False
 
 
 class AddCoast(bpy.types.Operator, ImportHelper, object_utils.AddObjectHelper):
     """Add a coast: the water of a sea file that has a bed, and the land. A file that holds a bed
-    alone gets the sea of the active object, or a moderate one"""
+    alone, a terrain or an elevation model, gets the sea of the active object, or a moderate one.
+    Without a file an island is made"""
 
     bl_idname = "libocean.add_coast"
     bl_label = "Coast"
@@ -105,8 +111,12 @@ class AddCoast(bpy.types.Operator, ImportHelper, object_utils.AddObjectHelper):
     water_type: water_material.water_type_property()
 
     def execute(self, context):
+        has_file = self.filepath and not paths.absolute(self.filepath).is_dir()
         try:
-            values = read(self.filepath, context.object, context.scene)
+            if has_file:
+                values = read(self.filepath, context.object, context.scene)
+            else:
+                values = first_coast.values()
         except libocean.Error as failure:
             self.report({"ERROR"}, str(failure))
             return {"CANCELLED"}
@@ -141,8 +151,8 @@ class AddCoast(bpy.types.Operator, ImportHelper, object_utils.AddObjectHelper):
 
 
 class LoadCoast(OnCoast, bpy.types.Operator, ImportHelper):
-    """Load the sea of a sea file that has a bed; a file that holds a bed alone lays it below the
-    present sea"""
+    """Load the sea of a sea file that has a bed; a file that holds a bed alone, a terrain or an
+    elevation model, lays it below the present sea"""
 
     bl_idname = "libocean.load_coast"
     bl_label = "Load Coast"

@@ -20,7 +20,8 @@ import bpy
 from ..bake import baked
 from ..bake.baked_nodes import COVER_POWER
 from ..look import detail, sun_focus
-from ..shared import console, drafts, hooks, images, meshes, modifier_groups
+from ..shared import console, drafts, failures, hooks, images, meshes, modifier_groups
+from ..shared.compat import tr_label
 from ..shared.native import libocean
 from . import atlas, horizon_mesh, messages, node_group, parameter_values, sea_text
 from .ocean import Ocean, look_up
@@ -82,12 +83,13 @@ def _targets(ob, modifier, size: int, *, render: bool, shared: bool, draft: bool
         "Velocity": settings.use_velocity and not draft,
         "Normal": settings.use_normal and not draft,
     }
+    is_horizon = node_group.kind_of(modifier.node_group) == "HORIZON"
     targets = {}
     for field, used in wanted.items():
         if not used:
             continue
         shapes = {field: (size, size)}
-        if settings.kind == "HORIZON":
+        if is_horizon:
             shapes[node_group.far_image(field)] = atlas.shape(size)
         for name, shape in shapes.items():
             targets[name] = _target(ob.name, modifier, name, shape, BLANKS[field], render, shared)
@@ -131,8 +133,16 @@ def show(ocean: Ocean, depsgraph, moment: Moment) -> None:
         ocean.sea.follow(values)
         for modifier in modifiers:
             _show_in(ocean, seen, modifier, moment)
+        if ob.libocean.kind != "MESH" and not meshes.is_made(ob.data):
+            problem = tr_label(
+                "{} is a mesh of your own, which no patch or horizon replaces: kind MESH shows the "
+                "sea on it",
+                ob.data.name,
+            )
     except libocean.Error as failure:
         problem = messages.of_error(failure, len(values.waves))
+    except Exception as failure:  # a fault of the add-on, which ends neither a frame nor an edit
+        problem = failures.sentence(failure)
     if ob.libocean.problem != problem:
         ob.libocean.problem = problem
 
@@ -301,6 +311,8 @@ def follow_mesh(ob, *, draft: bool = False) -> None:
     with console.work(ob.name_full, "mesh"):
         if settings.kind == "MESH":
             meshes.label_users(ob.data, period)
+        elif not meshes.is_made(ob.data):
+            return
         elif settings.kind == "PATCH":
             samples = settings.mesh_resolution or meshes.automatic(own)
             meshes.follow_patch(ob, period, samples, draft=draft)

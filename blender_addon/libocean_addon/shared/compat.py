@@ -8,9 +8,10 @@ import atexit
 import contextlib
 import ctypes
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import _bpy
 import blf
 import bpy
 
@@ -319,6 +320,17 @@ def text_width(text: str) -> float:
 
 
 # The add-on -------------------------------------------------------------------
+
+
+@contextlib.contextmanager
+def all_data() -> Iterator[None]:
+    """Gives bpy.data and bpy.context back, which Blender withholds while an add-on registers."""
+    withheld = bpy.data, bpy.context
+    bpy.data, bpy.context = _bpy.data, _bpy.context
+    try:
+        yield
+    finally:
+        bpy.data, bpy.context = withheld
 
 
 def remove_handlers_at_exit(remove: Callable[[], None]) -> None:

@@ -15,11 +15,14 @@ from collections.abc import Callable, Iterator
 
 import bpy
 
+from .progress import Progress
+
 INTERVAL = 2.0  # [s] from line to line; shorter work says nothing
 
 _works: list[tuple[str, str | Callable[[], str]]] = []  # the outermost first
 _ticks: tuple[int, int] | None = None
 _share: float | None = None
+_progress = Progress()  # of innermost work in several parts
 
 
 def tell(done: int, total: int) -> None:
@@ -32,6 +35,12 @@ def tell_share(done: int, total: int) -> None:
     """Notes the share of the innermost work that is done."""
     global _share
     _share = done / total if total > 0 else None
+
+
+def tell_part(done: int, total: int) -> None:
+    """Notes the share that is done of a part of the innermost work."""
+    _progress.note(done, total)
+    tell_share(round(1000 * _progress.share), 1000)
 
 
 def line(seconds: float) -> str:
@@ -62,7 +71,7 @@ def _print_lines(ended: threading.Event) -> None:
 def work(name: str, said: str | Callable[[], str]) -> Iterator[None]:
     """Prints lines about this work while it lasts; with a window none. name: the full name of an
     object; said: the work, or a function that says it. Works may be nested."""
-    global _ticks, _share
+    global _ticks, _share, _progress
     if not bpy.app.background or threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -71,7 +80,7 @@ def work(name: str, said: str | Callable[[], str]) -> Iterator[None]:
         ended = threading.Event()
         printer = threading.Thread(target=_print_lines, args=(ended,), daemon=True)
         printer.start()
-    before, _ticks, _share = _ticks, None, None
+    before, _ticks, _share, _progress = _ticks, None, None, Progress()
     _works.append((name, said))
     try:
         yield

@@ -152,6 +152,11 @@ def tell_watcher_of_share(done: int, total: int) -> None:
     watchers.get(threading.get_ident(), console.tell_share)(done, total)
 
 
+def tell_watcher_of_part(done: int, total: int) -> None:
+    """The same for handles that report the share of each part of their work."""
+    watchers.get(threading.get_ident(), console.tell_part)(done, total)
+
+
 @dataclasses.dataclass
 class _Wish:
     key: tuple

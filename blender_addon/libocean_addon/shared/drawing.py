@@ -5,12 +5,11 @@
 from __future__ import annotations
 
 import functools
-import traceback
 
 import bpy
 
 from .. import translations
-from . import compat
+from . import compat, failures
 from .compat import tr_label
 
 # Pixels at a resolution scale of 1, counted in pictures of a properties editor.
@@ -23,8 +22,6 @@ BUTTON = 26
 """The width of a button that has an icon alone."""
 _ANY_WIDTH = 600  # where the width is unknown
 
-_told: set[str] = set()
-
 
 def never_raises(draw):
     """Wraps a draw function so that an exception becomes a line of the panel: Blender would leave
@@ -35,11 +32,7 @@ def never_raises(draw):
         try:
             draw(self, context)
         except Exception as failure:
-            text = f"{type(failure).__name__}: {failure}"
-            if text not in _told:
-                _told.add(text)
-                traceback.print_exc()
-            say(self.layout, tr_label("This cannot be shown: {}", text), "ERROR")
+            say(self.layout, failures.sentence(failure), "ERROR")
 
     return drawn
 
@@ -65,6 +58,7 @@ def place_labels(layout) -> None:
 _LABEL = 0.38  # of a row: the label before a list, a path or an object
 _FIELD = 24  # pixels of a field beside its text: edges, arrow
 _ROW = 35  # pixels of a region beside its rows
+_ARROWS = 40  # pixels of a number's field beside its text
 
 
 def _choices(owner, name: str) -> list[str]:
@@ -104,6 +98,23 @@ def field(layout, owner, name: str, *, text: str | None = None, context: str = "
         return
     label = bpy.app.translations.pgettext_iface(label, context)
     beside(layout, label, _choices(owner, name)).prop(owner, name, text="")
+
+
+def number(layout, owner, name: str, text: str, context: str) -> None:
+    """Draws the field of a number with a label of this context, in a narrow editor inside or, where
+    label and value would be cut, above it."""
+    found, value = owner.bl_rna.properties[name], getattr(owner, name)
+    label = bpy.app.translations.pgettext_iface(text, context)
+    shown = bpy.utils.units.to_string("METRIC", found.unit, value, precision=3)
+    if found.type == "FLOAT" and found.unit == "NONE":
+        shown = f"{value:.3f}"
+    fits = compat.text_width(label + shown) <= width() - _ROW - _ARROWS
+    if fits or not is_narrow():
+        layout.prop(owner, name, text=text, text_ctxt=context)
+        return
+    column = layout.column(align=True)
+    column.label(text=label, translate=False)
+    column.prop(owner, name, text="")
 
 
 def mask_field(layout, settings, ob) -> None:
@@ -151,6 +162,10 @@ def say(layout, text: str, icon: str = "NONE", *, beside: float = 0.0) -> None:
 def say_state(box, state: list[tuple[str, str]]) -> None:
     """Draws a line for each label and its text."""
     for label, text in state:
+        if is_narrow():
+            label = bpy.app.translations.pgettext_iface(label, translations.SEA)
+            say(box, f"{label}: {text}")
+            continue
         row = box.split(factor=0.62)
         row.label(text=label, text_ctxt=translations.SEA)
         row.label(text=text, translate=False)

@@ -160,6 +160,12 @@ def samples_of(mesh) -> int | None:
     return int(words[2]) if words and words[0] == "patch" else None
 
 
+def is_made(data) -> bool:
+    """Returns whether the add-on made an object's data, a mesh, or may make it: it is empty yet.
+    What a user made is never replaced."""
+    return bool(made_of(data)) or is_empty(data)
+
+
 def is_empty(mesh) -> bool:
     """Returns whether a mesh has not been made yet."""
     return isinstance(mesh, bpy.types.Mesh) and len(mesh.vertices) == 0

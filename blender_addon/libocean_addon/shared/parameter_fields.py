@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from .. import translations
 from . import resolutions
-from .drawing import field, is_narrow
+from .drawing import field, is_narrow, number
 from .parameter_table import ParameterTable, is_optional
 
 
@@ -18,23 +18,25 @@ def draw(layout, group, entry: dict, table: ParameterTable, label: str) -> None:
         _draw_switched(layout, group, entry, label)
         return
     key = resolutions.listed(key) if key in table.resolutions else key
-    has_place = group.bl_rna.properties[key].type in ("INT", "FLOAT", "BOOLEAN")
-    if has_place:
+    kind = group.bl_rna.properties[key].type
+    if kind in ("INT", "FLOAT") and entry["type"] in ("int", "float"):
+        number(layout, group, key, label, translations.SEA)
+    elif kind in ("INT", "FLOAT", "BOOLEAN"):
         layout.prop(group, key, text=label, text_ctxt=translations.SEA)
     else:
         field(layout, group, key, text=label, context=translations.SEA)
 
 
 def _draw_switched(layout, group, entry: dict, label: str) -> None:
-    key, inside = entry["key"], is_narrow()
-    row = layout.row(heading="" if inside else label, heading_ctxt=translations.SEA)
-    row.prop(group, f"use_{key}", text="")
-    value = row.row()
-    value.active = getattr(group, f"use_{key}")
-    if entry["type"] != "numbers":
-        value.prop(group, key, text=label if inside else "", text_ctxt=translations.SEA)
-        return
-    column = value.column(align=True)
-    for index in range(group.bl_rna.properties[key].array_length):
-        text = label if inside and index == 0 else ""
-        column.prop(group, key, index=index, text=text, text_ctxt=translations.SEA)
+    """Draws a switch and its value: beside each other, or below where it is narrow."""
+    key, switch, is_pair = entry["key"], f"use_{entry['key']}", entry["type"] == "numbers"
+    if is_narrow():
+        row = layout.column(align=True)
+        row.prop(group, switch, text=label, text_ctxt=translations.SEA)
+    else:
+        row = layout.row(heading=label, heading_ctxt=translations.SEA)
+        row.prop(group, switch, text="")
+    value = row.column(align=True)
+    value.active = getattr(group, switch)
+    for index in range(group.bl_rna.properties[key].array_length) if is_pair else (-1,):
+        value.prop(group, key, index=index, text="")

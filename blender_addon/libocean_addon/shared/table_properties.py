@@ -58,8 +58,9 @@ def _label(choice: str) -> str:
 
 
 def _number_limits(entry: dict[str, Any]) -> dict[str, Any]:
-    keys = ("min", "max", "soft_min", "soft_max")
-    limits = {key: entry[key] for key in keys if entry.get(key) is not None}
+    """Returns the limits of a slider. Those of the parameter are the library's, whose sentence the
+    panel shows: Blender would take another value instead without a word."""
+    limits = {key: entry[key] for key in ("soft_min", "soft_max") if entry.get(key) is not None}
     if entry["type"] == "int":
         limits = {key: max(-(2**31), min(2**31 - 1, value)) for key, value in limits.items()}
     return limits

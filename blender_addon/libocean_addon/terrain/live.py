@@ -15,7 +15,7 @@ import threading
 import bpy
 
 from ..sea import node_group as sea_group
-from ..shared import changes, console, drafts, images, meshes, modifier_groups
+from ..shared import changes, console, drafts, failures, images, meshes, modifier_groups
 from ..shared.native import libocean
 from . import camera_mesh, node_group
 from .camera_mesh import CameraView
@@ -47,6 +47,8 @@ def show(ob, depsgraph=None, *, moving: bool = False, again: bool = False) -> No
         problem = str(failure)
     except (libocean.Error, MemoryError) as failure:
         problem = WORDS.of_error(failure, len(values.layers)) or type(failure).__name__
+    except Exception as failure:  # a fault of the add-on, which ends neither a frame nor an edit
+        problem = failures.sentence(failure)
     if settings.problem != problem:
         settings.problem = problem
 
