@@ -113,14 +113,14 @@ def test_work_is_stopped_and_finished_by_its_buttons(terrain, waiting):
 def test_a_job_is_cancelled_between_its_parts(terrain, waiting, monkeypatch):
     terrain.libocean_terrain.seed = 3  # else the job would take the maps that there are
     job = open_terrain.terrain_of(terrain.name_full).job()
-    fill, filled = job.terrain.fill, []
+    fill, filled = type(job.terrain).fill, []
 
-    def fill_and_cancel(maps) -> None:
-        fill(maps)
+    def fill_and_cancel(filling, maps) -> None:
+        fill(filling, maps)
         filled.append(True)
         job.cancel()
 
-    monkeypatch.setattr(job.terrain, "fill", fill_and_cancel)
+    monkeypatch.setattr(type(job.terrain), "fill", fill_and_cancel)
     job.start()
     job.join()
     assert filled and isinstance(job.failure, drafts.CancelledError)
