@@ -14,7 +14,7 @@ namespace ocean::bench {
 
 namespace {
 
-/// What a frame writes, by the kernel's own outputs.
+/// Describes a frame by what it writes.
 struct TrafficFrame {
     const char* name;
     std::vector<MapOutput> outputs;

@@ -116,9 +116,8 @@ void write_povray_coast(const PovrayCoastRequest& request, const Context& contex
         foreign_frames_warning(existing, open.all_frames, request.folder + "/ocean.ini");
     if (!warning.empty()) context.console.warning(warning);
     BakeForecast beside = forecast_folder(files, request.folder);
-    const BakeForecast more = forecast_bake(coast), baked = forecast_bake(open);
-    beside.files.insert(beside.files.end(), more.files.begin(), more.files.end());
-    beside.bytes += more.bytes;
+    add_files(beside, forecast_bake(coast));
+    const BakeForecast baked = forecast_bake(open);
     if (request.dry_run) return show_forecast(baked, beside, context.console);
     report_forecast(baked, beside, context.console);
     write_folder(files, request.folder, context);

@@ -63,6 +63,11 @@ BakeForecast forecast_folder(const std::vector<FolderFile>& files, const std::st
     return forecast;
 }
 
+void add_files(BakeForecast& forecast, const BakeForecast& more) {
+    forecast.files.insert(forecast.files.end(), more.files.begin(), more.files.end());
+    forecast.bytes += more.bytes;
+}
+
 void write_folder(const std::vector<FolderFile>& files, const std::string& folder,
                   const Context& context) {
     io::make_folder(folder);

@@ -31,6 +31,8 @@ void refuse_large_mesh(int resolution);
 void refuse_to_replace_others(const std::vector<FolderFile>& files, const std::string& folder,
                               const InputFiles& inputs);
 BakeForecast forecast_folder(const std::vector<FolderFile>& files, const std::string& folder);
+/// Adds the files and bytes of another forecast.
+void add_files(BakeForecast& forecast, const BakeForecast& more);
 /// Writes the files, but keeps the user's, and creates the folder. Throws Error output.
 void write_folder(const std::vector<FolderFile>& files, const std::string& folder,
                   const Context& context);

@@ -120,11 +120,7 @@ void write_povray_terrain(const PovrayTerrainRequest& request, const Context& co
     io::require_folder(request.folder);
     report_cost(request, plan, context.console);
     BakeForecast beside = forecast_folder(files, request.folder);
-    for (std::size_t i = 1; i < plans.size(); ++i) {
-        const BakeForecast more = forecast_bake(plans[i]);
-        beside.files.insert(beside.files.end(), more.files.begin(), more.files.end());
-        beside.bytes += more.bytes;
-    }
+    for (std::size_t i = 1; i < plans.size(); ++i) add_files(beside, forecast_bake(plans[i]));
     const BakeForecast baked = forecast_bake(plan);
     if (request.dry_run) return show_forecast(baked, beside, context.console);
     report_forecast(baked, beside, context.console);
