@@ -46,10 +46,10 @@ vec3 mirrored_sky(vec3 to_eye, vec2 lean, vec2 deviation, float across) {
 }
 
 #if COAST
-// Returns the light that leaves the bed below a fragment. passed: the share of it that arrives.
-vec3 bed_light(Water state, vec3 to_eye, vec3 passed) {
+// Returns the light that leaves the bed below a fragment. shown: the share of it that the eye sees.
+vec3 bed_light(Water state, vec3 to_eye, vec3 shown) {
     float focus = 1.0;
-    bool is_seen = max(passed.r, max(passed.g, passed.b)) > 0.01 && state.open < 1.0;
+    bool is_seen = max(shown.r, max(shown.g, shown.b)) > 0.02 && state.open < 1.0;
     if (is_seen && sun.w > 0.0 && sun.z > 0.1) {
         focus = caustic(label, to_eye, max(state.depth, 0.0), state.footprint);
     }
@@ -90,7 +90,8 @@ vec3 shaded(Water state, Foam froth, vec2 froth_slope) {
     // The way down is that of a high sun; the way up leans as refraction lets it.
     float refracted = sqrt(1.0 - (1.0 - mean_cosine * mean_cosine) / (water.w * water.w));
     passed = exp(-loss.rgb * max(state.depth, 0.0) * (1.1 + 1.0 / refracted));
-    vec3 body = mix(albedo * light_from_above(), bed_light(state, to_eye, passed), passed);
+    vec3 shown = passed * (1.0 - reflected) * (1.0 - froth.white);
+    vec3 body = mix(albedo * light_from_above(), bed_light(state, to_eye, shown), passed);
 #else
     vec3 body = albedo * light_from_above();
 #endif

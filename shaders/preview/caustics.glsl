@@ -12,8 +12,7 @@
 
 // Returns the slope of the windows at a label, in the mean over a circle [m].
 vec2 window_slope(vec2 at, float width) {
-    Footprint circle = Footprint(vec2(width, 0.0), vec2(0.0, width), vec2(width, 0.0), width);
-    return coast_mean(coast_gradients, coast_reads(at), circle).xy;
+    return coast_mean(coast_gradients, coast_reads(at), width).xy;
 }
 
 // Returns the slope of the waves that are shorter.

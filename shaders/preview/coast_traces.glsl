@@ -18,3 +18,15 @@ vec4 coast_mean(sampler2DArray images, CoastReads reads, Footprint footprint) {
     }
     return sum;
 }
+
+// Returns the same over a circle of that diameter [m], for which one read a window is enough.
+vec4 coast_mean(sampler2DArray images, CoastReads reads, float width) {
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < reads.count; ++i) {
+        vec4 window = coast_window[reads.window[i]];
+        vec2 place = (reads.place[i] + 0.5) / window.w;
+        float level = log2(max(width * window.z, 1.0));
+        sum += reads.share[i] * textureLod(images, vec3(place, float(reads.window[i])), level);
+    }
+    return sum;
+}

@@ -553,7 +553,7 @@ class Hand:
             "XDG_STATE_HOME": str(folder / "state"),
         }
         command = [PREVIEW, "sea.toml", "--samples", "1", "--foam-map", "128", "-v"]
-        command += options or ["--size", SIZE]
+        command += options
         self.program = subprocess.Popen(
             command, cwd=folder, env=self.environment, stderr=subprocess.PIPE, text=True
         )
@@ -697,14 +697,15 @@ class Hand:
 
 
 @pytest.fixture
-def hand(folder, display):
+def hand(request, folder, display):
+    """Of a window that has room for the panel, or of the size that the test asks for."""
     if shutil.which("xdotool") is None:
         pytest.fail("xdotool is needed")
     programs = []
     try:
         used = Hand.__new__(Hand)
         programs.append(used)
-        used.__init__(folder, display)
+        used.__init__(folder, display, "--size", getattr(request, "param", SIZE))
         yield used
     finally:
         for used in programs:
@@ -715,7 +716,7 @@ def hand(folder, display):
 
 
 # Places in the panel of the window, and beside it.
-SIZE = "640x723"
+SIZE = "400x723"
 WIND_SPEED = (90, 682)
 COMPUTED_BY = (90, 613)
 SAVE_SEA = (48, 218)
@@ -725,7 +726,7 @@ BRIDGE_ADDRESS = (90, 563)
 DUMMY_BOARD = (25, 609)
 BRIDGE_START = (145, 609)  # and restart
 BRIDGE_STOP = (207, 609)
-BESIDE = (560, 600)
+BESIDE = (388, 600)
 
 
 def test_a_hand_uses_the_window(hand):
@@ -738,7 +739,7 @@ def test_a_hand_uses_the_window(hand):
     hand.do("keyup", "w")
     moved = hand.at_rest()
     assert rms(first, moved) > 0.01
-    hand.drag(500, 400, 600, 380)
+    hand.drag(375, 400, 395, 380)
     assert rms(hand.at_rest(), moved) > 0.02
     hand.key("v")
     assert rms(hand.at_rest(), moved) > 0.1  # heights
@@ -820,6 +821,7 @@ def title_width(picture: numpy.ndarray, row: int) -> int:
     return bar[-1] - bar[0] + 1
 
 
+@pytest.mark.parametrize("hand", ["640x723"], indirect=True)
 def test_the_panel_follows_the_window_to_another_screen(hand):
     """Twice as large it is the same: letters of 26 pixels have the outlines of those of 13, and no
     grey ones, which letters that are stretched have."""
@@ -880,6 +882,7 @@ def test_a_scale_is_asked_for(folder, display):
     assert done.returncode == 2 and "--scale is for the window" in done.stderr
 
 
+@pytest.mark.parametrize("hand", ["200x150"], indirect=True)  # nobody clicks
 def test_a_hand_uses_a_gamepad_and_a_joystick(hand):
     hand.key("space")
     still = hand.at_rest()
