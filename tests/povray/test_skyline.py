@@ -82,7 +82,7 @@ object {{ Ocean_View(Eye, Target, {ANGLE}, 1) pigment {{ rgb 0 }} }}""",
 
 
 def test_the_row_of_the_horizon_has_no_spots(choppy):
-    """There the mesh hides all slopes, and each pixel shows the mean of the sky that they mirror."""
+    """There the mesh hides all slopes, and pixels show the mean of the sky that these mirror."""
     choppy.run(
         """global_settings { assumed_gamma 1.0 }
 Ocean_Load("sea_0001")
