@@ -132,6 +132,22 @@ def test_the_ground_is_as_wet_as_in_the_region(coast):
     assert told[-1] == 0, "outside of the map"
 
 
+def test_damp_sand_is_nearly_as_dark_as_wet_sand(coast):
+    """Linear albedos of a beach for the wetness of dry, damp (the 2 % run-up) and wet ground."""
+    x, z = 145, 100
+    scene = '#include "functions.inc"\n' + tell(f"Terrain_Beach({x}, {z})")
+    for wetness in (0, 0.5, 1):
+        scene += f"""#ifdef(Terrain_Wetted) #undef Terrain_Wetted #end
+#declare Terrain_Wetted = function(x, z) {{ {wetness} }}
+#declare Seen = eval_pigment(Terrain_Cover(1e4), <{x}, Terrain_Height({x}, {z}), {z}>);
+""" + tell("Seen.green")
+    beach, dry, damp, wet = floats_of(coast.run(scene))
+    print(f"beach {beach}, albedo dry {dry:.3f}, damp {damp:.3f}, wet {wet:.3f}")
+    assert beach > 0.9
+    assert 0.4 < wet / dry < 0.6
+    assert wet < damp < 0.6 * dry
+
+
 def test_the_map_fades_into_the_open_sea_and_ends_on_the_side_of_the_bed(coast):
     inside, outside = 1e-4, -1e-4
     pairs = []
