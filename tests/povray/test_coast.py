@@ -132,6 +132,22 @@ def test_the_ground_is_as_wet_as_in_the_region(coast):
     assert told[-1] == 0, "outside of the map"
 
 
+def test_damp_sand_is_nearly_as_dark_as_wet_sand(coast):
+    """Linear albedos of a beach for the wetness of dry, damp (the 2 % run-up) and wet ground."""
+    x, z = 145, 100
+    scene = '#include "functions.inc"\n' + tell(f"Terrain_Beach({x}, {z})")
+    for wetness in (0, 0.5, 1):
+        scene += f"""#ifdef(Terrain_Wetted) #undef Terrain_Wetted #end
+#declare Terrain_Wetted = function(x, z) {{ {wetness} }}
+#declare Seen = eval_pigment(Terrain_Cover(1e4), <{x}, Terrain_Height({x}, {z}), {z}>);
+""" + tell("Seen.green")
+    beach, dry, damp, wet = floats_of(coast.run(scene))
+    print(f"beach {beach}, albedo dry {dry:.3f}, damp {damp:.3f}, wet {wet:.3f}")
+    assert beach > 0.9
+    assert 0.4 < wet / dry < 0.6
+    assert wet < damp < 0.6 * dry
+
+
 def test_the_map_fades_into_the_open_sea_and_ends_on_the_side_of_the_bed(coast):
     inside, outside = 1e-4, -1e-4
     pairs = []
@@ -192,6 +208,27 @@ def test_no_ray_that_must_meet_water_misses_it(coast, eye, forward):
     print(eye, int(floats_of(log)[0]), "vertices", red, green, blue)
     assert not (below[:, :, 0] > 0.5).any()
     assert green > 0.01 and blue > 0.1 and floats_of(log)[0] < 20000
+
+
+def test_the_water_has_one_tone_on_both_sides_of_the_border_of_the_map(coast):
+    """Seen along the western border, which lies in the middle column, 100 .. 300 m away."""
+    coast.run(
+        """global_settings { assumed_gamma 1.0 max_trace_level 6 }
+#declare Eye = <-60, 12, 60>;
+#declare Target = Eye + <0, -0.06, 1>;
+camera { location Eye right x*image_width/image_height angle 40 look_at Target }
+Ocean_Eye_At(Eye, 40) Ocean_Sun(40, -90) Ocean_Sky(0)
+object { Ocean_Coast_Beyond(Eye, Target, 40, 0.5) Ocean_Material("jerlov_3c") no_reflection }
+object { Ocean_Coast_Water(Eye, Target, 40, 0.5) Ocean_Coast_Material("jerlov_3c") no_reflection }
+""",
+        width=96,
+        height=54,
+    )
+    rows = slice(27 - 12, 27 + 1)
+    image = read_png(coast.path / "out.png")[rows, :, :3]
+    outside, inside = image[:, 30:46].mean((0, 1)), image[:, 50:66].mean((0, 1))
+    print("outside", outside.round(4), "inside", inside.round(4))
+    assert outside == pytest.approx(inside, rel=0.06)
 
 
 def test_the_scene_of_the_folder_shows_land_water_and_sky(coast):

@@ -272,4 +272,4 @@ mesh2 {{
     horizon = int(numpy.argmax(edges[1]))
     left = edges[0][horizon - 2 : horizon + 3].max()
     print(f"\nedge of the horizon {left:.5f}, without haze {edges[1][horizon]:.4f}")
-    assert edges[1][horizon] > 0.1 and left < 0.01 * edges[1][horizon]
+    assert horizon == 79 and edges[1][horizon] > 0.03 and left < 0.02 * edges[1][horizon]

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""A camera low over the water: the crests near it are the skyline, and are the sea's own."""
+"""The skyline: of a camera low over the water it is the crests near it, which are the sea's own; at
+the horizon, where no pixel shows a wave, it has no spots."""
 
 import numpy
 import pytest
@@ -78,6 +79,29 @@ object {{ Ocean_View(Eye, Target, {ANGLE}, 1) pigment {{ rgb 0 }} }}""",
     assert near.mean() > 0.2
     assert steps.max() < 1
     assert numpy.abs(off[near]).max() < 1
+
+
+def test_the_row_of_the_horizon_has_no_spots(choppy):
+    """There the mesh hides all slopes, and pixels show the mean of the sky that these mirror."""
+    choppy.run(
+        """global_settings { assumed_gamma 1.0 }
+Ocean_Load("sea_0001")
+#declare Eye = <0, 6, 0>;
+#declare Target = Eye + <1, -0.12, 0>;
+camera { location Eye right x*image_width/image_height angle 60 look_at Target }
+Ocean_Eye_At(Eye, 60) Ocean_Sun(24, 14) Ocean_Sky(0)
+object { Ocean_View(Eye, Target, 60, 1) Ocean_Material("jerlov_ii") no_reflection }""",
+        "+SR55",
+        "+ER60",
+        width=320,
+        height=180,
+    )
+    rows = read_png(choppy.path / "out.png")[::-1][54:60, :, 0]
+    sky, water = rows[:3], rows[3:]
+    assert water.mean() < 0.9 * sky.mean()
+    spots = numpy.abs(numpy.diff(water, axis=1)).mean(1)
+    print("mean difference between neighbours in each row:", spots.round(4))
+    assert spots.max() < 0.01
 
 
 @pytest.fixture(scope="module")
