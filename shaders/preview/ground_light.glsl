@@ -38,11 +38,12 @@ float ramp(float from, float to, float x) {
     return t * t * (3.0 - 2.0 * t);
 }
 
-// Returns how wet sand is, 0 .. 1: where waves have wetted it, or, in water that stands still, by
-// its height.
-float wetness_of(Ground ground, float noise) {
+// Returns how dark water has made sand, 0 .. 1: where waves have wetted it, or, in water that stands
+// still, by its height. The first water darkens most [Lobell and Asner 2002].
+float darkening_of(Ground ground, float noise) {
     float above = water_line.y > 0.0 ? ground.height - water_line.x : 1e3;
-    return ground.wetted + ground.still * (1.0 - ramp(0.2, 1.0, above + 0.2 * noise));
+    float still = ground.still * (1.0 - ramp(0.2, 1.0, above + 0.2 * noise));
+    return 1.0 - exp(-5.0 * ground.wetted) + still;
 }
 
 // Returns the colour c of the ground as streams, gullies and the sea have made it.
@@ -53,7 +54,8 @@ vec3 made_albedo(vec3 c, Ground ground, float noise) {
             0.7 * ground.deposit * ramp(0.6, 0.25, ground.steepness + 0.1 * noise));
     c = mix(c, gravel_albedo * rough, 0.8 * ramp(0.35, 0.8, ground.streambed + 0.15 * noise));
     c = mix(c, cliff_albedo * rough, ramp(0.15, 0.6, -ground.shore + 0.15 * noise));
-    vec3 sand = mix(sand_albedo, wet_sand_albedo, wetness_of(ground, noise)) * (1.0 + 0.08 * noise);
+    vec3 sand = mix(sand_albedo, wet_sand_albedo, darkening_of(ground, noise));
+    sand *= 1.0 + 0.08 * noise;
     return mix(c, sand, ramp(0.3, 0.7, ground.shore + 0.12 * noise));
 }
 

@@ -238,10 +238,11 @@ def _build(group) -> None:
     given = [inputs[name] for name in _OF_COVERS]
     by_masks = _by_masks(t, inputs)
     shares = t.nested("ground covers", covers, height, slopes, noise, *by_masks, *given)
-    # Sand is dark where waves have wetted it.
+    # Sand is dark where waves have wetted it, by the first water most [Lobell and Asner 2002].
     above = t.number("SUBTRACT", height, inputs["Wet Line"])
     wetness = _mask(t, "shore_wetness")
-    dry = t.number("MULTIPLY", t.eased(-0.3, 0.5, above), t.number("SUBTRACT", 1.0, wetness))
+    bright = t.number("EXPONENT", t.number("MULTIPLY", wetness, -5.0))
+    dry = t.number("MULTIPLY", t.eased(-0.3, 0.5, above), bright)
     sand = t.mix(inputs["Wet Sand Colour"], inputs["Sand Colour"], dry)
     colour = inputs["Grass Colour"]
     for name, share in zip(_COVERS, shares, strict=True):
