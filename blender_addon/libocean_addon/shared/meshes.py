@@ -136,6 +136,11 @@ def fitting(most: int) -> int:
     return 1 << max(0, most.bit_length() - 1)
 
 
+def most_samples(tiles: int) -> int:
+    """Returns the max samples per side of each of so many tiles along a side."""
+    return fitting(MAX_SAMPLES // tiles)
+
+
 _DRAFT = "draft "
 
 
