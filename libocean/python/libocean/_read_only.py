@@ -13,7 +13,7 @@ class ReadOnly:
 
     _noun: str
     _instead: str
-    """What to do instead, with {name} and {value!r} of the assignment."""
+    """The way that has an effect, with {name} and {value!r} of the assignment."""
 
     def __setattr__(self, name: str, value: Any) -> None:
         if not name.startswith("_"):
