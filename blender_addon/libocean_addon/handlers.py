@@ -17,7 +17,7 @@ from .coast import live as coast_live
 from .coast import node_group as coast_group
 from .floating import floating
 from .look import foam_images
-from .sea import live, node_group, open_sea
+from .sea import live, node_group, open_sea, stored_horizon
 from .shared import compat, drafts, failures, hooks, meshes, modifier_groups
 from .spray import spray
 from .terrain import live as terrain_live
@@ -49,6 +49,7 @@ def _depsgraph_updated(scene, depsgraph) -> None:
         oceans, terrains = live.ocean_objects(), terrain_live.terrain_objects()
         coasts = coast_live.coast_objects()
         drafts.keep_only({ob.name_full for ob in [*oceans, *terrains, *coasts]})
+        stored_horizon.make_whole(oceans)  # linked, appended, or of a file that was not written
         modifier_groups.own_images(oceans, node_group.live_modifiers, node_group.image_inputs)
         modifier_groups.own_images(terrains, terrain_group.modifiers, terrain_group.image_inputs)
         modifier_groups.own_images(coasts, coast_group.modifiers, coast_group.image_inputs)
@@ -72,6 +73,7 @@ def _data_replaced(*_) -> None:
     open_sea.forget({ob.name_full for ob in oceans})
     open_terrain.forget({ob.name_full for ob in terrains})
     open_coast.forget({ob.name_full for ob in coasts})
+    stored_horizon.make_whole(oceans)
     for ob in oceans:
         versions.upgrade(ob)
     live.show_all(oceans, bpy.context.scene)
@@ -94,6 +96,13 @@ def _saving(*_) -> None:
     live.complete_meshes()
     terrain_live.complete_meshes()
     spray.empty_all()  # which is an update: it comes again
+    stored_horizon.put_aside(live.ocean_objects())
+
+
+@persistent
+@failures.told_once
+def _saved(*_) -> None:
+    stored_horizon.make_whole(live.ocean_objects())
 
 
 @persistent
@@ -106,6 +115,7 @@ def complete() -> None:
     """Blocks until nothing is a draft, before a render. Says so in the console if that fails."""
     is_whole = drafts.complete()
     if threading.current_thread() is threading.main_thread():
+        stored_horizon.make_whole(live.ocean_objects())
         live.complete_meshes()
         terrain_live.complete_meshes()
         return
@@ -147,6 +157,7 @@ _HANDLERS = {
     "undo_post": _data_replaced,
     "redo_post": _data_replaced,
     "save_pre": _saving,
+    "save_post": _saved,
     "render_init": _lock_interface,
     "render_pre": _before_frame,
     "render_complete": _unlock_interface,

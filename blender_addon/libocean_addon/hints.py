@@ -10,6 +10,7 @@ import math
 
 import bpy
 
+from .look import detail
 from .sea import facts, node_group, open_sea
 from .shared import compat, meshes, object_faults
 from .shared.compat import tr, tr_label
@@ -68,6 +69,12 @@ def _of_denoiser(scene) -> str:
     )
 
 
+def _of_detail(settings) -> str:
+    if not settings.use_detail or detail.is_wanted(settings):
+        return ""
+    return tr_label("Near detail has no effect: it needs Foam and Normal")
+
+
 def spacing(ob, seen) -> float | None:
     """Metres between the vertices of a mesh that is the user's own, about; None for others."""
     if ob.libocean.kind != "MESH" or ob.type != "MESH" or not len(seen.data.polygons):
@@ -85,7 +92,7 @@ def is_too_coarse(ob, seen) -> bool:
 def of_object(ob, seen) -> list[str]:
     """Warnings. seen: as evaluated."""
     denoiser = _of_denoiser(bpy.context.scene)
-    said = [_of_scale(ob), _of_mask(ob, seen), _of_limits(ob), denoiser]
+    said = [_of_scale(ob), _of_mask(ob, seen), _of_limits(ob), _of_detail(ob.libocean), denoiser]
     if len(node_group.modifiers(ob)) > 1:
         said.append(tr_label("Two ocean modifiers show the same sea, and their waves add up"))
     if is_too_coarse(ob, seen):

@@ -12,6 +12,7 @@ import bpy
 from .sea import facts, parameter_values
 from .sea.resolutions import OF_SEA
 from .shared import compat, meshes
+from .shared.limits import Limited
 from .shared.overrides import overridable
 from .shared.table_properties import annotations, changed
 
@@ -51,7 +52,7 @@ def _map_resolution(where: str) -> dict:
 
 
 @overridable
-class OceanBake(bpy.types.PropertyGroup):
+class OceanBake(Limited, bpy.types.PropertyGroup):
     """The folder and the frames to bake, and the record of the present bake"""
 
     directory: bpy.props.StringProperty(
@@ -98,7 +99,7 @@ class OceanBake(bpy.types.PropertyGroup):
 
 
 @overridable
-class OceanVolumes(bpy.types.PropertyGroup):
+class OceanVolumes(Limited, bpy.types.PropertyGroup):
     """The water to write as volumes"""
 
     directory: bpy.props.StringProperty(
@@ -181,7 +182,7 @@ def _set_divisors(settings, wanted: bool) -> None:
 
 
 @overridable
-class OceanSettings(bpy.types.PropertyGroup):
+class OceanSettings(Limited, bpy.types.PropertyGroup):
     """The sea of an object and how it is shown"""
 
     subject = "sea"

@@ -172,6 +172,9 @@ GERMAN = {
         "At most": "Höchstens",
         "Size": "Größe",
         "{:,} points": "{:,} Punkte",
+        "{:,} points, max age {:.3g} s: half of the loop": (
+            "{:,} Punkte, Höchstalter {:.3g} s: die halbe Schleife"
+        ),
         "There is no spray: it needs a wind above 7 m/s": (
             "Keine Gischt: dazu braucht es mehr als 7 m/s Wind"
         ),
@@ -203,6 +206,9 @@ GERMAN = {
         ),
         "The limits of the wavelength leave {:.0%} of the wave height": (
             "Die Grenzen der Wellenlänge lassen {:.0%} der Wellenhöhe"
+        ),
+        "Near detail has no effect: it needs Foam and Normal": (
+            "Details der Nähe sind ohne Wirkung: sie brauchen Schaum und Normale"
         ),
         "Two ocean modifiers show the same sea, and their waves add up": (
             "Zwei Ozean-Modifikatoren zeigen dieselbe See, ihre Wellen addieren sich"

@@ -50,6 +50,11 @@ def test_another_wind_wets_it_otherwise(wet):
     assert not np.array_equal(attribute(wet.libocean_coast.land, "shore_wetness"), before)
 
 
+def test_without_land_it_says_what_it_needs(wet):
+    wet.libocean_coast.land = None
+    assert "Wet ground has no effect: it needs Land" in " ".join(drawn_by(panels.CoastLookPanel))
+
+
 def test_without_it_the_land_has_no_modifier(wet):
     wet.libocean_coast.use_wetness = False
     assert land_nodes.modifier_of(wet.libocean_coast.land) is None

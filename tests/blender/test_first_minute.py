@@ -49,7 +49,7 @@ def small():
 # A draft at once, the whole sea behind it -------------------------------------------
 
 
-def test_a_scene_begins_with_few_vertices(waiting, small):
+def test_a_scene_begins_with_few_vertices_and_is_saved_with_fewer(waiting, small, tmp_path):
     assert bpy.ops.libocean.add_scene() == {"FINISHED"}
     ocean = bpy.context.object
     assert not is_whole(ocean) and drafts.is_draft(ocean.name_full)
@@ -57,8 +57,11 @@ def test_a_scene_begins_with_few_vertices(waiting, small):
     assert len(ocean.data.vertices) <= horizon_mesh.DRAFT_VERTICES
     rest()
     assert is_whole(ocean) and not meshes.is_draft(ocean.data)
-    assert len(ocean.data.vertices) > 4 * horizon_mesh.DRAFT_VERTICES
     assert not drafts.is_draft(ocean.name_full)
+    path = tmp_path / "sea.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    assert path.stat().st_size < 8e6  # three are the textures of foam; all vertices are sixty
+    assert len(ocean.data.vertices) > 4 * horizon_mesh.DRAFT_VERTICES
 
 
 def test_a_file_never_keeps_the_mesh_of_a_draft(waiting, small, tmp_path):

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The rings of a horizon: one closed sheet around the camera, libocean's surface in each."""
 
+import shutil
 from collections import Counter
 
 import bpy
@@ -158,6 +159,114 @@ def test_it_is_the_same_after_reload_undo_and_redo(scene, horizon, tmp_path):
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "shot.blend"))
     assert_rings(bpy.data.objects["Ocean"], sea, (37.1, -12.9), 9 / 24)
+
+
+def saved(tmp_path):
+    path = tmp_path / "shot.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    return path
+
+
+def mesh_in(path):
+    """The mesh of a file, as it is stored there."""
+    copy = shutil.copy(path, path.with_name("copy.blend"))  # Blender links nothing from its own
+    with bpy.data.libraries.load(str(copy)) as (_, into):
+        into.meshes = ["Ocean"]
+    return into.meshes[0]
+
+
+def test_a_file_holds_a_small_mesh_and_shows_the_whole_one(scene, horizon, tmp_path):
+    ob, _ = horizon()
+    scene.frame_set(10)
+    before, shown, rings = rest(ob), positions(ob).copy(), attribute(ob, ring_nodes.RING).copy()
+    path = saved(tmp_path)
+    assert [mesh.name for mesh in bpy.data.meshes] == ["Ocean"]
+    assert np.array_equal(rest(ob), before)
+    mesh = mesh_in(path)
+    assert 100 < len(mesh.vertices) <= 5000 < len(before)
+    assert max(vertex.co.x for vertex in mesh.vertices) >= 5000.0
+    bpy.ops.wm.open_mainfile(filepath=str(path))
+    ob = bpy.data.objects["Ocean"]
+    assert [mesh.name for mesh in bpy.data.meshes] == ["Ocean"]
+    assert np.array_equal(rest(ob), before)
+    bpy.context.scene.frame_set(10)
+    assert np.array_equal(positions(ob), shown)
+    assert np.array_equal(attribute(ob, ring_nodes.RING), rings)
+
+
+def test_undo_and_redo_pass_a_save(scene, horizon, tmp_path):
+    ob, _ = horizon()
+    scene.frame_set(10)
+    seen = []
+    for seed in (1, 7):
+        ob.libocean.seed = seed
+        bpy.ops.ed.undo_push(message=f"seed {seed}")
+        seen.append(positions(ob).copy())
+    saved(tmp_path)
+    for step, want in ((bpy.ops.ed.undo, seen[0]), (bpy.ops.ed.redo, seen[1])):
+        step()
+        assert np.array_equal(positions(bpy.data.objects["Ocean"]), want)
+
+
+def _move(ob):
+    ob.data.vertices[7].co.z = 1.0
+
+
+def _paint(ob):
+    ob.data.attributes.new("still", "FLOAT", "POINT")
+
+
+def _group(ob):
+    ob.vertex_groups.new(name="still").add([7], 1.0, "REPLACE")
+
+
+def _share(ob):
+    bpy.data.objects.new("Copy", ob.data)
+
+
+@pytest.mark.parametrize("edit", [_move, _paint, _group, _share])
+def test_a_horizon_that_was_edited_is_stored_whole(horizon, tmp_path, edit):
+    ob, _ = horizon()
+    edit(ob)
+    before, layers = rest(ob), len(ob.data.attributes)
+    path = saved(tmp_path)
+    assert len(mesh_in(path).vertices) == len(before)
+    bpy.ops.wm.open_mainfile(filepath=str(path))
+    ob = bpy.data.objects["Ocean"]
+    assert np.array_equal(rest(ob), before)
+    assert len(ob.data.attributes) == layers
+
+
+def test_a_horizon_is_whole_after_its_file_was_not_written(horizon, tmp_path):
+    ob, _ = horizon()
+    before = rest(ob)
+    with pytest.raises(RuntimeError):
+        bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "none" / "shot.blend"))
+    bpy.context.view_layer.update()
+    assert np.array_equal(rest(ob), before)
+    assert [mesh.name for mesh in bpy.data.meshes] == ["Ocean"]
+
+
+@pytest.mark.parametrize("how", ["appended", "linked", "overridden"])
+def test_a_horizon_from_another_file_is_whole(scene, horizon, tmp_path, how):
+    ob, _ = horizon()
+    before = rest(ob)
+    path = saved(tmp_path)
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+    with bpy.data.libraries.load(str(path), link=how != "appended") as (_, into):
+        into.objects = ["Ocean"]
+    ob = into.objects[0]
+    if how == "overridden":
+        ob = ob.override_create(remap_local_usages=True)
+    bpy.context.collection.objects.link(ob)
+    bpy.context.view_layer.update()
+    assert np.array_equal(rest(ob), before)
+    shot = tmp_path / "another.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(shot))
+    bpy.ops.wm.open_mainfile(filepath=str(shot))
+    (ob,) = bpy.context.scene.collection.objects
+    assert np.array_equal(rest(ob), before)
+    assert np.ptp(positions(ob)[:, 2]) > 0.5
 
 
 def test_a_modifier_that_was_removed_comes_back(scene, horizon):

@@ -297,6 +297,35 @@ def test_a_value_beyond_its_limits_is_said_and_stays(ocean):
     assert ocean.libocean.problem == ""
 
 
+@pytest.mark.parametrize(
+    ("name", "value", "allowed"),
+    [
+        ("horizon_vertices", 5_000_000, "5000 .. 1500000"),
+        ("horizon_distance", 99.0, "100 .. 100000"),
+        ("spray_lifetime", 12, "0.05 .. 10"),
+        ("spray_size", -1.0, "at least 0"),
+        ("bake.frame_start", -5, "at least 0"),
+        ("volumes.voxel", -0.1, "at least 0"),
+    ],
+)
+def test_a_script_that_leaves_the_limits_of_a_setting_gets_an_error(ocean, name, value, allowed):
+    owner = ocean.libocean
+    *path, name = name.split(".")
+    for part in path:
+        owner = getattr(owner, part)
+    before = getattr(owner, name)
+    with pytest.raises(ValueError, match=f"{name} = {value:.7g}: .* allowed: {allowed}"):
+        setattr(owner, name, value)
+    assert getattr(owner, name) == before
+
+
+def test_limits_include_their_ends_as_written(ocean):
+    ocean.libocean.spray_lifetime = 0.05  # which is less in double precision than the property's
+    ocean.libocean.spray_lifetime = 10.0
+    ocean.libocean.depth = float("inf")
+    assert ocean.libocean.spray_lifetime == 10.0
+
+
 def test_messages_speak_of_the_panels_fields(ocean, tmp_path):
     settings = ocean.libocean
     settings.shortest_wavelength = 50.0

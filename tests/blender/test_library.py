@@ -78,10 +78,11 @@ def test_an_override_of_a_linked_object_shows_a_sea_of_its_own_time(asset):
 def overridden(tmp_path):
     """A function that gives a shot that overrides the ocean of asset.blend, baked there or not."""
 
-    def make(*, baked: bool = False, name: str = "asset"):
+    def make(*, baked: bool = False, name: str = "asset", kind: str = "PATCH"):
         sea = {"patch_size": 100.0, "foam_coverage": "threshold", "foam_lifetime": 1.0}
         bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
-        add_ocean(32, sea=sea, kind="PATCH", preset="beaufort_6", use_material=False)
+        ob = add_ocean(32, sea=sea, kind=kind, preset="beaufort_6", use_material=False)
+        ob.libocean.horizon_vertices = 20000
         bpy.context.scene.frame_start = bpy.context.scene.frame_end = 2
         path = tmp_path / name / "asset.blend"
         path.parent.mkdir()
@@ -160,6 +161,17 @@ def test_an_override_that_is_baked_plays_its_bake(overridden, tmp_path):
     assert np.array_equal(shown(ob), live)
     (modifier,) = ob.modifiers
     assert modifier.show_viewport and modifier.show_render and not ob.libocean.use_bake
+
+
+def test_a_baked_override_of_a_horizon_plays_on_the_whole_mesh(overridden, tmp_path):
+    """The library's file holds a small one, since its sea is live there."""
+    ob = overridden(kind="HORIZON")
+    assert bpy.ops.libocean.bake() == {"FINISHED"}
+    baked = shown(ob)
+    assert len(baked) > 10_000
+    assert np.array_equal(shown(opened_again(tmp_path)), baked)
+    np.save(tmp_path / "want.npy", baked.ravel())
+    in_another_process(tmp_path, PLAYS_ALONE, tmp_path / "shot.blend", tmp_path / "want.npy")
 
 
 def test_an_override_of_a_baked_ocean_plays_that_bake(overridden, tmp_path):

@@ -411,6 +411,17 @@ def test_limits_that_flatten_the_sea_are_said(ocean):
     assert "limits" not in said()
 
 
+def test_near_detail_says_what_it_needs(ocean):
+    settings = ocean.libocean
+    settings.use_detail = True
+    assert "Near detail" not in said()
+    for name in ("use_foam", "use_normal"):
+        setattr(settings, name, False)
+        assert "Near detail has no effect: it needs Foam and Normal" in said()
+        setattr(settings, name, True)
+    assert "Near detail" not in said()
+
+
 def test_a_second_sea_on_an_object_is_refused(ocean):
     assert not bpy.ops.libocean.add_modifier.poll()
     with pytest.raises(RuntimeError, match="has an ocean"):

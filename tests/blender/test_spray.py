@@ -244,6 +244,8 @@ def test_a_calm_sea_has_none_and_says_why(scene, ocean):
     ocean.libocean.waves[0].wind_speed = 20.0
     assert points(ocean)["id"].size > 0
     assert f"{points(ocean)['id'].size:,} points" == spray.state_of(ocean)[0]
+    ocean.libocean.loop_period = 3.0
+    assert "max age 1.5 s: half of the loop" in spray.state_of(ocean)[0]
     ocean.libocean.spray_density = 0.0
     assert points(ocean).get("id", np.empty(0)).size == 0
     assert "at this time" in spray.state_of(ocean)[0]

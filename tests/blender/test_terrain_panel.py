@@ -159,6 +159,19 @@ def test_what_is_unusual_is_said(terrain, scene):
     assert "66,049 vertices" in said() and "256 x 256 samples" in said()
 
 
+def test_settings_that_others_undo_are_said(terrain):
+    settings = terrain.libocean_terrain
+    settings.tiles, settings.mesh_resolution = 8, 512
+    assert "vertices along each" not in said()
+    settings.mesh_resolution = 1024
+    assert "8 tiles have at most 512 vertices along each, not 1024" in said()
+    settings.tiles, settings.mesh_resolution = 1, 64
+    settings.use_lod = True
+    assert "no effect" not in said()
+    settings.follow_world = True
+    assert "Mask and Anchor to the world have no effect with Level of Detail" in said()
+
+
 def test_the_library_warns_in_the_words_of_the_panel(terrain):
     terrain.libocean_terrain.beta = 0.5
     assert "look like noise; a larger Beta" in said() or "a larger beta" in said()

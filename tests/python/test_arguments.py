@@ -167,3 +167,20 @@ def test_a_class_says_who_makes_its_objects():
             libocean.Terrain(*arguments)
     with pytest.raises(TypeError, match=r"made by surface\(\)"):
         libocean.Surface()
+
+
+@pytest.mark.parametrize(
+    "use",
+    [
+        lambda **options: libocean.open("sea.toml", **options),
+        lambda **options: libocean.parse("libocean = 1", **options),
+        lambda **options: libocean.preset("beaufort_6", **options),
+        lambda **options: libocean.open_terrain("terrain.toml", **options),
+        lambda **options: libocean.terrain_preset("tujunga", **options),
+    ],
+)
+def test_an_unknown_option_names_the_near_one(use):
+    with pytest.raises(TypeError, match=r"unknown option 'thread'; did you mean threads\?"):
+        use(thread=3)
+    with pytest.raises(TypeError, match="unknown option 'colour'; allowed: threads, backend"):
+        use(colour="blue")

@@ -16,6 +16,9 @@ TEXTS = {
     "Coast (libocean)": "Küste (libocean)",
     "Bed": "Grund",
     "Wet ground": "Nasser Grund",
+    "Wet ground has no effect: it needs Land, a mesh": (
+        "Nasser Grund ist ohne Wirkung: er braucht Land, ein Mesh"
+    ),
     "Bed: {:.4g} to {:.4g} m": "Grund: {:.4g} bis {:.4g} m",
     "End at the waterline": "An der Wasserlinie enden",
     "Below land": "Unter dem Land",

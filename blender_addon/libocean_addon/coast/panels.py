@@ -10,7 +10,7 @@ import bpy
 from .. import panels as sea_panels
 from .. import translations, whole_sea
 from ..sea import parameter_values
-from ..shared import drafts
+from ..shared import drafts, meshes
 from ..shared.compat import tr_label
 from ..shared.drawing import field, never_raises, place_labels, say, say_state
 from ..shared.modifier_panel import ModifierPanel
@@ -131,6 +131,8 @@ class CoastLookPanel(_Panel, bpy.types.Panel):
         for name in ("use_foam", "use_velocity", "use_normal"):
             column.prop(ob.libocean, name)
         column.prop(settings, "use_wetness")
+        if settings.use_wetness and not meshes.is_ours(settings.land):
+            say(layout, tr_label("Wet ground has no effect: it needs Land, a mesh"), "ERROR")
         _draw_parameters(layout, ob.libocean, LOOK)
 
 

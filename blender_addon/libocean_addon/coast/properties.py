@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import bpy
 
+from ..shared.limits import Limited
 from ..shared.overrides import overridable
 from ..shared.table_properties import changed
 from ..terrain.extent import MAX_VERTICES
@@ -16,7 +17,7 @@ def _is_mesh(_settings, ob) -> bool:
 
 
 @overridable
-class CoastSettings(bpy.types.PropertyGroup):
+class CoastSettings(Limited, bpy.types.PropertyGroup):
     """How the water of a coast is shown"""
 
     subject = "coast"

@@ -17,6 +17,7 @@ from ..sea import live
 from ..shared import changes, drafts, meshes
 from ..shared.compat import tr
 from ..shared.drawing import field, never_raises, place_labels, say
+from ..shared.limits import Limited
 from . import riding
 
 
@@ -34,7 +35,7 @@ def _changed(self, context) -> None:
     ride(self.id_data, None, live.Moment(context.scene, rendering=False))
 
 
-class FloatSettings(bpy.types.PropertyGroup):
+class FloatSettings(Limited, bpy.types.PropertyGroup):
     """How an object floats: it lies on the plane that fits the surface below it best"""
 
     ocean: bpy.props.PointerProperty(

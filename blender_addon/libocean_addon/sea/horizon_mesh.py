@@ -5,6 +5,7 @@ inside it."""
 
 from __future__ import annotations
 
+import dataclasses
 import math
 
 import numpy as np
@@ -82,20 +83,47 @@ def horizon(spacing: float, cells: int, rings: int):
     )
 
 
+_KIND = "horizon"
+
+
+@dataclasses.dataclass(frozen=True)
+class Horizon:
+    """The numbers that the mesh of a horizon is made of."""
+
+    spacing: float
+    """The sides of the finest cells [m]."""
+    most_vertices: int
+    distance: float
+    """From the middle to the edge, at least [m]."""
+
+    @staticmethod
+    def of(words: str) -> Horizon | None:
+        """Returns the horizon of these words; None for those of something else."""
+        kind, *numbers = words.split() or [""]
+        if kind != _KIND:
+            return None
+        spacing, most_vertices, distance = numbers
+        return Horizon(float(spacing), int(most_vertices), float(distance))
+
+    def words(self) -> str:
+        return f"{_KIND} {self.spacing!r} {self.most_vertices} {self.distance!r}"
+
+    def parts(self):
+        """Returns what horizon() returns."""
+        return horizon(self.spacing, *choose_rings(self.spacing, self.most_vertices, self.distance))
+
+    def fill(self, mesh) -> None:
+        vertices, ring_of, *faces = self.parts()
+        meshes.fill(mesh, vertices, *faces)
+        attribute = mesh.attributes.new(ring_nodes.RING, "FLOAT_VECTOR", "POINT")
+        attribute.data.foreach_set("vector", ring_of.astype(np.float32).ravel())
+
+
 def follow_horizon(
     ob, spacing: float, most_vertices: int, distance: float, *, draft: bool = False
 ) -> None:
     """Makes a horizon's mesh again if one of these has changed. draft: with few vertices."""
     draft = draft and most_vertices > DRAFT_VERTICES
-    most_vertices = DRAFT_VERTICES if draft else most_vertices
-
-    def make(mesh) -> None:
-        vertices, ring_of, *faces = horizon(
-            spacing, *choose_rings(spacing, most_vertices, distance)
-        )
-        meshes.fill(mesh, vertices, *faces)
-        attribute = mesh.attributes.new(ring_nodes.RING, "FLOAT_VECTOR", "POINT")
-        attribute.data.foreach_set("vector", ring_of.astype(np.float32).ravel())
-
-    made_of = f"horizon {spacing!r} {most_vertices} {distance!r}"
-    meshes.follow(ob, meshes.draft_of(made_of) if draft else made_of, make)
+    shape = Horizon(spacing, DRAFT_VERTICES if draft else most_vertices, distance)
+    made_of = shape.words()
+    meshes.follow(ob, meshes.draft_of(made_of) if draft else made_of, shape.fill)

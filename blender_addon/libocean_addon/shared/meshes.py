@@ -136,6 +136,11 @@ def fitting(most: int) -> int:
     return 1 << max(0, most.bit_length() - 1)
 
 
+def most_samples(tiles: int) -> int:
+    """Returns the max samples per side of each of so many tiles along a side."""
+    return fitting(MAX_SAMPLES // tiles)
+
+
 _DRAFT = "draft "
 
 
@@ -183,13 +188,18 @@ def follow(ob, made_of: str, make) -> None:
     draft."""
     if ob.data.get(_MADE_OF) == made_of:
         return
-    if ob.data.library is not None:
-        _fill_linked(ob.data, make)
+    if ob.data.library is None and ob.data.users > 1:
+        ob.data = ob.data.copy()
+    make_again(ob.data, made_of, make)
+
+
+def make_again(mesh, made_of: str, make) -> None:
+    """Has make(mesh) fill a mesh, that of another file in memory alone. made_of: as in follow()."""
+    if mesh.library is not None:
+        _fill_linked(mesh, make)
     else:
-        if ob.data.users > 1:
-            ob.data = ob.data.copy()
-        make(ob.data)
-    ob.data[_MADE_OF] = made_of
+        make(mesh)
+    mesh[_MADE_OF] = made_of
 
 
 def _fill_linked(mesh, make) -> None:

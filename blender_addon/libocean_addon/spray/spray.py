@@ -259,6 +259,9 @@ def state_of(ob) -> tuple[str, str]:
         return "", "NONE"
     count = len(_carrier(modifier).data.vertices)
     if count > 0:
+        half = float(sea.values.values["loop_period"]) / 2.0
+        if 0.0 < half < ob.libocean.spray_lifetime:
+            return tr_label("{:,} points, max age {:.3g} s: half of the loop", count, half), "INFO"
         return tr_label("{:,} points", count), "NONE"
     if _is_calm(sea.values):
         return tr_label("There is no spray: it needs a wind above 7 m/s"), "INFO"

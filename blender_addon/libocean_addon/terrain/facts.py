@@ -11,6 +11,7 @@ from ..shared.compat import tr_label
 from . import node_group
 from .extent import ExtentError
 from .open_terrain import OpenTerrain, terrain_of
+from .parameter_values import is_placed
 from .parameters import WORDS
 
 
@@ -101,9 +102,31 @@ def _of_camera(ob, scene) -> str:
     return tr_label("The camera sees {:.0f} m far: raise its Clip End", camera.data.clip_end)
 
 
+def _of_tiles(settings) -> str:
+    most = meshes.most_samples(settings.tiles)
+    is_plain = settings.shape == "TILE" and not (settings.use_lod or settings.use_region)
+    if not is_plain or is_placed(settings) or settings.mesh_resolution <= most:
+        return ""
+    return tr_label(
+        "{} tiles have at most {} vertices along each, not {}",
+        settings.tiles,
+        most,
+        settings.mesh_resolution,
+    )
+
+
+def _of_detail(settings) -> str:
+    is_used = settings.shape == "TILE" and settings.use_lod
+    if not is_used or not (settings.mask or settings.follow_world):
+        return ""
+    return tr_label("Mask and Anchor to the world have no effect with Level of Detail")
+
+
 def hints_of(ob, seen, scene) -> list[str]:
     """Returns warnings about settings. seen: the object, evaluated."""
+    settings = ob.libocean_terrain
     said = [_of_scale(ob), _of_mask(ob, seen), _of_camera(ob, scene)]
+    said += [_of_tiles(settings), _of_detail(settings)]
     if len(node_group.modifiers(ob)) > 1:
         said.append(tr_label("Two terrain modifiers raise the mesh twice"))
     return [text for text in said if text]

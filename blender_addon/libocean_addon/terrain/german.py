@@ -185,6 +185,12 @@ TEXTS = {
     "The camera sees {:.0f} m far: raise its Clip End": (
         "Die Kamera sieht {:.0f} m weit: erhöhen Sie ihr Clip-Ende"
     ),
+    "{} tiles have at most {} vertices along each, not {}": (
+        "{} Kacheln haben höchstens {} Punkte entlang jeder, nicht {}"
+    ),
+    "Mask and Anchor to the world have no effect with Level of Detail": (
+        "Maske und In der Welt verankern sind mit Detailgrad ohne Wirkung"
+    ),
     "Two terrain modifiers raise the mesh twice": (
         "Zwei Gelände-Modifikatoren heben das Mesh doppelt"
     ),

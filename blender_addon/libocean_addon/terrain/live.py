@@ -270,7 +270,7 @@ def samples_of(settings, own: int) -> int:
     """Returns the vertices along a side of each tile, so many that all tiles together stay within
     the max. own: the samples of the terrain."""
     wanted = settings.mesh_resolution or min(own, meshes.AUTOMATIC)
-    return min(wanted, meshes.fitting(meshes.MAX_SAMPLES // settings.tiles))
+    return min(wanted, meshes.most_samples(settings.tiles))
 
 
 def follows_camera(ob) -> bool:

@@ -11,6 +11,7 @@ import bpy
 
 from .. import translations
 from ..shared import compat, meshes
+from ..shared.limits import Limited
 from ..shared.overrides import overridable
 from ..shared.table_properties import annotations, changed
 from .extent import MAX_VERTICES
@@ -59,7 +60,7 @@ class TerrainLayer(bpy.types.PropertyGroup):
 
 
 @overridable
-class TerrainSettings(bpy.types.PropertyGroup):
+class TerrainSettings(Limited, bpy.types.PropertyGroup):
     """The terrain of an object and how it is shown"""
 
     subject = "terrain"

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import ctypes
+import difflib
 import json
 import os
 import threading
@@ -20,6 +21,7 @@ from . import _library
 from ._checks import number, path, row, text, whole
 from ._checks import numbers as numbers_of
 from ._library import Options, call, choose, text_of
+from ._read_only import ReadOnly
 from ._reporter import Reporter
 
 if TYPE_CHECKING:
@@ -58,10 +60,21 @@ def value_arrays(values: Mapping[str, Any]) -> tuple[Any, Any, int]:
     return array(*names), array(*texts), len(values)
 
 
-class Handle:
+OPTIONS = ("threads", "backend", "foam_start", "progress", "jobs")
+"""The keywords of the functions that open a subject."""
+
+
+def _unknown_option(name: str) -> TypeError:
+    near = difflib.get_close_matches(name, OPTIONS, 1)
+    words = f"did you mean {near[0]}?" if near else "allowed: " + ", ".join(OPTIONS)
+    return TypeError(f"unknown option '{name}'; {words}")
+
+
+class Handle(ReadOnly):
     """An open subject of the library. Calls of several threads wait for each other."""
 
     _noun = "sea"
+    _instead = 'set("{name}", {value!r}) sets a parameter of that name'
     _prefix = "ocean_"
     """The beginning of the names of the subject's functions."""
     _makers = "libocean.open(), parse() or preset()"
@@ -76,7 +89,10 @@ class Handle:
         foam_start: str = "settled",
         progress: Callable[[int, int], object] | None = None,
         jobs: Callable[[Callable[[int], None], int], object] | None = None,
+        **unknown: Any,
     ) -> None:
+        for name in unknown:
+            raise _unknown_option(name)
         self._handle: ctypes.c_void_p | None = None
         self._lock = threading.RLock()
         if not callable(opener):
@@ -148,14 +164,6 @@ class Handle:
         threads, backend, foam_start, *_ = self._options
         base = os.path.abspath(self._base_dir)
         return type(self)._parsed, (self.text, base, threads, backend, foam_start)
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        if not name.startswith("_"):
-            raise AttributeError(
-                f"'{name}' of a {self._noun} cannot be assigned; set(\"{name}\", {value!r}) sets a "
-                "parameter of that name"
-            )
-        super().__setattr__(name, value)
 
     def __repr__(self) -> str:
         return f"<libocean.{type(self).__name__}: {self._description()}>"

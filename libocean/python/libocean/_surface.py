@@ -12,6 +12,7 @@ from ._answers import Array
 from ._checks import resolution as checked_resolution
 from ._checks import time_of_maps, words
 from ._library import choose
+from ._read_only import ReadOnly
 
 if TYPE_CHECKING:
     from ._sea import Sea
@@ -93,10 +94,13 @@ PRODUCTS = {
 them, and of seas over a bed."""
 
 
-class Surface:
+class Surface(ReadOnly):
     """The maps of one sea at one time, or of a terrain, as numpy arrays [j, i] or
     [j, i, component], float32. Each field of PRODUCTS is a property. A pickle holds the fields that
     are computed, and no others. A copy looks at the same sea."""
+
+    _noun = "surface"
+    _instead = "set() of its sea or terrain sets a parameter, and surface() makes a new surface"
 
     height: Array
     displacement: Array
@@ -156,14 +160,6 @@ class Surface:
         side = self.resolution
         names = ", ".join(self._arrays) or "none"
         return f"<libocean.Surface: {self.time:g} s, {side} x {side} samples, computed: {names}>"
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        if not name.startswith("_"):
-            raise AttributeError(
-                f"'{name}' of a surface cannot be assigned; set() of its sea or terrain sets a "
-                "parameter, and surface() makes a new surface"
-            )
-        super().__setattr__(name, value)
 
     def __copy__(self) -> Surface:
         twin = object.__new__(Surface)
