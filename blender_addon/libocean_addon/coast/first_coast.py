@@ -1,8 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The coast that is added without a file: an island of a kilometre with bays, and a wind sea that
-suits its bed and does not repeat over it. The terrain is the preset bay_island, an eighth as
-large."""
+suits its bed. The terrain is the preset bay_island, an eighth as large."""
 
 from __future__ import annotations
 
@@ -32,8 +31,8 @@ shelf = 40.0
 """
 _SEA = """libocean = 1
 [grid]
-resolution = 512
-patch_size = 2100.0
+resolution = 256
+patch_size = 600.0
 [water]
 depth = 30.0
 seabed = "island.toml"
