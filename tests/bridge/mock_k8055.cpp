@@ -51,7 +51,8 @@ class Block {
 
 /// A request for bytes, or with bytes, that the program has submitted.
 struct MockK8055::Transfer {
-    UMockdevIoctlData* urb;  // a reference
+    const UMockdevIoctlBase* node;  // that of the handler
+    UMockdevIoctlData* urb;         // a reference
     bool done = false;
     int status = 0;
     Bytes bytes = {};
@@ -63,17 +64,14 @@ struct MockK8055::Transfer {
 };
 
 MockK8055::MockK8055(Witness witness)
-    : witness_(std::move(witness)),
-      bed_(umockdev_testbed_new()),
-      handler_(umockdev_ioctl_base_new()) {
+    : witness_(std::move(witness)), bed_(umockdev_testbed_new()) {
     gchar* root = umockdev_testbed_get_root_dir(bed_);
     root_ = root;
     g_free(root);
-    g_signal_connect(handler_, "handle-ioctl", G_CALLBACK(on_ioctl), this);
 }
 
 MockK8055::~MockK8055() {
-    g_object_unref(handler_);
+    for (UMockdevIoctlBase* handler : handlers_) g_object_unref(handler);
     g_object_unref(bed_);
     for (const Transfer& transfer : transfers_) umockdev_ioctl_data_unref(transfer.urb);
     if (pipe_ >= 0) ::close(pipe_);
@@ -84,14 +82,17 @@ void MockK8055::plug(int address) {
     std::array<char, 64> node{};
     std::snprintf(node.data(), node.size(), "/dev/bus/usb/001/%03d", number_);
     node_ = node.data();
+    UMockdevIoctlBase* handler = umockdev_ioctl_base_new();
+    g_signal_connect(handler, "handle-ioctl", G_CALLBACK(on_ioctl), this);
     {
         const std::lock_guard lock(mutex_);
+        handlers_.push_back(handler);
         plugged_ = true;
         kernel_driver_ = true;
         claimed_ = false;
     }
     GError* error = nullptr;
-    umockdev_testbed_attach_ioctl(bed_, node_.c_str(), handler_, &error);
+    umockdev_testbed_attach_ioctl(bed_, node_.c_str(), handler, &error);
     make_pipe();  // before anybody is told of the node
     if (error == nullptr) {
         umockdev_testbed_add_from_string(bed_, description(address).c_str(), &error);
@@ -105,6 +106,7 @@ void MockK8055::unplug(std::chrono::milliseconds news) {
         const std::lock_guard lock(mutex_);
         plugged_ = false;
         for (Transfer& transfer : transfers_) finish(transfer, -ESHUTDOWN);
+        show_ready(true);  // for good: a program that waits for a transfer of later hears of it
     }
     std::this_thread::sleep_for(news);
     umockdev_testbed_uevent(bed_, kPath, "remove");
@@ -195,20 +197,23 @@ void MockK8055::finish(Transfer& transfer, int status) const {
     show_ready(true);
 }
 
-gboolean MockK8055::on_ioctl(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client,
-                             gpointer self) {
+gboolean MockK8055::on_ioctl(UMockdevIoctlBase* node, UMockdevIoctlClient* client, gpointer self) {
     const long result = static_cast<MockK8055*>(self)->answer(
-        umockdev_ioctl_client_get_request(client), umockdev_ioctl_client_get_arg(client));
+        node, umockdev_ioctl_client_get_request(client), umockdev_ioctl_client_get_arg(client));
     umockdev_ioctl_client_complete(client, result < 0 ? -1 : result,
                                    result < 0 ? static_cast<int>(-result) : 0);
     return TRUE;
 }
 
+bool MockK8055::is_there(const UMockdevIoctlBase* node) const {
+    return plugged_ && node == handlers_.back();
+}
+
 /// Returns the answer of usbfs, or a negative error number if it refuses.
-long MockK8055::answer(gulong request, UMockdevIoctlData* argument) {
+long MockK8055::answer(const UMockdevIoctlBase* node, gulong request, UMockdevIoctlData* argument) {
     const std::lock_guard lock(mutex_);
     const bool reaps = request == USBDEVFS_REAPURB || request == USBDEVFS_REAPURBNDELAY;
-    if (!plugged_ && !reaps) return -ENODEV;
+    if (!is_there(node) && !reaps) return -ENODEV;
     switch (request) {
         case USBDEVFS_GET_CAPABILITIES: {
             const guint32 able = USBDEVFS_CAP_ZERO_PACKET | USBDEVFS_CAP_NO_PACKET_SIZE_LIM |
@@ -243,11 +248,11 @@ long MockK8055::answer(gulong request, UMockdevIoctlData* argument) {
             claimed_ = false;
             return 0;
         case USBDEVFS_SUBMITURB:
-            return submit(argument);
+            return submit(node, argument);
         case USBDEVFS_DISCARDURB:
             return discard(*reinterpret_cast<gulong*>(argument->data));
         default:
-            return reaps ? reap(argument) : -ENOTTY;
+            return reaps ? reap(node, argument) : -ENOTTY;
     }
 }
 
@@ -263,8 +268,10 @@ long MockK8055::switch_driver(int code) {
     return 1;
 }
 
-long MockK8055::submit(UMockdevIoctlData* argument) {
-    transfers_.push_back({umockdev_ioctl_data_resolve(argument, 0, sizeof(usbdevfs_urb), nullptr)});
+long MockK8055::submit(const UMockdevIoctlBase* node, UMockdevIoctlData* argument) {
+    UMockdevIoctlData* submitted =
+        umockdev_ioctl_data_resolve(argument, 0, sizeof(usbdevfs_urb), nullptr);
+    transfers_.push_back({node, submitted});
     Transfer& transfer = transfers_.back();
     usbdevfs_urb& urb = *transfer.fields();
     const Block buffer = transfer.buffer();  // which makes umockdev fetch it
@@ -276,9 +283,9 @@ long MockK8055::submit(UMockdevIoctlData* argument) {
     return 0;
 }
 
-long MockK8055::reap(UMockdevIoctlData* argument) {
+long MockK8055::reap(const UMockdevIoctlBase* node, UMockdevIoctlData* argument) {
     for (auto transfer = transfers_.begin(); transfer != transfers_.end(); ++transfer) {
-        if (!transfer->done) continue;
+        if (!transfer->done || transfer->node != node) continue;
         usbdevfs_urb& urb = *transfer->fields();
         urb.status = transfer->status;
         if (transfer->is_in() && transfer->status == 0) {
@@ -290,10 +297,10 @@ long MockK8055::reap(UMockdevIoctlData* argument) {
         umockdev_ioctl_data_set_ptr(place.data(), 0, transfer->urb);
         transfers_.erase(transfer);
         const bool more = std::ranges::any_of(transfers_, &Transfer::done);
-        if (!more && plugged_) show_ready(false);
+        if (!more && is_there(node)) show_ready(false);
         return 0;
     }
-    return plugged_ ? -EAGAIN : -ENODEV;
+    return is_there(node) ? -EAGAIN : -ENODEV;
 }
 
 long MockK8055::discard(gulong address) {

@@ -57,16 +57,18 @@ class MockK8055 {
     void make_pipe();
     void show_ready(bool ready) const;
     void finish(Transfer& transfer, int status) const;
-    static gboolean on_ioctl(UMockdevIoctlBase* base, UMockdevIoctlClient* client, gpointer self);
-    long answer(gulong request, UMockdevIoctlData* argument);
+    static gboolean on_ioctl(UMockdevIoctlBase* node, UMockdevIoctlClient* client, gpointer self);
+    /// Returns false of a node that was unplugged, also if the board has another one since.
+    bool is_there(const UMockdevIoctlBase* node) const;
+    long answer(const UMockdevIoctlBase* node, gulong request, UMockdevIoctlData* argument);
     long switch_driver(int code);
-    long submit(UMockdevIoctlData* argument);
-    long reap(UMockdevIoctlData* argument);
+    long submit(const UMockdevIoctlBase* node, UMockdevIoctlData* argument);
+    long reap(const UMockdevIoctlBase* node, UMockdevIoctlData* argument);
     long discard(gulong address);
 
     const Witness witness_;
     UMockdevTestbed* bed_;
-    UMockdevIoctlBase* handler_;
+    std::vector<UMockdevIoctlBase*> handlers_;  // one for each node, the last one's last
     std::string root_;
     std::string node_;
     std::vector<std::string> unplugged_;  // nodes whose sockets are still there

@@ -178,6 +178,20 @@ TEST(RecordWarnings, ReachTheStateOfTheSeaAndItsFile) {
               1);
 }
 
+TEST(RecordWarnings, ASpectrumThatReadsNoFileSaysSo) {
+    Parameters parameters;
+    parameters.grid.resolution = 64;
+    parameters.waves[0].file = "buoy.csv";
+    parameters.waves[0].place = "north";
+    ThreadPool pool(1);
+    const SeaState state = sea_state(make_directional_spectrum(parameters), parameters, pool);
+    const auto says = [&](const std::string& text) {
+        return std::count(state.warnings.begin(), state.warnings.end(), text);
+    };
+    EXPECT_EQ(says("waves.0.file has no effect: spectrum = \"measured\" alone reads it"), 1);
+    EXPECT_EQ(says("waves.0.place has no effect: spectrum = \"measured\" alone reads it"), 1);
+}
+
 TEST(RecordWarnings, OfASeaFileAreFewAndShort) {
     const std::string head = "[[waves]]\n[waves.measured_record]\nwarnings = ";
     std::string many = "[";

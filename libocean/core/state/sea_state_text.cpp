@@ -103,12 +103,25 @@ AskedResolved spread_of_moments(const SpectrumRecord& record) {
             circular_spread(std::abs(held) / energy) * kDegrees};
 }
 
+/// Adds the keys of a measured spectrum that a system of another spectrum has.
+void warn_of_unread(const WaveSystem& system, const std::string& name, SeaState& state) {
+    const auto warn = [&](const char* key, const std::string& value) {
+        if (value.empty()) return;
+        state.warnings.push_back(name + key +
+                                 " has no effect: spectrum = \"measured\" alone reads it");
+    };
+    warn(".file", system.file);
+    warn(".record", system.record);
+    warn(".place", system.place);
+}
+
 /// Adds the assumptions of the readers of its measured records, and the data that no record has.
 void add_record_warnings(const Parameters& parameters, SeaState& state) {
     for (std::size_t i = 0; i < parameters.waves.size(); ++i) {
         const WaveSystem& system = parameters.waves[i];
-        if (system.spectrum != SpectrumKind::measured || system.measured == nullptr) continue;
         const std::string name = "waves." + std::to_string(i);
+        if (system.spectrum != SpectrumKind::measured) warn_of_unread(system, name, state);
+        if (system.spectrum != SpectrumKind::measured || system.measured == nullptr) continue;
         for (const std::string& warning : system.measured->warnings) {
             state.warnings.push_back(name + ".file: " + warning);
         }
