@@ -38,8 +38,8 @@ float ramp(float from, float to, float x) {
     return t * t * (3.0 - 2.0 * t);
 }
 
-// Returns how dark water has made sand, 0 .. 1: where waves have wetted it, or, in water that stands
-// still, by its height. The first water darkens most [Lobell and Asner 2002].
+// Returns how dark water has made sand, 0 .. 1: where waves have wetted it, or, in water that
+// stands still, by its height. The first water darkens most [Lobell and Asner 2002].
 float darkening_of(Ground ground, float noise) {
     float above = water_line.y > 0.0 ? ground.height - water_line.x : 1e3;
     float still = ground.still * (1.0 - ramp(0.2, 1.0, above + 0.2 * noise));

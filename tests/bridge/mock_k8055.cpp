@@ -63,8 +63,7 @@ struct MockK8055::Transfer {
     bool is_in() const { return (fields()->endpoint & 0x80) != 0; }
 };
 
-MockK8055::MockK8055(Witness witness)
-    : witness_(std::move(witness)), bed_(umockdev_testbed_new()) {
+MockK8055::MockK8055(Witness witness) : witness_(std::move(witness)), bed_(umockdev_testbed_new()) {
     gchar* root = umockdev_testbed_get_root_dir(bed_);
     root_ = root;
     g_free(root);
