@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 import pytest
 from conftest import positions, taken
-from libocean_addon.shared import drawing, failures, resolutions
+from libocean_addon.shared import drawing, failures, meshes, resolutions
 from libocean_addon.shared.property_texts import pairs_of
 from libocean_addon.terrain import ground_shader, look_panels, material, panels
 from libocean_addon.terrain.parameters import PARAMETERS, SWITCHES
@@ -159,12 +159,13 @@ def test_what_is_unusual_is_said(terrain, scene):
     assert "66,049 vertices" in said() and "256 x 256 samples" in said()
 
 
-def test_settings_that_others_undo_are_said(terrain):
+def test_settings_that_others_undo_are_said(terrain, monkeypatch):
+    monkeypatch.setattr(meshes, "MAX_SAMPLES", 8 * 32)  # 4096 take seconds
     settings = terrain.libocean_terrain
-    settings.tiles, settings.mesh_resolution = 8, 512
+    settings.tiles, settings.mesh_resolution = 8, 32
     assert "vertices along each" not in said()
-    settings.mesh_resolution = 1024
-    assert "8 tiles have at most 512 vertices along each, not 1024" in said()
+    settings.mesh_resolution = 64
+    assert "8 tiles have at most 32 vertices along each, not 64" in said()
     settings.tiles, settings.mesh_resolution = 1, 64
     settings.use_lod = True
     assert "no effect" not in said()
