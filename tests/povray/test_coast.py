@@ -14,6 +14,7 @@ import json
 import re
 import shutil
 import subprocess
+from pathlib import Path
 
 import numpy
 import pytest
@@ -208,6 +209,18 @@ def test_no_ray_that_must_meet_water_misses_it(coast, eye, forward):
     print(eye, int(floats_of(log)[0]), "vertices", red, green, blue)
     assert not (below[:, :, 0] > 0.5).any()
     assert green > 0.01 and blue > 0.1 and floats_of(log)[0] < 20000
+
+
+def test_no_function_has_two_parameters_that_povray_takes_for_one():
+    """A function (x, z, u) reads u as x."""
+    macros = Path(__file__).parents[2] / "povray_macros"
+    found = []
+    for path in macros.glob("*.inc"):
+        for parameters in re.findall(r"function *\(([^()]*)\)", path.read_text()):
+            names = {name.strip() for name in parameters.split(",")}
+            if {"x", "u"} <= names or {"y", "v"} <= names:
+                found.append(f"{path.name}: ({parameters})")
+    assert not found
 
 
 def test_the_water_has_one_tone_on_both_sides_of_the_border_of_the_map(coast):
