@@ -295,7 +295,8 @@ long MockK8055::reap(const UMockdevIoctlBase* node, UMockdevIoctlData* argument)
         const Block place(argument, 0, sizeof(void*));
         umockdev_ioctl_data_set_ptr(place.data(), 0, transfer->urb);
         transfers_.erase(transfer);
-        const bool more = std::ranges::any_of(transfers_, &Transfer::done);
+        const bool more = std::ranges::any_of(
+            transfers_, [node](const Transfer& left) { return left.done && left.node == node; });
         if (!more && is_there(node)) show_ready(false);
         return 0;
     }

@@ -160,8 +160,8 @@ def test_far_glitter_is_that_of_all_slopes(choppy, elevation, altitude):
 @pytest.mark.parametrize("altitude", [4.0, 10.0, 30.0])
 def test_glitter_reaches_the_horizon(choppy, altitude):
     """The last degree of a view, in the sun's column: between a half and one and a half
-    of what the formula says, which knows no shadows; more than a third of a sun as low as 4
-    degrees, of which leaning normals alone would show none."""
+    of what the formula says, which knows no shadows. Normals that lean to the eye alone would show
+    none of a sun as low as 4 degrees."""
     whole, _ = slopes_of(choppy)
     choppy.run(
         f"""global_settings {{ assumed_gamma 1.0 max_trace_level 3 }}
@@ -195,4 +195,7 @@ object {{ Ocean_View(Eye, Target, 4, 0.5) Ocean_Material("jerlov_ii") no_reflect
         light.append(rows[row])
     ratio = numpy.mean(light) / numpy.mean(wanted)
     print(f"\n{numpy.mean(light):.3f}, expected {numpy.mean(wanted):.3f}: {ratio:.2f}")
-    assert (0.5 if altitude > 5 else 0.35) < ratio < 1.5
+    assert 0.35 < ratio < 1.5
+    if altitude == 4.0 and ratio <= 0.5:
+        pytest.xfail("far water shows less than a half of the light of so low a sun")
+    assert ratio > 0.5

@@ -120,8 +120,11 @@ void add_record_warnings(const Parameters& parameters, SeaState& state) {
     for (std::size_t i = 0; i < parameters.waves.size(); ++i) {
         const WaveSystem& system = parameters.waves[i];
         const std::string name = "waves." + std::to_string(i);
-        if (system.spectrum != SpectrumKind::measured) warn_of_unread(system, name, state);
-        if (system.spectrum != SpectrumKind::measured || system.measured == nullptr) continue;
+        if (system.spectrum != SpectrumKind::measured) {
+            warn_of_unread(system, name, state);
+            continue;
+        }
+        if (system.measured == nullptr) continue;
         for (const std::string& warning : system.measured->warnings) {
             state.warnings.push_back(name + ".file: " + warning);
         }

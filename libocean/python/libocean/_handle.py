@@ -60,13 +60,13 @@ def value_arrays(values: Mapping[str, Any]) -> tuple[Any, Any, int]:
     return array(*names), array(*texts), len(values)
 
 
-OPTIONS = ("threads", "backend", "foam_start", "progress", "jobs")
+_OPTIONS = ("threads", "backend", "foam_start", "progress", "jobs")
 """The keywords of the functions that open a subject."""
 
 
 def _unknown_option(name: str) -> TypeError:
-    near = difflib.get_close_matches(name, OPTIONS, 1)
-    words = f"did you mean {near[0]}?" if near else "allowed: " + ", ".join(OPTIONS)
+    near = difflib.get_close_matches(name, _OPTIONS, 1)
+    words = f"did you mean {near[0]}?" if near else "allowed: " + ", ".join(_OPTIONS)
     return TypeError(f"unknown option '{name}'; {words}")
 
 
@@ -91,8 +91,8 @@ class Handle(ReadOnly):
         jobs: Callable[[Callable[[int], None], int], object] | None = None,
         **unknown: Any,
     ) -> None:
-        for name in unknown:
-            raise _unknown_option(name)
+        if unknown:
+            raise _unknown_option(next(iter(unknown)))
         self._handle: ctypes.c_void_p | None = None
         self._lock = threading.RLock()
         if not callable(opener):
