@@ -821,6 +821,7 @@ def title_width(picture: numpy.ndarray, row: int) -> int:
     return bar[-1] - bar[0] + 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("hand", ["640x723"], indirect=True)
 def test_the_panel_follows_the_window_to_another_screen(hand):
     """Twice as large it is the same: letters of 26 pixels have the outlines of those of 13, and no
@@ -920,6 +921,7 @@ def test_a_hand_uses_a_gamepad_and_a_joystick(hand):
     assert rms(hand.at_rest(), before) > 0.005
 
 
+@pytest.mark.slow
 def test_a_hand_compares_backends(hand):
     hand.key("space")
     # The list begins under its own line: gl, cpu, radix2, dft (which refuses 128 samples), thesis.

@@ -47,6 +47,7 @@ using Counts = std::vector<std::uint32_t>;
 void count_reads(const float* row, const float* next, int size, int reads, Counts& counts) {
     const auto columns = static_cast<std::size_t>(size);
     std::vector<float> between(columns + 1);
+    std::vector<std::int32_t> bins(columns);  // apart from the counts, for the vectoriser
     for (int r = 0; r < reads; ++r) {
         const float v = place_of_read(r, reads);
         for (std::size_t i = 0; i < columns; ++i) {
@@ -57,8 +58,9 @@ void count_reads(const float* row, const float* next, int size, int reads, Count
             const float u = place_of_read(s, reads);
             for (std::size_t i = 0; i < columns; ++i) {
                 const float read = between[i] + (between[i + 1] - between[i]) * u;
-                ++counts[static_cast<std::size_t>(std::min(static_cast<int>(read), kBins - 1))];
+                bins[i] = static_cast<std::int32_t>(std::min(read, kBins - 1.0f));
             }
+            for (const std::int32_t bin : bins) ++counts[static_cast<std::size_t>(bin)];
         }
     }
 }
