@@ -95,6 +95,7 @@ std::vector<ParameterValue> ends_of(const ParameterInfo& info) {
 Parameters sea_of(SpectrumKind kind) {
     Parameters parameters = test::wind_sea(64, 200.0);
     parameters.water.depth = 20.0;
+    parameters.surface.foam_step = 1.0;  // the longest lifetime is thousands of the default's ticks
     parameters.waves.front().spectrum = kind;
     if (kind == SpectrumKind::measured) {
         SpectrumRecord record;
