@@ -23,7 +23,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     docs_packages=(python3-sphinx python3-myst-parser furo python3-breathe doxygen)
     test_packages=(
         "${demo_packages[@]}" "${lint_packages[@]}" "${docs_packages[@]}" binutils libgtest-dev libgmock-dev
-        libfftw3-dev glslang-tools spirv-tools python3-numpy python3-pytest python3-openimageio
+        libfftw3-dev glslang-tools spirv-tools python3-numpy python3-pil python3-pytest python3-openimageio
         openimageio-tools openexr clang libclang-rt-14-dev valgrind blender libegl1 libegl-mesa0 libgl1
         libgl1-mesa-dri xvfb xauth xdotool telnet netcat-openbsd python3-meshio python3-openvdb
         libopenvdb-tools desktop-file-utils shared-mime-info
