@@ -3,13 +3,16 @@
 //
 // Figures of our own kernel: against the machine, through the C API, beside other work, and of
 // frames that no rival makes.
+#include <benchmark/benchmark.h>
 #include <libocean.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <bit>
 #include <cstring>
+#include <limits>
 #include <string>
 
 #include "frame_maps.hpp"
@@ -118,6 +121,13 @@ class CApiFrame {
     ocean_output outputs_[2] = {};
 };
 
+/// Reads every number of a map once, as a caller does that copies it on.
+void read_back(const HugeArray<float>& map, std::size_t count) {
+    std::uint32_t sum = 0;  // of integers, whose order the compiler may change
+    for (std::size_t i = 0; i < count; ++i) sum += std::bit_cast<std::uint32_t>(map.data()[i]);
+    benchmark::DoNotOptimize(sum);
+}
+
 /// The frame of vertices alone, in milliseconds; ours has no rivals here.
 Rounds measure_vertices(const Sea& sea, int threads, const TableOptions& options) {
     OurFrame frame(sea, threads, options.level);
@@ -172,6 +182,44 @@ bool c_api_figures(int n, const TableOptions& options, Report& report) {
         same &= same_bits(normal, c_api.normal, "normal");
     }
     return same;
+}
+
+void read_back_figures(int n, const TableOptions& options, Report& report) {
+    ThreadPool pool;
+    const Sea sea(n, pool);
+    const std::size_t count = 3 * sea.modes.lattice.size();
+    const HugeArray<float> displacement(count), normal(count);
+    const CacheSizes here = cache_sizes();
+    CacheSizes large = here, none = here;
+    large.shared = std::numeric_limits<std::size_t>::max();
+    none.shared = 0;
+    for (const int threads : {1, 2}) {
+        std::vector<Frame> frames;
+        std::vector<std::unique_ptr<OurFrame>> kernels;
+        for (const CacheSizes& caches : {here, large, none}) {
+            kernels.push_back(std::make_unique<OurFrame>(sea, threads, options.level, caches));
+            OurFrame& kernel = *kernels.back();
+            kernel.show(product_outputs(displacement, normal), sea.parameters.surface);
+            frames.push_back([&kernel](double time) { kernel.run(time); });
+            frames.push_back([&, count](double time) {
+                kernel.run(time);
+                read_back(displacement, count);
+                read_back(normal, count);
+            });
+        }
+        const Rounds rounds = measure(frames, options.rounds(State::hot, threads));
+        const auto figure = [&](const std::string& what, std::size_t a, std::size_t b) {
+            report.figure(what + ", N = " + std::to_string(n), simd_text(options), threads,
+                          median_ratio(rounds, a, b), "");
+        };
+        report.figure("displacement and normal, N = " + std::to_string(n), simd_text(options),
+                      threads, 1e3 * median(rounds.seconds[0]), "ms");
+        figure("written and read back / written", 1, 0);
+        figure("through the caches / as chosen", 2, 0);
+        figure("through the caches / as chosen, both read back", 3, 1);
+        figure("past the caches / as chosen", 4, 0);
+        figure("past the caches / as chosen, both read back", 5, 1);
+    }
 }
 
 void busy_figures(int n, const TableOptions& options, Report& report) {

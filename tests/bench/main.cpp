@@ -27,7 +27,7 @@ constexpr const char* kUsage =
     "usage: ocean_bench --table [--sizes 256,512] [--only PART[,PART]] [--simd avx2|avx512]\n"
     "                   [--quick] [--all-variants] [--ordinary-pages] [--json FILE]\n"
     "       ocean_bench [--benchmark_filter=REGEX] [--benchmark_...]\n"
-    "parts: vertices planar peers machine traffic capi busy rebuild product hosts large\n";
+    "parts: vertices planar peers machine traffic readback capi busy rebuild product hosts large\n";
 
 struct Arguments {
     TableOptions table;
@@ -130,6 +130,9 @@ int run_table(const Arguments& arguments) {
     if (arguments.wants("planar")) right &= frames_table(FrameKind::planar, options, report);
     if (arguments.wants("peers")) right &= peers_table(n, options, report);
     if (arguments.wants("capi")) right &= c_api_figures(n, options, report);
+    if (arguments.wants("readback")) {
+        for (const int size : options.sizes) read_back_figures(size, options, report);
+    }
     if (arguments.wants("busy")) busy_figures(n, options, report);
     if (arguments.wants("rebuild")) rebuild_figures(n, options, report);
     if (arguments.wants("product")) product_figures(n, options, report);

@@ -10,10 +10,11 @@
 
 namespace ocean::bench {
 
-OurFrame::OurFrame(const Sea& sea, int threads, SimdLevel level)
+OurFrame::OurFrame(const Sea& sea, int threads, SimdLevel level, const CacheSizes& caches)
     : modes_(&sea.modes),
       pool_(std::make_unique<ThreadPool>(threads)),
-      kernel_(pack_modes(map_modes(sea.modes, 0.0, sea.modes.lattice.resolution), *pool_, level)) {
+      kernel_(pack_modes(map_modes(sea.modes, 0.0, sea.modes.lattice.resolution), *pool_, level),
+              caches) {
     frame_.settings = VertexMaps::settings();
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernel/map_kernel.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/thread_pool.hpp"
 #include "subject.hpp"
 
@@ -16,7 +17,8 @@ namespace ocean::bench {
 class OurFrame {
   public:
     /// `sea` must outlive this. The modes are packed for the fields that outputs may need.
-    OurFrame(const Sea& sea, int threads, SimdLevel level);
+    OurFrame(const Sea& sea, int threads, SimdLevel level,
+             const CacheSizes& caches = cache_sizes());
 
     void show(std::vector<MapOutput> outputs, const SurfaceSettings& settings,
               const FoamLayer& foam = {});

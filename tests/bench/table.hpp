@@ -32,6 +32,9 @@ void machine_figures(const TableOptions& options, Report& report);
 void traffic_figures(const TableOptions& options, Report& report);
 /// ocean_evaluate into the caller's memory against the kernel alone. False if the bits differ.
 bool c_api_figures(int n, const TableOptions& options, Report& report);
+/// Maps that their caller reads next, written through the caches and past them, against the choice
+/// that the kernel makes by itself.
+void read_back_figures(int n, const TableOptions& options, Report& report);
 /// Two threads against one while another process wants a processor too.
 void busy_figures(int n, const TableOptions& options, Report& report);
 /// Spectrum and modes after a parameter moved, against a frame.

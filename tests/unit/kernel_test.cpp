@@ -202,11 +202,14 @@ class KernelFrames : public testing::Test {
     }
 };
 
+constexpr std::size_t kEndless = std::size_t{1} << 40;
+/// Outputs are stored past the one and through the other.
+constexpr CacheSizes kNoCaches{0, 0}, kLargeCaches{kEndless, kEndless};
+
 TEST_F(KernelFrames, HaveTheSameBitsForAnySizesOfCaches) {
-    constexpr std::size_t kEndless = std::size_t{1} << 40;
     for (const SimdLevel level : levels()) {
-        const auto whole = channels(level, 1, {kEndless, kEndless});
-        EXPECT_EQ(channels(level, 1, {0, 0}), whole);
+        const auto whole = channels(level, 1, kLargeCaches);
+        EXPECT_EQ(channels(level, 1, kNoCaches), whole);
         EXPECT_EQ(channels(level, 2, {0, kEndless}), whole);
         EXPECT_EQ(channels(level, 2, {std::size_t{96} << 10, 0}), whole);
     }
@@ -271,18 +274,20 @@ TEST_F(KernelFrames, HaveTheSameBitsInAnySubsetAndAnyLayout) {
             for (const auto& [offset, gap] : layouts) {
                 const std::size_t n = quantities.size();
                 const std::size_t pitch = n * kSize + gap;
-                PageVector<float> buffer(kSize * pitch + 64, -7.0f);
-                MapOutput output{buffer.data() + offset, static_cast<int>(n), {}, pitch};
-                for (std::size_t c = 0; c < n; ++c) output.component[c] = {quantities[c], 1.0f};
-                run(level, {&output, 1}, pool_);
-                PageVector<float> whole(buffer.size(), -7.0f);
+                PageVector<float> whole(kSize * pitch + 64, -7.0f);
                 for (std::size_t i = 0; i < modes_.lattice.size(); ++i) {
                     float* const sample = &whole[offset + i / kSize * pitch + i % kSize * n];
                     for (std::size_t c = 0; c < n; ++c) sample[c] = expected(i, c);
                 }
-                ASSERT_EQ(buffer, whole)
-                    << simd_name(level) << ", " << n << " components " << offset
-                    << " floats behind a line, " << gap << " between rows";
+                for (const CacheSizes& caches : {kNoCaches, kLargeCaches}) {
+                    PageVector<float> buffer(whole.size(), -7.0f);
+                    MapOutput output{buffer.data() + offset, static_cast<int>(n), {}, pitch};
+                    for (std::size_t c = 0; c < n; ++c) output.component[c] = {quantities[c], 1.0f};
+                    run(level, {&output, 1}, pool_, {}, caches);
+                    ASSERT_EQ(buffer, whole) << simd_name(level) << ", " << n << " components "
+                                             << offset << " floats behind a line, " << gap
+                                             << " between rows, caches of " << caches.shared;
+                }
             }
         }
     }
@@ -304,14 +309,18 @@ TEST_F(KernelFrames, FollowFoamFromTheMapBefore) {
     for (const SimdLevel level : levels()) {
         const auto planar = channels(level, 1);
         const auto& whitecap = planar[static_cast<int>(Channel::whitecap)];
-        PageVector<float> foam(whitecap.size());
-        for (std::size_t i = 0; i < foam.size(); ++i) foam[i] = static_cast<float>(i % 17) / 16.0f;
-        const PageVector<float> before = foam;
-        const MapOutput output{foam.data(), 1, {{{Channel::foam, 1.0f}}}};
-        run(level, {&output, 1}, pool_, {foam.data(), 0.5f, 0.1f});
-        for (std::size_t i = 0; i < foam.size(); ++i) {
-            const float value = std::max(whitecap[i], 0.5f * before[i]);
-            ASSERT_EQ(foam[i], value < 0.1f ? 0.0f : value) << simd_name(level) << " at " << i;
+        PageVector<float> before(whitecap.size());
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            before[i] = static_cast<float>(i % 17) / 16.0f;
+        }
+        for (const CacheSizes& caches : {kNoCaches, kLargeCaches}) {
+            PageVector<float> foam = before;
+            const MapOutput output{foam.data(), 1, {{{Channel::foam, 1.0f}}}};
+            run(level, {&output, 1}, pool_, {foam.data(), 0.5f, 0.1f}, caches);
+            for (std::size_t i = 0; i < foam.size(); ++i) {
+                const float value = std::max(whitecap[i], 0.5f * before[i]);
+                ASSERT_EQ(foam[i], value < 0.1f ? 0.0f : value) << simd_name(level) << " at " << i;
+            }
         }
     }
 }

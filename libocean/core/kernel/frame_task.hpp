@@ -102,6 +102,7 @@ struct FrameTask {
     std::size_t source_stride;  // from one source to the next
     std::size_t line_stride;    // and from one j < B / 2 to the next
     bool stream_intermediate;
+    bool stream_outputs;
 
     Source source[kSourceCount];
     int source_count;

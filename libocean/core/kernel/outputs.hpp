@@ -106,13 +106,15 @@ OCEAN_INLINE void stream_lines(float* target, const float* lines) {
     stream_part(target + count, lines + count, offset);
 }
 
-/// Writes a row of one output of n interleaved components.
+/// Writes a row of one output of n interleaved components, past the caches or through them.
 template <int n>
-OCEAN_INLINE void write_interleaved(const MapOutput& output, const RowSamples& row, float* target) {
+OCEAN_INLINE void write_interleaved(const MapOutput& output, const RowSamples& row, bool streams,
+                                    float* target) {
     // Buffers of hosts begin anywhere: those of malloc 16 bytes behind a line.
-    const bool aligned = is_aligned(target);
-    const int offset = place_in_line(target);
+    const bool in_lines = streams && !is_aligned(target);
+    const bool direct = streams && !in_lines;
     alignas(64) float lines[n * kItemWidth + kLineFloats];
+    float* const stored = in_lines ? lines + place_in_line(target) : target;
     for (int v = 0; v < kRowVectors; ++v) {
         Vec component[n];
         for (int c = 0; c < n; ++c) {
@@ -122,14 +124,14 @@ OCEAN_INLINE void write_interleaved(const MapOutput& output, const RowSamples& r
         if constexpr (n > 1) interleave(component);
         for (int c = 0; c < n; ++c) {
             const int i = (v * n + c) * kLanes;
-            if (aligned) {
+            if (direct) {
                 stream(target + i, component[c]);
             } else {
-                store_unaligned(lines + offset + i, component[c]);
+                store_unaligned(stored + i, component[c]);
             }
         }
     }
-    if (!aligned) stream_lines<n * kItemWidth>(target, lines);
+    if (in_lines) stream_lines<n * kItemWidth>(target, lines);
 }
 
 /// Writes a row of an output some of whose components must stay unchanged: value by value.
@@ -159,16 +161,16 @@ OCEAN_INLINE void write_outputs(const FrameTask& task, const RowSamples& row, in
                               column * static_cast<std::size_t>(output.components);
         switch (task.whole[o] ? output.components : 0) {
             case 1:
-                write_interleaved<1>(output, row, target);
+                write_interleaved<1>(output, row, task.stream_outputs, target);
                 break;
             case 2:
-                write_interleaved<2>(output, row, target);
+                write_interleaved<2>(output, row, task.stream_outputs, target);
                 break;
             case 3:
-                write_interleaved<3>(output, row, target);
+                write_interleaved<3>(output, row, task.stream_outputs, target);
                 break;
             case 4:
-                write_interleaved<4>(output, row, target);
+                write_interleaved<4>(output, row, task.stream_outputs, target);
                 break;
             default:
                 write_some_components(output, row, target);

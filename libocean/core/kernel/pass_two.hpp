@@ -155,12 +155,20 @@ void write_direct_planes(const FrameTask& task, int k, int x0, const float* scra
         float* out = plane.data + static_cast<std::size_t>(k) * plane.row_pitch + x0;
         const std::size_t step = A * plane.row_pitch;
         const Vec factor(plane.factor);
+        const bool streams = task.stream_outputs;
+        const auto put = [streams](float* to, Vec x) OCEAN_INLINE_LAMBDA {
+            if (streams) {
+                stream(to, x);
+            } else {
+                store(to, x);
+            }
+        };
         if constexpr (kPairs == 1) {
             const float* ahead = next.share(k, plane.slot, 0);
             sweep_samples<A, B>(field, k, ahead, [=](int l, Complex x) OCEAN_INLINE_LAMBDA {
                 float* row = out + static_cast<std::size_t>(l) * step;
-                stream(row, x.re * factor);
-                stream(row + kPartner, x.im * factor);
+                put(row, x.re * factor);
+                put(row + kPartner, x.im * factor);
             });
         } else {
             Complex samples[kPairs][B];
@@ -172,11 +180,9 @@ void write_direct_planes(const FrameTask& task, int k, int x0, const float* scra
             }
             for (int l = 0; l < B; ++l) {
                 float* row = out + static_cast<std::size_t>(l) * step;
-                for (int p = 0; p < kPairs; ++p)
-                    stream(row + p * kLanes, samples[p][l].re * factor);
+                for (int p = 0; p < kPairs; ++p) put(row + p * kLanes, samples[p][l].re * factor);
                 row += kPartner;
-                for (int p = 0; p < kPairs; ++p)
-                    stream(row + p * kLanes, samples[p][l].im * factor);
+                for (int p = 0; p < kPairs; ++p) put(row + p * kLanes, samples[p][l].im * factor);
             }
         }
     }
