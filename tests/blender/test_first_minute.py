@@ -300,6 +300,15 @@ def test_a_touched_cube_stays(default_file, touch):
     assert start_up.untouched(default_file) == []
 
 
+def test_a_lamp_with_nodes_of_its_own_stays(default_file):
+    cube, lamp = bpy.data.objects["Cube"], bpy.data.objects["Light"]
+    lamp.data.use_nodes = True  # from 5.2 on each lamp has nodes
+    emission = next(node for node in lamp.data.node_tree.nodes if node.type == "EMISSION")
+    assert start_up.untouched(default_file) == [cube, lamp]
+    emission.inputs["Strength"].default_value = 2.0
+    assert start_up.untouched(default_file) == [cube]
+
+
 def test_nothing_goes_from_a_scene_with_other_objects(default_file):
     bpy.ops.object.empty_add()
     assert start_up.untouched(default_file) == []

@@ -66,13 +66,27 @@ def _is_default_cube(ob) -> bool:
     )
 
 
+def _has_default_nodes(lamp) -> bool:
+    """Returns whether a lamp has no nodes, or those that Blender 5.2 gives each lamp."""
+    if lamp.node_tree is None:
+        return True
+    nodes = {node.type: node for node in lamp.node_tree.nodes}
+    if set(nodes) != {"EMISSION", "OUTPUT_LIGHT"} or len(lamp.node_tree.nodes) != 2:
+        return False
+    emission = nodes["EMISSION"].inputs
+    return (
+        _is_near(emission["Color"].default_value, (1.0, 1.0, 1.0, 1.0))
+        and emission["Strength"].default_value == 1.0
+    )
+
+
 def _is_default_lamp(ob) -> bool:
     lamp = ob.data
     return (
         ob.type == "LIGHT"
         and _is_plain(lamp)
         and lamp.type == "POINT"
-        and not getattr(lamp, "use_nodes", False)
+        and _has_default_nodes(lamp)
         and lamp.energy == 1000.0
         and _is_near(lamp.color, (1.0, 1.0, 1.0))
     )
