@@ -190,36 +190,30 @@ void read_back_figures(int n, const TableOptions& options, Report& report) {
     const std::size_t count = 3 * sea.modes.lattice.size();
     const HugeArray<float> displacement(count), normal(count);
     const CacheSizes here = cache_sizes();
-    CacheSizes large = here, none = here;
-    large.shared = std::numeric_limits<std::size_t>::max();
+    CacheSizes endless = here, none = here;
+    endless.shared = std::numeric_limits<std::size_t>::max();
     none.shared = 0;
-    for (const int threads : {1, 2}) {
-        std::vector<Frame> frames;
-        std::vector<std::unique_ptr<OurFrame>> kernels;
-        for (const CacheSizes& caches : {here, large, none}) {
-            kernels.push_back(std::make_unique<OurFrame>(sea, threads, options.level, caches));
-            OurFrame& kernel = *kernels.back();
-            kernel.show(product_outputs(displacement, normal), sea.parameters.surface);
-            frames.push_back([&kernel](double time) { kernel.run(time); });
-            frames.push_back([&, count](double time) {
-                kernel.run(time);
-                read_back(displacement, count);
-                read_back(normal, count);
-            });
-        }
-        const Rounds rounds = measure(frames, options.rounds(State::hot, threads));
-        const auto figure = [&](const std::string& what, std::size_t a, std::size_t b) {
-            report.figure(what + ", N = " + std::to_string(n), simd_text(options), threads,
-                          median_ratio(rounds, a, b), "");
-        };
-        report.figure("displacement and normal, N = " + std::to_string(n), simd_text(options),
-                      threads, 1e3 * median(rounds.seconds[0]), "ms");
-        figure("written and read back / written", 1, 0);
-        figure("through the caches / as chosen", 2, 0);
-        figure("through the caches / as chosen, both read back", 3, 1);
-        figure("past the caches / as chosen", 4, 0);
-        figure("past the caches / as chosen, both read back", 5, 1);
+    std::vector<std::unique_ptr<OurFrame>> kernels;
+    for (const CacheSizes& caches : {here, endless, none}) {
+        kernels.push_back(std::make_unique<OurFrame>(sea, 1, options.level, caches));
+        kernels.back()->show(product_outputs(displacement, normal), sea.parameters.surface);
     }
+    std::vector<Frame> frames = {[&](double time) { kernels.front()->run(time); }};
+    for (const auto& kernel : kernels) {
+        frames.push_back([&, frame = kernel.get()](double time) {
+            frame->run(time);
+            read_back(displacement, count);
+            read_back(normal, count);
+        });
+    }
+    const Rounds rounds = measure(frames, options.rounds(State::hot, 1));
+    const auto figure = [&](const std::string& what, std::size_t a, std::size_t b) {
+        report.figure(what + ", N = " + std::to_string(n), simd_text(options), 1,
+                      median_ratio(rounds, a, b), "");
+    };
+    figure("displacement and normal, then read / not read", 1, 0);
+    figure("through the caches / as chosen, both then read", 2, 1);
+    figure("past the caches / as chosen, both then read", 3, 1);
 }
 
 void busy_figures(int n, const TableOptions& options, Report& report) {

@@ -143,7 +143,8 @@ def print_details(table, times):
 
 
 def print_traffic(runs):
-    """Both passes of a frame, as multiples of what their bytes take at the speed of a copy."""
+    """Both passes of a frame, as multiples of what their bytes take at the speed of a copy; and how
+    many times as fast two threads are as one, the frame and a copy of memory."""
     found = defaultdict(list)
     for run in runs:
         for line in run:
@@ -151,14 +152,25 @@ def print_traffic(runs):
                 found[cell_of(line)].append(line)
     if not found:
         return
-    print("Milliseconds of each pass; (over those of its bytes alone, copied):\n")
-    print_head("instruction set", "frame", "threads", "N", "pass one", "pass two")
+    print("Milliseconds of each pass; (over those of its bytes alone, copied). Of two threads, how")
+    print("many times as fast as one they are; (as a copy of memory is):\n")
+    print_head("instruction set", "frame", "threads", "N", "pass one", "pass two", "gain")
     for cell, lines in found.items():
         columns = []
         for number in (0, 1):
             took = median(line["ms"][number] for line in lines)
             times = median(line["ms"][number] / line["limits"][number] for line in lines)
             columns.append(f"{took:.2f} ({times:.1f})")
+        simd, frame, threads, n = cell
+        alone = found[simd, frame, 1, n]
+        if threads > 1:
+            gains = [
+                median(sum(a[key]) / sum(b[key]) for a, b in zip(alone, lines, strict=True))
+                for key in ("ms", "limits")
+            ]
+            columns.append("{:.2f} ({:.2f})".format(*gains))
+        else:
+            columns.append("")
         print_row(*cell, *columns)
     print()
 
