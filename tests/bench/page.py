@@ -9,6 +9,7 @@ usage: page.py [--quick] [--processes N] [--parts PART...]
 
 import argparse
 import contextlib
+import csv
 import functools
 import io
 import json
@@ -47,11 +48,6 @@ def run(*command: str | Path, **environment: str | Path) -> str:
 def table(head: list[str], rows: list[list[object]]) -> str:
     lines = [head, ["---"] * len(head), *rows]
     return "\n".join("| " + " | ".join(str(cell) for cell in line) + " |" for line in lines)
-
-
-def tables_of(text: str) -> str:
-    """The lines of Markdown tables alone."""
-    return "\n".join(line for line in text.splitlines() if line.startswith("|"))
 
 
 def printed(function, *arguments) -> str:
@@ -171,14 +167,15 @@ def by_blender() -> str:
 
 
 def by_preview() -> str:
-    parts = []
+    stages: dict[str, list[str]] = {}
     for backend in ("cpu", "gl"):
         text = run(
             "xvfb-run", "-a", BUILD / "bin" / "ocean-preview", "preset:beaufort_6",
             "--size", "640x360", "--budget", "60", "--no-detail", "--backend", backend,
         )  # fmt: skip
-        parts.append(f"`--backend {backend}`:\n\n{tables_of(text)}")
-    return "\n\n".join(parts)
+        for row in csv.DictReader(text.splitlines()):
+            stages.setdefault(row["stage"], []).append(f"{float(row['median']):.1f}")
+    return table(["ms, median", "by `cpu`", "by `gl`"], [[name, *ms] for name, ms in stages.items()])
 
 
 def of_coasts() -> str:
