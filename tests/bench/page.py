@@ -175,7 +175,8 @@ def by_preview() -> str:
         )  # fmt: skip
         for row in csv.DictReader(text.splitlines()):
             stages.setdefault(row["stage"], []).append(f"{float(row['median']):.1f}")
-    return table(["ms, median", "by `cpu`", "by `gl`"], [[name, *ms] for name, ms in stages.items()])
+    head = ["ms, median", "by `cpu`", "by `gl`"]
+    return table(head, [[name, *ms] for name, ms in stages.items()])
 
 
 def of_coasts() -> str:
