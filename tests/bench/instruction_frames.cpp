@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // One of each kind of work on one thread, for callgrind to count: tests/bench/instructions.py. Each
-// part of the output is named after what ran since the last.
+// part of the output is named after what ran since the last; lines on standard output say how many
+// lines of memory a frame must read and write.
 #include <valgrind/callgrind.h>
 
 #include <cstdio>
@@ -11,8 +12,10 @@
 
 #include "kernel/map_kernel.hpp"
 #include "ocean/directional_spectrum.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/thread_pool.hpp"
+#include "pass_traffic.hpp"
 
 namespace {
 
@@ -20,6 +23,9 @@ using namespace ocean;
 using enum Channel;
 
 constexpr int kResolution = 256;
+/// Beside this map as large as 512 KiB and 8 MiB are beside one of 1024 x 1024 samples.
+constexpr CacheSizes kCaches{std::size_t{32} << 10, std::size_t{512} << 10};
+constexpr int kLineBytes = 64;
 
 class Maps {
   public:
@@ -47,7 +53,6 @@ void count(const char* name, const Body& body) {
     body();
     CALLGRIND_TOGGLE_COLLECT;
     CALLGRIND_DUMP_STATS_AT(name);
-    std::printf("%s\n", name);
 }
 
 }  // namespace
@@ -68,7 +73,7 @@ int main(int argc, char** argv) {
     const std::vector<Linear> fields = {Linear::height,  displacement_x,  displacement_y,
                                         Linear::slope_x, Linear::slope_y, gradient_xx,
                                         gradient_yy,     gradient_xy};
-    MapKernel kernel(pack_modes(map_modes(modes, 0.0, kResolution), pool));
+    MapKernel kernel(pack_modes(map_modes(modes, 0.0, kResolution), pool), kCaches);
     const SurfaceSettings choppy = with_threshold(parameters.surface, modes, kResolution);
     SurfaceSettings flat = choppy;
     flat.choppiness = 0.0;
@@ -82,10 +87,15 @@ int main(int argc, char** argv) {
     product.add({dx, dy, Channel::height});
     product.add({nx, ny, nz});
     product.add({whitecap});
-    const auto frame = [&](const Maps& maps, const SurfaceSettings& settings) {
-        kernel.run({modes.tau(12.34), settings, maps.outputs(), {}}, pool);
+    const auto frame = [&](const char* name, const Maps& maps, const SurfaceSettings& settings,
+                           int sources) {
+        count(name, [&] { kernel.run({modes.tau(12.34), settings, maps.outputs(), {}}, pool); });
+        int floats = 0;
+        for (const MapOutput& output : maps.outputs()) floats += output.components;
+        const bench::PassTraffic traffic = bench::pass_traffic(kResolution, sources, floats);
+        std::printf("%s %.0f\n", name, (traffic.one + traffic.two) / kLineBytes);
     };
-    count("vertices", [&] { frame(vertices, flat); });
-    count("planar", [&] { frame(planar, flat); });
-    count("product", [&] { frame(product, choppy); });
+    frame("vertices", vertices, flat, 4);
+    frame("planar", planar, flat, 5);
+    frame("product", product, choppy, 5);
 }

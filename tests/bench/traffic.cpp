@@ -8,6 +8,7 @@
 #include "frame_maps.hpp"
 #include "machine_speed.hpp"
 #include "ocean/page_vector.hpp"
+#include "pass_traffic.hpp"
 #include "table.hpp"
 
 namespace ocean::bench {
@@ -74,19 +75,6 @@ class Passes {
     KernelFrame frame_;
 };
 
-/// Bytes of the two passes. Modes: the packets of the half plane. Between the passes each source
-/// is half a spectrum of complex numbers.
-struct PassTraffic {
-    double one;
-    double two;
-};
-PassTraffic traffic_of(const TrafficFrame& frame, int n) {
-    const double half = 0.5 * n * n;
-    const double modes = half * sizeof(float) * kPairNumbers / 2;
-    const double between = half * 2 * sizeof(float) * frame.sources;
-    return {modes + between, between + 2.0 * half * sizeof(float) * frame.floats};
-}
-
 }  // namespace
 
 void traffic_figures(const TableOptions& options, Report& report) {
@@ -117,7 +105,7 @@ void traffic_figures(const TableOptions& options, Report& report) {
                 RoundPlan plan = options.rounds(State::cold, threads);
                 plan.budget = options.quick ? 0.3 : 1.5;
                 const Rounds rounds = measure(both, plan);
-                const PassTraffic traffic = traffic_of(frame, n);
+                const PassTraffic traffic = pass_traffic(n, frame.sources, frame.floats);
                 report.add(TrafficResult{
                     frame.name,
                     n,
