@@ -325,12 +325,16 @@ def text_width(text: str) -> float:
 @contextlib.contextmanager
 def all_data() -> Iterator[None]:
     """Gives bpy.data and bpy.context back, which Blender withholds while an add-on registers."""
-    withheld = bpy.data, bpy.context
-    bpy.data, bpy.context = _bpy.data, _bpy.context
+    # In the Python module of 5.2 bpy.path sees another module than `import bpy` gives.
+    modules = (bpy, getattr(bpy.path, "_bpy", bpy))
+    withheld = [(module, module.data, module.context) for module in modules]
+    for module in modules:
+        module.data, module.context = _bpy.data, _bpy.context
     try:
         yield
     finally:
-        bpy.data, bpy.context = withheld
+        for module, data, context in withheld:
+            module.data, module.context = data, context
 
 
 def remove_handlers_at_exit(remove: Callable[[], None]) -> None:
