@@ -22,7 +22,7 @@ def shared_by(listing: str) -> list[str]:
     kernel = None
     for line in listing.splitlines():
         if member := re.match(r"(\S+):$", line):
-            name = re.match(r"(?:kernel|pair|signal)_(\w+)\.", member[1])
+            name = re.match(r"(?:kernel|passes_\d+|pair|signal|gullies)_([a-z0-9]+)\.", member[1])
             kernel = name[1] if name and name[1] in KERNELS else None
         elif (
             kernel

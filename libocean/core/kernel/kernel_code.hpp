@@ -1,97 +1,49 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The kernel of one instruction set, for all sizes. Included by one file per instruction set,
-// kernel_avx512.cpp and so on, which differ in their compiler flags alone.
+// The kernel of one instruction set: what is the same for all sizes, and the choice among the
+// sizes, which are compiled in files of their own (passes_code.hpp). core/CMakeLists.txt makes a
+// source file for each instruction set that includes this and differs in its compiler flags alone.
 #pragma once
 
 #include "codelets.hpp"
 #include "frame_task.hpp"
-#include "outputs.hpp"
-#include "pass_one.hpp"
-#include "pass_two.hpp"
+#include "outputs_code.hpp"
+#include "passes.hpp"
 
 namespace ocean::OCEAN_KERNEL {
 
-/// The factors of a size as a type, and work(Factors) for the one of `size`.
-template <int kA, int kB>
-struct Factors {
-    static constexpr int A = kA;
-    static constexpr int B = kB;
-};
-template <typename Work>
-OCEAN_INLINE void with_factors(int size, const Work& work) {
-    switch (size) {
-        case 32:
-            return work(Factors<16, 2>{});
-        case 64:
-            return work(Factors<16, 4>{});
-        case 128:
-            return work(Factors<16, 8>{});
-        case 256:
-            return work(Factors<16, 16>{});
-        case 512:
-            return work(Factors<32, 16>{});
-        case 1024:
-            return work(Factors<32, 32>{});
-        case 2048:
-            return work(Factors<64, 32>{});
-        case 4096:
-            return work(Factors<64, 64>{});
-        case 8192:
-            return work(Factors<64, 128>{});
-        default:
-            break;
+static const SizePasses& passes_of(int size) {
+    for (const SizePasses& passes : kPasses16) {
+        if (passes.size == size) return passes;
     }
+    for (const SizePasses& passes : kPasses32) {
+        if (passes.size == size) return passes;
+    }
+    for (const SizePasses& passes : kPasses64) {
+        if (passes.size == size) return passes;
+    }
+    return kPasses64[0];  // no caller asks for another size
 }
 
 static std::size_t field_floats(int size) {
-    std::size_t floats = 0;
-    with_factors(size, [&](auto factors) {
-        constexpr int A = decltype(factors)::A;
-        constexpr int B = decltype(factors)::B;
-        floats = kPairs * B * Sweep<A, B>::kLine + CombinedOutputs<A, B>::kSlotFloats;
-    });
-    return floats;
+    return passes_of(size).field_floats;
 }
 
 static std::size_t scratch_floats(const FrameTask& task) {
-    std::size_t floats = 0;
-    with_factors(task.size, [&](auto factors) {
-        constexpr int A = decltype(factors)::A;
-        constexpr int B = decltype(factors)::B;
-        using Line = Sweep<A, B>;
-        const auto sources = static_cast<std::size_t>(task.source_count);
-        const std::size_t one = sources * B * Line::kLine + B * kTileStride;
-        const std::size_t two = static_cast<std::size_t>(task.slots) * field_floats(task.size);
-        floats = one > two ? one : two;
-    });
-    return floats;
-}
-
-static bool needs_rates(const FrameTask& task) {
-    bool rates = false;
-    for (int s = 0; s < task.source_count; ++s) rates = rates || task.source[s].rate;
-    return rates;
+    const SizePasses& passes = passes_of(task.size);
+    const std::size_t one =
+        static_cast<std::size_t>(task.source_count) * passes.source_floats + passes.tile_floats;
+    const std::size_t two = static_cast<std::size_t>(task.slots) * passes.field_floats;
+    return one > two ? one : two;
 }
 
 static void run_pass_one(const FrameTask& task, int item, float* scratch) {
-    const bool rates = needs_rates(task);
-    with_factors(task.size, [&](auto factors) {
-        constexpr int A = decltype(factors)::A;
-        constexpr int B = decltype(factors)::B;
-        if (rates) {
-            pass_one<A, B, true>(task, item, scratch);
-        } else {
-            pass_one<A, B, false>(task, item, scratch);
-        }
-    });
+    passes_of(task.size).pass_one(task, item, scratch);
 }
 
 static void run_pass_two(const FrameTask& task, int item, float* scratch) {
-    with_factors(task.size, [&](auto factors) {
-        pass_two<decltype(factors)::A, decltype(factors)::B>(task, item, scratch);
-    });
+    passes_of(task.size).pass_two(task, item, scratch);
 }
 
 /// Writes one row from planes.

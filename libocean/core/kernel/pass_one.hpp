@@ -144,17 +144,31 @@ OCEAN_INLINE void sweep_line(SourceKind kind, const Complex* h, const Complex* u
     }
 }
 
+/// The two lines of a group: h, u and, where a source reads them, their rates.
+struct GroupLines {
+    const Complex* h[2];
+    const Complex* u[2];
+    const Complex* h_rate[2];
+    const Complex* u_rate[2];
+};
+template <int A, bool kRates>
+OCEAN_INLINE GroupLines group_lines(const ModeLines<A, kRates>& lines) {
+    constexpr int kOther = kRates ? 1 : 0;
+    return {{lines.h[0], lines.h[1]},
+            {lines.u[0], lines.u[1]},
+            {lines.h_rate[0], lines.h_rate[kOther]},
+            {lines.u_rate[0], lines.u_rate[kOther]}};
+}
+
 /// Runs the first sweep of all sources along both lines of a group.
-template <int A, int B, bool kRates>
-void sweep_group(const FrameTask& task, int j, Vec ky, const ModeLines<A, kRates>& lines,
-                 float* scratch) {
+template <int A, int B>
+void sweep_group(const FrameTask& task, int j, Vec ky, const GroupLines& lines, float* scratch) {
     for (int side = 0; side < 2; ++side) {
         const int line = side == 0 ? j : j == 0 ? B / 2 : B - j;
         for (int s = 0; s < task.source_count; ++s) {
             const Source& source = task.source[s];
-            const bool rate = kRates && source.rate;
-            const Complex* h = rate ? lines.h_rate[kRates ? side : 0] : lines.h[side];
-            const Complex* u = rate ? lines.u_rate[kRates ? side : 0] : lines.u[side];
+            const Complex* h = source.rate ? lines.h_rate[side] : lines.h[side];
+            const Complex* u = source.rate ? lines.u_rate[side] : lines.u[side];
             sweep_line<A, B>(source.kind, h, u, task.wavenumber + line, ky,
                              task.twiddle + 2 * line * A,
                              scratch + (s * B + line) * Sweep<A, B>::kLine);
@@ -211,7 +225,7 @@ void pass_one(const FrameTask& task, int block, float* scratch) {
     const Vec ky = load(task.wavenumber + block * kLanes);
     for (int j = 0; j < B / 2; ++j) {
         read_modes(task, task.groups[block * (B / 2) + j], j == 0, lines);
-        sweep_group<A, B>(task, j, ky, lines, scratch);
+        sweep_group<A, B>(task, j, ky, group_lines(lines), scratch);
     }
     const NextPackets next = next_packets<B>(task, block, scratch);
     float* tile = scratch + task.source_count * B * Sweep<A, B>::kLine;

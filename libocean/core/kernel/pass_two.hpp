@@ -19,8 +19,8 @@ namespace ocean::OCEAN_KERNEL {
 /// A line of ky = j + B i, i < A, is stored in the intermediate as its half with ky > 0; the other
 /// half is the mirror of a line. Lines j and B - j mirror each other: -(j + B i) = (B - j) + B (A -
 /// 1 - i) mod N. Lines 0 and B / 2 mirror themselves: -B i = B (A - i) and -(B/2 + B i) = B/2 + B
-/// (A - 1 - i).
-enum class Line { paired, zero, half };
+/// (A - 1 - i). The readers of both are one function: its code counts, not its few additions.
+enum class Line { paired, own };
 
 /// Loads Z, or i ky Z, along one line. kCut: some of the rows do not exist and count as 0.
 template <int A, int B, Line kLine, bool kDerived, bool kCut>
@@ -34,7 +34,7 @@ struct LineReader {
     OCEAN_INLINE Complex operator()(int i) const {
         const Complex zero = {0.0f, 0.0f};
         const bool mirror = i >= A / 2;
-        const int row = !mirror ? i : kLine == Line::zero ? A - i : A - 1 - i;
+        const int row = !mirror ? i : kLine == Line::own ? A - side - i : A - 1 - i;
         if (kCut && row >= rows) return zero;  // the Nyquist line, row A / 2, among them
         const int from = kLine == Line::paired && mirror ? 1 - side : side;
         const float* entry =
@@ -69,19 +69,19 @@ void sweep_field(const FrameTask& task, int j, const float* entries, float* to) 
     const float* ky = task.wavenumber;
     float* out = to + j * Sweep<A, B>::kLine;
     float* other_out = to + other * Sweep<A, B>::kLine;
-    const auto sweep = [&]<Line kFirst, Line kSecond, bool kCut>() {
-        const LineReader<A, B, kFirst, kDerived, kCut> first{entries, ky + j, ky + other, rows, 0};
-        const LineReader<A, B, kSecond, kDerived, kCut> second{entries, ky + j, ky + other, rows,
-                                                               1};
+    const auto sweep = [&]<Line kLine, bool kCut>() {
+        using Reader = LineReader<A, B, kLine, kDerived, kCut>;
+        const Reader first{entries, ky + j, ky + other, rows, 0};
+        const Reader second{entries, ky + j, ky + other, rows, 1};
         sweep_line_of<A, B>(task, first, j, out);
         sweep_line_of<A, B>(task, second, other, other_out);
     };
     if (j == 0) {
-        sweep.template operator()<Line::zero, Line::half, true>();
+        sweep.template operator()<Line::own, true>();
     } else if (rows < A / 2) {
-        sweep.template operator()<Line::paired, Line::paired, true>();
+        sweep.template operator()<Line::paired, true>();
     } else {
-        sweep.template operator()<Line::paired, Line::paired, false>();
+        sweep.template operator()<Line::paired, false>();
     }
 }
 

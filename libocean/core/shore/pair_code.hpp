@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The loop over labels that adds the waves of one pair, for one instruction set. Included by one
-// file per instruction set, pair_avx512.cpp and so on, which differ in their compiler flags alone.
+// The loop over labels that adds the waves of one pair, for one instruction set; the build compiles
+// it once for each (core/CMakeLists.txt).
 #pragma once
 
 #include "kernel/simd.hpp"

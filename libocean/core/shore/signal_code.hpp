@@ -3,8 +3,8 @@
 //
 // Reads of the signals: cubic B-splines of four by four complex coefficients, turned by the
 // carrier. What every place needs alike is computed in loops over a block of places, the sum of
-// coefficients four floats, two columns, at a time. Included by one file per instruction set,
-// signal_avx512.cpp and so on, which differ in their compiler flags alone.
+// coefficients four floats, two columns, at a time. The build compiles it once for each
+// instruction set (core/CMakeLists.txt).
 #pragma once
 
 #include "kernel/simd.hpp"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The loop of the gullies for one instruction set: the formulas that the GPU compiles, with a
-// vector of points for each number. Included by one file per instruction set, gullies_avx512.cpp
-// and so on, which differ in their compiler flags alone.
+// vector of points for each number. The build compiles it once for each instruction set
+// (core/CMakeLists.txt).
 #pragma once
 
 #include "kernel/simd.hpp"

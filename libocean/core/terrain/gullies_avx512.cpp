@@ -1,5 +1,0 @@
-// SPDX-FileCopyrightText: The libocean authors
-// SPDX-License-Identifier: Apache-2.0
-//
-// The loop of the gullies for avx512: the flags are set in core/CMakeLists.txt.
-#include "terrain/gullies_code.hpp"
