@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 
 #include "ocean/error.hpp"
 #include "ocean/internal/platform.hpp"

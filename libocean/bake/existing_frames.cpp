@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <system_error>
 
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/platform.hpp"

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "complete_file.hpp"

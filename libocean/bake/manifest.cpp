@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <system_error>
 
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"

@@ -3,6 +3,7 @@
 #include "usb_bus.hpp"
 
 #include <algorithm>
+#include <ctime>
 #include <utility>
 
 namespace ocean::bridge {

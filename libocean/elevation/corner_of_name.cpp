@@ -4,6 +4,7 @@
 // The corner of an SRTM tile in its name: see ocean/internal/elevation_import.hpp.
 #include <algorithm>
 #include <charconv>
+#include <string_view>
 
 #include "ocean/internal/elevation_import.hpp"
 

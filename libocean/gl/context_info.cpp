@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 #include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"

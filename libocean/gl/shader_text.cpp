@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <system_error>
 
 #include "ocean/error.hpp"
 #include "ocean/internal/platform.hpp"

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 #include "classic_extent.hpp"
 #include "netcdf_layout.hpp"

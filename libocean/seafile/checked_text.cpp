@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cstdint>
 #include <fstream>
+#include <system_error>
 #include <vector>
 
 #include "ocean/internal/platform.hpp"

@@ -9,6 +9,7 @@
 #include <functional>
 #include <iterator>
 #include <set>
+#include <system_error>
 #include <utility>
 
 #include "archive.hpp"

@@ -12,6 +12,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <system_error>
+#include <thread>
 
 #include "firmata_protocol.hpp"
 #include "listening.hpp"

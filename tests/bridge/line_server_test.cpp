@@ -9,7 +9,9 @@
 
 #include <filesystem>
 #include <future>
+#include <iterator>
 #include <mutex>
+#include <thread>
 
 #include "helpers.hpp"
 #include "ocean/error.hpp"

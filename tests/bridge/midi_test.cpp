@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
+#include <thread>
 
 #include "listening.hpp"
 #include "midi_joiner.hpp"

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "ocean/error.hpp"
 
 namespace ocean::bridge {

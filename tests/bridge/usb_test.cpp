@@ -10,6 +10,7 @@
 #include <cmath>
 #include <condition_variable>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <thread>

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <sstream>
+#include <string_view>
 
 #include "geo_keys.hpp"
 #include "hgt_raster.hpp"

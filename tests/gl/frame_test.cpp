@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <tuple>
 
 #include "ocean/error.hpp"
 #include "ocean/fft.hpp"

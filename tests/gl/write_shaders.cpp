@@ -4,6 +4,7 @@
 // Writes the text of every shader that the backend may give to a driver, a file each, for
 // validators. usage: write_shaders FOLDER
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 

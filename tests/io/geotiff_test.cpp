@@ -10,6 +10,7 @@
 
 #include <array>
 #include <fstream>
+#include <map>
 #include <memory>
 
 #include "ocean/error.hpp"

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
 
 #include "ocean/error.hpp"
 #include "ocean/io/height_field.hpp"

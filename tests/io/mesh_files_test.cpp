@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <random>
+
 #include "ocean/error.hpp"
 #include "ocean/io/points.hpp"
 #include "ocean/io/read_provenance.hpp"

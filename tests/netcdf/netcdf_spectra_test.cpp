@@ -13,8 +13,10 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <new>
 #include <numbers>
 
 #include "../temporary_folder.hpp"

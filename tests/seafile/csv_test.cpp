@@ -7,6 +7,7 @@
 
 #include <cstdio>
 #include <numbers>
+#include <tuple>
 
 #include "helpers.hpp"
 #include "spectrum_format.hpp"

@@ -7,6 +7,7 @@
 
 #include <numbers>
 #include <span>
+#include <tuple>
 
 #include "helpers.hpp"
 #include "ocean/internal/directional_record.hpp"

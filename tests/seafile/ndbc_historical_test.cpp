@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <map>
 #include <numbers>
+#include <tuple>
 
 #include "helpers.hpp"
 #include "spectrum_format.hpp"

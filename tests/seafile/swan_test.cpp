@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <tuple>
 
 #include "helpers.hpp"
 #include "ocean/internal/directional_record.hpp"

@@ -5,6 +5,8 @@
 // the origin in the title, spectra over frequency alone, and broken files.
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "helpers.hpp"
 #include "ocean/internal/directional_record.hpp"
 #include "spectrum_format.hpp"

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <tuple>
 
 #include "formats/fortran_number.hpp"
 #include "helpers.hpp"

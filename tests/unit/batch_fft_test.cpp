@@ -9,6 +9,7 @@
 #include <cmath>
 #include <complex>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "ocean/fft.hpp"

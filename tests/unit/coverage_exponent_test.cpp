@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <ostream>
 
 #include "ocean/foam.hpp"
 #include "ocean/map_levels.hpp"

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 
 #include "ocean/parameter_table.hpp"
 #include "test_seas.hpp"

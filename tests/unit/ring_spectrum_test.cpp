@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <random>
 
 #include "ocean/error.hpp"

@@ -21,7 +21,7 @@ namespace {
 void refuse_elevation_model(const std::string& source, std::string_view kind) {
     constexpr std::string_view kExtensions[] = {".asc", ".flt", ".hdr", ".hgt"};
     const std::string extension = text::to_utf8(utf8_path(source).extension());
-    if (std::ranges::find(kExtensions, extension) == std::ranges::end(kExtensions)) return;
+    if (std::ranges::find(kExtensions, extension) == std::end(kExtensions)) return;
     throw Error(ErrorKind::bad_file, source + ": is an elevation model, not " +
                                          io::subject_words(kind).noun + "; `ocean terrain fit " +
                                          source + " -o land.toml` makes a terrain with its " +

@@ -5,6 +5,7 @@
 #include "povray_files.hpp"
 
 #include <filesystem>
+#include <system_error>
 
 #include "interrupt.hpp"
 #include "ocean/bake/catalogue.hpp"

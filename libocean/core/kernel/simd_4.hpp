@@ -6,6 +6,8 @@
 // simd.hpp.
 #pragma once
 
+#include <cstddef>
+
 namespace ocean::OCEAN_KERNEL {
 
 /// a b + c, a b - c, c - a b, rounded twice.

@@ -5,6 +5,8 @@
 // instructions work in each quad by itself. Included by simd.hpp.
 #pragma once
 
+#include <cstddef>
+
 namespace ocean::OCEAN_KERNEL {
 
 /// Returns a b + c; fms a b - c, fnma c - a b; rounded once.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "ocean/cascades.hpp"
 #include "ocean/dispersion.hpp"

@@ -10,6 +10,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "ocean/grid.hpp"
 #include "ocean/spreading.hpp"

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "ocean/grid.hpp"
 #include "ocean/spreading.hpp"

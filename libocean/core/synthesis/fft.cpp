@@ -5,6 +5,7 @@
 #include "ocean/fft.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "ocean/grid.hpp"
 

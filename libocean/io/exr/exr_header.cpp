@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 
 #include "exr_library.hpp"
 #include "ocean/error.hpp"

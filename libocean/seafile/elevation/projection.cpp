@@ -8,6 +8,7 @@
 #include <cctype>
 #include <filesystem>
 #include <string_view>
+#include <system_error>
 
 #include "ocean/internal/elevation_rules.hpp"
 #include "ocean/internal/platform.hpp"

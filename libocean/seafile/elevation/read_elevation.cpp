@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string_view>
+#include <system_error>
 
 #include "float_grid.hpp"
 #include "ocean/elevation_file.hpp"

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string_view>
+#include <system_error>
 
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <typeinfo>
+#include <utility>
 
 namespace ocean {
 
