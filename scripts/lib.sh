@@ -20,6 +20,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     lint_packages=(
         git python3 python3-venv python3-numpy ca-certificates clang-format shellcheck codespell)
     deb_packages=(dpkg-dev file binutils)
+    quick_packages=("${build_packages[@]}" "${lint_packages[@]}" binutils libgtest-dev libgmock-dev
+        libfftw3-dev ccache)
     docs_packages=(python3-sphinx python3-myst-parser furo python3-breathe doxygen)
     test_packages=(
         "${demo_packages[@]}" "${lint_packages[@]}" "${docs_packages[@]}" binutils libgtest-dev libgmock-dev

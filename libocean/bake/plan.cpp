@@ -38,15 +38,19 @@ std::string decimal_rate(const std::string& text) {
     return shortest_text(part(text.substr(0, slash)) / part(text.substr(slash + 1)));
 }
 
+[[noreturn]] void refuse_absent(const std::string& typed, const std::string& library,
+                                const std::string& allowed) {
+    throw Error(ErrorKind::unsupported,
+                typed + ": this program was built without " + library +
+                    "; the build of `cmake --preset release` has it where " + library +
+                    " is installed" + allowed);
+}
+
 [[noreturn]] void refuse_extension(const Catalogue& catalogue, const std::string& output,
                                    const std::string& extension) {
     const std::string allowed = "allowed are " + catalogue.extensions("and");
-    for (const auto& [optional, library] :
-         {std::pair{".vdb", "OpenVDB"}, std::pair{".tif", "libtiff"}}) {
-        if (extension != optional) continue;
-        throw Error(ErrorKind::unsupported,
-                    "-o " + output + ": this build is without " + library + "; " + allowed);
-    }
+    if (extension == ".vdb") refuse_absent("-o " + output, "OpenVDB", "; " + allowed);
+    if (extension == ".tif") refuse_absent("-o " + output, "libtiff", "; " + allowed);
     std::vector<KnownName> names;
     for (const BakeFormat* format : catalogue.formats) {
         names.push_back({format->extension.substr(1), format->extension});
@@ -72,7 +76,8 @@ std::string homes_of(const std::string& option, const Catalogue& catalogue) {
     return listing(homes, "and");
 }
 
-/// Refuses options that only other formats have, and options whose companion is missing.
+/// Refuses options that only other formats have, options whose companion is missing, and those of a
+/// format that this program was built without: volumes.
 void refuse_foreign_options(const BakeOptions& options, const BakeFormat& format,
                             const Catalogue& catalogue) {
     const std::vector<FormatOption> known = options_of(format, catalogue);
@@ -95,6 +100,11 @@ void refuse_foreign_options(const BakeOptions& options, const BakeFormat& format
                        " have it");
             }
         }
+    }
+    for (const std::string name : kVolumeOptions) {
+        const std::string& text = options.format_option(name);
+        if (text.empty() || catalogue.find_format(".vdb") != nullptr) continue;
+        refuse_absent("--" + name + " " + text, "OpenVDB", "");
     }
 }
 
@@ -155,7 +165,7 @@ const Backend& backend_by_name(const Catalogue& catalogue, const std::string& na
     for (const Backend& backend : catalogue.backends) {
         if (backend.name == name) return backend;
     }
-    if (name == "gl") find_backend(name);  // throws the reason why it is unavailable
+    if (name == "gl" || name == "thesis") find_backend(name);  // throws the reason
     std::vector<std::string_view> names = {kAutoBackend};
     for (const Backend& backend : catalogue.backends) names.push_back(backend.name);
     refuse("unknown backend '" + name + "'" + did_you_mean(name, names) +

@@ -23,6 +23,8 @@
 #include "ocean/gl/context.hpp"
 #include "ocean/text.hpp"
 #include "stage_images.hpp"
+#else
+#include "ocean/backend.hpp"
 #endif
 #include "region_argument.hpp"
 #include "sea_argument.hpp"
@@ -70,13 +72,11 @@ std::vector<OptionGroup> common_options(Typed& typed, const Catalogue& catalogue
               "cascades"},
              {"--backend", &bake.backend, "NAME",
               catalogue.backend_names() + "; default cpu. auto: gl on a GPU, else cpu"},
-#if OCEAN_HAS_GL
              {"--egl-device", &typed.egl_device, "N",
               "Index of the GPU for gl in the list of EGL, from 0; default: the first one"},
              {"--stage", &typed.stage, "STAGE",
               "Write a stage of the transform as EXR, by the backend thesis: h0, spectrum, "
               "butterfly, horizontal-1 .. and vertical-1 .."},
-#endif
          }},
     };
 }
@@ -129,6 +129,8 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
         options.backend = "thesis";
         options.format_options["products"] = "height";
     }
+#else
+    if (!typed.egl_device.empty() || !typed.stage.empty()) find_backend("gl");  // throws the reason
 #endif
     const BakePlan plan = make_bake_plan(options, catalogue);
     InputFiles inputs(typed.sea.source, plan.subject->named_files());

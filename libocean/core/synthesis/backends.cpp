@@ -69,9 +69,11 @@ const Backend& find_backend(std::string_view name) {
         names.push_back(backend.name);
         known += (known.empty() ? "" : ", ") + std::string(backend.name);
     }
-    if (name == "gl") {
+    if (name == "gl" || name == "thesis") {
         throw Error(ErrorKind::unsupported,
-                    "backend gl is not in this program: it was built without a GPU library");
+                    "backend " + std::string(name) +
+                        " is not in this program, which was built without a GPU library; the build "
+                        "of `cmake --preset release` has it where libepoxy is installed");
     }
     throw Error(ErrorKind::invalid_value, "unknown backend '" + std::string(name) + "'" +
                                               did_you_mean(name, names) + "; known: " + known);

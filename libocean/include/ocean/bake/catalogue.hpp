@@ -22,6 +22,10 @@ namespace ocean {
 /// The value of `--backend` for the fastest backend on this machine.
 inline constexpr std::string_view kAutoBackend = "auto";
 
+/// The options that only .vdb files have. A program without OpenVDB reads them too, to refuse them
+/// by the name of what it lacks.
+inline constexpr const char* kVolumeOptions[] = {"box", "voxel", "velocity-voxel", "mist"};
+
 /// A kind of subject, and the function that reads it back from the text in a baked file.
 struct SubjectReader {
     std::string_view kind;

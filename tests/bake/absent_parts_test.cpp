@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Claims: a program that was built without a part says so where that part is requested, and names
+// the build that has it.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ocean/bake/plan.hpp"
+#include "ocean/error.hpp"
+#include "ocean/sea_subject.hpp"
+#include "ocean/seafile.hpp"
+
+namespace ocean {
+namespace {
+
+/// Returns the refusal of a plan by the standard catalogue without .vdb and .tif.
+std::string refusal(const std::string& output, std::pair<std::string, std::string> option = {},
+                    const std::string& backend = "") {
+    Catalogue catalogue = standard_catalogue();
+    std::vector<const BakeFormat*> formats;
+    for (const BakeFormat* format : catalogue.formats) {
+        if (format->extension != ".vdb" && format->extension != ".tif") formats.push_back(format);
+    }
+    catalogue.formats = formats;
+    BakeOptions options;
+    options.source = "preset:beaufort_4";
+    options.output = output;
+    options.resolution = "32";
+    options.backend = backend;
+    if (!option.first.empty()) options.format_options[option.first] = option.second;
+    options.open_subject = [](const std::string&) {
+        return parse_sea_subject(find_preset("beaufort_4").toml, "beaufort_4");
+    };
+    try {
+        make_bake_plan(options, catalogue);
+        return "none";
+    } catch (const Error& error) {
+        return error.what();
+    }
+}
+
+TEST(AbsentParts, AreNamedByTheExtension) {
+    for (const auto& [output, library] :
+         {std::pair{"sea.vdb", "OpenVDB"}, std::pair{"sea.tif", "libtiff"}}) {
+        const std::string said = refusal(output);
+        EXPECT_TRUE(said.starts_with(std::string("-o ") + output +
+                                     ": this program was built without " + library +
+                                     "; the build of `cmake --preset release` has it"))
+            << said;
+    }
+    EXPECT_EQ(refusal("sea.exr"), "none");
+}
+
+TEST(AbsentParts, AreNamedByTheOptionsOfVolumes) {
+    for (const char* const option : kVolumeOptions) {
+        const std::string said = refusal("sea.exr", {option, "1"});
+        EXPECT_TRUE(said.starts_with("--" + std::string(option) +
+                                     " 1: this program was built without OpenVDB; "))
+            << said;
+    }
+}
+
+TEST(AbsentParts, AreNamedByTheBackend) {
+    for (const std::string backend : {"gl", "thesis"}) {
+        const std::string said = refusal("sea.exr", {}, backend);
+        EXPECT_TRUE(said.starts_with("backend " + backend + " is not in this program, which was"))
+            << said;
+    }
+}
+
+}  // namespace
+}  // namespace ocean
