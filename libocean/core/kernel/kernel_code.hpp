@@ -8,7 +8,7 @@
 
 #include "codelets.hpp"
 #include "frame_task.hpp"
-#include "outputs_code.hpp"
+#include "outputs.hpp"
 #include "passes.hpp"
 
 namespace ocean::OCEAN_KERNEL {
