@@ -6,10 +6,8 @@
 
 #include <algorithm>
 #include <charconv>
-#include <iterator>
 #include <limits>
 #include <numeric>
-#include <regex>
 #include <unordered_set>
 
 #include "ocean/error.hpp"
@@ -42,6 +40,44 @@ bool read_char(std::string_view& rest, char c) {
     if (rest.empty() || rest.front() != c) return false;
     rest.remove_prefix(1);
     return true;
+}
+
+/// The place of a frame number in a name: #, %d or $F. The last two may have digits for its width.
+struct FrameToken {
+    std::size_t start;
+    std::string_view text;
+    std::string_view digits;
+};
+
+/// Returns the token at a place of a name, if there is one.
+std::optional<FrameToken> token_at(std::string_view name, std::size_t start) {
+    constexpr std::string_view kDigits = "0123456789";
+    const auto past = [&](std::string_view of, std::size_t from) {
+        return std::min(name.find_first_not_of(of, from), name.size());
+    };
+    const std::string_view rest = name.substr(start);
+    if (rest.starts_with('#'))
+        return FrameToken{start, rest.substr(0, past("#", start) - start), ""};
+    if (rest.starts_with("$F")) {
+        const std::size_t end = past(kDigits, start + 2);
+        return FrameToken{start, rest.substr(0, end - start),
+                          name.substr(start + 2, end - start - 2)};
+    }
+    if (!rest.starts_with('%')) return std::nullopt;
+    const std::size_t end = past(kDigits, start + 1);
+    if (end == name.size() || name[end] != 'd') return std::nullopt;
+    const std::size_t first = start + (rest.starts_with("%0") ? 2 : 1);
+    return FrameToken{start, rest.substr(0, end + 1 - start), name.substr(first, end - first)};
+}
+
+std::vector<FrameToken> tokens_in(std::string_view name) {
+    std::vector<FrameToken> tokens;
+    for (std::size_t at = 0; at < name.size();) {
+        const auto token = token_at(name, at);
+        at += token ? token->text.size() : 1;
+        if (token) tokens.push_back(*token);
+    }
+    return tokens;
 }
 
 struct FrameRange {
@@ -137,41 +173,37 @@ OutputPattern::OutputPattern(const std::string& path) {
     const std::size_t start = slash == std::string::npos ? 0 : slash + 1;
     folder_ = path.substr(0, start);
     const std::string name = path.substr(start);
-    static const std::regex folder_token("##+|%0?[0-9]*d|\\$F");
-    if (std::smatch match; std::regex_search(folder_, match, folder_token)) {
-        refuse("-o '" + path + "': " + match.str() +
+    for (const FrameToken& token : tokens_in(folder_)) {
+        if (token.text == "#") continue;  // a folder may well be called that
+        refuse("-o '" + path + "': " + std::string(token.text) +
                " is in the name of a folder; only names of files may contain a frame number");
     }
     if (name.empty()) refuse("-o '" + path + "': the name of a file is missing");
 
-    static const std::regex token("#+|%0?([0-9]*)d|\\$F([0-9]*)");
-    const auto first = std::sregex_iterator(name.begin(), name.end(), token);
-    const auto count = std::distance(first, std::sregex_iterator());
-    if (count > 1)
+    const std::vector<FrameToken> tokens = tokens_in(name);
+    if (tokens.size() > 1)
         refuse("-o '" + path + "': one frame token (####) is allowed, not " +
-               std::to_string(count));
-    if (count == 0) {
+               std::to_string(tokens.size()));
+    if (tokens.empty()) {
         const std::size_t dot = name.rfind('.');
         const std::size_t end = dot == std::string::npos || dot == 0 ? name.size() : dot;
         before_ = name.substr(0, end);
         after_ = name.substr(end);
         return;
     }
-    const std::smatch match = *first;
-    before_ = match.prefix();
-    after_ = match.suffix();
-    if (match[0].str().front() == '#') {
+    const FrameToken& token = tokens.front();
+    before_ = name.substr(0, token.start);
+    after_ = name.substr(token.start + token.text.size());
+    if (token.text.front() == '#') {
         // Some tools read # as four digits, others as one: a lone # is 4, and #### is 4 everywhere.
-        width_ = match[0].length() == 1 ? 4 : static_cast<int>(match[0].length());
+        width_ = token.text.size() == 1 ? 4 : static_cast<int>(token.text.size());
     } else {
-        const std::string digits = match[1].matched ? match[1].str() : match[2].str();
-        std::string_view rest = digits;
+        std::string_view rest = token.digits;
         width_ = 1;
-        if (!digits.empty() && (!read_int(rest, width_) || width_ < 1 || width_ > 20)) {
-            refuse("-o '" + path + "': 1 to 20 digits are allowed for a frame number");
-        }
+        if (!rest.empty() && !read_int(rest, width_)) width_ = 0;
     }
-    if (width_ > 20) refuse("-o '" + path + "': 1 to 20 digits are allowed for a frame number");
+    if (width_ < 1 || width_ > 20)
+        refuse("-o '" + path + "': 1 to 20 digits are allowed for a frame number");
 }
 
 OutputPattern OutputPattern::with_token() const {

@@ -54,6 +54,7 @@ class Library:
 
 
 LIBRARIES = {
+    "standard": Library(below=()),  # the standard library, precompiled
     "core": Library(
         below=(),
         # The one file that may know the operating system, that which reads its files, and those
@@ -259,7 +260,7 @@ def link_breaches(library: str, text: str) -> list[str]:
     calls += re.findall(r"\bLIBRARIES\s([^)]*)\)", text)  # of ocean_io_library()
     breaches = []
     for arguments in calls:
-        for name in re.sub(r"\$<(?:BUILD|INSTALL)_INTERFACE:(\S+)>", r"\1", arguments).split():
+        for name in re.sub(r"\$<(?:BUILD_INTERFACE|INSTALL_INTERFACE|LINK_ONLY):(\S+)>", r"\1", arguments).split():
             if name in ("PUBLIC", "PRIVATE", "INTERFACE", "ocean_options", "${arg_LIBRARIES}"):
                 continue
             own = re.fullmatch(r"ocean(?:::|_)([a-z]+)(?:_(\w+))?", name)

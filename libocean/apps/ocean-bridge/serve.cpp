@@ -58,7 +58,7 @@ class Log {
 
   private:
     static constexpr std::size_t kMaxLines = 10000;
-    static constexpr auto kShutdownGrace = std::chrono::milliseconds(500);
+    static constexpr auto kShutdownGrace = std::chrono::seconds(3);
 
     void write() {
         std::unique_lock lock(mutex_);

@@ -8,6 +8,13 @@
 
 #include "vdb_grids.hpp"
 
+#if defined(__linux__) && OPENVDB_LIBRARY_MAJOR_VERSION_NUMBER <= 10  // as in vdb_grids.hpp
+extern template class openvdb::tree::Tree<openvdb::points::PointDataTree::RootNodeType>;
+extern template class openvdb::tree::Tree<openvdb::tools::PointIndexTree::RootNodeType>;
+extern template class openvdb::Grid<openvdb::points::PointDataTree>;
+extern template class openvdb::Grid<openvdb::tools::PointIndexTree>;
+#endif
+
 namespace ocean::io {
 namespace {
 
