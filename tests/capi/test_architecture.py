@@ -260,7 +260,8 @@ def link_breaches(library: str, text: str) -> list[str]:
     calls += re.findall(r"\bLIBRARIES\s([^)]*)\)", text)  # of ocean_io_library()
     breaches = []
     for arguments in calls:
-        for name in re.sub(r"\$<(?:BUILD_INTERFACE|INSTALL_INTERFACE|LINK_ONLY):(\S+)>", r"\1", arguments).split():
+        wrapped = r"\$<(?:BUILD_INTERFACE|INSTALL_INTERFACE|LINK_ONLY):(\S+)>"
+        for name in re.sub(wrapped, r"\1", arguments).split():
             if name in ("PUBLIC", "PRIVATE", "INTERFACE", "ocean_options", "${arg_LIBRARIES}"):
                 continue
             own = re.fullmatch(r"ocean(?:::|_)([a-z]+)(?:_(\w+))?", name)
