@@ -33,8 +33,9 @@ class HeaderReader {
     std::uint32_t integer() {
         const std::string_view four = read(4);
         std::uint32_t value = 0;
-        for (std::size_t i = 4; i-- > 0;) {
-            value = (value << 8) | static_cast<unsigned char>(four[i]);
+        for (int shift = 0; const char byte : four) {
+            value |= std::uint32_t{static_cast<unsigned char>(byte)} << shift;
+            shift += 8;
         }
         return value;
     }
