@@ -944,8 +944,8 @@ def test_a_hand_compares_backends(hand):
 
 
 def free_address() -> tuple[str, int]:
-    """Whose port has no digit twice in a row: a key that is pressed twice in a millisecond is text
-    for GLFW, but no second press."""
+    """A free one whose port has no digit twice in a row: a key that is pressed twice in a
+    millisecond is text for GLFW, but no second press."""
     while True:
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))

@@ -8,7 +8,7 @@
 
 #include "vdb_grids.hpp"
 
-#if defined(__linux__) && OPENVDB_LIBRARY_MAJOR_VERSION_NUMBER <= 10  // as in vdb_grids.hpp
+#ifdef OCEAN_LIBRARY_HAS_GRIDS
 extern template class openvdb::tree::Tree<openvdb::points::PointDataTree::RootNodeType>;
 extern template class openvdb::tree::Tree<openvdb::tools::PointIndexTree::RootNodeType>;
 extern template class openvdb::Grid<openvdb::points::PointDataTree>;

@@ -18,9 +18,12 @@
 #include "ocean/io/vdb.hpp"
 #include "ocean/thread_pool.hpp"
 
-#if defined(__linux__) && OPENVDB_LIBRARY_MAJOR_VERSION_NUMBER <= 10
 // The library has all code of the grids whose types it registers: it is not compiled again here. On
 // other systems, and in later versions, the library may hide it.
+#if defined(__linux__) && OPENVDB_LIBRARY_MAJOR_VERSION_NUMBER <= 10
+#define OCEAN_LIBRARY_HAS_GRIDS
+#endif
+#ifdef OCEAN_LIBRARY_HAS_GRIDS
 extern template class openvdb::tree::Tree<openvdb::FloatTree::RootNodeType>;
 extern template class openvdb::tree::Tree<openvdb::Vec3STree::RootNodeType>;
 extern template class openvdb::Grid<openvdb::FloatTree>;
