@@ -10,18 +10,14 @@
 #include <numeric>
 #include <unordered_set>
 
-#include "ocean/error.hpp"
 #include "ocean/internal/csv_rows.hpp"
 #include "ocean/text.hpp"
+#include "refuse.hpp"
 
 namespace ocean {
 namespace {
 
 constexpr std::size_t kMaxFrames = 1000000;
-
-[[noreturn]] void refuse(const std::string& message) {
-    throw Error(ErrorKind::invalid_value, message);
-}
 
 [[noreturn]] void refuse_frames(std::string_view part, const std::string& why) {
     refuse("--frames " + std::string(part) + ": " + why +

@@ -18,15 +18,12 @@
 #include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
 #include "ocean/version.hpp"
+#include "refuse.hpp"
 #include "sha256.hpp"
 #include "source.hpp"
 
 namespace ocean {
 namespace {
-
-[[noreturn]] void refuse(const std::string& message) {
-    throw Error(ErrorKind::invalid_value, message);
-}
 
 /// Returns "24000/1001", the rate of film on television, as a decimal number.
 std::string decimal_rate(const std::string& text) {

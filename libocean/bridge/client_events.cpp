@@ -11,7 +11,7 @@ namespace {
 using Kind = ClientEvent::Kind;
 
 /// Lines that are kept for a program that does not take them; values are not limited.
-constexpr std::size_t kMaxLines = 1000;
+constexpr std::size_t kMaxKeptLines = 1000;
 
 bool is_value(const ClientEvent& event, const std::string& name) {
     return event.kind == Kind::value && event.name == name;
@@ -61,7 +61,7 @@ void ClientEvents::add(ClientEvent event) {
         value_at_[event.name] = events_.size();
     } else {
         if (event.kind == Kind::writer) rewritten_.insert(event.name);
-        if (++line_count_ > kMaxLines) {
+        if (++line_count_ > kMaxKeptLines) {
             const auto oldest = std::ranges::find_if(
                 events_, [](const ClientEvent& old) { return old.kind != Kind::value; });
             events_.erase(oldest);

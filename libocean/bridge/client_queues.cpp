@@ -15,7 +15,7 @@ namespace {
 using Kind = ClientEvent::Kind;
 
 /// Lines of the program that wait to be sent; older ones are dropped.
-constexpr std::size_t kMaxLines = 1000;
+constexpr std::size_t kMaxUnsentLines = 1000;
 
 /// Returns false for GET, LIST and HELP, which are answered by their values, not by OK.
 bool is_answered_by_ok(const std::string& line) {
@@ -72,7 +72,7 @@ bool ClientQueues::send(const std::string& line) {
     const std::lock_guard lock(mutex_);
     if (!is_connected_) return false;
     lines_.push_back(line);
-    if (lines_.size() > kMaxLines) lines_.pop_front();
+    if (lines_.size() > kMaxUnsentLines) lines_.pop_front();
     return needs_wake();
 }
 

@@ -17,7 +17,7 @@ constexpr std::uint8_t kVersion = 0xF9;
 // Kinds of sysex.
 constexpr std::uint8_t kExtendedAnalog = 0x6F;
 constexpr std::uint8_t kFirmware = 0x79;
-constexpr std::uint8_t kSamplingInterval = 0x7A;
+constexpr std::uint8_t kSetSamplingInterval = 0x7A;
 
 constexpr int kShortPins = 16;  // pins that a command byte can name
 
@@ -81,7 +81,7 @@ void FirmataWriter::set_pin_mode(int pin, PinMode mode) {
 }
 
 void FirmataWriter::set_sampling_interval(int milliseconds) {
-    add({kSysex, kSamplingInterval, low(milliseconds), high(milliseconds), kSysexEnd});
+    add({kSysex, kSetSamplingInterval, low(milliseconds), high(milliseconds), kSysexEnd});
 }
 
 void FirmataWriter::report_analog(int input) {

@@ -32,7 +32,7 @@ constexpr auto kVersionRequestInterval = 500ms;
 constexpr auto kAnswerTimeout = 5s;
 constexpr int kSamplingInterval = 10;  // [ms]
 /// The time that a board has at the end to accept its last outputs.
-constexpr auto kShutdownGrace = 200ms;
+constexpr auto kFirmataGrace = 200ms;
 
 /// An input by the numbers that messages give it.
 struct Input {
@@ -249,13 +249,13 @@ class FirmataWorker {
 
     void switch_outputs_off(const SerialPort& line) {
         for (const Output& output : outputs_) write_output(output, 0);
-        const Clock::time_point end = Clock::now() + kShutdownGrace;
+        const Clock::time_point end = Clock::now() + kFirmataGrace;
         while (!writer_.empty() && Clock::now() < end) {
             send(line);
             pollfd waits{line.descriptor(), POLLOUT, 0};
             if (!writer_.empty()) ::poll(&waits, 1, timeout_until(end));
         }
-        line.drain(kShutdownGrace);
+        line.drain(kFirmataGrace);
     }
 
     BoardHost& host_;

@@ -30,7 +30,7 @@ constexpr std::uint16_t kFirstProduct = 0x5500;  // plus the address
 /// initialised again while no board is open: without udev a system gives no notice of a new device.
 constexpr auto kRetryInterval = std::chrono::seconds(2);
 /// The time that boards have at the end to accept their last outputs.
-constexpr auto kShutdownGrace = std::chrono::milliseconds(200);
+constexpr auto kBoardGrace = std::chrono::milliseconds(200);
 
 class K8055Worker {
   public:
@@ -222,7 +222,7 @@ class K8055Worker {
                 board.outputs_dirty = true;
             }
         }
-        const auto end = Clock::now() + kShutdownGrace;
+        const auto end = Clock::now() + kBoardGrace;
         const auto is_sending = [](const UsbBoard& board) {
             return board.is_open() && !board.close_reason &&
                    (board.out_transfer_pending || board.outputs_dirty);

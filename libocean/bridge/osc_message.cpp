@@ -61,7 +61,7 @@ struct FreeMessage {
 };
 using Message = std::unique_ptr<void, FreeMessage>;
 
-Error refused(const std::string& reason) {
+Error refused_message(const std::string& reason) {
     return Error(ErrorKind::invalid_value, reason);
 }
 
@@ -72,15 +72,15 @@ std::string_view checked_types(const std::string& address, std::string_view byte
     constexpr std::string_view kTaken = "ihfdsSTF";
     const std::string_view types = bytes.substr(0, bytes.find('\0'));
     if (!types.starts_with(',')) {
-        throw refused(address + ": the types of its arguments are missing");
+        throw refused_message(address + ": the types of its arguments are missing");
     }
     if (types.find_first_not_of(kTaken, 1) != std::string_view::npos) {
-        throw refused(address + ": its arguments have the types " +
-                      text::printable(types.substr(1), kMaxOscArguments) +
-                      "; allowed: i, h, f, d, s, S, T, F");
+        throw refused_message(address + ": its arguments have the types " +
+                              text::printable(types.substr(1), kMaxOscArguments) +
+                              "; allowed: i, h, f, d, s, S, T, F");
     }
     if (types.size() > 1 + kMaxOscArguments) {
-        throw refused(address + ": it has too many arguments");
+        throw refused_message(address + ": it has too many arguments");
     }
     return types.substr(1);
 }
@@ -108,7 +108,7 @@ OscArgument argument_of(char type, const lo_arg* argument) {
             return type == LO_TRUE;
         default: {
             std::string text(reinterpret_cast<const char*>(argument));
-            if (text.size() > kMaxOscTextBytes) throw refused("its text is too long");
+            if (text.size() > kMaxOscTextBytes) throw refused_message("its text is too long");
             return text;
         }
     }
@@ -117,7 +117,7 @@ OscArgument argument_of(char type, const lo_arg* argument) {
 OscMessage parse_message(std::string_view bytes) {
     const std::size_t end = bytes.find('\0');
     if (!bytes.starts_with('/') || end == std::string_view::npos || end > kMaxOscAddressBytes) {
-        throw refused("not a message of OSC: " + text::printable(bytes.substr(0, end)));
+        throw refused_message("not a message of OSC: " + text::printable(bytes.substr(0, end)));
     }
     OscMessage message{std::string(bytes.substr(0, end)), {}};
     const std::string_view rest = bytes.substr(std::min(end / 4 * 4 + 4, bytes.size()));
@@ -125,7 +125,7 @@ OscMessage parse_message(std::string_view bytes) {
     const std::string_view types = checked_types(message.address, rest);
     std::string copy(bytes);
     const Message parsed(lo_message_deserialise(copy.data(), copy.size(), nullptr));
-    if (!parsed) throw refused(message.address + ": its bytes do not fit its types");
+    if (!parsed) throw refused_message(message.address + ": its bytes do not fit its types");
     lo_arg* const* arguments = lo_message_get_argv(parsed.get());
     for (const char type : types) message.arguments.push_back(argument_of(type, *arguments++));
     return message;
@@ -135,13 +135,13 @@ std::size_t take_size(std::string_view& bytes) {
     std::size_t size = 0;
     for (const char byte : bytes.substr(0, 4)) size = size << 8 | static_cast<unsigned char>(byte);
     bytes.remove_prefix(std::min<std::size_t>(4, bytes.size()));
-    if (size > bytes.size() || size % 4 != 0) throw refused("a bundle's sizes do not fit");
+    if (size > bytes.size() || size % 4 != 0) throw refused_message("a bundle's sizes do not fit");
     return size;
 }
 
 /// Returns the elements of a bundle by their sizes, without a look at their content.
 std::vector<std::string_view> elements_of(std::string_view bundle) {
-    if (bundle.size() < kBundleHead) throw refused("a bundle ends within its time tag");
+    if (bundle.size() < kBundleHead) throw refused_message("a bundle ends within its time tag");
     bundle.remove_prefix(kBundleHead);
     std::vector<std::string_view> elements;
     while (!bundle.empty()) {
@@ -168,7 +168,7 @@ void parse_element(std::string_view bytes, int depth, OscPacket& packet) {
         packet.messages.push_back(parse_message(bytes));
         return;
     }
-    if (depth == kMaxOscBundleDepth) throw refused("its bundles are nested too deeply");
+    if (depth == kMaxOscBundleDepth) throw refused_message("its bundles are nested too deeply");
     for (const std::string_view element : elements_of(bytes)) {
         if (size_of(packet) > kMaxOscMessages) return;
         try {
@@ -203,10 +203,10 @@ void add(lo_message message, const OscArgument& argument) {
 void require_osc() {}
 
 OscPacket parse_osc_packet(std::string_view bytes) {
-    if (bytes.size() % 4 != 0) throw refused("its length is not a multiple of four");
+    if (bytes.size() % 4 != 0) throw refused_message("its length is not a multiple of four");
     OscPacket packet;
     parse_element(bytes, 0, packet);
-    if (size_of(packet) > kMaxOscMessages) throw refused("it has too many messages");
+    if (size_of(packet) > kMaxOscMessages) throw refused_message("it has too many messages");
     return packet;
 }
 

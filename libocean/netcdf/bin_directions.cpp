@@ -18,7 +18,6 @@
 namespace ocean::netcdf {
 namespace {
 
-constexpr double kDegree = kPi / 180.0;
 /// The max of a ratio or a moment that is rounded to two digits.
 constexpr double kMaxRatio = 1.05;
 /// The spread of cos^2, the default spreading: r1 = 8 / (3 pi).

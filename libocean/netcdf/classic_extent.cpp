@@ -17,9 +17,9 @@ struct Stored {
     bool records = false;
 };
 
-class Header {
+class ClassicHeader {
   public:
-    explicit Header(std::istream& file) : file_(file) {
+    explicit ClassicHeader(std::istream& file) : file_(file) {
         std::array<char, 4> magic{};
         file_.read(magic.data(), magic.size());
         wide_counts_ = magic[3] == 5;
@@ -108,7 +108,7 @@ class Header {
 }  // namespace
 
 std::uint64_t classic_extent(std::istream& file) {
-    return Header(file).extent();
+    return ClassicHeader(file).extent();
 }
 
 }  // namespace ocean::netcdf

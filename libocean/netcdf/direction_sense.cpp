@@ -17,8 +17,6 @@
 namespace ocean::netcdf {
 namespace {
 
-constexpr double kDegree = kPi / 180.0;
-
 double offset_degrees(const DirectionSense& sense) {
     return (sense.from_east ? 0.0 : 90.0) + (sense.from ? 180.0 : 0.0);
 }

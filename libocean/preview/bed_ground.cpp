@@ -10,7 +10,7 @@
 namespace ocean::preview {
 namespace {
 
-constexpr std::size_t kComponents = 4;
+constexpr std::size_t kGroundComponents = 4;
 
 // Heights over still water up to which ground is sand, and slopes up to which it holds sand and
 // from which it is a cliff; each with the width of its edge.
@@ -36,7 +36,7 @@ LandImage bed_image(const SeaBed& bed, int max_resolution) {
     image.origin = domain.origin;
     image.wraps = false;
     const auto side = static_cast<std::size_t>(image.resolution);
-    image.texels.resize(kComponents * side * side);
+    image.texels.resize(kGroundComponents * side * side);
     for (std::size_t j = 0, n = 0; j < side; ++j) {
         for (std::size_t i = 0; i < side; ++i, ++n) {
             const double x = domain.origin[0] + texel * static_cast<double>(i);
@@ -45,7 +45,7 @@ LandImage bed_image(const SeaBed& bed, int max_resolution) {
                 (bed_height(bed, x + texel, y) - bed_height(bed, x - texel, y)) / (2.0 * texel);
             const double slope_y =
                 (bed_height(bed, x, y + texel) - bed_height(bed, x, y - texel)) / (2.0 * texel);
-            float* const t = &image.texels[kComponents * n];
+            float* const t = &image.texels[kGroundComponents * n];
             t[0] = static_cast<float>(bed_height(bed, x, y));
             t[1] = static_cast<float>(slope_x);
             t[2] = static_cast<float>(slope_y);
@@ -57,7 +57,7 @@ LandImage bed_image(const SeaBed& bed, int max_resolution) {
 
 std::vector<std::uint8_t> bed_masks(const LandImage& image) {
     std::vector<std::uint8_t> masks(image.texels.size());
-    for (std::size_t n = 0; n < masks.size(); n += kComponents) {
+    for (std::size_t n = 0; n < masks.size(); n += kGroundComponents) {
         const auto height = static_cast<double>(image.texels[n]);
         const double slope = std::sqrt(static_cast<double>(image.texels[n + 3]));
         const double level = step_down(kSandSlope, kSlopeEdge, slope);
@@ -73,7 +73,7 @@ std::vector<std::uint8_t> bed_masks(const LandImage& image) {
 ShownLand bed_land(const SeaBed& bed, LandImage image) {
     ShownLand land;
     double slopes = 0.0, sum = 0.0, squares = 0.0, count = 0.0;
-    for (std::size_t n = 0; n < image.texels.size(); n += kComponents) {
+    for (std::size_t n = 0; n < image.texels.size(); n += kGroundComponents) {
         const auto height = static_cast<double>(image.texels[n]);
         slopes += static_cast<double>(image.texels[n + 3]);
         if (height <= 0.0) continue;
@@ -84,7 +84,8 @@ ShownLand bed_land(const SeaBed& bed, LandImage image) {
     const auto [lowest, highest] = std::ranges::minmax(bed.heights);
     land.mean = sum / std::max(count, 1.0);
     land.rms = std::sqrt(std::max(squares / std::max(count, 1.0) - land.mean * land.mean, 0.0));
-    land.rms_slope = std::sqrt(slopes / static_cast<double>(image.texels.size() / kComponents));
+    land.rms_slope =
+        std::sqrt(slopes / static_cast<double>(image.texels.size() / kGroundComponents));
     land.cell = bed.cell();
     land.heights = {static_cast<double>(lowest), static_cast<double>(highest)};
     land.water_level = 0.0;

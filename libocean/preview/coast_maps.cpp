@@ -13,7 +13,6 @@ namespace ocean::preview {
 namespace {
 
 constexpr int kMaxGround = 2048;
-constexpr std::size_t kComponents = 4;
 
 /// A texture of an image of the windows, a layer for each.
 struct Layers {
@@ -41,7 +40,7 @@ struct Layers {
 double highest_of(const std::vector<CoastImage>& windows) {
     float highest = 0.0f;
     for (const CoastImage& window : windows) {
-        for (std::size_t n = 0; n < window.shape.size(); n += kComponents) {
+        for (std::size_t n = 0; n < window.shape.size(); n += kWindowComponents) {
             if (window.shape[n + 3] <= 0.0f) continue;
             highest = std::max(highest, std::abs(window.shape[n + 2]));
         }

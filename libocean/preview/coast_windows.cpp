@@ -12,7 +12,6 @@
 namespace ocean::preview {
 namespace {
 
-constexpr std::size_t kComponents = 4;
 constexpr double kWindowRatio = 4.0;  // of the cells of neighbouring windows
 /// An eye sees a cell of the finest window under less than 1 in so many.
 constexpr double kFinestAngle = 128.0;
@@ -80,7 +79,7 @@ void write_image(CoastImage& image, const CoastPart& part, const CoastTraces& tr
                  double choppiness) {
     const std::size_t count = sample_count(image.window);
     for (auto* values : {&image.shape, &image.gradients, &image.moments, &image.traces}) {
-        values->assign(kComponents * count, 0.0f);
+        values->assign(kWindowComponents * count, 0.0f);
     }
     // Maps of the open sea have displacements at choppiness 1, which points away.
     const auto scale = static_cast<float>(choppiness > 0.0 ? -1.0 / choppiness : 0.0);
@@ -91,7 +90,7 @@ void write_image(CoastImage& image, const CoastPart& part, const CoastTraces& tr
     const auto depth = read(kDepth);
     visit_part(part, image.window.samples, [&](std::size_t to, std::size_t n) {
         const auto set = [&](std::vector<float>& of, float a, float b, float c, float d) {
-            float* const texel = &of[kComponents * to];
+            float* const texel = &of[kWindowComponents * to];
             texel[0] = a;
             texel[1] = b;
             texel[2] = c;
@@ -144,7 +143,7 @@ std::optional<double> read_windows(const std::vector<CoastImage>& windows,
         const auto i = static_cast<std::size_t>(u), j = static_cast<std::size_t>(v);
         const auto at = [&](std::size_t column, std::size_t row) {
             const std::size_t n = row * static_cast<std::size_t>(window.samples) + column;
-            return static_cast<double>((values.*image)[kComponents * n + component]);
+            return static_cast<double>((values.*image)[kWindowComponents * n + component]);
         };
         const double s = u - std::floor(u), t = v - std::floor(v);
         return std::lerp(std::lerp(at(i, j), at(i + 1, j), s),

@@ -5,6 +5,7 @@
 // ground that breaking waves have left at their samples.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "ocean/preview/coast_maps.hpp"
 
 namespace ocean::preview {
+
+inline constexpr std::size_t kWindowComponents = 4;  // of a texel
 
 /// Reads a component of the finest window that holds a place, linear between samples; nothing where
 /// none does.

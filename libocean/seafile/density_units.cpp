@@ -27,7 +27,6 @@ using namespace std::string_view_literals;
 
 constexpr std::size_t kMaxUnitBytes = 100;
 constexpr int kMaxPower = 9;
-constexpr double kDegree = kPi / 180.0;
 /// Energy per area of a variance, J/m^4: rho g with the defaults of SWAN.
 constexpr double kEnergyOfVariance = 1025.0 * 9.81;
 

@@ -15,7 +15,6 @@
 namespace ocean {
 namespace {
 
-constexpr double kDegree = kPi / 180.0;
 /// Bins closer than this are one: 0 and 360, or radians printed with three digits.
 constexpr double kSameDirection = 0.01;
 /// A gap counts as the outside of a sector if it is wider than this and than a multiple of the

@@ -25,8 +25,7 @@ namespace {
 
 constexpr std::int64_t kTimeTolerance = 30;  // minutes
 constexpr double kPlaceTolerance = 50.0;     // km
-constexpr double kDegree = kPi / 180.0;
-constexpr std::size_t kMaxWarnings = 50;  // for one file
+constexpr std::size_t kMaxWarnings = 50;     // for one file
 
 struct Position {
     double latitude;

@@ -18,7 +18,7 @@
 namespace ocean {
 namespace {
 
-constexpr std::string_view kOpening =
+constexpr std::string_view kSeaOpening =
     "# A sea, for libocean. All units are SI, angles in degrees.\n";
 
 std::string text_if_known(const std::string& value) {
@@ -67,8 +67,8 @@ std::string write_sea(const Sea& sea) {
         if (section == "water") return bed_text(parameters.water);
         return section == "waves" ? measured_record_text(parameters.waves[item]) : "";
     };
-    return std::string(kOpening) + table_text<Parameters>(sea_table(), parameters, line, inlined) +
-           take_text(sea);
+    return std::string(kSeaOpening) +
+           table_text<Parameters>(sea_table(), parameters, line, inlined) + take_text(sea);
 }
 
 }  // namespace ocean

@@ -26,7 +26,7 @@
 namespace ocean {
 namespace {
 
-constexpr std::string_view kOpening =
+constexpr std::string_view kTerrainOpening =
     "# A terrain, for libocean. All units are SI, angles in degrees.\n";
 constexpr std::string_view kRingsTable = "measured_rings";
 constexpr std::string_view kWavenumber = "wavenumber", kDensity = "density";
@@ -225,7 +225,8 @@ std::string write_terrain(const Terrain& terrain) {
         return rings_text(terrain) +
                (terrain.base_model != nullptr ? base_text(*terrain.base_model) : "");
     };
-    return std::string(kOpening) + table_text<Terrain>(terrain_table(), terrain, line, rings);
+    return std::string(kTerrainOpening) +
+           table_text<Terrain>(terrain_table(), terrain, line, rings);
 }
 
 }  // namespace ocean

@@ -28,7 +28,7 @@ using namespace std::chrono_literals;
 using test::Ear;
 using Bytes = std::vector<std::uint8_t>;
 
-std::vector<FirmataReport> parse(const Bytes& bytes) {
+std::vector<FirmataReport> parse_firmata(const Bytes& bytes) {
     return FirmataParser().feed(bytes);
 }
 
@@ -36,26 +36,28 @@ std::vector<FirmataReport> parse(const Bytes& bytes) {
 const Bytes kGreeting = {0xF9, 2, 5, 0xF0, 0x79, 2, 5, 'S', 0, 't', 0, 'd', 0, 0xF7};
 
 TEST(FirmataParser, KnowsWhatABoardSays) {
-    EXPECT_EQ(parse(kGreeting),
+    EXPECT_EQ(parse_firmata(kGreeting),
               (std::vector<FirmataReport>{{FirmataKind::version, 2, 5}, {FirmataKind::firmware}}));
-    EXPECT_EQ(parse({0xE0, 0x7F, 0x07, 0xE5, 0x01, 0x02, 0x90, 0x04, 0x00, 0x91, 0x00, 0x01}),
-              (std::vector<FirmataReport>{{FirmataKind::analog, 0, 1023},
-                                          {FirmataKind::analog, 5, 257},
-                                          {FirmataKind::digital, 0, 4},
-                                          {FirmataKind::digital, 1, 128}}));
+    EXPECT_EQ(
+        parse_firmata({0xE0, 0x7F, 0x07, 0xE5, 0x01, 0x02, 0x90, 0x04, 0x00, 0x91, 0x00, 0x01}),
+        (std::vector<FirmataReport>{{FirmataKind::analog, 0, 1023},
+                                    {FirmataKind::analog, 5, 257},
+                                    {FirmataKind::digital, 0, 4},
+                                    {FirmataKind::digital, 1, 128}}));
 }
 
 TEST(FirmataParser, WhatItDoesNotKnowIsSkipped) {
-    EXPECT_TRUE(parse({}).empty());
-    EXPECT_TRUE(parse({1, 2, 3}).empty());
-    EXPECT_TRUE(parse({0xE0, 1}).empty());
+    EXPECT_TRUE(parse_firmata({}).empty());
+    EXPECT_TRUE(parse_firmata({1, 2, 3}).empty());
+    EXPECT_TRUE(parse_firmata({0xE0, 1}).empty());
     // A text, a message that another breaks off, a reset, one of no such kind; no running status.
-    EXPECT_EQ(parse({0xF0, 0x71, 'H', 0, 0xF7, 0xE1, 5, 0xE2, 6, 0, 7, 7, 0xFF, 1, 1, 0xC0, 1}),
-              (std::vector<FirmataReport>{{FirmataKind::analog, 2, 6}}));
-    EXPECT_TRUE(parse({0xF0, 0xF7, 0xF7, 0xF0, 0x79, 0xE0, 0xF7}).empty());
+    EXPECT_EQ(
+        parse_firmata({0xF0, 0x71, 'H', 0, 0xF7, 0xE1, 5, 0xE2, 6, 0, 7, 7, 0xFF, 1, 1, 0xC0, 1}),
+        (std::vector<FirmataReport>{{FirmataKind::analog, 2, 6}}));
+    EXPECT_TRUE(parse_firmata({0xF0, 0xF7, 0xF7, 0xF0, 0x79, 0xE0, 0xF7}).empty());
     Bytes endless(100'000, 0x79);
     endless.front() = 0xF0;
-    EXPECT_TRUE(parse(endless).empty());
+    EXPECT_TRUE(parse_firmata(endless).empty());
 }
 
 TEST(FirmataParser, ItDoesNotMatterWhereAStreamIsCut) {
@@ -63,7 +65,7 @@ TEST(FirmataParser, ItDoesNotMatterWhereAStreamIsCut) {
     for (const int byte : {0xE0, 1, 2, 0x90, 3, 1, 0xE1, 5, 0xE2, 6, 0}) {
         stream.push_back(static_cast<std::uint8_t>(byte));
     }
-    const std::vector<FirmataReport> whole = parse(stream);
+    const std::vector<FirmataReport> whole = parse_firmata(stream);
     EXPECT_EQ(whole.size(), 5u);
     for (std::size_t cut = 0; cut <= stream.size(); ++cut) {
         FirmataParser parser;

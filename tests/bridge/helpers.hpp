@@ -28,6 +28,11 @@ namespace ocean::bridge::test {
 /// Far beyond every duration on a busy machine: a test that reaches this limit has failed.
 inline constexpr int kPatience = 120'000;  // ms
 
+/// A map: an analog input of the first board sets the wind.
+inline const std::string kKnob =
+    "[[map]]\nfrom = \"board0/a1\"\nto = \"wind_speed\"\nin = [0, 75]\nout = [0, 75]\n"
+    "hysteresis = 0\n";
+
 /// The other end of a board: the test reports, and sees the values of outputs.
 struct Board {
     Source::Listener listener;

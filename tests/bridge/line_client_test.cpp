@@ -17,10 +17,6 @@ namespace {
 using namespace std::chrono_literals;
 using Kind = ClientEvent::Kind;
 
-const std::string kKnob =
-    "[[map]]\nfrom = \"board0/a1\"\nto = \"wind_speed\"\nin = [0, 75]\nout = [0, 75]\n"
-    "hysteresis = 0\n";
-
 /// The first event of that kind and name.
 std::optional<ClientEvent> wait_for(LineClient& client, Kind kind, const std::string& name = "",
                                     const std::string& text = "") {

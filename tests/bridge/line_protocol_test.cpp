@@ -164,7 +164,7 @@ TEST(LineProtocol, WhatIsSentIsOnePrintableLine) {
 
 /// The page's table of commands is the program's.
 TEST(LineProtocol, ThePageHasTheCommandsOfTheProgram) {
-    std::ifstream file(test::source_dir() + "/libocean/bridge/PROTOCOL.md");
+    std::ifstream file(ocean::test::source_dir() + "/libocean/bridge/PROTOCOL.md");
     std::stringstream page;
     page << file.rdbuf();
     std::string expected;

@@ -21,7 +21,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const std::string kKnob =
+const std::string kKnobAndLamp =
     "[[map]]\nfrom = \"board0/a1\"\nto = \"wind_speed\"\nin = [0, 75]\nout = [0, 75]\n"
     "hysteresis = 0\n[[out]]\nfrom = \"app.frame_rate\"\nto = \"board0/dac1\"\nin = [0, 255]\n";
 
@@ -42,7 +42,7 @@ bool comes_true(const Condition& condition) {
 }
 
 TEST(LineServer, GreetsAndAnswersEachCommand) {
-    const Served served({}, kKnob);
+    const Served served({}, kKnobAndLamp);
     RawClient raw(served.server.endpoint());
     EXPECT_TRUE(raw.line().starts_with("OBP 1 "));
     EXPECT_EQ(raw.ask("PING"), "OK");
@@ -72,7 +72,7 @@ TEST(LineServer, GreetsAndAnswersEachCommand) {
 }
 
 TEST(LineServer, AKnobReachesWhoSubscribes) {
-    const Served served({}, kKnob);
+    const Served served({}, kKnobAndLamp);
     RawClient raw = served.client();
     EXPECT_EQ(raw.ask("SUBSCRIBE wind_speed"), "OK");
     EXPECT_EQ(raw.line(), "VAL wind_speed unset");
@@ -96,7 +96,7 @@ TEST(LineServer, AKnobReachesWhoSubscribes) {
 }
 
 TEST(LineServer, WhoShowsTheSeaIsToldOfEachWish) {
-    const Served served({}, kKnob);
+    const Served served({}, kKnobAndLamp);
     RawClient shows = served.client();
     RawClient hand = served.client();
     EXPECT_EQ(shows.ask("SET app.frame_rate 60"), "OK");
@@ -120,7 +120,7 @@ TEST(LineServer, WhoShowsTheSeaIsToldOfEachWish) {
 }
 
 TEST(LineServer, ALampFollowsAValue) {
-    const Served served({}, kKnob);
+    const Served served({}, kKnobAndLamp);
     RawClient raw = served.client();
     EXPECT_EQ(raw.ask("SET app.frame_rate 60"), "OK");
     EXPECT_EQ(raw.ask("PING"), "OK");
@@ -129,7 +129,7 @@ TEST(LineServer, ALampFollowsAValue) {
 }
 
 TEST(LineServer, HostileLinesAreAnsweredAndHarmNobody) {
-    const Served served({.commands_per_second = 1e6}, kKnob);
+    const Served served({.commands_per_second = 1e6}, kKnobAndLamp);
     RawClient raw = served.client();
     raw.send(std::string(100'000, 'a') + "\n");
     EXPECT_EQ(raw.line(), "ERR TOO-LONG a line has at most 1024 bytes");
@@ -147,7 +147,7 @@ TEST(LineServer, HostileLinesAreAnsweredAndHarmNobody) {
 
 /// As the telnet of netkit and PuTTY do it; answers stand in the order of what they answer.
 TEST(LineServer, TelnetsInterruptIsAnswered) {
-    const Served served({.commands_per_second = 1e6}, kKnob);
+    const Served served({.commands_per_second = 1e6}, kKnobAndLamp);
     RawClient raw = served.client();
     raw.send("PING\r\nSET wind_spe\xFF\xF4\xFF\xFD\x06PING\r\n");
     EXPECT_EQ(raw.line(), "OK");
@@ -174,7 +174,7 @@ TEST(LineServer, TelnetsInterruptIsAnswered) {
 
 /// Unread commands are not stored: a flood of questions is throttled.
 TEST(LineServer, AFloodThatNeverReadsIsHeldBack) {
-    const Served served({.commands_per_second = 1e6}, kKnob);
+    const Served served({.commands_per_second = 1e6}, kKnobAndLamp);
     RawClient flood = served.client();
     std::string questions;
     for (int i = 0; i < 400; ++i) questions += "LIST\n";
@@ -191,7 +191,7 @@ TEST(LineServer, AFloodThatNeverReadsIsHeldBack) {
 }
 
 TEST(LineServer, CommandsThatComeTooFastWait) {
-    const Served served({.commands_per_second = 50.0}, kKnob);
+    const Served served({.commands_per_second = 50.0}, kKnobAndLamp);
     RawClient raw = served.client();
     std::string questions;
     for (int i = 0; i < 75; ++i) questions += "PING\n";
@@ -203,7 +203,7 @@ TEST(LineServer, CommandsThatComeTooFastWait) {
 }
 
 TEST(LineServer, OneClientTooManyIsToldSo) {
-    const Served served({.clients = 2}, kKnob);
+    const Served served({.clients = 2}, kKnobAndLamp);
     RawClient first = served.client();
     RawClient second = served.client();
     RawClient third(served.server.endpoint());
@@ -216,7 +216,7 @@ TEST(LineServer, OneClientTooManyIsToldSo) {
 }
 
 TEST(LineServer, WhoSaysNothingIsLetGoAndWhoListensIsNot) {
-    const Served served({.idle = 100ms}, kKnob);
+    const Served served({.idle = 100ms}, kKnobAndLamp);
     RawClient idle = served.client();
     // On a busy machine one that is about to subscribe may be let go before it has.
     std::optional<RawClient> subscriber;
@@ -231,7 +231,7 @@ TEST(LineServer, WhoSaysNothingIsLetGoAndWhoListensIsNot) {
 }
 
 TEST(LineServer, WhoNeverReadsIsLetGo) {
-    const Served served({.stalled = 200ms}, kKnob);
+    const Served served({.stalled = 200ms}, kKnobAndLamp);
     RawClient stalled(served.server.endpoint(), 4096);
     ASSERT_TRUE(stalled.line().starts_with("OBP "));  // it is a client
     // Answers to begin with: of updates alone, which are coalesced, it takes long until nothing
@@ -247,7 +247,7 @@ TEST(LineServer, WhoNeverReadsIsLetGo) {
 }
 
 TEST(LineServer, ABoardThatFloodsLeavesClientsTheirTurn) {
-    const Served served({}, kKnob);
+    const Served served({}, kKnobAndLamp);
     RawClient raw = served.client();
     // The server is held at a lamp until all that the board says and a question wait for it.
     std::promise<void> held;
@@ -271,7 +271,7 @@ TEST(LineServer, ABoardThatFloodsLeavesClientsTheirTurn) {
 }
 
 TEST(LineServer, ATokenComesFirst) {
-    const Served served({.token = "0123456789abcdef"}, kKnob);
+    const Served served({.token = "0123456789abcdef"}, kKnobAndLamp);
     RawClient raw = served.client();
     EXPECT_EQ(raw.ask("PING"), "OK");
     EXPECT_EQ(raw.ask("GET wind_speed"), "ERR AUTH send AUTH TOKEN first");
@@ -311,7 +311,7 @@ TEST(LineServer, TheLogHasEveryClientAndLineButNoToken) {
             const std::lock_guard lock(mutex);
             log += line + "\n";
         };
-        const Served served(std::move(options), kKnob);
+        const Served served(std::move(options), kKnobAndLamp);
         RawClient raw = served.client();
         sockaddr_in address{};
         socklen_t size = sizeof address;
@@ -340,7 +340,7 @@ TEST(LineServer, TheLogHasHandsAndReportsOnlyOnRequest) {
                 const std::lock_guard lock(mutex);
                 log += line.substr(line.find(": ") + 1) + "\n";
             };
-            const Served served(std::move(options), kKnob);
+            const Served served(std::move(options), kKnobAndLamp);
             RawClient hand = served.client();
             RawClient window = served.client();
             for (const char* report : {"SET app.frame_rate 60.0", "SET app.time 1.5",
@@ -370,7 +370,7 @@ TEST(LineServer, TheLogHasHandsAndReportsOnlyOnRequest) {
 }
 
 TEST(LineServer, FiveThousandConnectionsLeaveNoDescriptor) {
-    const Served served({.clients = 1000}, kKnob);
+    const Served served({.clients = 1000}, kKnobAndLamp);
     served.client().close();
     ASSERT_TRUE(comes_true([&] { return served.server.clients() == 0; }));
     const std::size_t before = open_descriptors();
@@ -387,7 +387,7 @@ TEST(LineServer, FiveThousandConnectionsLeaveNoDescriptor) {
 }
 
 TEST(LineServer, StopEndsEveryClientAndMayComeTwice) {
-    Served served({}, kKnob);
+    Served served({}, kKnobAndLamp);
     RawClient raw = served.client();
     served.server.stop();
     EXPECT_EQ(raw.line(), "EVT STOP");
@@ -400,7 +400,7 @@ TEST(LineServer, StopEndsEveryClientAndMayComeTwice) {
 TEST(LineServer, StartsAgainOnThePortOfBefore) {
     Endpoint endpoint;
     for (int i = 0; i < 5; ++i) {
-        Served served({.listen = {"127.0.0.1", endpoint.port}}, kKnob);
+        Served served({.listen = {"127.0.0.1", endpoint.port}}, kKnobAndLamp);
         RawClient raw = served.client();
         EXPECT_EQ(raw.ask("PING"), "OK");
         endpoint = served.server.endpoint();

@@ -26,57 +26,59 @@ using namespace std::chrono_literals;
 using test::Ear;
 using Bytes = std::vector<std::uint8_t>;
 
-std::vector<MidiReport> parse(const Bytes& bytes) {
+std::vector<MidiReport> parse_midi(const Bytes& bytes) {
     return MidiParser().feed(bytes);
 }
 
 TEST(MidiParser, KnowsControllersNotesAndTheWheel) {
-    EXPECT_EQ(parse({0xB0, 7, 100, 0x9F, 60, 64, 0x8F, 60, 64, 0xE2, 0x00, 0x40}),
+    EXPECT_EQ(parse_midi({0xB0, 7, 100, 0x9F, 60, 64, 0x8F, 60, 64, 0xE2, 0x00, 0x40}),
               (std::vector<MidiReport>{{MidiKind::controller, 1, 7, 100},
                                        {MidiKind::note, 16, 60, 1},
                                        {MidiKind::note, 16, 60, 0},
                                        {MidiKind::bend, 3, 1, 8192}}));
-    EXPECT_EQ(parse({0xE0, 0x7F, 0x7F}), (std::vector<MidiReport>{{MidiKind::bend, 1, 1, 16383}}));
+    EXPECT_EQ(parse_midi({0xE0, 0x7F, 0x7F}),
+              (std::vector<MidiReport>{{MidiKind::bend, 1, 1, 16383}}));
 }
 
 TEST(MidiParser, RunningStatusHoldsAndVelocityZeroEndsANote) {
     EXPECT_EQ(
-        parse({0x90, 60, 64, 60, 0, 62, 1}),
+        parse_midi({0x90, 60, 64, 60, 0, 62, 1}),
         (std::vector<MidiReport>{
             {MidiKind::note, 1, 60, 1}, {MidiKind::note, 1, 60, 0}, {MidiKind::note, 1, 62, 1}}));
 }
 
 TEST(MidiParser, RealTimeStandsAnywhere) {
-    EXPECT_EQ(parse({0xB0, 0xF8, 7, 0xFE, 100, 0xFF, 8, 0xFA, 9}),
+    EXPECT_EQ(parse_midi({0xB0, 0xF8, 7, 0xFE, 100, 0xFF, 8, 0xFA, 9}),
               (std::vector<MidiReport>{{MidiKind::controller, 1, 7, 100},
                                        {MidiKind::controller, 1, 8, 9}}));
 }
 
 TEST(MidiParser, SystemMessagesAreSkippedAndEndRunningStatus) {
-    EXPECT_EQ(parse({0xB0, 7, 1, 0xF0, 0x42, 0x40, 7, 2, 0xF7, 7, 3, 0xB1, 7, 4}),
+    EXPECT_EQ(parse_midi({0xB0, 7, 1, 0xF0, 0x42, 0x40, 7, 2, 0xF7, 7, 3, 0xB1, 7, 4}),
               (std::vector<MidiReport>{{MidiKind::controller, 1, 7, 1},
                                        {MidiKind::controller, 2, 7, 4}}));
     // Song position, song select, time code and an exclusive message that another one breaks off.
-    EXPECT_EQ(parse({0xF2, 1, 2, 0xF3, 1, 0xF1, 5, 0xF0, 1, 2, 0x90, 60, 1}),
+    EXPECT_EQ(parse_midi({0xF2, 1, 2, 0xF3, 1, 0xF1, 5, 0xF0, 1, 2, 0x90, 60, 1}),
               (std::vector<MidiReport>{{MidiKind::note, 1, 60, 1}}));
 }
 
 TEST(MidiParser, OtherMessagesOfAChannelHaveTheirOwnLength) {
-    EXPECT_EQ(parse({0xC0, 5, 6, 0xD0, 7, 8, 0xA0, 60, 9, 0xB0, 1, 2}),
+    EXPECT_EQ(parse_midi({0xC0, 5, 6, 0xD0, 7, 8, 0xA0, 60, 9, 0xB0, 1, 2}),
               (std::vector<MidiReport>{{MidiKind::controller, 1, 1, 2}}));
 }
 
 TEST(MidiParser, WhatIsCutOffIsNothing) {
-    EXPECT_TRUE(parse({}).empty());
-    EXPECT_TRUE(parse({7, 100}).empty());
-    EXPECT_TRUE(parse({0xB0, 7}).empty());
-    EXPECT_EQ(parse({0xB0, 7, 0x90, 60, 1}), (std::vector<MidiReport>{{MidiKind::note, 1, 60, 1}}));
+    EXPECT_TRUE(parse_midi({}).empty());
+    EXPECT_TRUE(parse_midi({7, 100}).empty());
+    EXPECT_TRUE(parse_midi({0xB0, 7}).empty());
+    EXPECT_EQ(parse_midi({0xB0, 7, 0x90, 60, 1}),
+              (std::vector<MidiReport>{{MidiKind::note, 1, 60, 1}}));
 }
 
 TEST(MidiParser, ItDoesNotMatterWhereAStreamIsCut) {
     const Bytes stream = {0xB0, 7,    100,  8,    101,  0xF8, 0x90, 60,   64, 60,   0, 0xF0,
                           1,    0xF7, 0xE0, 0x01, 0x40, 0x02, 0x41, 0xC0, 9,  0xB3, 1, 2};
-    const std::vector<MidiReport> whole = parse(stream);
+    const std::vector<MidiReport> whole = parse_midi(stream);
     EXPECT_EQ(whole.size(), 7u);
     for (std::size_t cut = 0; cut <= stream.size(); ++cut) {
         MidiParser parser;

@@ -41,7 +41,7 @@ std::vector<OscMessage> messages_of(const std::string& packet) {
     return parse_osc_packet(packet).messages;
 }
 
-std::string refusal_of(const std::string& packet) {
+std::string packet_refusal(const std::string& packet) {
     try {
         parse_osc_packet(packet);
         return "nothing";
@@ -142,8 +142,8 @@ TEST(OscMessage, BrokenBytesAreRefused) {
              {bundle_of({bundle_of(std::vector<std::string>(300, bytes("/a\0\0")))}),
               "too many messages"},
              {bundle_of(std::vector<std::string>(257, bytes("/a\0\0"))), "too many messages"}}) {
-        EXPECT_NE(refusal_of(packet).find(says), std::string::npos)
-            << testing::PrintToString(packet) << ": " << refusal_of(packet);
+        EXPECT_NE(packet_refusal(packet).find(says), std::string::npos)
+            << testing::PrintToString(packet) << ": " << packet_refusal(packet);
     }
 }
 
@@ -213,7 +213,7 @@ TEST(OscMessage, EveryPieceOfAPacketIsRefusedOrRead) {
     for (std::size_t size = 0; size < packet.size(); ++size) {
         // In memory of its own, where a sanitizer sees each byte behind it.
         const std::string piece = packet.substr(0, size);
-        EXPECT_TRUE(size == 16 || size == 20 + kFoo.size() || refusal_of(piece) != "nothing")
+        EXPECT_TRUE(size == 16 || size == 20 + kFoo.size() || packet_refusal(piece) != "nothing")
             << size;
     }
 }

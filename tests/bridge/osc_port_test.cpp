@@ -17,9 +17,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const std::string kKnob =
-    "[[map]]\nfrom = \"board0/a1\"\nto = \"wind_speed\"\nin = [0, 75]\nout = [0, 75]\n"
-    "hysteresis = 0\n";
 const std::string kWind = "/ocean/waves/0/wind_speed";
 
 /// A socket of UDP at an address of its own.

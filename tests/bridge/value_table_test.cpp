@@ -146,18 +146,18 @@ TEST(ValueTable, TheNumberIsThatOfTheText) {
 
 /// Each type of a table, a boolean too, comes back from the line as it went.
 TEST(ValueTable, WhatVALSpellsSETReads) {
-    test::Kiln kiln;
+    ocean::test::Kiln kiln;
     kiln.vented = true;
     kiln.trays.resize(1);
-    for (const auto& row : test::kKilnRows) {
+    for (const auto& row : ocean::test::kKilnRows) {
         const ParameterValue value = value_of(kiln, {&row, 0});
         const std::string text = wire_text(row, value);
-        test::Kiln other;
+        ocean::test::Kiln other;
         other.trays.resize(1);
         assign(other, {&row, 0}, parse_value(row, 0, text));
         EXPECT_EQ(value_of(other, {&row, 0}), value) << row.path() << " = " << text;
     }
-    EXPECT_EQ(wire_text(*find_parameter(test::kKilnTable, "vented").info, true), "true");
+    EXPECT_EQ(wire_text(*find_parameter(ocean::test::kKilnTable, "vented").info, true), "true");
     EXPECT_EQ(wire_text(*find_parameter("peak_period").info, std::string()), kUnset);
     EXPECT_EQ(wire_text(*find_parameter("file").info, std::string()), "");
 }

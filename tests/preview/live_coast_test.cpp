@@ -18,7 +18,7 @@
 namespace ocean::app {
 namespace {
 
-constexpr const char* kWind = "waves.0.wind_speed";
+constexpr const char* kWindOfCoast = "waves.0.wind_speed";
 constexpr std::array<double, 3> kEye = {205.0, 96.0, 2.0};
 
 class LiveCoastTest : public ::testing::Test {
@@ -78,7 +78,7 @@ TEST_F(LiveCoastTest, TheOpenSeaStandsForACoastThatIsInWork) {
 TEST_F(LiveCoastTest, TheCoastBeforeStaysUntilThatOfANewWindIsComputed) {
     LiveSea live(test::beach_sea(), options());
     live.settle();
-    live.set(kWind, "14");
+    live.set(kWindOfCoast, "14");
     EXPECT_TRUE(live.coast_in_work());
     EXPECT_EQ(wind(live.now()), 14.0);  // as the panel shows it
     live.paused = true;
@@ -107,7 +107,7 @@ TEST_F(LiveCoastTest, TheCoastBeforeStaysUntilThatOfANewWindIsComputed) {
 TEST_F(LiveCoastTest, AChangeMeanwhileStopsTheOneInWork) {
     LiveSea live(test::beach_sea(), options());
     live.settle();
-    for (const char* speed : {"11", "12", "13"}) live.set(kWind, speed);
+    for (const char* speed : {"11", "12", "13"}) live.set(kWindOfCoast, speed);
     wait_for_coast(live);
     EXPECT_EQ(wind(live.ocean().parameters()), 13.0);
 }
@@ -115,9 +115,9 @@ TEST_F(LiveCoastTest, AChangeMeanwhileStopsTheOneInWork) {
 TEST_F(LiveCoastTest, ACoastThatCannotBeComputedLeavesTheOneBefore) {
     LiveSea live(test::beach_sea(), options());
     live.settle();
-    EXPECT_THROW(live.set(kWind, "-3"), Error);
+    EXPECT_THROW(live.set(kWindOfCoast, "-3"), Error);
     EXPECT_FALSE(live.coast_in_work());
-    live.set(kWind, "0");
+    live.set(kWindOfCoast, "0");
     try {
         wait_for_coast(live);
         FAIL() << "there are no waves";

@@ -50,37 +50,37 @@ std::string tar(const std::vector<File>& files) {
 const std::string kCsvA = "station,frequency,density\nA,.1,1\nA,.2,2\n";
 const std::string kCsvB = "station,frequency,density\nB,.1,3\nB,.2,4\n";
 
-std::vector<SpectrumRecord> read(const std::string& content) {
+std::vector<SpectrumRecord> read_tar(const std::string& content) {
     return read_spectra_from({content, "s.tar", {}});
 }
 
 TEST(Archive, TheFilesOfOneFormatAreReadAndTheOthersNamed) {
     const std::string swan = "SWAN 1\nTIME\n";
-    const std::vector<SpectrumRecord> records = read(tar({{"x/", "", '5'},
-                                                          {"readme", "hello\n"},
-                                                          {"x/a.csv", kCsvA},
-                                                          {"b.spec", swan},
-                                                          {"x/b.csv", kCsvB}}));
+    const std::vector<SpectrumRecord> records = read_tar(tar({{"x/", "", '5'},
+                                                              {"readme", "hello\n"},
+                                                              {"x/a.csv", kCsvA},
+                                                              {"b.spec", swan},
+                                                              {"x/b.csv", kCsvB}}));
     ASSERT_EQ(records.size(), 2u);
     EXPECT_EQ(records[0].station, "A");
     EXPECT_EQ(records[1].density[1], 4.0);
     EXPECT_EQ(records[1].warnings,
               (std::vector<std::string>{
                   "2 of 4 files of the archive are left out, the first of them readme"}));
-    EXPECT_TRUE(read(tar({{"a.csv", kCsvA}})).front().warnings.empty());
+    EXPECT_TRUE(read_tar(tar({{"a.csv", kCsvA}})).front().warnings.empty());
 }
 
 TEST(Archive, AFileThatCannotBeReadCostsNoOther) {
     const std::vector<SpectrumRecord> records =
-        read(tar({{"a.csv", kCsvA}, {"b.csv", "frequency,density\n.1,x\n"}}));
+        read_tar(tar({{"a.csv", kCsvA}, {"b.csv", "frequency,density\n.1,x\n"}}));
     ASSERT_EQ(records.size(), 2u);
     EXPECT_EQ(records[1].fault, "s.tar/b.csv:2: the density 'x' is not a number");
     EXPECT_EQ(refusal_of([] {
-                  read(tar({{"b.csv", "frequency,density\n.1,x\n"}}));
+                  read_tar(tar({{"b.csv", "frequency,density\n.1,x\n"}}));
               }).message,
               "s.tar/b.csv:2: the density 'x' is not a number");
     EXPECT_TRUE(refusal_of([] {
-                    read(tar({{"readme", "hello\n"}}));
+                    read_tar(tar({{"readme", "hello\n"}}));
                 }).says("s.tar: is an archive without a spectrum file of a known format"));
 }
 
@@ -90,7 +90,7 @@ TEST(Archive, TablesThatBelongTogetherAreReadTogether) {
         files.push_back({std::string("n/41010") + suffix,
                          text::read_file(kData + "/spectra/ndbc_41010" + suffix, 1 << 20)});
     }
-    const std::vector<SpectrumRecord> records = read(tar(files));
+    const std::vector<SpectrumRecord> records = read_tar(tar(files));
     const std::vector<SpectrumRecord> apart = read_spectra(kBuoy);
     ASSERT_EQ(records.size(), apart.size());
     EXPECT_TRUE(same_record(records[0], apart[0]));
@@ -109,19 +109,19 @@ TEST(Archive, LongNamesAndCutsAndDamage) {
     EXPECT_EQ(cut_off, "");
 
     const std::string two = tar({{"a.csv", kCsvA}, {"b.csv", kCsvB + std::string(600, ' ')}});
-    const std::vector<SpectrumRecord> records = read(two.substr(0, 512 + 512 + 512 + 20));
+    const std::vector<SpectrumRecord> records = read_tar(two.substr(0, 512 + 512 + 512 + 20));
     ASSERT_EQ(records.size(), 1u);
     EXPECT_EQ(records[0].warnings,
               (std::vector<std::string>{
                   "1 of 2 files of the archive are left out, the first of them b.csv (cut off)"}));
-    EXPECT_TRUE(refusal_of([&] { read(two.substr(0, 520)); }).says("tar: the file is cut off"));
+    EXPECT_TRUE(refusal_of([&] { read_tar(two.substr(0, 520)); }).says("tar: the file is cut off"));
     std::string damaged = two;
     damaged[1024 + 3] = '!';
-    EXPECT_EQ(refusal_of([&] { read(damaged); }).message,
+    EXPECT_EQ(refusal_of([&] { read_tar(damaged); }).message,
               "s.tar: tar: the header of a file is damaged");
     EXPECT_FALSE(is_tar(kCsvA));
     EXPECT_FALSE(is_tar(std::string(2000, '\0')));
-    EXPECT_TRUE(refusal_of([] { read("PK\x03\x04 etc."); }).says("is a zip archive"));
+    EXPECT_TRUE(refusal_of([] { read_tar("PK\x03\x04 etc."); }).says("is a zip archive"));
 }
 
 }  // namespace

@@ -17,11 +17,11 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-std::vector<SpectrumRecord> read(const std::string& text) {
+std::vector<SpectrumRecord> read_csv(const std::string& text) {
     return read_spectra_from({text, "s.csv", nullptr});
 }
 SpectrumRecord first(const std::string& text) {
-    return read(text).front();
+    return read_csv(text).front();
 }
 
 /// A grid of two frequencies and four directions, `title` naming the directions.
@@ -166,7 +166,7 @@ TEST(Csv, AMissingDensityIsZeroInAGridAndNoBinWithout) {
 }
 
 TEST(Csv, RowsAreGroupedByTimeStationAndPlace) {
-    const std::vector<SpectrumRecord> records = read(
+    const std::vector<SpectrumRecord> records = read_csv(
         "time,station,latitude,longitude,depth,frequency,density\n"
         "2020-06-08T03:50Z,B,10,20,50,.1,1\n"
         "2020-06-08T03:50Z,A,10,20,,.1,2\n"
@@ -252,13 +252,13 @@ TEST(Csv, BrokenRowsAreRefusedWithTheirLine) {
     };
     for (const auto& [line, words] : broken) {
         const Refusal refusal =
-            first_fault_of([&, text = line] { return read(head + good + text); });
+            first_fault_of([&, text = line] { return read_csv(head + good + text); });
         EXPECT_TRUE(refusal.says("s.csv:4: ") && refusal.says(words)) << line << refusal.message;
     }
 }
 
 TEST(Csv, ARecordOfOneFrequencyIsRefusedWithItsLine) {
-    const Refusal refusal = refusal_of([] { read("frequency,density\n.1,1\n"); });
+    const Refusal refusal = refusal_of([] { read_csv("frequency,density\n.1,1\n"); });
     EXPECT_TRUE(refusal.says("s.csv:2: ") && refusal.says("at least 2 frequencies"))
         << refusal.message;
 }
@@ -267,45 +267,45 @@ TEST(Csv, AGridWithAHoleADoubleOrTooFewDirectionsIsRefused) {
     const std::string text = grid("direction");
     const std::string without =
         text.substr(0, text.find("0.1,90.0")) + text.substr(text.find("0.1,180"));
-    const Refusal hole = refusal_of([&] { read(without); });
+    const Refusal hole = refusal_of([&] { read_csv(without); });
     EXPECT_TRUE(hole.says("s.csv:8: ") && hole.says("no row for 0.1 Hz and 90 degrees"))
         << hole.message;
-    const Refusal twice = refusal_of([&] { read(text + "0.1,90,1\n"); });
+    const Refusal twice = refusal_of([&] { read_csv(text + "0.1,90,1\n"); });
     EXPECT_TRUE(twice.says("s.csv:10: ") && twice.says("appear twice in one record"))
         << twice.message;
-    const Refusal last = refusal_of([&] { read(text + "0.2,270,1\n"); });
+    const Refusal last = refusal_of([&] { read_csv(text + "0.2,270,1\n"); });
     EXPECT_TRUE(last.says("s.csv:10: ") && last.says("appear twice in one record")) << last.message;
-    const Refusal few =
-        refusal_of([] { read("frequency,direction,density\n.1,0,1\n.1,9,1\n.2,0,1\n.2,9,1\n"); });
+    const Refusal few = refusal_of(
+        [] { read_csv("frequency,direction,density\n.1,0,1\n.1,9,1\n.2,0,1\n.2,9,1\n"); });
     EXPECT_TRUE(few.says("s.csv:5: ") && few.says("at least 3 directions")) << few.message;
-    const Refusal cut = refusal_of([&] { read(text.substr(0, text.size() - 6)); });
+    const Refusal cut = refusal_of([&] { read_csv(text.substr(0, text.size() - 6)); });
     EXPECT_TRUE(cut.refused) << "the last row is cut";
 }
 
 TEST(Csv, ARecordThatCannotBeReadCostsNoOther) {
     const std::string head = "station,frequency,density\n";
     const std::vector<SpectrumRecord> records =
-        read(head + "A,.1,1\nA,.2,2\nB,.1,1\nB,.2,x\nB,.3,2\nC,.1,1\nC,.2,2\n");
+        read_csv(head + "A,.1,1\nA,.2,2\nB,.1,1\nB,.2,x\nB,.3,2\nC,.1,1\nC,.2,2\n");
     ASSERT_EQ(records.size(), 3u);
     EXPECT_EQ(records[1].fault, "s.csv:5: the density 'x' is not a number");
     EXPECT_EQ(records[1].station, "B");
     EXPECT_EQ(records[0].fault + records[2].fault, "");
     // A line that is no row may have been of the record before it or of the one after it.
     const std::vector<SpectrumRecord> garbage =
-        read(head + "A,.1,1\nA,.2,2\nB,.1,1\nB,.2,2\nxyz\nC,.1,1\nC,.2,2\nE,.1,1\nE,.2,2\n");
+        read_csv(head + "A,.1,1\nA,.2,2\nB,.1,1\nB,.2,2\nxyz\nC,.1,1\nC,.2,2\nE,.1,1\nE,.2,2\n");
     ASSERT_EQ(garbage.size(), 4u);
     EXPECT_EQ(garbage[0].fault + garbage[3].fault, "");
     EXPECT_EQ(garbage[1].fault, "s.csv:6: fewer cells than the 3 columns of the header line");
     EXPECT_EQ(garbage[2].fault, garbage[1].fault);
-    const std::vector<SpectrumRecord> growing = read(head + "A,.1,1\nA,.2,2\nB,.1,1\nB,.2");
+    const std::vector<SpectrumRecord> growing = read_csv(head + "A,.1,1\nA,.2,2\nB,.1,1\nB,.2");
     ASSERT_EQ(growing.size(), 2u);
     EXPECT_EQ(growing[1].fault, "s.csv:5: the file ends within this line");
-    EXPECT_EQ(refusal_of([&] { read(head + "no row\n"); }).message,
+    EXPECT_EQ(refusal_of([&] { read_csv(head + "no row\n"); }).message,
               "s.csv:2: fewer cells than the 3 columns of the header line");
 }
 
 TEST(Csv, NamesOfWavespectraAndPandasAreKnown) {
-    const std::vector<SpectrumRecord> records = read(
+    const std::vector<SpectrumRecord> records = read_csv(
         ",time,lat,lon,freq,dir,efth,wspd\n0,2024-03-01,1,2,.1,0,1,7\n1,2024-03-01,1,2,.1,120,2,7\n"
         "2,2024-03-01,1,2,.1,240,3,7\n3,2024-03-01,1,2,.2,0,1,7\n4,2024-03-01,1,2,.2,120,2,7\n"
         "5,2024-03-01,1,2,.2,240,NaN,7\n");
@@ -313,7 +313,7 @@ TEST(Csv, NamesOfWavespectraAndPandasAreKnown) {
     EXPECT_EQ(records[0].time, "2024-03-01T00:00");
     EXPECT_EQ(records[0].longitude, 2.0);
     EXPECT_NEAR(records[0].density[0], 6.0 * 120.0, 1e-9);
-    EXPECT_EQ(read("Unnamed: 0,index,f,PSD\n0,0,.1,1\n1,1,.2,2\n")[0].density[1], 2.0);
+    EXPECT_EQ(read_csv("Unnamed: 0,index,f,PSD\n0,0,.1,1\n1,1,.2,2\n")[0].density[1], 2.0);
 }
 
 TEST(Csv, TimesOfSpreadsheetsAndOtherZonesAreConverted) {
@@ -323,17 +323,18 @@ TEST(Csv, TimesOfSpreadsheetsAndOtherZonesAreConverted) {
                                     {"2024/03/01 12:00", "2024-03-01T12:00"},
                                     {"01.03.2024", "2024-03-01T00:00"}}) {
         const std::string row = std::string(cell) + ",";
-        EXPECT_EQ(read("time,frequency,density\n" + row + ".1,1\n" + row + ".2,2\n")[0].time, utc);
+        EXPECT_EQ(read_csv("time,frequency,density\n" + row + ".1,1\n" + row + ".2,2\n")[0].time,
+                  utc);
     }
     const std::string american = "3/1/2024 12:00,";
     EXPECT_TRUE(first_fault_of([&] {
-                    return read("time,frequency,density\n" + american + ".1,1\n" + american +
-                                ".2,2\n");
+                    return read_csv("time,frequency,density\n" + american + ".1,1\n" + american +
+                                    ".2,2\n");
                 }).says("'3/1/2024 12:00' is not UTC"));
 }
 
 TEST(CsvWide, AColumnIsARecordThatItsTitleNames) {
-    const std::vector<SpectrumRecord> records = read(
+    const std::vector<SpectrumRecord> records = read_csv(
         "Frequency,\"JONSWAP (2m,8s)\",2024-03-01 12:00:00+01:00,S (cm2/Hz)\n"
         "0.1,1,2,30000\n0.2,3,,40000\n");
     ASSERT_EQ(records.size(), 3u);
@@ -347,30 +348,30 @@ TEST(CsvWide, AColumnIsARecordThatItsTitleNames) {
     EXPECT_EQ(records[2].station, "S");
     EXPECT_DOUBLE_EQ(records[2].density[1], 4.0);
     EXPECT_TRUE(records[2].warnings.empty()) << "its unit is told";
-    const SpectrumRecord symbol = read("f (rad/s),S(w) [m2/(rad/s)]\n1,1\n2,2\n")[0];
+    const SpectrumRecord symbol = read_csv("f (rad/s),S(w) [m2/(rad/s)]\n1,1\n2,2\n")[0];
     EXPECT_NEAR(symbol.density[0], 2.0 * std::numbers::pi, 1e-12);
     EXPECT_TRUE(symbol.warnings.empty());
 }
 
 TEST(CsvWide, AFirstColumnWithoutATitleIsTheFrequencyUnlessItNumbersTheRows) {
-    const std::vector<SpectrumRecord> records = read(",surge\n0.0,7\n0.05,1\n0.1,2\n");
+    const std::vector<SpectrumRecord> records = read_csv(",surge\n0.0,7\n0.05,1\n0.1,2\n");
     ASSERT_EQ(records.size(), 1u);
     EXPECT_EQ(records[0].frequency, (std::vector<double>{0.05, 0.1}));
     EXPECT_EQ(records[0].warnings.size(), 3u) << "the frequency, the density, the bin of 0 Hz";
     EXPECT_TRUE(refusal_of([] {
-                    read(",surge\n0,7\n1,1\n2,2\n");
+                    read_csv(",surge\n0,7\n1,1\n2,2\n");
                 }).says("the first column numbers the rows, and none is named frequency"));
     EXPECT_TRUE(refusal_of([] {
-                    read("frequency (rad/s),surge\n.1,7\n.2,1\n");
+                    read_csv("frequency (rad/s),surge\n.1,7\n.2,1\n");
                 }).says("over rad/s the density needs a unit"));
 }
 
 TEST(CsvWide, ARowIsARecordWhoseFrequenciesAreTheTitles) {
     for (const char* title : {"", "time", "index"}) {
         const std::vector<SpectrumRecord> records =
-            read(std::string(title) +
-                 ",0.1,0.2,0.4\n2024-03-01 12:00:00,1,2,3\n"
-                 "2024-03-01 13:00:00,4,x,6\n2024-03-01 14:00:00,7,,9\n");
+            read_csv(std::string(title) +
+                     ",0.1,0.2,0.4\n2024-03-01 12:00:00,1,2,3\n"
+                     "2024-03-01 13:00:00,4,x,6\n2024-03-01 14:00:00,7,,9\n");
         ASSERT_EQ(records.size(), 3u) << title;
         EXPECT_EQ(records[0].time, "2024-03-01T12:00");
         EXPECT_EQ(records[0].frequency, (std::vector<double>{0.1, 0.2, 0.4}));
@@ -380,16 +381,17 @@ TEST(CsvWide, ARowIsARecordWhoseFrequenciesAreTheTitles) {
         EXPECT_EQ(records[1].time, "2024-03-01T13:00");
         EXPECT_EQ(records[2].frequency, (std::vector<double>{0.1, 0.4}));
     }
-    EXPECT_EQ(read("station;0,1;0,2;0,4\nA;1,5;2,5;3\n")[0].density,
+    EXPECT_EQ(read_csv("station;0,1;0,2;0,4\nA;1,5;2,5;3\n")[0].density,
               (std::vector<double>{1.5, 2.5, 3.0}));
 }
 
 TEST(CsvWide, WhatIsNoDensityIsAnUnknownColumn) {
     EXPECT_TRUE(refusal_of([] {
-                    read("frequency,amplitude\n.1,1\n.2,2\n");
+                    read_csv("frequency,amplitude\n.1,1\n.2,2\n");
                 }).says("unknown column 'amplitude'; known:"));
-    EXPECT_TRUE(
-        refusal_of([] { read("frequency,densty\n.1,1\n.2,2\n"); }).says("did you mean density?"));
+    EXPECT_TRUE(refusal_of([] {
+                    read_csv("frequency,densty\n.1,1\n.2,2\n");
+                }).says("did you mean density?"));
 }
 
 }  // namespace

@@ -9,28 +9,29 @@
 #include <tuple>
 
 #include "helpers.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/internal/directional_record.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::test {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 const std::string kWaverider = kData + "/spectra/buoy}2024-09-09T01h15Z.spt";
 
 /// Smax is 2.0 m^2/Hz; waves from the west, the south and the east.
-const std::string kFile =
+const std::string kDatawellFile =
     "10\r\n85.0\r\n4.545\r\n2.0E0\r\n25.05\r\n19.65\r\n7\r\n-0.17625\r\n0.37500\r\n0.26250\r\n"
     "213.8\r\n68.203\r\n"
     "0.100,5.0000E-1,270.0,36.0,1.49,2.34\r\n"  // 13
     "0.150,1.0000E+0,180.0,36.0,0.22,1.57\r\n"
     "0.250,2.5000E-1,90.0,36.0,-0.32,1.99\r\n";
 
-std::vector<SpectrumRecord> read(const std::string& content, const std::string& name = "b.spt") {
+std::vector<SpectrumRecord> read_datawell(const std::string& content,
+                                          const std::string& name = "b.spt") {
     return read_spectra_from({content, name, {}});
 }
-std::string with(const std::string& from, const std::string& to) {
-    std::string content = kFile;
+std::string datawell_with(const std::string& from, const std::string& to) {
+    std::string content = kDatawellFile;
     return content.replace(content.find(from), from.size(), to);
 }
 
@@ -59,12 +60,12 @@ TEST(Datawell, HeightIsThatWhichTheBuoyReports) {
 }
 
 TEST(Datawell, DensitiesAreSharesOfTheHighest) {
-    const SpectrumRecord record = read(kFile).front();
+    const SpectrumRecord record = read_datawell(kDatawellFile).front();
     EXPECT_EQ(record.density, (std::vector<double>{1.0, 2.0, 0.5}));
 }
 
 TEST(Datawell, DirectionsAreWhereWavesComeFrom) {
-    const SpectrumRecord record = read(kFile).front();
+    const SpectrumRecord record = read_datawell(kDatawellFile).front();
     const double r1 = 1.0 - 0.5 * std::pow(36.0 * kDegree, 2);
     EXPECT_NEAR(record.a1[0], r1, 1e-12) << "from the west to the east";
     EXPECT_NEAR(record.b1[1], r1, 1e-12) << "from the south to the north";
@@ -73,7 +74,7 @@ TEST(Datawell, DirectionsAreWhereWavesComeFrom) {
 
 TEST(Datawell, StationAndTimeAreThoseOfTheName) {
     const auto origin = [](const std::string& name) {
-        const SpectrumRecord record = read(kFile, name).front();
+        const SpectrumRecord record = read_datawell(kDatawellFile, name).front();
         return record.station + " " + record.time;
     };
     EXPECT_EQ(origin("/some/where}/Bragar_2}2012-01-18T22h46Z.spt"), "Bragar_2 2012-01-18T22:46");
@@ -85,7 +86,8 @@ TEST(Datawell, StationAndTimeAreThoseOfTheName) {
 
 TEST(Datawell, ABinWithoutDirectionKeepsItsEnergy) {
     for (const char* missing : {"nan", ""}) {
-        const SpectrumRecord record = read(with("180.0,", missing + std::string(","))).front();
+        const SpectrumRecord record =
+            read_datawell(datawell_with("180.0,", missing + std::string(","))).front();
         EXPECT_TRUE(std::isnan(record.a1[1])) << missing;
         EXPECT_FALSE(std::isnan(record.a1[0])) << missing;
         EXPECT_EQ(record.density[1], 2.0) << missing;
@@ -112,16 +114,20 @@ TEST(Datawell, BrokenFilesAreRefusedWithTheirLine) {
         {"\r\n0.150", "\r\n\"0.150", 14, "a quote is not closed"},
     };
     for (const auto& [from, to, line, words] : broken) {
-        const Refusal refusal = refusal_of([text = with(from, to)] { read(text); });
+        const Refusal refusal =
+            refusal_of([text = datawell_with(from, to)] { read_datawell(text); });
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file) << to;
         const std::string where = "b.spt:" + std::to_string(line) + ": ";
         EXPECT_TRUE(refusal.says(where) && refusal.says(words)) << to << ": " << refusal.message;
     }
-    const Refusal cut = refusal_of([] { read(kFile.substr(0, kFile.size() - 10)); });
+    const Refusal cut =
+        refusal_of([] { read_datawell(kDatawellFile.substr(0, kDatawellFile.size() - 10)); });
     EXPECT_TRUE(cut.says("b.spt:15: the file ends within this line")) << cut.message;
-    const Refusal header = refusal_of([] { read(kFile.substr(0, kFile.find("0.100,"))); });
+    const Refusal header =
+        refusal_of([] { read_datawell(kDatawellFile.substr(0, kDatawellFile.find("0.100,"))); });
     EXPECT_TRUE(header.says("b.spt: is not a spectrum file of a known format")) << header.message;
-    const Refusal one = refusal_of([] { read(kFile.substr(0, kFile.find("0.150,"))); });
+    const Refusal one =
+        refusal_of([] { read_datawell(kDatawellFile.substr(0, kDatawellFile.find("0.150,"))); });
     EXPECT_TRUE(one.says("b.spt:13: fewer than 2 frequencies")) << one.message;
 }
 

@@ -3,6 +3,7 @@
 //
 // Units of spectral densities: the factor of each spelling to m^2/Hz or m^2/Hz/degree, by hand.
 #include "ocean/internal/density_units.hpp"
+#include "ocean/grid.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,6 @@ namespace ocean {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kEnergy = 1025.0 * 9.81;  // J/m^4, rho g as SWAN has it
 
 using Cases = std::initializer_list<std::pair<const char*, double>>;

@@ -14,12 +14,12 @@
 #include <numeric>
 
 #include "helpers.hpp"
+#include "ocean/grid.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::test {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 using enum DirectionConvention;
 

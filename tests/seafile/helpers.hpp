@@ -57,6 +57,11 @@ inline Refusal refusal_of_sea(const std::string& body) {
     return refusal_of([&] { parse(body); });
 }
 
+/// Returns a text with another one in place of the first `from`, which it has.
+inline std::string replaced(std::string content, const std::string& from, const std::string& to) {
+    return content.replace(content.find(from), from.size(), to);
+}
+
 inline bool same_bits(double a, double b) {
     return (std::isnan(a) && std::isnan(b)) ||
            std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);

@@ -10,18 +10,13 @@
 #include <tuple>
 
 #include "helpers.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/internal/directional_record.hpp"
 #include "ocean/text.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::test {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-std::string replaced(std::string content, const std::string& from, const std::string& to) {
-    return content.replace(content.find(from), from.size(), to);
-}
 
 /// The values that wavespectra's spec.stats gives: hs, dm, dspr, tm01.
 struct Judged {

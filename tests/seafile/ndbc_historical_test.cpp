@@ -11,19 +11,19 @@
 #include <tuple>
 
 #include "helpers.hpp"
+#include "ocean/grid.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::test {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 const std::string kHistorical = kData + "/spectra/ndbc_historical/41010w2020.txt.gz";
-const std::string kHeader = "#YY  MM DD hh mm  .1000  .2000\n";
+const std::string kTableHeader = "#YY  MM DD hh mm  .1000  .2000\n";
 const std::string kName = "sea/41010w2019.txt";
 
-using Files = std::map<std::string, std::string>;
+using Tables = std::map<std::string, std::string>;
 
-std::vector<SpectrumRecord> read(const Files& files, const std::string& name = kName) {
+std::vector<SpectrumRecord> read_historical(const Tables& files, const std::string& name = kName) {
     const auto companion = [&](const std::string& path) -> std::optional<std::string> {
         const auto found = files.find(path);
         if (found == files.end()) return std::nullopt;
@@ -33,10 +33,10 @@ std::vector<SpectrumRecord> read(const Files& files, const std::string& name = k
 }
 
 std::string table(const std::string& values) {
-    return kHeader + "2019 01 02 03 40 " + values + "\n";
+    return kTableHeader + "2019 01 02 03 40 " + values + "\n";
 }
 
-Files one_line_buoy() {
+Tables one_line_tables() {
     return {{"sea/41010w2019.txt", table("1.5 2.5")},
             {"sea/41010d2019.txt", table("90.0 99.0")},
             {"sea/41010i2019.txt", table("0.0 45.0")},
@@ -74,32 +74,32 @@ TEST(NdbcHistorical, PackedYearlyFilesHoldTheRecordsOfTheRealTimeFiles) {
 }
 
 TEST(NdbcHistorical, HundredthsAreToldFromFractionsByAnyValueAboveOne) {
-    const SpectrumRecord hundredths = read(one_line_buoy()).front();
+    const SpectrumRecord hundredths = read_historical(one_line_tables()).front();
     EXPECT_NEAR(hundredths.a1[0], -0.80, 1e-12) << "from the east, to the west";
     EXPECT_NEAR(hundredths.a1[1], 0.50 * std::cos(171.0 * kDegree), 1e-12);
     EXPECT_NEAR(hundredths.b2[0], 0.60 * std::sin(540.0 * kDegree), 1e-12);
-    Files files = one_line_buoy();
+    Tables files = one_line_tables();
     files["sea/41010j2019.txt"] = table("0.80 0.50");
-    EXPECT_TRUE(same_record(read(files).front(), hundredths)) << "each table for itself";
+    EXPECT_TRUE(same_record(read_historical(files).front(), hundredths)) << "each table for itself";
 }
 
 TEST(NdbcHistorical, Of99HundredthsIsAValueAndOfFractionsMissing) {
-    Files files = one_line_buoy();
+    Tables files = one_line_tables();
     files["sea/41010j2019.txt"] = table("99.00 50.00");
-    EXPECT_NEAR(read(files).front().a1[0], -0.99, 1e-12);
+    EXPECT_NEAR(read_historical(files).front().a1[0], -0.99, 1e-12);
     files["sea/41010j2019.txt"] = table("99.00 0.50");
-    EXPECT_TRUE(std::isnan(read(files).front().a1[0]));
-    EXPECT_FALSE(std::isnan(read(files).front().a1[1]));
+    EXPECT_TRUE(std::isnan(read_historical(files).front().a1[0]));
+    EXPECT_FALSE(std::isnan(read_historical(files).front().a1[1]));
     files["sea/41010j2019.txt"] = table("999.00 50.00");
-    EXPECT_TRUE(std::isnan(read(files).front().a1[0]));
+    EXPECT_TRUE(std::isnan(read_historical(files).front().a1[0]));
 }
 
 TEST(NdbcHistorical, ABinWithoutDensityIsLeftOutAndATimeWithoutAnyToo) {
-    Files files = one_line_buoy();
+    Tables files = one_line_tables();
     files[kName] =
         "#YY  MM DD hh mm  .0500  .1000  .2000\n#yr mo dy hr mn m2/Hz\n"
         "2019 01 02 02 40 999.00 99.00 1.00\n2019 01 02 03 40 99.00 1.5 2.5\n";
-    const std::vector<SpectrumRecord> records = read(files);
+    const std::vector<SpectrumRecord> records = read_historical(files);
     ASSERT_EQ(records.size(), 1u);
     EXPECT_EQ(records[0].frequency, (std::vector<double>{0.1, 0.2}));
     EXPECT_NEAR(records[0].a1[0], -0.80, 1e-12) << "companions are matched by frequency";
@@ -110,7 +110,7 @@ TEST(NdbcHistorical, OldHeadersAreRead) {
     for (const auto& [text, time] : {std::pair{"YY MM DD hh  .1 .2\r\n98" + row, "1998"},
                                      {"YYYY MM DD hh .1 .2\r\n2001" + row, "2001"},
                                      {"# YY MM DD hh .1 .2\n2001" + row, "2001"}}) {
-        const SpectrumRecord record = read({{"w.txt", text}}, "w.txt").front();
+        const SpectrumRecord record = read_historical({{"w.txt", text}}, "w.txt").front();
         EXPECT_EQ(record.time, time + std::string("-12-31T23:00"));
         EXPECT_EQ(record.density, (std::vector<double>{1.5, 2.5}));
         EXPECT_EQ(record.station, "");
@@ -118,10 +118,10 @@ TEST(NdbcHistorical, OldHeadersAreRead) {
 }
 
 TEST(NdbcHistorical, OfTwoRowsWithOneTimeTheFirstIsKept) {
-    Files files = one_line_buoy();
+    Tables files = one_line_tables();
     files[kName] += "2019 01 02 03 40 7 8\n2019 01 02 04 40 3 4\n";
     files["sea/41010d2019.txt"] += "2019 01 02 03 40 10 10\n";
-    const std::vector<SpectrumRecord> records = read(files);
+    const std::vector<SpectrumRecord> records = read_historical(files);
     ASSERT_EQ(records.size(), 2u);
     EXPECT_EQ(records[0].density, (std::vector<double>{1.5, 2.5}));
     EXPECT_NEAR(records[0].a1[0], -0.80, 1e-12);
@@ -131,14 +131,14 @@ TEST(NdbcHistorical, OfTwoRowsWithOneTimeTheFirstIsKept) {
 TEST(NdbcHistorical, CompanionsAreFoundPackedOrNotAndByMonth) {
     for (const char* tail : {"2019.txt", "62019.txt", "b2019.txt"}) {
         for (const char* packed : {"", ".gz"}) {
-            Files files;
-            for (const auto& [path, text] : one_line_buoy()) {
+            Tables files;
+            for (const auto& [path, text] : one_line_tables()) {
                 const char letter = path[9];
                 const bool gz = letter == 'w' || letter == 'j';
                 files[path.substr(0, 10) + tail + (gz ? packed : "")] = text;
             }
             const SpectrumRecord record =
-                read(files, std::string("sea/41010w") + tail + packed).front();
+                read_historical(files, std::string("sea/41010w") + tail + packed).front();
             EXPECT_EQ(record.station, "41010") << tail;
             EXPECT_TRUE(record.has_moments()) << tail << packed;
         }
@@ -147,16 +147,17 @@ TEST(NdbcHistorical, CompanionsAreFoundPackedOrNotAndByMonth) {
 
 TEST(NdbcHistorical, AMissingCompanionMeansNoDirections) {
     for (const char letter : {'d', 'i', 'j', 'k'}) {
-        Files files = one_line_buoy();
+        Tables files = one_line_tables();
         files.erase(std::string("sea/41010") + letter + "2019.txt");
-        const SpectrumRecord record = read(files).front();
+        const SpectrumRecord record = read_historical(files).front();
         EXPECT_FALSE(record.has_moments()) << letter;
         EXPECT_EQ(record.density, (std::vector<double>{1.5, 2.5}));
     }
 }
 
 TEST(NdbcHistorical, ATableOfDirectionsGivenAsSpectrumIsRefused) {
-    const Refusal refusal = refusal_of([] { read(one_line_buoy(), "sea/41010d2019.txt"); });
+    const Refusal refusal =
+        refusal_of([] { read_historical(one_line_tables(), "sea/41010d2019.txt"); });
     EXPECT_TRUE(refusal.says("sea/41010d2019.txt:1: ") && refusal.says("table with 'w'"))
         << refusal.message;
 }
@@ -187,7 +188,7 @@ TEST(NdbcHistorical, BrokenLinesAreRefusedWithTheirNumber) {
     };
     for (const auto& [line, words] : broken) {
         const Refusal refusal = first_fault_of([&, text = line] {
-            return read({{kName, table("1 2") + text}});
+            return read_historical({{kName, table("1 2") + text}});
         });
         ASSERT_TRUE(refusal.refused) << line;
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file);
@@ -201,10 +202,10 @@ TEST(NdbcHistorical, ABrokenLineOfACompanionCostsItsDirectionsAndIsNamed) {
           {"i", "-1.0 1.0", "0 .. 360 degrees"},
           {"j", "80 106", "0 .. 100 hundredths, not 106"},
           {"k", "80", "1 values for the 2"}}) {
-        Files files = one_line_buoy();
+        Tables files = one_line_tables();
         const std::string path = std::string("sea/41010") + letter + "2019.txt";
         files[path] = table(values);
-        const SpectrumRecord record = read(files).front();
+        const SpectrumRecord record = read_historical(files).front();
         EXPECT_FALSE(record.has_moments());
         ASSERT_EQ(record.warnings.size(), 1u);
         const std::string& warning = record.warnings[0];

@@ -10,18 +10,19 @@
 #include <tuple>
 
 #include "helpers.hpp"
+#include "ocean/grid.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::test {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 const std::string kDensityHeader = "#YY  MM DD hh mm Sep_Freq  < spec_1 (freq_1) ... >\n";
 
 using Files = std::map<std::string, std::string>;
 
 /// Reads "b.data_spec" of files that exist in memory only.
-std::vector<SpectrumRecord> read(const Files& files, const std::string& name = "b.data_spec") {
+std::vector<SpectrumRecord> read_realtime(const Files& files,
+                                          const std::string& name = "b.data_spec") {
     const auto companion = [&](const std::string& path) -> std::optional<std::string> {
         const auto found = files.find(path);
         if (found == files.end()) return std::nullopt;
@@ -84,14 +85,14 @@ TEST(NdbcRealtime, WavesFromTheEastTravelWestAndFromTheNorthSouth) {
         Files files = one_line_buoy();
         files["b.swdir"].replace(files["b.swdir"].find("90.0"), 4, from);
         files["b.swr1"].replace(files["b.swr1"].find("0.80"), 4, "1.00");
-        const SpectrumRecord record = read(files).front();
+        const SpectrumRecord record = read_realtime(files).front();
         EXPECT_NEAR(record.a1[0], x, 1e-12) << from;
         EXPECT_NEAR(record.b1[0], y, 1e-12) << from;
     }
 }
 
 TEST(NdbcRealtime, ADirectionOf99DegreesIsADirection) {
-    const SpectrumRecord record = read(one_line_buoy()).front();
+    const SpectrumRecord record = read_realtime(one_line_buoy()).front();
     EXPECT_NEAR(record.a1[1], 0.5 * std::cos(171.0 * kDegree), 1e-12);
 }
 
@@ -99,7 +100,7 @@ TEST(NdbcRealtime, ASpreadOf99Or999IsMissing) {
     for (const char* missing : {"99.00", "999.00", "MM"}) {
         Files files = one_line_buoy();
         files["b.swr2"].replace(files["b.swr2"].find("0.60"), 4, missing);
-        const SpectrumRecord record = read(files).front();
+        const SpectrumRecord record = read_realtime(files).front();
         EXPECT_TRUE(std::isnan(record.a1[0]) && std::isnan(record.a2[0])) << missing;
         EXPECT_FALSE(std::isnan(record.a1[1])) << missing;
     }
@@ -110,7 +111,7 @@ TEST(NdbcRealtime, ABinWithoutDensityIsLeftOut) {
     files["b.data_spec"] = kDensityHeader +
                            "2020 06 08 03 50 9.999 999.00 (0.050) 1.5 (0.100) 2.5 (0.200)\n"
                            "2020 06 08 02 50 9.999 999.00 (0.050) 99.00 (0.100) MM (0.200)\n";
-    const std::vector<SpectrumRecord> records = read(files);
+    const std::vector<SpectrumRecord> records = read_realtime(files);
     ASSERT_EQ(records.size(), 1u) << "a time without any density is no record";
     EXPECT_EQ(records[0].frequency, (std::vector<double>{0.1, 0.2}));
     EXPECT_EQ(records[0].a1.size(), 2u);
@@ -122,7 +123,7 @@ TEST(NdbcRealtime, ColumnsAreMatchedByFrequencyAndRowsByTime) {
         "#YY  MM DD hh mm alpha1_1 (freq_1) ... >\n"
         "2020 06 08 02 50 10.0 (0.100) 20.0 (0.200)\n"
         "2020 06 08 03 50 30.0 (0.050) 40.0 (0.20)\n";
-    const SpectrumRecord record = read(files).front();
+    const SpectrumRecord record = read_realtime(files).front();
     EXPECT_TRUE(std::isnan(record.a1[0])) << "0.100 Hz is not in that row";
     EXPECT_NEAR(record.a1[1], 0.5 * std::cos(230.0 * kDegree), 1e-12);
 }
@@ -131,34 +132,35 @@ TEST(NdbcRealtime, MissingCompanionsMeanNoDirections) {
     for (const char* gone : {"b.swdir", "b.swdir2", "b.swr1", "b.swr2"}) {
         Files files = one_line_buoy();
         files.erase(gone);
-        EXPECT_FALSE(read(files).front().has_moments()) << gone;
+        EXPECT_FALSE(read_realtime(files).front().has_moments()) << gone;
     }
     Files files = one_line_buoy();
     files["b.swr1"].replace(files["b.swr1"].find(" 03 50 "), 7, " 04 50 ");
-    EXPECT_FALSE(read(files).front().has_moments()) << "no row of that time";
+    EXPECT_FALSE(read_realtime(files).front().has_moments()) << "no row of that time";
 }
 
 TEST(NdbcRealtime, IsRecognisedByContentButFindsCompanionsByName) {
     Files files = one_line_buoy();
     files["buoy.txt"] = files["b.data_spec"];
-    const SpectrumRecord record = read(files, "buoy.txt").front();
+    const SpectrumRecord record = read_realtime(files, "buoy.txt").front();
     EXPECT_EQ(record.density, (std::vector<double>{1.5, 2.5}));
     EXPECT_FALSE(record.has_moments());
 }
 
 TEST(NdbcRealtime, HeadersWithoutMinutesAndTwoDigitYearsAreRead) {
     const std::vector<SpectrumRecord> records =
-        read({{"b.data_spec",
-               "YY MM DD hh Sep_Freq < spec_1 (freq_1) ... >\r\n"
-               "98 12 31 23 0.2 1.5 (0.1) 2.5 (0.2) \r\n"}});
+        read_realtime({{"b.data_spec",
+                        "YY MM DD hh Sep_Freq < spec_1 (freq_1) ... >\r\n"
+                        "98 12 31 23 0.2 1.5 (0.1) 2.5 (0.2) \r\n"}});
     EXPECT_EQ(records.front().time, "1998-12-31T23:00");
     EXPECT_EQ(records.front().density, (std::vector<double>{1.5, 2.5}));
 }
 
 TEST(NdbcRealtime, HeadersWithoutSeparationFrequencyAreRead) {
-    const std::vector<SpectrumRecord> records = read({{"b.data_spec",
-                                                       "#YY MM DD hh mm spec_1 (freq_1) ... >\n"
-                                                       "2020 02 29 00 00 1.5 (0.1) 2.5 (0.2)"}});
+    const std::vector<SpectrumRecord> records =
+        read_realtime({{"b.data_spec",
+                        "#YY MM DD hh mm spec_1 (freq_1) ... >\n"
+                        "2020 02 29 00 00 1.5 (0.1) 2.5 (0.2)"}});
     EXPECT_EQ(records.front().density, (std::vector<double>{1.5, 2.5}));
     EXPECT_EQ(records.front().time, "2020-02-29T00:00");
 }
@@ -186,7 +188,7 @@ TEST(NdbcRealtime, BrokenLinesAreRefusedWithTheirNumber) {
     };
     for (const auto& [line, words] : broken) {
         const Files files = {{"b.data_spec", kDensityHeader + good + line}};
-        const Refusal refusal = first_fault_of([&] { return read(files); });
+        const Refusal refusal = first_fault_of([&] { return read_realtime(files); });
         ASSERT_TRUE(refusal.refused) << line;
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file);
         EXPECT_TRUE(refusal.says("b.data_spec:3: ") && refusal.says(words)) << refusal.message;
@@ -195,7 +197,7 @@ TEST(NdbcRealtime, BrokenLinesAreRefusedWithTheirNumber) {
 
 TEST(NdbcRealtime, AFileCutBetweenPairsIsRefused) {
     const Refusal refusal = first_fault_of([] {
-        return read(
+        return read_realtime(
             {{"b.data_spec", kDensityHeader + "2020 06 08 03 50 0.2 1.5 (0.1) 2.5 (0.2) 3 (0.3)\n"
                                               "2020 06 08 02 50 0.2 1.5 (0.1) 2.5 (0.2)"}});
     });
@@ -204,7 +206,7 @@ TEST(NdbcRealtime, AFileCutBetweenPairsIsRefused) {
 
 TEST(NdbcRealtime, ABrokenLineOfACompanionCostsItsDirectionsAndIsNamed) {
     const auto warning_of = [](const Files& files) {
-        const SpectrumRecord record = read(files).front();
+        const SpectrumRecord record = read_realtime(files).front();
         EXPECT_FALSE(record.has_moments());
         return record.warnings.empty() ? std::string() : record.warnings.front();
     };
@@ -225,7 +227,7 @@ TEST(NdbcRealtime, ABrokenLineOfACompanionCostsItsDirectionsAndIsNamed) {
     EXPECT_EQ(warning_of(files),
               "its directions are left out: b.swr1:2: r1 and r2 are 0 .. 1, not 1.20");
     files["b.swr1"] = files["b.swr2"];
-    EXPECT_TRUE(refusal_of([&] { read(files); }).says("b.swr1:1: this is a .swr2 table"));
+    EXPECT_TRUE(refusal_of([&] { read_realtime(files); }).says("b.swr1:1: this is a .swr2 table"));
 }
 
 TEST(NdbcRealtime, ACompanionGivenAsSpectrumIsNamed) {
@@ -235,9 +237,9 @@ TEST(NdbcRealtime, ACompanionGivenAsSpectrumIsNamed) {
 }
 
 TEST(NdbcRealtime, ALineThatEndsBetweenPairsIsWarnedOf) {
-    const std::vector<SpectrumRecord> records =
-        read({{"b.data_spec", kDensityHeader + "2020 06 08 03 50 0.2 1.5 (0.1) 2.5 (0.2) 3 (0.3)\n"
-                                               "2020 06 08 02 50 0.2 1.5 (0.1) 2.5 (0.2)\n"}});
+    const std::vector<SpectrumRecord> records = read_realtime(
+        {{"b.data_spec", kDensityHeader + "2020 06 08 03 50 0.2 1.5 (0.1) 2.5 (0.2) 3 (0.3)\n"
+                                          "2020 06 08 02 50 0.2 1.5 (0.1) 2.5 (0.2)\n"}});
     ASSERT_EQ(records.size(), 2u);
     EXPECT_EQ(records[1].warnings,
               (std::vector<std::string>{"line 3 has 2 frequencies where the line before has 3"}));
@@ -257,7 +259,7 @@ TEST(NdbcRealtime, AnHourlyTableHasItsStationsAndTheirDirections) {
                                            " (freq_1) ... >\n" + two + value + " (0.1) " + value +
                                            " (0.2)\n";
     }
-    const std::vector<SpectrumRecord> records = read(files, "h.data_spec");
+    const std::vector<SpectrumRecord> records = read_realtime(files, "h.data_spec");
     ASSERT_EQ(records.size(), 2u);
     EXPECT_EQ(records[0].station, "41997");
     ASSERT_TRUE(records[0].has_moments());

@@ -10,12 +10,12 @@
 #include <numbers>
 
 #include "helpers.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/internal/directional_record.hpp"
 
 namespace ocean::test {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 
 struct Report {

@@ -9,13 +9,13 @@
 #include <tuple>
 
 #include "helpers.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/internal/directional_record.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::test {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 const std::string kSpotterCsvFile = kData + "/spectra/spotter_20210929b.csv";
 const std::string kSpotterJsonFile = kData + "/spectra/spotter_20180214.json";
 
@@ -54,9 +54,6 @@ std::vector<SpectrumRecord> read_csv(const std::string& content) {
 }
 std::vector<SpectrumRecord> read_json(const std::string& content) {
     return read_spectra_from({content, "s.json", {}});
-}
-std::string replaced(std::string content, const std::string& from, const std::string& to) {
-    return content.replace(content.find(from), from.size(), to);
 }
 /// Without the first `from` up to the next `to`.
 std::string without(std::string content, const std::string& from, const std::string& to) {

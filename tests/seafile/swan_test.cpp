@@ -9,18 +9,18 @@
 #include <tuple>
 
 #include "helpers.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/internal/directional_record.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::test {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 const std::string kCoast = kData + "/spectra/swan_nz_west_coast.spec";
 const std::string kOverFrequency = kData + "/spectra/swan_1d.spec";
 
 /// Three locations, two times, two frequencies, and waves from the north, east, south and west.
-const std::string kFile =
+const std::string kSwanFile =
     "SWAN   1                Swan standard spectral file\n"    // 1
     "$ a comment\n"                                            // 2
     "TIME                    time-dependent data\n"            // 3
@@ -58,15 +58,12 @@ const std::string kFile =
     "$ another comment\n"                                      // 35
     "   5   6   7 -99\n";                                      // 36
 
-std::vector<SpectrumRecord> read(const std::string& content) {
+std::vector<SpectrumRecord> read_swan(const std::string& content) {
     return read_spectra_from({content, "s.spec", {}});
 }
 
-std::string replaced(std::string content, const std::string& from, const std::string& to) {
-    return content.replace(content.find(from), from.size(), to);
-}
-std::string with(const std::string& from, const std::string& to) {
-    return replaced(kFile, from, to);
+std::string swan_with(const std::string& from, const std::string& to) {
+    return replaced(kSwanFile, from, to);
 }
 
 /// One location, one direction quantity, two frequencies.
@@ -101,7 +98,7 @@ TEST(Swan, ReadsWhatTheFileSays) {
 }
 
 TEST(Swan, NauticalDirectionsAreWhereWavesComeFrom) {
-    const SpectrumRecord record = read(kFile).front();
+    const SpectrumRecord record = read_swan(kSwanFile).front();
     // From the west: to the east. Then from the south, east and north.
     const double file_order[] = {4.0, 3.0, 2.0, 1.0};
     for (std::size_t j = 0; j < 4; ++j) {
@@ -113,14 +110,14 @@ TEST(Swan, NauticalDirectionsAreWhereWavesComeFrom) {
 }
 
 TEST(Swan, CartesianDirectionsAreWhereWavesTravel) {
-    const SpectrumRecord record = read(with("NDIR", "CDIR")).front();
+    const SpectrumRecord record = read_swan(swan_with("NDIR", "CDIR")).front();
     for (std::size_t j = 0; j < 4; ++j) {
         EXPECT_DOUBLE_EQ(record.directional_density[j], (static_cast<double>(j) + 1.0) * 0.005);
     }
 }
 
 TEST(Swan, ZeroIsACalmAndNoDataIsNoRecord) {
-    const std::vector<SpectrumRecord> records = read(kFile);
+    const std::vector<SpectrumRecord> records = read_swan(kSwanFile);
     ASSERT_EQ(records.size(), 3u);
     EXPECT_EQ(records[1].longitude, 174.77);
     EXPECT_EQ(records[1].time, "2016-10-11T03:00");
@@ -134,22 +131,22 @@ TEST(Swan, ZeroIsACalmAndNoDataIsNoRecord) {
 }
 
 TEST(Swan, EnergyIsMadeVariance) {
-    const std::string energy = replaced(with("m2/Hz", "J/m2/Hz"), "VaDens", "EnDens");
-    EXPECT_DOUBLE_EQ(read(energy).front().density[0], 10.0 * 90.0 * 0.005 / (1025.0 * 9.81));
+    const std::string energy = replaced(swan_with("m2/Hz", "J/m2/Hz"), "VaDens", "EnDens");
+    EXPECT_DOUBLE_EQ(read_swan(energy).front().density[0], 10.0 * 90.0 * 0.005 / (1025.0 * 9.81));
 }
 
 TEST(Swan, AStationaryFileHasNoTimeAndMetresAreNoDegrees) {
     const std::string stationary =
         "SWAN 1\nLOCATIONS\n2\n1000.0 -2500.5\n95 0 mole\nRFREQ\n2\n0.1 0.2\nCDIR\n3\n"
         "0\n120\n240\nQUANT\n1\nVaDens\nm2/Hz/degr\n-99\nZERO\nFACTOR\n1\n1 2 3\n4 5 6\n";
-    const std::vector<SpectrumRecord> records = read(stationary);
+    const std::vector<SpectrumRecord> records = read_swan(stationary);
     ASSERT_EQ(records.size(), 2u);
     EXPECT_EQ(records[0].time, "");
     EXPECT_EQ(records[0].station, "1000.0 -2500.5");
     EXPECT_TRUE(std::isnan(records[0].latitude) && std::isnan(records[0].longitude));
     EXPECT_EQ(records[1].station, "mole");
     EXPECT_EQ(records[1].directional_density, (std::vector<double>{1, 2, 3, 4, 5, 6}));
-    const Refusal refusal = first_fault_of([&] { return read(stationary + "ZERO\n"); });
+    const Refusal refusal = first_fault_of([&] { return read_swan(stationary + "ZERO\n"); });
     EXPECT_TRUE(refusal.says("s.spec:24: 'ZERO' after the last location")) << refusal.message;
 }
 
@@ -173,8 +170,8 @@ TEST(Swan, OverFrequencyMeanAndSpreadBecomeMoments) {
 
 TEST(Swan, QuantitiesOverFrequencyComeInAnyOrderAndUnit) {
     const SpectrumRecord record =
-        read(over_frequency("3\nDSPR\n-\n-9\nNDIR\ndegr\n-999\nEnDens\nJ/m2/Hz\n-99\n",
-                            "2 270 1000\n2 180\n2000\n"))
+        read_swan(over_frequency("3\nDSPR\n-\n-9\nNDIR\ndegr\n-999\nEnDens\nJ/m2/Hz\n-99\n",
+                                 "2 270 1000\n2 180\n2000\n"))
             .front();
     EXPECT_DOUBLE_EQ(record.density[1], 2000.0 / (1025.0 * 9.81));
     // cos^2 over a half circle: r1 = 8 / (3 pi). From the west to the east, then to the north.
@@ -183,10 +180,11 @@ TEST(Swan, QuantitiesOverFrequencyComeInAnyOrderAndUnit) {
 }
 
 TEST(Swan, OverFrequencyWithoutKnownDirectionsThereAreNone) {
-    EXPECT_FALSE(read(over_frequency("1\nVaDens\nm2/Hz\n-99\n", "1\n2\n")).front().has_moments());
+    EXPECT_FALSE(
+        read_swan(over_frequency("1\nVaDens\nm2/Hz\n-99\n", "1\n2\n")).front().has_moments());
     const std::string missing = over_frequency(
         "3\nVaDens\nm2/Hz\n-99\nCDIR\ndegr\n-999\nDSPRDEGR\ndegr\n-9\n", "1 -999 -9\n2 30 -9\n");
-    EXPECT_FALSE(read(missing).front().has_moments());
+    EXPECT_FALSE(read_swan(missing).front().has_moments());
 }
 
 TEST(Swan, TimesAreReadByTheirCodingOption) {
@@ -195,41 +193,42 @@ TEST(Swan, TimesAreReadByTheirCodingOption) {
                                        {"3", "05/30/87.15:30:00"},
                                        {"5", "87/05/30 15:30:00'"},
                                        {"6", "8705301530"}}) {
-        EXPECT_EQ(read(at_time(option, time)).front().time, "1987-05-30T15:30") << option;
+        EXPECT_EQ(read_swan(at_time(option, time)).front().time, "1987-05-30T15:30") << option;
     }
-    const Refusal month = refusal_of([] { read(at_time("2", "'30-anf-87 15:30:00'")); });
+    const Refusal month = refusal_of([] { read_swan(at_time("2", "'30-anf-87 15:30:00'")); });
     EXPECT_TRUE(month.says("s.spec:15: '30-anf-87' where a time like DD-bbb-YY")) << month.message;
-    const Refusal refusal = refusal_of([] { read(at_time("4", "15:30:00")); });
+    const Refusal refusal = refusal_of([] { read_swan(at_time("4", "15:30:00")); });
     EXPECT_TRUE(refusal.says("s.spec:3: time coding option 4 has no dates")) << refusal.message;
 }
 
 TEST(Swan, TwoDigitsOfAYearAreWithin1950To2049) {
     for (const auto& [year, full] :
          {std::pair{"50", "1950"}, {"99", "1999"}, {"00", "2000"}, {"49", "2049"}}) {
-        EXPECT_EQ(read(at_time("6", year + std::string("01020304"))).front().time,
+        EXPECT_EQ(read_swan(at_time("6", year + std::string("01020304"))).front().time,
                   full + std::string("-01-02T03:04"));
     }
 }
 
 TEST(Swan, LineEndsAndBytesOfCommentsDoNoHarm) {
-    std::string crlf = with("$ a comment", "$ Ol\xE9ron");
+    std::string crlf = swan_with("$ a comment", "$ Ol\xE9ron");
     for (std::size_t at = crlf.find('\n'); at != std::string::npos; at = crlf.find('\n', at + 2)) {
         crlf.insert(at, "\r");
     }
-    EXPECT_EQ(read("\xEF\xBB\xBF" + crlf)[2].directional_density,
-              read(kFile)[2].directional_density);
+    EXPECT_EQ(read_swan("\xEF\xBB\xBF" + crlf)[2].directional_density,
+              read_swan(kSwanFile)[2].directional_density);
 }
 
 TEST(Swan, AFileCutAfterAnyLineIsRefusedUnlessATimeIsComplete) {
     std::size_t lines = 0;
-    for (std::size_t at = kFile.find('\n'); at + 1 < kFile.size(); at = kFile.find('\n', at + 1)) {
-        const std::string cut = kFile.substr(0, at + 1);
+    for (std::size_t at = kSwanFile.find('\n'); at + 1 < kSwanFile.size();
+         at = kSwanFile.find('\n', at + 1)) {
+        const std::string cut = kSwanFile.substr(0, at + 1);
         ++lines;
         if (lines == 29) {
-            EXPECT_EQ(read(cut).size(), 2u);
+            EXPECT_EQ(read_swan(cut).size(), 2u);
             continue;
         }
-        const Refusal refusal = first_fault_of([&] { return read(cut); });
+        const Refusal refusal = first_fault_of([&] { return read_swan(cut); });
         EXPECT_TRUE(refusal.says(lines == 21 ? "holds no spectrum" : ": the file ends where"))
             << lines << refusal.message;
     }
@@ -245,7 +244,7 @@ TEST(Swan, ShortWordsForHugeSpectraAreRefused) {
     for (int i = 0; i < 720; ++i) file += std::to_string(i * 0.5) + "\n";
     file += "QUANT\n1\nVaDens\nm2/Hz/degr\n-99\n";
     for (int i = 0; i < 2000; ++i) file += "ZERO\n";
-    const Refusal refusal = refusal_of([&] { read(file); });
+    const Refusal refusal = refusal_of([&] { read_swan(file); });
     EXPECT_TRUE(refusal.says("more than 67108864 values over all records")) << refusal.message;
 }
 
@@ -290,7 +289,8 @@ TEST(Swan, BrokenFilesAreRefusedWithTheLine) {
         {"NODATA\n20161011", "NODATA\nNODATA\n20161011", ":30: 'NODATA' where a time"},
     };
     for (const auto& [from, to, words] : broken) {
-        const Refusal refusal = first_fault_of([text = with(from, to)] { return read(text); });
+        const Refusal refusal =
+            first_fault_of([text = swan_with(from, to)] { return read_swan(text); });
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file);
         EXPECT_TRUE(refusal.says("s.spec" + words)) << words << "\n" << refusal.message;
     }
@@ -312,55 +312,57 @@ TEST(Swan, BrokenQuantitiesAreRefusedWithTheLine) {
         {"2 30 20\n", "", ":21: the file ends where a number should be"},
     };
     const std::string file = over_frequency(good, "1 30 20\n2 30 20\n");
-    EXPECT_EQ(read(file).size(), 1u);
+    EXPECT_EQ(read_swan(file).size(), 1u);
     for (const auto& [from, to, words] : broken) {
-        const Refusal refusal = refusal_of([text = replaced(file, from, to)] { read(text); });
+        const Refusal refusal = refusal_of([text = replaced(file, from, to)] { read_swan(text); });
         EXPECT_TRUE(refusal.says("s.spec" + words)) << words << "\n" << refusal.message;
     }
 }
 
 TEST(Swan, RealNumbersAreReadAsTheyAre) {
-    const std::string real = with("   1   2   3   4\n", " 1.5 2.5E0 0.35D+1 4.25\n");
-    EXPECT_EQ(read(real)[0].directional_density[0], 4.25 * 0.005) << "from the west, to the east";
-    const std::string repeated = with("   1   2   3   4\n", " 2*1.5 2*2.5\n");
-    EXPECT_EQ(read(repeated)[0].directional_density,
-              read(with("   1   2   3   4\n", " 1.5 1.5 2.5 2.5\n"))[0].directional_density);
+    const std::string real = swan_with("   1   2   3   4\n", " 1.5 2.5E0 0.35D+1 4.25\n");
+    EXPECT_EQ(read_swan(real)[0].directional_density[0], 4.25 * 0.005)
+        << "from the west, to the east";
+    const std::string repeated = swan_with("   1   2   3   4\n", " 2*1.5 2*2.5\n");
+    EXPECT_EQ(
+        read_swan(repeated)[0].directional_density,
+        read_swan(swan_with("   1   2   3   4\n", " 1.5 1.5 2.5 2.5\n"))[0].directional_density);
     EXPECT_TRUE(first_fault_of([] {
-                    return read(with("   1   2   3   4\n", " 3*1.5 2*2.5\n"));
+                    return read_swan(swan_with("   1   2   3   4\n", " 3*1.5 2*2.5\n"));
                 }).says("s.spec:25: more numbers than the values of all directions"));
 }
 
 TEST(Swan, ActionTimesTheAngularFrequencyIsVariance) {
-    const SpectrumRecord variance = read(kFile)[0];
+    const SpectrumRecord variance = read_swan(kSwanFile)[0];
     for (const char* unit : {"m2s/Hz/degr", "m2s/Hz/deg", "m2 s/Hz/degr", "m2*s/Hz/deg"}) {
-        std::string content = with("VaDens", "AcDens");
+        std::string content = swan_with("VaDens", "AcDens");
         content.replace(content.find("m2/Hz/degr"), 10, unit);
-        const SpectrumRecord action = read(content)[0];
+        const SpectrumRecord action = read_swan(content)[0];
         for (std::size_t i = 0; i < action.directional_density.size(); ++i) {
             const double omega = 2.0 * std::numbers::pi * action.frequency[i / 4];
             EXPECT_NEAR(action.directional_density[i], omega * variance.directional_density[i],
                         1e-15);
         }
     }
-    std::string radians = with("m2/Hz/degr", "m2/Hz/rad");
-    EXPECT_NEAR(read(radians)[0].density[0], variance.density[0] * kDegree, 1e-15);
+    std::string radians = swan_with("m2/Hz/degr", "m2/Hz/rad");
+    EXPECT_NEAR(read_swan(radians)[0].density[0], variance.density[0] * kDegree, 1e-15);
     const std::string one_dimensional = over_frequency("1\nAcDens\nm2s/Hz\n-99\n", "1\n2\n");
-    EXPECT_NEAR(read(one_dimensional)[0].density[1],
-                2.0 * 2.0 * std::numbers::pi * read(one_dimensional)[0].frequency[1], 1e-12);
+    EXPECT_NEAR(read_swan(one_dimensional)[0].density[1],
+                2.0 * 2.0 * std::numbers::pi * read_swan(one_dimensional)[0].frequency[1], 1e-12);
 }
 
 TEST(Swan, OfIterationsTheLastIsTheResult) {
-    std::string content = with("TIME ", "ITER ");
+    std::string content = swan_with("TIME ", "ITER ");
     content.replace(content.find("20161011.030059"), 15, "              7");
     content.replace(content.find("20161011.060000"), 15, "              8");
-    const std::vector<SpectrumRecord> records = read(content);
+    const std::vector<SpectrumRecord> records = read_swan(content);
     ASSERT_EQ(records.size(), 1u) << "the others are NODATA";
     EXPECT_EQ(records[0].time, "");
     EXPECT_EQ(records[0].station, "pier head");
     ASSERT_EQ(records[0].warnings.size(), 1u);
     EXPECT_EQ(records[0].warnings[0],
               "the file has 2 iterations of one state: the last, number 8, is the result");
-    const std::vector<SpectrumRecord> cut = read(content.substr(0, content.rfind("   5   6")));
+    const std::vector<SpectrumRecord> cut = read_swan(content.substr(0, content.rfind("   5   6")));
     ASSERT_EQ(cut.size(), 2u) << "of the iteration before";
     EXPECT_EQ(cut[0].warnings[0],
               "the file has 2 iterations of one state: number 8 cannot be read "
@@ -369,7 +371,7 @@ TEST(Swan, OfIterationsTheLastIsTheResult) {
 
 TEST(Swan, AValueThatIsNoNumberCostsItsLocation) {
     const std::vector<SpectrumRecord> records =
-        read(with("   1   2   3   4\n", "   1   2 ***   4\n"));
+        read_swan(swan_with("   1   2   3   4\n", "   1   2 ***   4\n"));
     ASSERT_EQ(records.size(), 3u);
     EXPECT_NE(records[0].fault.find("s.spec:25: '***' is not a density"), std::string::npos);
     EXPECT_EQ(records[0].longitude, 174.67);
@@ -380,17 +382,17 @@ TEST(Swan, AValueThatIsNoNumberCostsItsLocation) {
 
 TEST(Swan, BehindALostLocationThePlacesAreNotKnown) {
     // The word of the first location is lost, so that ZERO would be taken for it.
-    const std::vector<SpectrumRecord> records = read(with("FACTOR\n    0.5D-02\n", "\n"));
+    const std::vector<SpectrumRecord> records = read_swan(swan_with("FACTOR\n    0.5D-02\n", "\n"));
     ASSERT_EQ(records.size(), 3u);
     EXPECT_NE(records[0].fault.find("where FACTOR, ZERO or NODATA should be"), std::string::npos);
     EXPECT_EQ(records[1].fault, "") << "the file has as many as it should";
-    const std::vector<SpectrumRecord> fewer =
-        read(with("FACTOR\n    0.5D-02\n   1   2   3   4\n   5   6\n   7   8\n", "garbage\n"));
+    const std::vector<SpectrumRecord> fewer = read_swan(
+        swan_with("FACTOR\n    0.5D-02\n   1   2   3   4\n   5   6\n   7   8\n", "garbage\n"));
     ASSERT_EQ(fewer.size(), 3u);
     EXPECT_NE(fewer[0].fault.find("'garbage' where FACTOR"), std::string::npos);
     EXPECT_EQ(fewer[1].fault, "") << "two words follow, for the second and third";
-    const std::vector<SpectrumRecord> lost =
-        read(with("FACTOR\n    0.5D-02\n   1   2   3   4\n   5   6\n   7   8\nZERO\nNODATA\n",
+    const std::vector<SpectrumRecord> lost = read_swan(
+        swan_with("FACTOR\n    0.5D-02\n   1   2   3   4\n   5   6\n   7   8\nZERO\nNODATA\n",
                   "garbage\nZERO\n"));
     ASSERT_EQ(lost.size(), 4u);
     EXPECT_NE(lost[1].fault.find("the place of this one is not known"), std::string::npos);

@@ -19,7 +19,7 @@ Kiln read_kiln(const std::string& body) {
     return TableReader<Kiln>(kKilnTable, "kiln.toml").read(root);
 }
 
-ErrorFields fields_of(const std::string& body) {
+ErrorFields table_fields_of(const std::string& body) {
     try {
         read_kiln(body);
     } catch (const Error& error) {
@@ -92,15 +92,15 @@ TEST(TableFile, WithoutItsFirstLineIsNoFileOfThatKind) {
 }
 
 TEST(TableFile, MistakesHaveTheirPartsAsFields) {
-    const ErrorFields type = fields_of("[kiln]\nvented = 1\n");
+    const ErrorFields type = table_fields_of("[kiln]\nvented = 1\n");
     EXPECT_EQ(type.parameter, "kiln.vented");
     EXPECT_EQ(type.value, "1");
     EXPECT_EQ(type.what, "is neither true nor false");
     EXPECT_EQ(type.allowed, "true or false");
-    const ErrorFields range = fields_of("[[kiln.tray]]\nbowls = 65\n");
+    const ErrorFields range = table_fields_of("[[kiln.tray]]\nbowls = 65\n");
     EXPECT_EQ(range.parameter, "kiln.tray.0.bowls");
     EXPECT_EQ(range.allowed, "an even number, 0 .. 64");
-    EXPECT_EQ(fields_of("[kiln]\nheet = 1\n").parameter, "kiln.heet");
+    EXPECT_EQ(table_fields_of("[kiln]\nheet = 1\n").parameter, "kiln.heet");
 }
 
 TEST(TableFile, IsWrittenSoThatItReadsBack) {

@@ -68,12 +68,12 @@ TEST(TakeFile, MayBeEmptyAndBeginBeforeZero) {
     EXPECT_EQ(take_of("-3.5 swell 1\n").events.front().seconds, -3.5);
 }
 
-struct Mistake {
+struct TakeMistake {
     const char* name;
     std::string line;  // the third
     std::vector<std::string> says;
 };
-class TakeLine : public testing::TestWithParam<Mistake> {};
+class TakeLine : public testing::TestWithParam<TakeMistake> {};
 
 TEST_P(TakeLine, IsRefusedWithFileLineAndWhatIsAllowed) {
     const Refusal refusal =
@@ -89,29 +89,31 @@ TEST_P(TakeLine, IsRefusedWithFileLineAndWhatIsAllowed) {
 INSTANTIATE_TEST_SUITE_P(
     Mistakes, TakeLine,
     testing::Values(
-        Mistake{"OutOfRange",
-                "7 wind_speed 76",
-                {"waves.0.wind_speed = 76: is out of range", "allowed: 0 .. 75 m/s"}},
-        Mistake{"NotANumber", "7 wind_speed fast", {"waves.0.wind_speed = \"fast\"", "0 .. 75"}},
-        Mistake{"NanValue", "7 swell nan", {"waves.0.swell = nan", "-1 .. 1"}},
-        Mistake{"UnknownWord", "7 spreading wide", {"\"wide\"", "allowed: one of cosine_squared"}},
-        Mistake{"UnknownName", "7 wind_sped 3", {"'wind_sped'", "waves.0.wind_speed?"}},
-        Mistake{"NoSuchSystem", "7 waves.1.swell 0", {"waves.1.swell", "1 wave systems"}},
-        Mistake{"Rebuild",
-                "7 grid.resolution 256",
-                {"grid.resolution = 256: is not live", "allowed: choppiness, "}},
-        Mistake{"FoamStep", "7 foam_step 0.1", {"surface.foam_step = 0.1: is not live"}},
-        Mistake{"Seed", "7 seed 3", {"random.seed = 3: is not live"}},
-        Mistake{"BackInTime", "4.9 swell 0", {"4.9: is before the line above, at 5 s"}},
-        Mistake{"NoTime", "soon swell 0", {"soon: is not a time", "SECONDS NAME VALUE"}},
-        Mistake{"EndlessTime", "inf swell 0", {"inf: is not a time"}},
-        Mistake{"NanTime", "nan swell 0", {"nan: is not a time"}},
-        Mistake{
+        TakeMistake{"OutOfRange",
+                    "7 wind_speed 76",
+                    {"waves.0.wind_speed = 76: is out of range", "allowed: 0 .. 75 m/s"}},
+        TakeMistake{
+            "NotANumber", "7 wind_speed fast", {"waves.0.wind_speed = \"fast\"", "0 .. 75"}},
+        TakeMistake{"NanValue", "7 swell nan", {"waves.0.swell = nan", "-1 .. 1"}},
+        TakeMistake{
+            "UnknownWord", "7 spreading wide", {"\"wide\"", "allowed: one of cosine_squared"}},
+        TakeMistake{"UnknownName", "7 wind_sped 3", {"'wind_sped'", "waves.0.wind_speed?"}},
+        TakeMistake{"NoSuchSystem", "7 waves.1.swell 0", {"waves.1.swell", "1 wave systems"}},
+        TakeMistake{"Rebuild",
+                    "7 grid.resolution 256",
+                    {"grid.resolution = 256: is not live", "allowed: choppiness, "}},
+        TakeMistake{"FoamStep", "7 foam_step 0.1", {"surface.foam_step = 0.1: is not live"}},
+        TakeMistake{"Seed", "7 seed 3", {"random.seed = 3: is not live"}},
+        TakeMistake{"BackInTime", "4.9 swell 0", {"4.9: is before the line above, at 5 s"}},
+        TakeMistake{"NoTime", "soon swell 0", {"soon: is not a time", "SECONDS NAME VALUE"}},
+        TakeMistake{"EndlessTime", "inf swell 0", {"inf: is not a time"}},
+        TakeMistake{"NanTime", "nan swell 0", {"nan: is not a time"}},
+        TakeMistake{
             "NoValue", "7 peak_period", {"7 peak_period: is not an event", "SECONDS NAME VALUE"}},
-        Mistake{"TrailingWord", "7 wind_speed 14 m/s", {"= 14: is followed by m/s"}},
-        Mistake{"ControlCharacter", "7 wind\x01 3", {"'wind?'"}},
-        Mistake{"NulByte", std::string("7 swell 0\0", 10), {"0?"}},
-        Mistake{"BrokenUtf8", "7 swell \xFF\xFE", {"??"}}),
+        TakeMistake{"TrailingWord", "7 wind_speed 14 m/s", {"= 14: is followed by m/s"}},
+        TakeMistake{"ControlCharacter", "7 wind\x01 3", {"'wind?'"}},
+        TakeMistake{"NulByte", std::string("7 swell 0\0", 10), {"0?"}},
+        TakeMistake{"BrokenUtf8", "7 swell \xFF\xFE", {"??"}}),
     [](const auto& info) { return std::string(info.param.name); });
 
 TEST(TakeFile, TooManyEventsOrBytesAreRefused) {

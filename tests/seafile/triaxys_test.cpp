@@ -17,7 +17,7 @@ namespace {
 const std::string kBuoyFile = kData + "/spectra/triaxys.DIRSPEC";
 
 /// Three frequencies, waves from the north, east, south and west; north is listed twice.
-const std::string kFile =
+const std::string kTriaxysFile =
     "TRIAXYS BUOY DATA REPORT - TAS01970 - TAB01401 - 4857.6668S16631.6837W\r\n"  // 1
     "VERSION = WV (NDS)\r\n"
     "TYPE\t= DIRECTIONAL SPECTRUM\r\n"                     // 3
@@ -35,7 +35,7 @@ const std::string kFile =
     " 1.0E-02 2.0E-02 3.0E-02 4.0E-02 1.0E-02\r\n"         // 15
     " 5.0E-02 6.0E-02 7.0E-02 8.0E-02 5.0E-02\r\n";        // 16
 
-const std::string kOverFrequency =
+const std::string kTriaxysOverFrequency =
     "TRIAXYS BUOY DATA REPORT - TAS04811\n"       // 1
     "VERSION = 5b.02.08\n"                        // 2
     "TYPE    = NON-DIRECTIONAL SPECTRUM\n"        // 3
@@ -50,13 +50,9 @@ const std::string kOverFrequency =
     "0.200  2.5000000E+00\n"                      // 12
     "0.300  0.5000000E+00\n";                     // 13
 
-std::vector<SpectrumRecord> read(const std::string& content) {
+std::vector<SpectrumRecord> read_triaxys(const std::string& content) {
     return read_spectra_from({content, "b.DIRSPEC", {}});
 }
-std::string replaced(std::string content, const std::string& from, const std::string& to) {
-    return content.replace(content.find(from), from.size(), to);
-}
-
 TEST(Triaxys, ReadsWhatTheFileSays) {
     const std::vector<SpectrumRecord> records = read_spectra(kBuoyFile);
     ASSERT_EQ(records.size(), 1u);
@@ -83,7 +79,7 @@ TEST(Triaxys, TheTableIsPerDegree) {
 }
 
 TEST(Triaxys, DirectionsAreWhereWavesComeFromAndTheDoubleOneCountsOnce) {
-    const SpectrumRecord record = read(kFile).front();
+    const SpectrumRecord record = read_triaxys(kTriaxysFile).front();
     EXPECT_EQ(record.frequency, (std::vector<double>{0.1, 0.2})) << "0 Hz is no wave";
     EXPECT_EQ(record.direction, (std::vector<double>{0.0, 90.0, 180.0, 270.0}));
     // Travelling east, north, west, south: from the west, south, east and north.
@@ -93,7 +89,7 @@ TEST(Triaxys, DirectionsAreWhereWavesComeFromAndTheDoubleOneCountsOnce) {
 }
 
 TEST(Triaxys, OverFrequencyAloneThereAreNoDirections) {
-    const SpectrumRecord record = read(kOverFrequency).front();
+    const SpectrumRecord record = read_triaxys(kTriaxysOverFrequency).front();
     EXPECT_EQ(record.station, "TAS04811");
     EXPECT_EQ(record.time, "2019-01-01T00:30");
     EXPECT_TRUE(std::isnan(record.latitude));
@@ -103,7 +99,8 @@ TEST(Triaxys, OverFrequencyAloneThereAreNoDirections) {
 }
 
 TEST(Triaxys, SeveralReportsInOneFileAreSeveralRecords) {
-    const std::vector<SpectrumRecord> records = read(kFile + kOverFrequency + "\r\n" + kFile);
+    const std::vector<SpectrumRecord> records =
+        read_triaxys(kTriaxysFile + kTriaxysOverFrequency + "\r\n" + kTriaxysFile);
     ASSERT_EQ(records.size(), 3u);
     EXPECT_EQ(records[1].station, "TAS04811");
     EXPECT_TRUE(same_record(records[0], records[2]));
@@ -111,7 +108,8 @@ TEST(Triaxys, SeveralReportsInOneFileAreSeveralRecords) {
 
 TEST(Triaxys, APositionIsReadOrLeftOut) {
     const auto position = [](const std::string& text) {
-        const SpectrumRecord record = read(replaced(kFile, "4857.6668S16631.6837W", text)).front();
+        const SpectrumRecord record =
+            read_triaxys(replaced(kTriaxysFile, "4857.6668S16631.6837W", text)).front();
         return std::pair{record.latitude, record.longitude};
     };
     EXPECT_EQ(position("0630.0N01015.0E"), (std::pair{6.5, 10.25}));
@@ -151,8 +149,8 @@ TEST(Triaxys, BrokenFilesAreRefusedWithTheirLine) {
         {"ROWS", "LINES", 14, "'9' where a line of the header, KEY = value, should be"},
     };
     for (const auto& [from, to, line, words] : broken) {
-        const Refusal refusal =
-            first_fault_of([text = replaced(kFile, from, to)] { return read(text); });
+        const Refusal refusal = first_fault_of(
+            [text = replaced(kTriaxysFile, from, to)] { return read_triaxys(text); });
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file) << to;
         const std::string where = "b.DIRSPEC:" + std::to_string(line) + ": ";
         EXPECT_TRUE(refusal.says(where) && refusal.says(words)) << to << ": " << refusal.message;
@@ -162,8 +160,8 @@ TEST(Triaxys, BrokenFilesAreRefusedWithTheirLine) {
           {"2.5000000E+00", "-1e7", "b.DIRSPEC:12: a density of -1e7; allowed: 0 .. 1e6 m^2/Hz"},
           {"2.5000000E+00", "", "b.DIRSPEC:12: the line ends where a density should be"},
           {"2.5000000E+00", "1 2", "b.DIRSPEC:12: '2' after the density"}}) {
-        const Refusal refusal =
-            first_fault_of([text = replaced(kOverFrequency, from, to)] { return read(text); });
+        const Refusal refusal = first_fault_of(
+            [text = replaced(kTriaxysOverFrequency, from, to)] { return read_triaxys(text); });
         EXPECT_TRUE(refusal.says(words)) << refusal.message;
     }
 }

@@ -10,16 +10,16 @@
 
 #include "formats/fortran_number.hpp"
 #include "helpers.hpp"
+#include "ocean/grid.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::test {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 const std::string kStation = kData + "/spectra/ww3_station_44097.spec";
 
 /// Two points, two times, two frequencies, and waves that travel north, east, south and west.
-const std::string kFile =
+const std::string kWavewatchFile =
     "'WAVEWATCH III SPECTRA'     2     4     2 'a grid'\n"     // 1
     " 0.100E+00 0.200E+00\n"                                   // 2
     "  0.000E+00  0.157E+01  0.314E+01  0.471E+01\n"           // 3
@@ -37,13 +37,13 @@ const std::string kFile =
     "  1 2 3 4 5 6 7\n"
     "  8\n";  // 16
 
-std::vector<SpectrumRecord> read(const std::string& content) {
+std::vector<SpectrumRecord> read_wavewatch(const std::string& content) {
     return read_spectra_from({content, "p.spec", {}});
 }
 
-/// kFile with its first `from` replaced.
-std::string with(const std::string& from, const std::string& to) {
-    std::string content = kFile;
+/// kWavewatchFile with its first `from` replaced.
+std::string wavewatch_with(const std::string& from, const std::string& to) {
+    std::string content = kWavewatchFile;
     return content.replace(content.find(from), from.size(), to);
 }
 
@@ -66,7 +66,7 @@ TEST(Wavewatch, ReadsWhatTheFileSays) {
 }
 
 TEST(Wavewatch, DirectionsAreWhereWavesTravelClockwiseFromNorth) {
-    const SpectrumRecord record = read(kFile).front();
+    const SpectrumRecord record = read_wavewatch(kWavewatchFile).front();
     // East, north, west and south of libocean are the file's second, first, fourth and third.
     const double file_order[] = {3.0, 1.0, 7.0, 5.0};
     for (std::size_t j = 0; j < 4; ++j) {
@@ -88,13 +88,13 @@ TEST(Wavewatch, RoundedDirectionsOfAnEvenCircleWeighTheSame) {
 }
 
 TEST(Wavewatch, UnevenDirectionsAreAsPrinted) {
-    const SpectrumRecord record = read(with("0.157E+01", "0.153E+01")).front();
+    const SpectrumRecord record = read_wavewatch(wavewatch_with("0.157E+01", "0.153E+01")).front();
     EXPECT_NEAR(record.direction[0], 90.0 - 1.53 / kDegree, 1e-9);
     EXPECT_NEAR(record.direction[3], 450.0 - 3.14 / kDegree, 1e-9);
 }
 
 TEST(Wavewatch, PointsOfATimeFollowEachOther) {
-    const std::vector<SpectrumRecord> records = read(kFile);
+    const std::vector<SpectrumRecord> records = read_wavewatch(kWavewatchFile);
     ASSERT_EQ(records.size(), 4u);
     EXPECT_EQ(records[1].station, "B b");
     EXPECT_EQ(records[1].time, "2022-09-12T06:00");
@@ -107,7 +107,8 @@ TEST(Wavewatch, PointsOfATimeFollowEachOther) {
 
 TEST(Wavewatch, NamesAndNumbersMayBeGlued) {
     const SpectrumRecord record =
-        read(with("'A         '  40.98 -71.12      46.6", "'off O'Brien'-40.98-171.12 10000.0"))
+        read_wavewatch(wavewatch_with("'A         '  40.98 -71.12      46.6",
+                                      "'off O'Brien'-40.98-171.12 10000.0"))
             .front();
     EXPECT_EQ(record.station, "off O'Brien");
     EXPECT_EQ(record.latitude, -40.98);
@@ -144,30 +145,32 @@ TEST(Wavewatch, NumbersAreReadAsFortranWritesThem) {
 
 TEST(Wavewatch, ADepthThatIsNotPositiveIsNotKnown) {
     for (const char* depth : {"0.0", "-999.0"}) {
-        EXPECT_TRUE(std::isnan(read(with("46.6", depth)).front().depth)) << depth;
+        EXPECT_TRUE(std::isnan(read_wavewatch(wavewatch_with("46.6", depth)).front().depth))
+            << depth;
     }
 }
 
 TEST(Wavewatch, LineEndsAndLatin1NamesDoNoHarm) {
-    std::string crlf = with("'B b  ", "'Ile d'Ol\xE9ron");
+    std::string crlf = wavewatch_with("'B b  ", "'Ile d'Ol\xE9ron");
     for (std::size_t at = crlf.find('\n'); at != std::string::npos; at = crlf.find('\n', at + 2)) {
         crlf.insert(at, "\r");
     }
-    const std::vector<SpectrumRecord> records = read("\xEF\xBB\xBF" + crlf);
-    EXPECT_TRUE(same_record(records[0], read(kFile)[0]));
+    const std::vector<SpectrumRecord> records = read_wavewatch("\xEF\xBB\xBF" + crlf);
+    EXPECT_TRUE(same_record(records[0], read_wavewatch(kWavewatchFile)[0]));
     EXPECT_EQ(records[1].station, "Ile d'Ol?ron");
 }
 
 TEST(Wavewatch, AFileCutAfterAnyLineIsRefusedUnlessATimeIsComplete) {
     std::size_t lines = 0;
-    for (std::size_t at = kFile.find('\n'); at + 1 < kFile.size(); at = kFile.find('\n', at + 1)) {
-        const std::string cut = kFile.substr(0, at + 1);
+    for (std::size_t at = kWavewatchFile.find('\n'); at + 1 < kWavewatchFile.size();
+         at = kWavewatchFile.find('\n', at + 1)) {
+        const std::string cut = kWavewatchFile.substr(0, at + 1);
         ++lines;
         if (lines == 10) {
-            EXPECT_EQ(read(cut).size(), 2u);
+            EXPECT_EQ(read_wavewatch(cut).size(), 2u);
             continue;
         }
-        const Refusal refusal = first_fault_of([&] { return read(cut); });
+        const Refusal refusal = first_fault_of([&] { return read_wavewatch(cut); });
         const bool no_time = lines == 3;
         EXPECT_TRUE(refusal.says(no_time ? "holds no spectrum"
                                          : ":" + std::to_string(lines) + ": the file ends where"))
@@ -213,20 +216,21 @@ TEST(Wavewatch, BrokenFilesAreRefusedWithTheLine) {
         {"20220912 073059\n", "", ":11: ''A' where a time"},
     };
     for (const auto& [from, to, words] : broken) {
-        const Refusal refusal = first_fault_of([text = with(from, to)] { return read(text); });
+        const Refusal refusal =
+            first_fault_of([text = wavewatch_with(from, to)] { return read_wavewatch(text); });
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file);
         EXPECT_TRUE(refusal.says("p.spec" + words)) << words << "\n" << refusal.message;
     }
 }
 
 TEST(Wavewatch, TextsMayHaveDoubleQuotesOrNone) {
-    const std::vector<SpectrumRecord> quoted = read(kFile);
+    const std::vector<SpectrumRecord> quoted = read_wavewatch(kWavewatchFile);
     for (const char* mark : {"\"", ""}) {
-        std::string content = kFile;
+        std::string content = kWavewatchFile;
         for (std::size_t at = 0; (at = content.find('\'', at)) != std::string::npos;) {
             content.replace(at, 1, mark);
         }
-        const std::vector<SpectrumRecord> records = read(content);
+        const std::vector<SpectrumRecord> records = read_wavewatch(content);
         ASSERT_EQ(records.size(), quoted.size()) << mark;
         for (std::size_t i = 0; i < records.size(); ++i) {
             EXPECT_TRUE(same_record(records[i], quoted[i])) << mark << i;
@@ -237,25 +241,29 @@ TEST(Wavewatch, TextsMayHaveDoubleQuotesOrNone) {
 }
 
 TEST(Wavewatch, APointThatCannotBeReadCostsNoOther) {
-    const std::vector<SpectrumRecord> records = read(with("  0.300E+01", "  *********"));
+    const std::vector<SpectrumRecord> records =
+        read_wavewatch(wavewatch_with("  0.300E+01", "  *********"));
     ASSERT_EQ(records.size(), 4u);
     EXPECT_NE(records[0].fault.find("p.spec:6: '*********' is not a density"), std::string::npos);
     EXPECT_EQ(records[0].station, "A");
     for (std::size_t i = 1; i < 4; ++i) {
-        EXPECT_TRUE(same_record(records[i], read(kFile)[i])) << i;
+        EXPECT_TRUE(same_record(records[i], read_wavewatch(kWavewatchFile)[i])) << i;
     }
-    const std::vector<SpectrumRecord> cut = read(kFile.substr(0, kFile.size() - 4));
+    const std::vector<SpectrumRecord> cut =
+        read_wavewatch(kWavewatchFile.substr(0, kWavewatchFile.size() - 4));
     ASSERT_EQ(cut.size(), 4u) << "the file is growing";
     EXPECT_NE(cut[3].fault.find("the file ends where a density should be"), std::string::npos);
     EXPECT_EQ(cut[2].fault, "");
-    const std::vector<SpectrumRecord> time = read(with("20220912 060000", "2022091x 060000"));
+    const std::vector<SpectrumRecord> time =
+        read_wavewatch(wavewatch_with("20220912 060000", "2022091x 060000"));
     ASSERT_EQ(time.size(), 3u);
     EXPECT_NE(time[0].fault.find("p.spec:4: '2022091x' where a time"), std::string::npos);
     EXPECT_EQ(time[1].time, "2022-09-12T07:30");
 }
 
 TEST(Wavewatch, NoiseBelowZeroIsTakenAsZero) {
-    const SpectrumRecord record = read(with("  0.300E+01", " -0.100E-02")).front();
+    const SpectrumRecord record =
+        read_wavewatch(wavewatch_with("  0.300E+01", " -0.100E-02")).front();
     EXPECT_EQ(record.fault, "");
     ASSERT_EQ(record.warnings.size(), 1u);
     EXPECT_NE(record.warnings[0].find("1 of 8 densities are below 0"), std::string::npos);

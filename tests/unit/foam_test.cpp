@@ -54,7 +54,7 @@ std::vector<Wave> spread_sea(double mean, double half_width, double steepness) {
     return waves;
 }
 
-struct Estimate {
+struct SampledCoverage {
     double mean;
     double error;  // one standard error
 };
@@ -81,8 +81,8 @@ std::vector<Gradients> random_gradients(const std::vector<Wave>& waves) {
     return drawn;
 }
 
-Estimate sampled_whitecap(const std::vector<Gradients>& drawn, double choppiness, double threshold,
-                          double width) {
+SampledCoverage sampled_whitecap(const std::vector<Gradients>& drawn, double choppiness,
+                                 double threshold, double width) {
     double sum = 0.0;
     double squares = 0.0;
     for (const Gradients& g : drawn) {
@@ -119,7 +119,8 @@ TEST(Foam, TheMeanWhitecapIsThatOfRandomGradients) {
         for (const double choppiness : {0.5, 1.0, 2.5}) {
             for (const auto& [threshold, width] :
                  {std::pair(0.75, 0.2), std::pair(0.95, 0.05), std::pair(0.2, 1.0)}) {
-                const Estimate drawn = sampled_whitecap(gradients, choppiness, threshold, width);
+                const SampledCoverage drawn =
+                    sampled_whitecap(gradients, choppiness, threshold, width);
                 const double mean =
                     mean_whitecap(covariance_of(waves), choppiness, threshold, width);
                 EXPECT_NEAR(mean, drawn.mean, 4.0 * drawn.error + 1e-9)

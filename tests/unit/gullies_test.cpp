@@ -22,24 +22,17 @@
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/thread_pool.hpp"
+#include "simd_levels.hpp"
 #include "terrain/gullies_task.hpp"
 
 namespace ocean {
 namespace {
 
 using test::kValues;
+using test::levels;
 using test::Points;
 using test::random_hills;
 using test::set_hills;
-
-std::vector<SimdLevel> levels() {
-    std::vector<SimdLevel> result;
-    for (const SimdLevel level :
-         {SimdLevel::portable, SimdLevel::sse4, SimdLevel::avx2, SimdLevel::avx512}) {
-        if (simd_available(level)) result.push_back(level);
-    }
-    return result;
-}
 
 // Runs the formulas of the shader for one point, in the precision of a namespace of land.hpp.
 #define OCEAN_FORMULAS(precision, real)                                                        \

@@ -11,6 +11,7 @@
 #include "kernel/frame_parts.hpp"
 #include "kernel/frame_task.hpp"
 #include "kernel/map_kernel.hpp"
+#include "simd_levels.hpp"
 #include "synthesis/mode_grid.hpp"
 #include "test_seas.hpp"
 
@@ -18,15 +19,7 @@ namespace ocean {
 namespace {
 
 using test::kAllChannels;
-
-std::vector<SimdLevel> levels() {
-    std::vector<SimdLevel> result;
-    for (const SimdLevel level :
-         {SimdLevel::portable, SimdLevel::sse4, SimdLevel::avx2, SimdLevel::avx512}) {
-        if (simd_available(level)) result.push_back(level);
-    }
-    return result;
-}
+using test::levels;
 
 TEST(FrameParts, ShareNoFieldAndAreJoinedUpToASize) {
     using enum Linear;

@@ -22,7 +22,7 @@
 namespace ocean {
 namespace {
 
-using Planes = std::array<std::array<double, 4>, 5>;
+using CameraPlanes = std::array<std::array<double, 4>, 5>;
 
 constexpr double kWidth = 1280.0, kHeight = 720.0;  // [pixels]
 const double kFocal = 0.5 * kWidth / std::tan(kPi / 6.0);
@@ -38,7 +38,7 @@ struct Camera {
         up = {-std::cos(yaw) * std::sin(pitch), -std::sin(yaw) * std::sin(pitch), std::cos(pitch)};
     }
 
-    Planes planes() const {
+    CameraPlanes planes() const {
         const double across = 0.5 * kWidth / kFocal, high = 0.5 * kHeight / kFocal;
         const auto plane = [&](double a, double b, double c) {
             std::array<double, 4> p{};
@@ -169,7 +169,7 @@ TEST(LandQuadtree, DrawsAtMost300ThousandTrianglesInAnyOfTwoThousandPoses) {
         std::uint64_t max = 0, sum = 0;
         std::size_t draws = 0;
         for (const Pose& pose : poses) {
-            const Planes planes = pose.camera.planes();
+            const CameraPlanes planes = pose.camera.planes();
             select(settings, {pose.camera.eye, pose.ground, planes}, bounds, patches);
             const std::uint64_t triangles = triangles_of(settings, patches);
             max = std::max(max, triangles);

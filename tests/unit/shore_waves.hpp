@@ -21,7 +21,6 @@
 
 namespace ocean {
 
-inline constexpr double kDegree = kPi / 180.0;
 inline constexpr double kGravity = 9.81;
 
 inline BedGrid grid_of(int columns, int rows, double cell,

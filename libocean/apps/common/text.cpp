@@ -15,6 +15,10 @@ std::string bytes_text(std::uint64_t bytes) {
     return format_text("%.1f GiB", mebibytes / 1024.0);
 }
 
+std::string length_text(double metres) {
+    return metres < 10'000.0 ? significant<4>(metres) + " m" : significant<4>(metres / 1e3) + " km";
+}
+
 std::string duration_text(double seconds) {
     if (seconds < 10.0) return format_text("%.1f s", std::max(seconds, 0.0));
     const auto whole = static_cast<long long>(std::ceil(seconds));

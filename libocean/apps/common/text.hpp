@@ -24,6 +24,8 @@ std::string significant(double value) {
 
 /// Returns "12.4 MiB".
 std::string bytes_text(std::uint64_t bytes);
+/// Returns "412.5 m" or "12.5 km", with four digits.
+std::string length_text(double metres);
 /// Returns "4.2 s", "1:38" or "2:03:10".
 std::string duration_text(double seconds);
 /// Returns the text, in quotes if a reader of CSV would otherwise see more than one cell.

@@ -142,7 +142,7 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
     run_or_forecast(plan, typed.dry_run, context);
 }
 
-constexpr char kFooter[] =
+constexpr char kBakeFooter[] =
     R"(-o out/sea.####.exr writes out/sea.<product>.0001.exr for each product and
 frame. So does -o out/sea.exr if it has several files to write; one product of
 one frame is out/sea.exr itself. A lone # is four digits, two or more are one
@@ -173,7 +173,7 @@ Command bake_command(const Catalogue& catalogue) {
         .name = "bake",
         .summary = "Write frames of a sea: EXR, DF3, PNG, POV-Ray mesh, PLY, OBJ, USD, VDB",
         .options = std::move(groups),
-        .footer = kFooter,
+        .footer = kBakeFooter,
         .page_noun = "format",
         .pages_title = "Formats (`ocean bake --help NAME` has all about one)",
         .pages = format_pages(catalogue),

@@ -148,7 +148,7 @@ void run(const GaugeOptions& options, const Context& context) {
     }
 }
 
-constexpr char kFooter[] =
+constexpr char kGaugeFooter[] =
     R"(FILE has a header line and the columns x, y (m); name; z (m, 0 = still water,
 the default, and negative below); velocity_x, velocity_y (m/s) of a gauge that
 moves from x, y on; or time (s): the rows of one name are then its track, with
@@ -188,7 +188,7 @@ Command gauge_command() {
                        "limits and a "
                        "coarser spectrum; default 40"}}},
                     run_options("Print one JSON object; progress as JSON lines")},
-        .footer = kFooter,
+        .footer = kGaugeFooter,
         .run = [options](const Context& context) { run(*options, context); },
     };
 }

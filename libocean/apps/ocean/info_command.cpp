@@ -54,7 +54,7 @@ void run(const InfoOptions& info, const Context& context) {
     for (const std::string& warning : state.warnings) context.console.warning(warning);
 }
 
-constexpr char kFooter[] =
+constexpr char kInfoFooter[] =
     R"(asked: integral of the spectrum; resolved: sum over the modes of the grid.
 For a terrain, asked: the mean of all seeds; the other column: this very tile.
 Directions are in degrees counter-clockwise from +x (east), towards which the
@@ -73,7 +73,7 @@ Command info_command() {
                      {{"--sea-file", &info->sea_file, "",
                        "Print the resolved sea file instead, the text that baked files hold"}}},
                     run_options("Print one JSON object; warnings as JSON lines")},
-        .footer = kFooter,
+        .footer = kInfoFooter,
         .run = [info](const Context& context) { run(*info, context); },
     };
 }

@@ -11,7 +11,7 @@
 namespace ocean::app {
 namespace {
 
-constexpr char kFooter[] =
+constexpr char kProgramFooter[] =
     R"(A sea is a sea file, a baked EXR file or preset:NAME (see `ocean presets`).
 `ocean COMMAND --help` lists the options of a command.
 Exit codes: 0 done, 1 failed at run time (disk, memory), 2 wrong usage or bad
@@ -27,7 +27,7 @@ int run_ocean(int argc, char** argv, const Catalogue& catalogue) {
               .summary =
                   "One statistical ocean, in real units, for Blender, POV-Ray, OpenGL and OpenEXR.",
               .options = {run_options("JSON lines on standard error; `info` prints JSON")},
-              .footer = kFooter},
+              .footer = kProgramFooter},
          .version = "ocean " OCEAN_VERSION "\n" OCEAN_LIBRARY_VERSIONS,
          .commands = {info_command(), bake_command(catalogue), terrain_command(catalogue),
                       terrain_import_command(), terrain_fit_command(), povray_command(),

@@ -189,7 +189,7 @@ std::vector<OptionGroup> povray_options(Typed& typed) {
     };
 }
 
-constexpr char kFooter[] =
+constexpr char kPovrayFooter[] =
     R"(Then, in the folder: povray ocean.ini. Its scene.pov is yours to change and is
 never overwritten; ocean.inc has the macros, ocean_parameters.inc the parameters
 of the sea, and sea.toml is the sea file. The folder is complete: it needs
@@ -219,7 +219,7 @@ Command povray_command() {
         .name = "povray",
         .summary = "Write a sea or a terrain as a folder that POV-Ray renders",
         .options = povray_options(*typed),
-        .footer = kFooter,
+        .footer = kPovrayFooter,
         .run = [typed](const Context& context) { run(*typed, context); },
     };
 }

@@ -160,7 +160,7 @@ class QueryRun {
     std::string text_;             // of the file
 };
 
-constexpr char kFooter[] =
+constexpr char kQueryFooter[] =
     R"(Columns: x,y,height (m), normal_x,y,z (unit vector, up), velocity_x,y,z (m/s, of
 the surface point), foam (0 .. 1). The displacement is inverted: a row describes
 the surface that is visible at x,y. Where crests have folded over, it describes
@@ -202,7 +202,7 @@ Command query_command() {
                 "orbital_velocity_x,y,z"},
                {"-o,--output", &options->output, "FILE", "Write the CSV here"}}},
              run_options("")},
-        .footer = kFooter,
+        .footer = kQueryFooter,
         .run = [options](const Context& context) { QueryRun(*options, context).run(); },
     };
 }

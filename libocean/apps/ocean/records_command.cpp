@@ -52,7 +52,7 @@ void run(const std::string& file, const Context& context) {
     for (const SpectrumRecord& record : records) context.console.data(line(record));
 }
 
-constexpr char kFooter[] =
+constexpr char kRecordsFooter[] =
     R"(Reads NDBC real-time, hourly, five-day and historical tables, Sofar Spotter CSV
 and JSON, Datawell .spt, TRIAXYS spectra, Nortek AWAC (NMEA), Obscape, Octopus,
 WAVEWATCH III point output, SWAN spectra, CSV and NetCDF, packed with gzip or
@@ -74,7 +74,7 @@ Command records_command() {
         .options = {{"",
                      {{"FILE", file.get(), "", "Spectra of a buoy or a wave model", kRequired}}},
                     run_options("Print one JSON array")},
-        .footer = kFooter,
+        .footer = kRecordsFooter,
         .run = [file](const Context& context) { run(*file, context); },
     };
 }

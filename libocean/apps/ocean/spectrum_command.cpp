@@ -22,6 +22,7 @@
 #include "ocean/subject_kind.hpp"
 #include "ocean/terrainfile.hpp"
 #include "ocean/text.hpp"
+#include "plot/plot_file.hpp"
 #include "plot/spectrum_plot.hpp"
 #include "plot/terrain_plot.hpp"
 #include "sea_argument.hpp"
@@ -32,7 +33,7 @@
 namespace ocean::app {
 namespace {
 
-constexpr std::string_view kPlotString = "ocean:plot";
+constexpr std::string_view kPlotCommand = "spectrum";
 
 struct SpectrumOptions {
     SeaArgument sea;
@@ -47,18 +48,8 @@ constexpr int kDefaultSeeds = 16;
 std::vector<io::HeaderString> plot_strings(std::string_view kind, const std::string& text) {
     const io::Provenance provenance{.kind = std::string(kind), .text = text};
     std::vector<io::HeaderString> strings = io::provenance_strings(provenance);
-    strings.push_back({std::string(kPlotString), "spectrum"});
+    strings.push_back(plot_mark(kPlotCommand));
     return strings;
-}
-
-bool is_plot(const std::string& path) {
-    try {
-        const auto header = io::read_png_header(path);
-        return std::ranges::any_of(header,
-                                   [](const auto& string) { return string.name == kPlotString; });
-    } catch (const Error&) {
-        return false;
-    }
 }
 
 /// Throws Error if an output is an input or replaces a file that is no plot.
@@ -72,7 +63,7 @@ void check_outputs(const SpectrumOptions& options, const std::vector<std::string
     }
     if (!options.plot.empty()) {
         io::refuse_to_replace_foreign_file(options.plot, "`ocean spectrum --plot`",
-                                           [&] { return is_plot(options.plot); });
+                                           [&] { return is_plot(options.plot, kPlotCommand); });
     }
 }
 
@@ -144,7 +135,7 @@ void run(const SpectrumOptions& options, const Context& context) {
         [&] { return options.directional ? directional_csv(spectrum) : frequency_csv(spectrum); });
 }
 
-constexpr char kFooter[] =
+constexpr char kSpectrumFooter[] =
     R"(Columns: frequency_hz, density_m2_per_hz, mean_direction_deg,
 directional_spread_deg (empty without energy), at the rows of libocean's own
 table: the trapezoidal rule over them gives the variance m0, and 4 sqrt(m0) is
@@ -176,7 +167,7 @@ Command spectrum_command() {
                {"--plot", &options->plot, "FILE.png",
                 "Draw both spectra as a PNG file; CSV is then written with -o only"}}},
              run_options("")},
-        .footer = kFooter,
+        .footer = kSpectrumFooter,
         .run = [options](const Context& context) { run(*options, context); },
     };
 }

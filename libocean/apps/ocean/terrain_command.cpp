@@ -164,7 +164,7 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
     run_or_forecast(plan, typed.dry_run, context);
 }
 
-constexpr char kFooter[] =
+constexpr char kTerrainFooter[] =
     R"(The extension names the format: .exr, .png (a height field of 16 bits), .ply,
 .obj, .usda, .vdb and others; `ocean bake --help FORMAT` has all about one.
 Heights are metres; -o hills.exr is one channel Y of floats, and
@@ -182,7 +182,7 @@ Command terrain_command(const Catalogue& catalogue) {
         .name = "terrain",
         .summary = "Write a fractional terrain: EXR, PNG, GeoTIFF, PLY, OBJ, USD, VDB",
         .options = std::move(groups),
-        .footer = kFooter,
+        .footer = kTerrainFooter,
         .run = [typed, &catalogue](const Context& context) { run(*typed, catalogue, context); },
     };
 }

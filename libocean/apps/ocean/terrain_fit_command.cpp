@@ -22,6 +22,7 @@
 #include "ocean/terrain_fit.hpp"
 #include "ocean/terrainfile.hpp"
 #include "plot/fit_plot.hpp"
+#include "plot/plot_file.hpp"
 #include "terrain_fit_text.hpp"
 #include "text.hpp"
 
@@ -29,8 +30,7 @@ namespace ocean::app {
 namespace {
 
 constexpr char kOpening[] = "# Fitted by `ocean terrain fit`";
-constexpr std::string_view kPlotString = "ocean:plot";
-constexpr std::string_view kPlotWord = "terrain fit";
+constexpr std::string_view kFitCommand = "terrain fit";
 
 struct FitOptions {
     std::string bed;
@@ -44,17 +44,6 @@ struct FitOptions {
 
 bool begins_with(const std::string& path, std::string_view opening) {
     return text::first_bytes(path, opening.size()) == opening;
-}
-
-bool is_plot(const std::string& path) {
-    try {
-        const auto header = io::read_png_header(path);
-        return std::ranges::any_of(header, [](const io::HeaderString& string) {
-            return string.name == kPlotString && string.text == kPlotWord;
-        });
-    } catch (const Error&) {
-        return false;
-    }
 }
 
 void require_extension(const std::string& option, const std::string& path,
@@ -77,7 +66,8 @@ void check_outputs(const FitOptions& options) {
          [](const std::string& path) { return begins_with(path, kOpening); }},
         {"--rings", options.rings, ".csv",
          [](const std::string& path) { return begins_with(path, kRingsHeader); }},
-        {"--plot", options.plot, ".png", is_plot},
+        {"--plot", options.plot, ".png",
+         [](const std::string& path) { return is_plot(path, kFitCommand); }},
     };
     for (const Output& output : outputs) {
         if (output.path.empty()) continue;
@@ -145,7 +135,7 @@ void write_outputs(const FitOptions& options, const ElevationModel& bed, const T
         const io::Provenance provenance{.kind = std::string(kTerrainKind),
                                         .text = write_terrain(fit.terrain)};
         std::vector<io::HeaderString> strings = io::provenance_strings(provenance);
-        strings.push_back({std::string(kPlotString), std::string(kPlotWord)});
+        strings.push_back(plot_mark(kFitCommand));
         const std::string name = text::to_utf8(utf8_path(options.bed).filename());
         const std::string png = plot_fit(bed, fit, name, context.options.threads);
         write(options.plot, io::with_png_strings(png, strings));
@@ -184,7 +174,7 @@ void run(const FitOptions& options, const Context& context) {
     write_outputs(options, bed, fit, context);
 }
 
-constexpr char kFooter[] =
+constexpr char kTerrainFitFooter[] =
     R"(BED is an elevation model: .asc, .flt with .hdr, GeoTIFF or .hgt. Its plane is
 removed and a Hann window applied; its density over the wavenumber plane is then
 averaged in rings, 4 an octave. Terrains of 8 seeds, cut out and measured alike,
@@ -219,7 +209,7 @@ Command terrain_fit_command() {
                {"--seeds", &options->seeds, "N", "Seeds that judge the fit, 4 .. 256; default 16",
                 kOptional, Within{kMinFitSeeds, kMaxFitSeeds}}}},
              run_options("Print the report as a JSON object")},
-        .footer = kFooter,
+        .footer = kTerrainFitFooter,
         .run = [options](const Context& context) { run(*options, context); },
     };
 }

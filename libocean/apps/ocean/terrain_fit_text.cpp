@@ -13,10 +13,6 @@
 namespace ocean::app {
 namespace {
 
-std::string length_text(double metres) {
-    return metres < 10'000.0 ? significant<4>(metres) + " m" : significant<4>(metres / 1e3) + " km";
-}
-
 std::string law_text(const TerrainFit& fit) {
     if (fit.parameters.empty()) {
         return "the table of " + std::to_string(fit.rings.size()) + " rings";

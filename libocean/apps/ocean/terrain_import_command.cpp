@@ -131,10 +131,6 @@ void check_output(const ImportCommandOptions& options) {
     }
 }
 
-std::string length_text(double metres) {
-    return metres < 10'000.0 ? significant<4>(metres) + " m" : significant<4>(metres / 1e3) + " km";
-}
-
 std::string system_text(const ElevationModel& model) {
     const std::string name = elevation::crs_name(model.crs);
     std::string text = name.empty() ? "unknown" : name;
@@ -239,7 +235,7 @@ void run(const ImportCommandOptions& options, const Context& context) {
     }
 }
 
-constexpr char kFooter[] =
+constexpr char kTerrainImportFooter[] =
     R"(Reads GeoTIFF (one band; integers of 8, 16 and 32 bits, floats of 32 and 64),
 SRTM tiles (N34W119.hgt), grey PNG (needs --cell and --range), OpenEXR (needs
 --cell; heights in metres), ESRI ASCII grids (.asc) and raw floats (.flt with
@@ -293,7 +289,7 @@ Command terrain_import_command() {
                 "Write square cells of this side, as the bed of a sea needs: between cells by "
                 "interpolation, larger ones as means"}}},
              run_options("Print the facts as a JSON object")},
-        .footer = kFooter,
+        .footer = kTerrainImportFooter,
         .run = [options](const Context& context) { run(*options, context); },
     };
 }

@@ -21,6 +21,7 @@
 #include "ocean/io/product_image.hpp"
 #include "ocean/subject_kind.hpp"
 #include "ocean/text.hpp"
+#include "refuse.hpp"
 #include "source.hpp"
 
 namespace ocean {
@@ -105,10 +106,6 @@ std::vector<FormatOption> volume_options() {
 }
 
 namespace {
-
-[[noreturn]] void refuse(const std::string& message) {
-    throw Error(ErrorKind::invalid_value, message);
-}
 
 /// Returns the fields of a comma list, none if it has more than `limit`.
 std::vector<std::string_view> fields_of(const std::string& list, std::size_t limit) {

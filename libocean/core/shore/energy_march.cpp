@@ -21,7 +21,7 @@ namespace {
 constexpr double kDegree = kTwoPi / 360.0;
 constexpr double kLargestArrival = 2.0;  // where a bed focuses waves
 constexpr int kReportedColumns = 8;
-constexpr float kLeastShare = 1e-6f;
+constexpr float kFloorShare = 1e-6f;
 
 void require(bool valid, const char* name, double value, const char* allowed) {
     if (valid) return;
@@ -150,7 +150,7 @@ std::vector<float> share_of(std::size_t own, const std::vector<GroupMarch>& marc
                     if (other == own) continue;
                     sum += marches[other].bed.grid.read(variances[other], grid.place(i, j));
                 }
-                if (sum > 0.0f) shares[n] = std::max(variances[own][n] / sum, kLeastShare);
+                if (sum > 0.0f) shares[n] = std::max(variances[own][n] / sum, kFloorShare);
             }
         }
     });

@@ -15,7 +15,7 @@
 namespace ocean {
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::infinity();
+constexpr float kNoCrossing = std::numeric_limits<float>::infinity();
 constexpr float kLeast = 1e-6f;  // of land, so that the sign says it [samples]
 constexpr double kExact = 2.5;   // [samples]
 constexpr int kExactReach = 3;   // squares to each side that contain all lines so near
@@ -33,7 +33,7 @@ double crossing(float from, float to) {
     return double{from} / (double{from} - double{to});
 }
 
-/// Writes the offset from each sample of a line to the nearest crossing in it, or kNone.
+/// Writes the offset from each sample of a line to the nearest crossing in it, or kNoCrossing.
 void offsets_in_line(const float* line, int length, float* offsets) {
     double place = -HUGE_VAL;
     for (int k = 0; k < length; ++k) {
@@ -49,7 +49,7 @@ void offsets_in_line(const float* line, int length, float* offsets) {
         }
         const auto after = static_cast<float>(place - k);
         if (after < -offsets[k]) offsets[k] = after;
-        if (std::isinf(offsets[k])) offsets[k] = kNone;
+        if (std::isinf(offsets[k])) offsets[k] = kNoCrossing;
     }
 }
 
@@ -67,7 +67,7 @@ class Envelope {
             return double{offsets[k]} * double{offsets[k]} + 1.0 * k * k;
         };
         for (int k = 0; k < length; ++k) {
-            if (offsets[k] == kNone) continue;
+            if (offsets[k] == kNoCrossing) continue;
             double begin = -HUGE_VAL;
             for (; count > 0; --count) {
                 const int other = sites_[static_cast<std::size_t>(count - 1)];
@@ -123,7 +123,7 @@ class CrossingSearch {
             std::uint32_t* const indices = indices_.of(thread, size);
             load_lines(offsets_.data(), other, first, lanes, offsets);
             if (first_search) {
-                std::fill(lowest, lowest + size, kNone);
+                std::fill(lowest, lowest + size, kNoCrossing);
             } else {
                 load_lines(squares.data(), other, first, lanes, lowest);
                 load_lines(nearest.data(), other, first, lanes, indices);

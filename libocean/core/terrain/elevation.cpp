@@ -211,7 +211,6 @@ std::array<double, 2> metres_per_degree(double latitude) {
     constexpr double kSemiMajorAxis = 6378137.0;         // a [m]
     constexpr double kFlattening = 1.0 / 298.257223563;  // f
     constexpr double kSquaredEccentricity = kFlattening * (2.0 - kFlattening);
-    constexpr double kDegree = kPi / 180.0;
     const double sine = std::sin(latitude * kDegree);
     const double w = 1.0 - kSquaredEccentricity * sine * sine;
     // The radii of curvature: of the parallel N cos(latitude), N = a / sqrt(w); of the meridian

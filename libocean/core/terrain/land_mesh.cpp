@@ -16,7 +16,7 @@ namespace {
 
 using Position = std::array<double, 3>;
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
 
 /// The vertices of a patch by their indices.
 struct PatchLattice {
@@ -44,7 +44,7 @@ struct PatchLattice {
 class Welder {
   public:
     Welder(std::uint64_t max_vertices, std::vector<Position>& positions)
-        : slots_(std::bit_ceil(max_vertices + max_vertices / 2 + 1), kNone),
+        : slots_(std::bit_ceil(max_vertices + max_vertices / 2 + 1), kNoVertex),
           positions_(positions) {}
 
     static std::uint64_t bytes(std::uint64_t max_vertices) {
@@ -54,7 +54,7 @@ class Welder {
     std::uint32_t weld(const Position& position) {
         for (std::uint64_t at = hash(position);; ++at) {
             std::uint32_t& slot = slots_[at & (slots_.size() - 1)];
-            if (slot == kNone) {
+            if (slot == kNoVertex) {
                 slot = static_cast<std::uint32_t>(positions_.size());
                 positions_.push_back(position);
                 return slot;
@@ -131,7 +131,7 @@ LandMesh make_land_mesh(const QuadtreeSettings& settings, std::span<const LandPa
                         const LandView& view, const HeightSampler& sampler) {
     validate(settings);
     const std::uint64_t max_vertices = vertices_of(settings, patches);
-    if (max_vertices >= kNone) {
+    if (max_vertices >= kNoVertex) {
         throw Error(ErrorKind::invalid_value,
                     ErrorFields{.what = "have too many vertices", .parameter = "patches"});
     }
@@ -143,14 +143,14 @@ LandMesh make_land_mesh(const QuadtreeSettings& settings, std::span<const LandPa
         const Position &p = positions[a], &q = positions[b], &r = positions[c];
         if (p == q || q == r || r == p) return;
         for (const std::size_t v : {a, b, c}) {
-            if (welded[v] == kNone) welded[v] = welder.weld(positions[v]);
+            if (welded[v] == kNoVertex) welded[v] = welder.weld(positions[v]);
         }
         mesh.triangles.push_back({welded[a], welded[b], welded[c]});
     };
     for (const LandPatch& patch : patches) {
         const PatchLattice lattice(settings, patch);
         place_patch(settings, view, patch, sampler, positions);
-        welded.assign(positions.size(), kNone);
+        welded.assign(positions.size(), kNoVertex);
         for (int j = 0; j < lattice.quads; ++j) {
             for (int i = 0; i < lattice.quads; ++i) {
                 const std::size_t low =

@@ -11,8 +11,6 @@
 namespace ocean {
 namespace {
 
-constexpr double kMaxCoordinate = 1e8;  // [m]
-
 /// A square of the plane [m]. Its corners are labels of vertices, bit by bit, so that no vertex of
 /// a square is nearer to the eye than its nearest point, rounding included.
 struct Square {
@@ -116,7 +114,7 @@ class Walk {
 
 void validate_view(const LandView& view, const HeightBounds& bounds) {
     for (const double value : {view.eye[0], view.eye[1], view.eye[2], view.ground}) {
-        if (!(std::abs(value) <= kMaxCoordinate)) {
+        if (!(std::abs(value) <= kMaxQuadtreeCoordinate)) {
             throw Error(ErrorKind::invalid_value,
                         ErrorFields{.what = "is not finite or too far from the origin",
                                     .parameter = "view",

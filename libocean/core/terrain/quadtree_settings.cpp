@@ -17,8 +17,6 @@ constexpr int kMaxPatch = 1024;
 constexpr int kMaxLevels = 30;
 constexpr double kMinMorph = 4.0;       // spacings from its start to the range
 constexpr double kMaxRootsToEdge = 64;  // squares of the coarsest level up to `farthest`
-constexpr double kMaxCoordinate = 1e8;  // [m]
-
 [[noreturn]] void refuse(const char* parameter, double value, const char* what,
                          const std::string& allowed) {
     throw Error(
@@ -34,7 +32,8 @@ void require_within(const char* parameter, double value, double low, double high
 void validate_edge(const LandEdge& edge) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
         for (const double value : {edge.low[axis], edge.high[axis]}) {
-            require_within("edge", value, -kMaxCoordinate, kMaxCoordinate, "-1e8 .. 1e8 m");
+            require_within("edge", value, -kMaxQuadtreeCoordinate, kMaxQuadtreeCoordinate,
+                           "-1e8 .. 1e8 m");
         }
         if (!(edge.low[axis] < edge.high[axis])) {
             refuse("edge", edge.high[axis], "leaves no land",
@@ -78,7 +77,7 @@ void validate(const QuadtreeSettings& settings) {
         refuse("farthest", settings.farthest, "is out of range",
                "above 0 and up to " + to_text(farthest) + " m; more with more levels");
     }
-    require_within("farthest", settings.farthest, 0.0, kMaxCoordinate, "up to 1e8 m");
+    require_within("farthest", settings.farthest, 0.0, kMaxQuadtreeCoordinate, "up to 1e8 m");
     if (settings.edge) validate_edge(*settings.edge);
 }
 

@@ -17,7 +17,7 @@
 namespace ocean {
 namespace {
 
-constexpr int kMaxSide = 4096;
+constexpr int kMaxRepeatedSide = 4096;
 constexpr double kBeyond = 0.1;  // mean correlation from which peaks count
 
 using Plane = std::vector<std::complex<float>>;
@@ -83,7 +83,7 @@ std::vector<float> normalised(const Plane& plane, bool imaginary) {
 TerrainRepeat find_repeat(const Modes& modes) {
     const CascadeModes& tile = modes.cascades.front();
     const int own = tile.lattice.resolution;
-    const int side = std::min(own, kMaxSide);
+    const int side = std::min(own, kMaxRepeatedSide);
     require_memory(tile.lattice.size() * (sizeof(std::complex<float>) + 2 * sizeof(float)),
                    "the autocorrelation of the terrain");
     const double dk = tile.lattice.wavenumber_step();

@@ -11,6 +11,7 @@
 namespace ocean {
 
 inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kDegree = kPi / 180.0;  // [rad]
 inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 inline constexpr int kMinResolution = 32;
 inline constexpr int kMaxResolution = 8192;

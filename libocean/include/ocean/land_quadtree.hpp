@@ -53,6 +53,8 @@
 
 namespace ocean {
 
+inline constexpr double kMaxQuadtreeCoordinate = 1e8;  // of edges, eyes and distances [m]
+
 /// A rectangle of land that exists once [m].
 struct LandEdge {
     std::array<double, 2> low{};

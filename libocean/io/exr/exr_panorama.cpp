@@ -23,25 +23,26 @@ constexpr std::size_t kMaxChannels = 16;
 constexpr std::uint32_t kMaxTile = 1024;
 constexpr float kMaxRadiance = 65504.0f;  // of half floats
 
-[[noreturn]] void refuse(const std::string& path, const std::string& reason) {
+[[noreturn]] void refuse_panorama(const std::string& path, const std::string& reason) {
     throw Error(ErrorKind::bad_file, "cannot read '" + path + "' as a panorama: " + reason);
 }
 
 void judge(const std::string& path, const ExrClaims& claims) {
     const auto [width, height, tile, channels] = claims;
     if (width != 2 * height || height % 2 != 0 || width < 8 || width > kMaxWidth) {
-        refuse(path,
-               "it is " + std::to_string(width) + " x " + std::to_string(height) +
-                   "; a panorama is twice as wide as high, 8 x 4 to 8192 x 4096, of even height");
+        refuse_panorama(
+            path,
+            "it is " + std::to_string(width) + " x " + std::to_string(height) +
+                "; a panorama is twice as wide as high, 8 x 4 to 8192 x 4096, of even height");
     }
     for (const char* name : {"R", "G", "B"}) {
         if (std::ranges::none_of(channels,
                                  [&](const auto& channel) { return channel.name == name; })) {
-            refuse(path, "it has no channel " + std::string(name));
+            refuse_panorama(path, "it has no channel " + std::string(name));
         }
     }
-    if (channels.size() > kMaxChannels) refuse(path, "it has more than 16 channels");
-    if (tile > kMaxTile) refuse(path, "its tiles are larger than 1024 x 1024");
+    if (channels.size() > kMaxChannels) refuse_panorama(path, "it has more than 16 channels");
+    if (tile > kMaxTile) refuse_panorama(path, "its tiles are larger than 1024 x 1024");
 }
 
 /// Reads the rows from the top one down.
@@ -77,7 +78,7 @@ Panorama read_exr_panorama(const std::string& path, int threads) {
     try {
         read_rows(path, share.count(), panorama);
     } catch (const std::exception& error) {
-        refuse(path, error.what());
+        refuse_panorama(path, error.what());
     }
     const auto top = panorama.rgb.begin();
     for (int j = 0; j < panorama.height / 2; ++j) {

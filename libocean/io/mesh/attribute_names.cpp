@@ -16,7 +16,6 @@ struct KnownName {
     std::string_view usd, usd_type;
     bool usd_interpolated = true;
 };
-constexpr std::string_view kNormal = "normal";
 constexpr std::array kKnownNames = {
     KnownName{kUv, {"s", "t"}, "primvars:st", "texCoord2f[]"},
     KnownName{kNormal, {"nx", "ny", "nz"}, "normals", "normal3f[]"},

@@ -6,11 +6,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ocean/io/mesh.hpp"
 
 namespace ocean::io {
+
+inline constexpr std::string_view kNormal = "normal";
 
 /// Returns a property for each component: "s", "t" of uv, which Blender and MeshLab read; "foam";
 /// "slope_x", "slope_y".

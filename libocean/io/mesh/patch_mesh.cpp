@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "attribute_names.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/mesh.hpp"
 #include "require_channels.hpp"
@@ -15,7 +16,6 @@
 namespace ocean::io {
 namespace {
 
-constexpr std::string_view kNormal = "normal";
 constexpr std::array kPlace = {Channel::dx, Channel::dy, Channel::height};
 
 // Returns the step of the vertex grid: 24 bits of a float hold every multiple of it up to `extent`,

@@ -7,8 +7,8 @@
 namespace ocean::io {
 namespace {
 
-using Leaf = openvdb::Vec3STree::LeafNodeType;
-using Leaves = std::vector<std::unique_ptr<Leaf>>;
+using VectorLeaf = openvdb::Vec3STree::LeafNodeType;
+using VectorLeaves = std::vector<std::unique_ptr<VectorLeaf>>;
 
 }  // namespace
 
@@ -31,14 +31,14 @@ VdbGrid make_velocity(const VoxelRange& voxels, std::span<const float> heights,
         for (int k = first_k; k <= last_k; ++k) {
             layer(k, layers[static_cast<std::size_t>(k - kSide * block)]);
         }
-        add_leaves(grid->tree(), places.count(), pool, [&](int item, Leaves& leaves) {
-            auto leaf = std::make_unique<Leaf>(places.corner(item, block));
+        add_leaves(grid->tree(), places.count(), pool, [&](int item, VectorLeaves& leaves) {
+            auto leaf = std::make_unique<VectorLeaf>(places.corner(item, block));
             places.for_each_column(item, [&](int i, int j, std::size_t at) {
                 const double top = static_cast<double>(heights[at]) + above;
                 for (int k = first_k; k <= last_k && voxels.size * k <= top; ++k) {
                     const Velocity v =
                         file.file_of(layers[static_cast<std::size_t>(k - kSide * block)][at]);
-                    leaf->setValueOn(Leaf::coordToOffset(file.file_of(i, j, k)),
+                    leaf->setValueOn(VectorLeaf::coordToOffset(file.file_of(i, j, k)),
                                      openvdb::Vec3s(v[0], v[1], v[2]));
                 }
             });
