@@ -31,8 +31,7 @@ std::vector<SpectrumRecord> read_datawell(const std::string& content,
     return read_spectra_from({content, name, {}});
 }
 std::string datawell_with(const std::string& from, const std::string& to) {
-    std::string content = kDatawellFile;
-    return content.replace(content.find(from), from.size(), to);
+    return replaced(kDatawellFile, from, to);
 }
 
 TEST(Datawell, ReadsWhatTheFileSays) {

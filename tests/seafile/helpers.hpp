@@ -7,6 +7,8 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
 #include "paths.hpp"
+#include "spectrum_format.hpp"
 
 namespace ocean::test {
 
@@ -55,6 +58,19 @@ inline Sea parse(const std::string& body) {
 }
 inline Refusal refusal_of_sea(const std::string& body) {
     return refusal_of([&] { parse(body); });
+}
+
+/// Contents by their paths: files that exist in memory only.
+using Files = std::map<std::string, std::string>;
+
+/// Reads one of the files, with the others as those that lie beside it.
+inline std::vector<SpectrumRecord> read_files(const Files& files, const std::string& name) {
+    const auto companion = [&](const std::string& path) -> std::optional<std::string> {
+        const auto found = files.find(path);
+        if (found == files.end()) return std::nullopt;
+        return found->second;
+    };
+    return read_spectra_from({files.at(name), name, companion});
 }
 
 /// Returns a text with another one in place of the first `from`, which it has.

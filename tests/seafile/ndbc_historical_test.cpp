@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 #include <numbers>
 #include <tuple>
 
@@ -21,22 +20,15 @@ const std::string kHistorical = kData + "/spectra/ndbc_historical/41010w2020.txt
 const std::string kTableHeader = "#YY  MM DD hh mm  .1000  .2000\n";
 const std::string kName = "sea/41010w2019.txt";
 
-using Tables = std::map<std::string, std::string>;
-
-std::vector<SpectrumRecord> read_historical(const Tables& files, const std::string& name = kName) {
-    const auto companion = [&](const std::string& path) -> std::optional<std::string> {
-        const auto found = files.find(path);
-        if (found == files.end()) return std::nullopt;
-        return found->second;
-    };
-    return read_spectra_from({files.at(name), name, companion});
+std::vector<SpectrumRecord> read_historical(const Files& files, const std::string& name = kName) {
+    return read_files(files, name);
 }
 
 std::string table(const std::string& values) {
     return kTableHeader + "2019 01 02 03 40 " + values + "\n";
 }
 
-Tables one_line_tables() {
+Files one_line_tables() {
     return {{"sea/41010w2019.txt", table("1.5 2.5")},
             {"sea/41010d2019.txt", table("90.0 99.0")},
             {"sea/41010i2019.txt", table("0.0 45.0")},
@@ -78,13 +70,13 @@ TEST(NdbcHistorical, HundredthsAreToldFromFractionsByAnyValueAboveOne) {
     EXPECT_NEAR(hundredths.a1[0], -0.80, 1e-12) << "from the east, to the west";
     EXPECT_NEAR(hundredths.a1[1], 0.50 * std::cos(171.0 * kDegree), 1e-12);
     EXPECT_NEAR(hundredths.b2[0], 0.60 * std::sin(540.0 * kDegree), 1e-12);
-    Tables files = one_line_tables();
+    Files files = one_line_tables();
     files["sea/41010j2019.txt"] = table("0.80 0.50");
     EXPECT_TRUE(same_record(read_historical(files).front(), hundredths)) << "each table for itself";
 }
 
 TEST(NdbcHistorical, Of99HundredthsIsAValueAndOfFractionsMissing) {
-    Tables files = one_line_tables();
+    Files files = one_line_tables();
     files["sea/41010j2019.txt"] = table("99.00 50.00");
     EXPECT_NEAR(read_historical(files).front().a1[0], -0.99, 1e-12);
     files["sea/41010j2019.txt"] = table("99.00 0.50");
@@ -95,7 +87,7 @@ TEST(NdbcHistorical, Of99HundredthsIsAValueAndOfFractionsMissing) {
 }
 
 TEST(NdbcHistorical, ABinWithoutDensityIsLeftOutAndATimeWithoutAnyToo) {
-    Tables files = one_line_tables();
+    Files files = one_line_tables();
     files[kName] =
         "#YY  MM DD hh mm  .0500  .1000  .2000\n#yr mo dy hr mn m2/Hz\n"
         "2019 01 02 02 40 999.00 99.00 1.00\n2019 01 02 03 40 99.00 1.5 2.5\n";
@@ -118,7 +110,7 @@ TEST(NdbcHistorical, OldHeadersAreRead) {
 }
 
 TEST(NdbcHistorical, OfTwoRowsWithOneTimeTheFirstIsKept) {
-    Tables files = one_line_tables();
+    Files files = one_line_tables();
     files[kName] += "2019 01 02 03 40 7 8\n2019 01 02 04 40 3 4\n";
     files["sea/41010d2019.txt"] += "2019 01 02 03 40 10 10\n";
     const std::vector<SpectrumRecord> records = read_historical(files);
@@ -131,7 +123,7 @@ TEST(NdbcHistorical, OfTwoRowsWithOneTimeTheFirstIsKept) {
 TEST(NdbcHistorical, CompanionsAreFoundPackedOrNotAndByMonth) {
     for (const char* tail : {"2019.txt", "62019.txt", "b2019.txt"}) {
         for (const char* packed : {"", ".gz"}) {
-            Tables files;
+            Files files;
             for (const auto& [path, text] : one_line_tables()) {
                 const char letter = path[9];
                 const bool gz = letter == 'w' || letter == 'j';
@@ -147,7 +139,7 @@ TEST(NdbcHistorical, CompanionsAreFoundPackedOrNotAndByMonth) {
 
 TEST(NdbcHistorical, AMissingCompanionMeansNoDirections) {
     for (const char letter : {'d', 'i', 'j', 'k'}) {
-        Tables files = one_line_tables();
+        Files files = one_line_tables();
         files.erase(std::string("sea/41010") + letter + "2019.txt");
         const SpectrumRecord record = read_historical(files).front();
         EXPECT_FALSE(record.has_moments()) << letter;
@@ -202,7 +194,7 @@ TEST(NdbcHistorical, ABrokenLineOfACompanionCostsItsDirectionsAndIsNamed) {
           {"i", "-1.0 1.0", "0 .. 360 degrees"},
           {"j", "80 106", "0 .. 100 hundredths, not 106"},
           {"k", "80", "1 values for the 2"}}) {
-        Tables files = one_line_tables();
+        Files files = one_line_tables();
         const std::string path = std::string("sea/41010") + letter + "2019.txt";
         files[path] = table(values);
         const SpectrumRecord record = read_historical(files).front();

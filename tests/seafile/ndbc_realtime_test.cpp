@@ -5,7 +5,6 @@
 // companions, and broken files.
 #include <gtest/gtest.h>
 
-#include <map>
 #include <numbers>
 #include <tuple>
 
@@ -18,17 +17,9 @@ namespace {
 
 const std::string kDensityHeader = "#YY  MM DD hh mm Sep_Freq  < spec_1 (freq_1) ... >\n";
 
-using Files = std::map<std::string, std::string>;
-
-/// Reads "b.data_spec" of files that exist in memory only.
 std::vector<SpectrumRecord> read_realtime(const Files& files,
                                           const std::string& name = "b.data_spec") {
-    const auto companion = [&](const std::string& path) -> std::optional<std::string> {
-        const auto found = files.find(path);
-        if (found == files.end()) return std::nullopt;
-        return found->second;
-    };
-    return read_spectra_from({files.at(name), name, companion});
+    return read_files(files, name);
 }
 
 Files one_line_buoy() {

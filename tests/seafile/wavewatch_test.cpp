@@ -43,8 +43,7 @@ std::vector<SpectrumRecord> read_wavewatch(const std::string& content) {
 
 /// kWavewatchFile with its first `from` replaced.
 std::string wavewatch_with(const std::string& from, const std::string& to) {
-    std::string content = kWavewatchFile;
-    return content.replace(content.find(from), from.size(), to);
+    return replaced(kWavewatchFile, from, to);
 }
 
 TEST(Wavewatch, ReadsWhatTheFileSays) {
