@@ -1,31 +1,37 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The choice among the kernels that are compiled in.
+// The choice among the kernels that are compiled in. No other file knows which they are.
 #include "simd_level.hpp"
 
 #include <cstdlib>
+#include <string>
+#include <string_view>
 
 #if defined(OCEAN_X86_KERNELS)
 #include <cpuid.h>
 #endif
 
 #include "frame_task.hpp"
+#include "ocean/error.hpp"
+#include "shore/pair_task.hpp"
+#include "shore/signal_task.hpp"
+#include "terrain/gullies_task.hpp"
 
 namespace ocean {
 
-namespace avx512 {
-extern const KernelCode kCode;
-}
-namespace avx2 {
-extern const KernelCode kCode;
-}
-namespace sse4 {
-extern const KernelCode kCode;
-}
-namespace portable {
-extern const KernelCode kCode;
-}
+/// Declares the code of one kernel, which is defined in the namespace of its name.
+#define OCEAN_DECLARE_KERNEL(name)       \
+    namespace name {                     \
+    extern const KernelCode kCode;       \
+    extern const PairLoop kPairLoop;     \
+    extern const SignalLoop kSignalLoop; \
+    extern const GullyLoop kGullyLoop;   \
+    }
+OCEAN_DECLARE_KERNEL(avx512)
+OCEAN_DECLARE_KERNEL(avx2)
+OCEAN_DECLARE_KERNEL(sse4)
+OCEAN_DECLARE_KERNEL(portable)
 
 namespace {
 
@@ -33,6 +39,9 @@ namespace {
 struct Kernel {
     SimdLevel level;
     const KernelCode* code;
+    const PairLoop* pair_loop;
+    const SignalLoop* signal_loop;
+    const GullyLoop* gully_loop;
     unsigned leaf_1, leaf_7, saved_states;
 };
 
@@ -43,18 +52,22 @@ struct Kernel {
     bit_AVX512F | bit_AVX512BW | bit_AVX512DQ | bit_AVX512VL;
 #endif
 
-/// The best first. A build may leave out any but the last: OCEAN_KERNELS in CMake.
+#define OCEAN_KERNEL_ENTRY(name) \
+    SimdLevel::name, &name::kCode, &name::kPairLoop, &name::kSignalLoop, &name::kGullyLoop
+/// The best first. A build may leave out any: OCEAN_KERNELS and OCEAN_PORTABLE_KERNEL in CMake.
 constexpr Kernel kKernels[] = {
 #if defined(OCEAN_KERNEL_AVX512)
-    {SimdLevel::avx512, &avx512::kCode, bit_FMA, bit_AVX2 | kAvx512, kAvx512States},
+    {OCEAN_KERNEL_ENTRY(avx512), bit_FMA, bit_AVX2 | kAvx512, kAvx512States},
 #endif
 #if defined(OCEAN_KERNEL_AVX2)
-    {SimdLevel::avx2, &avx2::kCode, bit_FMA, bit_AVX2, kAvxStates},
+    {OCEAN_KERNEL_ENTRY(avx2), bit_FMA, bit_AVX2, kAvxStates},
 #endif
 #if defined(OCEAN_KERNEL_SSE4)
-    {SimdLevel::sse4, &sse4::kCode, bit_SSE4_2, 0, 0},
+    {OCEAN_KERNEL_ENTRY(sse4), bit_SSE4_2, 0, 0},
 #endif
-    {SimdLevel::portable, &portable::kCode, 0, 0, 0},
+#if defined(OCEAN_KERNEL_PORTABLE)
+    {OCEAN_KERNEL_ENTRY(portable), 0, 0, 0},
+#endif
 };
 
 /// The features of the processor whose registers the system saves between threads. [Intel SDM] vol.
@@ -81,6 +94,17 @@ struct Processor {
     }
 };
 
+/// Throws the error of a build none of whose kernels can be chosen. reason: "... excludes".
+[[noreturn]] void throw_no_kernel(const std::string& reason) {
+    std::string names;
+    for (const Kernel& kernel : kKernels) {
+        if (!names.empty()) names += ", ";
+        names += simd_name(kernel.level);
+    }
+    throw Error(ErrorKind::unsupported,
+                "this build has kernels for " + names + " only, which " + reason);
+}
+
 SimdLevel choose() {
     const char* word = std::getenv("OCEAN_SIMD");
     const std::string_view limit = word != nullptr ? word : "";
@@ -92,7 +116,17 @@ SimdLevel choose() {
     for (const Kernel& kernel : kKernels) {
         if (kernel.level <= most && processor.runs(kernel)) return kernel.level;
     }
-    return SimdLevel::portable;
+    throw_no_kernel(most == SimdLevel::avx512 ? "this processor does not run"
+                                              : "OCEAN_SIMD = " + std::string(limit) + " excludes");
+}
+
+/// Returns a kernel that is compiled in.
+const Kernel& find_kernel(SimdLevel level) {
+    for (const Kernel& kernel : kKernels) {
+        if (kernel.level == level) return kernel;
+    }
+    throw Error(ErrorKind::unsupported,
+                "this build has no kernel for " + std::string(simd_name(level)));
 }
 
 }  // namespace
@@ -124,10 +158,16 @@ SimdLevel simd_level() {
 }
 
 const KernelCode& kernel_code(SimdLevel level) {
-    for (const Kernel& kernel : kKernels) {
-        if (kernel.level == level) return *kernel.code;
-    }
-    return portable::kCode;
+    return *find_kernel(level).code;
+}
+PairLoop pair_loop(SimdLevel level) {
+    return *find_kernel(level).pair_loop;
+}
+SignalLoop signal_loop(SimdLevel level) {
+    return *find_kernel(level).signal_loop;
+}
+GullyLoop gully_loop(SimdLevel level) {
+    return *find_kernel(level).gully_loop;
 }
 
 }  // namespace ocean

@@ -18,7 +18,7 @@ enum class SimdLevel {
 
 /// Returns the best level of this machine, but no better than the environment variable OCEAN_SIMD =
 /// portable, sse4, avx2 or avx512 allows; any other word is not a limit. Reads the environment
-/// once.
+/// once. Throws Error(unsupported) if no level that is compiled in remains.
 SimdLevel simd_level();
 /// Returns true if the level is compiled in and supported by this machine.
 bool simd_available(SimdLevel level);

@@ -8,38 +8,6 @@
 
 namespace ocean {
 
-namespace avx512 {
-extern const SignalLoop kSignalLoop;
-}
-namespace avx2 {
-extern const SignalLoop kSignalLoop;
-}
-namespace sse4 {
-extern const SignalLoop kSignalLoop;
-}
-namespace portable {
-extern const SignalLoop kSignalLoop;
-}
-
-SignalLoop signal_loop(SimdLevel level) {
-    switch (level) {
-#if defined(OCEAN_KERNEL_AVX512)
-        case SimdLevel::avx512:
-            return avx512::kSignalLoop;
-#endif
-#if defined(OCEAN_KERNEL_AVX2)
-        case SimdLevel::avx2:
-            return avx2::kSignalLoop;
-#endif
-#if defined(OCEAN_KERNEL_SSE4)
-        case SimdLevel::sse4:
-            return sse4::kSignalLoop;
-#endif
-        default:
-            return portable::kSignalLoop;
-    }
-}
-
 void BandSignals::read(std::size_t index, std::size_t n, const double* x, const double* y,
                        const SignalOutputs& out) const {
     if (out.has_rate() && !rates_) {

@@ -13,12 +13,12 @@
 #include "march_pass.hpp"
 #include "march_waves.hpp"
 #include "ocean/error.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {
 namespace {
 
-constexpr double kDegree = kTwoPi / 360.0;
 constexpr double kLargestArrival = 2.0;  // where a bed focuses waves
 constexpr int kReportedColumns = 8;
 constexpr float kFloorShare = 1e-6f;

@@ -12,11 +12,11 @@
 
 #include "breaking.hpp"
 #include "ocean/dispersion.hpp"
+#include "ocean/grid.hpp"
 
 namespace ocean {
 namespace {
 
-constexpr double kDegree = kTwoPi / 360.0;
 constexpr int kSlices = 360;  // of the circle, whose edges include the sectors'
 constexpr double kWidestBin = 75.0 * kDegree;
 constexpr double kWidestWave = 60.0 * kDegree;    // of a march, as it begins

@@ -12,38 +12,6 @@
 
 namespace ocean {
 
-namespace avx512 {
-extern const PairLoop kPairLoop;
-}
-namespace avx2 {
-extern const PairLoop kPairLoop;
-}
-namespace sse4 {
-extern const PairLoop kPairLoop;
-}
-namespace portable {
-extern const PairLoop kPairLoop;
-}
-
-PairLoop pair_loop(SimdLevel level) {
-    switch (level) {
-#if defined(OCEAN_KERNEL_AVX512)
-        case SimdLevel::avx512:
-            return avx512::kPairLoop;
-#endif
-#if defined(OCEAN_KERNEL_AVX2)
-        case SimdLevel::avx2:
-            return avx2::kPairLoop;
-#endif
-#if defined(OCEAN_KERNEL_SSE4)
-        case SimdLevel::sse4:
-            return sse4::kPairLoop;
-#endif
-        default:
-            return portable::kPairLoop;
-    }
-}
-
 namespace {
 
 /// Writes the arrays of the parts of a number, which begin at `label`.

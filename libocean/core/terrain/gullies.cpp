@@ -17,19 +17,6 @@
 
 namespace ocean {
 
-namespace avx512 {
-extern const GullyLoop kGullyLoop;
-}
-namespace avx2 {
-extern const GullyLoop kGullyLoop;
-}
-namespace sse4 {
-extern const GullyLoop kGullyLoop;
-}
-namespace portable {
-extern const GullyLoop kGullyLoop;
-}
-
 namespace {
 
 constexpr double kNextWeight = 0.6;
@@ -128,25 +115,6 @@ GullyTask make_gully_task(const GullyFilter& filter, double cell) {
     }
     task.wear_scale = static_cast<float>(1.0 / weights);
     return task;
-}
-
-GullyLoop gully_loop(SimdLevel level) {
-    switch (level) {
-#if defined(OCEAN_KERNEL_AVX512)
-        case SimdLevel::avx512:
-            return avx512::kGullyLoop;
-#endif
-#if defined(OCEAN_KERNEL_AVX2)
-        case SimdLevel::avx2:
-            return avx2::kGullyLoop;
-#endif
-#if defined(OCEAN_KERNEL_SSE4)
-        case SimdLevel::sse4:
-            return sse4::kGullyLoop;
-#endif
-        default:
-            return portable::kGullyLoop;
-    }
 }
 
 GullyLatticePoint nearest_lattice_point(const GullyOctave& octave, double place) {

@@ -27,7 +27,7 @@
 namespace ocean {
 namespace {
 
-constexpr int kMinSide = 16;
+constexpr int kMinSquareSide = 16;
 constexpr double kShareOfNyquist = 0.8;  // of a grid that exists once
 constexpr double kMinCycles = 2.0;       // along its shorter side
 
@@ -215,7 +215,7 @@ void check(const Domain& domain, std::span<const float> heights, const RingOptio
         return Error(ErrorKind::invalid_value, message);
     };
     for (const int side : domain.samples) {
-        if (side < kMinSide) {
+        if (side < kMinSquareSide) {
             throw fail("a spectrum needs at least 16 samples along each side, not " +
                        std::to_string(side));
         }
@@ -227,7 +227,7 @@ void check(const Domain& domain, std::span<const float> heights, const RingOptio
         throw fail("there are " + std::to_string(heights.size()) + " heights for " +
                    std::to_string(domain.count()) + " samples");
     }
-    if (options.max_side < kMinSide ||
+    if (options.max_side < kMinSquareSide ||
         !std::has_single_bit(static_cast<unsigned>(options.max_side)) ||
         options.rings_per_octave < 1 || options.rings_per_octave > 64) {
         throw fail("max_side must be a power of two of at least 16, rings_per_octave 1 .. 64");

@@ -24,7 +24,7 @@ namespace ocean {
 namespace {
 
 constexpr int kMaxSide = 2048;  // of tiles and windows: a seed then takes less than a second
-constexpr int kMinSide = 32;
+constexpr int kMinFittedSide = 32;
 constexpr int kRingsPerOctave = 4;
 constexpr int kCorrectingSeeds = 16;  // of tiles of up to 1024 samples a side, else half of it
 constexpr int kRingRounds = 12;       // a narrow dip between high rings needs many
@@ -89,7 +89,7 @@ class Judge {
   private:
     static Terrain tile_for(const ElevationModel& bed) {
         const double cell = std::max(bed.domain.step(0), bed.domain.step(1));
-        int samples = kMinSide;
+        int samples = kMinFittedSide;
         for (std::size_t axis = 0; axis < 2; ++axis) {
             const double cells = bed.domain.step(axis) * bed.domain.samples[axis] / cell;
             const auto held = static_cast<unsigned>(std::ceil(cells - 1e-9));
@@ -108,8 +108,8 @@ class Judge {
         for (std::size_t axis = 0; axis < 2; ++axis) {
             const double cells =
                 bed.domain.step(axis) * std::min(bed.domain.samples[axis], kMaxSide) / cell;
-            part.samples[axis] =
-                std::clamp(static_cast<int>(std::lround(cells)), kMinSide / 2, terrain.resolution);
+            part.samples[axis] = std::clamp(static_cast<int>(std::lround(cells)),
+                                            kMinFittedSide / 2, terrain.resolution);
             part.size[axis] = cell * (part.samples[axis] - 1);
         }
         return part;
@@ -317,7 +317,7 @@ void add_warnings(const Domain& bed, TerrainFit& fit) {
 
 void check(const ElevationModel& model, const TerrainFitOptions& options) {
     const auto [columns, rows] = model.domain.samples;
-    if (std::min(columns, rows) < kMinSide) {
+    if (std::min(columns, rows) < kMinFittedSide) {
         throw Error(ErrorKind::invalid_value, "a fit needs at least 32 x 32 cells, not " +
                                                   std::to_string(columns) + " x " +
                                                   std::to_string(rows));

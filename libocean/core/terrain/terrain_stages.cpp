@@ -19,12 +19,12 @@
 namespace ocean {
 namespace {
 
-using Plane = std::vector<std::complex<double>>;
+using ComplexPlane = std::vector<std::complex<double>>;
 
 /// Returns the whole plane of waves from its half: g(-n, -m) = conj g(n, m).
-Plane mirrored(const TerrainNoise& noise) {
+ComplexPlane mirrored(const TerrainNoise& noise) {
     const int size = noise.resolution();
-    Plane plane(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+    ComplexPlane plane(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
     for (int m = 1 - size / 2; m < size / 2; ++m) {
         const auto row = noise.row(m);
         for (int n = 0; n < size / 2; ++n) {
@@ -38,7 +38,7 @@ Plane mirrored(const TerrainNoise& noise) {
 }
 
 /// Returns magnitudes with k = 0 in the middle.
-std::vector<float> centred_magnitudes(const Plane& plane, int size, double factor) {
+std::vector<float> centred_magnitudes(const ComplexPlane& plane, int size, double factor) {
     std::vector<float> centred(plane.size());
     for (int j = 0; j < size; ++j) {
         for (int i = 0; i < size; ++i) {
@@ -51,7 +51,7 @@ std::vector<float> centred_magnitudes(const Plane& plane, int size, double facto
     return centred;
 }
 
-std::vector<float> real_parts(const Plane& plane, double factor, double added) {
+std::vector<float> real_parts(const ComplexPlane& plane, double factor, double added) {
     std::vector<float> result;
     result.reserve(plane.size());
     for (const std::complex<double>& value : plane) {
@@ -61,11 +61,11 @@ std::vector<float> real_parts(const Plane& plane, double factor, double added) {
 }
 
 /// Returns the filter of each wave, gain sqrt(S) dk [m], in FFT order; 0 where no wave is.
-Plane filter_plane(const Terrain& terrain, double gain) {
+ComplexPlane filter_plane(const Terrain& terrain, double gain) {
     const int size = terrain.resolution;
     const double dk = kTwoPi / terrain.patch_size;
     const TerrainAmplitudes amplitude(TerrainLaw(terrain), dk, dk * size);
-    Plane plane(lattice_of(terrain).size());
+    ComplexPlane plane(lattice_of(terrain).size());
     for (int m = 1 - size / 2; m < size / 2; ++m) {
         for (int n = 1 - size / 2; n < size / 2; ++n) {
             plane[mode_index(n, m, size)] = gain * dk * amplitude(n * dk, m * dk);
@@ -86,7 +86,7 @@ TerrainStages terrain_stages(Land& land) {
 
     TerrainStages stages;
     stages.resolution = size;
-    Plane waves = mirrored(TerrainNoise(terrain, land.pool()));
+    ComplexPlane waves = mirrored(TerrainNoise(terrain, land.pool()));
     fft.transform_2d(waves, FftDirection::inverse);
     // |g|^2 is 2 in the mean, and N^2 waves add up.
     const double unit = per_side / std::sqrt(2.0);
@@ -96,7 +96,7 @@ TerrainStages terrain_stages(Land& land) {
     fft.transform_2d(waves, FftDirection::forward);
     stages.transform = centred_magnitudes(waves, size, per_side);
 
-    const Plane filter = filter_plane(terrain, land.scale().gain);
+    const ComplexPlane filter = filter_plane(terrain, land.scale().gain);
     stages.filter = centred_magnitudes(filter, size, 1.0);
     for (std::size_t i = 0; i < waves.size(); ++i) waves[i] *= per_side * filter[i].real();
     stages.filtered = centred_magnitudes(waves, size, 1.0);
