@@ -73,15 +73,43 @@ std::string animation_settings(const Sea& sea, const std::vector<int>& frames) {
     return text + frame_settings(sea, frames);
 }
 
-/// Returns the same PNG for all folders and frames: 3 MB. A texel of lace measures 12 mm.
-std::string foam_image(FoamTextureKind kind, ThreadPool& pool) {
+/// Returns the words in the header of a texture's file.
+HeaderString foam_words(const FoamTextureSettings& settings) {
+    return {"ocean:foam_texture",
+            format_text("%s, %d texels, seed %u, edition %d",
+                        std::string(foam_texture_info(settings.kind).name).c_str(), settings.size,
+                        settings.seed, kFoamTextureEdition)};
+}
+
+/// Returns the bytes of a file with those words in its header; "" if the path has no such file or
+/// one that was cut off.
+std::string read_foam_image(const std::string& path, const HeaderString& words) {
+    constexpr std::size_t kLimit = std::size_t{16} << 20;
+    constexpr std::string_view kLastChunk("\0\0\0\0IEND\xae\x42\x60\x82", 12);  // [PNG 1.2] 4.1.4
+    try {
+        const auto is_same = [&words](const HeaderString& found) {
+            return found.name == words.name && found.text == words.text;
+        };
+        if (std::ranges::none_of(io::read_png_header(path), is_same)) return "";
+        std::string bytes = text::read_file(path, kLimit);
+        return bytes.ends_with(kLastChunk) ? bytes : "";
+    } catch (const Error&) {  // no such file, or another one, which is refused when it is replaced
+        return "";
+    }
+}
+
+/// Returns the same PNG for all folders and frames: 3 MB together. A texel of lace measures 12 mm.
+/// They take a second to make, so those that the folder has serve again.
+std::string foam_image(FoamTextureKind kind, const std::string& path, ThreadPool& pool) {
     const FoamTextureSettings settings{kind, kind == FoamTextureKind::lace ? 1024 : 512};
+    const HeaderString words = foam_words(settings);
+    if (std::string present = read_foam_image(path, words); !present.empty()) return present;
     const std::vector<float> texture = make_foam_texture(settings, pool);
     std::vector<std::uint16_t> grey(texture.size());
     std::ranges::transform(texture, grey.begin(), [](float value) {
         return static_cast<std::uint16_t>(std::lround(value * 65535.0f));
     });
-    return io::grey_png(settings.size, settings.size, grey);
+    return io::with_png_strings(io::grey_png(settings.size, settings.size, grey), {{words}});
 }
 
 }  // namespace
@@ -112,7 +140,8 @@ std::vector<FolderFile> povray_frame_lists(const BakePlan& plan, const SeaState&
 }
 
 std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const SeaState& state,
-                                            const std::vector<int>& frames) {
+                                            const std::vector<int>& frames,
+                                            const std::string& folder) {
     std::vector<FolderFile> files = {{"ocean.inc", std::string(kOceanInc)}};
     std::ranges::move(povray_frame_lists(plan, state, frames), std::back_inserter(files));
     files.push_back(
@@ -125,8 +154,8 @@ std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const SeaState
     if (plan.format->name == "df3") {
         ThreadPool pool(plan.threads);
         for (const FoamTextureInfo& info : kFoamTextures) {
-            files.push_back(
-                {"foam_" + std::string(info.name) + ".png", foam_image(info.kind, pool)});
+            const std::string name = "foam_" + std::string(info.name) + ".png";
+            files.push_back({name, foam_image(info.kind, folder + "/" + name, pool)});
         }
     }
     return files;

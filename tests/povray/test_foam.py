@@ -246,14 +246,26 @@ def test_the_material_sends_as_much_light_near_and_far(choppy, cover):
 
 def test_textures_are_written_once_and_own_files_are_kept(tmp_path):
     """Other images of these names are not of `ocean povray`."""
-    folder = Folder(tmp_path, sea_text(resolution=32, period=60.0), "--frames", "1-3")
-    written = {path.name: path.stat().st_size for path in tmp_path.glob("foam_*.png")}
+    (tmp_path / "sea.toml").write_text(sea_text(resolution=32, period=60.0))
+    export = ("povray", "sea.toml", "-o", "folder", "--frames", "1-3")
+    made = ocean(tmp_path, *export)
+    assert made.returncode == 0, made.stderr
+    folder = tmp_path / "folder"
+    written = {path.name: path.stat().st_size for path in folder.glob("foam_*.png")}
     assert set(written) == {"foam_lace.png", "foam_bubbles.png", "foam_streaks.png"}
     assert sum(written.values()) < 3.2e6
-    again = ocean(folder.path, "povray", "its_sea.toml", "-o", ".", "--frames", "1-3")
+    # Those that are whole serve again; one that was cut off is made anew.
+    lace, streaks = folder / "foam_lace.png", folder / "foam_streaks.png"
+    marked = bytearray(lace.read_bytes())
+    marked[len(marked) // 2] ^= 1
+    lace.write_bytes(marked)
+    whole = streaks.read_bytes()
+    streaks.write_bytes(whole[:-40])
+    again = ocean(tmp_path, *export)
     assert again.returncode == 0, again.stderr
-    (tmp_path / "foam_lace.png").write_bytes(b"\x89PNG\r\n\x1a\n of somebody")
-    refused = ocean(folder.path, "povray", "its_sea.toml", "-o", ".")
+    assert lace.read_bytes() == marked and streaks.read_bytes() == whole
+    lace.write_bytes(b"\x89PNG\r\n\x1a\n of somebody")
+    refused = ocean(tmp_path, *export)
     assert refused.returncode == 2 and "foam_lace.png" in refused.stderr
     assert not list(
         Folder(tmp_path / "text", sea_text(resolution=32), "--format", "mesh2").path.glob("*.png")

@@ -13,10 +13,12 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/sha256.hpp"
 #include "ocean/thread_pool.hpp"
 #include "wave/wave.hpp"
 
@@ -64,6 +66,16 @@ double correlation(const std::vector<float>& a, const std::vector<float>& b) {
 }
 
 // The reads of this judge lie elsewhere than the library's: at random.
+// Files of textures name their edition. If these hashes change, so must kFoamTextureEdition.
+TEST(FoamTexture, AnEditionHasItsValues) {
+    ASSERT_EQ(kFoamTextureEdition, 1);
+    constexpr const char* kHashes[] = {"c4933e97c3cd8ff7", "2febfbe62f6f7fcf", "ab4d89cc705b3033"};
+    for (std::size_t k = 0; k < std::size(kKinds); ++k) {
+        const Texture texture = texture_of(kKinds[k], 128);
+        EXPECT_EQ(sha256_hex(std::as_bytes(std::span(texture.values))).substr(0, 16), kHashes[k]);
+    }
+}
+
 TEST(FoamTexture, CoverIsTheShareOfBilinearReadsBelowIt) {
     struct Limit {
         double cover, error;

@@ -138,7 +138,7 @@ void run(const Typed& typed, const Context& context) {
     const SeaState state = Ocean(sea.parameters, {.threads = plan.threads}).state();
     const ExistingFrames existing = povray_existing_frames(plan);
     std::vector<FolderFile> files =
-        povray_folder_files(plan, state, united(plan.all_frames, existing.of_plan));
+        povray_folder_files(plan, state, united(plan.all_frames, existing.of_plan), folder);
     const InputFiles inputs(typed.sea.source, named_files(sea));
     refuse_to_replace_others(files, folder, inputs);
     for (const std::string& path : output_paths(plan)) inputs.spare(path);

@@ -41,6 +41,10 @@ const FoamTextureInfo& foam_texture_info(FoamTextureKind kind);
 /// Returns the kind of that name. Throws Error invalid_value naming the nearest.
 FoamTextureKind find_foam_texture(std::string_view name);
 
+/// Counts up when a texture of the same settings gets other values, so that files of an earlier
+/// version are known.
+inline constexpr int kFoamTextureEdition = 1;
+
 inline constexpr int kMinFoamTextureSize = 64;  // texels along a side
 inline constexpr int kMaxFoamTextureSize = 4096;
 

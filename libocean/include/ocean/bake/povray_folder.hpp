@@ -28,9 +28,11 @@ struct FolderFile {
 /// Returns the frames in the plan's folder: those of its sea, format and resolution, and others.
 ExistingFrames povray_existing_frames(const BakePlan& plan);
 /// Returns all files of the folder except its frames. `frames` lists the frames that it has or will
-/// have, ascending, at least one; `state` is that of the plan's sea.
+/// have, ascending, at least one; `state` is that of the plan's sea. Reads the textures of foam
+/// that `folder` has.
 std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const SeaState& state,
-                                            const std::vector<int>& frames);
+                                            const std::vector<int>& frames,
+                                            const std::string& folder);
 /// Returns all files of the folder of a terrain except its maps. `state` is that of the plan's
 /// terrain, and `format` names the folder's: with mesh2 the plan is that of the map beside the
 /// mesh.
@@ -46,7 +48,8 @@ struct PovrayCoastPlans {
 /// with the bed as a land. `state` is that of the open sea. Throws Error unsupported for a coast
 /// without a bed.
 std::vector<FolderFile> povray_coast_files(const PovrayCoastPlans& plans, const SeaState& state,
-                                           const std::vector<int>& frames);
+                                           const std::vector<int>& frames,
+                                           const std::string& folder);
 /// Returns only the files of such a folder that depend on the frames.
 std::vector<FolderFile> povray_coast_frame_lists(const PovrayCoastPlans& plans,
                                                  const SeaState& state,
