@@ -36,8 +36,10 @@ def main(write_shaders: str, glslang: str, spirv_val: str) -> int:
             wrong = Path(folder) / f"wrong{kind}"
             wrong.write_text(shader.read_text().replace("void main()", "int main()"))
             assert problems(wrong, glslang, spirv_val)
+        # A fifth of them are equal: programs of other names with the same settings.
+        different = {(shader.suffix, shader.read_text()): shader for shader in shaders}.values()
         with ThreadPoolExecutor(2) as pool:
-            found = list(pool.map(lambda shader: problems(shader, glslang, spirv_val), shaders))
+            found = list(pool.map(lambda shader: problems(shader, glslang, spirv_val), different))
     print("".join(found) or f"{len(shaders)} shaders are valid")
     return 1 if any(found) else 0
 

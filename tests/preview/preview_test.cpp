@@ -100,7 +100,7 @@ TEST_F(PreviewTest, ShownAndHandedOnSlopesAreTheSeas) {
     parameters.surface.choppiness = 0.0;
     Ocean sea(parameters);
     SeaMaps maps({.compute = false});
-    Renderer renderer({.cells = 32});
+    Renderer renderer({.cells = 8});  // pixels read slopes, whatever the mesh
     const ShownSea shown = maps.show(sea, 12.0);
     for (const double height : {10.0, 100.0, 1000.0, 3000.0, 10000.0}) {
         // Pictures beside each other, a whole number in the period, as far as they are smaller.
@@ -138,7 +138,7 @@ TEST_F(PreviewTest, WithDetailTooTheSlopesAreTheSeas) {
     parameters.surface.choppiness = 0.0;
     Ocean sea(parameters);
     SeaMaps maps({.compute = false, .detail = true});
-    Renderer renderer({.cells = 32});
+    Renderer renderer({.cells = 8});  // pixels read slopes, whatever the mesh
     const ShownSea shown = maps.show(sea, 12.0);
     ASSERT_GE(shown.tiles.size(), 2u);
     ShownSea bare = shown;
@@ -625,7 +625,7 @@ TEST_F(PreviewTest, CascadesShownAloneAddUpToTheSea) {
 TEST_F(PreviewTest, TwoThousandFramesLeaveNothingBehind) {
     Ocean sea(test::wind_sea(32, 200.0), {.foam_start = FoamStart::empty});
     SeaMaps maps({.compute = false, .foam_resolution = 32});
-    Renderer renderer({.cells = 16});
+    Renderer renderer({.cells = 8});
     const Canvas canvas(64, 36, GL_RGBA8);
     const auto frame = [&](int number) {
         if (number % 100 == 50) sea.set("wind_speed", number % 200 == 50 ? "14" : "15");
