@@ -108,8 +108,9 @@ def presets_with(**values):
 
 
 def add_ocean(resolution: int, *, sea: dict | None = None, **arguments):
-    """Adds an ocean with maps of so many samples. sea: other values than the preset has."""
-    with presets_with(resolution=resolution, **(sea or {})):
+    """Adds an ocean with maps of so many samples and foam without a past, which takes hundreds of
+    maps. sea: other values than the preset has."""
+    with presets_with(**{"resolution": resolution, "foam_lifetime": 0} | (sea or {})):
         assert bpy.ops.libocean.add(**arguments) == {"FINISHED"}
     return bpy.context.object
 
