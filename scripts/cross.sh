@@ -8,7 +8,7 @@
 
 # ensure_zig: the path of the compiler is in $zig afterwards.
 ensure_zig() {
-    ensure_tool "$ziglang_tool"
+    ensure_tools "$ziglang_tool"
     zig=$(.venv/bin/python -c \
         'import pathlib, ziglang; print(pathlib.Path(ziglang.__file__).parent / "zig")')
 }

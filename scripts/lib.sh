@@ -48,16 +48,14 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     ruff_tool=ruff==0.17.5
     mypy_tool=mypy==2.4.1
     usd_tool=usd_core==26.11  # judges our USD
-    # judge our GeoTIFF; imagecodecs has the predictor of floats for tifffile
-    geotiff_tools=(rasterio==1.4.4 tifffile==2026.3.3 imagecodecs==2026.3.6)
+    # write and read GeoTIFF: rasterio (GDAL), and tifffile, for which imagecodecs has the predictor
+    # of floats; an affine newer than this needs newer attrs than Debian's
+    geotiff_tools=(rasterio==1.4.4 affine==2.4.0 tifffile==2026.3.3 imagecodecs==2026.3.6)
     spdx_tool=spdx_tools==0.8.5  # judges scripts/sbom
     materialx_tool=materialx==1.39.5  # judges shaders/materialx
-    tifffile_tool=tifffile==2026.3.3  # writes and reads GeoTIFF, as rasterio (GDAL) does
-    rasterio_tool=rasterio==1.4.4
     # draw the figures of docs/coast.md
     figures_tool=matplotlib==3.10.0
     figures_numpy=numpy==2.1.3
-    affine_tool=affine==2.4.0  # of rasterio; a newer one needs newer attrs than Debian's
     ziglang_tool=ziglang==0.17.0
     mkl_tool=mkl-static==2026.2.0
     mkl_headers_tool=mkl-include==2026.2.0
@@ -102,13 +100,17 @@ ensure_packages() {
     rm -f "$log"
 }
 
-# ensure_tool NAME==VERSION: a PyPI package in the project's own virtual environment, .venv.
-ensure_tool() {
-    compgen -G ".venv/lib/python3*/site-packages/${1%%==*}-${1##*==}.dist-info" >/dev/null &&
-        return 0
-    say "installing $1 into .venv"
+# ensure_tools NAME==VERSION...: PyPI packages in the project's own virtual environment, .venv.
+ensure_tools() {
+    local tool missing=()
+    for tool; do
+        compgen -G ".venv/lib/python3*/site-packages/${tool%%==*}-${tool##*==}.dist-info" >/dev/null ||
+            missing+=("$tool")
+    done
+    [ ${#missing[@]} -gt 0 ] || return 0
+    say "installing ${missing[*]} into .venv"
     [ -x .venv/bin/pip ] || /usr/bin/python3 -m venv .venv
-    .venv/bin/python -m pip install --quiet --disable-pip-version-check "$1"
+    .venv/bin/python -m pip install --quiet --disable-pip-version-check "${missing[@]}"
 }
 
 # build_preset PRESET [-DOPTION=VALUE...] [TARGET...]: configures and builds in build/PRESET.

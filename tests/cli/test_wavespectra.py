@@ -35,6 +35,7 @@ def fresh(tmp_path_factory):
     if not stamp.exists():
         subprocess.run([sys.executable, "-m", "venv", "--clear", environment], check=True)
         pip = [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
+        pip += ["--no-compile"]  # of a hundred thousand lines, a few are imported, once
         subprocess.run([*pip, *PACKAGES], check=True, timeout=280)
         stamp.touch()
     folder = tmp_path_factory.mktemp("made")
