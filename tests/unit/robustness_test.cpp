@@ -93,7 +93,7 @@ std::vector<ParameterValue> ends_of(const ParameterInfo& info) {
 
 /// A sea of one word, with water shallow enough for all that depends on it.
 Parameters sea_of(SpectrumKind kind) {
-    Parameters parameters = test::wind_sea(64, 200.0);
+    Parameters parameters = test::wind_sea(32, 100.0);
     parameters.water.depth = 20.0;
     parameters.surface.foam_step = 1.0;  // the longest lifetime is thousands of the default's ticks
     parameters.waves.front().spectrum = kind;
@@ -127,7 +127,7 @@ TEST_P(ParameterEnds, GiveAFiniteSeaThatEnds) {
                 Ocean sea(parameters, {.threads = 1});
                 const ChannelSet channels =
                     foam ? test::kAllChannels | Channel::foam : test::kAllChannels;
-                const Surface surface = sea.evaluate(parameters.time.start, channels, 64);
+                const Surface surface = sea.evaluate(parameters.time.start, channels, 32);
                 for (int c = 0; c < kChannelCount; ++c) {
                     const auto channel = static_cast<Channel>(c);
                     if (!channels.contains(channel)) continue;
