@@ -73,9 +73,10 @@ std::string animation_settings(const Sea& sea, const std::vector<int>& frames) {
     return text + frame_settings(sea, frames);
 }
 
-/// Returns the words in the header of a texture's file.
+/// Returns the words in the header of a texture's file. `ocean foam-texture` has others: it does
+/// not replace these files.
 HeaderString foam_words(const FoamTextureSettings& settings) {
-    return {"ocean:foam_texture",
+    return {"ocean:povray_foam",
             format_text("%s, %d texels, seed %u, edition %d",
                         std::string(foam_texture_info(settings.kind).name).c_str(), settings.size,
                         settings.seed, kFoamTextureEdition)};

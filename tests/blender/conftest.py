@@ -107,10 +107,14 @@ def presets_with(**values):
         yield
 
 
+# Of the foam, in tests that look at something else: hundreds of maps before the first one.
+NO_PAST = {"foam_lifetime": 0}
+
+
 def add_ocean(resolution: int, *, sea: dict | None = None, **arguments):
-    """Adds an ocean with maps of so many samples and foam without a past, which takes hundreds of
-    maps. sea: other values than the preset has."""
-    with presets_with(**{"resolution": resolution, "foam_lifetime": 0} | (sea or {})):
+    """Adds an ocean with maps of so many samples and foam without a past. sea: other values than
+    the preset has."""
+    with presets_with(**{"resolution": resolution} | NO_PAST | (sea or {})):
         assert bpy.ops.libocean.add(**arguments) == {"FINISHED"}
     return bpy.context.object
 

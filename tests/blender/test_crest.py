@@ -8,7 +8,15 @@ import math
 import bpy
 import numpy as np
 import pytest
-from conftest import add_ocean, attribute, in_another_process, plane, positions, presets_with
+from conftest import (
+    NO_PAST,
+    add_ocean,
+    attribute,
+    in_another_process,
+    plane,
+    positions,
+    presets_with,
+)
 from libocean_addon.look import first_view, material, sunlight, water_shader
 from libocean_addon.sea import facts, open_sea
 from libocean_addon.shared import compat
@@ -143,7 +151,7 @@ def test_no_triangle_of_it_is_a_lamp(scene):
 def test_points_carry_the_jacobian(scene, kind):
     """The Jacobian of the displaced surface is less than 1 where waves squeeze it, as on crests,
     and 1 in the mean."""
-    with presets_with(foam_lifetime=0):
+    with presets_with(**NO_PAST):
         bpy.ops.libocean.add(kind=kind, preset="beaufort_6")
     ob = bpy.context.object
     if kind == "HORIZON":

@@ -9,6 +9,7 @@ import bpy
 import numpy as np
 import pytest
 from conftest import (
+    NO_PAST,
     add_ocean,
     attribute,
     by_nodes,
@@ -102,7 +103,6 @@ def test_bands_fade_as_slope_tiles_glsl_says():
 # As much slope as the sea has -----------------------------------------------------
 
 PRESET = "beaufort_4"
-NO_PAST = {"foam_lifetime": 0}  # of the foam, which is not what is looked at here
 
 
 def ocean(kind: str = "PATCH"):

@@ -7,7 +7,7 @@ import math
 import bpy
 import numpy as np
 import pytest
-from conftest import factory_settings, pixels, presets_with
+from conftest import NO_PAST, factory_settings, pixels, presets_with
 from libocean_addon.look import first_view
 from libocean_addon.shared import compat
 
@@ -56,7 +56,7 @@ def test_the_first_picture_shows_sky_over_a_darker_sea(default_file, tmp_path):
 def test_it_is_undone_in_one_step(default_file):
     bpy.ops.ed.undo_push(message="before")
     names = {ob.name for ob in bpy.data.objects}
-    with presets_with(resolution=64, foam_lifetime=0):
+    with presets_with(resolution=64, **NO_PAST):
         bpy.ops.libocean.add_scene("EXEC_DEFAULT", True)
     added = {ob.name for ob in bpy.data.objects} - names
     assert added == {"Ocean", "Ocean Camera", "Ocean Sun"}
@@ -68,7 +68,7 @@ def test_it_is_undone_in_one_step(default_file):
 @pytest.mark.parametrize("elevation", [0.0, 3.0, 17.0, 90.0])
 def test_the_lamp_stands_where_the_sky_is_brightest(default_file, elevation):
     """Its direction, and its light falls to red and to nothing as it sets."""
-    with presets_with(resolution=64, foam_lifetime=0):
+    with presets_with(resolution=64, **NO_PAST):
         bpy.ops.libocean.add_scene(sun_elevation=math.radians(elevation), sun_bearing=0.3)
     sun = bpy.data.objects["Ocean Sun"]
     bpy.context.view_layer.update()

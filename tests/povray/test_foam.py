@@ -264,6 +264,9 @@ def test_textures_are_written_once_and_own_files_are_kept(tmp_path):
     again = ocean(tmp_path, *export)
     assert again.returncode == 0, again.stderr
     assert lace.read_bytes() == marked and streaks.read_bytes() == whole
+    other = ocean(tmp_path, "foam-texture", "bubbles", "-o", streaks)
+    assert other.returncode == 2 and "foam_streaks.png" in other.stderr
+    assert streaks.read_bytes() == whole
     lace.write_bytes(b"\x89PNG\r\n\x1a\n of somebody")
     refused = ocean(tmp_path, *export)
     assert refused.returncode == 2 and "foam_lace.png" in refused.stderr

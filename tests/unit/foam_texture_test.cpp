@@ -65,7 +65,6 @@ double correlation(const std::vector<float>& a, const std::vector<float>& b) {
     return ab / std::sqrt(aa * bb);
 }
 
-// The reads of this judge lie elsewhere than the library's: at random.
 // Files of textures name their edition. If these hashes change, so must kFoamTextureEdition.
 TEST(FoamTexture, AnEditionHasItsValues) {
     ASSERT_EQ(kFoamTextureEdition, 1);
@@ -76,6 +75,7 @@ TEST(FoamTexture, AnEditionHasItsValues) {
     }
 }
 
+// The reads of this judge lie elsewhere than the library's: at random.
 TEST(FoamTexture, CoverIsTheShareOfBilinearReadsBelowIt) {
     struct Limit {
         double cover, error;
