@@ -48,15 +48,14 @@ static void run_pass_two(const FrameTask& task, int item, float* scratch) {
 
 /// Writes one row from planes.
 static void run_write_row(const FrameTask& task, const PlanarFields& fields, int row) {
-    alignas(64) float derived[kChannelCount * kItemWidth];
-    RowSamples samples = row_samples(task, derived);
-    for (int x = 0; x < task.size; x += kItemWidth) {
+    Rows rows{0, row, 1, 1, {}};
+    for (; rows.x < task.size; rows.x += kItemWidth) {
         for (int f = 0; f < kLinearCount; ++f) {
             if (task.slot_of[f] < 0) continue;
-            samples.slot[task.slot_of[f]] = fields.plane[static_cast<std::size_t>(f)] +
-                                            static_cast<std::size_t>(row) * fields.row_stride + x;
+            rows.slot[task.slot_of[f]] = fields.plane[static_cast<std::size_t>(f)] +
+                                         static_cast<std::size_t>(row) * fields.row_stride + rows.x;
         }
-        write_outputs(task, samples, x, row);
+        write_outputs(task, rows);
     }
     finish_streams();
 }

@@ -18,7 +18,7 @@ inline constexpr int kPairs = kPartner / kLanes;
 
 /// Between the sweeps: B lines of A complex values. One more per line, so that a step from line to
 /// line is no multiple of the cache's sets.
-template <int A, int B>
+template <int A>
 struct Sweep {
     static constexpr int kLine = (A + 1) * 2 * kLanes;  // floats
 };
@@ -29,11 +29,11 @@ inline constexpr int kTileStride = (kLanes + 1) * 2 * kLanes;
 /// Between the passes, in the order in which pass two reads: for each pair of x blocks, for each
 /// source, for each j < B / 2, for each i: ky = j' + B i for the two lines j' of j, and for each of
 /// them both blocks of x: [re | im].
-template <int A, int B>
-struct Intermediate {
-    static constexpr int kBlock = 2 * kLanes;      // [re | im]
-    static constexpr int kEntry = 2 * 2 * kBlock;  // two ky, two blocks of x
+inline constexpr int kBlock = 2 * kLanes;      // [re | im]
+inline constexpr int kEntry = 2 * 2 * kBlock;  // two ky, two blocks of x
 
+template <int B>
+struct Intermediate {
     static std::size_t rows(const FrameTask& task) {
         return static_cast<std::size_t>(task.columns / B);
     }

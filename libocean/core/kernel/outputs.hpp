@@ -6,6 +6,7 @@
 #pragma once
 
 #include "frame_task.hpp"
+#include "rows.hpp"
 #include "simd.hpp"
 #include "transpose.hpp"
 
@@ -22,23 +23,13 @@ using real = Vec;
 inline constexpr int kRowVectors = kItemWidth / kLanes;
 
 /// Where the samples of a row are: kItemWidth neighbouring x at one y. Slots of linear fields point
-/// to their samples, those of derived channels to `derived`.
+/// to their samples, those of derived channels behind them to `derived`.
 struct RowSamples {
     const float* slot[kLinearCount + kChannelCount];
     float* derived;
 
     OCEAN_INLINE Vec at(int s, int v) const { return load_unaligned(slot[s] + v * kLanes); }
 };
-
-/// Returns the samples of a row, with the derived slots after the linear ones.
-OCEAN_INLINE RowSamples row_samples(const FrameTask& task, float* derived) {
-    RowSamples row;
-    row.derived = derived;
-    for (int s = task.slots; s < task.slots + task.derived_slots; ++s) {
-        row.slot[s] = derived + (s - task.slots) * kItemWidth;
-    }
-    return row;
-}
 
 /// Writes normal, Jacobian, whitecap, foam and cover of a row, if requested.
 template <bool kFlat>
@@ -146,7 +137,7 @@ inline void write_some_components(const MapOutput& output, const RowSamples& row
 }
 
 /// Writes a row of samples, those from (x, y) on, to all outputs.
-OCEAN_INLINE void write_outputs(const FrameTask& task, const RowSamples& row, int x, int y) {
+OCEAN_INLINE void write_row(const FrameTask& task, const RowSamples& row, int x, int y) {
     const auto column = static_cast<std::size_t>(x);
     const auto line = static_cast<std::size_t>(y);
     const std::size_t place = line * static_cast<std::size_t>(task.size) + column;
@@ -176,6 +167,20 @@ OCEAN_INLINE void write_outputs(const FrameTask& task, const RowSamples& row, in
                 write_some_components(output, row, target);
                 break;
         }
+    }
+}
+
+void write_outputs(const FrameTask& task, const Rows& rows) {
+    alignas(64) float derived[kChannelCount * kItemWidth];
+    RowSamples row;
+    row.derived = derived;
+    for (int s = 0; s < task.derived_slots; ++s) {
+        row.slot[task.slots + s] = derived + s * kItemWidth;
+    }
+    for (int u = 0; u < task.used_count; ++u) row.slot[task.used[u]] = rows.slot[task.used[u]];
+    for (int r = 0; r < rows.count; ++r) {
+        write_row(task, row, rows.x, rows.y + r * rows.step);
+        for (int u = 0; u < task.used_count; ++u) row.slot[task.used[u]] += kItemWidth;
     }
 }
 

@@ -99,10 +99,11 @@ void read_modes(const FrameTask& task, const ModeGroup& group, bool singles,
     }
 }
 
-/// Runs the first sweep of one source along one line j: coefficients, A points, twiddles.
-template <int A, int B>
+/// Runs the first sweep of one source along one line j: coefficients, A points, twiddles. kx: of
+/// the line's modes, B apart. The sizes with one A share this code: B is an argument.
+template <int A>
 OCEAN_INLINE void sweep_line(SourceKind kind, const Complex* h, const Complex* u, const float* kx,
-                             Vec ky, const float* twiddle, float* out) {
+                             int B, Vec ky, const float* twiddle, float* out) {
     const auto twiddled = [=](int k, Complex x) OCEAN_INLINE_LAMBDA {
         store_complex(out + k * 2 * kLanes, turned(x, twiddle[2 * k], twiddle[2 * k + 1]));
     };
@@ -161,17 +162,17 @@ OCEAN_INLINE GroupLines group_lines(const ModeLines<A, kRates>& lines) {
 }
 
 /// Runs the first sweep of all sources along both lines of a group.
-template <int A, int B>
-void sweep_group(const FrameTask& task, int j, Vec ky, const GroupLines& lines, float* scratch) {
+template <int A>
+void sweep_group(const FrameTask& task, int B, int j, Vec ky, const GroupLines& lines,
+                 float* scratch) {
     for (int side = 0; side < 2; ++side) {
         const int line = side == 0 ? j : j == 0 ? B / 2 : B - j;
         for (int s = 0; s < task.source_count; ++s) {
             const Source& source = task.source[s];
             const Complex* h = source.rate ? lines.h_rate[side] : lines.h[side];
             const Complex* u = source.rate ? lines.u_rate[side] : lines.u[side];
-            sweep_line<A, B>(source.kind, h, u, task.wavenumber + line, ky,
-                             task.twiddle + 2 * line * A,
-                             scratch + (s * B + line) * Sweep<A, B>::kLine);
+            sweep_line<A>(source.kind, h, u, task.wavenumber + line, B, ky,
+                          task.twiddle + 2 * line * A, scratch + (s * B + line) * Sweep<A>::kLine);
         }
     }
 }
@@ -195,12 +196,12 @@ void sweep_and_transpose(const FrameTask& task, int block, int source, const flo
                          float* tile, const NextPackets& next) {
     std::size_t place[kLanes];  // offset of each ky
     for (int l = 0; l < kLanes; ++l) {
-        place[l] = Intermediate<A, B>::place(task, source, block * kLanes + l);
+        place[l] = Intermediate<B>::place(task, source, block * kLanes + l);
     }
     for (int group = 0; group < A / kLanes; ++group) {
         // x = k + A m with k in this group: its block of kLanes is number (A / kLanes) m + group.
         const auto target = [&](int m) OCEAN_INLINE_LAMBDA {
-            return task.intermediate + Intermediate<A, B>::x_block(task, A / kLanes * m + group);
+            return task.intermediate + Intermediate<B>::x_block(task, A / kLanes * m + group);
         };
         for (int k = 0; k < kLanes; ++k) {
             const float* in = lines + (group * kLanes + k) * 2 * kLanes;
@@ -210,7 +211,7 @@ void sweep_and_transpose(const FrameTask& task, int block, int source, const flo
             Codelet<B>::run(
                 [=](int j) OCEAN_INLINE_LAMBDA {
                     NextPackets::ask(ahead, j);
-                    return load_complex(in + j * Sweep<A, B>::kLine);
+                    return load_complex(in + j * Sweep<A>::kLine);
                 },
                 [=](int m, Complex x)
                     OCEAN_INLINE_LAMBDA { store_complex(out + m * kTileStride, x); });
@@ -225,12 +226,12 @@ void pass_one(const FrameTask& task, int block, float* scratch) {
     const Vec ky = load(task.wavenumber + block * kLanes);
     for (int j = 0; j < B / 2; ++j) {
         read_modes(task, task.groups[block * (B / 2) + j], j == 0, lines);
-        sweep_group<A, B>(task, j, ky, group_lines(lines), scratch);
+        sweep_group<A>(task, B, j, ky, group_lines(lines), scratch);
     }
     const NextPackets next = next_packets<B>(task, block, scratch);
-    float* tile = scratch + task.source_count * B * Sweep<A, B>::kLine;
+    float* tile = scratch + task.source_count * B * Sweep<A>::kLine;
     for (int s = 0; s < task.source_count; ++s) {
-        const float* swept = scratch + s * B * Sweep<A, B>::kLine;
+        const float* swept = scratch + s * B * Sweep<A>::kLine;
         if (task.stream_intermediate) {
             sweep_and_transpose<A, B, true>(task, block, s, swept, tile, next);
         } else {

@@ -12,7 +12,7 @@
 #include "frame_task.hpp"
 #include "layout.hpp"
 #include "next_item.hpp"
-#include "outputs.hpp"
+#include "rows.hpp"
 
 namespace ocean::OCEAN_KERNEL {
 
@@ -23,11 +23,12 @@ namespace ocean::OCEAN_KERNEL {
 enum class Line { paired, own };
 
 /// Loads Z, or i ky Z, along one line. kCut: some of the rows do not exist and count as 0.
-template <int A, int B, Line kLine, bool kDerived, bool kCut>
+template <int A, Line kLine, bool kDerived, bool kCut>
 struct LineReader {
     const float* entries;  // of one j and source
     const float* ky;       // of lines j and B - j, or 0 and B / 2
     const float* other_ky;
+    int B;
     int rows;
     int side;  // which of the two lines
 
@@ -37,8 +38,7 @@ struct LineReader {
         const int row = !mirror ? i : kLine == Line::own ? A - side - i : A - 1 - i;
         if (kCut && row >= rows) return zero;  // the Nyquist line, row A / 2, among them
         const int from = kLine == Line::paired && mirror ? 1 - side : side;
-        const float* entry =
-            entries + row * Intermediate<A, B>::kEntry + from * 2 * Intermediate<A, B>::kBlock;
+        const float* entry = entries + row * kEntry + from * 2 * kBlock;
         const Complex g0 = load_complex(entry);
         const Complex g1 = load_complex(entry + 2 * kLanes);
         const Complex z =
@@ -50,7 +50,7 @@ struct LineReader {
 };
 
 /// Runs the first sweep of one field along one line: A points, twiddles.
-template <int A, int B, typename Reader>
+template <int A, typename Reader>
 void sweep_line_of(const FrameTask& task, const Reader& read, int line, float* out) {
     const float* twiddle = task.twiddle + 2 * line * A;
     Codelet<A>::run([=](int i) OCEAN_INLINE_LAMBDA { return read(i); },
@@ -62,19 +62,18 @@ void sweep_line_of(const FrameTask& task, const Reader& read, int line, float* o
 
 /// Runs it for one field, or the one derived from it, along both lines of j. to: its lines in the
 /// scratch.
-template <int A, int B, bool kDerived>
-void sweep_field(const FrameTask& task, int j, const float* entries, float* to) {
-    const int rows = static_cast<int>(Intermediate<A, B>::rows(task));
+template <int A, bool kDerived>
+void sweep_field(const FrameTask& task, int B, int rows, int j, const float* entries, float* to) {
     const int other = j == 0 ? B / 2 : B - j;
     const float* ky = task.wavenumber;
-    float* out = to + j * Sweep<A, B>::kLine;
-    float* other_out = to + other * Sweep<A, B>::kLine;
+    float* out = to + j * Sweep<A>::kLine;
+    float* other_out = to + other * Sweep<A>::kLine;
     const auto sweep = [&]<Line kLine, bool kCut>() {
-        using Reader = LineReader<A, B, kLine, kDerived, kCut>;
-        const Reader first{entries, ky + j, ky + other, rows, 0};
-        const Reader second{entries, ky + j, ky + other, rows, 1};
-        sweep_line_of<A, B>(task, first, j, out);
-        sweep_line_of<A, B>(task, second, other, other_out);
+        using Reader = LineReader<A, kLine, kDerived, kCut>;
+        const Reader first{entries, ky + j, ky + other, B, rows, 0};
+        const Reader second{entries, ky + j, ky + other, B, rows, 1};
+        sweep_line_of<A>(task, first, j, out);
+        sweep_line_of<A>(task, second, other, other_out);
     };
     if (j == 0) {
         sweep.template operator()<Line::own, true>();
@@ -89,16 +88,17 @@ void sweep_field(const FrameTask& task, int j, const float* entries, float* to) 
 template <int A, int B>
 void sweep_pair(const FrameTask& task, int pair, float* scratch) {
     const float* base = task.intermediate + static_cast<std::size_t>(pair) * task.pair_stride;
-    const auto lines_of = [&](int slot) { return scratch + slot * B * Sweep<A, B>::kLine; };
+    const int rows = static_cast<int>(Intermediate<B>::rows(task));
+    const auto lines_of = [&](int slot) { return scratch + slot * B * Sweep<A>::kLine; };
     for (int s = 0; s < task.source_count; ++s) {
         const Source& source = task.source[s];
         const float* entries = base + static_cast<std::size_t>(s) * task.source_stride;
         for (int j = 0; j < B / 2; ++j, entries += task.line_stride) {
             if (source.own >= 0) {
-                sweep_field<A, B, false>(task, j, entries, lines_of(source.own));
+                sweep_field<A, false>(task, B, rows, j, entries, lines_of(source.own));
             }
             if (source.derived >= 0) {
-                sweep_field<A, B, true>(task, j, entries, lines_of(source.derived));
+                sweep_field<A, true>(task, B, rows, j, entries, lines_of(source.derived));
             }
         }
     }
@@ -108,7 +108,7 @@ void sweep_pair(const FrameTask& task, int pair, float* scratch) {
 template <int A, int B>
 class NextEntries {
   public:
-    using Lines = NextItem<(Intermediate<A, B>::kEntry > 64 ? Intermediate<A, B>::kEntry / 64 : 1)>;
+    using Lines = NextItem<(kEntry > 64 ? kEntry / 64 : 1)>;
 
     OCEAN_INLINE NextEntries(const FrameTask& task, int item, const float* nowhere)
         : task_(task),
@@ -139,7 +139,7 @@ OCEAN_INLINE void sweep_samples(const float* field, int k, const float* next, co
     Codelet<B>::run(
         [=](int j) OCEAN_INLINE_LAMBDA {
             NextEntries<A, B>::Lines::ask(next, j);
-            return load_complex(in + j * Sweep<A, B>::kLine);
+            return load_complex(in + j * Sweep<A>::kLine);
         },
         store);
 }
@@ -151,7 +151,7 @@ void write_direct_planes(const FrameTask& task, int k, int x0, const float* scra
                          std::size_t pair_floats, const NextEntries<A, B>& next) {
     for (int d = 0; d < task.direct_count; ++d) {
         const DirectPlane& plane = task.direct[d];
-        const float* field = scratch + plane.slot * B * Sweep<A, B>::kLine;
+        const float* field = scratch + plane.slot * B * Sweep<A>::kLine;
         float* out = plane.data + static_cast<std::size_t>(k) * plane.row_pitch + x0;
         const std::size_t step = A * plane.row_pitch;
         const Vec factor(plane.factor);
@@ -198,7 +198,7 @@ class CombinedOutputs {
   public:
     /// samples: kSlotFloats for each slot.
     OCEAN_INLINE CombinedOutputs(const FrameTask& task, int x0, float* samples)
-        : task_(task), x0_(x0), samples_(samples), row_(row_samples(task, derived_)) {}
+        : task_(task), x0_(x0), samples_(samples) {}
 
     /// Computes the samples of k, and writes the rows of k, or those of k - 1.
     OCEAN_INLINE void advance(int k, const float* scratch, std::size_t pair_floats,
@@ -209,7 +209,7 @@ class CombinedOutputs {
         for (int u = 0; u < task_.used_count; ++u) {
             const int slot = task_.used[u];
             float* to = samples_of(k, slot);
-            const float* field = scratch + slot * B * Sweep<A, B>::kLine;
+            const float* field = scratch + slot * B * Sweep<A>::kLine;
             for (int p = 0; p < kPairs; ++p, to += kLanes, field += pair_floats) {
                 sweep_samples<A, B>(field, k, next.share(k, slot, p),
                                     [=](int l, Complex x) OCEAN_INLINE_LAMBDA {
@@ -239,29 +239,26 @@ class CombinedOutputs {
     OCEAN_INLINE void begin_rows(int k) {
         row_k_ = k;
         row_l_ = 0;
-        for (int u = 0; u < task_.used_count; ++u) {
-            row_.slot[task_.used[u]] = samples_of(k, task_.used[u]);
-        }
     }
     OCEAN_INLINE void write_until(int end) {
-        for (; row_l_ < end; ++row_l_) {
-            write_outputs(task_, row_, x0_, row_k_ + A * row_l_);
-            for (int u = 0; u < task_.used_count; ++u) row_.slot[task_.used[u]] += kItemWidth;
+        Rows rows{x0_, row_k_ + A * row_l_, A, end - row_l_, {}};
+        for (int u = 0; u < task_.used_count; ++u) {
+            rows.slot[task_.used[u]] = samples_of(row_k_, task_.used[u]) + row_l_ * kItemWidth;
         }
+        write_outputs(task_, rows);
+        row_l_ = end;
     }
 
     const FrameTask& task_;
     int x0_;
     float* samples_;
-    alignas(64) float derived_[kChannelCount * kItemWidth];
-    RowSamples row_;
     int row_k_ = 0;
     int row_l_ = 0;
 };
 
 template <int A, int B>
 void pass_two(const FrameTask& task, int item, float* scratch) {
-    const auto pair_floats = static_cast<std::size_t>(task.slots) * B * Sweep<A, B>::kLine;
+    const auto pair_floats = static_cast<std::size_t>(task.slots) * B * Sweep<A>::kLine;
     for (int p = 0; p < kPairs; ++p) {
         sweep_pair<A, B>(task, item * kPairs + p,
                          scratch + static_cast<std::size_t>(p) * pair_floats);

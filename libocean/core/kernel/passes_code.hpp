@@ -26,7 +26,7 @@ void pass_one_of(const FrameTask& task, int item, float* scratch) {
 
 template <int A, int B>
 constexpr SizePasses passes_of_size() {
-    constexpr std::size_t kSource = B * Sweep<A, B>::kLine;
+    constexpr std::size_t kSource = B * Sweep<A>::kLine;
     return {A * B,
             kPairs * kSource + CombinedOutputs<A, B>::kSlotFloats,
             kSource,
