@@ -54,6 +54,14 @@ LinearSet fields_behind(std::span<const MapOutput> outputs, bool is_flat) {
     return fields_of(outputs) | fields_of(channels_of(outputs), is_flat);
 }
 
+/// Adds a slot to those that outputs are made of.
+void use(FrameTask& task, int slot) {
+    int* const end = task.used + task.used_count;
+    if (std::find(task.used, end, slot) != end) return;
+    *end = slot;
+    ++task.used_count;
+}
+
 /// Fills in the fields, slots, sources and outputs that a frame requests. intermediate: the fields
 /// whose sources lie between the passes, those of the outputs among them.
 class Plan {
@@ -109,15 +117,8 @@ class Plan {
     void use_fields(Channel channel) {
         const LinearSet fields = fields_of(channel, is_flat());
         for (const Linear field : kLinears) {
-            if (fields.contains(field)) use(task_.slot_of[static_cast<int>(field)]);
+            if (fields.contains(field)) use(task_, task_.slot_of[static_cast<int>(field)]);
         }
-    }
-
-    void use(int slot) {
-        int* const end = task_.used + task_.used_count;
-        if (std::find(task_.used, end, slot) != end) return;
-        *end = slot;
-        ++task_.used_count;
     }
 
     void choose_sources(LinearSet intermediate) {
@@ -163,7 +164,7 @@ class Plan {
         for (const MapOutput::Component& component : output.used()) {
             const int slot = component.quantity.id;
             whole = whole && slot >= 0;
-            if (slot >= 0 && slot < task_.slots) use(slot);
+            if (slot >= 0 && slot < task_.slots) use(task_, slot);
         }
     }
 
@@ -385,6 +386,7 @@ void write_rows(const PlanarFields& fields, int resolution, int first, int last,
         output = {plane.data, 1, {}, plane.row_pitch};
         output.component[0].quantity.id = plane.slot;
         output.component[0].factor = plane.factor;
+        use(task, plane.slot);
     }
     for (int row = first; row < last; ++row) code.write_row(task, fields, row);
 }
