@@ -19,11 +19,7 @@ namespace ocean {
 namespace {
 
 /// The program and its libraries without a sea [bytes], measured.
-#ifdef OCEAN_HAVE_OPENVDB
-constexpr std::uint64_t kProgramBytes = 58 << 20;  // more than half of OpenVDB's 56 MB is touched
-#else
-constexpr std::uint64_t kProgramBytes = 24 << 20;
-#endif
+constexpr std::uint64_t kProgramBytes = 30 << 20;
 
 /// Returns the memory of a frame: its maps, the work of making them, and the format's part [bytes].
 std::uint64_t frame_bytes(const BakePlan& plan) {
@@ -45,7 +41,8 @@ std::uint64_t frame_bytes(const BakePlan& plan) {
 
 std::uint64_t bake_memory_bytes(const BakePlan& plan, int frames_at_a_time) {
     const auto each = static_cast<std::uint64_t>(frames_at_a_time);
-    return kProgramBytes + plan.subject->bytes(frames_at_a_time) + each * frame_bytes(plan);
+    return kProgramBytes + plan.format->library_bytes + plan.subject->bytes(frames_at_a_time) +
+           each * frame_bytes(plan);
 }
 
 WorkShare share_work(const BakePlan& plan) {

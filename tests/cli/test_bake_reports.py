@@ -54,6 +54,7 @@ def peak_memory(ocean, *arguments):
         "-o s.inc --set resolution=1024",
         "-o s.inc --set resolution=512 --eye 0,0,3",
         "-o s.df3 --set resolution=512",
+        "-o s.vdb --set resolution=128 --voxel 4",
         "-o s.exr --set resolution=128 --backend dft --set foam_lifetime=0.1",
     ],
 )

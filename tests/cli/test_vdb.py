@@ -6,11 +6,12 @@ import csv
 import io
 import shutil
 import subprocess
+from pathlib import Path
 
 import meshio
 import numpy
 import pytest
-from conftest import GALE, SMALL_SEA
+from conftest import GALE, OCEAN, SMALL_SEA
 
 pyopenvdb = pytest.importorskip("pyopenvdb", reason="python3-openvdb is not installed")
 
@@ -370,3 +371,19 @@ def test_headers_that_end_early_are_refused(ocean, bake, size):
     content = bake("sea", "s.vdb").read_bytes()
     ocean.write("cut.vdb", content[:size])
     assert "cut.vdb" in ocean.bad("info", "cut.vdb")
+
+
+def test_a_start_does_not_load_openvdb():
+    """Its symbols cost 50 ms, which every run of the command would pay."""
+    needed = subprocess.run(["ldd", OCEAN], check=True, capture_output=True, text=True).stdout
+    assert "libOpenEXR" in needed and "openvdb" not in needed
+
+
+def test_a_module_of_something_else_is_said(ocean, bake, monkeypatch):
+    bake("sea", "before.vdb", "--voxel", "4")
+    shutil.copy(next(Path("/usr/lib").glob("*/libz.so.1")), ocean.folder / "ocean_vdb.so")
+    monkeypatch.setenv("LD_LIBRARY_PATH", str(ocean.folder))
+    done = ocean("bake", "sea.toml", "-o", "s.vdb", "--voxel", "4")
+    assert done.returncode == 1
+    assert "ocean_vdb.so is of another libocean than this" in done.stderr.splitlines()[-1]
+    assert "s.vdb" not in ocean.files(".")

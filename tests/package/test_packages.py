@@ -102,6 +102,7 @@ def expected_files(component: str) -> list[str]:
     if component in PROGRAMS:
         own = files_of_program(component)
         if component == "tools":
+            own.append("usr/lib/libocean/ocean_vdb.so")
             own.append("usr/share/man/man5/ocean-sea.5.gz")
             own += below("docs", "usr/share/doc/ocean-tools/guides", "*.md")
         if component == "preview":

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What pass two hands to the last stage, outputs.hpp.
+// The rows that pass two hands to the last stage, outputs.hpp.
 #pragma once
 
 #include "frame_task.hpp"

@@ -16,10 +16,8 @@ namespace {
 using Leaf = openvdb::FloatTree::LeafNodeType;
 using Leaves = std::vector<std::unique_ptr<Leaf>>;
 
-constexpr double kReach = 3.0;          // [standard deviations]
-constexpr double kWithin = 0.9973002;   // share of a Gaussian within kReach, along an axis
-constexpr double kMinDeviation = 0.75;  // [voxels]; narrower puffs would fall between the samples
-constexpr float kMinDensity = 1e-5f;    // [1/m]; thinner voxels are inactive
+constexpr double kWithin = 0.9973002;  // share of a Gaussian within kPuffReach, along an axis
+constexpr float kMinDensity = 1e-5f;   // [1/m]; thinner voxels are inactive
 
 /// The shares of a Gaussian in the voxels along an axis.
 struct Weights {
@@ -30,7 +28,7 @@ struct Weights {
 };
 
 Weights weights_of(double place, double deviation, double voxel) {
-    const double reach = kReach * deviation;
+    const double reach = kPuffReach * deviation;
     Weights weights{static_cast<int>(std::ceil((place - reach) / voxel)), {}};
     const int last = static_cast<int>(std::floor((place + reach) / voxel));
     const double factor = 1.0 / (std::sqrt(2.0 * std::numbers::pi) * deviation * kWithin);
@@ -78,7 +76,7 @@ class Density {
         int highest = places_.first_block() - 1;
         for (const std::uint32_t at : nearby) {
             const DensityPuff& puff = puffs_[at];
-            const double deviation = density_reach(puff, voxels_.size) / kReach;
+            const double deviation = density_reach(puff, voxels_.size) / kPuffReach;
             std::array<Weights, 3>& of = weights.emplace_back();
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 of[axis] = weights_of(puff.place[axis], deviation, voxels_.size);
@@ -134,12 +132,8 @@ class Density {
 
 }  // namespace
 
-double density_reach(const DensityPuff& puff, double voxel) {
-    return kReach * std::max(puff.deviation, kMinDeviation * voxel);
-}
-
-VdbGrid make_density(const VoxelRange& voxels, std::span<const float> heights,
-                     std::span<const DensityPuff> puffs, VolumeAxes axes, ThreadPool& pool) {
+VdbGrid vdb::make_density(const VoxelRange& voxels, std::span<const float> heights,
+                          std::span<const DensityPuff> puffs, VolumeAxes axes, ThreadPool& pool) {
     openvdb::FloatGrid::Ptr grid = Density(voxels, heights, puffs, {axes.y_up}).make(pool);
     grid->setName("density");
     grid->setGridClass(openvdb::GRID_FOG_VOLUME);

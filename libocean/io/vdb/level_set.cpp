@@ -192,8 +192,9 @@ class LevelSet {
 
 }  // namespace
 
-VdbGrid make_level_set(const WorldBox& box, const VoxelRange& voxels,
-                       std::span<const SurfaceColumn> columns, VolumeAxes axes, ThreadPool& pool) {
+VdbGrid vdb::make_level_set(const WorldBox& box, const VoxelRange& voxels,
+                            std::span<const SurfaceColumn> columns, VolumeAxes axes,
+                            ThreadPool& pool) {
     openvdb::FloatGrid::Ptr grid = LevelSet(box, voxels, columns, {axes.y_up}).make(pool);
     grid->setName("surface");
     grid->setGridClass(openvdb::GRID_LEVEL_SET);

@@ -46,7 +46,7 @@ std::span<const Vec3f> vectors(const std::vector<float>& numbers) {
 
 }  // namespace
 
-VdbGrid make_points(const Points& given, double cell) {
+VdbGrid vdb::make_points(const Points& given, double cell) {
     openvdb::initialize();  // registers the types of attributes by name
     points::PointDataGrid::Ptr grid;
     const auto transform = openvdb::math::Transform::createLinearTransform(cell);
@@ -71,12 +71,6 @@ VdbGrid make_points(const Points& given, double cell) {
     tbb::task_arena(1).execute(make);
     grid->setName("spray");
     return VdbGrid(std::make_shared<VdbGrid::Grid>(VdbGrid::Grid{grid}));
-}
-
-std::uint64_t points_vdb_bytes(std::uint64_t count, std::uint64_t leaves) {
-    constexpr std::uint64_t kLeaf =
-        4096;  // the offsets of 8^3 cells and the overhead of each attribute
-    return points_bytes(count) + std::min(count, leaves) * kLeaf;
 }
 
 }  // namespace ocean::io

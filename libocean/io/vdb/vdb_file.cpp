@@ -77,8 +77,8 @@ std::string file_id(std::span<const VdbGrid> grids, std::span<const HeaderString
 
 }  // namespace
 
-void write_vdb(std::span<const VdbGrid> grids, std::span<const HeaderString> strings,
-               bool half_floats, const std::string& path) {
+void vdb::write_vdb(std::span<const VdbGrid> grids, std::span<const HeaderString> strings,
+                    bool half_floats, const std::string& path) {
     constexpr std::uint64_t kIdPosition = 21;  // after the magic, three versions and a flag
 
     openvdb::MetaMap header;

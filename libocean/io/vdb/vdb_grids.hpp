@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Builds OpenVDB grids from columns of voxels, one leaf of 8^3 voxels after the other: the tree is
-// the same for any number of threads, and no voxel needs a look-up. Only this folder includes
+// the same for any number of threads, and no voxel needs a look-up. Only the module includes
 // OpenVDB.
 #pragma once
 
@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
-#include "ocean/io/vdb.hpp"
 #include "ocean/thread_pool.hpp"
+#include "vdb_module.hpp"
 
 // The library has all code of the grids whose types it registers: it is not compiled again here. On
 // other systems, and in later versions, the library may hide it.

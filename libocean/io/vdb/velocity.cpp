@@ -12,8 +12,8 @@ using VectorLeaves = std::vector<std::unique_ptr<VectorLeaf>>;
 
 }  // namespace
 
-VdbGrid make_velocity(const VoxelRange& voxels, std::span<const float> heights,
-                      const VelocityLayer& layer, VolumeAxes axes, ThreadPool& pool) {
+VdbGrid vdb::make_velocity(const VoxelRange& voxels, std::span<const float> heights,
+                           const VelocityLayer& layer, VolumeAxes axes, ThreadPool& pool) {
     const FileAxes file{axes.y_up};
     const LeafColumns places(voxels, file);
     auto grid = openvdb::Vec3SGrid::create();

@@ -125,6 +125,7 @@ struct BakeFormat {
     std::string_view summary;
     std::string_view example;
     bool holds_displaced;
+    std::uint64_t library_bytes;
 
     Required<std::vector<FormatOption>(const Catalogue& catalogue)> options;
     Required<std::optional<ProductChoice>(const Catalogue& catalogue)> product_choice;

@@ -51,6 +51,8 @@ struct BakeFormatOf {
     std::string_view example = {};          // options of its example in help, "--mist 0.1"
     /// False if files hold heights of places only: a displaced subject, such as a sea, is refused.
     bool holds_displaced = true;
+    /// Memory of a library that is loaded for this format alone [bytes].
+    std::uint64_t library_bytes = 0;
 
     /// Returns the options that files of this format have.
     std::vector<FormatOption> (*options)(const Catalogue& catalogue) = [](const Catalogue&) {
@@ -126,6 +128,7 @@ constexpr BakeFormat bake_format() {
         .summary = kOf.summary.empty() ? kOf.family : kOf.summary,
         .example = kOf.example,
         .holds_displaced = kOf.holds_displaced,
+        .library_bytes = kOf.library_bytes,
         .options = kOf.options,
         .product_choice = kOf.product_choice,
         .read_options =

@@ -99,6 +99,8 @@ struct DensityPuff {
     double deviation;             // [m]
     double area;                  // total cross-section of the droplets [m^2]
 };
+/// A puff ends so many standard deviations from its place, along each axis.
+inline constexpr double kPuffReach = 3.0;
 /// Returns the distance along each axis beyond which its density is 0 [m].
 double density_reach(const DensityPuff& puff, double voxel);
 

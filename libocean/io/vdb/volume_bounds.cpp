@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
+// Bounds of volumes and their files, which need no OpenVDB.
+#include <algorithm>
 #include <cmath>
 
 #include "ocean/error.hpp"
@@ -27,6 +30,17 @@ VoxelRange voxels_around(const WorldBox& box, double size, int beyond) {
         range.count[axis] = static_cast<int>(high - low) + 1;
     }
     return range;
+}
+
+double density_reach(const DensityPuff& puff, double voxel) {
+    constexpr double kMinDeviation = 0.75;  // [voxels]; narrower puffs would fall between samples
+    return kPuffReach * std::max(puff.deviation, kMinDeviation * voxel);
+}
+
+std::uint64_t points_vdb_bytes(std::uint64_t count, std::uint64_t leaves) {
+    // The offsets of 8^3 cells and what each attribute needs besides.
+    constexpr std::uint64_t kLeaf = 4096;
+    return points_bytes(count) + std::min(count, leaves) * kLeaf;
 }
 
 }  // namespace ocean::io
