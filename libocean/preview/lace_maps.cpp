@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <utility>
 
+#include "lace_file.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean::preview {
@@ -100,12 +102,28 @@ std::vector<LaceLevel> lace_levels(const FoamTextureSettings& settings, ThreadPo
     return levels;
 }
 
-LaceMaps::Levels LaceMaps::make(int threads) {
+LaceTextures empty_lace() {
+    LaceTextures textures;
+    for (std::size_t i = 0; i < textures.size(); ++i) {
+        for (int size = kSizes[i]; size >= kMinSize; size /= 2) {
+            const auto side = static_cast<std::size_t>(size);
+            textures[i].push_back(
+                {size, std::vector<float>(side * side), std::vector<float>(kLaceShares)});
+        }
+    }
+    return textures;
+}
+
+LaceTextures LaceMaps::make(int threads, const KeptTextures& kept) {
+    if (kept.read) {
+        if (std::optional<LaceTextures> read = lace_of_bytes(kept.read())) return std::move(*read);
+    }
     ThreadPool pool(threads);
-    Levels made;
+    LaceTextures made;
     for (std::size_t i = 0; i < made.size(); ++i) {
         made[i] = lace_levels({kFoamTextures[i].kind, kSizes[i]}, pool);
     }
+    if (kept.write) kept.write(to_bytes(made));
     return made;
 }
 
@@ -117,11 +135,11 @@ Pending LaceMaps::pending() const {
 
 bool LaceMaps::ready() {
     if (ready_) return true;
-    if (!making_.valid() && !waits_) making_ = std::async(std::launch::async, make, 1);
+    if (!making_.valid() && !waits_) making_ = std::async(std::launch::async, make, 1, kept_);
     if (!waits_ && making_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
         return false;
     }
-    const Levels all = waits_ ? make(0) : making_.get();
+    const LaceTextures all = waits_ ? make(0, kept_) : making_.get();
     std::vector<float> shares;
     for (std::size_t i = 0; i < all.size(); ++i) {
         textures_[i] = upload(all[i]);

@@ -9,10 +9,12 @@
 
 #include <array>
 #include <future>
+#include <utility>
 #include <vector>
 
 #include "ocean/foam_texture.hpp"
 #include "ocean/gl/objects.hpp"
+#include "ocean/preview/renderer.hpp"
 #include "ocean/preview/sea_maps.hpp"
 
 namespace ocean::preview {
@@ -29,11 +31,16 @@ struct LaceLevel {
 /// Returns the levels of a texture, the finest first, down to 32 texels a side.
 std::vector<LaceLevel> lace_levels(const FoamTextureSettings& settings, ThreadPool& pool);
 
+/// The levels of each kind of texture.
+using LaceTextures = std::array<std::vector<LaceLevel>, kFoamTextures.size()>;
+/// Returns the levels that pictures show, all zero.
+LaceTextures empty_lace();
+
 class LaceMaps {
   public:
     /// waits: the first call of ready() makes the textures itself, half a second on two cores; else
-    /// another thread makes them.
-    explicit LaceMaps(bool waits) : waits_(waits) {}
+    /// another thread makes them. kept: those of an earlier run.
+    LaceMaps(bool waits, KeptTextures kept) : waits_(waits), kept_(std::move(kept)) {}
 
     /// Returns whether the textures are ready; the first call begins to make them.
     bool ready();
@@ -47,12 +54,12 @@ class LaceMaps {
     unsigned shares() const { return shares_.name(); }
 
   private:
-    using Levels = std::array<std::vector<LaceLevel>, kFoamTextures.size()>;
-    static Levels make(int threads);
+    static LaceTextures make(int threads, const KeptTextures& kept);
 
     bool waits_;
+    KeptTextures kept_;
     bool ready_ = false;
-    std::future<Levels> making_;
+    std::future<LaceTextures> making_;
     std::array<gl::Texture, kFoamTextures.size()> textures_;
     gl::Texture shares_;
 };

@@ -76,7 +76,7 @@ Water::Water(const RendererOptions& options)
     : taps_(filter_taps(options)),
       available_units_(available_units(options)),
       clipmap_(options.cells),
-      lace_maps_(!options.live),
+      lace_maps_(!options.live, options.kept_textures),
       options_(options),
       sampler_(make_footprint_sampler(taps_)),
       block_(BlockBinding::water) {}

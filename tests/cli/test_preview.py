@@ -95,6 +95,28 @@ def test_a_picture_has_sky_horizon_and_water(folder):
     assert (numpy.abs(rows - 141) <= 2).mean() > 0.95
 
 
+def test_the_pattern_of_foam_is_kept_for_the_next_run(folder):
+    cache = folder / "cache"
+    kept = cache / "libocean" / "foam_pattern"
+
+    def picture(name: str) -> numpy.ndarray:
+        size = ("--size", "160x90", "--cells", 32)
+        good(folder, "sea.toml", "--offscreen", name, *size, XDG_CACHE_HOME=str(cache))
+        return pixels(folder / name)
+
+    made = picture("a.png")
+    whole = kept.read_bytes()
+    assert (picture("b.png") == made).all() and kept.read_bytes() == whole
+    # A file that was cut or changed is made anew.
+    half = len(whole) // 2
+    for damaged in (whole[:half], whole[:half] + bytes([whole[half] ^ 1]) + whole[half + 1 :]):
+        kept.write_bytes(damaged)
+        assert (picture("c.png") == made).all() and kept.read_bytes() == whole
+    shutil.rmtree(cache)
+    cache.write_text("no folder")
+    assert (picture("d.png") == made).all()
+
+
 def test_the_probe_is_the_query(folder):
     places = [(3.0, 4.0), (-20.5, 11.0), (60.0, -70.0)]
     (folder / "p.csv").write_text("x,y\n" + "".join(f"{x},{y}\n" for x, y in places))

@@ -9,6 +9,7 @@
 #include "ocean/error.hpp"
 #include "ocean/gl/backend.hpp"
 #include "picture_file.hpp"
+#include "user_files.hpp"
 
 namespace ocean::app {
 namespace {
@@ -124,6 +125,7 @@ preview::RendererOptions renderer_for(const PreviewOptions& options, const gl::C
         renderer.land_detail = false;
     }
     if (options.cells) renderer.cells = *options.cells;
+    renderer.kept_textures = textures_in_cache();
     return renderer;
 }
 

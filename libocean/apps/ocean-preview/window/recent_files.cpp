@@ -3,7 +3,6 @@
 #include "window/recent_files.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
 #include "ocean/error.hpp"
@@ -11,17 +10,13 @@
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/text.hpp"
+#include "user_files.hpp"
 
 namespace ocean::app {
 namespace {
 
 constexpr std::size_t kMaxListBytes = std::size_t{64} << 10;
 constexpr std::size_t kMaxPathBytes = 4096;
-
-std::string folder_of(const char* variable) {
-    const char* const value = std::getenv(variable);
-    return value != nullptr && *value == '/' ? value : "";
-}
 
 bool is_plain_path(const std::string& line) {
     return line.starts_with('/') && line.size() <= kMaxPathBytes &&
@@ -31,11 +26,7 @@ bool is_plain_path(const std::string& line) {
 }  // namespace
 
 std::string RecentFiles::default_path() {
-    if (const std::string state = folder_of("XDG_STATE_HOME"); !state.empty()) {
-        return state + "/libocean/recent";
-    }
-    const std::string home = folder_of("HOME");
-    return home.empty() ? "" : home + "/.local/state/libocean/recent";
+    return user_file("XDG_STATE_HOME", ".local/state", "recent");
 }
 
 std::vector<std::string> RecentFiles::read() const {

@@ -18,8 +18,7 @@ class RecentFiles {
     /// path: of the list; "" keeps none.
     explicit RecentFiles(std::string path = default_path()) : path_(std::move(path)) {}
 
-    /// Returns $XDG_STATE_HOME/libocean/recent, or ~/.local/state/libocean/recent; "" without a
-    /// home. A relative folder in the environment is ignored, as the XDG rules ask.
+    /// Returns $XDG_STATE_HOME/libocean/recent, or as user_file does without it.
     static std::string default_path();
 
     /// Returns at most kMaxFiles paths. Lines that are no absolute path, or too long, or not

@@ -7,8 +7,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "ocean/preview/land_maps.hpp"
@@ -16,6 +18,14 @@
 #include "ocean/preview/sea_maps.hpp"
 
 namespace ocean::preview {
+
+/// How a program keeps between its runs what is the same in each: 8 MB in one piece. Both functions
+/// may be called in another thread, and do not throw.
+struct KeptTextures {
+    /// Returns what the last run wrote. Anything else, "" too, is made anew.
+    std::function<std::string()> read = {};
+    std::function<void(std::string_view bytes)> write = {};
+};
 
 struct RendererOptions {
     /// Cells of a level of the mesh from the eye to its edge: a multiple of 8, 16 .. 512. A cell is
@@ -37,6 +47,9 @@ struct RendererOptions {
     /// pattern until they are ready; else the first picture with foam waits for them. Likewise land
     /// is coarser in pictures for which its patches are not ready.
     bool live = false;
+    /// The textures of the foam's pattern, which take a second of the processor; empty: they are
+    /// made for each renderer.
+    KeptTextures kept_textures = {};
     gl::AfterStage after_stage = {};  // "sky", "water" or "land"
     /// Texture units of a fragment shader that the renderer uses; 0: all that the driver has, which
     /// are 16 or more.
