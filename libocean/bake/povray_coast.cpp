@@ -104,11 +104,10 @@ std::vector<FolderFile> povray_coast_frame_lists(const PovrayCoastPlans& plans,
 }
 
 std::vector<FolderFile> povray_coast_files(const PovrayCoastPlans& plans, const SeaState& state,
-                                           const std::vector<int>& frames,
-                                           const std::string& folder) {
+                                           const std::vector<int>& frames, const FoamImages& foam) {
     const Water& water = sea_of(*plans.coast.subject).parameters.water;
     if (!water.bed) throw Error(ErrorKind::unsupported, "this folder needs a sea over a bed");
-    std::vector<FolderFile> files = povray_folder_files(plans.open, state, frames, folder);
+    std::vector<FolderFile> files = povray_folder_files(plans.open, state, frames, foam);
     add_coast(files, plans.coast);
     named(files, "scene.pov").text = kCoastScenePov;
     named(files, "sea.toml").text =

@@ -14,6 +14,7 @@
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/io/mesh.hpp"
 #include "ocean/io/mesh2.hpp"
+#include "ocean/io/output_file.hpp"
 #include "ocean/io/png.hpp"
 #include "ocean/io/povray_declarations.hpp"
 #include "ocean/sea_subject.hpp"
@@ -82,6 +83,10 @@ HeaderString foam_words(const FoamTextureSettings& settings) {
                         settings.seed, kFoamTextureEdition)};
 }
 
+std::string name_of(FoamTextureKind kind) {
+    return "foam_" + std::string(foam_texture_info(kind).name) + ".png";
+}
+
 /// Returns the bytes of a file with those words in its header; "" if the path has no such file or
 /// one that was cut off.
 std::string read_foam_image(const std::string& path, const HeaderString& words) {
@@ -100,17 +105,30 @@ std::string read_foam_image(const std::string& path, const HeaderString& words) 
 }
 
 /// Returns the same PNG for all folders and frames: 3 MB together. A texel of lace measures 12 mm.
-/// They take a second to make, so those that the folder has serve again.
-std::string foam_image(FoamTextureKind kind, const std::string& path, ThreadPool& pool) {
+/// They take a second to make, so those that the folder or the cache has serve again.
+std::string foam_image(FoamTextureKind kind, const FoamImages& places, ThreadPool& pool) {
     const FoamTextureSettings settings{kind, kind == FoamTextureKind::lace ? 1024 : 512};
     const HeaderString words = foam_words(settings);
-    if (std::string present = read_foam_image(path, words); !present.empty()) return present;
+    const std::string name = name_of(kind);
+    if (std::string present = read_foam_image(places.folder + "/" + name, words);
+        !present.empty()) {
+        return present;
+    }
+    const std::string cached = places.cache.empty() ? "" : places.cache + "/" + name;
+    if (std::string present = read_foam_image(cached, words); !present.empty()) return present;
     const std::vector<float> texture = make_foam_texture(settings, pool);
     std::vector<std::uint16_t> grey(texture.size());
     std::ranges::transform(texture, grey.begin(), [](float value) {
         return static_cast<std::uint16_t>(std::lround(value * 65535.0f));
     });
-    return io::with_png_strings(io::grey_png(settings.size, settings.size, grey), {{words}});
+    std::string made =
+        io::with_png_strings(io::grey_png(settings.size, settings.size, grey), {{words}});
+    try {
+        if (!cached.empty()) io::write_output(cached, made);
+    } catch (const Error&) {
+        return made;  // a disk that refuses costs the next folder a second
+    }
+    return made;
 }
 
 }  // namespace
@@ -142,7 +160,7 @@ std::vector<FolderFile> povray_frame_lists(const BakePlan& plan, const SeaState&
 
 std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const SeaState& state,
                                             const std::vector<int>& frames,
-                                            const std::string& folder) {
+                                            const FoamImages& foam) {
     std::vector<FolderFile> files = {{"ocean.inc", std::string(kOceanInc)}};
     std::ranges::move(povray_frame_lists(plan, state, frames), std::back_inserter(files));
     files.push_back(
@@ -155,8 +173,7 @@ std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const SeaState
     if (plan.format->name == "df3") {
         ThreadPool pool(plan.threads);
         for (const FoamTextureInfo& info : kFoamTextures) {
-            const std::string name = "foam_" + std::string(info.name) + ".png";
-            files.push_back({name, foam_image(info.kind, folder + "/" + name, pool)});
+            files.push_back({name_of(info.kind), foam_image(info.kind, foam, pool)});
         }
     }
     return files;

@@ -52,25 +52,14 @@ def exported(sea: str, *arguments) -> Path:
 
 
 def export(path: Path, sea: str, *arguments):
-    """The textures of foam, the same in all folders, are made once in a session: `ocean povray`
-    takes those that a folder has."""
-    textures = Path(EXPORTS.name) / "textures"
-    has_foam = not {"mesh2", "height_field"} & set(arguments)
-    for texture in textures.glob("foam_*.png"):
-        if has_foam and not (path / texture.name).exists():
-            shutil.copy(texture, path)
     (path / "its_sea.toml").write_text(sea)
     done = ocean(path, "povray", "its_sea.toml", "-o", ".", *arguments)
     assert done.returncode == 0, done.stderr
-    if has_foam and not textures.exists():
-        textures.mkdir()
-        for texture in path.glob("foam_*.png"):
-            shutil.copy(texture, textures)
 
 
 class Folder:
-    """A folder as `ocean povray` writes it. An export costs a second, most of it foam textures:
-    tests that ask for the same sea in an empty folder share one, each in a copy of its own."""
+    """A folder as `ocean povray` writes it. Tests that ask for the same sea in an empty folder
+    share one, each in a copy of its own."""
 
     def __init__(self, path: Path, sea: str, *arguments):
         self.path = path

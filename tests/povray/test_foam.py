@@ -5,6 +5,7 @@ cover says, near and far."""
 
 import os
 import re
+import shutil
 import subprocess
 
 import numpy
@@ -242,6 +243,30 @@ def test_the_material_sends_as_much_light_near_and_far(choppy, cover):
     assert near == pytest.approx(far, rel=0.03)
     assert between == pytest.approx(far, rel=0.03)
     assert rippled == pytest.approx(smooth, rel=0.001)
+
+
+def test_textures_are_made_once_for_all_folders(tmp_path, monkeypatch):
+    (tmp_path / "sea.toml").write_text(sea_text(resolution=32, period=60.0))
+    cache = tmp_path / "cache"
+    monkeypatch.setenv("XDG_CACHE_HOME", str(cache))
+
+    def lace(folder: str) -> bytes:
+        made = ocean(tmp_path, "povray", "sea.toml", "-o", folder)
+        assert made.returncode == 0, made.stderr
+        return (tmp_path / folder / "foam_lace.png").read_bytes()
+
+    made = lace("a")
+    kept = cache / "libocean" / "povray" / "foam_lace.png"
+    assert kept.read_bytes() == made
+    marked = bytearray(made)
+    marked[len(marked) // 2] ^= 1
+    kept.write_bytes(marked)
+    assert lace("b") == marked
+    kept.write_bytes(made[:-40])
+    assert lace("c") == made and kept.read_bytes() == made
+    shutil.rmtree(cache)
+    cache.write_text("no folder")
+    assert lace("d") == made
 
 
 def test_textures_are_written_once_and_own_files_are_kept(tmp_path):

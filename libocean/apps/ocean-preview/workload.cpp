@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <string_view>
 
 #include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
 #include "ocean/gl/backend.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/io/output_file.hpp"
 #include "picture_file.hpp"
 #include "user_files.hpp"
 
@@ -114,6 +118,29 @@ Computing computing_for(const Backend& backend, const PreviewOptions& options, c
 int land_map_for(const PreviewOptions& options, const Terrain& terrain,
                  const gl::ContextInfo& context, bool live) {
     return options.map.value_or(preview::land_map_resolution(terrain, live && context.software));
+}
+
+/// Returns the place of the renderer's textures in the user's cache. A disk that refuses them costs
+/// the next run the time of making them again.
+preview::KeptTextures textures_in_cache() {
+    const std::string path = cache_file("foam_pattern");
+    if (path.empty()) return {};
+    const auto read = [path]() -> std::string {
+        constexpr std::size_t kMaxBytes = std::size_t{32} << 20;
+        try {
+            return text::read_file(path, kMaxBytes);
+        } catch (const Error&) {
+            return "";
+        }
+    };
+    const auto write = [path](std::string_view bytes) {
+        try {
+            io::write_output(path, bytes);
+        } catch (const Error&) {
+            return;
+        }
+    };
+    return {read, write};
 }
 
 preview::RendererOptions renderer_for(const PreviewOptions& options, const gl::ContextInfo& context,

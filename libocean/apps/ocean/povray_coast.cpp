@@ -16,6 +16,7 @@
 #include "ocean/sea_subject.hpp"
 #include "ocean/seafile.hpp"
 #include "povray_files.hpp"
+#include "user_files.hpp"
 
 namespace ocean::app {
 namespace {
@@ -105,7 +106,8 @@ void write_povray_coast(const PovrayCoastRequest& request, const Context& contex
         Ocean(sea_of(*open.subject).parameters, {.threads = open.threads}).state();
     const ExistingFrames existing = povray_existing_frames(open);
     const std::vector<FolderFile> files =
-        povray_coast_files(plans, state, united(open.all_frames, existing.of_plan), request.folder);
+        povray_coast_files(plans, state, united(open.all_frames, existing.of_plan),
+                           {request.folder, cache_file("povray")});
     const InputFiles inputs(request.source, named_files(request.sea));
     refuse_to_replace_others(files, request.folder, inputs);
     for (const BakePlan* plan : {&open, &coast}) {

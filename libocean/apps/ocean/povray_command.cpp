@@ -26,6 +26,7 @@
 #include "sea_argument.hpp"
 #include "terrain_argument.hpp"
 #include "text.hpp"
+#include "user_files.hpp"
 
 namespace ocean::app {
 namespace {
@@ -137,8 +138,8 @@ void run(const Typed& typed, const Context& context) {
     const Sea& sea = sea_of(*plan.subject);
     const SeaState state = Ocean(sea.parameters, {.threads = plan.threads}).state();
     const ExistingFrames existing = povray_existing_frames(plan);
-    std::vector<FolderFile> files =
-        povray_folder_files(plan, state, united(plan.all_frames, existing.of_plan), folder);
+    std::vector<FolderFile> files = povray_folder_files(
+        plan, state, united(plan.all_frames, existing.of_plan), {folder, cache_file("povray")});
     const InputFiles inputs(typed.sea.source, named_files(sea));
     refuse_to_replace_others(files, folder, inputs);
     for (const std::string& path : output_paths(plan)) inputs.spare(path);

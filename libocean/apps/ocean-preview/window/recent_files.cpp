@@ -26,7 +26,7 @@ bool is_plain_path(const std::string& line) {
 }  // namespace
 
 std::string RecentFiles::default_path() {
-    return user_file("XDG_STATE_HOME", ".local/state", "recent");
+    return state_file("recent");
 }
 
 std::vector<std::string> RecentFiles::read() const {

@@ -18,7 +18,7 @@ class RecentFiles {
     /// path: of the list; "" keeps none.
     explicit RecentFiles(std::string path = default_path()) : path_(std::move(path)) {}
 
-    /// Returns $XDG_STATE_HOME/libocean/recent, or as user_file does without it.
+    /// Returns the state_file `recent`.
     static std::string default_path();
 
     /// Returns at most kMaxFiles paths. Lines that are no absolute path, or too long, or not

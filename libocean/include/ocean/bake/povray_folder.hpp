@@ -27,12 +27,15 @@ struct FolderFile {
 
 /// Returns the frames in the plan's folder: those of its sea, format and resolution, and others.
 ExistingFrames povray_existing_frames(const BakePlan& plan);
+/// Where textures of foam may be, which are the same in all folders of a sea.
+struct FoamImages {
+    std::string folder;      // that the files are for
+    std::string cache = {};  // keeps those that are made, if it can be written; "": nothing does
+};
 /// Returns all files of the folder except its frames. `frames` lists the frames that it has or will
-/// have, ascending, at least one; `state` is that of the plan's sea. Reads the textures of foam
-/// that `folder` has.
+/// have, ascending, at least one; `state` is that of the plan's sea.
 std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const SeaState& state,
-                                            const std::vector<int>& frames,
-                                            const std::string& folder);
+                                            const std::vector<int>& frames, const FoamImages& foam);
 /// Returns all files of the folder of a terrain except its maps. `state` is that of the plan's
 /// terrain, and `format` names the folder's: with mesh2 the plan is that of the map beside the
 /// mesh.
@@ -48,8 +51,7 @@ struct PovrayCoastPlans {
 /// with the bed as a land. `state` is that of the open sea. Throws Error unsupported for a coast
 /// without a bed.
 std::vector<FolderFile> povray_coast_files(const PovrayCoastPlans& plans, const SeaState& state,
-                                           const std::vector<int>& frames,
-                                           const std::string& folder);
+                                           const std::vector<int>& frames, const FoamImages& foam);
 /// Returns only the files of such a folder that depend on the frames.
 std::vector<FolderFile> povray_coast_frame_lists(const PovrayCoastPlans& plans,
                                                  const SeaState& state,
