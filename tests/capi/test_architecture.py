@@ -64,10 +64,12 @@ LIBRARIES = {
             "base/control_groups.cpp": ("fstream",),
             "base/platform.cpp": (
                 "fstream",
+                "locale.h",
                 "sched.h",
                 "sys/",
                 "unistd.h",
                 "windows.h",
+                "xlocale.h",
                 "xmmintrin.h",
             ),
             "base/text.cpp": ("cstdio",),  # snprintf alone
@@ -97,9 +99,16 @@ LIBRARIES = {
             "geotiff": ("tiffio.h",),
             "png": ("png.h", "zlib.h"),
             "povray": ("png.h", "wave/"),
-            "vdb": ("openvdb/", "tbb/"),
+            "vdb": ("dlfcn.h", "openvdb/", "tbb/"),
         },
-        links=("OpenEXR::OpenEXR", "OpenVDB::openvdb", "PNG::PNG", "TIFF::TIFF", "ZLIB::ZLIB"),
+        links=(
+            "${CMAKE_DL_LIBS}",
+            "OpenEXR::OpenEXR",
+            "OpenVDB::openvdb",
+            "PNG::PNG",
+            "TIFF::TIFF",
+            "ZLIB::ZLIB",
+        ),
     ),
     "gl": Library(
         below=("core", "seafile"),
@@ -278,6 +287,7 @@ def link_breaches(library: str, text: str) -> list[str]:
 def folder_breaches(library: str, text: str) -> list[str]:
     """Folders of other libraries that a CMakeLists.txt names: what is private stays there."""
     text = re.sub(r"#.*", "", text)
+    text = text.replace("$ORIGIN/../", "")  # of a program that is installed
     others = re.findall(r"\blibocean/(\w+)", text)
     foreign = [name for name in others if name in LIBRARIES and name != library]
     foreign += re.findall(r"\S*\.\./\S*|\S*/\.\.(?=\s|\))", text)
