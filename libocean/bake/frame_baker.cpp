@@ -69,18 +69,20 @@ std::vector<Surface> FrameBaker::make_maps(double time) {
     return surfaces;
 }
 
-/// Removes a symbolic link in the place of a frame: it may point to another frame.
-static void remove_link(const BakeFile& file) {
-    std::error_code ignored;
+/// Removes a symbolic link in the place of a frame to a file of the same folder, which may be
+/// another frame. Links to elsewhere are written through, as by every output.
+static void remove_link_to_frame(const BakeFile& file) {
+    std::error_code code;
     const std::filesystem::path path = utf8_path(file.path);
-    if (std::filesystem::is_symlink(path, ignored) && is_regular(file)) {
-        std::filesystem::remove(path, ignored);
-    }
+    if (!std::filesystem::is_symlink(path, code) || !is_regular(file)) return;
+    const auto folder = std::filesystem::canonical(path.parent_path() / ".", code);
+    if (std::filesystem::canonical(path, code).parent_path() != folder) return;
+    std::filesystem::remove(path, code);
 }
 
 void write_and_verify_uninterrupted(const Bake& bake, const BakeFile& file, int threads,
                                     const std::function<void()>& write) {
-    remove_link(file);
+    remove_link_to_frame(file);
     write();
     if (!is_regular(file)) return;
     try {

@@ -243,12 +243,19 @@ std::optional<int> OutputPattern::number_in(std::string_view name) const {
     return number;
 }
 
+/// Returns the ending of a manifest beside frames whose names file systems take, 255 bytes.
+static std::string_view manifest_ending(const std::string& stem) {
+    constexpr std::string_view kEnding = ".manifest.json", kShort = ".man";
+    return stem.size() + kEnding.size() <= 255 ? kEnding : kShort;
+}
+
 std::string OutputPattern::manifest() const {
     std::string stem = before_ + after_.substr(0, std::min(after_.rfind('.'), after_.size()));
     while (!stem.empty() && std::string_view("._-").find(stem.back()) != std::string_view::npos) {
         stem.pop_back();
     }
-    return folder_ + stem + (stem.empty() ? "" : ".") + "manifest.json";
+    return stem.empty() ? folder_ + "manifest.json"
+                        : folder_ + stem + std::string(manifest_ending(stem));
 }
 
 std::string OutputPattern::folder() const {

@@ -114,6 +114,27 @@ def test_a_frame_replaces_a_link_to_another_frame(ocean):
     assert ocean.hashes(".") == expected
 
 
+def test_links_to_another_disk_are_written_through(ocean):
+    """A farm links frames, manifests and folders."""
+    bake = ("bake", "sea.toml", "--products", "height", "--frames")
+    (ocean.folder / "disk").mkdir()
+    ocean.good(*bake, "1", "-o", "disk/s.exr")
+    before = (ocean.folder / "disk" / "s.exr").read_bytes()
+    for name in ("s.exr", "s.manifest.json"):
+        (ocean.folder / name).symlink_to(f"disk/{name}")
+    (ocean.folder / "folder").symlink_to("disk")
+    ocean.good(*bake, "7", "-o", "s.exr")
+    assert (ocean.folder / "s.exr").is_symlink() and (ocean.folder / "s.manifest.json").is_symlink()
+    assert (ocean.folder / "disk" / "s.exr").read_bytes() != before
+    ocean.good(*bake, "7", "-o", "folder/through.exr")
+    assert (ocean.folder / "folder").is_symlink() and "through.exr" in ocean.files("disk")
+    (ocean.folder / "dangling.exr").symlink_to("nowhere/x.exr")
+    done = ocean(*bake, "1", "-o", "dangling.exr")
+    assert done.returncode == 1
+    assert done.stderr.splitlines()[-1].startswith("ocean: cannot write 'dangling.exr': No such")
+    assert (ocean.folder / "dangling.exr").is_symlink()
+
+
 @pytest.mark.parametrize("name", ["sea.toml", "ocean.inc", "ocean.ini", "ocean_parameters.inc"])
 def test_a_folder_for_povray_keeps_files_of_the_user(ocean, name):
     ocean.write(f"scene/{name}", "# mine\n")
@@ -168,3 +189,19 @@ def test_a_plot_holds_its_sea(ocean):
     assert ocean.good("info", "a.png", "--sea-file") == ocean.good("info", "sea.toml", "--sea-file")
     ocean.good("foam-texture", "lace", "--size", "64", "-o", "b.png")
     assert "b.png: shows a foam_texture instead of a sea" in ocean.bad("info", "b.png")
+
+
+@pytest.mark.parametrize("stem", ["a" * 251, "ü" * 125 + "x"])
+def test_the_longest_names_are_written(ocean, stem):
+    """255 bytes, which file systems take: temporaries and manifests have names that fit."""
+    before = {*ocean.files("."), "bed.asc"}
+    ocean.write("bed.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\n1 2\n3 4\n")
+    ocean.good("terrain", "import", "bed.asc", "-o", f"{stem}.flt")
+    for frame in "12":  # the second finds the manifest of the first
+        ocean.good(
+            *("bake", "sea.toml", "-o", f"{stem}.exr", "--products", "height", "--frames", frame)
+        )
+    manifest = f"{stem}.man"  # for ".manifest.json" is no place
+    assert list(ocean.manifest(manifest)) == [f"{stem}.exr"]
+    made = {f"{stem}{ending}" for ending in (".exr", ".flt", ".hdr", ".prj")}
+    assert set(ocean.files(".")) == before | made | {manifest}

@@ -52,6 +52,21 @@ TEST(AtomicFile, KeepsTheOldFileUntilCommitAndAfterAnException) {
     EXPECT_EQ(folder.entries(), 1u);
 }
 
+TEST(AtomicFile, NamesFitTheFileSystem) {
+    EXPECT_EQ(io::name_of_file("sea", ".exr"), "sea.exr");
+    EXPECT_EQ(io::name_of_file(std::string(251, 'a'), ".exr"), std::string(251, 'a') + ".exr");
+    const std::string cut = io::name_of_file(std::string(252, 'a'), ".exr");
+    EXPECT_EQ(cut.size(), 255u);
+    EXPECT_TRUE(cut.ends_with(".exr"));
+    EXPECT_NE(cut, io::name_of_file(std::string(253, 'a'), ".exr"));
+    // No character is cut: 234 bytes of two each, for there is no place for half of one.
+    std::string umlauts;
+    for (int i = 0; i < 126; ++i) umlauts += "\xc3\xbc";
+    const std::string whole = io::name_of_file("x" + umlauts, ".exr");
+    EXPECT_EQ(whole.find('~'), 233u);
+    EXPECT_EQ(whole.size(), 254u);
+}
+
 TEST(AtomicFile, WritesThroughASymbolicLink) {
     const TemporaryFolder folder;
     io::write_file_atomically(folder.file("real"), "old");

@@ -223,7 +223,7 @@ OptionGroup run_options(const std::string& json_help) {
 
 int run_program(int argc, char** argv, const Program& program) {
     const char* name = program.main.name.c_str();
-    use_binary_streams();
+    prepare_standard_streams();
     try {
         const int code = parse_and_run(argc, argv, program);
         // The parser writes help texts: a full disk is detected only here.

@@ -4,19 +4,22 @@
 // See standard_streams.hpp.
 #include "standard_streams.hpp"
 
+#include <cerrno>
 #include <cstdio>
+#include <initializer_list>
 
 #ifdef _WIN32
 #include <fcntl.h>
 #include <io.h>
 #else
+#include <fcntl.h>
 #include <unistd.h>
 #endif
 
 namespace ocean::app {
 
 #ifdef _WIN32
-void use_binary_streams() {
+void prepare_standard_streams() {
     _setmode(_fileno(stdin), _O_BINARY);
     _setmode(_fileno(stdout), _O_BINARY);
 }
@@ -25,7 +28,13 @@ bool standard_error_is_terminal() {
     return terminal;
 }
 #else
-void use_binary_streams() {}
+void prepare_standard_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
+        // A file gets the lowest number that is free.
+        if (::open("/dev/null", O_RDWR) != stream) return;
+    }
+}
 bool standard_error_is_terminal() {
     static const bool terminal = ::isatty(STDERR_FILENO) != 0;
     return terminal;

@@ -52,10 +52,14 @@ std::string file_name(const std::string& path) {
 
 /// "out/sea" of "out/sea.####.usda".
 std::string stem_of(const BakePlan& plan) {
-    constexpr std::string_view kManifest = ".manifest.json";
     const std::string path = plan.pattern.manifest();
-    if (path.ends_with(kManifest)) return path.substr(0, path.size() - kManifest.size());
-    return path.substr(0, path.size() - (kManifest.size() - 1)) + "sea";
+    const std::string folder = path.substr(0, path.rfind('/') + 1);
+    const std::string name = file_name(path);
+    if (name == "manifest.json") return folder + "sea";
+    for (const std::string_view ending : {".manifest.json", ".man"}) {
+        if (name.ends_with(ending)) return folder + name.substr(0, name.size() - ending.size());
+    }
+    return folder + name;
 }
 
 FormatPlan<PlainMesh> resolve(const BakePlan& draft, const PlainMesh& requested) {
@@ -68,6 +72,10 @@ FormatPlan<PlainMesh> resolve(const BakePlan& draft, const PlainMesh& requested)
     if (file_name(stem_of(draft)).find('\\') != std::string::npos) {
         throw Error(ErrorKind::invalid_value,
                     "a USD stage reads '\\' in a name as a folder: allowed are names without it");
+    }
+    if (file_name(stem_of(draft)).find("@@@") != std::string::npos) {
+        throw Error(ErrorKind::invalid_value,
+                    "a USD stage ends a name at '@@@': allowed are names without it");
     }
     return resolve_plain_mesh(draft, requested);
 }

@@ -7,6 +7,7 @@
 // file between two frames.
 #include "ocean/io/output_file.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <filesystem>
@@ -24,6 +25,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/platform.hpp"
+#include "ocean/text.hpp"
 
 namespace ocean::io {
 namespace {
@@ -130,6 +132,16 @@ std::filesystem::path nearest_existing(const std::string& folder) {
     return place;
 }
 
+/// Returns the path that links lead to, also where nothing is there yet.
+std::filesystem::path behind_links(std::filesystem::path path) {
+    constexpr int kMaxLinks = 40;  // as Linux follows
+    std::error_code code;
+    for (int links = 0; links < kMaxLinks && std::filesystem::is_symlink(path, code); ++links) {
+        path = path.parent_path() / std::filesystem::read_symlink(path, code);
+    }
+    return path;
+}
+
 }  // namespace
 
 FolderLock::FolderLock(const std::string& folder) : descriptor_(lock_folder(folder)) {}
@@ -145,9 +157,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path), target_(path) {
     if (path.empty() || std::filesystem::is_directory(status)) {
         fail("cannot write", path.empty() ? ENOENT : EISDIR);
     }
-    if (std::filesystem::is_symlink(native, error)) {
-        target_ = std::filesystem::weakly_canonical(native, error).string();
-    }
+    target_ = behind_links(native).string();
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
         file_ = std::fopen(target_.c_str(), "wb");
         if (file_ == nullptr) fail("cannot write", errno);
@@ -162,8 +172,8 @@ void OutputFile::open_temporary() {
     for (;;) {
         const std::string unique =
             std::to_string(process_id()) + "-" + std::to_string(counter.fetch_add(1));
-        const std::string name =
-            "." + target.filename().string() + std::string(kMark) + unique + std::string(kSuffix);
+        const std::string name = name_of_file("." + target.filename().string(),
+                                              std::string(kMark) + unique + std::string(kSuffix));
         temporary_ = (target.parent_path() / name).string();
         file_ = std::fopen(temporary_.c_str(), "wbx");
         if (file_ == nullptr && errno == EEXIST) continue;
@@ -238,6 +248,26 @@ void write_file_atomically(const std::string& path, std::string_view bytes) {
     OutputFile file(path);
     file.write(bytes);
     file.commit();
+}
+
+std::string name_of_file(std::string_view stem, std::string_view ending) {
+    constexpr std::size_t kMaxBytes = 255;
+    std::string name = std::string(stem) + std::string(ending);
+    if (name.size() <= kMaxBytes) return name;
+    std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
+    for (const char byte : stem) {
+        hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+    }
+    const std::string rest =
+        format_text("~%016llx", static_cast<unsigned long long>(hash)) + std::string(ending);
+    std::size_t kept = 0;
+    for (;;) {
+        // A byte that is no character counts as one.
+        const std::size_t next = std::max<std::size_t>(1, utf8_character(stem.substr(kept)));
+        if (kept + next + rest.size() > kMaxBytes) break;
+        kept += next;
+    }
+    return std::string(stem.substr(0, kept)) + rest;
 }
 
 void make_folder(const std::string& folder) {

@@ -62,6 +62,9 @@ class FolderLock {
     int descriptor_;
 };
 
+/// Returns the name of a file, `stem` + `ending`. File systems take at most 255 bytes: of a longer
+/// one the stem is cut, and a hash of it added.
+std::string name_of_file(std::string_view stem, std::string_view ending);
 /// Creates `folder` and its parents; "" is the current folder. Throws Error output.
 void make_folder(const std::string& folder);
 /// Throws the error that make_folder, or creating a file in it, would throw, as far as that is
