@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "height_grid_text.hpp"
+#include "ocean/elevation.hpp"
 #include "ocean/elevation_file.hpp"
 #include "ocean/error.hpp"
 #include "ocean/ring_spectrum.hpp"
@@ -68,8 +69,20 @@ BaseHeights read_base_table(const toml::table& table) {
     model.domain = read.grid;
     model.heights = std::move(read.heights);
     found.model = base_of(std::move(model));
-    require_stated_hash(found.model->hash, found.hash, name);
+    std::shared_ptr<const TerrainBase> stated = base_with_hash(found.model, found.hash);
+    if (stated == nullptr) require_stated_hash(found.model->hash, found.hash, name);
+    found.model = std::move(stated);
+    found.hash = found.model->hash;
     return found;
+}
+
+std::shared_ptr<const TerrainBase> base_with_hash(const std::shared_ptr<const TerrainBase>& base,
+                                                  const std::string& stated) {
+    if (base->hash == stated) return base;
+    if (!is_comma_hash(stated, base->model.domain, base->model.heights)) return nullptr;
+    auto noted = std::make_shared<TerrainBase>(*base);
+    noted->model.notes.emplace_back(kCommaHashNote);
+    return noted;
 }
 
 }  // namespace ocean

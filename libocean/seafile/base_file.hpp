@@ -29,5 +29,9 @@ struct BaseHeights {
 };
 /// Reads the table. Throws Error invalid_value.
 BaseHeights read_base_table(const toml::table& table);
+/// Returns the model if that is its hash, with a note where earlier versions made it under a locale
+/// with decimal commas; nothing if the hash is another one's.
+std::shared_ptr<const TerrainBase> base_with_hash(const std::shared_ptr<const TerrainBase>& base,
+                                                  const std::string& stated);
 
 }  // namespace ocean

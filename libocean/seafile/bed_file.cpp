@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "ocean/elevation.hpp"
 #include "ocean/elevation_file.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
@@ -113,12 +114,18 @@ void resolve_bed(Water& water, const std::string& base_dir, InlinedBed inlined) 
         std::optional<GivenBed> given = given_bed(water, base_dir, inlined);
         if (!given) return;
         auto bed = make_sea_bed(*std::move(given), water);
-        if (!hash.empty() && bed->sha256 != hash) {
+        if (hash.empty() || bed->sha256 == hash) {
+            water.bed = std::move(bed);
+            return;
+        }
+        if (!is_comma_hash(hash, bed->domain, bed->given())) {
             throw Error(ErrorKind::invalid_value,
                         {.what = "is another bed: its hash is " + bed->sha256,
                          .allowed = "the bed with the hash " + hash});
         }
-        water.bed = std::move(bed);
+        auto noted = std::make_shared<SeaBed>(*bed);
+        noted->notes.emplace_back(kCommaHashNote);
+        water.bed = std::move(noted);
     } catch (const Error& error) {
         throw text::error_of_text(with_hash(error, hash), "water.seabed", water.seabed);
     }

@@ -101,7 +101,7 @@ class TerrainReader {
     }
 
     /// Throws if the file of the base is not the one that the text knows.
-    void require_hash(const Terrain& terrain) const {
+    void require_hash(Terrain& terrain) const {
         if (base_hash_.empty()) return;
         if (terrain.base_model == nullptr) {
             throw Error(ErrorKind::invalid_value, {.what = "has a hash, but no file",
@@ -109,7 +109,11 @@ class TerrainReader {
                                                    .value = quoted_text(terrain.base),
                                                    .allowed = "the path of its elevation model"});
         }
-        if (terrain.base_model->hash == base_hash_) return;
+        auto stated = base_with_hash(terrain.base_model, base_hash_);
+        if (stated != nullptr) {
+            terrain.base_model = std::move(stated);
+            return;
+        }
         throw Error(ErrorKind::invalid_value,
                     {.what = "is another elevation model: its hash is " + terrain.base_model->hash,
                      .parameter = "terrain.base",

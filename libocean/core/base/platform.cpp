@@ -5,6 +5,7 @@
 #include "ocean/internal/platform.hpp"
 
 #include <algorithm>
+#include <clocale>
 #include <new>
 #include <string>
 #include <thread>
@@ -18,7 +19,11 @@
 #define NOMINMAX
 #include <windows.h>
 #else
+#include <locale.h>
 #include <unistd.h>
+#if defined(__APPLE__)
+#include <xlocale.h>
+#endif
 #endif
 #if defined(__SSE2__)
 #include <xmmintrin.h>
@@ -59,6 +64,30 @@ PlainFloats::~PlainFloats() {
     _mm_setcsr(host_sse_);
 #endif
 }
+
+#if defined(_WIN32)
+PointNumbers::PointNumbers()
+    : host_(nullptr), host_mode_(_configthreadlocale(_ENABLE_PER_THREAD_LOCALE)) {
+    host_ = new std::string(std::setlocale(LC_NUMERIC, nullptr));
+    std::setlocale(LC_NUMERIC, "C");
+}
+
+PointNumbers::~PointNumbers() {
+    const auto* const host = static_cast<std::string*>(host_);
+    std::setlocale(LC_NUMERIC, host->c_str());
+    delete host;
+    _configthreadlocale(host_mode_);
+}
+#else
+PointNumbers::PointNumbers() {
+    static const locale_t point = newlocale(LC_NUMERIC_MASK, "C", nullptr);
+    host_ = uselocale(point);
+}
+
+PointNumbers::~PointNumbers() {
+    uselocale(static_cast<locale_t>(host_));
+}
+#endif
 
 ThreadUsage usage_of_this_thread() {
 #if defined(__linux__)

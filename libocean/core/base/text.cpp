@@ -12,6 +12,7 @@
 #include <cstdio>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/platform.hpp"
 
 namespace ocean {
 namespace {
@@ -25,6 +26,7 @@ std::string digits_of(Number value, Format... format) {
 }  // namespace
 
 std::string format_text(const char* format, ...) {
+    const PointNumbers points;
     va_list arguments;
     va_start(arguments, format);
     va_list again;

@@ -15,6 +15,7 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/query.hpp"
+#include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
 #include "query/spline_map.hpp"
 
@@ -73,8 +74,8 @@ inline void require_finite(std::span<const WorldPoint> points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (std::isfinite(points[i].x) && std::isfinite(points[i].y)) continue;
         throw Error(ErrorKind::invalid_value,
-                    "point " + std::to_string(i) + " = (" + std::to_string(points[i].x) + ", " +
-                        std::to_string(points[i].y) + "); allowed: finite coordinates in metres");
+                    "point " + std::to_string(i) + " = (" + shortest_text(points[i].x) + ", " +
+                        shortest_text(points[i].y) + "); allowed: finite coordinates in metres");
     }
 }
 

@@ -14,6 +14,7 @@
 #include "march_waves.hpp"
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {
@@ -27,7 +28,7 @@ void require(bool valid, const char* name, double value, const char* allowed) {
     if (valid) return;
     throw Error(ErrorKind::invalid_value, {.what = "is out of range",
                                            .parameter = name,
-                                           .value = std::to_string(value),
+                                           .value = shortest_text(value),
                                            .allowed = allowed});
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The identity of a grid of heights: see height_hash in elevation.hpp.
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -23,17 +24,35 @@ std::vector<std::byte> bytes_of_heights(std::span<const float> heights) {
     return bytes;
 }
 
-std::string height_hash(const Domain& grid, std::span<const float> heights) {
+namespace {
+
+std::string head_of(const Domain& grid) {
     std::string head;
     for (std::size_t axis = 0; axis < 2; ++axis) {
         // Nine digits: a cell that went through its text is the same to the last bit but one.
         head += format_text("%d %.9g\n", grid.samples[axis], grid.step(axis));
     }
+    return head;
+}
+
+std::string hash_of(const std::string& head, std::span<const float> heights) {
     std::vector<std::byte> bytes;
     for (const char c : head) bytes.push_back(static_cast<std::byte>(c));
     const std::vector<std::byte> all = bytes_of_heights(heights);
     bytes.insert(bytes.end(), all.begin(), all.end());
     return sha256_hex(bytes);
+}
+
+}  // namespace
+
+std::string height_hash(const Domain& grid, std::span<const float> heights) {
+    return hash_of(head_of(grid), heights);
+}
+
+bool is_comma_hash(const std::string& stated, const Domain& grid, std::span<const float> heights) {
+    std::string head = head_of(grid);
+    std::ranges::replace(head, '.', ',');
+    return stated == hash_of(head, heights);
 }
 
 }  // namespace ocean

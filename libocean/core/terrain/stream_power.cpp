@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ocean/error.hpp"
+#include "ocean/text.hpp"
 #include "terrain/stream_creep.hpp"
 #include "terrain/stream_flood.hpp"
 #include "terrain/stream_heights.hpp"
@@ -25,7 +26,7 @@ void require(bool holds, const char* parameter, double value, const char* allowe
     if (holds) return;
     throw Error(ErrorKind::invalid_value, ErrorFields{.what = "is out of range",
                                                       .parameter = parameter,
-                                                      .value = std::to_string(value),
+                                                      .value = shortest_text(value),
                                                       .allowed = allowed});
 }
 

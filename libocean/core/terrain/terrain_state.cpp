@@ -142,6 +142,9 @@ double slope_angle(double mean_square, double share) {
 
 void add_warnings(const Terrain& terrain, TerrainState& state) {
     const auto warn = [&](std::string text) { state.warnings.push_back(std::move(text)); };
+    if (terrain.base_model != nullptr) {
+        for (const std::string& note : terrain.base_model->model.notes) warn("base: " + note);
+    }
     if (state.rms.resolved == 0.0) {
         return warn("the terrain is flat: no wave lies within its limits, or rms = 0");
     }

@@ -75,5 +75,10 @@ ElevationModel with_square_cells(const ElevationModel& model, double cell);
 std::vector<std::byte> bytes_of_heights(std::span<const float> heights);
 /// Returns the SHA-256 of samples, cell and heights, in hexadecimal; the origin does not count.
 std::string height_hash(const Domain& grid, std::span<const float> heights);
+/// Returns whether a hash is that of earlier versions in a host whose locale has decimal commas.
+bool is_comma_hash(const std::string& stated, const Domain& grid, std::span<const float> heights);
+/// The sentence about such a hash.
+inline constexpr const char* kCommaHashNote =
+    "its hash was made in a program with decimal commas; save the file again to mend it";
 
 }  // namespace ocean

@@ -12,8 +12,7 @@
 
 namespace ocean {
 
-/// Returns the text of printf. A host may have set a locale with a decimal comma, so write
-/// fractions by the functions below.
+/// Returns the text of printf, with a decimal point in any locale.
 [[gnu::format(printf, 1, 2)]] std::string format_text(const char* format, ...);
 /// Returns the shortest decimal form that reads back to the same bits: "0.1", "1e+22", "inf".
 std::string shortest_text(double value);

@@ -218,7 +218,7 @@ class CsvReader {
             record.latitude = optional_number(latitude, -90.0, 90.0);
             record.longitude = optional_number(longitude, -180.0, 360.0);
             record.depth = optional_number(depth, 0.01, 20000.0);
-            const auto text = [](double value) { return std::to_string(value) + '\n'; };
+            const auto text = [](double value) { return format_text("%f\n", value); };
             name = record.time + '\n' + record.station + '\n' + text(record.latitude) +
                    text(record.longitude);
         } catch (const RowFault& fault) {

@@ -36,6 +36,19 @@ class PlainFloats {
     std::fenv_t host_;
     [[maybe_unused]] unsigned host_sse_ = 0;  // MXCSR, where the CPU has it
 };
+/// Gives the numbers that the calling thread prints a decimal point while the object lives: hosts
+/// such as those of Qt set a locale for the whole process, which may have a comma.
+class PointNumbers {
+  public:
+    PointNumbers();
+    ~PointNumbers();
+    PointNumbers(const PointNumbers&) = delete;
+    PointNumbers& operator=(const PointNumbers&) = delete;
+
+  private:
+    void* host_;  // what its locale is, as the system names it
+    [[maybe_unused]] int host_mode_ = 0;
+};
 /// Returns the bytes that can still be allocated (free memory, container and process limits), or
 /// the largest value if the system does not report them.
 std::uint64_t available_memory();
