@@ -7,13 +7,16 @@
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "guard.hpp"
 #include "handle.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/json.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/parameter_table.hpp"
@@ -95,9 +98,14 @@ void give_bed(Sea& sea, GivenBed given, double x0, double y0) {
 
 }  // namespace
 
+std::string ocean::capi::lasting_folder(const std::string& folder) {
+    std::error_code code;
+    const std::filesystem::path current = std::filesystem::current_path(code);
+    return text::to_utf8(code ? utf8_path(folder) : current / utf8_path(folder));
+}
+
 std::string ocean::capi::folder_of(const char* path) {
-    const std::u8string folder = utf8_path(path).parent_path().u8string();
-    return {folder.begin(), folder.end()};
+    return lasting_folder(text::to_utf8(utf8_path(path).parent_path()));
 }
 
 OceanOptions ocean::capi::read_options(const ocean_options* given) {
@@ -170,7 +178,8 @@ ocean_result ocean_parse(const char* toml, size_t length, const char* base_dir,
         const OceanOptions opened_with = read_options(options);
         const std::string folder = base_dir != nullptr ? base_dir : "";
         Sea sea = parse_sea({toml, length}, "text", folder);
-        *out = std::make_unique<ocean_sea>(std::move(sea), opened_with, folder).release();
+        *out = std::make_unique<ocean_sea>(std::move(sea), opened_with, lasting_folder(folder))
+                   .release();
     });
 }
 

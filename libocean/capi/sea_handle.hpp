@@ -48,7 +48,9 @@ struct ocean_sea : ocean::capi::Handle {
 
 namespace ocean::capi {
 
-/// Returns the folder of a file.
+/// Returns the folder whatever the process makes its current one later; "" if there is none.
+std::string lasting_folder(const std::string& folder);
+/// Returns the folder of a file, likewise.
 std::string folder_of(const char* path);
 /// NULL: the defaults. Throws CallError for what libocean.h does not allow.
 OceanOptions read_options(const ocean_options* given);

@@ -89,7 +89,8 @@ ocean_result ocean_terrain_parse(const char* toml, size_t length, const char* ba
         LandOptions opened_with = land_options(options);
         const std::string folder = base_dir != nullptr ? base_dir : "";
         Terrain terrain = parse_terrain({toml, length}, "text", folder);
-        *out = std::make_unique<ocean_terrain>(std::move(terrain), std::move(opened_with), folder)
+        *out = std::make_unique<ocean_terrain>(std::move(terrain), std::move(opened_with),
+                                               lasting_folder(folder))
                    .release();
     });
 }

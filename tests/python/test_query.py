@@ -123,3 +123,18 @@ def test_gauges_read_the_water_and_the_surface(sea):
         sea.gauges([(1.0, 2.0)], 0.0, 1.0, 1.0)
     with pytest.raises(libocean.Error, match="no later"):
         sea.gauges([track[::-1]], 0.0, 1.0, 1.0)
+
+
+def test_masked_points_have_no_surface(sea):
+    points = np.ma.array([[1.0, 2.0], [30.0, -4.0], [5.0, 6.0]], mask=[[0, 0], [0, 1], [0, 0]])
+    everywhere = np.ma.getdata(points)
+    whole, found = sea.query(everywhere, TIME), sea.query(points, TIME)
+    assert np.isnan(found[1]).all() and np.array_equal(found[::2], whole[::2])
+    samples, speeds = sea.samples(points, TIME), sea.orbital_velocity(points, TIME)
+    assert np.isnan(samples.height[1]) and np.isnan(samples.normal[1]).all()
+    assert np.array_equal(samples.height[::2], sea.samples(everywhere, TIME).height[::2])
+    assert np.isnan(speeds[1]).all() and np.isfinite(speeds[::2]).all()
+    depths = np.ma.column_stack([points, [0.0, -1.0, -2.0]])
+    assert np.isnan(sea.water(depths, TIME).pressure).tolist() == [False, True, False]
+    with libocean.terrain(patch_size=500, resolution=64) as land:
+        assert np.isnan(land.query(points).height).tolist() == [False, True, False]

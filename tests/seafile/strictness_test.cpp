@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
 
 #include "helpers.hpp"
 
@@ -199,6 +200,29 @@ TEST(SeaFile, SixteenWaveSystemsAreReadSeventeenRefused) {
 TEST(SeaFile, WindowsLineEndsAndByteOrderMarkAreRead) {
     const Sea sea = parse_sea("\xEF\xBB\xBFlibocean = 1\r\n[grid]\r\nresolution = 64\r\n", "t", "");
     EXPECT_EQ(sea.parameters.grid.resolution, 64);
+}
+
+TEST(SeaFile, Utf16WithItsByteOrderMarkIsRead) {
+    // "libocean = 1 # ü 𝄞", as PowerShell's `>` writes it.
+    const std::u16string text =
+        u"\uFEFFlibocean = 1 # \u00FC \U0001D11E\r\n[grid]\r\nresolution = 64\r\n";
+    for (const bool little : {true, false}) {
+        std::string bytes;
+        for (const char16_t unit : text) {
+            const char high = static_cast<char>(unit >> 8), low = static_cast<char>(unit);
+            bytes += little ? low : high;
+            bytes += little ? high : low;
+        }
+        EXPECT_EQ(parse_sea(bytes, "t", "").parameters.grid.resolution, 64);
+        const Refusal cut =
+            refusal_of([&] { parse_sea(bytes.substr(0, bytes.size() - 1), "test.toml", ""); });
+        EXPECT_TRUE(cut.says("UTF-16")) << cut.message;
+        std::string half = bytes;
+        half.erase(bytes.find(little ? "\x1e\xdd" : "\xdd\x1e"), 2);
+        const Refusal halved = refusal_of([&] { parse_sea(half, "test.toml", ""); });
+        EXPECT_TRUE(halved.says("test.toml:1")) << halved.message;
+        EXPECT_TRUE(halved.says("half a character")) << halved.message;
+    }
 }
 
 TEST(SeaFile, TimeOfAFrameFollowsFromTheKeysAlone) {

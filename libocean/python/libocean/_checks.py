@@ -17,6 +17,7 @@ import numpy.typing as npt
 from . import _library
 
 _INT32 = 2**31
+_MASKED: Any = np.ma  # it has no types
 MOST_SAMPLES = 32768
 """The max columns or rows of a region."""
 
@@ -97,6 +98,8 @@ def resolution_or_0(value: Any) -> int:
 def numbers(name: str, values: npt.ArrayLike, allowed: str) -> npt.NDArray[Any]:
     """Returns numbers as an array of the shape that they have. allowed: the shapes that are, for
     the sentence about rows of different lengths."""
+    if _MASKED.is_masked(values):
+        values = _MASKED.asarray(values).astype(np.float64).filled(np.nan)
     try:
         array = np.asarray(values)
     except ValueError:
@@ -116,6 +119,27 @@ def rows(name: str, values: npt.ArrayLike, width: int) -> npt.NDArray[np.float64
     if array.ndim != 2 or array.shape[1] != width:
         raise _value_error(f"{name}: an array of shape {array.shape}; allowed: {allowed}")
     return array
+
+
+def points_of(
+    name: str, values: npt.ArrayLike, width: int
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.bool_] | None]:
+    """Returns rows, and which of them a mask hides, if any: these are 0, for hide()."""
+    given = rows(name, values, width)
+    if not _MASKED.is_masked(values):
+        return given, None
+    hidden = _MASKED.getmaskarray(values).reshape(given.shape).any(axis=1)
+    given[hidden] = 0.0
+    return given, hidden
+
+
+def hide(answers: npt.NDArray[Any], hidden: npt.NDArray[np.bool_] | None) -> None:
+    """Makes all floats of hidden rows NaN."""
+    if hidden is None:
+        return
+    for part in [answers[name] for name in answers.dtype.names or ()] or [answers]:
+        if part.dtype.kind == "f":
+            part[hidden] = np.nan
 
 
 def row(name: str, values: npt.ArrayLike, width: int) -> list[float]:

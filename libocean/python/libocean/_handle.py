@@ -139,7 +139,7 @@ class Handle(ReadOnly):
             call(cls._prefix + "parse", code, len(code), base, given, out)
 
         parsed = cls(parse, *places, **options)
-        parsed._base_dir = base
+        parsed._base_dir = os.path.abspath(base)
         return parsed
 
     def clone(self) -> Self:

@@ -23,7 +23,7 @@ from ._answers import (
     Samples,
     Water,
 )
-from ._checks import number, numbers, rows, whole
+from ._checks import hide, number, numbers, points_of, whole
 from ._handle import SeaHandle
 from ._library import Gauge, GaugeRequest, QueryRequest, WaterRequest
 
@@ -77,8 +77,9 @@ class Queries(SeaHandle):
         rest. Without it `foam` is NaN."""
         error = ctypes.c_double()
         how = *_how(resolution, refine, exact), bool(foam), ctypes.pointer(error)
-        where = rows("points", points, 2)
+        where, hidden = points_of("points", points, 2)
         answers = self._samples("ocean_query_points", QueryRequest, SAMPLE, where, time, how)
+        hide(answers, hidden)
         if not foam:
             answers["foam"] = np.nan
         flags = answers["flags"]
@@ -111,8 +112,10 @@ class Queries(SeaHandle):
         """Returns velocity and pressure of the water at n fixed world points (x, y, z) of any
         depths, by linear theory. Each distinct depth costs two transforms. resolution, refine and
         exact as in samples()."""
-        where, how = rows("points", points, 3), _how(resolution, refine, exact)
+        where, hidden = points_of("points", points, 3)
+        how = _how(resolution, refine, exact)
         answers = self._samples("ocean_water_points", WaterRequest, WATER_SAMPLE, where, time, how)
+        hide(answers, hidden)
         return Water(answers["velocity"], answers["pressure"])
 
     def gauges(
@@ -174,7 +177,8 @@ class Queries(SeaHandle):
         columns: int,
     ) -> Array:
         """Returns one row of floats for each row of `width` numbers."""
-        given = rows(name, values, width)
+        given, hidden = points_of(name, values, width)
         answers = np.empty((len(given), columns), dtype=np.float32)
         self._call(function, *when, given.ctypes.data, len(given), answers.ctypes.data, columns)
+        hide(answers, hidden)
         return answers

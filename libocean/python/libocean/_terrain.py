@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from . import _library
 from ._answers import SAMPLE, Array
-from ._checks import number, row, rows, text, whole
+from ._checks import hide, number, points_of, row, text, whole
 from ._library import DomainStruct, MeshRequest, QueryRequest, choose
 from ._maps import MapWriter
 from ._regions import region_arrays, region_buffers, region_request
@@ -187,7 +187,7 @@ class Terrain(MapWriter):
         """Returns height and normal at n world points (x, y), at any distance. resolution: counts
         the waves that a map of that resolution holds. refine: 2, 4 ... for smaller errors. exact:
         the sum over all waves, a hundred times as slow."""
-        where = rows("points", points, 2)
+        where, hidden = points_of("points", points, 2)
         error = ctypes.c_double()
         answers = np.empty(len(where), dtype=SAMPLE)
         request = QueryRequest(
@@ -204,6 +204,7 @@ class Terrain(MapWriter):
             ctypes.pointer(error),
         )
         self._call("ocean_terrain_query_points", ctypes.byref(request))
+        hide(answers, hidden)
         return GroundSamples(answers["height"], answers["normal"], error.value)
 
     def stage(self, step: str) -> Array:
