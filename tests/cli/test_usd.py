@@ -253,3 +253,8 @@ def test_a_large_frame_is_little_more_than_its_floats(ocean):
     bake(ocean, "-o", "a.usda", "--frames", "1", "--resolution", "1024")
     size = (ocean.folder / "a.0001.usdc").stat().st_size
     assert size < 1.02 * 1025 * 1025 * 10 * 4
+
+
+def test_a_name_that_ends_a_path_is_refused(ocean):
+    error = ocean.bad("bake", "sea.toml", "-o", "a@@@b.usda", "--frames", "1-3")
+    assert "names without it" in error
