@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <fstream>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "ocean/internal/platform.hpp"
@@ -108,6 +109,54 @@ std::optional<double> parse_number(std::string_view digits) {
     const auto [stop, error] = std::from_chars(digits.data(), end, value);
     if (error != std::errc() || stop != end) return std::nullopt;
     return value;
+}
+
+static void append_utf8(std::string& text, std::uint32_t code) {
+    const auto byte = [&](std::uint32_t bits) { text += static_cast<char>(bits); };
+    if (code < 0x80) return byte(code);
+    if (code < 0x800) {
+        byte(0xC0 | code >> 6);
+    } else {
+        if (code < 0x10000) {
+            byte(0xE0 | code >> 12);
+        } else {
+            byte(0xF0 | code >> 18);
+            byte(0x80 | (code >> 12 & 0x3F));
+        }
+        byte(0x80 | (code >> 6 & 0x3F));
+    }
+    byte(0x80 | (code & 0x3F));
+}
+
+Utf16Text utf8_of_utf16(std::string_view bytes, bool big_endian) {
+    const auto unit = [&](std::size_t i) -> std::uint32_t {
+        const auto first = static_cast<std::uint8_t>(bytes[2 * i]);
+        const auto second = static_cast<std::uint8_t>(bytes[2 * i + 1]);
+        return big_endian ? first * 256u + second : second * 256u + first;
+    };
+    constexpr std::uint32_t kReplacement = 0xFFFD;
+    std::string text;
+    std::optional<std::size_t> half;
+    text.reserve(bytes.size() / 2 + bytes.size() / 16);
+    const std::size_t count = bytes.size() / 2;
+    for (std::size_t i = 0; i < count; ++i) {
+        std::uint32_t code = unit(i);
+        const bool high = code >= 0xD800 && code < 0xDC00;
+        const std::uint32_t low = high && i + 1 < count ? unit(i + 1) : 0;
+        if (low >= 0xDC00 && low < 0xE000) {
+            code = 0x10000 + ((code - 0xD800) << 10 | (low - 0xDC00));
+            ++i;
+        } else if (code >= 0xD800 && code < 0xE000) {
+            code = kReplacement;
+            if (!half) half = text.size();
+        }
+        append_utf8(text, code);
+    }
+    if (bytes.size() % 2 != 0) {
+        if (!half) half = text.size();
+        append_utf8(text, kReplacement);
+    }
+    return {std::move(text), half};
 }
 
 }  // namespace ocean::text

@@ -159,48 +159,6 @@ std::string name_of(char separator) {
     return separator == ',' ? "a comma" : "a blank";
 }
 
-void append_utf8(std::string& text, std::uint32_t code) {
-    const auto byte = [&](std::uint32_t bits) { text += static_cast<char>(bits); };
-    if (code < 0x80) return byte(code);
-    if (code < 0x800) {
-        byte(0xC0 | code >> 6);
-    } else {
-        if (code < 0x10000) {
-            byte(0xE0 | code >> 12);
-        } else {
-            byte(0xF0 | code >> 18);
-            byte(0x80 | (code >> 12 & 0x3F));
-        }
-        byte(0x80 | (code >> 6 & 0x3F));
-    }
-    byte(0x80 | (code & 0x3F));
-}
-
-std::string from_utf16(std::string_view bytes, bool big_endian) {
-    const auto unit = [&](std::size_t i) -> std::uint32_t {
-        const auto first = static_cast<std::uint8_t>(bytes[2 * i]);
-        const auto second = static_cast<std::uint8_t>(bytes[2 * i + 1]);
-        return big_endian ? first * 256u + second : second * 256u + first;
-    };
-    std::string text;
-    text.reserve(bytes.size() / 2 + bytes.size() / 16);
-    const std::size_t count = bytes.size() / 2;
-    for (std::size_t i = 0; i < count; ++i) {
-        std::uint32_t code = unit(i);
-        const bool high = code >= 0xD800 && code < 0xDC00;
-        const std::uint32_t low = high && i + 1 < count ? unit(i + 1) : 0;
-        if (low >= 0xDC00 && low < 0xE000) {
-            code = 0x10000 + ((code - 0xD800) << 10 | (low - 0xDC00));
-            ++i;
-        } else if (code >= 0xD800 && code < 0xE000) {
-            code = 0xFFFD;
-        }
-        append_utf8(text, code);
-    }
-    if (bytes.size() % 2 != 0) append_utf8(text, 0xFFFD);
-    return text;
-}
-
 /// Returns true for a comma that may separate thousands: 1,500 and 12,345,678, but neither 0,500
 /// nor 1500,250.
 bool may_separate_thousands(std::string_view number) {
@@ -243,9 +201,9 @@ std::optional<std::string> converted(std::string_view bytes) {
     const bool wide = bytes.size() >= 2 && (bytes[0] == '\0') != (bytes[1] == '\0');
     std::optional<std::string> text;
     if (little_mark || big_mark) {
-        text = from_utf16(bytes.substr(2), big_mark);
+        text = text::utf8_of_utf16(bytes.substr(2), big_mark).text;
     } else if (wide) {
-        text = from_utf16(bytes, bytes[0] == '\0');
+        text = text::utf8_of_utf16(bytes, bytes[0] == '\0').text;
     }
     const std::string_view result = text ? std::string_view(*text) : bytes;
     if (result.find('\n') == std::string_view::npos && result.find('\r') != result.npos) {

@@ -94,45 +94,6 @@ void check_bounds(std::string_view text, const std::string& name) {
     }
 }
 
-/// Returns the text of UTF-16 [RFC 2781] 2.2. Throws Error bad_file for half a character.
-std::string utf8_of_utf16(std::string_view bytes, bool little, const std::string& name) {
-    const auto refuse = [&name](std::size_t line) {
-        return text::error_at(ErrorKind::bad_file, name, line, "is UTF-16 with half a character");
-    };
-    std::size_t line = 1;
-    if (bytes.size() % 2 != 0) throw refuse(0);
-    const auto unit = [&](std::size_t at) {
-        const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
-        return static_cast<std::uint32_t>(little ? byte(at) | byte(at + 1) << 8
-                                                 : byte(at) << 8 | byte(at + 1));
-    };
-    const auto is_low = [](std::uint32_t code) { return code >= 0xDC00 && code <= 0xDFFF; };
-    std::string text;
-    for (std::size_t at = 0; at < bytes.size(); at += 2) {
-        std::uint32_t code = unit(at);
-        if (code >= 0xD800 && code <= 0xDBFF) {
-            at += 2;
-            if (at == bytes.size() || !is_low(unit(at))) throw refuse(line);
-            code = 0x10000 + ((code - 0xD800) << 10 | (unit(at) - 0xDC00));
-        } else if (is_low(code)) {
-            throw refuse(line);
-        }
-        if (code == '\n') ++line;
-        const auto add = [&text](std::uint32_t byte) { text += static_cast<char>(byte); };
-        const auto tail = [&](int shift) { add(0x80 | (code >> shift & 0x3F)); };
-        if (code < 0x80) {
-            add(code);
-        } else if (code < 0x800) {
-            add(0xC0 | code >> 6), tail(0);
-        } else if (code < 0x10000) {
-            add(0xE0 | code >> 12), tail(6), tail(0);
-        } else {
-            add(0xF0 | code >> 18), tail(12), tail(6), tail(0);
-        }
-    }
-    return text;
-}
-
 }  // namespace
 
 toml::table parse_toml(std::string_view text, const std::string& name) {
@@ -140,7 +101,10 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
     // PowerShell's `>` writes it, with its byte order mark [RFC 2781] 3.2.
     const bool little = text.starts_with("\xFF\xFE");
     if (little || text.starts_with("\xFE\xFF")) {
-        return parse_toml(utf8_of_utf16(text.substr(2), little, name), name);
+        const text::Utf16Text read = text::utf8_of_utf16(text.substr(2), !little);
+        if (!read.half) return parse_toml(read.text, name);
+        throw text::error_at(ErrorKind::bad_file, name, line_at(read.text, *read.half),
+                             "is UTF-16 with half a character");
     }
     check_bounds(text, name);
     try {

@@ -29,6 +29,14 @@ std::string first_bytes(const std::string& path, std::size_t count);
 /// Returns the path as UTF-8; the inverse of utf8_path.
 std::string to_utf8(const std::filesystem::path& path);
 
+/// UTF-16 as UTF-8 [RFC 2781] 2.2.
+struct Utf16Text {
+    std::string text;                 // with U+FFFD for each half of a character
+    std::optional<std::size_t> half;  // place of the first of these
+};
+/// Returns the text of bytes behind their byte order mark.
+Utf16Text utf8_of_utf16(std::string_view bytes, bool big_endian);
+
 /// Returns the bytes as one line without control characters or broken UTF-8, cut at about `limit`
 /// bytes.
 std::string printable(std::string_view bytes, std::size_t limit = 60);
