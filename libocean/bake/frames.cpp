@@ -249,13 +249,18 @@ static std::string_view manifest_ending(const std::string& stem) {
     return stem.size() + kEnding.size() <= 255 ? kEnding : kShort;
 }
 
-std::string OutputPattern::manifest() const {
+std::string OutputPattern::stem() const {
     std::string stem = before_ + after_.substr(0, std::min(after_.rfind('.'), after_.size()));
     while (!stem.empty() && std::string_view("._-").find(stem.back()) != std::string_view::npos) {
         stem.pop_back();
     }
-    return stem.empty() ? folder_ + "manifest.json"
-                        : folder_ + stem + std::string(manifest_ending(stem));
+    return stem;
+}
+
+std::string OutputPattern::manifest() const {
+    const std::string name = stem();
+    return name.empty() ? folder_ + "manifest.json"
+                        : folder_ + name + std::string(manifest_ending(name));
 }
 
 std::string OutputPattern::folder() const {

@@ -52,14 +52,8 @@ std::string file_name(const std::string& path) {
 
 /// "out/sea" of "out/sea.####.usda".
 std::string stem_of(const BakePlan& plan) {
-    const std::string path = plan.pattern.manifest();
-    const std::string folder = path.substr(0, path.rfind('/') + 1);
-    const std::string name = file_name(path);
-    if (name == "manifest.json") return folder + "sea";
-    for (const std::string_view ending : {".manifest.json", ".man"}) {
-        if (name.ends_with(ending)) return folder + name.substr(0, name.size() - ending.size());
-    }
-    return folder + name;
+    const std::string path = plan.pattern.manifest(), name = plan.pattern.stem();
+    return path.substr(0, path.rfind('/') + 1) + (name.empty() ? "sea" : name);
 }
 
 FormatPlan<PlainMesh> resolve(const BakePlan& draft, const PlainMesh& requested) {
