@@ -87,7 +87,7 @@ FloatPose pose_of(const FloatBody& body, double height, const Side& length, doub
 void require_body(const FloatBody& body) {
     const auto refuse = [](const char* name, double value, const char* allowed) {
         throw Error(ErrorKind::invalid_value,
-                    {.parameter = name, .value = shortest_text(value), .allowed = allowed});
+                    {.parameter = name, .value = plain_text(value), .allowed = allowed});
     };
     if (!std::isfinite(body.x)) refuse("x", body.x, "a finite number of metres");
     if (!std::isfinite(body.y)) refuse("y", body.y, "a finite number of metres");

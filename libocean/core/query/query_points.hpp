@@ -74,8 +74,8 @@ inline void require_finite(std::span<const WorldPoint> points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (std::isfinite(points[i].x) && std::isfinite(points[i].y)) continue;
         throw Error(ErrorKind::invalid_value,
-                    "point " + std::to_string(i) + " = (" + shortest_text(points[i].x) + ", " +
-                        shortest_text(points[i].y) + "); allowed: finite coordinates in metres");
+                    "point " + std::to_string(i) + " = (" + plain_text(points[i].x) + ", " +
+                        plain_text(points[i].y) + "); allowed: finite coordinates in metres");
     }
 }
 

@@ -28,7 +28,7 @@ void require(bool valid, const char* name, double value, const char* allowed) {
     if (valid) return;
     throw Error(ErrorKind::invalid_value, {.what = "is out of range",
                                            .parameter = name,
-                                           .value = shortest_text(value),
+                                           .value = plain_text(value),
                                            .allowed = allowed});
 }
 

@@ -64,8 +64,8 @@ void check(std::span<const float> heights, const Domain& domain, const CoastSett
         throw Error(ErrorKind::invalid_value,
                     {.what = "is out of range",
                      .parameter = std::string("coast.") + name,
-                     .value = shortest_text(value),
-                     .allowed = "above 0, at most " + shortest_text(max)});
+                     .value = plain_text(value),
+                     .allowed = "above 0, at most " + plain_text(max)});
     }
     if (!(std::abs(settings.level) <= 1e5)) throw refusal("the level of the water is not finite");
     if (!std::ranges::all_of(heights, [](float h) { return std::isfinite(h); })) {

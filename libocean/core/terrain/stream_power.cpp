@@ -26,7 +26,7 @@ void require(bool holds, const char* parameter, double value, const char* allowe
     if (holds) return;
     throw Error(ErrorKind::invalid_value, ErrorFields{.what = "is out of range",
                                                       .parameter = parameter,
-                                                      .value = shortest_text(value),
+                                                      .value = plain_text(value),
                                                       .allowed = allowed});
 }
 
