@@ -8,6 +8,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "ocean/bake/existing_frames.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/output_file.hpp"
@@ -50,7 +51,7 @@ bool is_regular(const BakeFile& file) {
 }
 
 void refuse_to_overwrite_foreign_files(const BakePlan& plan, const Manifest& manifest) {
-    for (const BakeFile& file : all_files(plan)) {
+    for (const BakeFile& file : files_that_may_exist(plan)) {
         io::refuse_to_replace_foreign_file(file.path, "a bake", [&] {
             return plan.format->is_baked(file) ||
                    manifest.find(native(file).filename().string()) != nullptr;

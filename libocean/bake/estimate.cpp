@@ -8,6 +8,7 @@
 
 #include "complete_file.hpp"
 #include "manifest.hpp"
+#include "ocean/bake/existing_frames.hpp"
 #include "ocean/foam.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/platform.hpp"
@@ -37,6 +38,38 @@ std::uint64_t frame_bytes(const BakePlan& plan) {
     return bytes;
 }
 
+/// Returns the size of the files of any frame [bytes], an upper bound.
+std::uint64_t max_bytes_of_a_frame(const BakePlan& plan) {
+    // The texts of a frame's number and of its time in a header: 11 and 24 characters at most.
+    constexpr std::uint64_t kFrameTexts = 64;
+    std::uint64_t bytes = 0;
+    for (const BakeFile& file : plan.format->files(plan, plan.frames.front())) {
+        bytes += plan.format->max_bytes(plan, file) + kFrameTexts;
+    }
+    return bytes;
+}
+
+/// Adds the files of all frames, of which those of the ascending `kept` are complete.
+void list_frames(const BakePlan& plan, const std::vector<int>& kept, BakeForecast& forecast) {
+    if (plan.frames.empty()) return;
+    std::vector<BakeFile> first = plan.format->files(plan, plan.frames.front());
+    if (plan.frames.size() * first.size() > kMaxForecastFiles) {
+        const std::vector<BakeFile> last = plan.format->files(plan, plan.frames.back());
+        for (std::size_t i = 0; i < first.size(); ++i) {
+            forecast.files.push_back({first[i].path + " ... " + last[i].path,
+                                      static_cast<long>(kept.size()),
+                                      static_cast<long>(plan.frames.size())});
+        }
+        return;
+    }
+    for (const int frame : plan.frames) {
+        const bool keep = std::ranges::binary_search(kept, frame);
+        for (BakeFile& file : plan.format->files(plan, frame)) {
+            forecast.files.push_back({std::move(file.path), keep ? 1 : 0});
+        }
+    }
+}
+
 }  // namespace
 
 std::uint64_t bake_memory_bytes(const BakePlan& plan, int frames_at_a_time) {
@@ -63,19 +96,26 @@ BakeForecast forecast_bake(const BakePlan& plan) {
     const Manifest manifest(plan.pattern.manifest());
     refuse_to_overwrite_foreign_files(plan, manifest);
     io::require_folder(plan.pattern.folder());
+    const auto is_complete = [&](const std::vector<BakeFile>& files) {
+        return std::ranges::all_of(files, [&](const BakeFile& file) {
+            return find_complete(plan, file, manifest, share.threads_each).has_value();
+        });
+    };
     BakeForecast forecast;
-    const auto add = [&](const std::vector<BakeFile>& files) {
-        const bool keep =
-            plan.skip_existing && std::all_of(files.begin(), files.end(), [&](const auto& file) {
-                return find_complete(plan, file, manifest, share.threads_each).has_value();
-            });
-        for (const BakeFile& file : files) {
-            forecast.files.push_back({file.path, keep});
+    if (plan.format->has_shared_files) {
+        const std::vector<BakeFile> shared = plan.format->shared_files(plan);
+        const bool keep = plan.skip_existing && is_complete(shared);
+        for (const BakeFile& file : shared) {
+            forecast.files.push_back({file.path, keep ? 1 : 0});
             if (!keep) forecast.bytes += plan.format->max_bytes(plan, file);
         }
-    };
-    if (plan.format->has_shared_files) add(plan.format->shared_files(plan));
-    for (const int frame : plan.frames) add(plan.format->files(plan, frame));
+    }
+    std::vector<int> kept = plan.skip_existing ? frames_that_may_exist(plan) : std::vector<int>();
+    std::erase_if(kept, [&](int f) { return !is_complete(plan.format->files(plan, f)); });
+    list_frames(plan, kept, forecast);
+    if (!plan.frames.empty()) {
+        forecast.bytes += (plan.frames.size() - kept.size()) * max_bytes_of_a_frame(plan);
+    }
     forecast.free_bytes = io::free_bytes(plan.pattern.folder());
     forecast.memory_bytes = bake_memory_bytes(plan, share.frames_at_a_time);
     return forecast;

@@ -7,12 +7,71 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <string_view>
 #include <system_error>
 
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/platform.hpp"
 
 namespace ocean {
+namespace {
+
+/// Returns the frames, of the ascending `frames`, whose numbers stand in a name: each run of its
+/// digits, and each part of a run, since a name may have digits beside its token.
+std::vector<int> frames_in_name(std::string_view name, std::span<const int> frames) {
+    constexpr long long kMaxSize = 1LL << 31;
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    std::vector<int> found;
+    for (std::size_t start = 0; start < name.size(); ++start) {
+        long long number = 0;
+        for (std::size_t i = start; i < name.size() && is_digit(name[i]); ++i) {
+            number = number * 10 + (name[i] - '0');
+            if (number > kMaxSize) break;
+            for (const long long frame : {number, -number}) {
+                if (std::ranges::binary_search(frames, frame)) {
+                    found.push_back(static_cast<int>(frame));
+                }
+            }
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+std::vector<int> frames_that_may_exist(const BakePlan& plan) {
+    std::vector<int> frames = plan.frames;
+    std::ranges::sort(frames);
+    if (!plan.pattern.has_token()) return frames;
+    const std::string folder = plan.pattern.folder();
+    const std::filesystem::path path = utf8_path(folder.empty() ? "." : folder);
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) return error ? frames : std::vector<int>();
+    std::vector<int> found;
+    std::filesystem::directory_iterator entry(path, error);
+    for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+        std::ranges::copy(frames_in_name(text::to_utf8(entry->path().filename()), frames),
+                          std::back_inserter(found));
+    }
+    if (error) return frames;  // a folder that may be written to, but not read
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+std::vector<BakeFile> files_that_may_exist(const BakePlan& plan) {
+    std::vector<BakeFile> files = plan.format->shared_files(plan);
+    for (const int frame : frames_that_may_exist(plan)) {
+        std::ranges::move(plan.format->files(plan, frame), std::back_inserter(files));
+    }
+    return files;
+}
+
+std::vector<std::string> paths_that_may_exist(const BakePlan& plan) {
+    std::vector<std::string> paths = {plan.pattern.manifest()};
+    for (BakeFile& file : files_that_may_exist(plan)) paths.push_back(std::move(file.path));
+    return paths;
+}
 
 ExistingFrames find_frames(const BakePlan& plan,
                            const std::function<bool(std::span<const BakeFile>)>& matches_plan) {

@@ -104,11 +104,12 @@ FrameRange parse_range(std::string_view part) {
 std::vector<int> parse_frames(std::string_view text) {
     std::vector<int> frames;
     std::unordered_set<int> seen;
-    for (const std::string& part : split(text, ',')) {
+    const std::vector<std::string> parts = split(text, ',');
+    for (const std::string& part : parts) {
         const FrameRange range = parse_range(csv::trimmed(part));
         for (long long frame = range.first; frame <= range.last; frame += range.step) {
             const int number = static_cast<int>(frame);
-            if (!seen.insert(number).second) continue;
+            if (parts.size() > 1 && !seen.insert(number).second) continue;
             if (frames.size() == kMaxFrames) refuse_frames(part, "more than a million frames");
             frames.push_back(number);
         }

@@ -241,20 +241,6 @@ void BakeOptions::set_default(const std::string& name, std::string_view value) {
     if (option.empty()) option = value;
 }
 
-std::vector<std::string> output_paths(const BakePlan& plan) {
-    std::vector<std::string> paths = {plan.pattern.manifest()};
-    for (BakeFile& file : all_files(plan)) paths.push_back(std::move(file.path));
-    return paths;
-}
-
-std::vector<BakeFile> all_files(const BakePlan& plan) {
-    std::vector<BakeFile> files = plan.format->shared_files(plan);
-    for (const int frame : plan.frames) {
-        std::ranges::move(plan.format->files(plan, frame), std::back_inserter(files));
-    }
-    return files;
-}
-
 io::Provenance provenance_of(const BakePlan& plan, int frame) {
     return {.kind = std::string(plan.subject->kind()),
             .text = plan.subject_text,

@@ -9,7 +9,7 @@ import subprocess
 
 import pytest
 from bake_runs import BAKE, BAKE_SOME, events, pattern, ran_in_a_namespace, small_disk
-from conftest import DATA, OCEAN
+from conftest import DATA, OCEAN, children_seconds
 
 
 def test_a_dry_run_writes_nothing(ocean):
@@ -80,6 +80,42 @@ def test_a_dry_run_says_what_would_be_kept(ocean):
         "s.height.0005.exr",
     ]
     assert ocean.hashes(".") == before
+
+
+@pytest.mark.parametrize("more", [[], ["--skip-existing"]])
+def test_a_dry_run_of_a_million_frames_answers_at_once(ocean, more):
+    """In a few times what one frame takes; it took thousands of times that."""
+    bake = ("bake", "sea.toml", "-o", "s.####.exr", "--products", "height")
+    ocean.good(*bake, "--frames", "7-8")
+    start = children_seconds()
+    one = events(ocean(*bake, "--frames", "7", "-n", "--json"))[0]
+    middle = children_seconds()
+    done = ocean(*bake, "--frames", "1-1000000", "-n", "--json", *more)
+    assert children_seconds() - middle < 20 * (middle - start)
+    kept = 2 if more else 0
+    assert done.stdout == (
+        f"s.height.0001.exr ... s.height.1000000.exr\t1000000 files, {kept} kept\n"
+    )
+    plan = events(done)[0]
+    assert (plan["files"], plan["kept"]) == (1000000, kept)
+    assert plan["bytes"] == pytest.approx((1000000 - kept) * one["bytes"], rel=0.01)
+
+
+@pytest.mark.parametrize(
+    "pattern_, frames, name",
+    [
+        ("s.####.png", "1-1000000", "s.700000.png"),
+        ("s2####.png", "1-9", "s20007.png"),
+        ("s.$F12.png", "2,3", "s.000000000002.png"),
+        ("s.#.png", "-5--1", "s.-003.png"),
+    ],
+)
+def test_a_dry_run_finds_the_foreign_file_among_its_frames(ocean, pattern_, frames, name):
+    ocean.write(name, "mine")
+    for more in ([], ["-n"]):
+        message = ocean.bad("bake", "sea.toml", "-o", pattern_, "--frames", frames, *more)
+        assert f"'{name}' exists and was not written by a bake" in message
+    assert (ocean.folder / name).read_text() == "mine"
 
 
 def test_a_dry_run_warns_of_a_disk_that_is_too_small(ocean, request):

@@ -14,6 +14,7 @@
 #include "format_help.hpp"
 #include "input_files.hpp"
 #include "ocean/bake/catalogue.hpp"
+#include "ocean/bake/existing_frames.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/read_provenance.hpp"
 #include "ocean/sea_bed.hpp"
@@ -135,7 +136,7 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
     const BakePlan plan = make_bake_plan(options, catalogue);
     InputFiles inputs(typed.sea.source, plan.subject->named_files());
     inputs.add(options.from);
-    for (const std::string& path : output_paths(plan)) inputs.spare(path);
+    for (const std::string& path : paths_that_may_exist(plan)) inputs.spare(path);
 #if OCEAN_HAS_GL
     if (!typed.stage.empty()) return bake_stage(plan, typed.stage, context);
 #endif

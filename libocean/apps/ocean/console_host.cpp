@@ -4,7 +4,6 @@
 // See console_host.hpp.
 #include "console_host.hpp"
 
-#include <algorithm>
 
 #include "console.hpp"
 #include "text.hpp"
@@ -83,18 +82,23 @@ void ConsoleHost::set_interrupt_handler(std::function<void()> handler) {
 void show_forecast(const BakeForecast& forecast, const BakeForecast& beside, Console& console) {
     for (const BakeForecast* part : {&beside, &forecast}) {
         for (const BakeForecast::File& file : part->files) {
-            console.data(file.path + (file.kept ? "\tkept\n" : "\n"));
+            const std::string state =
+                file.count > 1  ? format_text("\t%ld files, %ld kept", file.count, file.kept)
+                : file.kept > 0 ? "\tkept"
+                                : "";
+            console.data(file.path + state + "\n");
         }
     }
     report_forecast(forecast, beside, console);
 }
 
 void report_forecast(const BakeForecast& forecast, const BakeForecast& beside, Console& console) {
-    const auto kept = [](const BakeForecast::File& file) { return file.kept; };
     long all = 0, complete = 0;
     for (const BakeForecast* part : {&beside, &forecast}) {
-        all += static_cast<long>(part->files.size());
-        complete += std::count_if(part->files.begin(), part->files.end(), kept);
+        for (const BakeForecast::File& file : part->files) {
+            all += file.count;
+            complete += file.kept;
+        }
     }
     const std::uint64_t bytes = beside.bytes + forecast.bytes;
     const std::uint64_t room = forecast.free_bytes;

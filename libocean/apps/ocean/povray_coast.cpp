@@ -111,7 +111,7 @@ void write_povray_coast(const PovrayCoastRequest& request, const Context& contex
     const InputFiles inputs(request.source, named_files(request.sea));
     refuse_to_replace_others(files, request.folder, inputs);
     for (const BakePlan* plan : {&open, &coast}) {
-        for (const std::string& path : output_paths(*plan)) inputs.spare(path);
+        for (const std::string& path : paths_that_may_exist(*plan)) inputs.spare(path);
     }
     io::require_folder(request.folder);
     const std::string warning =

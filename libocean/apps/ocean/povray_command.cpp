@@ -142,7 +142,7 @@ void run(const Typed& typed, const Context& context) {
         plan, state, united(plan.all_frames, existing.of_plan), {folder, cache_file("povray")});
     const InputFiles inputs(typed.sea.source, named_files(sea));
     refuse_to_replace_others(files, folder, inputs);
-    for (const std::string& path : output_paths(plan)) inputs.spare(path);
+    for (const std::string& path : paths_that_may_exist(plan)) inputs.spare(path);
     io::require_folder(folder);
     warn_of_cost(plan, context.console);
     const std::string warning =

@@ -58,8 +58,9 @@ BakeForecast forecast_folder(const std::vector<FolderFile>& files, const std::st
     BakeForecast forecast;
     for (const FolderFile& file : files) {
         const std::string path = folder + "/" + file.name;
-        forecast.files.push_back({path, is_kept(file, path)});
-        if (!forecast.files.back().kept) forecast.bytes += file.text.size();
+        const bool kept = is_kept(file, path);
+        forecast.files.push_back({path, kept ? 1 : 0});
+        if (!kept) forecast.bytes += file.text.size();
     }
     return forecast;
 }

@@ -116,7 +116,7 @@ void write_povray_terrain(const PovrayTerrainRequest& request, const Context& co
     refuse_folder_of_a_sea(request.folder);
     refuse_to_replace_others(files, request.folder, inputs);
     for (const BakePlan& one : plans) {
-        for (const std::string& path : output_paths(one)) inputs.spare(path);
+        for (const std::string& path : paths_that_may_exist(one)) inputs.spare(path);
     }
     io::require_folder(request.folder);
     report_cost(request, plan, context.console);

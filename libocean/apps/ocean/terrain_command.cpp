@@ -14,6 +14,7 @@
 #include "commands.hpp"
 #include "input_files.hpp"
 #include "ocean/bake/catalogue.hpp"
+#include "ocean/bake/existing_frames.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/read_provenance.hpp"
 #include "ocean/subject_kind.hpp"
@@ -160,7 +161,7 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
     const BakePlan plan = make_bake_plan(options, catalogue);
     InputFiles inputs(typed.terrain.source, plan.subject->named_files());
     inputs.add(options.from);
-    for (const std::string& path : output_paths(plan)) inputs.spare(path);
+    for (const std::string& path : paths_that_may_exist(plan)) inputs.spare(path);
     run_or_forecast(plan, typed.dry_run, context);
 }
 

@@ -195,14 +195,13 @@ std::uint64_t frame_bytes(const BakePlan& plan, const PlainMesh& mesh) {
 }
 
 std::uint64_t max_bytes(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& file) {
-    // A stage may hold a name and two pairs of numbers for each frame.
-    const std::uint64_t list = plan.all_frames.size() * (2 * file.path.size() + 64);
-    const std::uint64_t comments = 2 * plan.subject_text.size() + 4096 + list;
+    const std::uint64_t comments = 2 * plan.subject_text.size() + 4096;
     const std::uint64_t faces = plain_mesh_triangles(plan, mesh) / (mesh.lod ? 1 : 2);
     if (file.part == kTopology && is_shared(file)) {
         return comments + faces * 5 * sizeof(int) + plain_mesh_uv_bytes(plan, mesh);
     }
-    if (is_shared(file)) return comments;
+    // The stage may hold a name and two pairs of numbers for each frame.
+    if (is_shared(file)) return comments + plan.all_frames.size() * (2 * file.path.size() + 64);
     return comments + plain_mesh_vertex_bytes(plan, mesh);
 }
 

@@ -25,15 +25,19 @@ WorkShare share_work(const BakePlan& plan);
 std::uint64_t bake_memory_bytes(const BakePlan& plan, int frames_at_a_time);
 
 struct BakeForecast {
+    /// A file; of a long bake the files of all frames that differ in their numbers alone.
     struct File {
-        std::string path;
-        bool kept;  // complete, so that it is not written again
+        std::string path;  // "FIRST ... LAST" of several
+        long kept = 0;     // how many are complete, so that they are not written again
+        long count = 1;
     };
     std::vector<File> files;
     std::uint64_t bytes = 0;         // of the files that are not kept, an upper bound
     std::uint64_t free_bytes = 0;    // on their disk
     std::uint64_t memory_bytes = 0;  // an upper bound
 };
+/// A bake of more files than this lists the first and the last one of each kind.
+inline constexpr std::size_t kMaxForecastFiles = 100000;
 /// Returns the files of a bake and the space they need. Reads existing files, writes none.
 BakeForecast forecast_bake(const BakePlan& plan);
 

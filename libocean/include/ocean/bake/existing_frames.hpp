@@ -15,6 +15,15 @@
 
 namespace ocean {
 
+/// Returns the frames of this shard, ascending, some of whose files may exist. Reads the plan's
+/// folder once, so that a million new frames cost no question to the file system each; a folder
+/// that cannot be read may hold them all.
+std::vector<int> frames_that_may_exist(const BakePlan& plan);
+/// Returns the files of those frames, after the files that frames share.
+std::vector<BakeFile> files_that_may_exist(const BakePlan& plan);
+/// Returns the paths of those files, after the path of the manifest.
+std::vector<std::string> paths_that_may_exist(const BakePlan& plan);
+
 /// Frame numbers, ascending.
 struct ExistingFrames {
     std::vector<int> of_plan;

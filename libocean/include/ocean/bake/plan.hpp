@@ -75,11 +75,6 @@ struct BakePlan {
     double shortest_wave() const { return subject->shortest_wave(finest()); }
 };
 
-/// Returns the files of this shard; those that frames share come first.
-std::vector<BakeFile> all_files(const BakePlan& plan);
-/// Returns the paths of all files of a bake, with the manifest.
-std::vector<std::string> output_paths(const BakePlan& plan);
-
 /// Returns the plan of a bake, which refers to the catalogue: its rows must outlive the plan.
 /// Throws Error invalid_value, unsupported, or the error of opening the subject.
 BakePlan make_bake_plan(const BakeOptions& options, const Catalogue& catalogue);
