@@ -101,3 +101,32 @@ def test_objects_of_all_kinds_are_found_among_many(scene, shot):
     for number in range(200):
         bpy.context.collection.objects.link(bpy.data.objects.new(f"Empty {number}", None))
     assert set(live.ocean_objects()) == {shot, other}
+
+
+def test_another_scene_is_rendered_at_its_own_time(scene, shot, tmp_path):
+    """By its name and by the compositor. Blender renders both at the number of the frame of the
+    window's scene, for keyframes too; the other scene's rate makes another time of it."""
+    scene.render.fps = 24
+    scene.frame_set(29)
+    expected = rendered(scene, tmp_path / "expected.exr")
+    scene.frame_set(15)
+    here = rendered(scene, tmp_path / "here.exr")
+    assert not np.allclose(here, expected, atol=0.1)
+    bpy.ops.scene.new(type="LINK_COPY")
+    other = bpy.context.scene
+    other.render.fps = 12
+    bpy.context.window.scene = scene
+    other.render.filepath = str(tmp_path / "named.exr")
+    bpy.ops.render.render(write_still=True, scene=other.name)
+    assert other.frame_current == 15
+    np.testing.assert_allclose(pixels(tmp_path / "named.exr"), expected, atol=2e-3)
+    if bpy.app.version < (5, 0):
+        scene.use_nodes = True
+        nodes = scene.node_tree.nodes
+        nodes.clear()
+        layers = nodes.new("CompositorNodeRLayers")
+        layers.scene = other
+        composite = nodes.new("CompositorNodeComposite")
+        scene.node_tree.links.new(layers.outputs["Image"], composite.inputs["Image"])
+        composed = rendered(scene, tmp_path / "composed.exr")
+        np.testing.assert_allclose(composed, expected, atol=2e-3)
