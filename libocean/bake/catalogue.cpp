@@ -22,16 +22,6 @@ std::string listing(const std::vector<std::string>& words, std::string_view conj
     return text;
 }
 
-std::string Catalogue::extensions(std::string_view conjunction) const {
-    std::vector<std::string> words;
-    for (const BakeFormat* format : formats) {
-        const bool says_its_name = format->extension.substr(1) == format->name;
-        words.push_back(std::string(format->extension) +
-                        (says_its_name ? "" : " (" + std::string(format->name) + ")"));
-    }
-    return listing(words, conjunction);
-}
-
 const BakeFormat* Catalogue::find_format(std::string_view extension) const {
     for (const BakeFormat* format : formats) {
         if (format->extension == extension) return format;

@@ -43,13 +43,40 @@ std::string decimal_rate(const std::string& text) {
                     " is installed" + allowed);
 }
 
-[[noreturn]] void refuse_extension(const Catalogue& catalogue, const std::string& output,
+/// Returns ".exr, .df3 and .png (height_field)", with the name of a format where it is another word.
+std::string extensions_of(std::span<const BakeFormat* const> formats) {
+    std::vector<std::string> words;
+    for (const BakeFormat* format : formats) {
+        const bool says_its_name = format->extension.substr(1) == format->name;
+        words.push_back(std::string(format->extension) +
+                        (says_its_name ? "" : " (" + std::string(format->name) + ")"));
+    }
+    return listing(words, "and");
+}
+
+/// Returns the formats that can hold the subject, all of them if it cannot be opened.
+std::vector<const BakeFormat*> formats_of_subject(const BakeOptions& options,
+                                                  const Catalogue& catalogue) {
+    std::vector<const BakeFormat*> formats(catalogue.formats.begin(), catalogue.formats.end());
+    try {
+        if (is_displaced(*options.open_subject(options.source))) {
+            std::erase_if(formats, [](const BakeFormat* one) { return !one->holds_displaced; });
+        }
+    } catch (const Error&) {
+        // The extension is wrong for any subject, and is reported first.
+    }
+    return formats;
+}
+
+[[noreturn]] void refuse_extension(const BakeOptions& options, const Catalogue& catalogue,
                                    const std::string& extension) {
-    const std::string allowed = "allowed are " + catalogue.extensions("and");
+    const std::string& output = options.output;
+    const auto formats = formats_of_subject(options, catalogue);
+    const std::string allowed = "allowed are " + extensions_of(formats);
     if (extension == ".vdb") refuse_absent("-o " + output, "OpenVDB", "; " + allowed);
     if (extension == ".tif") refuse_absent("-o " + output, "libtiff", "; " + allowed);
     std::vector<KnownName> names;
-    for (const BakeFormat* format : catalogue.formats) {
+    for (const BakeFormat* format : formats) {
         names.push_back({format->extension.substr(1), format->extension});
     }
     const std::string typed = extension.substr(std::min<std::size_t>(extension.size(), 1));
@@ -297,7 +324,7 @@ BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
     plan.format = catalogue.find_format(plan.pattern.extension());
     const BakeOptions options = with_source(typed, catalogue, plan.format);
     if (plan.format == nullptr) {
-        refuse_extension(catalogue, options.output, plan.pattern.extension());
+        refuse_extension(options, catalogue, plan.pattern.extension());
     }
     refuse_foreign_options(options, *plan.format, catalogue);
     plan.settings = plan.format->read_options(options, catalogue);

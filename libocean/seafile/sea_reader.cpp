@@ -226,8 +226,8 @@ void read_bed_again(Water& water, const std::string& base_dir) {
         if (error.kind() != ErrorKind::bad_file) throw;
         throw Error(error.kind(),
                     "water.seabed = \"" + water.seabed + "\": " + error.what() +
-                        "; seabed or seabed_unit has changed, so that the bed is read from this "
-                        "file: name one that can be read, or leave both as they were",
+                        "; with seabed or seabed_unit set, the bed is read from this file: name "
+                        "one that can be read, or leave both as they were",
                     error.fields());
     }
 }

@@ -141,7 +141,7 @@ ParameterValue TableFile::value_for(const ParameterSpec& spec, std::size_t item,
     };
     if (type == "float") {
         const std::optional<double> number = number_of(node);
-        if (!number) throw wrong("is not a number");
+        if (!number) throw wrong(no_number_reason(spec, node.value_or(std::string())));
         return *number;
     }
     if (type == "int") {

@@ -81,6 +81,21 @@ std::size_t line_at(std::string_view text, std::size_t offset) {
     return static_cast<std::size_t>(lines) + 1;
 }
 
+/// Returns a hint for a line such as `wind_speed = 12kn`, "" for other lines.
+std::string unit_hint(std::string_view text, std::size_t line) {
+    for (; line > 1 && !text.empty(); --line) {
+        text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    }
+    text = text.substr(0, text.find_first_of("\r\n#"));
+    const std::size_t equals = std::min(text.find('='), text.size());
+    const std::size_t value = text.find_first_not_of("= +-", equals);
+    if (value == std::string_view::npos || text[value] < '0' || text[value] > '9') return "";
+    const std::size_t unit = text.find_first_not_of("0123456789._ ", value);
+    const bool is_letter = unit != std::string_view::npos &&
+                           ((text[unit] | 0x20) >= 'a' && (text[unit] | 0x20) <= 'z');
+    return is_letter ? "; numbers are written without their unit, which `ocean params` lists" : "";
+}
+
 void check_bounds(std::string_view text, const std::string& name) {
     const auto fail = [&](std::size_t line, std::string_view message) {
         return text::error_at(ErrorKind::bad_file, name, line, message);
@@ -110,8 +125,10 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
     try {
         return toml::parse(text);
     } catch (const toml::parse_error& error) {
-        throw text::error_at(ErrorKind::bad_file, name, error.source().begin.line,
-                             "is not TOML: " + std::string(error.description()));
+        const std::size_t line = error.source().begin.line;
+        throw text::error_at(
+            ErrorKind::bad_file, name, line,
+            "is not TOML: " + std::string(error.description()) + unit_hint(text, line));
     }
 }
 

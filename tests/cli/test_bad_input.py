@@ -16,6 +16,8 @@ WAVES = "libocean = 1\n[[waves]]\n"
     [
         (SMALL_SEA + "wind_sped = 3\n", ["sea.toml:9", "wind_sped", "wind_speed"]),
         (SMALL_SEA + 'fetch = "far"\n', ["sea.toml:9", "fetch", "far", "1000"]),
+        (SMALL_SEA + 'fetch = "12 km"\n', ["fetch", "is not a number: write it in m, without a unit"]),
+        (SMALL_SEA + "fetch = 12km\n", ["sea.toml:9", "not TOML", "without their unit"]),
         (SMALL_SEA + "swell = nan\n", ["sea.toml:9", "swell", "nan", "-1"]),
         (SMALL_SEA + "fetch = inf\n", ["sea.toml:9", "fetch", "inf"]),
         (WAVES + "[water]\ndepth = -5.0\n", ["sea.toml:4", "water.depth", "-5", "0.01"]),
@@ -45,6 +47,8 @@ def test_a_bad_sea_file_is_named_with_line_key_value_and_range(ocean, text, part
         ("wind_speed=nan", ["wind_speed", "nan", "75"]),
         ("wind_speed=76", ["76", "75"]),
         ("wind_speed=fast", ["fast", "75"]),
+        ("wind_speed=12kn", ["12kn", "is not a number: write it in m/s, without a unit", "75"]),
+        ("wind_speed=1,5", ["is not a number; allowed"]),
         ("wind_speed=3 ", ["wind_speed"]),
         ("waves.7.wind_speed=3", ["waves.7"]),
         ("resolution=100", ["100", "power of two"]),

@@ -131,6 +131,14 @@ def test_json_has_the_documented_keys(ocean):
     assert state["mean_direction"]["asked"] == pytest.approx(30.0, abs=0.01)
 
 
+def test_a_baked_file_says_which_frame_it_is(ocean):
+    ocean.good("bake", "sea.toml", "--frames", "12", "-o", "s.####.exr", "--products", "height")
+    assert "s.height.0012.exr, frame 12 at 0.458333 s\n" in ocean.good("info", "s.height.0012.exr")
+    state = state_of(ocean, "s.height.0012.exr")
+    assert (state["frame"], state["time"]) == (12, pytest.approx(11 / 24))
+    assert not {"frame", "time"} & state_of(ocean, "sea.toml").keys()
+
+
 def table_of(suffix, columns_before):
     """Time -> [(frequency, value)] of an NDBC table, read by these few lines alone."""
     table = {}
@@ -225,7 +233,7 @@ def test_threads_do_not_change_the_numbers(ocean):
 @pytest.mark.parametrize("sea", ["sea.toml", "buoy.toml"])
 def test_info_of_a_baked_file_is_info_of_the_sea(ocean, sea):
     ocean.good("bake", sea, "-o", "out/s.exr", "--products", "height")
-    assert state_of(ocean, "out/s.exr") == state_of(ocean, sea)
+    assert state_of(ocean, "out/s.exr") == {**state_of(ocean, sea), "frame": 1, "time": 0.0}
     assert ocean.good("info", "out/s.exr", "--sea-file") == ocean.good("info", sea, "--sea-file")
 
 
@@ -235,7 +243,7 @@ def test_a_baked_file_needs_no_buoy_file(ocean):
     ocean.good("bake", "b.toml", "-o", "s.exr", "--products", "height")
     before = state_of(ocean, "b.toml")
     copy.unlink()
-    assert state_of(ocean, "s.exr") == before
+    assert state_of(ocean, "s.exr") == {**before, "frame": 1, "time": 0.0}
 
 
 def test_the_printed_sea_file_is_the_same_sea(ocean):

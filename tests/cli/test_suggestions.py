@@ -25,6 +25,7 @@ PLACES = {
     "words of parameters": (["info", "sea.toml", "--set", "spectrum=jonswp"], "jonswap"),
     "formats": ([*BAKE, "s.exs"], ".exr"),
     "products": ([*BAKE, "s.exr", "--products", "foam,slpoe"], "slope"),
+    "the beginning of a product": ([*BAKE, "s.exr", "--products", "disp"], "displacement"),
     "products of a mesh": ([*BAKE, "s.ply", "--products", "positqon"], "position"),
     "compression": ([*BAKE, "s.exr", "--compression", "pxr42"], "pxr24"),
     "axes": ([*BAKE, "s.exr", "--axes", "zpu"], "zup"),

@@ -84,11 +84,13 @@ def test_a_sea_and_a_terrain_are_told_apart(land):
     said = land.bad("terrain", "sea.toml", "-o", "x.exr")
     assert "sea.toml:2: is a sea file, not a terrain file" in said
     said = land.bad("bake", "land.toml", "-o", "x.exr")
-    assert "land.toml:2: is a terrain file, not a sea file" in said
-    assert "is a terrain, not a sea" in land.bad("bake", "preset:tujunga", "-o", "x.exr")
+    assert "land.toml:2: is a terrain file, not a sea file; `ocean terrain` bakes one" in said
+    said = land.bad("bake", "preset:tujunga", "-o", "x.exr")
+    assert "is a terrain, not a sea; `ocean terrain` bakes one" in said
     assert "is a sea, not a terrain" in land.bad("terrain", "preset:beaufort_5", "-o", "x.exr")
     land.good("terrain", "land.toml", "-o", "land.exr", "-q")
-    assert "shows a terrain instead of a sea" in land.bad("bake", "land.exr", "-o", "x.exr")
+    said = land.bad("bake", "land.exr", "-o", "x.exr")
+    assert "shows a terrain instead of a sea; `ocean terrain` bakes one" in said
 
 
 def test_an_elevation_model_is_answered_with_the_command_that_fits_one(land):

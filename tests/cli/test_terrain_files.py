@@ -293,6 +293,8 @@ def test_what_a_terrain_cannot_have_is_refused(ocean, output, arguments, reason)
 
 
 def test_a_sea_is_no_geotiff(ocean):
+    said = ocean.bad("bake", "sea.toml", "-o", "s.tiff")
+    assert "the extension names the format; allowed are .exr" in said and ".tif " not in said
     line = check_failure(ocean("bake", "sea.toml", "-o", "s.tif"), 2)
     assert line.endswith("its heights by place are a height field, .png")
 

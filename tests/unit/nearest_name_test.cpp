@@ -39,7 +39,11 @@ TEST(NearestName, NamesWhatWasMistypedAndNothingElse) {
         {"foam", ""},
         {"a3", ""},
         {"u10", ""},
-        {"naame", "name"}};
+        {"naame", "name"},
+        // The beginning of a name, of four letters at least.
+        {"Direct", "direction"},
+        {"dire", "direction"},
+        {"dir", ""}};
     for (const auto& [word, hint] : kHints) EXPECT_EQ(nearest_name(word, kNames), hint) << word;
 }
 

@@ -21,16 +21,24 @@
 namespace ocean::app {
 namespace {
 
+constexpr char kTerrainHint[] = "; `ocean terrain` bakes one";
+
 Sea read_source(const std::string& source) {
     if (source.starts_with(kPresetPrefix)) {
         const std::string name = source.substr(kPresetPrefix.size());
         if (std::ranges::find(terrain_presets(), name, &Preset::name) != terrain_presets().end()) {
-            throw Error(ErrorKind::not_found, source + " is a terrain, not a sea");
+            throw Error(ErrorKind::not_found, source + " is a terrain, not a sea" + kTerrainHint);
         }
         return parse_sea(find_preset(name).toml, source, "", read_any_spectra);
     }
     const SourceText found = read_source_text(source, kSeaKind);
-    return parse_sea(found.text, found.name, found.base_dir, read_any_spectra);
+    try {
+        return parse_sea(found.text, found.name, found.base_dir, read_any_spectra);
+    } catch (const Error& error) {
+        const std::string message = error.what();
+        if (!message.ends_with("is a terrain file, not a sea file")) throw;
+        throw Error(error.kind(), message + kTerrainHint, error.fields());
+    }
 }
 
 void assign(Parameters& parameters, const std::string& name, std::string value) {

@@ -12,6 +12,7 @@
 #include "ocean/io/read_provenance.hpp"
 #include "ocean/io/subject_words.hpp"
 #include "ocean/seafile.hpp"
+#include "ocean/subject_kind.hpp"
 #include "standard_input.hpp"
 
 namespace ocean::app {
@@ -46,7 +47,10 @@ SourceText read_source_text(const std::string& source, std::string_view kind) {
     }
     if (provenance->kind != kind) {
         throw Error(ErrorKind::bad_file, source + ": shows a " + text::printable(provenance->kind) +
-                                             " instead of " + io::subject_words(kind).noun);
+                                             " instead of " + io::subject_words(kind).noun +
+                                             (provenance->kind == kTerrainKind
+                                                  ? "; `ocean terrain` bakes one"
+                                                  : ""));
     }
     return {provenance->text, source, ""};
 }

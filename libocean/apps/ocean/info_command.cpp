@@ -4,15 +4,22 @@
 // `ocean info`: prints the quantities of a sea that oceanographers use, or those of a terrain, as
 // the spectrum asks for and as the grid resolves. Also reads them back from a baked file.
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "commands.hpp"
 #include "console.hpp"
 #include "info_text.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/io/read_provenance.hpp"
 #include "ocean/land.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/terrainfile.hpp"
+#include "ocean/text.hpp"
 #include "sea_argument.hpp"
+#include "source_text.hpp"
+#include "standard_input.hpp"
 #include "terrain_argument.hpp"
 #include "terrain_info_text.hpp"
 
@@ -24,15 +31,40 @@ struct InfoOptions {
     bool sea_file = false;
 };
 
+/// The frame of a baked file; nothing of a sea or terrain file, of a preset and of a pipe.
+struct BakedFrame {
+    std::optional<int> frame;
+    std::optional<double> time;  // [s]
+
+    /// Returns the name of the source with its frame, "sea.0012.exr, frame 12 at 0.458333 s".
+    std::string named(const std::string& source) const {
+        return source + (frame ? ", frame " + std::to_string(*frame) : "") +
+               (time ? " at " + significant_text(*time, 6) + " s" : "");
+    }
+    /// Returns a JSON object with the members "frame" and "time" before its own.
+    std::string added_to(const std::string& object) const {
+        return "{" + (frame ? "\"frame\": " + std::to_string(*frame) + ", " : "") +
+               (time ? "\"time\": " + plain_text(*time) + ", " : "") + object.substr(1);
+    }
+};
+
+BakedFrame baked_frame_of(const std::string& source) {
+    if (source == kStandardInput || source.starts_with(kPresetPrefix)) return {};
+    if (text::is_pipe_or_device(source)) return {};
+    const auto provenance = io::read_provenance(source);
+    return provenance ? BakedFrame{provenance->frame, provenance->time} : BakedFrame{};
+}
+
 void run_for_terrain(const InfoOptions& info, const Context& context) {
     const Terrain terrain = open_terrain({info.sea.source, info.sea.assignments});
     if (info.sea_file) return context.console.data(write_terrain(terrain));
     Land land(terrain, {.threads = context.options.threads});
     const TerrainState state = land.state();
+    const BakedFrame baked = baked_frame_of(info.sea.source);
     if (context.options.json) {
-        context.console.data(terrain_state_json(state) + "\n");
+        context.console.data(baked.added_to(terrain_state_json(state)) + "\n");
     } else {
-        context.console.data(terrain_info_text(terrain, info.sea.source, state));
+        context.console.data(terrain_info_text(terrain, baked.named(info.sea.source), state));
     }
     for (const std::string& warning : state.warnings) context.console.warning(warning);
 }
@@ -44,12 +76,13 @@ void run(const InfoOptions& info, const Context& context) {
     if (info.sea_file) return context.console.data(write_sea(sea));
     Ocean ocean(sea, {.threads = context.options.threads});
     const SeaState state = ocean.state();
+    const BakedFrame baked = baked_frame_of(info.sea.source);
     if (context.options.json) {
-        context.console.data(sea_state_json(state) + "\n");
+        context.console.data(baked.added_to(sea_state_json(state)) + "\n");
     } else {
         // A map of one period, which is measured, says nothing of a sea over a bed.
         const FrameCost cost = state.bed ? FrameCost{} : ocean.measure_frame_cost();
-        context.console.data(info_text(sea, info.sea.source, state, cost));
+        context.console.data(info_text(sea, baked.named(info.sea.source), state, cost));
     }
     for (const std::string& warning : state.warnings) context.console.warning(warning);
 }

@@ -15,7 +15,7 @@ constexpr char kProgramFooter[] =
     R"(A sea is a sea file, a baked EXR file or preset:NAME (see `ocean presets`).
 `ocean COMMAND --help` lists the options of a command.
 Exit codes: 0 done, 1 failed at run time (disk, memory), 2 wrong usage or bad
-sea file, 130 interrupted.)";
+sea file, 130 interrupted, 141 standard output was closed.)";
 
 }  // namespace
 

@@ -51,24 +51,29 @@ std::vector<KnownName> as_known(std::span<const std::string_view> names) {
 
 std::vector<std::string_view> nearest_names(std::string_view word,
                                             std::span<const KnownName> names) {
-    constexpr std::size_t kMaxEdits = 2;
+    constexpr std::size_t kMaxEdits = 2, kMinBeginning = 4;
     const std::string wanted = folded(word);
-    std::vector<std::string_view> nearest;
+    std::vector<std::string_view> nearest, begun;
+    const auto add = [](std::string_view shown, std::vector<std::string_view>& list) {
+        const bool is_listed = std::ranges::find(list, shown) != list.end();
+        if (!is_listed && list.size() < kMaxNearestNames) list.push_back(shown);
+    };
     std::size_t fewest = kMaxEdits;
     for (const KnownName& name : names) {
+        if (name.typed == word) continue;
         const std::string known = folded(name.typed);
+        if (wanted.size() >= kMinBeginning && known.starts_with(wanted)) add(name.shown, begun);
         const std::size_t longer = std::max(wanted.size(), known.size());
         const std::size_t shorter = std::min(wanted.size(), known.size());
-        if (name.typed == word || longer - shorter > fewest) continue;
+        if (longer - shorter > fewest) continue;
         const std::size_t edits = edit_distance(wanted, known);
         // A word with more than a third of its letters changed is another word: x is no mistyped y.
         if (edits > fewest || 3 * edits > longer) continue;
         if (edits < fewest) nearest.clear();
         fewest = edits;
-        const bool is_listed = std::ranges::find(nearest, name.shown) != nearest.end();
-        if (!is_listed && nearest.size() < kMaxNearestNames) nearest.push_back(name.shown);
+        add(name.shown, nearest);
     }
-    return nearest;
+    return fewest < kMaxEdits || begun.empty() ? nearest : begun;
 }
 
 std::string_view nearest_name(std::string_view word, std::span<const std::string_view> names) {

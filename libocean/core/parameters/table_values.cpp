@@ -30,6 +30,14 @@ struct Place {
                                            .allowed = allowed_values(place.spec)});
 }
 
+/// Returns the length of the number at the start of a text, 0 if there is none.
+std::size_t length_of_number(std::string_view text, double& number) {
+    const std::size_t plus = text.starts_with('+') ? 1 : 0;
+    const char* const start = text.data() + plus;
+    const auto parsed = std::from_chars(start, text.data() + text.size(), number);
+    return parsed.ec == std::errc() ? static_cast<std::size_t>(parsed.ptr - text.data()) : 0;
+}
+
 double checked_number(const Place& place, const ParameterValue& value) {
     double number = 0.0;
     if (const auto* real = std::get_if<double>(&value)) {
@@ -37,7 +45,8 @@ double checked_number(const Place& place, const ParameterValue& value) {
     } else if (const auto* integer = std::get_if<std::int64_t>(&value)) {
         number = static_cast<double>(*integer);
     } else {
-        refuse(place, quoted_text(value), "is not a number");
+        const auto* text = std::get_if<std::string>(&value);
+        refuse(place, quoted_text(value), no_number_reason(place.spec, text ? *text : ""));
     }
     if (std::isnan(number)) refuse(place, "nan", "is not a number");
     const bool below = number > 0.0 && number < place.spec.min_nonzero;
@@ -213,6 +222,18 @@ ParameterValue checked_value(const ParameterSpec& spec, std::size_t item,
     return checked_number(place, value);
 }
 
+std::string no_number_reason(const ParameterSpec& spec, std::string_view text) {
+    double number = 0.0;
+    const std::size_t length = length_of_number(text, number);
+    const std::string_view rest = text.substr(length);
+    const std::size_t unit = std::min(rest.find_first_not_of(' '), rest.size());
+    const bool has_unit = length > 0 && unit < rest.size() &&
+                          rest.find_first_of("0123456789.,;:[](){}") == std::string_view::npos;
+    if (!has_unit) return "is not a number";
+    return "is not a number: write it " +
+           (spec.unit.empty() ? "" : "in " + std::string(spec.unit) + ", ") + "without a unit";
+}
+
 ParameterValue parse_value(const ParameterSpec& spec, std::size_t item, std::string_view text) {
     const Place place{spec, item};
     const std::string_view type = spec.type();
@@ -225,11 +246,9 @@ ParameterValue parse_value(const ParameterSpec& spec, std::size_t item, std::str
         if (text == "true" || text == "false") return text == "true";
         refuse(place, quoted_text(std::string(text)), "is neither true nor false");
     }
-    const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
     double number = 0.0;
-    const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    if (parsed.ec != std::errc() || parsed.ptr != digits.data() + digits.size()) {
-        refuse(place, quoted_text(std::string(text)), "is not a number");
+    if (text.empty() || length_of_number(text, number) != text.size()) {
+        refuse(place, quoted_text(std::string(text)), no_number_reason(spec, text));
     }
     return number;
 }

@@ -162,6 +162,9 @@ ParameterValue parse_value(const ParameterSpec& spec, std::size_t item, std::str
 std::string to_text(const ParameterValue& value);
 /// Returns the text of a value for messages, with texts in quotes and shortened.
 std::string quoted_text(const ParameterValue& value);
+/// Returns the reason why a text is no number of a row: "is not a number", or, for "12kn", "is not
+/// a number: write it in m/s, without a unit".
+std::string no_number_reason(const ParameterSpec& spec, std::string_view text);
 /// Returns "0.01 .. inf m", "one of monahan, threshold", "a power of two, 32 .. 8192".
 std::string allowed_values(const ParameterSpec& spec);
 

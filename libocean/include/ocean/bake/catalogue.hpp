@@ -41,8 +41,6 @@ struct Catalogue {
     std::span<const ChannelInfo> channels = {};  // beside the library's own
     std::span<const MadeProduct* const> made = {};
 
-    /// Returns ".exr, .df3, .png (height_field) or .inc (mesh2)", with `conjunction` for "or".
-    std::string extensions(std::string_view conjunction) const;
     /// Returns the format with an extension in lower case, ".exr"; null if none has it.
     const BakeFormat* find_format(std::string_view extension) const;
     /// Returns the format whose frame files have the extension; null if none has it.

@@ -23,7 +23,8 @@ struct KnownName {
 /// letter, or exchanges two neighbours; lower and upper case are equal. A name is near if it is at
 /// most two edits away, and at most one for each three letters of the longer of both. If several
 /// are equally near, returns the first kMaxNearestNames in the order of `names`; a name equal to
-/// `word` was not mistyped and is left out.
+/// `word` was not mistyped and is left out. Names that begin with `word`, of at least four letters,
+/// are nearer than those of two edits.
 std::vector<std::string_view> nearest_names(std::string_view word,
                                             std::span<const KnownName> names);
 inline constexpr std::size_t kMaxNearestNames = 10;
