@@ -48,7 +48,6 @@ void read_hgt(std::istream& stream, std::uint64_t bytes, const std::array<double
                                1.0 / static_cast<double>(size.rows - 1)},
                       .is_geographic = true,
                       .height_unit = HeightUnit::metre,
-                      .declares_holes = true,
                       .crs = "EPSG:4326",
                       .notes = {}};
     receiver.begin(facts);

@@ -14,7 +14,8 @@ namespace ocean::elevation {
 
 /// Reads a grey PNG of 8 or 16 bits; samples are 0 .. RasterFacts::full_scale. Throws RasterFault.
 void read_png(std::istream& stream, const RasterReceiver& receiver);
-/// Reads the channel Y, else `height`, else the first. Throws RasterFault.
+/// Reads the channel whose name says height: `height` or `elevation`, else Z, Y, `depth` or R, else
+/// the only one; never alpha. Throws RasterFault, also if several may be meant and differ.
 void read_exr(const std::string& path, const RasterReceiver& receiver);
 
 }  // namespace ocean::elevation

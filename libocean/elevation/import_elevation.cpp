@@ -145,7 +145,7 @@ class ModelBuilder {
         if (!facts.has_place) raw_.is_geographic = false;
         raw_.metres_per_unit = facts.metres_per_unit;
         raw_.height_unit = facts.height_unit;
-        raw_.declares_holes = facts.declares_holes;
+        raw_.has_shades = facts.full_scale > 0.0;
         if (request_.range) {
             lowest_ = (*request_.range)[0];
             per_step_ = ((*request_.range)[1] - lowest_) / facts.full_scale;

@@ -88,7 +88,6 @@ void read_png(std::istream& stream, const RasterReceiver& receiver) {
     facts.rows = png_get_image_height(reader.png, reader.info);
     require_sides(facts.columns, facts.rows);
     facts.full_scale = bits == 16 ? 65535.0 : 255.0;
-    facts.declares_holes = true;  // an image has none
     if (bits == 8) {
         facts.notes.push_back("the image has 8 bits: heights are in steps of 1/255 of the range");
     }

@@ -31,7 +31,6 @@ struct RasterFacts {
     std::optional<bool> is_geographic;
     double metres_per_unit = 1.0;  // of the horizontal coordinates
     std::optional<HeightUnit> height_unit;
-    bool declares_holes = false;
     double full_scale = 0.0;  // of images: the value of white, 0 for heights in a unit
     std::string crs;
     std::vector<std::string> notes;

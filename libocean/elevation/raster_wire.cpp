@@ -44,7 +44,6 @@ class Writer {
         count(facts.is_geographic ? (*facts.is_geographic ? 1 : 0) : kNone);
         number(facts.metres_per_unit);
         count(facts.height_unit ? static_cast<std::uint64_t>(*facts.height_unit) : kNone);
-        count(facts.declares_holes ? 1 : 0);
         number(facts.full_scale);
         text(facts.crs);
         const std::size_t notes = std::min<std::size_t>(facts.notes.size(), kMaxNotes);
@@ -97,7 +96,6 @@ class Reader {
         if (const std::uint64_t unit = count(kNone); unit < kHeightUnitWords.size()) {
             facts.height_unit = static_cast<HeightUnit>(unit);
         }
-        facts.declares_holes = count(1) == 1;
         facts.full_scale = number();
         facts.crs = text();
         for (std::uint64_t left = count(kMaxNotes); left > 0; --left) facts.notes.push_back(text());

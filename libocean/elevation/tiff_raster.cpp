@@ -240,7 +240,6 @@ SampleScale sample_scale(TIFF* tiff, RasterFacts& facts) {
     std::string missing = text_tag(tiff, kGdalNoData);
     while (!missing.empty() && missing.back() == ' ') missing.pop_back();
     samples.missing = text::parse_number(missing);
-    facts.declares_holes = samples.missing.has_value();
     const bool may_be_void = samples.type.bits == 16 && samples.type.is_signed;
     if (!samples.missing && may_be_void) samples.missing = -32768.0;
     const std::string metadata = text_tag(tiff, kGdalMetadata);

@@ -285,6 +285,70 @@ def test_an_exr_image_has_heights(ocean):
     assert (read_back(ocean)[0] == image[:, :, 0]).all()
 
 
+def write_exr(path, **channels) -> None:
+    """An image with one channel for each name, whose points are spelled as two underscores."""
+    import OpenImageIO
+
+    spec = OpenImageIO.ImageSpec(12, 10, len(channels), "float")
+    spec.channelnames = tuple(name.replace("__", ".") for name in channels)
+    image = OpenImageIO.ImageOutput.create(str(path))
+    image.open(str(path), spec)
+    image.write_image(numpy.stack(list(channels.values()), axis=2).astype("float32"))
+    image.close()
+
+
+def test_the_channel_of_an_exr_image_is_the_one_whose_name_says_height(ocean):
+    hills = 100.0 + numpy.arange(120.0).reshape(10, 12)
+    other, none, one = 7.0 * hills, 0 * hills, 0 * hills + 1
+    right = {
+        "rgba": {"R": hills, "G": hills, "B": hills, "A": one},
+        "small": {"r": hills, "g": none, "b": none, "a": one},
+        "layer": {"dem__R": hills, "dem__G": hills, "dem__B": hills, "dem__A": one},
+        "z": {"A": one, "Z": hills},
+        "y": {"Y": hills, "normal__X": other, "normal__Y": one, "normal__Z": none},
+        "depth": {"Albedo": other, "depth": hills},
+        "named": {"R": other, "G": one, "B": none, "terrain__Height": hills},
+        "alone": {"anything": hills, "A": one},
+    }
+    for name, channels in right.items():
+        write_exr(ocean.folder / f"{name}.exr", **channels)
+        found = facts(ocean, f"{name}.exr", "--cell", "5")
+        assert (found["lowest"], found["highest"]) == (100.0, 219.0), (name, found["notes"])
+        assert "of the channel" in found["notes"][0]
+    wrong = {
+        "colours": {"R": hills, "G": other, "B": one},
+        "render": {"R": other, "G": other, "B": other, "Z": hills},
+        "vector": {"P__X": hills, "P__Y": other, "P__Z": one},
+        "two": {"first": hills, "second": other},
+    }
+    for name, channels in wrong.items():
+        write_exr(ocean.folder / f"{name}.exr", **channels)
+        message = ocean.bad("terrain", "import", f"{name}.exr", "--cell", "5")
+        listed = ", ".join(sorted(channel.replace("__", ".") for channel in channels))
+        assert f"has the channels {listed}, of which several may be the heights" in message, name
+    write_exr(ocean.folder / "alpha.exr", A=hills)
+    message = ocean.bad("terrain", "import", "alpha.exr", "--cell", "5")
+    assert "has no channel of heights, only A" in message
+
+
+def test_marks_that_a_file_does_not_declare_are_told(ocean):
+    tile = numpy.full((1201, 1201), 40, ">i2")
+    tile[600, 5], tile[600, 6] = 32767, -32768
+    (ocean.folder / "N42W072.hgt").write_bytes(tile.tobytes())
+    found = facts(ocean, "N42W072.hgt")
+    assert found["holes"] == 1 and "1 height is 32767, a common mark" in found["notes"][1]
+    data = land()
+    data[3, 4:6], data[7, 8] = -32768.0, -9999.0
+    write_tiff(ocean.folder / "other.tif", data, nodata=-9999.0)
+    found = facts(ocean, "other.tif")
+    assert found["holes"] == 1 and "2 heights are -32768, a common mark" in found["notes"][0]
+    # Shades are none.
+    grey = numpy.array([[0, 32767], [1, 65535]], "uint16")
+    (ocean.folder / "h.png").write_bytes(png(grey))
+    notes = facts(ocean, "h.png", "--cell", "5", "--range", "0,65535")["notes"]
+    assert not any("mark" in note for note in notes)
+
+
 def test_a_crop_keeps_the_cells_within_its_edges(ocean):
     data = land()
     data[0, 0] = -9999.0  # outside the crop: it need not be filled

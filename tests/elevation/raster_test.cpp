@@ -67,7 +67,6 @@ RasterFacts some_facts() {
     facts.is_geographic = false;
     facts.metres_per_unit = 0.3048;
     facts.height_unit = HeightUnit::us_survey_foot;
-    facts.declares_holes = true;
     facts.crs = "EPSG:2229";
     facts.notes = {"one", "two"};
     return facts;
@@ -92,7 +91,6 @@ TEST(RasterWire, GivesBackWhatWasSent) {
     EXPECT_EQ(received.facts.is_geographic, false);
     EXPECT_EQ(received.facts.metres_per_unit, 0.3048);
     EXPECT_EQ(received.facts.height_unit, HeightUnit::us_survey_foot);
-    EXPECT_TRUE(received.facts.declares_holes);
     EXPECT_EQ(received.facts.crs, "EPSG:2229");
     EXPECT_EQ(received.facts.notes, expected.notes);
     EXPECT_EQ(received.heights, (std::vector<float>{1, 2, 3, 4, 5, 6}));

@@ -108,6 +108,51 @@ TEST(ElevationFile, HolesAreRefusedFilledOrKept) {
         parse(kHeader + "-3.40282e38 2 3 nan 5 6", {.holes = HolePolicy::keep}).heights[3]));
 }
 
+TEST(ElevationFile, ADeclaredMarkIsAHoleAtThePrecisionOfItsCells) {
+    // The mark, a cell, and whether the cell is the mark.
+    struct Case {
+        const char* mark;
+        const char* cell;
+        bool is_hole;
+    };
+    for (const Case& one : {
+             Case{"-9999.9", "-9999.900390625", true},  // a float's digits
+             Case{"-9999.9", "-9999.9", true},
+             Case{"-9999,9", "-9999.90039", true},
+             Case{"-9999.98765", "-9999.99", true},  // %g
+             Case{"-32767.1234", "-3.27671e+04", true},
+             Case{"-99999.99", "-100000", true},
+             Case{"-9999.90", "-9999.904", true},  // the header's word is the rounded one
+             Case{"1.70141e4", "17014.1183", true},
+             Case{"-9999", "-9999.00001", true},
+             Case{"-9999", "-9999.01", false},
+             Case{"-9999.00", "-9999.004", false},  // a whole number is exact
+             Case{"-9999", "-10000", false},
+             Case{"-9999.9", "-10000", false},  // five digits: a height
+             Case{"-9999.98765", "-9999.98", false},
+             Case{"0", "0.0000001", false},
+             Case{"0.4", "0", false},
+         }) {
+        const std::string text = kHeader + "NODATA_value " + one.mark + "\n1 2 3 4 5 " + one.cell;
+        const float height = parse(text, {.holes = HolePolicy::keep}).heights[2];
+        EXPECT_EQ(std::isnan(height), one.is_hole) << one.mark << " and " << one.cell;
+    }
+}
+
+TEST(ElevationFile, AnotherMarkThanTheDeclaredOneIsAHeightAndANote) {
+    const auto notes = [](const std::string& heights) {
+        return parse(kHeader + "NODATA_value -9999\n" + heights, {.holes = HolePolicy::keep}).notes;
+    };
+    EXPECT_EQ(notes("-32768 -32768 -9999 4 5 6")[0],
+              "2 heights are -32768, a common mark for missing heights, which the file does not "
+              "declare; they are kept");
+    EXPECT_EQ(notes("32767 2 3 4 5 6")[0],
+              "1 height is 32767, a common mark for missing heights, which the file does not "
+              "declare; it is kept");
+    EXPECT_EQ(notes("32767 -32768 -99999 -32767 5 6").size(), 4u);
+    EXPECT_TRUE(notes("1 2 3 4 5 6").empty());
+}
+
 TEST(ElevationFile, UnitsAndSignsBecomeMetresUpwards) {
     const auto first = [](const ElevationOptions& options) {
         return parse(kHeader + kHeights, options).heights[0];

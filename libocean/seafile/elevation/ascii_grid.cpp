@@ -132,7 +132,8 @@ class HeightReader {
         if (!value) {
             throw words_.fail("'" + text::printable(words_.word(), 30) + "' is not a height");
         }
-        const bool is_missing = *value == header_.missing || elevation::is_fill_value(*value);
+        const bool is_missing =
+            header_.missing.matches(*value, words_.word()) || elevation::is_fill_value(*value);
         return is_missing ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(*value);
     }
 
@@ -164,8 +165,7 @@ ElevationModel parse_ascii_grid(std::istream& text, std::size_t bytes, const std
     elevation::RawModel raw{.model = elevation::make_model(name, header.columns, header.rows,
                                                            header.south_west_centre, header.cell),
                             .is_geographic = elevation::is_geographic(crs),
-                            .metres_per_unit = elevation::metres_per_unit(crs),
-                            .declares_holes = header.declares_missing};
+                            .metres_per_unit = elevation::metres_per_unit(crs)};
     raw.model.crs = crs;
     const HeightReader reader(words, header);
     const std::size_t columns = static_cast<std::size_t>(header.columns);

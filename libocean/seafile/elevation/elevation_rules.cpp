@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <span>
 #include <utility>
 
 #include "ocean/internal/memory.hpp"
@@ -101,13 +103,24 @@ void scale_domain(RawModel& raw, const std::string& name, CellsInDegrees request
                           shortest_text(raw.metres_per_unit) + " m; cell and origin are metres");
 }
 
-/// Returns a value that is a common mark for missing heights and that the file does not declare.
-std::optional<float> suspected_hole(const RawModel& raw) {
-    if (raw.declares_holes) return std::nullopt;
-    for (const float mark : {-32768.0f, -32767.0f, -9999.0f, -99999.0f}) {
-        if (std::ranges::find(raw.model.heights, mark) != raw.model.heights.end()) return mark;
+/// Returns a note for each common mark for missing heights that is a height of the file. What the
+/// file declares is no height any more.
+std::vector<std::string> notes_of_marks(std::span<const float> heights) {
+    constexpr std::array kMarks = {-32768.0f, -32767.0f, -9999.0f, -99999.0f, 32767.0f};
+    std::array<std::size_t, kMarks.size()> counts{};
+    for (const float height : heights) {
+        for (std::size_t i = 0; i < kMarks.size(); ++i) counts[i] += height == kMarks[i] ? 1 : 0;
     }
-    return std::nullopt;
+    std::vector<std::string> notes;
+    for (std::size_t i = 0; i < kMarks.size(); ++i) {
+        if (counts[i] == 0) continue;
+        notes.push_back(
+            (counts[i] == 1 ? "1 height is " : std::to_string(counts[i]) + " heights are ") +
+            shortest_text(kMarks[i]) +
+            ", a common mark for missing heights, which the file does not declare; " +
+            (counts[i] == 1 ? "it is kept" : "they are kept"));
+    }
+    return notes;
 }
 
 /// Converts heights to metres, positive upwards. Throws for one beyond kMaxElevation.
@@ -202,14 +215,11 @@ bool is_fill_value(double value) {
 }
 
 ElevationModel finish(RawModel raw, const std::string& name, const ElevationOptions& options) {
-    const std::optional<float> mark = suspected_hole(raw);
+    std::vector<std::string> marks;
+    if (!raw.has_shades) marks = notes_of_marks(raw.model.heights);
     scale_domain(raw, name, options.degrees);
     scale_heights(raw, name, options);
-    if (mark) {
-        raw.model.notes.push_back("some heights are " + shortest_text(*mark) +
-                                  ", a common mark for missing heights, which the file does not "
-                                  "declare; they are kept");
-    }
+    std::ranges::move(marks, std::back_inserter(raw.model.notes));
     apply_holes(raw.model, name, options.holes);
     raw.model.crs = without_local_names(raw.model.crs);
     return std::move(raw.model);

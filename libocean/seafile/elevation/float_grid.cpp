@@ -23,10 +23,9 @@ std::uint32_t swapped(std::uint32_t bits) {
 /// Turns floats as the file has them into heights, NaN where one is missing.
 void decode(std::span<float> row, const GridHeader& header) {
     const bool swap = header.little_endian != (std::endian::native == std::endian::little);
-    const float missing = static_cast<float>(header.missing);
     for (float& height : row) {
         if (swap) height = std::bit_cast<float>(swapped(std::bit_cast<std::uint32_t>(height)));
-        if (height == missing || is_fill_value(double{height})) {
+        if (header.missing.matches(double{height}) || is_fill_value(double{height})) {
             height = std::numeric_limits<float>::quiet_NaN();
         }
     }
@@ -64,7 +63,6 @@ ElevationModel read_float_grid(const GridHeader& header, std::istream& floats, s
                                      header.cell),
                  .is_geographic = is_geographic(crs),
                  .metres_per_unit = metres_per_unit(crs),
-                 .declares_holes = header.declares_missing,
                  .hint = "; or the byteorder of the header is wrong"};
     raw.model.crs = crs;
     if (!header.names_byte_order) {

@@ -20,7 +20,7 @@ struct RawModel {
     std::optional<bool> is_geographic = {};      // cells of degrees; unset if the file is silent
     double metres_per_unit = 1.0;                // of the horizontal coordinates
     std::optional<HeightUnit> height_unit = {};  // as the file states
-    bool declares_holes = false;                 // the file names its value for missing heights
+    bool has_shades = false;                     // an image's, whose heights the user stated
     std::string hint = {};                       // appended to the error of a height out of range
 };
 
