@@ -131,7 +131,14 @@ debian_package(ocean-tools tools "command line of the statistical ocean"
 OBJ, GeoTIFF and PNG files, writes folders for POV-Ray, reads the spectra that
 buoys measured and prints spectra, gauges and statistics."
   SECTION graphics SHLIBDEPS ON DEPENDS "libegl1"
-  RECOMMENDS "libgl1-mesa-dri" SUGGESTS "povray-ocean, ocean-preview, blender-ocean")
+  RECOMMENDS "libgl1-mesa-dri, ocean-terrain" SUGGESTS "povray-ocean, ocean-preview, blender-ocean")
+if(OCEAN_BUILD_GDAL)
+  debian_package(ocean-terrain terrain "reader of elevation models for the statistical ocean"
+"With it the command ocean imports the rasters of geographers, GeoTIFF above
+all, as land and as the beds of coasts. It reads them by GDAL in a process of
+its own, without network."
+    SECTION graphics SHLIBDEPS ON)
+endif()
 debian_package(ocean-preview preview "window on the statistical ocean"
 "Shows a sea, a terrain or a coast to its horizon in a window, with all of its
 parameters as sliders, or writes pictures without one. Needs OpenGL 4.1."
@@ -170,6 +177,9 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 set(CPACK_COMPONENTS_ALL runtime library development python tools preview bridge povray blender)
+if(OCEAN_BUILD_GDAL)
+  list(APPEND CPACK_COMPONENTS_ALL terrain)
+endif()
 include(CPack)
 cpack_add_component_group(dev)
 cpack_add_component(library GROUP dev)

@@ -19,7 +19,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     demo_packages=("${build_packages[@]}" povray povray-includes)
     lint_packages=(
         git python3 python3-venv python3-numpy ca-certificates clang-format shellcheck codespell)
-    deb_packages=(dpkg-dev file binutils)
+    deb_packages=(dpkg-dev file binutils libgdal-dev)
     quick_packages=("${build_packages[@]}" "${lint_packages[@]}" binutils libgtest-dev libgmock-dev
         libfftw3-dev ccache)
     docs_packages=(python3-sphinx python3-myst-parser furo python3-breathe doxygen)
@@ -29,7 +29,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
         openimageio-tools openexr clang libclang-rt-14-dev valgrind blender libegl1 libegl-mesa0 libgl1
         libgl1-mesa-dri xvfb xauth xdotool telnet netcat-openbsd python3-meshio python3-openvdb
         libopenvdb-tools desktop-file-utils shared-mime-info
-        libglib2.0-bin locales man-db systemd dpkg-dev file umockdev libumockdev-dev liblo-tools ccache lld)
+        libglib2.0-bin locales man-db systemd dpkg-dev file libgdal-dev strace umockdev libumockdev-dev liblo-tools ccache lld)
     bench_packages=(
         "${build_packages[@]}" libbenchmark-dev libfftw3-dev valgrind python3-venv ca-certificates)
     gl_packages=("${test_packages[@]}" mesa-vulkan-drivers)

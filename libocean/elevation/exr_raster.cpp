@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The channel of an OpenEXR image that is heights: see image_raster.hpp.
+// The channel of an OpenEXR image that is heights: see exr_raster.hpp.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -15,7 +15,7 @@
 #include <set>
 #include <string_view>
 
-#include "image_raster.hpp"
+#include "exr_raster.hpp"
 #include "ocean/internal/checked_text.hpp"
 
 namespace ocean::elevation {

@@ -47,8 +47,9 @@ void read_hgt(std::istream& stream, std::uint64_t bytes, const std::array<double
                       .cell = {1.0 / static_cast<double>(size.columns - 1),
                                1.0 / static_cast<double>(size.rows - 1)},
                       .is_geographic = true,
-                      .height_unit = HeightUnit::metre,
+                      .height_unit = 1.0,
                       .crs = "EPSG:4326",
+                      .definition = {},
                       .notes = {}};
     receiver.begin(facts);
     std::vector<std::uint8_t> line(static_cast<std::size_t>(2 * size.columns));

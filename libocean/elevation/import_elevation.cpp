@@ -1,19 +1,18 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Imports elevation models: see ocean/internal/elevation_import.hpp. A child process reads the file
+// Imports elevation models: see ocean/internal/elevation_import.hpp. Another process reads the file
 // and sends rows; this process keeps them, and trusts none.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "exr_raster.hpp"
 #include "hgt_raster.hpp"
-#include "image_raster.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/child_process.hpp"
@@ -23,20 +22,22 @@
 #include "ocean/io/read_provenance.hpp"
 #include "ocean/text.hpp"
 #include "raster.hpp"
+#include "raster_program.hpp"
 #include "raster_wire.hpp"
-#ifdef OCEAN_HAVE_TIFF
-#include "tiff_raster.hpp"
-#endif
 
 namespace ocean {
 namespace {
 
-using namespace std::string_view_literals;
 using elevation::RasterFacts;
 using elevation::RasterReceiver;
 using elevation::RawModel;
 
-enum class RasterFormat { none, tiff, png, exr, hgt };
+using elevation::ElevationReader;
+using elevation::ForeignFormat;
+using elevation::GridWindow;
+
+/// The limits of a child, and of ocean-raster, which is larger itself.
+constexpr sandbox::ChildLimits kLimits{.memory_bytes = std::uint64_t{2} << 30, .cpu_seconds = 600};
 
 Error bad_file(const std::string& path, const std::string& message) {
     return text::error_at(ErrorKind::bad_file, path, 0, message);
@@ -44,39 +45,6 @@ Error bad_file(const std::string& path, const std::string& message) {
 
 Error wrong_option(const std::string& message) {
     return Error(ErrorKind::invalid_value, message);
-}
-
-RasterFormat format_of(const std::string& path) {
-    const std::string first = text::first_bytes(path, 8);
-    for (const std::string_view magic : {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv}) {
-        if (first.starts_with(magic)) return RasterFormat::tiff;
-    }
-    if (first.starts_with("\x89PNG\r\n\x1a\n"sv)) return RasterFormat::png;
-    if (first.starts_with("\x76\x2f\x31\x01"sv)) return RasterFormat::exr;
-    std::string extension = text::to_utf8(utf8_path(path).extension());
-    std::ranges::transform(extension, extension.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-    });
-    if (extension == ".hgt") return RasterFormat::hgt;
-    if (extension == ".tif" || extension == ".tiff") throw bad_file(path, "is not a TIFF file");
-    if (extension == ".png") throw bad_file(path, "is not a PNG file");
-    if (extension == ".exr") throw bad_file(path, "is not an EXR file");
-    return RasterFormat::none;
-}
-
-std::string_view library_of(RasterFormat format) {
-    switch (format) {
-        case RasterFormat::tiff:
-            return "libtiff";
-        case RasterFormat::png:
-            return "libpng";
-        case RasterFormat::exr:
-            return "OpenEXR";
-        case RasterFormat::hgt:
-        case RasterFormat::none:
-            break;
-    }
-    return "the reader";
 }
 
 std::ifstream opened(const std::string& path) {
@@ -94,26 +62,6 @@ std::array<double, 2> corner_of(const std::string& path, const ElevationImport& 
                        "the file, or state --corner N34W119");
 }
 
-/// Runs in the child process.
-void read_raster(const std::string& path, RasterFormat format, std::istream& stream,
-                 const RasterReceiver& receiver) {
-    switch (format) {
-        case RasterFormat::tiff:
-#ifdef OCEAN_HAVE_TIFF
-            return elevation::read_tiff(stream, receiver);
-#else
-            break;
-#endif
-        case RasterFormat::png:
-            return elevation::read_png(stream, receiver);
-        case RasterFormat::exr:
-            return elevation::read_exr(path, receiver);
-        case RasterFormat::hgt:
-        case RasterFormat::none:
-            break;
-    }
-}
-
 /// Collects rows as a model.
 class ModelBuilder {
   public:
@@ -129,27 +77,49 @@ class ModelBuilder {
 
     RawModel take() { return std::move(raw_); }
 
-  private:
-    void begin(RasterFacts facts) {
+    /// Returns a model of the facts without heights.
+    RawModel raw_of(RasterFacts facts) const {
+        require_size(facts);
         if (own_ && !facts.has_place) place_as_own(facts);
         require_options(facts);
         const std::array<double, 2> cell =
             request_.cell ? std::array{*request_.cell, *request_.cell} : facts.cell;
-        raw_.model =
-            elevation::make_model(path_, facts.columns, facts.rows, facts.south_west_centre, cell);
-        raw_.model.crs = text::printable(facts.crs, 1000);
+        RawModel raw;
+        raw.is_geographic = facts.has_place ? facts.is_geographic : false;
+        raw.metres_per_unit = facts.metres_per_unit;
+        raw.ground_scale = facts.ground_scale;
+        raw.height_unit = facts.height_unit;
+        raw.has_shades = facts.full_scale > 0.0;
+        raw.model.domain =
+            elevation::make_domain(path_, facts.columns, facts.rows, facts.south_west_centre, cell);
+        raw.model.crs = text::printable(facts.crs, 1000);
+        raw.model.crs_definition = text::printable(facts.definition, 65536);
         for (const std::string& note : facts.notes) {
-            raw_.model.notes.push_back(text::printable(note, 300));
+            raw.model.notes.push_back(text::printable(note, 300));
         }
-        raw_.is_geographic = facts.is_geographic;
-        if (!facts.has_place) raw_.is_geographic = false;
-        raw_.metres_per_unit = facts.metres_per_unit;
-        raw_.height_unit = facts.height_unit;
-        raw_.has_shades = facts.full_scale > 0.0;
+        return raw;
+    }
+
+  private:
+    void begin(const RasterFacts& facts) {
+        raw_ = raw_of(facts);
+        elevation::allocate_heights(raw_.model, path_);
+        rows_from_south_ = facts.rows_from_south;
         if (request_.range) {
             lowest_ = (*request_.range)[0];
             per_step_ = ((*request_.range)[1] - lowest_) / facts.full_scale;
         }
+    }
+
+    void require_size(const RasterFacts& facts) const {
+        const std::int64_t less = std::min(facts.columns, facts.rows);
+        const std::int64_t more = std::max(facts.columns, facts.rows);
+        if (less < kMinElevationSide) elevation::require_sides(path_, facts.columns, facts.rows);
+        if (more <= kMaxElevationSide || request_.options.crop) return;
+        throw bad_file(path_, "has " + std::to_string(facts.columns) + " x " +
+                                  std::to_string(facts.rows) +
+                                  " cells; allowed: 2 .. 65536 along each side; --crop "
+                                  "WEST,SOUTH,EAST,NORTH keeps a part");
     }
 
     void place_as_own(RasterFacts& facts) const {
@@ -183,8 +153,8 @@ class ModelBuilder {
 
     void add(std::span<const float> row) {
         const int rows = raw_.model.domain.samples[1];
-        float* const to =
-            raw_.model.heights.data() + static_cast<std::size_t>(rows - 1 - next_row_) * row.size();
+        const int j = rows_from_south_ ? next_row_ : rows - 1 - next_row_;
+        float* const to = raw_.model.heights.data() + static_cast<std::size_t>(j) * row.size();
         std::ranges::transform(row, to, [&](float sample) {
             if (elevation::is_fill_value(double{sample})) return std::nanf("");
             return static_cast<float>(lowest_ + per_step_ * double{sample});
@@ -199,28 +169,56 @@ class ModelBuilder {
     const ElevationImport& request_;
     std::optional<Domain> own_;
     RawModel raw_;
+    bool rows_from_south_ = false;
     double lowest_ = 0.0;
     double per_step_ = 1.0;
     int next_row_ = 0;
 };
 
-/// Reads a raster by a library, in a child process.
-void read_in_child(const std::string& path, RasterFormat format, const RasterReceiver& receiver) {
-    constexpr sandbox::ChildLimits kLimits{.memory_bytes = std::uint64_t{2} << 30,
-                                           .cpu_seconds = 600};
-    std::ifstream stream = opened(path);
+/// Reads an EXR image in a child process.
+void read_exr_in_child(const std::string& path, const RasterReceiver& receiver) {
+    static_cast<void>(opened(path));
     const auto produce = [&](const sandbox::Sink& sink) {
-        elevation::encode(
-            [&](const RasterReceiver& sender) { read_raster(path, format, stream, sender); }, sink);
+        elevation::encode([&](const RasterReceiver& sender) { elevation::read_exr(path, sender); },
+                          sink);
     };
     try {
         sandbox::run_in_child(kLimits, produce, [&](const sandbox::Source& source) {
             elevation::decode(source, receiver);
         });
     } catch (const sandbox::ChildFailure& failure) {
-        throw bad_file(path,
-                       std::string(library_of(format)) + " failed on this file: " + failure.what());
+        throw bad_file(path, std::string("OpenEXR failed on this file: ") + failure.what());
     }
+}
+
+/// Runs ocean-raster on a file.
+void run_ocean_raster(const std::string& path, std::vector<std::string> request,
+                      const std::function<void(const sandbox::Source&)>& consume) {
+    static_cast<void>(opened(path));
+    const std::filesystem::path file = std::filesystem::absolute(utf8_path(path));
+    request.insert(request.begin(), {elevation::raster_program(), text::to_utf8(file)});
+    try {
+        sandbox::run_program(kLimits, request, consume);
+    } catch (const sandbox::ChildFailure& failure) {
+        throw bad_file(path, std::string("ocean-raster failed on this file: ") + failure.what());
+    }
+}
+
+/// Reads a raster by GDAL: all of it, or what the crop keeps.
+void read_by_gdal(const std::string& path, const ElevationImport& request, ModelBuilder& builder) {
+    std::vector<std::string> window;
+    if (request.options.crop) {
+        run_ocean_raster(path, {"facts"}, [&](const sandbox::Source& source) {
+            const RawModel whole = builder.raw_of(elevation::decode_facts(source));
+            const GridWindow kept = elevation::crop_window(whole, path, request.options);
+            for (const std::int64_t number : {kept.west, kept.south, kept.columns, kept.rows}) {
+                window.push_back(std::to_string(number));
+            }
+        });
+    }
+    run_ocean_raster(path, window, [&](const sandbox::Source& source) {
+        elevation::decode(source, builder.receiver());
+    });
 }
 
 /// Returns the domain of a file that libocean baked, which states no georeference of GIS programs.
@@ -234,60 +232,26 @@ std::optional<Domain> own_domain(const std::string& path) {
     return std::nullopt;
 }
 
-RawModel read_raw(const std::string& path, RasterFormat format, const ElevationImport& request) {
-    const bool is_image = format == RasterFormat::exr || format == RasterFormat::png;
+ElevationModel read_foreign(const std::string& path, const ForeignFormat& format,
+                            const ElevationImport& request) {
+    const bool is_image = format.reader == ElevationReader::exr || format.name == "PNG";
     ModelBuilder builder(path, request, is_image ? own_domain(path) : std::nullopt);
+    ElevationOptions options = request.options;
     try {
-        if (format == RasterFormat::hgt) {
+        if (format.reader == ElevationReader::hgt) {
             std::ifstream stream = opened(path);
             elevation::read_hgt(stream, std::filesystem::file_size(utf8_path(path)),
                                 corner_of(path, request), builder.receiver());
+        } else if (format.reader == ElevationReader::exr) {
+            read_exr_in_child(path, builder.receiver());
         } else {
-            read_in_child(path, format, builder.receiver());
+            read_by_gdal(path, request, builder);
+            options.crop.reset();  // is done
         }
     } catch (const elevation::RasterFault& fault) {
         throw bad_file(path, fault.what());
     }
-    return builder.take();
-}
-
-/// Keeps the cells whose centres lie within the edges.
-void crop(ElevationModel& model, const std::array<double, 4>& edges) {
-    const Domain whole = model.domain;
-    std::array<int, 2> first{}, last{};
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        const double step = whole.step(axis);
-        const double low = (edges[axis] - whole.origin[axis]) / step;
-        const double high = (edges[axis + 2] - whole.origin[axis]) / step;
-        const double end = whole.samples[axis] - 1;
-        first[axis] = static_cast<int>(std::ceil(std::clamp(low, 0.0, end + 1.0)));
-        last[axis] = static_cast<int>(std::floor(std::clamp(high, -1.0, end)));
-        if (last[axis] - first[axis] + 1 < kMinElevationSide) {
-            throw wrong_option("--crop leaves fewer than 2 x 2 cells; the centres lie within " +
-                               plain_text(whole.origin[0]) + "," + plain_text(whole.origin[1]) +
-                               "," + plain_text(whole.origin[0] + whole.size[0]) + "," +
-                               plain_text(whole.origin[1] + whole.size[1]));
-        }
-    }
-    const std::size_t columns = static_cast<std::size_t>(last[0] - first[0] + 1);
-    PageVector<float> kept;
-    kept.reserve(columns * static_cast<std::size_t>(last[1] - first[1] + 1));
-    for (int j = first[1]; j <= last[1]; ++j) {
-        const float* const row =
-            model.heights.data() +
-            static_cast<std::size_t>(j) * static_cast<std::size_t>(whole.samples[0]) +
-            static_cast<std::size_t>(first[0]);
-        kept.insert(kept.end(), row, row + columns);
-    }
-    model.heights = std::move(kept);
-    model.domain = {
-        .origin = whole.place(first[0], first[1]),
-        .size = {whole.step(0) * (last[0] - first[0]), whole.step(1) * (last[1] - first[1])},
-        .samples = {last[0] - first[0] + 1, last[1] - first[1] + 1},
-        .wraps = false};
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        model.geographic_origin[axis] += model.geographic_cell[axis] * first[axis];
-    }
+    return elevation::finish(builder.take(), path, options);
 }
 
 }  // namespace
@@ -295,31 +259,24 @@ void crop(ElevationModel& model, const std::array<double, 4>& edges) {
 ElevationModel import_elevation(const std::string& path, const ElevationImport& request) {
     std::error_code ignored;
     const bool is_file = std::filesystem::is_regular_file(utf8_path(path), ignored);
-    const RasterFormat format = is_file ? format_of(path) : RasterFormat::none;
-    if (request.corner && format != RasterFormat::hgt) {
+    const ForeignFormat* const format = is_file ? elevation::foreign_format(path) : nullptr;
+    const ElevationReader reader = format != nullptr ? format->reader : ElevationReader::library;
+    if (request.corner && reader != ElevationReader::hgt) {
         throw wrong_option("--corner is for SRTM tiles (.hgt)");
     }
-#ifndef OCEAN_HAVE_TIFF
-    if (format == RasterFormat::tiff) {
-        throw Error(ErrorKind::unsupported,
-                    path + ": is a TIFF file, and this program was built without libtiff");
+    if (reader == ElevationReader::ocean_raster && elevation::raster_program().empty()) {
+        throw text::error_at(ErrorKind::unsupported, path, 0,
+                             "is a file of the format " + std::string(format->name) +
+                                 ", which ocean-raster reads; that program is not installed "
+                                 "(Debian: ocean-terrain; sources: a build with libgdal-dev)");
     }
-#endif
-    ElevationOptions options = request.options;
-    if (request.crop) options.holes = HolePolicy::keep;
-    ElevationModel model;
-    if (format == RasterFormat::none) {
-        if (request.cell || request.range) {
-            throw wrong_option("--cell and --range are for images, which state neither");
-        }
-        model = read_elevation(path, options);
-    } else {
-        model = elevation::finish(read_raw(path, format, request), path, options);
+    if (reader != ElevationReader::library && reader != ElevationReader::gdal_translate) {
+        return read_foreign(path, *format, request);
     }
-    if (!request.crop) return model;
-    crop(model, *request.crop);
-    elevation::apply_holes(model, path, request.options.holes);
-    return model;
+    if (request.cell || request.range) {
+        throw wrong_option("--cell and --range are for images, which state neither");
+    }
+    return read_elevation(path, request.options);
 }
 
 }  // namespace ocean

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rasters of heights as their readers report them: facts first, then rows from the north.
+// Rasters of heights as their readers report them: facts first, then rows.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "ocean/elevation_file.hpp"
+#include "ocean/internal/elevation_rules.hpp"
 
 namespace ocean::elevation {
 
@@ -29,14 +29,18 @@ struct RasterFacts {
     std::array<double, 2> south_west_centre{};
     std::array<double, 2> cell{1.0, 1.0};
     std::optional<bool> is_geographic;
-    double metres_per_unit = 1.0;  // of the horizontal coordinates
-    std::optional<HeightUnit> height_unit;
+    double metres_per_unit = 1.0;                  // of the horizontal coordinates
+    std::array<double, 2> ground_scale{1.0, 1.0};  // see RawModel
+    std::optional<double> height_unit;             // [m]
+    bool rows_from_south = false;
     double full_scale = 0.0;  // of images: the value of white, 0 for heights in a unit
     std::string crs;
+    std::string definition;  // of the system, in WKT 1
     std::vector<std::string> notes;
 };
 
-/// Receives a raster. A row has RasterFacts::columns values, NaN where a height is missing.
+/// Receives a raster. A row has RasterFacts::columns values, NaN where a height is missing; the
+/// first one lies in the north unless rows_from_south.
 struct RasterReceiver {
     std::function<void(const RasterFacts&)> begin;
     std::function<void(std::span<const float>)> row;

@@ -21,7 +21,7 @@ enum class Kind : std::uint64_t {
 };
 constexpr std::uint64_t kMaxTextBytes = 65536;
 constexpr std::uint64_t kMaxNotes = 64;
-constexpr std::uint64_t kNone = 99;  // of an optional enumerator or flag
+constexpr std::uint64_t kNone = 99;  // of an optional flag
 
 class Writer {
   public:
@@ -43,9 +43,12 @@ class Writer {
         for (const double value : facts.cell) number(value);
         count(facts.is_geographic ? (*facts.is_geographic ? 1 : 0) : kNone);
         number(facts.metres_per_unit);
-        count(facts.height_unit ? static_cast<std::uint64_t>(*facts.height_unit) : kNone);
+        for (const double value : facts.ground_scale) number(value);
+        number(facts.height_unit.value_or(0.0));
+        count(facts.rows_from_south ? 1 : 0);
         number(facts.full_scale);
         text(facts.crs);
+        text(facts.definition);
         const std::size_t notes = std::min<std::size_t>(facts.notes.size(), kMaxNotes);
         count(notes);
         for (std::size_t i = 0; i < notes; ++i) text(facts.notes[i]);
@@ -78,13 +81,18 @@ class Reader {
         if (!std::isfinite(value)) throw sandbox::WireError();
         return value;
     }
+    static double require_factor(double value) {
+        if (!(value >= 1e-6 && value <= 1e6)) throw sandbox::WireError();
+        return value;
+    }
+    double factor() { return require_factor(number()); }
     std::string text() {
         std::string result(count(kMaxTextBytes), '\0');
         bytes(result.data(), result.size());
         return result;
     }
     RasterFacts facts() {
-        constexpr std::uint64_t kMaxSide = static_cast<std::uint64_t>(kMaxElevationSide);
+        constexpr std::uint64_t kMaxSide = INT32_MAX;  // a part of a larger raster may be read
         RasterFacts facts;
         facts.columns = static_cast<std::int64_t>(count(kMaxSide));
         facts.rows = static_cast<std::int64_t>(count(kMaxSide));
@@ -92,12 +100,13 @@ class Reader {
         for (double& value : facts.south_west_centre) value = number();
         for (double& value : facts.cell) value = number();
         if (const std::uint64_t flag = count(kNone); flag <= 1) facts.is_geographic = flag == 1;
-        facts.metres_per_unit = number();
-        if (const std::uint64_t unit = count(kNone); unit < kHeightUnitWords.size()) {
-            facts.height_unit = static_cast<HeightUnit>(unit);
-        }
+        facts.metres_per_unit = factor();
+        for (double& value : facts.ground_scale) value = factor();
+        if (const double unit = number(); unit != 0.0) facts.height_unit = require_factor(unit);
+        facts.rows_from_south = count(1) == 1;
         facts.full_scale = number();
         facts.crs = text();
+        facts.definition = text();
         for (std::uint64_t left = count(kMaxNotes); left > 0; --left) facts.notes.push_back(text());
         return facts;
     }
@@ -119,23 +128,33 @@ void encode(const std::function<void(const RasterReceiver&)>& read, const sandbo
     }
 }
 
-void decode(const sandbox::Source& source, const RasterReceiver& receiver) {
+namespace {
+
+/// Reads the kind of the next message. Throws a fault that was sent in its place.
+void require_next(Reader& reader, Kind kind) {
+    const auto got = static_cast<Kind>(reader.count(UINT64_MAX));
+    if (got == Kind::fault) {
+        const std::string words = text::printable(reader.text(), kMaxTextBytes);
+        throw RasterFault(words.empty() ? "cannot be read" : words);
+    }
+    if (got != kind) throw sandbox::WireError();
+}
+
+}  // namespace
+
+RasterFacts decode_facts(const sandbox::Source& source) {
     Reader reader(source);
-    std::vector<float> row;
-    const auto next_is = [&](Kind kind) {
-        const auto got = static_cast<Kind>(reader.count(UINT64_MAX));
-        if (got == Kind::fault) {
-            const std::string words = text::printable(reader.text(), kMaxTextBytes);
-            throw RasterFault(words.empty() ? "cannot be read" : words);
-        }
-        return got == kind;
-    };
-    if (!next_is(Kind::facts)) throw sandbox::WireError();
-    const RasterFacts facts = reader.facts();
+    require_next(reader, Kind::facts);
+    return reader.facts();
+}
+
+void decode(const sandbox::Source& source, const RasterReceiver& receiver) {
+    const RasterFacts facts = decode_facts(source);
     receiver.begin(facts);
-    row.resize(static_cast<std::size_t>(facts.columns));
+    Reader reader(source);
+    std::vector<float> row(static_cast<std::size_t>(facts.columns));
     for (std::int64_t i = 0; i < facts.rows; ++i) {
-        if (!next_is(Kind::row)) throw sandbox::WireError();
+        require_next(reader, Kind::row);
         reader.bytes(row.data(), row.size() * sizeof(float));
         receiver.row(row);
     }

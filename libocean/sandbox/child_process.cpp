@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -101,6 +102,17 @@ void silence() {
     for (int stream = 0; stream <= 2; ++stream) ::dup2(nothing, stream);
 }
 
+/// Gives a child the handlers and limits of all children. Returns its end of the pipe, which lies
+/// above the standard streams: the program may have been started without them.
+int begin_child(const int (&ends)[2], const ChildLimits& limits, std::uint64_t inherited) {
+    default_signals();
+    ::close(ends[0]);  // a pipe without a reader ends its writer
+    const int out = ::fcntl(ends[1], F_DUPFD, 3);
+    silence();
+    limit_child(limits, inherited);
+    return out;
+}
+
 void write_all(int pipe, const void* bytes, std::size_t count) {
     const char* next = static_cast<const char*>(bytes);
     while (count > 0) {
@@ -114,14 +126,7 @@ void write_all(int pipe, const void* bytes, std::size_t count) {
 
 /// Runs `produce` and ends the child. Never returns, because no other code of the program may run
 /// in the child.
-[[noreturn]] void be_child(const int (&ends)[2], const ChildLimits& limits, std::uint64_t inherited,
-                           const std::function<void(const Sink&)>& produce) noexcept {
-    default_signals();
-    ::close(ends[0]);  // a pipe without a reader ends its writer
-    // Above the standard streams, which the program may have been started without.
-    const int out = ::fcntl(ends[1], F_DUPFD, 3);
-    silence();
-    limit_child(limits, inherited);
+[[noreturn]] void be_child(int out, const std::function<void(const Sink&)>& produce) noexcept {
     try {
         std::string waiting;
         const auto flush = [&] {
@@ -139,6 +144,17 @@ void write_all(int pipe, const void* bytes, std::size_t count) {
         ::_exit(1);
     }
     ::_exit(0);
+}
+
+/// Becomes another program, without environment, folder and descriptors of this one.
+[[noreturn]] void be_program(int out, char* const* arguments) noexcept {
+    ::dup2(out, STDOUT_FILENO);
+#ifdef SYS_close_range
+    ::syscall(SYS_close_range, 3U, ~0U, 0U);
+#endif
+    char* const no_environment[] = {nullptr};
+    if (::chdir("/") == 0) ::execve(arguments[0], arguments, no_environment);
+    ::_exit(1);
 }
 
 class Child {
@@ -196,10 +212,10 @@ bool read_all(int pipe, void* bytes, std::size_t count) {
     }
 }
 
-}  // namespace
-
-void run_in_child(const ChildLimits& limits, const std::function<void(const Sink&)>& produce,
-                  const std::function<void(const Source&)>& consume) {
+/// Calls `be` in a child with its end of a pipe, and `consume` here on what comes out of it.
+/// `inherited` is memory that does not count [bytes].
+void run(const ChildLimits& limits, std::uint64_t inherited, const std::function<void(int)>& be,
+         const std::function<void(const Source&)>& consume) {
     int ends[2] = {-1, -1};
     if (::pipe(ends) != 0) {
         throw Error(ErrorKind::output, std::string("cannot make a pipe: ") + std::strerror(errno));
@@ -207,12 +223,14 @@ void run_in_child(const ChildLimits& limits, const std::function<void(const Sink
     Descriptor from(ends[0]);
     Descriptor to(ends[1]);
     for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
-    const std::uint64_t inherited = address_space_in_use();
     pid_t pid = -1;
     {
         const BlockedSignals blocked;
         pid = ::fork();
-        if (pid == 0) be_child(ends, limits, inherited, produce);
+        if (pid == 0) {
+            be(begin_child(ends, limits, inherited));
+            ::_exit(1);
+        }
     }
     if (pid < 0) {
         throw Error(ErrorKind::output, std::string("cannot fork: ") + std::strerror(errno));
@@ -232,6 +250,25 @@ void run_in_child(const ChildLimits& limits, const std::function<void(const Sink
     }
     from.close();  // otherwise a child that still writes would block for ever
     if (const int status = child.wait(); status != 0) fail_by(status, limits);
+}
+
+}  // namespace
+
+void run_in_child(const ChildLimits& limits, const std::function<void(const Sink&)>& produce,
+                  const std::function<void(const Source&)>& consume) {
+    run(
+        limits, address_space_in_use(), [&](int out) { be_child(out, produce); }, consume);
+}
+
+void run_program(const ChildLimits& limits, const std::vector<std::string>& arguments,
+                 const std::function<void(const Source&)>& consume) {
+    // Before the fork: a child of a program with threads may not allocate.
+    std::vector<char*> words;
+    for (const std::string& argument : arguments)
+        words.push_back(const_cast<char*>(argument.c_str()));
+    words.push_back(nullptr);
+    run(
+        limits, 0, [&](int out) { be_program(out, words.data()); }, consume);
 }
 
 }  // namespace ocean::sandbox

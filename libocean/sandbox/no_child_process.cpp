@@ -8,11 +8,24 @@
 
 namespace ocean::sandbox {
 
-void run_in_child(const ChildLimits&, const std::function<void(const Sink&)>&,
-                  const std::function<void(const Source&)>&) {
+namespace {
+
+[[noreturn]] void refuse() {
     throw Error(ErrorKind::bad_file,
                 "files of this format are read in a process with limits, which this program does "
                 "not have on Windows: convert the file on another system");
+}
+
+}  // namespace
+
+void run_in_child(const ChildLimits&, const std::function<void(const Sink&)>&,
+                  const std::function<void(const Source&)>&) {
+    refuse();
+}
+
+void run_program(const ChildLimits&, const std::vector<std::string>&,
+                 const std::function<void(const Source&)>&) {
+    refuse();
 }
 
 }  // namespace ocean::sandbox

@@ -26,6 +26,7 @@ HEADER_OWNER = {
     "ocean/internal/directional_record.hpp": "seafile",
     "ocean/internal/elevation_import.hpp": "elevation",
     "ocean/internal/elevation_rules.hpp": "seafile",
+    "ocean/internal/send_raster.hpp": "elevation",
     "ocean/io.hpp": "io",
     "ocean/internal/line_reader.hpp": "seafile",
     "ocean/internal/netcdf_spectra.hpp": "netcdf",
@@ -157,10 +158,12 @@ LIBRARIES = {
         below=("core", "seafile", "io", "sandbox"),
         foreign={
             "exr_raster.cpp": ("Imf",),
-            "png_raster.cpp": ("png.h",),
-            "tiff_raster.cpp": ("tiffio.h",),
+            # Of the target that ocean-raster alone links.
+            "gdal_place.hpp": ("gdal.h",),
+            "gdal_place.cpp": ("gdal", "cpl_", "ogr_"),
+            "gdal_raster.cpp": ("gdal", "cpl_", "ogr_"),
         },
-        links=("OpenEXR::OpenEXR", "PNG::PNG", "TIFF::TIFF"),
+        links=("OpenEXR::OpenEXR", "PkgConfig::gdal"),
     ),
     "capi": Library(below=("core", "seafile"), banned=STREAMS),
     "bake": Library(

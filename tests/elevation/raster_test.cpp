@@ -1,17 +1,18 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Claims: what a child sends of a raster comes back, and no cut and no lie passes; geokeys place
-// the centres of cells; names of SRTM tiles are corners; a written model reads back to the same
-// bits.
+// Claims: what a child sends of a raster comes back, and no cut and no lie passes; a program
+// that is executed has a pipe alone; names of SRTM tiles are corners; a written model reads back to
+// the same bits.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstring>
+#include <fstream>
 #include <sstream>
 #include <string_view>
 
-#include "geo_keys.hpp"
 #include "hgt_raster.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/elevation_import.hpp"
@@ -66,8 +67,11 @@ RasterFacts some_facts() {
     facts.cell = {10.0, 12.0};
     facts.is_geographic = false;
     facts.metres_per_unit = 0.3048;
-    facts.height_unit = HeightUnit::us_survey_foot;
+    facts.ground_scale = {0.5, 0.75};
+    facts.height_unit = 1200.0 / 3937.0;
+    facts.rows_from_south = true;
     facts.crs = "EPSG:2229";
+    facts.definition = "PROJCS[...]";
     facts.notes = {"one", "two"};
     return facts;
 }
@@ -90,8 +94,11 @@ TEST(RasterWire, GivesBackWhatWasSent) {
     EXPECT_EQ(received.facts.cell, expected.cell);
     EXPECT_EQ(received.facts.is_geographic, false);
     EXPECT_EQ(received.facts.metres_per_unit, 0.3048);
-    EXPECT_EQ(received.facts.height_unit, HeightUnit::us_survey_foot);
+    EXPECT_EQ(received.facts.ground_scale, expected.ground_scale);
+    EXPECT_EQ(received.facts.height_unit, expected.height_unit);
+    EXPECT_TRUE(received.facts.rows_from_south);
     EXPECT_EQ(received.facts.crs, "EPSG:2229");
+    EXPECT_EQ(received.facts.definition, "PROJCS[...]");
     EXPECT_EQ(received.facts.notes, expected.notes);
     EXPECT_EQ(received.heights, (std::vector<float>{1, 2, 3, 4, 5, 6}));
 }
@@ -102,7 +109,7 @@ TEST(RasterWire, NoCutAndNoLiePasses) {
         EXPECT_THROW(decoded(whole.substr(0, size)), sandbox::WireError) << size;
     }
     std::string huge = whole;
-    huge[8 + 3] = '\x01';  // columns beyond the limit
+    huge[8 + 4] = '\x01';  // columns beyond the limit
     EXPECT_THROW(decoded(huge), sandbox::WireError);
     std::string endless = whole;
     endless[8 + 8 + 8 + 8 + 7] = '\x7F';  // an origin that is not finite
@@ -124,53 +131,51 @@ TEST(RasterWire, AFaultIsPrintableEvenInTheMiddle) {
     }
 }
 
-GeoTags scaled(std::vector<std::uint16_t> keys) {
-    std::vector<std::uint16_t> directory = {1, 1, 0, static_cast<std::uint16_t>(keys.size() / 4)};
-    directory.insert(directory.end(), keys.begin(), keys.end());
-    return {.pixel_scale = {10.0, 20.0, 0.0},
-            .tie_points = {0.0, 0.0, 0.0, 1000.0, 5000.0, 0.0},
-            .transformation = {},
-            .directory = directory,
-            .doubles = {},
-            .texts = "a citation|"};
+TEST(RasterWire, AFactorThatIsNoLengthIsRefused) {
+    RasterFacts facts = some_facts();
+    for (const double factor : {-1.0, 0.0, 1e9}) {
+        facts.ground_scale[1] = factor;
+        const std::string bytes =
+            encoded([&](const RasterReceiver& receiver) { receiver.begin(facts); });
+        EXPECT_THROW(decoded(bytes), sandbox::WireError) << factor;
+    }
 }
 
-RasterFacts placed(const GeoTags& tags) {
-    RasterFacts facts;
-    facts.columns = 4;
-    facts.rows = 3;
-    apply_geo_tags(tags, facts);
-    return facts;
+/// Returns what a program writes to its standard output.
+std::string output_of(const std::vector<std::string>& arguments) {
+    std::string output;
+    sandbox::run_program({}, arguments, [&](const sandbox::Source& source) {
+        for (char c = 0; source(&c, 1);) output += c;
+    });
+    return output;
 }
 
-TEST(GeoKeys, PlaceTheCentreOfTheSouthWestCell) {
-    const RasterFacts area = placed(scaled({1024, 0, 1, 1, 1025, 0, 1, 1, 3072, 0, 1, 32611}));
-    EXPECT_EQ(area.south_west_centre, (std::array{1005.0, 4950.0}));
-    EXPECT_EQ(area.cell, (std::array{10.0, 20.0}));
-    EXPECT_EQ(area.crs, "EPSG:32611");
-    EXPECT_EQ(area.is_geographic, false);
-    EXPECT_TRUE(area.notes.empty());
-    const RasterFacts point = placed(scaled({1024, 0, 1, 2, 1025, 0, 1, 2, 2048, 0, 1, 4326}));
-    EXPECT_EQ(point.south_west_centre, (std::array{1000.0, 4960.0}));
-    EXPECT_EQ(point.is_geographic, true);
-    GeoTags matrix = scaled({});
-    matrix.transformation = {10, 0, 0, 1000, 0, -20, 0, 5000, 0, 0, 0, 0, 0, 0, 0, 1};
-    EXPECT_EQ(placed(matrix).south_west_centre, area.south_west_centre);
-    EXPECT_FALSE(placed({}).has_place);
+TEST(RunProgram, AProgramHasItsArgumentsAPipeAndNothingElse) {
+    EXPECT_EQ(output_of({"/bin/echo", "two words", "more"}), "two words more\n");
+    EXPECT_EQ(output_of({"/usr/bin/env"}), "");
+    EXPECT_EQ(output_of({"/bin/pwd"}), "/\n");
+    // Those of its streams, and the one by which it lists them.
+    const test::TemporaryFolder folder;
+    std::ofstream open_file(folder.file("open"));
+    EXPECT_EQ(output_of({"/bin/ls", "/proc/self/fd"}), "0\n1\n2\n3\n");
 }
 
-TEST(GeoKeys, UnitsAreReadOrAssumedAloud) {
-    const RasterFacts feet =
-        placed(scaled({1024, 0, 1, 1, 3072, 0, 1, 2229, 3076, 0, 1, 9003, 4099, 0, 1, 9002}));
-    EXPECT_DOUBLE_EQ(feet.metres_per_unit, 1200.0 / 3937.0);
-    EXPECT_EQ(feet.height_unit, HeightUnit::foot);
-    const RasterFacts silent = placed(scaled({1024, 0, 1, 1, 3072, 0, 1, 2193}));
-    ASSERT_EQ(silent.notes.size(), 1u);
-    const RasterFacts named = placed(scaled({1024, 0, 1, 1, 1026, 34737, 11, 0, 3076, 0, 1, 9001}));
-    EXPECT_EQ(named.crs, "a citation");
-    EXPECT_THROW(placed(scaled({1024, 0, 1, 1, 3076, 0, 1, 9035})), RasterFault);
-    EXPECT_THROW(placed(scaled({1024, 0, 1, 3})), RasterFault);
-    EXPECT_THROW(placed(scaled({1024, 0, 1, 2, 2054, 0, 1, 9101})), RasterFault);
+TEST(RunProgram, ItsEndIsTold) {
+    const auto failure = [](const std::vector<std::string>& arguments) -> std::string {
+        try {
+            output_of(arguments);
+        } catch (const sandbox::ChildFailure& error) {
+            return error.what();
+        }
+        return "none";
+    };
+    EXPECT_EQ(failure({"/nowhere/program"}), "it stopped early");
+    EXPECT_EQ(failure({"/bin/false"}), "it stopped early");
+    EXPECT_EQ(failure({"/bin/sh", "-c", "kill -SEGV $$"}), "it crashed (signal 11)");
+    // It writes no file.
+    const test::TemporaryFolder folder;
+    EXPECT_EQ(failure({"/bin/cp", "/bin/sh", folder.file("written")}),
+              "it crashed (signal " + std::to_string(SIGXFSZ) + ")");
 }
 
 TEST(SrtmTile, ANameIsACorner) {
@@ -214,13 +219,19 @@ TEST(FloatGrid, AWrittenModelReadsBack) {
         EXPECT_EQ(std::memcmp(read.heights.data(), model.heights.data(), 12 * sizeof(float)), 0);
         EXPECT_EQ(read.domain.origin, model.domain.origin);
         EXPECT_DOUBLE_EQ(read.domain.step(0), 30.1);
-        const std::string expected =
-            crs == std::string("EPSG:32611") ? "WGS 84 / UTM zone 11N" : std::string(crs);
-        EXPECT_NE(read.crs.find(expected), std::string::npos) << read.crs;
+        EXPECT_NE(read.crs.find(crs), std::string::npos) << read.crs;
         EXPECT_TRUE(read.notes.empty());
         EXPECT_TRUE(io::is_written_elevation(folder.file("bed.flt")));
     }
     EXPECT_THROW(io::write_elevation({}, folder.file("bed.tif")), Error);
+}
+
+TEST(FloatGrid, TheDefinitionThatAReaderKnewIsWritten) {
+    ElevationModel model;
+    model.crs = "EPSG:32611";
+    EXPECT_EQ(io::elevation_projection(model), "LOCAL_CS[\"EPSG:32611\",UNIT[\"metre\",1]]");
+    model.crs_definition = "PROJCS[\"WGS 84 / UTM zone 11N\"]";
+    EXPECT_EQ(io::elevation_projection(model), model.crs_definition);
 }
 
 TEST(FloatGrid, SmallCellsOfMetresAreNotTakenForDegrees) {

@@ -22,9 +22,12 @@ void check_raster(const Read& read) {
         .begin =
             [&](const elevation::RasterFacts& its_facts) {
                 facts = its_facts;
-                require(facts.columns >= 0 && facts.columns <= kMaxElevationSide);
-                require(facts.rows >= 0 && facts.rows <= kMaxElevationSide);
-                if (facts.columns * facts.rows > kMaxCells) throw TooLarge();
+                require(facts.columns >= 0 && facts.columns <= INT32_MAX);
+                require(facts.rows >= 0 && facts.rows <= INT32_MAX);
+                if (facts.columns > kMaxElevationSide || facts.rows > kMaxElevationSide ||
+                    facts.columns * facts.rows > kMaxCells) {
+                    throw TooLarge();
+                }
             },
         .row =
             [&](std::span<const float> row) {

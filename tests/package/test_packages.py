@@ -26,6 +26,7 @@ PACKAGES = {
     "library": "libocean-dev",
     "python": "python3-libocean",
     "tools": "ocean-tools",
+    "terrain": "ocean-terrain",
     "preview": "ocean-preview",
     "bridge": "ocean-bridge",
     "povray": "povray-ocean",
@@ -117,6 +118,8 @@ def expected_files(component: str) -> list[str]:
             own.append("usr/lib/systemd/system/ocean-bridge.service")
             own.append("usr/lib/udev/rules.d/60-ocean-bridge.rules")
         return own
+    if component == "terrain":
+        return ["usr/libexec/libocean/ocean-raster"]
     if component == "runtime":
         return ["usr/lib/libocean.so.1", f"usr/lib/libocean.so.{VERSION}"]
     if component == "library":

@@ -325,7 +325,7 @@ TEST(ElevationFile, EachBadFileGetsItsSentence) {
     write(folder.file("photo.jpg"), "\xFF\xD8\xFF");
     EXPECT_EQ(message("photo.jpg"),
               "photo.jpg: is no elevation model: .asc, or .flt with .hdr, are read, and `ocean "
-              "terrain import` converts GeoTIFF, .hgt, PNG and EXR");
+              "terrain import` converts GeoTIFF, .hgt, PNG, EXR and others");
     // A grid is recognised by its content, too.
     write(folder.file("grid.txt"), "# a comment\n" + kHeader + kHeights);
     EXPECT_EQ(message("grid.txt"), "");

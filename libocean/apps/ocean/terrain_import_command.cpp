@@ -97,7 +97,8 @@ ElevationImport request_of(const ImportCommandOptions& options) {
     if (!options.range.empty()) request.range = range_of(options.range);
     if (!options.corner.empty()) request.corner = corner_of(options.corner);
     if (!options.crop.empty()) {
-        request.crop = numbers_of<4>(options.crop, "--crop", "WEST,SOUTH,EAST,NORTH in metres");
+        request.options.crop =
+            numbers_of<4>(options.crop, "--crop", "WEST,SOUTH,EAST,NORTH in metres");
     }
     return request;
 }
@@ -236,14 +237,17 @@ void run(const ImportCommandOptions& options, const Context& context) {
 }
 
 constexpr char kTerrainImportFooter[] =
-    R"(Reads GeoTIFF (one band; integers of 8, 16 and 32 bits, floats of 32 and 64),
-SRTM tiles (N34W119.hgt), grey PNG (needs --cell and --range), OpenEXR (needs
---cell; heights in metres), ESRI ASCII grids (.asc) and raw floats (.flt with
-.hdr). Other formats become GeoTIFF by `gdal_translate -ot Float32 IN OUT.tif`.
-Without -o the facts are printed and nothing is written. Cells of degrees are
-scaled to metres by the latitude of the centre, and the model then begins at
-(0, 0). Libraries that read the file work in a process of their own, with limits
-of memory (2 GiB) and time (10 minutes of CPU).)";
+    R"(Reads SRTM tiles (N34W119.hgt), OpenEXR (needs --cell; the channel whose name
+says height, in metres), ESRI ASCII grids (.asc), raw floats (.flt with .hdr) and,
+by ocean-raster, which is installed apart (Debian: ocean-terrain), what GDAL reads
+of GeoTIFF, DTED, USGS DEM, Surfer, ENVI and grey PNG (needs --cell and --range):
+one band, with its mask, its units, and its sidecars (.tfw, .aux.xml, .msk). Other
+formats become GeoTIFF by `gdal_translate -ot Float32 IN OUT.tif`. Without -o the
+facts are printed and nothing is written. Cells of degrees are scaled to metres
+by the latitude of the centre, and the model then begins at (0, 0); cells of a map
+that stretches the ground by more than 1 %, as Mercator's does, are scaled to it.
+A crop is read alone, and scaled at its own centre. What reads a file works in a
+process of its own, with limits of memory (2 GiB) and time (10 minutes of CPU).)";
 
 }  // namespace
 
@@ -284,7 +288,8 @@ Command terrain_import_command() {
                {"--corner", &options->corner, "NAME",
                 "South-west corner of an SRTM tile whose file has another name, as N34W119"},
                {"--crop", &options->crop, "WEST,SOUTH,EAST,NORTH",
-                "Keep the cells whose centres lie within these edges [m]"},
+                "Keep the cells whose centres lie within these edges: metres of the map, or from "
+                "the south-west cell of a whole file in degrees"},
                {"--square", &options->square, "METRES",
                 "Write square cells of this side, as the bed of a sea needs: between cells by "
                 "interpolation, larger ones as means"}}},

@@ -32,6 +32,7 @@ struct ElevationModel {
     PageVector<float> heights;  // [m], positive upwards; NaN = a hole
     /// The coordinate reference system: "EPSG:26911", or a definition in WKT; "" = unknown.
     std::string crs;
+    std::string crs_definition;  // in WKT 1, where crs is a code and the reader knows it
     /// True if the file's cells were degrees. They are scaled to metres by the latitude of the
     /// centre, and the domain begins at (0, 0).
     bool was_degrees = false;

@@ -44,6 +44,9 @@ struct ElevationOptions {
     HeightSign sign = HeightSign::up;
     HolePolicy holes = HolePolicy::refuse;
     CellsInDegrees degrees = CellsInDegrees::automatic;
+    /// West, south, east and north edges: cells whose centres lie within them are kept. They are
+    /// places of the whole model [m], before a map that stretches the ground is scaled.
+    std::optional<std::array<double, 4>> crop = {};
     /// Is called with the rows that have been read, now and then, on the calling thread. If it
     /// throws, the reader ends with that exception.
     std::function<void(int rows, int of_rows)> progress = {};
@@ -53,8 +56,8 @@ struct ElevationOptions {
 /// Needs 4 bytes a cell, which are compared with the available memory before they are allocated.
 /// Throws Error bad_file "PATH:LINE: ..." for a file that is not what it claims, has a side outside
 /// kMinElevationSide .. kMaxElevationSide, heights beyond kMaxElevation or, with
-/// HolePolicy::refuse, holes; unsupported for a format that `ocean terrain import` converts;
-/// out_of_memory.
+/// HolePolicy::refuse, holes; invalid_value for a crop that leaves fewer than 2 x 2 cells;
+/// unsupported for a format that `ocean terrain import` converts; out_of_memory.
 ElevationModel read_elevation(const std::string& path, const ElevationOptions& options = {});
 
 /// Reads the text of an ESRI ASCII grid. `name` stands for the path in messages, `crs` is the text

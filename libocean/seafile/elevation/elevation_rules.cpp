@@ -68,6 +68,38 @@ std::string degrees_note(const ElevationModel& model, const std::string& why) {
                       4);
 }
 
+/// Scales a map whose unit is not the metre. Returns false for one in metres.
+bool scale_unit(RawModel& raw) {
+    if (raw.metres_per_unit == 1.0) return false;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        raw.model.domain.origin[axis] *= raw.metres_per_unit;
+        raw.model.domain.size[axis] *= raw.metres_per_unit;
+    }
+    raw.model.notes.push_back("the horizontal unit of the file is " +
+                              shortest_text(raw.metres_per_unit) +
+                              " m; cell and origin are metres");
+    return true;
+}
+
+/// Scales the cells of a map that stretches the ground, as Mercator's does: slopes and wavelengths
+/// are those of the ground. Returns false for another map. The origin stays that of the map.
+bool scale_to_ground(RawModel& raw, const std::string& system) {
+    const std::array<double, 2>& scale = raw.ground_scale;
+    if (scale == std::array{1.0, 1.0}) return false;
+    Domain& domain = raw.model.domain;
+    const auto cell = [&] {
+        return significant_text(domain.step(0), 6) + " m x " + significant_text(domain.step(1), 6) +
+               " m";
+    };
+    const std::string of_map = cell();
+    for (std::size_t axis = 0; axis < 2; ++axis) domain.size[axis] *= scale[axis];
+    raw.model.notes.push_back("cells of " + of_map + (system.empty() ? "" : " of " + system) +
+                              " are " + cell() +
+                              " on the ground at the centre of the map, to which they are scaled; "
+                              "the origin is that of the map");
+    return true;
+}
+
 /// Scales the domain to metres.
 void scale_domain(RawModel& raw, const std::string& name, CellsInDegrees requested) {
     ElevationModel& model = raw.model;
@@ -93,14 +125,11 @@ void scale_domain(RawModel& raw, const std::string& name, CellsInDegrees request
     if (requested == CellsInDegrees::no && raw.is_geographic.value_or(false)) {
         model.notes.push_back("the file has cells of degrees, which are metres as requested");
     }
-    if (raw.metres_per_unit == 1.0) return;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        model.domain.origin[axis] *= raw.metres_per_unit;
-        model.domain.size[axis] *= raw.metres_per_unit;
-    }
-    model.crs = "LOCAL_CS[\"metres of " + crs_name(model.crs) + "\",UNIT[\"metre\",1]]";
-    model.notes.push_back("the horizontal unit of the file is " +
-                          shortest_text(raw.metres_per_unit) + " m; cell and origin are metres");
+    const std::string system = crs_name(model.crs);
+    const bool scaled = scale_unit(raw);
+    if (!scale_to_ground(raw, system) && !scaled) return;
+    model.crs = "LOCAL_CS[\"metres of " + system + "\",UNIT[\"metre\",1]]";
+    model.crs_definition.clear();
 }
 
 /// Returns a note for each common mark for missing heights that is a height of the file. What the
@@ -126,8 +155,7 @@ std::vector<std::string> notes_of_marks(std::span<const float> heights) {
 /// Converts heights to metres, positive upwards. Throws for one beyond kMaxElevation.
 void scale_heights(RawModel& raw, const std::string& name, const ElevationOptions& options) {
     ElevationModel& model = raw.model;
-    const HeightUnit unit = options.unit.value_or(raw.height_unit.value_or(HeightUnit::metre));
-    const double metres = metres_of(unit);
+    const double metres = options.unit ? metres_of(*options.unit) : raw.height_unit.value_or(1.0);
     const double factor = options.sign == HeightSign::down ? -metres : metres;
     for (std::size_t i = 0; i < model.heights.size(); ++i) {
         float& height = model.heights[i];
@@ -142,9 +170,11 @@ void scale_heights(RawModel& raw, const std::string& name, const ElevationOption
         }
         height = static_cast<float>(scaled);
     }
-    if (!options.unit && raw.height_unit && *raw.height_unit != HeightUnit::metre) {
-        model.notes.push_back("the heights of the file are feet; they are converted to metres");
-    }
+    if (options.unit || metres == 1.0) return;
+    const bool is_foot = std::abs(metres / metres_of(HeightUnit::foot) - 1.0) < 1e-5;
+    model.notes.push_back("the heights of the file are " +
+                          (is_foot ? "feet" : "in units of " + shortest_text(metres) + " m") +
+                          "; they are converted to metres");
 }
 
 }  // namespace
@@ -180,10 +210,9 @@ void require_sides(const std::string& name, std::int64_t columns, std::int64_t r
     }
 }
 
-ElevationModel make_model(const std::string& name, std::int64_t columns, std::int64_t rows,
-                          const std::array<double, 2>& south_west_centre,
-                          const std::array<double, 2>& cell) {
-    require_sides(name, columns, rows);
+Domain make_domain(const std::string& name, std::int64_t columns, std::int64_t rows,
+                   const std::array<double, 2>& south_west_centre,
+                   const std::array<double, 2>& cell) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
         if (!(cell[axis] > 0.0 && cell[axis] <= kMaxCoordinate)) {
             throw bad_file(name, "has cells of " + shortest_text(cell[0]) + " x " +
@@ -195,18 +224,59 @@ ElevationModel make_model(const std::string& name, std::int64_t columns, std::in
                                      "); allowed: -1e9 .. 1e9");
         }
     }
+    return {.origin = south_west_centre,
+            .size = {cell[0] * static_cast<double>(columns - 1),
+                     cell[1] * static_cast<double>(rows - 1)},
+            .samples = {static_cast<int>(columns), static_cast<int>(rows)},
+            .wraps = false};
+}
+
+void allocate_heights(ElevationModel& model, const std::string& name) {
+    const std::int64_t columns = model.domain.samples[0], rows = model.domain.samples[1];
+    require_sides(name, columns, rows);
     require_memory(4 * static_cast<std::uint64_t>(columns * rows),
                    name + ": an elevation model of " + std::to_string(columns) + " x " +
                        std::to_string(rows) + " cells",
                    "cut it into parts, or make its cells larger");
-    ElevationModel model;
-    model.domain = {.origin = south_west_centre,
-                    .size = {cell[0] * static_cast<double>(columns - 1),
-                             cell[1] * static_cast<double>(rows - 1)},
-                    .samples = {static_cast<int>(columns), static_cast<int>(rows)},
-                    .wraps = false};
     model.heights.resize(model.domain.count());
+}
+
+ElevationModel make_model(const std::string& name, std::int64_t columns, std::int64_t rows,
+                          const std::array<double, 2>& south_west_centre,
+                          const std::array<double, 2>& cell) {
+    require_sides(name, columns, rows);
+    ElevationModel model;
+    model.domain = make_domain(name, columns, rows, south_west_centre, cell);
+    allocate_heights(model, name);
     return model;
+}
+
+double rounding_of(std::string_view word) {
+    constexpr int kDigitsOfRounding = 6;
+    const std::size_t end = std::min(word.find_first_of("eE"), word.size());
+    int digits = 0, decimals = 0;
+    bool has_point = false;
+    for (const char c : word.substr(0, end)) {
+        has_point |= c == '.' || c == ',';
+        if (c < '0' || c > '9') continue;
+        decimals += has_point ? 1 : 0;
+        digits += digits > 0 || c != '0' ? 1 : 0;
+    }
+    if (digits < kDigitsOfRounding) return 0.0;
+    const double exponent =
+        end < word.size() ? text::parse_number(word.substr(end + 1)).value_or(0.0) : 0.0;
+    return 0.5 * std::pow(10.0, exponent - decimals);
+}
+
+bool MissingMark::matches(double height, std::string_view word) const {
+    if (height == value || static_cast<float>(height) == static_cast<float>(value)) return true;
+    const double difference = std::abs(height - value);
+    constexpr double kMaxRounding = 5e-6;  // half of the last of six digits, relative
+    if (!(difference <= 1.001 * kMaxRounding * std::abs(value))) return false;
+    // A header with a whole number means that number.
+    const double of_header = value == std::floor(value) ? 0.0 : rounding;
+    constexpr double kSlack = 1e-9;  // a tie may fall on either side
+    return difference <= (1.0 + kSlack) * std::max(of_header, rounding_of(word));
 }
 
 bool is_fill_value(double value) {
@@ -214,7 +284,53 @@ bool is_fill_value(double value) {
     return !(std::abs(value) < kNoHeight);
 }
 
+GridWindow crop_window(const RawModel& raw, const std::string& name,
+                       const ElevationOptions& options) {
+    RawModel frame;
+    frame.model.domain = raw.model.domain;
+    frame.is_geographic = raw.is_geographic;
+    frame.metres_per_unit = raw.metres_per_unit;
+    scale_domain(frame, name, options.degrees);
+    const Domain& whole = frame.model.domain;
+    std::array<std::int64_t, 2> first{}, count{};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const double step = whole.step(axis), end = whole.samples[axis] - 1;
+        const double low = ((*options.crop)[axis] - whole.origin[axis]) / step;
+        const double high = ((*options.crop)[axis + 2] - whole.origin[axis]) / step;
+        first[axis] = static_cast<std::int64_t>(std::ceil(std::clamp(low, 0.0, end + 1.0)));
+        count[axis] =
+            static_cast<std::int64_t>(std::floor(std::clamp(high, -1.0, end))) - first[axis] + 1;
+        if (count[axis] >= kMinElevationSide) continue;
+        throw Error(ErrorKind::invalid_value,
+                    "--crop leaves fewer than 2 x 2 cells; the centres lie within " +
+                        plain_text(whole.origin[0]) + "," + plain_text(whole.origin[1]) + "," +
+                        plain_text(whole.origin[0] + whole.size[0]) + "," +
+                        plain_text(whole.origin[1] + whole.size[1]));
+    }
+    return {first[0], first[1], count[0], count[1]};
+}
+
+/// Keeps a window of a model, in the file's units.
+static void keep_window(ElevationModel& model, const GridWindow& window) {
+    const Domain whole = model.domain;
+    const auto columns = static_cast<std::size_t>(window.columns);
+    PageVector<float> kept;
+    kept.reserve(columns * static_cast<std::size_t>(window.rows));
+    for (std::int64_t j = window.south; j < window.south + window.rows; ++j) {
+        const float* const row = model.heights.data() + j * whole.samples[0] + window.west;
+        kept.insert(kept.end(), row, row + columns);
+    }
+    model.heights = std::move(kept);
+    model.domain = {
+        .origin = whole.place(static_cast<int>(window.west), static_cast<int>(window.south)),
+        .size = {whole.step(0) * static_cast<double>(window.columns - 1),
+                 whole.step(1) * static_cast<double>(window.rows - 1)},
+        .samples = {static_cast<int>(window.columns), static_cast<int>(window.rows)},
+        .wraps = false};
+}
+
 ElevationModel finish(RawModel raw, const std::string& name, const ElevationOptions& options) {
+    if (options.crop) keep_window(raw.model, crop_window(raw, name, options));
     std::vector<std::string> marks;
     if (!raw.has_shades) marks = notes_of_marks(raw.model.heights);
     scale_domain(raw, name, options.degrees);

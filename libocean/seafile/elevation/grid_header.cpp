@@ -60,34 +60,6 @@ std::optional<double> grid_number(std::string_view word) {
     return text::parse_number(spelled);
 }
 
-double rounding_of(std::string_view word) {
-    constexpr int kDigitsOfRounding = 6;
-    const std::size_t end = std::min(word.find_first_of("eE"), word.size());
-    int digits = 0, decimals = 0;
-    bool has_point = false;
-    for (const char c : word.substr(0, end)) {
-        has_point |= c == '.' || c == ',';
-        if (c < '0' || c > '9') continue;
-        decimals += has_point ? 1 : 0;
-        digits += digits > 0 || c != '0' ? 1 : 0;
-    }
-    if (digits < kDigitsOfRounding) return 0.0;
-    const double exponent =
-        end < word.size() ? text::parse_number(word.substr(end + 1)).value_or(0.0) : 0.0;
-    return 0.5 * std::pow(10.0, exponent - decimals);
-}
-
-bool MissingMark::matches(double height, std::string_view word) const {
-    if (height == value || static_cast<float>(height) == static_cast<float>(value)) return true;
-    const double difference = std::abs(height - value);
-    constexpr double kMaxRounding = 5e-6;  // half of the last of six digits, relative
-    if (!(difference <= 1.001 * kMaxRounding * std::abs(value))) return false;
-    // A header with a whole number means that number.
-    const double of_header = is_whole(value) ? 0.0 : rounding;
-    constexpr double kSlack = 1e-9;  // a tie may fall on either side
-    return difference <= (1.0 + kSlack) * std::max(of_header, rounding_of(word));
-}
-
 bool GridHeaderReader::knows(std::string_view word) {
     const std::string key = key_of(word);
     return is_number_key(key) || std::ranges::find(kWordKeys, key) != kWordKeys.end();

@@ -14,18 +14,9 @@
 #include <string>
 #include <string_view>
 
+#include "ocean/internal/elevation_rules.hpp"
+
 namespace ocean::elevation {
-
-/// The value that a file declares for missing heights. Files hold it at other precisions too: its
-/// cells are floats, or texts with fewer digits than the header.
-struct MissingMark {
-    double value = -9999.0;  // ESRI's default
-    double rounding = 0.0;   // of the header's word, see rounding_of()
-
-    /// Returns true for a height that is the mark: both are one float, or one is the other rounded
-    /// to the digits that its word has.
-    bool matches(double height, std::string_view word = {}) const;
-};
 
 /// A header without contradictions.
 struct GridHeader {
@@ -74,9 +65,5 @@ class GridHeaderReader {
 /// Returns the number that a word of a GIS spells, with a decimal point or comma; NaN for "nan" and
 /// for the "1.#QNAN" of Windows; nothing for another word.
 std::optional<double> grid_number(std::string_view word);
-
-/// Returns half of the last decimal place of a number's word if it has six significant digits or
-/// more, the default of programs that round; 0 for a shorter one, which nobody has rounded.
-double rounding_of(std::string_view word);
 
 }  // namespace ocean::elevation

@@ -19,6 +19,8 @@ namespace ocean {
 namespace {
 
 using namespace std::string_view_literals;
+using elevation::ElevationReader;
+using elevation::ForeignFormat;
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxHeaderBytes = 65536;
@@ -35,27 +37,26 @@ std::string lower_extension(const std::string& path) {
     return extension;
 }
 
-/// A format that only a tool converts: its name, and how a file of it begins or is named.
-struct ForeignFormat {
-    std::string_view name;
-    std::string_view first_bytes;
-    std::array<std::string_view, 2> extensions;
-    bool is_imported;  // by `ocean terrain import`; else GDAL makes a GeoTIFF of it
-};
+using enum ElevationReader;
 constexpr std::array kForeignFormats = {
-    ForeignFormat{"TIFF", "II*\0"sv, {".tif", ".tiff"}, true},
-    ForeignFormat{"TIFF", "MM\0*"sv, {}, true},
-    ForeignFormat{"TIFF", "II+\0"sv, {}, true},
-    ForeignFormat{"TIFF", "MM\0+"sv, {}, true},
-    ForeignFormat{"PNG", "\x89PNG"sv, {".png", ""}, true},
-    ForeignFormat{"OpenEXR", "\x76\x2f\x31\x01"sv, {".exr", ""}, true},
-    ForeignFormat{"SRTM", {}, {".hgt", ""}, true},
-    ForeignFormat{"NetCDF", "CDF"sv, {".nc", ".grd"}, false},
-    ForeignFormat{"HDF", "\x89HDF"sv, {".h5", ".hdf"}, false},
-    ForeignFormat{"DTED", "UHL1"sv, {".dt1", ".dt2"}, false},
-    ForeignFormat{"raster of integers", {}, {".bil", ".img"}, false},
-    ForeignFormat{"USGS DEM", {}, {".dem", ".ddf"}, false},
+    ForeignFormat{"TIFF", "II*\0"sv, {".tif", ".tiff"}, ocean_raster},
+    ForeignFormat{"TIFF", "MM\0*"sv, {}, ocean_raster},
+    ForeignFormat{"TIFF", "II+\0"sv, {}, ocean_raster},
+    ForeignFormat{"TIFF", "MM\0+"sv, {}, ocean_raster},
+    ForeignFormat{"PNG", "\x89PNG"sv, {".png"}, ocean_raster},
+    ForeignFormat{"OpenEXR", "\x76\x2f\x31\x01"sv, {".exr"}, exr},
+    ForeignFormat{"SRTM", {}, {".hgt"}, hgt},
+    ForeignFormat{"DTED", "UHL1"sv, {".dt0", ".dt1", ".dt2"}, ocean_raster},
+    ForeignFormat{"Surfer", "DSAA"sv, {}, ocean_raster},
+    ForeignFormat{"Surfer", "DSBB"sv, {}, ocean_raster},
+    ForeignFormat{"Surfer", "DSRB"sv, {}, ocean_raster},
+    ForeignFormat{"USGS DEM", {}, {".dem"}, ocean_raster},
+    ForeignFormat{"NetCDF", "CDF"sv, {".nc", ".grd"}, gdal_translate},
+    ForeignFormat{"HDF", "\x89HDF"sv, {".h5", ".hdf"}, gdal_translate},
+    ForeignFormat{"raster of integers", {}, {".bil", ".img"}, gdal_translate},
+    ForeignFormat{"SDTS", {}, {".ddf"}, gdal_translate},
 };
+constexpr ForeignFormat kEnvi{"ENVI", {}, {}, ocean_raster};
 
 /// Throws the sentence that names the command for a file of another format.
 [[noreturn]] void refuse(const std::string& path, const ForeignFormat& format) {
@@ -65,22 +66,8 @@ constexpr std::array kForeignFormats = {
                               " bed.tif` and `ocean terrain import bed.tif -o bed.flt`";
     throw text::error_at(ErrorKind::unsupported, path, 0,
                          "is a file of the format " + std::string(format.name) +
-                             ": convert it by " + (format.is_imported ? import : other));
-}
-
-const ForeignFormat* foreign_format(std::string_view first_bytes, std::string_view extension) {
-    for (const ForeignFormat& format : kForeignFormats) {
-        if (!format.first_bytes.empty() && first_bytes.starts_with(format.first_bytes)) {
-            return &format;
-        }
-    }
-    for (const ForeignFormat& format : kForeignFormats) {
-        const auto& known = format.extensions;
-        if (!extension.empty() && std::ranges::find(known, extension) != known.end()) {
-            return &format;
-        }
-    }
-    return nullptr;
+                             ": convert it by " +
+                             (format.reader == gdal_translate ? other : import));
 }
 
 /// Returns true if the text's first word that is no comment is a key of a grid's header.
@@ -123,6 +110,12 @@ std::string beside(const std::string& path, std::array<const char*, 2> extension
     return "";
 }
 
+/// Returns true for the samples of an ENVI file, whose header lies beside them.
+bool is_envi(const std::string& path) {
+    const std::string header = beside(path, {".hdr", ".HDR"});
+    return text::first_bytes(header.empty() ? path + ".hdr" : header, 4) == "ENVI";
+}
+
 ElevationModel read_floats(const std::string& path, const ElevationOptions& options) {
     const std::string header = beside(path, {".hdr", ".HDR"});
     if (header.empty()) {
@@ -137,6 +130,23 @@ ElevationModel read_floats(const std::string& path, const ElevationOptions& opti
 
 }  // namespace
 
+const ForeignFormat* elevation::foreign_format(const std::string& path) {
+    const std::string extension = lower_extension(path), first = text::first_bytes(path, 1024);
+    if (extension == ".flt" || extension == ".hdr" || extension == ".asc") return nullptr;
+    for (const ForeignFormat& format : kForeignFormats) {
+        if (!format.first_bytes.empty() && first.starts_with(format.first_bytes)) return &format;
+    }
+    if (begins_as_ascii_grid(first)) return nullptr;
+    if (is_envi(path)) return &kEnvi;
+    for (const ForeignFormat& format : kForeignFormats) {
+        const auto& known = format.extensions;
+        if (!extension.empty() && std::ranges::find(known, extension) != known.end()) {
+            return &format;
+        }
+    }
+    return nullptr;
+}
+
 ElevationModel read_elevation(const std::string& path, const ElevationOptions& options) {
     require_file(path);
     const std::string extension = lower_extension(path);
@@ -146,16 +156,15 @@ ElevationModel read_elevation(const std::string& path, const ElevationOptions& o
         if (!floats.empty()) return read_floats(floats, options);
         throw bad_file(path, "has no .flt file of its name beside it");
     }
-    const std::string first = text::first_bytes(path, 1024);
-    if (extension == ".asc" || begins_as_ascii_grid(first)) {
+    if (const ForeignFormat* format = elevation::foreign_format(path)) refuse(path, *format);
+    if (extension == ".asc" || begins_as_ascii_grid(text::first_bytes(path, 1024))) {
         std::ifstream stream = opened(path);
         return parse_ascii_grid(stream, fs::file_size(utf8_path(path)), path,
                                 elevation::read_projection(path), options);
     }
-    if (const ForeignFormat* format = foreign_format(first, extension)) refuse(path, *format);
     throw bad_file(path,
                    "is no elevation model: .asc, or .flt with .hdr, are read, and `ocean terrain "
-                   "import` converts GeoTIFF, .hgt, PNG and EXR");
+                   "import` converts GeoTIFF, .hgt, PNG, EXR and others");
 }
 
 }  // namespace ocean

@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Runs work that may crash, hang or use much memory in a forked child with limits. Its result comes
-// back through a pipe; a crash ends the child alone.
+// Runs work that may crash, hang or use much memory in a child with limits: a part of this program,
+// or another one. Its result comes back through a pipe; a crash ends the child alone.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace ocean::sandbox {
 
@@ -22,8 +24,8 @@ struct WireError : std::runtime_error {
 };
 
 struct ChildLimits {
-    std::uint64_t memory_bytes = std::uint64_t{2}
-                                 << 30;  // beyond the memory of the program at the fork
+    /// Beyond the memory of this program at the fork, or all that another program has.
+    std::uint64_t memory_bytes = std::uint64_t{2} << 30;
     unsigned cpu_seconds = 20;
 };
 
@@ -39,5 +41,12 @@ struct ChildFailure : std::runtime_error {
 /// has no process left.
 void run_in_child(const ChildLimits& limits, const std::function<void(const Sink&)>& produce,
                   const std::function<void(const Source&)>& consume);
+
+/// Executes the program whose path is the first argument, with an empty environment, in the folder
+/// "/", with a pipe as its only stream, and calls `consume` on what it writes to its standard
+/// output. Limits and exceptions are those of run_in_child; a program that cannot be executed has
+/// stopped early.
+void run_program(const ChildLimits& limits, const std::vector<std::string>& arguments,
+                 const std::function<void(const Source&)>& consume);
 
 }  // namespace ocean::sandbox

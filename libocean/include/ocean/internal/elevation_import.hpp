@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Imports elevation models from the formats of other programs: GeoTIFF, SRTM (.hgt), grey PNG and
-// OpenEXR, and those that read_elevation() reads. Libraries that read files of others work in a
-// process of their own, because they are not safe against hostile files.
+// Imports elevation models from the formats of other programs: SRTM (.hgt), OpenEXR, those that
+// read_elevation() reads, and GeoTIFF, grey PNG and others by GDAL. Libraries that read files of
+// others work in a process of their own, because they are not safe against hostile files.
 #pragma once
 
 #include <array>
@@ -20,12 +20,11 @@ struct ElevationImport {
     std::optional<double> cell = {};                   // of files that do not state it [m]
     std::optional<std::array<double, 2>> range = {};   // heights of black and white [m]
     std::optional<std::array<double, 2>> corner = {};  // of .hgt [degrees east, degrees north]
-    std::optional<std::array<double, 4>> crop = {};    // west, south, east, north edges [m]
 };
 
 /// Returns the model of a file, recognised by its content, and .hgt by its name. Throws as
-/// read_elevation, and Error invalid_value for an option that the file needs, or has no use for, or
-/// for a crop that leaves fewer than 2 x 2 cells.
+/// read_elevation, and Error invalid_value for an option that the file needs, or has no use for;
+/// unsupported if its format needs the program ocean-raster, and that is not installed.
 ElevationModel import_elevation(const std::string& path, const ElevationImport& request);
 
 /// Reads the corner of an SRTM tile from its name: "N34W119" at the start of a file's name. Returns

@@ -4,38 +4,96 @@
 // The rules that the readers of elevation models share: units, degrees, holes and limits.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "ocean/elevation_file.hpp"
 #include "ocean/internal/checked_text.hpp"
 
 namespace ocean::elevation {
 
+/// The value that a file declares for missing heights. Files hold it at other precisions too: its
+/// cells are floats, or texts with fewer digits than the header.
+struct MissingMark {
+    double value = -9999.0;  // ESRI's default
+    double rounding = 0.0;   // of the header's word, see rounding_of()
+
+    /// Returns true for a height that is the mark: both are one float, or one is the other rounded
+    /// to the digits that its word has.
+    bool matches(double height, std::string_view word = {}) const;
+};
+
+/// Returns half of the last decimal place of a number's word if it has six significant digits or
+/// more, the default of programs that round; 0 for a shorter one, which nobody has rounded.
+double rounding_of(std::string_view word);
+
+/// A part of a grid, counted in cells from the south-west.
+struct GridWindow {
+    std::int64_t west;
+    std::int64_t south;
+    std::int64_t columns;
+    std::int64_t rows;
+};
+
+/// The part of this program, or the other program, that reads an elevation model.
+enum class ElevationReader {
+    library,  // read_elevation()
+    hgt,      // the rest by `ocean terrain import`
+    exr,
+    ocean_raster,
+    gdal_translate,  // by hand
+};
+/// A format that read_elevation() refuses: its name, and how a file of it begins or is named.
+struct ForeignFormat {
+    std::string_view name;
+    std::string_view first_bytes;
+    std::array<std::string_view, 3> extensions;
+    ElevationReader reader;
+};
+/// Returns the format of a file that is there, nullptr for one that read_elevation() reads and for
+/// an unknown one.
+const ForeignFormat* foreign_format(const std::string& path);
+
 /// A model as its file has it: the domain in the file's units, heights in its unit with NaN as
 /// holes.
 struct RawModel {
     ElevationModel model;
-    std::optional<bool> is_geographic = {};      // cells of degrees; unset if the file is silent
-    double metres_per_unit = 1.0;                // of the horizontal coordinates
-    std::optional<HeightUnit> height_unit = {};  // as the file states
-    bool has_shades = false;                     // an image's, whose heights the user stated
-    std::string hint = {};                       // appended to the error of a height out of range
+    std::optional<bool> is_geographic = {};  // cells of degrees; unset if the file is silent
+    double metres_per_unit = 1.0;            // of the horizontal coordinates
+    /// The length of a cell on the ground for its length on the map, to the east and to the north,
+    /// at the map's centre.
+    std::array<double, 2> ground_scale = {1.0, 1.0};
+    std::optional<double> height_unit = {};  // as the file states [m]
+    bool has_shades = false;                 // an image's, whose heights the user stated
+    std::string hint = {};                   // appended to the error of a height out of range
 };
 
-/// Returns a model whose domain is in the file's units. Throws Error bad_file, with `name`, for a
-/// side outside kMinElevationSide .. kMaxElevationSide, cells that are not positive or coordinates
-/// beyond 1e9; out_of_memory if the heights exceed the available memory. Allocates the heights.
+/// Returns a domain in the file's units. Throws Error bad_file, with `name`, for cells that are not
+/// positive and coordinates beyond 1e9.
+Domain make_domain(const std::string& name, std::int64_t columns, std::int64_t rows,
+                   const std::array<double, 2>& south_west_centre,
+                   const std::array<double, 2>& cell);
+/// Returns a model with that domain and its heights.
 ElevationModel make_model(const std::string& name, std::int64_t columns, std::int64_t rows,
                           const std::array<double, 2>& south_west_centre,
                           const std::array<double, 2>& cell);
-/// Throws as make_model for sides, before anything else is known.
+/// Gives a model the heights of its domain. Throws as require_sides; out_of_memory if they exceed
+/// the available memory.
+void allocate_heights(ElevationModel& model, const std::string& name);
+/// Throws Error bad_file for a side outside kMinElevationSide .. kMaxElevationSide.
 void require_sides(const std::string& name, std::int64_t columns, std::int64_t rows);
 
 /// Returns true for a value that no file means as a height: NaN, or a magnitude of at least 1e30,
 /// by which programs fill what is missing.
 bool is_fill_value(double value);
+
+/// Returns the cells that options.crop keeps of a model, whose heights are not read. Throws Error
+/// invalid_value for fewer than 2 x 2.
+GridWindow crop_window(const RawModel& raw, const std::string& name,
+                       const ElevationOptions& options);
 
 /// Returns the model in metres with the options applied, and a note for each assumption. Throws
 /// Error bad_file, with `name`, for a height beyond kMaxElevation, cells of degrees beyond a pole,

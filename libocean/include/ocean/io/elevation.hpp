@@ -19,8 +19,7 @@ void write_elevation(const ElevationModel& model, const std::string& path);
 std::string elevation_header(const ElevationModel& model);
 
 /// Returns the text of the .prj file, WKT 1 in metres: the model's own definition where its lengths
-/// are metres; the definition of a UTM zone for its EPSG code; else a local system that is named
-/// after the model's.
+/// are metres; else a local system that is named after the model's.
 std::string elevation_projection(const ElevationModel& model);
 
 /// Returns true if write_elevation wrote the file, which its header says.
