@@ -113,11 +113,16 @@ std::string commented(const std::string& sentence) {
 
 std::string terrain_text(const FitOptions& options, const TerrainFit& fit) {
     std::string opening = std::string(kOpening) + " to " + text::printable(options.bed, 200) +
-                          ", law " + options.law +
+                          ", law " + law_name(fit) +
                           ".\n# In log10 of the density the error is at "
                           "most " +
                           fixed_text(fit.error_above_lowest(), 3) +
                           " in each octave above the longest.\n";
+    if (fit.terrain.rings != nullptr) {
+        opening += commented(
+            "The rings decide. beta is the exponent of their land, for who takes "
+            "them away.");
+    }
     for (const std::string& warning : fit.warnings) opening += commented(warning);
     return opening + write_terrain(fit.terrain);
 }
@@ -177,11 +182,13 @@ void run(const FitOptions& options, const Context& context) {
 constexpr char kTerrainFitFooter[] =
     R"(BED is an elevation model: .asc, .flt with .hdr, GeoTIFF or .hgt. Its plane is
 removed and a Hann window applied; its density over the wavenumber plane is then
-averaged in rings, 4 an octave. Terrains of 8 seeds, cut out and measured alike,
-correct the law for the window, and the seeds that judge it are others. The law
-is written with its rings, so the terrain file needs BED no more; a broken law
-has a few parameters that can be edited. Real land has a largest slope, ridges
-and valleys that differ, and no Gaussian land has: the table compares them.)";
+averaged in rings, 4 an octave. The law is corrected for the window by what the
+mean of all terrains has, and terrains of 16 seeds, cut out and measured alike,
+judge it. The terrain has the variance of the model about its mean, and a seed
+whose longest waves have it, too: another seed has other long waves. The law is
+written with its rings, so the terrain file needs BED no more; a broken law has
+a few parameters that can be edited. Real land has a largest slope, ridges and
+valleys that differ, and no Gaussian land has: the table compares them.)";
 
 }  // namespace
 

@@ -45,11 +45,17 @@ std::string relief_row(const char* name, double bed, double terrain, const char*
 JsonObject relief_json(const Relief& relief) {
     return JsonObject()
         .add("rms", relief.rms)
+        .add("rms_about_mean", relief.rms_about_mean)
         .add("skewness", relief.skewness)
         .add("slopes", json_array(relief.slopes));
 }
 
 }  // namespace
+
+std::string law_name(const TerrainFit& fit) {
+    if (fit.terrain.rings != nullptr) return "table";
+    return fit.terrain.breaks.empty() ? "one" : "broken";
+}
 
 std::string fit_text(const ElevationModel& bed, const TerrainFit& fit) {
     const Domain& domain = bed.domain;
@@ -62,7 +68,8 @@ std::string fit_text(const ElevationModel& bed, const TerrainFit& fit) {
                        length_text(fit.terrain.patch_size) + ", cell " + length_text(fit.cell) +
                        "\nlaw      " + law_text(fit) + "\n" + octaves_text(fit) +
                        "\n                   model    terrain\n";
-    text += relief_row("rms", fit.bed.rms, fit.model.rms, "m, about the plane");
+    text += relief_row("rms", fit.bed.rms_about_mean, fit.rms, "m, about the mean");
+    text += relief_row("rms of parts", fit.bed.rms, fit.model.rms, "m, about the plane");
     for (std::size_t i = 0; i < kReliefShares.size(); ++i) {
         const std::string name = "slope " + significant<3>(100.0 * kReliefShares[i]) + " %";
         text += relief_row(name.c_str(), fit.bed.slopes[i], fit.model.slopes[i],
@@ -101,9 +108,7 @@ std::string fit_json(const ElevationModel& bed, const TerrainFit& fit) {
     JsonObject json{JsonLines{2}};
     json.add("samples", json_array(bed.domain.samples))
         .add("cell", fit.cell)
-        .add("law", fit.parameters.empty()       ? "table"
-                    : fit.parameters.size() == 1 ? "one"
-                                                 : "broken")
+        .add("law", law_name(fit))
         .add("parameters", parameters)
         .add("error_above_lowest", fit.error_above_lowest())
         .add("octaves", octaves)
@@ -111,7 +116,7 @@ std::string fit_json(const ElevationModel& bed, const TerrainFit& fit) {
         .add("model", relief_json(fit.bed)
                           .add("anisotropy", fit.bed.anisotropy)
                           .add("direction", fit.bed.direction))
-        .add("terrain", relief_json(fit.model))
+        .add("terrain", relief_json(fit.model).add("tile_rms", fit.rms))
         .add("warnings", json_array(fit.warnings));
     return json.text() + "\n";
 }

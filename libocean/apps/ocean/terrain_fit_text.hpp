@@ -13,6 +13,8 @@ namespace ocean::app {
 /// The first line of files of rings that the command writes.
 inline constexpr char kRingsHeader[] = "wavenumber,density,count,model,scatter,residual\n";
 
+/// Returns the law that the terrain has: table, broken or one.
+std::string law_name(const TerrainFit& fit);
 std::string fit_text(const ElevationModel& bed, const TerrainFit& fit);
 /// Returns one JSON object.
 std::string fit_json(const ElevationModel& bed, const TerrainFit& fit);

@@ -8,9 +8,9 @@
 #include "law_fit.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "nelder_mead.hpp"
 #include "ocean/grid.hpp"
@@ -23,6 +23,13 @@ constexpr double kLawScatter = 0.1;  // of log S
 constexpr Bounds kExponents{0.2, 4.5};
 constexpr Bounds kRidgeGain{0.05, 50.0};
 constexpr Bounds kRidgeWidth{0.15, 2.0};  // [octaves]
+constexpr int kStarts = 5;
+/// Chance lowers the sum of squares by more than this in one land of 100 (chi-squared of the two
+/// parameters of a break, or the five with a ridge), were the waves of a ring independent.
+constexpr double kBreakOfChance = 9.21, kRidgeOfChance = 15.09;
+/// The share of them that is under the Hann window: the square of (sum w^2)^2 / (n sum w^4) = 18/35
+/// [Welch 1967].
+constexpr double kIndependent = 0.265;
 
 /// A parameter of the fit: how it is named, bounded, and set.
 struct FitParameter {
@@ -30,16 +37,18 @@ struct FitParameter {
     Bounds bounds;
     bool is_logarithmic;
     void (*set)(Terrain&, double);
+    std::optional<double> start = {};  // unset: spread over the bounds
 };
 
 std::vector<FitParameter> parameters_of(FitLaw law, bool ridge, const Bounds& wavelengths) {
     std::vector<FitParameter> all = {
-        {"beta", kExponents, false, [](Terrain& t, double value) { t.beta = value; }}};
-    if (law != FitLaw::broken) return all;
-    all.push_back({"break_wavelength", wavelengths, true,
-                   [](Terrain& t, double value) { t.breaks[0][0] = value; }});
-    all.push_back({"break_beta", kExponents, false,
-                   [](Terrain& t, double value) { t.breaks[0][1] = value; }});
+        {"beta", kExponents, false, [](Terrain& t, double value) { t.beta = value; }, 1.5}};
+    if (law == FitLaw::broken) {
+        all.push_back({"break_wavelength", wavelengths, true,
+                       [](Terrain& t, double value) { t.breaks[0][0] = value; }});
+        all.push_back({"break_beta", kExponents, false,
+                       [](Terrain& t, double value) { t.breaks[0][1] = value; }, 2.6});
+    }
     if (!ridge) return all;
     all.push_back({"ridge_wavelength", wavelengths, true,
                    [](Terrain& t, double value) { t.ridge_wavelength = value; }});
@@ -106,68 +115,73 @@ Bounds searched(const FitParameter& parameter) {
 }
 
 /// Returns the point of a start: exponents that many landscapes have, wavelengths spread out.
-std::vector<double> start_of(const std::vector<Bounds>& bounds, int start) {
-    constexpr int kStarts = 5;
+std::vector<double> start_of(const std::vector<FitParameter>& parameters, int start) {
     std::vector<double> place;
-    for (const Bounds& bound : bounds) {
-        place.push_back(bound.lowest +
-                        (bound.highest - bound.lowest) * (start + 1) / (kStarts + 1));
+    for (const FitParameter& parameter : parameters) {
+        const Bounds bound = searched(parameter);
+        place.push_back(parameter.start.value_or(bound.lowest + (bound.highest - bound.lowest) *
+                                                                    (start + 1) / (kStarts + 1)));
     }
-    place[0] = 1.5;
-    if (place.size() > 2) place[2] = 2.6;
     return place;
 }
 
-/// Returns the variance of the terrain's modes with S = e^level times the law's relative density.
-double variance_of(const Terrain& terrain, const TerrainLaw& law, double level) {
-    const int half = terrain.resolution / 2;
-    const double dk = kTwoPi / terrain.patch_size;
-    double sum = 0.0;
-    for (int m = -half + 1; m < half; ++m) {
-        for (int n = 0; n < half; ++n) {
-            if (n == 0 && m <= 0) continue;
-            sum += 2.0 * law.density(n * dk, m * dk);
-        }
-    }
-    return std::exp(level) * sum * dk * dk;
-}
+/// A law whose parameters have their best values.
+struct Candidate {
+    std::vector<FittedParameter> parameters;
+    Terrain terrain;
+    double misfit = 0.0;  // sum of the weighted squares of the residuals
+    double level = 0.0;
+};
 
-}  // namespace
-
-LawFit fit_law(std::span<const Ring> rings, FitLaw law, bool ridge, Terrain& terrain) {
-    constexpr int kStarts = 5;
+Candidate best_law(std::span<const Ring> rings, FitLaw law, bool ridge, const Terrain& terrain) {
     constexpr double kAtBound = 1e-3;  // of the distance between the bounds
     const Bounds wavelengths{kTwoPi / rings.back().wavenumber, kTwoPi / rings.front().wavenumber};
     const std::vector<FitParameter> parameters = parameters_of(law, ridge, wavelengths);
-    if (law == FitLaw::broken) terrain.breaks = {{wavelengths.lowest, 2.5}};
+    Candidate best{.parameters = {}, .terrain = terrain};
+    best.terrain.breaks.clear();
+    best.terrain.ridge_wavelength = 0.0;
+    if (law == FitLaw::broken) best.terrain.breaks = {{wavelengths.lowest, 2.5}};
     std::vector<Bounds> bounds;
     std::vector<double> steps;
     for (const FitParameter& parameter : parameters) {
         bounds.push_back(searched(parameter));
         steps.push_back(0.15 * (bounds.back().highest - bounds.back().lowest));
     }
-    RingResiduals residuals(rings, terrain, parameters);
-    std::optional<Minimum> best;
+    RingResiduals residuals(rings, best.terrain, parameters);
+    std::optional<Minimum> least;
     for (int start = 0; start < kStarts; ++start) {
         const Minimum found =
             minimize([&](std::span<const double> place) { return residuals.sum_of_squares(place); },
-                     start_of(bounds, start), steps, bounds);
-        if (!best || found.value < best->value) best = found;
+                     start_of(parameters, start), steps, bounds);
+        if (!least || found.value < least->value) least = found;
     }
-    residuals.set(terrain, best->place);
-    LawFit fit;
+    residuals.set(best.terrain, least->place);
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-        const double value =
-            parameters[i].is_logarithmic ? std::exp(best->place[i]) : best->place[i];
+        const double place = least->place[i];
         const double margin = kAtBound * (bounds[i].highest - bounds[i].lowest);
-        const bool at_bound = best->place[i] < bounds[i].lowest + margin ||
-                              best->place[i] > bounds[i].highest - margin;
-        fit.parameters.push_back({parameters[i].name, value, at_bound});
+        const bool at_bound =
+            place < bounds[i].lowest + margin || place > bounds[i].highest - margin;
+        best.parameters.push_back(
+            {parameters[i].name, parameters[i].is_logarithmic ? std::exp(place) : place, at_bound});
     }
-    const TerrainLaw fitted(terrain);
-    fit.level = residuals.level(fitted);
-    terrain.rms = std::sqrt(variance_of(terrain, fitted, fit.level));
-    return fit;
+    best.misfit = least->value;
+    best.level = residuals.level(TerrainLaw(best.terrain));
+    return best;
+}
+
+}  // namespace
+
+LawFit fit_law(std::span<const Ring> rings, FitLaw law, bool ridge, Terrain& terrain) {
+    Candidate best = best_law(rings, law, ridge, terrain);
+    bool has_break = law == FitLaw::broken;
+    if (has_break) {
+        Candidate one = best_law(rings, FitLaw::one, false, terrain);
+        const double chance = (ridge ? kRidgeOfChance : kBreakOfChance) / kIndependent;
+        has_break = one.misfit - best.misfit > chance;
+        if (!has_break) best = std::move(one);
+    }
+    terrain = std::move(best.terrain);
+    return {.parameters = std::move(best.parameters), .level = best.level, .has_break = has_break};
 }
 
 }  // namespace ocean

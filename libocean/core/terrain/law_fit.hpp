@@ -14,11 +14,12 @@ namespace ocean {
 
 struct LawFit {
     std::vector<FittedParameter> parameters;
-    double level = 0.0;  // log of S over the law's relative density
+    double level = 0.0;      // log of S over the law's relative density
+    bool has_break = false;  // of FitLaw::broken: the rings need two exponents
 };
 
-/// Sets the exponents, break and ridge of the terrain, and rms so that S has the level of the
-/// rings on the terrain's lattice. The best of five starts.
+/// Sets the exponents, break and ridge of the terrain: the best of five starts. A broken law that
+/// describes the rings no better than chance would becomes a law of one exponent.
 LawFit fit_law(std::span<const Ring> rings, FitLaw law, bool ridge, Terrain& terrain);
 
 }  // namespace ocean

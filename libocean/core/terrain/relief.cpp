@@ -41,8 +41,9 @@ class LevelledHeights {
         return double{heights_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) +
                                static_cast<std::size_t>(i)]};
     }
+    double above_mean(int i, int j) const { return height(i, j) - mean_; }
     double above_plane(int i, int j) const {
-        return height(i, j) - mean_ - slope_x_ * (i - 0.5 * (columns_ - 1)) -
+        return above_mean(i, j) - slope_x_ * (i - 0.5 * (columns_ - 1)) -
                slope_y_ * (j - 0.5 * (rows_ - 1));
     }
 
@@ -60,7 +61,7 @@ class LevelledHeights {
 Relief relief_of(const Domain& domain, std::span<const float> heights) {
     const LevelledHeights land(domain, heights);
     Relief relief;
-    double squares = 0.0, cubes = 0.0;
+    double squares = 0.0, cubes = 0.0, squares_about_mean = 0.0;
     double xx = 0.0, xy = 0.0, yy = 0.0;
     std::vector<float> slopes;
     for (int j = 0; j < domain.samples[1]; ++j) {
@@ -68,6 +69,7 @@ Relief relief_of(const Domain& domain, std::span<const float> heights) {
             const double h = land.above_plane(i, j);
             squares += h * h;
             cubes += h * h * h;
+            squares_about_mean += land.above_mean(i, j) * land.above_mean(i, j);
             const bool inside =
                 i > 0 && j > 0 && i + 1 < domain.samples[0] && j + 1 < domain.samples[1];
             if (!inside) continue;
@@ -83,6 +85,7 @@ Relief relief_of(const Domain& domain, std::span<const float> heights) {
     }
     const double count = static_cast<double>(heights.size());
     relief.rms = std::sqrt(squares / count);
+    relief.rms_about_mean = std::sqrt(squares_about_mean / count);
     if (relief.rms > 0.0) relief.skewness = cubes / count / std::pow(relief.rms, 3);
     for (std::size_t n = 0; n < kReliefShares.size(); ++n) {
         const auto at =
@@ -99,6 +102,7 @@ Relief relief_of(const Domain& domain, std::span<const float> heights) {
 
 void add(Relief& sum, const Relief& one, double share) {
     sum.rms += share * one.rms;
+    sum.rms_about_mean += share * one.rms_about_mean;
     sum.skewness += share * one.skewness;
     sum.anisotropy += share * one.anisotropy;
     for (std::size_t i = 0; i < sum.slopes.size(); ++i) sum.slopes[i] += share * one.slopes[i];

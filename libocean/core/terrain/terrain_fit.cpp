@@ -8,9 +8,11 @@
 #include <bit>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "expected_rings.hpp"
+#include "fit_variance.hpp"
 #include "law_fit.hpp"
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
@@ -25,11 +27,9 @@ namespace {
 
 constexpr int kMaxSide = 2048;  // of tiles and windows: a seed then takes less than a second
 constexpr int kMinFittedSide = 32;
-constexpr int kRingsPerOctave = 4;
-constexpr int kCorrectingSeeds = 16;  // of tiles of up to 1024 samples a side, else half of it
-constexpr int kRingRounds = 12;       // a narrow dip between high rings needs many
+constexpr int kFitRingsPerOctave = 4;
+constexpr int kRingRounds = 12;  // a narrow dip between high rings needs many
 constexpr int kLawRounds = 3;
-constexpr std::uint32_t kFirstCorrectingSeed = 1001;
 constexpr int kVarianceRounds = 2;
 
 /// Makes terrains and measures them as the elevation model was measured.
@@ -39,25 +39,22 @@ class Judge {
         : options_(options),
           land_(tile_for(bed), {.threads = options.threads}),
           domain_(part_for(bed, land_.terrain())) {
-        RingOptions rings{.rings_per_octave = kRingsPerOctave, .max_side = kMaxSide};
+        RingOptions rings{.rings_per_octave = kFitRingsPerOctave, .max_side = kMaxSide};
         rings.limits = ring_limits(bed.domain, rings);
         ring_options_ = rings;
         bed_rings_ = measure_rings(bed.domain, bed.heights, land_.pool(), rings);
-        const int rounds = options.law == FitLaw::table ? kVarianceRounds : 0;
-        correcting_seeds_ =
-            land_.terrain().resolution < kMaxSide ? kCorrectingSeeds : kCorrectingSeeds / 2;
-        terrains_ = rounds * correcting_seeds_ + options.seeds;
     }
 
     const Terrain& tile() const { return land_.terrain(); }
     const std::vector<Ring>& bed_rings() const { return bed_rings_; }
 
-    /// Measures the terrain with `seeds` seeds from `first` on. `use` gets the rings of each, and
-    /// the heights of the part.
+    /// Measures the terrain with each of the seeds. `use` gets the rings of each, and the heights
+    /// of the part.
     template <typename Use>
-    void measure(Terrain terrain, std::uint32_t first, int seeds, const Use& use) {
-        for (int i = 0; i < seeds; ++i) {
-            terrain.seed = first + static_cast<std::uint32_t>(i);
+    void measure(Terrain terrain, std::span<const std::uint32_t> seeds, const Use& use) {
+        int done = 0;
+        for (const std::uint32_t seed : seeds) {
+            terrain.seed = seed;
             land_.set_terrain(terrain);
             const std::vector<float> heights = part();
             const auto rings = measure_rings(domain_, heights, land_.pool(), ring_options_);
@@ -66,25 +63,16 @@ class Judge {
                             "the model has too few cells for its rings to be compared");
             }
             use(rings, heights);
-            if (options_.progress) options_.progress(++done_, terrains_);
+            if (options_.progress) options_.progress(++done, static_cast<int>(seeds.size()));
         }
     }
 
-    /// Returns the variance about the plane of the part, the mean of the seeds that correct [m^2].
-    double mean_variance(const Terrain& terrain) {
-        double variance = 0.0;
-        measure(terrain, kFirstCorrectingSeed, correcting_seeds_,
-                [&](const std::vector<Ring>&, const std::vector<float>& heights) {
-                    const double rms = relief_of(domain_, heights).rms;
-                    variance += rms * rms / correcting_seeds_;
-                });
-        return variance;
-    }
     /// Returns the mean of all seeds in each ring: see expected_rings.
     std::vector<double> expected(const Terrain& terrain) {
         return expected_rings(terrain, domain_.samples, ring_options_, land_.pool());
     }
     const Domain& domain() const { return domain_; }
+    ThreadPool& pool() { return land_.pool(); }
 
   private:
     static Terrain tile_for(const ElevationModel& bed) {
@@ -98,6 +86,11 @@ class Judge {
         Terrain terrain;
         terrain.resolution = std::min(samples, kMaxSide);
         terrain.patch_size = cell * terrain.resolution;
+        // The model has no waves that are much longer than itself.
+        const double longest = std::max(bed.domain.step(0) * bed.domain.samples[0],
+                                        bed.domain.step(1) * bed.domain.samples[1]);
+        const double waves = std::round(terrain.patch_size / longest);
+        if (waves > 1.0) terrain.longest_wavelength = terrain.patch_size / waves;
         return terrain;
     }
 
@@ -135,9 +128,6 @@ class Judge {
     Domain domain_;
     RingOptions ring_options_;
     std::vector<Ring> bed_rings_;
-    int correcting_seeds_ = 0;
-    int terrains_ = 0;
-    int done_ = 0;
 };
 
 /// The table law: rings, and one point for the waves that are too long for them. It lies at the
@@ -172,9 +162,17 @@ class RingTable {
         }
         return change;
     }
-    /// Gives the longest waves what the variance of the land lacks.
-    void correct_variance(double bed, double found) {
-        longest_density_ *= limited(std::pow(bed / found, 2.0));
+    /// Gives the longest waves what the variance of the tile lacks [m^2].
+    void correct_variance(double variance, Terrain& terrain) {
+        constexpr double kLargestFactor = 1000.0;
+        constexpr int kHalvings = 24;
+        const double first = rings_.front().density;
+        double low = first / kLargestFactor, high = first * kLargestFactor;
+        for (int i = 0; i < kHalvings; ++i) {
+            longest_density_ = std::sqrt(low * high);
+            terrain.rings = measured();
+            (law_variance(terrain) < variance ? low : high) = longest_density_;
+        }
     }
 
   private:
@@ -185,10 +183,15 @@ class RingTable {
     std::vector<Ring> rings_;
 };
 
-/// Fits the table law.
-void fit_table(Judge& judge, double bed_rms, Terrain& terrain) {
+/// Returns the longest wave of a tile [m].
+double longest_wave(const Terrain& terrain) {
+    return terrain.longest_wavelength > 0.0 ? terrain.longest_wavelength : terrain.patch_size;
+}
+
+/// Fits the table law, with a variance of the tile [m^2].
+void fit_table(Judge& judge, double variance, Terrain& terrain) {
     constexpr double kBelow = 1.0 - 1e-9;  // the wave itself lies within the table
-    RingTable table(kBelow * kTwoPi / terrain.patch_size, judge.bed_rings());
+    RingTable table(kBelow * kTwoPi / longest_wave(terrain), judge.bed_rings());
     const auto fit_rings = [&] {
         constexpr double kFineEnough = 0.01;
         double change = 1.0;
@@ -200,16 +203,16 @@ void fit_table(Judge& judge, double bed_rms, Terrain& terrain) {
     };
     fit_rings();
     for (int round = 0; round < kVarianceRounds; ++round) {
-        table.correct_variance(bed_rms * bed_rms, judge.mean_variance(terrain));
+        table.correct_variance(variance, terrain);
         fit_rings();
     }
+    table.correct_variance(variance, terrain);
 }
 
-/// Fits a law of parameters, and returns them.
-std::vector<FittedParameter> fit_parameters(Judge& judge, const TerrainFitOptions& options,
-                                            Terrain& terrain) {
+/// Fits a law of parameters, and returns them with its level.
+LawFit fit_parameters(Judge& judge, FitLaw law_kind, bool ridge, Terrain& terrain) {
     std::vector<Ring> rings = judge.bed_rings();
-    LawFit fit = fit_law(rings, options.law, options.ridge, terrain);
+    LawFit fit = fit_law(rings, law_kind, ridge, terrain);
     for (int round = 0; round < kLawRounds; ++round) {
         // The law's own spectrum under the window is divided out, and the law fitted again.
         const std::vector<double> expected = judge.expected(terrain);
@@ -219,9 +222,27 @@ std::vector<FittedParameter> fit_parameters(Judge& judge, const TerrainFitOption
             rings[i].density =
                 judge.bed_rings()[i].density * law.density(rings[i].wavenumber, 0.0) / expected[i];
         }
-        fit = fit_law(rings, options.law, options.ridge, terrain);
+        fit = fit_law(rings, law_kind, ridge, terrain);
     }
-    return fit.parameters;
+    return fit;
+}
+
+/// Returns the rms that the tile keeps: that about the mean, but of a land that is tilted by more
+/// than the waves of a tile are, that about its plane [m].
+double kept_rms(Judge& judge, const Relief& bed) {
+    // The plane's variance is that of two slopes, of an exponential distribution: it is 6 times its
+    // mean in one land of 400.
+    constexpr double kLargestTilt = 6.0;
+    // A plane and what is left of one wave of the tile, a sine from border to border, have
+    // variances of at most 6 / pi^2 and 1 - 6 / pi^2.
+    constexpr double kTiltOfASine = 6.0 / (kPi * kPi - 6.0);
+    Terrain one = judge.tile();
+    fit_law(judge.bed_rings(), FitLaw::one, false, one);
+    const double largest =
+        std::min(kLargestTilt * expected_tilt(one, judge.domain().samples), kTiltOfASine);
+    const double about_plane = bed.rms * bed.rms;
+    const double plane = bed.rms_about_mean * bed.rms_about_mean - about_plane;
+    return plane > largest * about_plane ? bed.rms : bed.rms_about_mean;
 }
 
 /// Sums over seeds.
@@ -231,24 +252,25 @@ struct RingSums {
     double square = 0.0;
 };
 
-void judge_fit(Judge& judge, int seeds, TerrainFit& fit) {
+void judge_fit(Judge& judge, std::span<const std::uint32_t> seeds, TerrainFit& fit) {
     std::vector<RingSums> sums(judge.bed_rings().size());
+    const auto count = static_cast<double>(seeds.size());
     fit.model.anisotropy = 0.0;
-    judge.measure(fit.terrain, fit.terrain.seed, seeds,
+    judge.measure(fit.terrain, seeds,
                   [&](const std::vector<Ring>& rings, const std::vector<float>& heights) {
                       for (std::size_t i = 0; i < rings.size(); ++i) {
                           const double logarithm = std::log10(std::max(rings[i].density, 1e-300));
-                          sums[i].density += rings[i].density / seeds;
-                          sums[i].logarithm += logarithm / seeds;
-                          sums[i].square += logarithm * logarithm / seeds;
+                          sums[i].density += rings[i].density / count;
+                          sums[i].logarithm += logarithm / count;
+                          sums[i].square += logarithm * logarithm / count;
                       }
-                      add(fit.model, relief_of(judge.domain(), heights), 1.0 / seeds);
+                      add(fit.model, relief_of(judge.domain(), heights), 1.0 / count);
                   });
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const Ring& ring = judge.bed_rings()[i];
         const double variance = sums[i].square - sums[i].logarithm * sums[i].logarithm;
         fit.rings.push_back({ring.wavenumber, ring.density, ring.count, sums[i].density,
-                             std::sqrt(std::max(variance, 0.0) * seeds / (seeds - 1.0))});
+                             std::sqrt(std::max(variance, 0.0) * count / (count - 1.0))});
     }
 }
 
@@ -279,7 +301,34 @@ std::string length_text(double metres) {
                              : significant_text(metres / 1e3, 4) + " km";
 }
 
-void add_warnings(const Domain& bed, TerrainFit& fit) {
+/// Warns of each part of the land's variance that the terrain does not keep.
+void add_variance_warnings(const ElevationModel& bed, TerrainFit& fit) {
+    constexpr double kKept = 0.025;  // of the rms, 5 % of the variance
+    const double length = std::max(bed.domain.size[0], bed.domain.size[1]);
+    if (length > 1.1 * fit.terrain.patch_size) {
+        fit.warnings.push_back(
+            "the model is " + length_text(length) + " long and the terrain repeats after " +
+            length_text(fit.terrain.patch_size) + ": waves longer than " +
+            length_text(fit.terrain.patch_size / 2.0) +
+            " are not fitted, and the rms of the heights is " + significant_text(fit.rms, 4) +
+            " m, not the " +
+            significant_text(relief_of(bed.domain, bed.heights).rms_about_mean, 4) +
+            " m of the whole model; a model with larger cells has them");
+    }
+    if (fit.kept_rms < (1.0 - kKept) * fit.bed.rms_about_mean) {
+        fit.warnings.push_back(
+            "the land is tilted: its rms is " + significant_text(fit.bed.rms_about_mean, 4) +
+            " m, and " + significant_text(fit.kept_rms, 4) +
+            " m about its plane, which the terrain has: land that repeats has no plane");
+    }
+    if (std::abs(fit.rms / fit.kept_rms - 1.0) > kKept) {
+        fit.warnings.push_back("the rms of the land is " + significant_text(fit.kept_rms, 4) +
+                               " m, that of the terrain " + significant_text(fit.rms, 4) +
+                               " m: no seed of the law comes closer");
+    }
+}
+
+void add_warnings(const ElevationModel& bed, TerrainFit& fit) {
     constexpr double kGoodError = 0.05, kClearAnisotropy = 1.3, kClearSkewness = 0.5;
     for (const FittedParameter& parameter : fit.parameters) {
         if (!parameter.is_at_bound) continue;
@@ -294,14 +343,7 @@ void add_warnings(const Domain& bed, TerrainFit& fit) {
                                (fit.terrain.rings != nullptr ? "the model has few waves there"
                                                              : "the table law follows the rings"));
     }
-    const double longest = fit.terrain.patch_size / 2.0;
-    const double length = std::max(bed.size[0], bed.size[1]);
-    if (length > 1.1 * fit.terrain.patch_size) {
-        fit.warnings.push_back(
-            "the model is " + length_text(length) + " long and the terrain repeats after " +
-            length_text(fit.terrain.patch_size) + ": waves longer than " + length_text(longest) +
-            " are not fitted; a model with larger cells has them");
-    }
+    add_variance_warnings(bed, fit);
     if (fit.bed.anisotropy > kClearAnisotropy) {
         fit.warnings.push_back("the land is steeper along " + fixed_text(fit.bed.direction, 0) +
                                " degrees than across, by " + fixed_text(fit.bed.anisotropy, 2) +
@@ -354,17 +396,37 @@ TerrainFit fit_terrain(const ElevationModel& model, const TerrainFitOptions& opt
     TerrainFit fit;
     fit.terrain = judge.tile();
     fit.bed = relief_of_parts(model, kMaxSide);
+    fit.kept_rms = kept_rms(judge, fit.bed);
+    const double variance = fit.kept_rms * fit.kept_rms;
+    double unit = 1.0;  // of the law's density [m^4]
     if (options.law == FitLaw::table) {
-        fit_table(judge, fit.bed.rms, fit.terrain);
+        fit_table(judge, variance, fit.terrain);
+        // A table has no exponent; this one is that of its land, should the table be taken away.
+        Terrain one = judge.tile();
+        fit_parameters(judge, FitLaw::one, false, one);
+        fit.terrain.beta = one.beta;
     } else {
-        fit.parameters = fit_parameters(judge, options, fit.terrain);
+        const LawFit law = fit_parameters(judge, options.law, options.ridge, fit.terrain);
+        fit.parameters = law.parameters;
+        if (options.law == FitLaw::broken && !law.has_break) {
+            fit.warnings.push_back("the rings have no break" +
+                                   std::string(options.ridge ? " and no ridge" : "") +
+                                   ": the law describes them no better than chance would, and "
+                                   "the terrain has one exponent, " +
+                                   significant_text(fit.terrain.beta, 4));
+        }
+        fit.terrain.rms = fit.kept_rms;
+        unit = std::exp(law.level);
     }
-    fit.terrain.seed = 1;
+    const auto seeds = seeds_of_variance(fit.terrain, variance / unit, options.seeds, judge.pool());
     fit.terrain.mean = summarize(model).mean;
     fit.cell = fit.terrain.patch_size / fit.terrain.resolution;
-    judge_fit(judge, options.seeds, fit);
+    judge_fit(judge, seeds, fit);
+    fit.terrain.seed = seeds.front();
+    fit.rms =
+        fit.terrain.rms ? *fit.terrain.rms : std::sqrt(seed_variance(fit.terrain, judge.pool()));
     fit.octaves = octaves_of(fit.rings, ring_limits(model.domain, {.max_side = kMaxSide})[0]);
-    add_warnings(model.domain, fit);
+    add_warnings(model, fit);
     return fit;
 }
 

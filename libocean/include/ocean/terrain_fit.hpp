@@ -6,7 +6,7 @@
 //
 // Model and terrain are judged alike. A terrain is made with several seeds, a part of the model's
 // size is cut out of each, and its rings are measured as the model's are, so that window and edges
-// are the same in both. The seeds that judge a fit are others than those that corrected it.
+// are the same in both. No seed corrects a law: what the mean of all seeds has is computed.
 #pragma once
 
 #include <array>
@@ -67,6 +67,7 @@ inline constexpr std::array<double, 3> kReliefShares = {0.5, 0.9, 0.99};
 
 struct Relief {
     double rms = 0.0;                // about the least-squares plane [m]
+    double rms_about_mean = 0.0;     // [m]
     double skewness = 0.0;           // of the heights about that plane; 0 for Gaussian land
     std::array<double, 3> slopes{};  // [degrees]
     double anisotropy = 1.0;         // ratio of the rms slopes along the steepest and flattest axis
@@ -80,7 +81,9 @@ struct TerrainFit {
     std::vector<FittedOctave> octaves;  // from the longest waves
     std::vector<FittedParameter> parameters;
     Relief bed;
-    Relief model;  // means of the seeds
+    Relief model;           // means of the seeds that judge
+    double kept_rms = 0.0;  // of the land, that the terrain is to have [m]: see fit_terrain
+    double rms = 0.0;       // of the terrain's tile with its seed, about the mean [m]
     std::vector<std::string> warnings;
 
     /// Returns the largest error of an octave but the first, which has few waves.
@@ -89,8 +92,12 @@ struct TerrainFit {
 
 /// Fits a tile with square cells, the coarser side of the model's, and the smallest power of two of
 /// samples, at most 2048 along a side, that holds the model; a larger model is judged by squares
-/// that overlap. Throws Error invalid_value for fewer than 32 cells along a side, for holes, and
-/// for a flat model; out_of_memory.
+/// that overlap. The tile has the variance of the model about its mean; that about its plane, if
+/// the plane is steeper than the waves of a tile make one. Its seed is the one, of 512, whose
+/// longest waves have that variance while the others have the density of the rings; the seeds that
+/// judge are the next ones in this respect. Waves that are longer than the model are left out. A
+/// table law has the exponent of its land as beta. Throws Error invalid_value for fewer than 32
+/// cells along a side, for holes, and for a flat model; out_of_memory.
 TerrainFit fit_terrain(const ElevationModel& model, const TerrainFitOptions& options = {});
 
 }  // namespace ocean
