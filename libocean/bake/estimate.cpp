@@ -5,8 +5,11 @@
 #include "ocean/bake/estimate.hpp"
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 #include "complete_file.hpp"
+#include "formats/spray_points.hpp"
 #include "manifest.hpp"
 #include "ocean/bake/existing_frames.hpp"
 #include "ocean/foam.hpp"
@@ -91,7 +94,24 @@ WorkShare share_work(const BakePlan& plan) {
     return {at_a_time, all / at_a_time};
 }
 
+std::vector<std::string> bake_warnings(const BakePlan& plan, std::size_t frames) {
+    const bool plays = plan.subject->plays_take();
+    std::vector<std::string> all;
+    for (const int frame : std::span(plan.frames).first(std::min(frames, plan.frames.size()))) {
+        const std::string of = plays ? "frame " + std::to_string(frame) + ": " : "";
+        for (const auto& warning : plan.subject->warnings(plan.subject->time_of(frame))) {
+            all.push_back(of + warning);
+        }
+        if (!all.empty() || !plays) break;
+    }
+    if (std::string warning = spray_cell_warning(plan); !warning.empty()) {
+        all.push_back(std::move(warning));
+    }
+    return all;
+}
+
 BakeForecast forecast_bake(const BakePlan& plan) {
+    constexpr std::size_t kFramesOfATake = 100;
     const WorkShare share = share_work(plan);
     const Manifest manifest(plan.pattern.manifest());
     refuse_to_overwrite_foreign_files(plan, manifest);
@@ -118,6 +138,7 @@ BakeForecast forecast_bake(const BakePlan& plan) {
     }
     forecast.free_bytes = io::free_bytes(plan.pattern.folder());
     forecast.memory_bytes = bake_memory_bytes(plan, share.frames_at_a_time);
+    forecast.warnings = bake_warnings(plan, kFramesOfATake);
     return forecast;
 }
 

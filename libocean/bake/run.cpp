@@ -209,22 +209,6 @@ void update_frame_lists(const Bake& bake) {
         warn_of_gaps(bake, plan.all_frames, existing.of_plan);
 }
 
-/// Passes on the subject's warnings; of a subject that plays a take those of the first frame that
-/// has some.
-void warn_of_subject(const BakePlan& plan, BakeHost& host) {
-    const bool plays = plan.subject->plays_take();
-    for (const int frame : plan.frames) {
-        const auto warnings = plan.subject->warnings(plan.subject->time_of(frame));
-        for (const std::string& warning : warnings) {
-            host.warning(plays ? "frame " + std::to_string(frame) + ": " + warning : warning);
-        }
-        if (!warnings.empty() || !plays) break;
-    }
-    if (const std::string warning = spray_cell_warning(plan); !warning.empty()) {
-        host.warning(warning);
-    }
-}
-
 void bake_frames(const Bake& bake, const WorkShare& share, ManifestSaver& saver) {
     const BakePlan& plan = bake.plan;
     std::vector<std::unique_ptr<FrameBaker>> bakers;
@@ -288,7 +272,9 @@ void run_bake(const BakePlan& plan, BakeHost& host) {
     if (!plan.backend_note.empty()) host.note(plan.backend_note);
     host.note(format_text("%d frames at a time, %d threads each", share.frames_at_a_time,
                           share.threads_each));
-    warn_of_subject(plan, host);
+    for (const std::string& warning : bake_warnings(plan, plan.frames.size())) {
+        host.warning(warning);
+    }
     // Once, for all workers.
     const auto source =
         plan.subject->open({.threads = plan.threads, .build_progress = host.build_progress()});

@@ -148,6 +148,11 @@ def test_another_unit_needs_the_file_of_the_bed(coast):
         (BEACH, ("patch_size=50",), "180 m long and the waves offshore repeat every 50 m"),
         (BEACH, ("wind_direction=90",), "come in over 76.1 % of those sides"),
         (BEACH, ("wind_direction=180",), "are land alone: no wave reaches the bed"),
+        (-BEACH, (), "by sides that are 100 % land, and those behind are 100 % water, 3 m deep"),
+        (-BEACH, ("wind_direction=40",), 'be upside down, which seabed_sign = "down" turns over'),
+        (BEACH, ("seabed_sign=down",), 'be upside down, which seabed_sign = "up" turns over'),
+        (BEACH / 0.3048, (), "it is 39.37 m deep where the waves come in, 3.28 times water.depth"),
+        (BEACH, ("seabed_unit=us_ft",), "0.305 times water.depth = 12 m, as heights in metres are"),
         (
             BEACH,
             ("seabed_origin=[500000,0]",),
@@ -155,13 +160,24 @@ def test_another_unit_needs_the_file_of_the_bed(coast):
         ),
     ],
 )
-def test_an_unsuitable_coast_is_baked_with_a_warning(coast, bed, settings, sentence):
+def test_an_unsuitable_coast_is_planned_and_baked_with_a_warning(coast, bed, settings, sentence):
     coast.write("bed.asc", grid(bed))
     chosen = [word for setting in settings for word in ("--set", setting)]
-    done = coast("bake", "sea.toml", "-o", "s.exr", *REGION, "--products", "height", *chosen)
+    bake = ("bake", "sea.toml", "-o", "s.exr", *REGION, "--products", "height", *chosen)
+    planned = coast(*bake, "-n")
+    assert planned.returncode == 0 and sentence in planned.stderr, planned.stderr
+    assert not (coast.folder / "s.exr").exists()
+    done = coast(*bake)
     assert done.returncode == 0, done.stderr
     assert sentence in done.stderr, done.stderr
     assert np.isfinite(image(coast.folder / "s.exr")).all()
+
+
+@pytest.mark.parametrize("direction", [0, 40, 90, -60])
+def test_a_beach_is_taken_for_a_beach(coast, direction):
+    shown = coast("info", "sea.toml", "--set", f"wind_direction={direction}")
+    assert shown.returncode == 0
+    assert "upside down" not in shown.stderr and "seabed_unit" not in shown.stderr
 
 
 @pytest.mark.parametrize(

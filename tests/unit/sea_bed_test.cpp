@@ -191,6 +191,76 @@ TEST(SeaBed, ABedThatDoesNotSuitItsWavesIsWarnedOf) {
     EXPECT_EQ(both.find("waves.0"), std::string::npos);
 }
 
+/// Returns a bed of 41 x 31 samples 10 m apart, by a function of the place.
+GivenBed bed_of(const std::function<double(double x, double y)>& height) {
+    GivenBed given;
+    given.grid.samples = {41, 31};
+    given.grid.size = {400.0, 300.0};
+    for (int j = 0; j < 31; ++j) {
+        for (int i = 0; i < 41; ++i) {
+            given.heights.push_back(static_cast<float>(height(10.0 * i, 10.0 * j)));
+        }
+    }
+    return given;
+}
+
+bool warns(const GivenBed& given, double degrees, const std::string& words, double depth = 20.0) {
+    const IncomingWaves waves{{{"", 80.0, degrees * kPi / 180.0}}, 80.0, 1000.0, depth};
+    return std::ranges::any_of(
+        coast_warnings(*with_bed(given).water.bed, waves),
+        [&](const std::string& text) { return text.find(words) != std::string::npos; });
+}
+
+TEST(SeaBed, ABedThatIsUpsideDownIsRecognised) {
+    constexpr char kWords[] =
+        "water, 7.5 m deep in the mean: the bed may be upside down, which "
+        "seabed_sign = \"down\" turns over";
+    const auto plane = [](double x, double) { return 27.5 * x / 400.0 - 20.0; };
+    const auto turned = [&](double x, double y) { return -plane(x, y); };
+    EXPECT_TRUE(warns(bed_of(turned), 0.0, kWords));
+    EXPECT_TRUE(warns(bed_of(turned), 0.0, "by sides that are 100 % land"));
+    EXPECT_TRUE(warns(bed_of(turned), 30.0, "may be upside down"));
+    EXPECT_TRUE(warns(bed_of(turned), -40.0, "may be upside down"));
+    for (const double degrees : {0.0, 30.0, 90.0, -90.0}) {
+        EXPECT_FALSE(warns(bed_of(plane), degrees, "upside down")) << degrees;
+    }
+}
+
+TEST(SeaBed, CoastsWithLandAtTheirBordersAreNotTakenForUpsideDown) {
+    const auto island = [](double x, double y) {
+        return 12.0 - 0.15 * std::hypot(x - 200.0, y - 150.0);
+    };
+    // A lake or an atoll's lagoon, whose land reaches the borders; a bay with a deep, narrow mouth
+    // and a shallow head; waves along a shore; a lagoon behind a barrier with an inlet.
+    const auto lagoon = [&](double x, double y) { return -island(x, y); };
+    const auto bay = [](double x, double y) {
+        const bool is_mouth = x < 120.0 && std::abs(y - 150.0) > 60.0;
+        return is_mouth ? 15.0 : 0.03 * x - 18.0;
+    };
+    const auto shore = [](double, double y) { return 0.1 * y - 20.0; };
+    const auto barrier = [](double x, double y) {
+        if (x < 60.0 && std::abs(y - 150.0) > 20.0) return 3.0;
+        return x > 60.0 ? -2.5 : -4.0;
+    };
+    for (double degrees = -180.0; degrees < 180.0; degrees += 15.0) {
+        EXPECT_FALSE(warns(bed_of(island), degrees, "upside down")) << degrees;
+        EXPECT_FALSE(warns(bed_of(lagoon), degrees, "upside down")) << degrees;
+    }
+    EXPECT_FALSE(warns(bed_of(bay), 0.0, "upside down"));
+    EXPECT_FALSE(warns(bed_of(barrier), 0.0, "upside down"));
+    EXPECT_FALSE(warns(bed_of(shore), 0.0, "upside down"));
+}
+
+TEST(SeaBed, ADepthThatIsTheSeasInFeetIsAWarning) {
+    const auto plane = [](double x, double) { return 27.5 * x / 400.0 - 20.0; };
+    const auto feet = [&](double x, double y) { return plane(x, y) / 0.3048; };
+    EXPECT_TRUE(warns(bed_of(feet), 0.0,
+                      "it is 65.62 m deep where the waves come in, 3.28 times water.depth = 20 m"));
+    EXPECT_FALSE(warns(bed_of(plane), 0.0, "seabed_unit"));
+    EXPECT_FALSE(warns(bed_of(feet), 0.0, "seabed_unit", 66.0));
+    EXPECT_FALSE(warns(bed_of(feet), 0.0, "seabed_unit", 22.0));
+}
+
 TEST(SeaBed, IncomingWavesAreThoseOfEachSystemThatHasEnergy) {
     Parameters parameters;
     parameters.waves.front().wind_direction = 180.0;

@@ -89,6 +89,7 @@ void show_forecast(const BakeForecast& forecast, const BakeForecast& beside, Con
             console.data(file.path + state + "\n");
         }
     }
+    for (const std::string& warning : forecast.warnings) console.warning(warning);
     report_forecast(forecast, beside, console);
 }
 

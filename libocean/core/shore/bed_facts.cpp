@@ -99,14 +99,18 @@ struct Inflow {
     std::size_t dry = 0;
     std::size_t shallow = 0;   // below half a wavelength, but wet
     double shallowest = 1e30;  // of the wet ones [m]
+    double deepest = 0.0;      // [m]
+    double depths = 0.0;       // sum over the wet ones [m]
+
+    double mean_depth() const { return dry < samples ? depths / double(samples - dry) : 0.0; }
 };
 
-Inflow inflow_of(const SeaBed& bed, const IncomingWaves::System& waves, double open_depth) {
+/// Returns the sides by which waves come in that travel in a direction [rad].
+Inflow inflow_of(const SeaBed& bed, double direction, double enough) {
     // Waves that run along a side do not come in by it.
     constexpr double kLeast = 0.2;
     const int columns = bed.domain.samples[0];
     const int rows = bed.domain.samples[1];
-    const double enough = kAsDeep * std::min(0.5 * waves.peak_wavelength, open_depth);
     Inflow inflow;
     const auto add = [&](int i, int j) {
         const double depth =
@@ -119,9 +123,11 @@ Inflow inflow_of(const SeaBed& bed, const IncomingWaves::System& waves, double o
         }
         inflow.shallow += depth < enough ? 1u : 0u;
         inflow.shallowest = std::min(inflow.shallowest, depth);
+        inflow.deepest = std::max(inflow.deepest, depth);
+        inflow.depths += depth;
     };
-    const double x = std::cos(waves.direction);
-    const double y = std::sin(waves.direction);
+    const double x = std::cos(direction);
+    const double y = std::sin(direction);
     for (int j = 0; j < rows && std::abs(x) > kLeast; ++j) add(x > 0.0 ? 0 : columns - 1, j);
     for (int i = 0; i < columns && std::abs(y) > kLeast; ++i) add(i, y > 0.0 ? 0 : rows - 1);
     return inflow;
@@ -163,11 +169,56 @@ IncomingWaves incoming_waves(const Parameters& parameters) {
     return waves;
 }
 
+namespace {
+
+/// Returns a sentence if the waves of every system come from land that has more and deeper water
+/// behind it. A mouth of a bay is deeper than what lies behind it, the far side of an island is
+/// land, too, and the sides of a lake are alike.
+std::string turned_over_warning(const SeaBed& bed, const IncomingWaves& waves) {
+    std::string text;
+    for (const IncomingWaves::System& system : waves.systems) {
+        const Inflow in = inflow_of(bed, system.direction, 0.0);
+        const Inflow out = inflow_of(bed, system.direction + kPi, 0.0);
+        // A quarter of the sides, since waves that come obliquely share two with those behind.
+        const bool is_turned = 2 * in.dry > in.samples && 4 * in.dry > 4 * out.dry + in.samples &&
+                               out.mean_depth() > in.mean_depth();
+        if (!is_turned) return "";
+        if (!text.empty()) continue;
+        text = "the waves come in by sides that are " + percent(in.dry, in.samples) +
+               " land, and those behind are " + percent(out.samples - out.dry, out.samples) +
+               " water, " + metres(out.mean_depth()) +
+               " deep in the mean: the bed may be upside down, which seabed_sign = \"" +
+               (bed.sign == BedSign::up ? "down" : "up") + "\" turns over";
+    }
+    return text;
+}
+
+/// Returns a sentence if the sea is as much shallower or deeper than the bed where its waves come
+/// in as a foot is shorter than a metre.
+std::string unit_warning(const SeaBed& bed, const IncomingWaves& waves) {
+    constexpr double kSame = 0.02;
+    const bool is_metres = bed.unit == BedUnit::m;
+    const double foot = metres_of(is_metres ? BedUnit::ft : bed.unit);
+    for (const IncomingWaves::System& system : waves.systems) {
+        const double deepest = inflow_of(bed, system.direction, 0.0).deepest;
+        const double ratio = deepest / waves.depth;
+        if (std::abs(ratio * (is_metres ? foot : 1.0 / foot) - 1.0) > kSame) continue;
+        return "it is " + metres(deepest) + " deep where the waves come in, " +
+               significant_text(ratio, 3) + " times water.depth = " + metres(waves.depth) +
+               ", as heights in " + (is_metres ? "feet" : "metres") + " are that count as " +
+               (is_metres ? "metres" : "feet") + ": check seabed_unit";
+    }
+    return "";
+}
+
+}  // namespace
+
 std::vector<std::string> coast_warnings(const SeaBed& bed, const IncomingWaves& waves) {
     std::vector<std::string> warnings;
     const auto warn = [&](const std::string& text) { warnings.push_back("water.seabed: " + text); };
     for (const IncomingWaves::System& system : waves.systems) {
-        const Inflow inflow = inflow_of(bed, system, waves.depth);
+        const double enough = kAsDeep * std::min(0.5 * system.peak_wavelength, waves.depth);
+        const Inflow inflow = inflow_of(bed, system.direction, enough);
         const std::string of = system.name.empty() ? "" : " of " + system.name;
         if (inflow.dry == inflow.samples) {
             warn("the sides by which the waves" + of +
@@ -178,6 +229,9 @@ std::vector<std::string> coast_warnings(const SeaBed& bed, const IncomingWaves& 
                  metres(0.5 * system.peak_wavelength) + ", down to " + metres(inflow.shallowest) +
                  ": what the bed beyond has done to them is not known; a larger bed shows it");
         }
+    }
+    for (const std::string& text : {turned_over_warning(bed, waves), unit_warning(bed, waves)}) {
+        if (!text.empty()) warn(text);
     }
     // Deeper ground counts as level at water.depth, which waves of twice that length do not feel.
     const auto is_deeper = [&](float h) { return -kAsDeep * double{h} > waves.depth; };

@@ -4,6 +4,7 @@
 // Estimates of a bake before it starts: memory, files, disk space.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -24,6 +25,10 @@ WorkShare share_work(const BakePlan& plan);
 /// Returns an upper bound of the memory of a bake with that many parallel frames [bytes].
 std::uint64_t bake_memory_bytes(const BakePlan& plan, int frames_at_a_time);
 
+/// Returns the subject's warnings; of a subject that plays a take those of the first frame, of the
+/// first `frames`, that has some.
+std::vector<std::string> bake_warnings(const BakePlan& plan, std::size_t frames);
+
 struct BakeForecast {
     /// A file; of a long bake the files of all frames that differ in their numbers alone.
     struct File {
@@ -32,6 +37,7 @@ struct BakeForecast {
         long count = 1;
     };
     std::vector<File> files;
+    std::vector<std::string> warnings;  // of a take those of its first hundred frames
     std::uint64_t bytes = 0;         // of the files that are not kept, an upper bound
     std::uint64_t free_bytes = 0;    // on their disk
     std::uint64_t memory_bytes = 0;  // an upper bound
