@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The channel of an OpenEXR image that is heights: see exr_raster.hpp.
+// The channel of an OpenEXR image that is heights: see raster.hpp.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -9,105 +9,77 @@
 #include <ImfThreading.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <cstring>
-#include <set>
 #include <string_view>
 
-#include "exr_raster.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "raster.hpp"
 
 namespace ocean::elevation {
 namespace {
 
-/// The channel of heights, and others that may be it: they must repeat it, or be 0 throughout.
-struct HeightChannels {
-    std::string chosen;
-    std::vector<std::string> others;
+using Names = std::vector<std::string>;
+
+struct ChannelName {
+    std::string layer;  // with its point, in lower case as the word
+    std::string word;
+
+    explicit ChannelName(std::string name) {
+        std::ranges::transform(name, name.begin(), [](char c) {
+            return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+        });
+        const std::size_t point = name.rfind('.');
+        layer = name.substr(0, point == name.npos ? 0 : point + 1);
+        word = name.substr(layer.size());
+    }
+    bool is_one_of(std::initializer_list<std::string_view> words) const {
+        return std::ranges::find(words, word) != words.end();
+    }
 };
 
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-    });
-    return lower;
+/// Returns the channels whose word is one of these; without words all but alpha. Y and Z of a layer
+/// with an X are a vector, no heights.
+Names select(const Names& names, std::initializer_list<std::string_view> words) {
+    Names selected;
+    for (const std::string& name : names) {
+        const ChannelName one(name);
+        const bool is_of_vector =
+            one.is_one_of({"y", "z"}) && std::ranges::any_of(names, [&](const std::string& other) {
+                return ChannelName(other).layer == one.layer && ChannelName(other).word == "x";
+            });
+        const bool is_alpha = one.is_one_of({"a", "alpha", "ar", "ag", "ab"});
+        if (words.size() == 0 ? !is_alpha : one.is_one_of(words) && !is_of_vector) {
+            selected.push_back(name);
+        }
+    }
+    return selected;
 }
 
-/// The names of an image's channels, by what they say.
-class ChannelNames {
-  public:
-    explicit ChannelNames(const Imf::ChannelList& channels) {
-        for (auto channel = channels.begin(); channel != channels.end(); ++channel) {
-            names_.emplace_back(channel.name());
-            spelled_.insert(lower_case(channel.name()));
-        }
+/// Returns the channel of heights, and those that must repeat it or be 0 throughout, because they
+/// may be meant as well.
+Names height_channels(const Names& names) {
+    Names found = select(names, {"height", "elevation"});
+    if (found.empty()) found = select(names, {"z", "y", "depth", "r"});
+    if (found.empty()) found = select(names, {});
+    for (const std::string& green_or_blue : select(names, {"g", "b"})) {
+        const std::string layer = ChannelName(green_or_blue).layer;
+        const bool has_red = std::ranges::any_of(found, [&](const std::string& name) {
+            return ChannelName(name).layer == layer && ChannelName(name).word == "r";
+        });
+        if (has_red) found.push_back(green_or_blue);
     }
-    std::size_t size() const { return names_.size(); }
-    std::string listed() const {
-        std::string list;
-        for (const std::string& name : names_) {
-            list += (list.empty() ? "" : ", ") + text::printable(name, 40);
-        }
-        return text::printable(list, 200);
-    }
+    return found;
+}
 
-    /// Returns the channels that may be heights: one that says so, else one that images keep them
-    /// in with the rest of its colour, else any. Alpha never is.
-    HeightChannels heights() const {
-        std::vector<std::string> found = select({"height", "elevation"});
-        if (found.empty()) found = select({"z", "y", "depth", "r"});
-        if (found.empty()) found = select({});
-        for (std::size_t i = 0, named = found.size(); i < named; ++i) {
-            if (last_word(found[i]) != "r") continue;
-            for (const std::string& name : names_) {
-                const bool same_layer = layer(name) == layer(found[i]);
-                const std::string word = last_word(name);
-                if (same_layer && (word == "g" || word == "b")) found.push_back(name);
-            }
-        }
-        if (found.empty()) throw RasterFault("has no channel of heights, only " + listed());
-        return {found.front(), {found.begin() + 1, found.end()}};
-    }
-
-  private:
-    static std::string layer(std::string_view name) {
-        const std::size_t point = name.rfind('.');
-        return lower_case(name.substr(0, point == name.npos ? 0 : point + 1));
-    }
-    static std::string last_word(const std::string& name) {
-        return lower_case(name).substr(layer(name).size());
-    }
-    /// Returns the channels with one of the words as last part of their names, all without words.
-    /// X, Y and Z of one layer are a vector, no heights.
-    std::vector<std::string> select(std::initializer_list<std::string_view> words) const {
-        std::vector<std::string> chosen;
-        for (const std::string& name : names_) {
-            const std::string word = last_word(name);
-            constexpr std::array<std::string_view, 5> kAlpha = {"a", "alpha", "ar", "ag", "ab"};
-            if (std::ranges::find(kAlpha, word) != kAlpha.end()) continue;
-            if (words.size() > 0 && std::ranges::find(words, word) == words.end()) continue;
-            const bool of_vector =
-                (word == "y" || word == "z") && spelled_.contains(layer(name) + "x");
-            if (words.size() == 0 || !of_vector) chosen.push_back(name);
-        }
-        return chosen;
-    }
-
-    std::vector<std::string> names_;
-    std::set<std::string> spelled_;
-};
-
-/// A channel that must repeat the heights, or be 0 throughout.
-struct OtherChannel {
-    std::vector<float> row;
-    bool repeats = true;
+struct ChannelRow {
+    std::vector<float> values;
+    bool repeats = true;  // the heights
     bool is_zero = true;
 
-    void compare(std::span<const float> heights) {
-        repeats = repeats && std::memcmp(row.data(), heights.data(), heights.size_bytes()) == 0;
-        is_zero = is_zero && std::ranges::all_of(row, [](float value) { return value == 0.0f; });
+    bool may_stand_beside(std::span<const float> heights) {
+        repeats &= std::memcmp(values.data(), heights.data(), heights.size_bytes()) == 0;
+        is_zero &= std::ranges::all_of(values, [](float value) { return value == 0.0f; });
+        return repeats || is_zero;
     }
 };
 
@@ -117,38 +89,40 @@ void read_image(Imf::InputFile& file, const RasterReceiver& receiver) {
     facts.columns = std::int64_t{window.max.x} - window.min.x + 1;
     facts.rows = std::int64_t{window.max.y} - window.min.y + 1;
     require_sides(facts.columns, facts.rows);
-    const ChannelNames names(file.header().channels());
-    const HeightChannels channels = names.heights();
+    Names names;
+    std::string list;
+    const Imf::ChannelList& all = file.header().channels();
+    for (auto channel = all.begin(); channel != all.end(); ++channel) {
+        names.emplace_back(channel.name());
+        list += (list.empty() ? "" : ", ") + text::printable(channel.name(), 40);
+    }
+    list = text::printable(list, 200);
+    const Names chosen = height_channels(names);
+    if (chosen.empty()) throw RasterFault("has no channel of heights, only " + list);
     if (names.size() > 1) {
         facts.notes.push_back("the heights are those of the channel " +
-                              text::printable(channels.chosen) + " of " + names.listed());
+                              text::printable(chosen.front()) + " of " + list);
     }
     receiver.begin(facts);
     Imf::FrameBuffer buffer;
-    const auto insert = [&](const std::string& name, std::vector<float>& row) {
-        row.resize(static_cast<std::size_t>(facts.columns));
+    std::vector<ChannelRow> rows(chosen.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i].values.resize(static_cast<std::size_t>(facts.columns));
+        char* const first = reinterpret_cast<char*>(rows[i].values.data()) -
+                            std::ptrdiff_t{window.min.x} * std::ptrdiff_t{sizeof(float)};
         // A stride of 0 between rows: each one is read into the same memory.
-        buffer.insert(name, Imf::Slice(Imf::FLOAT,
-                                       reinterpret_cast<char*>(row.data()) -
-                                           std::ptrdiff_t{window.min.x} *
-                                               static_cast<std::ptrdiff_t>(sizeof(float)),
-                                       sizeof(float), 0));
-    };
-    std::vector<float> row;
-    std::vector<OtherChannel> others(channels.others.size());
-    insert(channels.chosen, row);
-    for (std::size_t i = 0; i < others.size(); ++i) insert(channels.others[i], others[i].row);
+        buffer.insert(chosen[i], Imf::Slice(Imf::FLOAT, first, sizeof(float), 0));
+    }
     file.setFrameBuffer(buffer);
     for (int y = window.min.y; y <= window.max.y; ++y) {
         file.readPixels(y);
-        for (OtherChannel& other : others) {
-            other.compare(row);
-            if (other.repeats || other.is_zero) continue;
-            throw RasterFault("has the channels " + names.listed() +
+        for (ChannelRow& row : rows) {
+            if (row.may_stand_beside(rows.front().values)) continue;
+            throw RasterFault("has the channels " + list +
                               ", of which several may be the heights, and they differ; keep one of "
                               "them, or call it 'height'");
         }
-        receiver.row(row);
+        receiver.row(rows.front().values);
     }
 }
 

@@ -14,6 +14,7 @@
 #include <numbers>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "gdal_place.hpp"
 #include "ocean/internal/checked_text.hpp"
@@ -27,74 +28,41 @@ struct SystemDeleter {
 };
 using System = std::unique_ptr<void, SystemDeleter>;
 
-/// Names of units as writers of bands spell them, in lower case, without blanks and signs.
-struct UnitName {
-    std::string_view name;
-    double metres;
-};
-constexpr double kUsFoot = 1200.0 / 3937.0;
-constexpr UnitName kUnitNames[] = {
-    {"m", 1.0},
-    {"metre", 1.0},
-    {"metres", 1.0},
-    {"meter", 1.0},
-    {"meters", 1.0},
-    {"ft", 0.3048},
-    {"foot", 0.3048},
-    {"feet", 0.3048},
-    {"internationalfoot", 0.3048},
-    {"usft", kUsFoot},
-    {"ftus", kUsFoot},
-    {"ussurveyfoot", kUsFoot},
-    {"usfoot", kUsFoot},
-    {"footus", kUsFoot},
-    {"ussurveyfeet", kUsFoot},
-    {"usfeet", kUsFoot},
-    {"footussurvey", kUsFoot},
-    {"sft", kUsFoot},
-    {"km", 1000.0},
-    {"kilometre", 1000.0},
-    {"kilometer", 1000.0},
-    {"dm", 0.1},
-    {"decimetre", 0.1},
-    {"decimeter", 0.1},
-    {"cm", 0.01},
-    {"centimetre", 0.01},
-    {"centimeter", 0.01},
-    {"mm", 0.001},
-    {"millimetre", 0.001},
-    {"millimeter", 0.001},
-    {"fathom", 1.8288},
-    {"fathoms", 1.8288},
-    {"yard", 0.9144},
-    {"yd", 0.9144},
+constexpr double kFoot = 0.3048, kUsFoot = 1200.0 / 3937.0;
+/// Units by the letters of their names, in lower case, between blanks.
+constexpr std::pair<std::string_view, double> kUnits[] = {
+    {" m ", 1.0},
+    {" ft internationalfoot ", kFoot},
+    {" usft ftus sft ussurveyfoot ussurveyfeet usfoot usfeet footus footussurvey ", kUsFoot},
+    {" km kilometre kilometer ", 1000.0},
+    {" dm decimetre decimeter ", 0.1},
+    {" cm centimetre centimeter ", 0.01},
+    {" mm millimetre millimeter ", 0.001},
+    {" fathom fathoms ", 1.8288},
 };
 
 /// Returns a length with all of its digits where PROJ's table has fewer.
 double exact_unit(double metres) {
-    for (const double exact : {1.0, 0.3048, kUsFoot}) {
+    for (const double exact : {1.0, kFoot, kUsFoot}) {
         if (std::abs(metres / exact - 1.0) < 1e-12) return exact;
     }
     return metres;
 }
 
-/// Returns the letters of a unit's name.
-std::string unit_key(std::string_view name) {
+/// Returns the length of a unit [m] by its name, 0 for none, nothing for an unknown one.
+std::optional<double> unit_of(std::string_view name) {
     std::string key;
     for (const char c : name) {
-        if (c >= 'A' && c <= 'Z') key += static_cast<char>(c + 32);
-        if (c >= 'a' && c <= 'z') key += c;
+        const char small = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+        if (small >= 'a' && small <= 'z') key += small;
     }
-    return key;
-}
-
-/// Returns the length of a unit [m] by its name.
-std::optional<double> unit_of(const std::string& key) {
-    const auto* const unit = std::ranges::find(kUnitNames, key, &UnitName::name);
-    if (unit != std::end(kUnitNames)) return unit->metres;
+    if (key.empty() || key == "unknown" || key == "none") return 0.0;
+    for (const auto& [names, metres] : kUnits) {
+        if (names.find(" " + key + " ") != names.npos) return metres;
+    }
     // "metres above the geoid"
     if (key.starts_with("metre") || key.starts_with("meter")) return 1.0;
-    if (key.starts_with("foot") || key.starts_with("feet")) return 0.3048;
+    if (key.starts_with("foot") || key.starts_with("feet")) return kFoot;
     return std::nullopt;
 }
 
@@ -104,9 +72,8 @@ void set_height_unit(GDALDatasetH dataset, OGRSpatialReferenceH system, RasterFa
         facts.height_unit = exact_unit(OSRGetTargetLinearUnits(system, "VERT_CS", nullptr));
     }
     const std::string name = GDALGetRasterUnitType(GDALGetRasterBand(dataset, 1));
-    const std::string key = unit_key(name);
-    if (key.empty() || key == "unknown" || key == "none") return;
-    const std::optional<double> unit = unit_of(key);
+    const std::optional<double> unit = unit_of(name);
+    if (unit == 0.0) return;
     if (!unit) {
         facts.notes.push_back("the file states the unit '" + text::printable(name, 40) +
                               "' for its heights, which is not known; without --unit they are " +
@@ -157,51 +124,50 @@ std::array<double, 3> geocentric(OGRSpatialReferenceH degrees, double longitude,
             normal * cosine * std::sin(longitude * kRadians), normal * (1.0 - e2) * sine};
 }
 
+struct TransformationDeleter {
+    void operator()(void* transformation) const {
+        OCTDestroyCoordinateTransformation(
+            static_cast<OGRCoordinateTransformationH>(transformation));
+    }
+};
+
 /// The ground at a place of a map.
 struct GroundPlace {
-    std::array<double, 2> degrees;  // east, north
-    std::array<double, 2> lengths;  // of a unit of the map to the east and to the north [m]
+    std::array<double, 2> degrees{};  // east, north
+    std::array<double, 2> lengths{};  // of a unit of the map to the east and to the north [m]
 };
 
-/// Tells the ground at places of a map, from the longitudes and latitudes of a cell's neighbours.
-class Ground {
-  public:
-    explicit Ground(OGRSpatialReferenceH system) : degrees_(OSRCloneGeogCS(system)) {
-        if (!degrees_) return;
-        OSRSetAxisMappingStrategy(degrees_.get(), OAMS_TRADITIONAL_GIS_ORDER);
-        transformation_ = OCTNewCoordinateTransformation(system, degrees_.get());
+/// Returns the ground at a share of the map from its south-west to its north-east cell, by the
+/// longitudes and latitudes of that cell's neighbours; nothing for a place that lies nowhere.
+std::optional<GroundPlace> ground_at(OGRSpatialReferenceH system, const RasterFacts& facts,
+                                     const std::array<double, 2>& share) {
+    const System degrees(OSRCloneGeogCS(system));
+    if (!degrees) return std::nullopt;
+    OSRSetAxisMappingStrategy(degrees.get(), OAMS_TRADITIONAL_GIS_ORDER);
+    const std::unique_ptr<void, TransformationDeleter> transformation(
+        OCTNewCoordinateTransformation(system, degrees.get()));
+    const auto [width, height] = facts.cell;
+    const double east =
+        facts.south_west_centre[0] + share[0] * static_cast<double>(facts.columns - 1) * width;
+    const double north =
+        facts.south_west_centre[1] + share[1] * static_cast<double>(facts.rows - 1) * height;
+    double x[] = {east - width, east + width, east, east, east};
+    double y[] = {north, north, north - height, north + height, north};
+    int done[5] = {};
+    if (!transformation ||
+        OCTTransformEx(static_cast<OGRCoordinateTransformationH>(transformation.get()), 5, x, y,
+                       nullptr, done) == 0) {
+        return std::nullopt;
     }
-    ~Ground() {
-        if (transformation_ != nullptr) OCTDestroyCoordinateTransformation(transformation_);
+    GroundPlace ground{.degrees = {x[4], y[4]}};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const auto one = geocentric(degrees.get(), x[2 * axis], y[2 * axis]);
+        const auto other = geocentric(degrees.get(), x[2 * axis + 1], y[2 * axis + 1]);
+        ground.lengths[axis] = std::hypot(other[0] - one[0], other[1] - one[1], other[2] - one[2]) /
+                               (2.0 * facts.cell[axis]);
     }
-    Ground(const Ground&) = delete;
-    Ground& operator=(const Ground&) = delete;
-
-    /// Returns nothing for a place that lies nowhere.
-    std::optional<GroundPlace> at(const std::array<double, 2>& place,
-                                  const std::array<double, 2>& cell) const {
-        double x[] = {place[0] - cell[0], place[0] + cell[0], place[0], place[0], place[0]};
-        double y[] = {place[1], place[1], place[1] - cell[1], place[1] + cell[1], place[1]};
-        int done[5] = {};
-        if (transformation_ == nullptr ||
-            OCTTransformEx(transformation_, 5, x, y, nullptr, done) == 0) {
-            return std::nullopt;
-        }
-        GroundPlace ground{.degrees = {x[4], y[4]}, .lengths = {}};
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-            const auto one = geocentric(degrees_.get(), x[2 * axis], y[2 * axis]);
-            const auto other = geocentric(degrees_.get(), x[2 * axis + 1], y[2 * axis + 1]);
-            const double chord =
-                std::hypot(other[0] - one[0], other[1] - one[1], other[2] - one[2]);
-            ground.lengths[axis] = chord / (2.0 * cell[axis]);
-        }
-        return ground;
-    }
-
-  private:
-    System degrees_;
-    OGRCoordinateTransformationH transformation_ = nullptr;
-};
+    return ground;
+}
 
 /// Returns true if the area for which a system was made has the place, or is not known.
 bool is_in_its_area(OGRSpatialReferenceH system, const std::array<double, 2>& degrees) {
@@ -229,15 +195,7 @@ bool is_in_its_area(OGRSpatialReferenceH system, const std::array<double, 2>& de
 void set_ground_scale(OGRSpatialReferenceH system, RasterFacts& facts) {
     constexpr double kMaxStretch = 0.01;
     if (!facts.has_place) return;
-    const Ground ground(system);
-    const auto at = [&](double share_east, double share_north) {
-        return ground.at({facts.south_west_centre[0] +
-                              share_east * static_cast<double>(facts.columns - 1) * facts.cell[0],
-                          facts.south_west_centre[1] +
-                              share_north * static_cast<double>(facts.rows - 1) * facts.cell[1]},
-                         facts.cell);
-    };
-    const std::optional<GroundPlace> centre = at(0.5, 0.5);
+    const std::optional<GroundPlace> centre = ground_at(system, facts, {0.5, 0.5});
     if (!centre) return;
     std::array<double, 2> scale{};
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -256,14 +214,11 @@ void set_ground_scale(OGRSpatialReferenceH system, RasterFacts& facts) {
             " m on the ground; its cells are not scaled");
     }
     double least = 1.0, most = 1.0;
-    for (const double share_east : {0.0, 1.0}) {
-        for (const double share_north : {0.0, 1.0}) {
-            const std::optional<GroundPlace> corner = at(share_east, share_north);
-            for (std::size_t axis = 0; corner && axis < 2; ++axis) {
-                const double share = corner->lengths[axis] / centre->lengths[axis];
-                least = std::min(least, share);
-                most = std::max(most, share);
-            }
+    for (const int corner : {0, 1, 2, 3}) {
+        const auto ground = ground_at(system, facts, {corner / 2 * 1.0, corner % 2 * 1.0});
+        for (std::size_t axis = 0; ground && axis < 2; ++axis) {
+            least = std::min(least, ground->lengths[axis] / centre->lengths[axis]);
+            most = std::max(most, ground->lengths[axis] / centre->lengths[axis]);
         }
     }
     if (least >= 1.0 - kMaxStretch && most <= 1.0 + kMaxStretch) return;

@@ -1,19 +1,22 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Heights by GDAL: see gdal_raster.hpp.
-#include "gdal_raster.hpp"
-
+// The work of ocean-raster, heights by GDAL: see ocean/internal/send_raster.hpp.
 #include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal.h>
 #include <gdal_frmts.h>
 #include <ogr_srs_api.h>
+#ifdef OCEAN_HAVE_TIFF
+#include <tiffio.h>
+#endif
 
 #include <algorithm>
+#include <charconv>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <memory>
 #include <string_view>
@@ -23,7 +26,9 @@
 #include "gdal_place.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/elevation_rules.hpp"
+#include "ocean/internal/send_raster.hpp"
 #include "ocean/text.hpp"
+#include "raster_wire.hpp"
 
 namespace ocean::elevation {
 namespace {
@@ -43,50 +48,19 @@ bool has_driver(GDALDatasetH dataset, std::string_view name) {
     return GDALGetDriverShortName(GDALGetDatasetDriver(dataset)) == name;
 }
 
-/// Returns true for shades, whose heights the user states.
-bool is_image(GDALDatasetH dataset) {
-    return has_driver(dataset, "PNG");
-}
-
-/// Reads whole numbers of either byte order.
-class NumberStream {
-  public:
-    explicit NumberStream(const std::string& path) : file_(path, std::ios::binary) {
-        is_big_endian_ = file_.get() == 'M';
-        file_.seekg(2);
-    }
-    std::uint64_t next(int bytes) {
-        std::uint64_t value = 0;
-        for (int i = 0; i < bytes; ++i) {
-            const auto byte = static_cast<std::uint64_t>(file_.get() & 0xFF);
-            value = is_big_endian_ ? value << 8 | byte : value | byte << 8 * i;
-        }
-        return value;
-    }
-    void seek(std::uint64_t offset) { file_.seekg(static_cast<std::streamoff>(offset)); }
-    bool is_good() const { return file_.good(); }
-
-  private:
-    std::ifstream file_;
-    bool is_big_endian_ = false;
-};
-
-/// Throws for a TIFF whose first row is not the upper one, which GDAL does not see [TIFF 6.0,
-/// section 8, tag 274].
-void require_upright(const std::string& path) {
-    constexpr std::uint64_t kBigTiff = 43, kOrientation = 274;
-    NumberStream file(path);
-    const bool is_big = file.next(2) == kBigTiff;
-    file.seek(is_big ? 8 : 4);
-    file.seek(file.next(is_big ? 8 : 4));
-    for (std::uint64_t left = file.next(is_big ? 8 : 2); left > 0 && file.is_good(); --left) {
-        const std::uint64_t tag = file.next(2);
-        file.next(is_big ? 10 : 6);  // type and count
-        const std::uint64_t value = file.next(2);
-        file.next(is_big ? 6 : 2);
-        if (tag != kOrientation || value == 1) continue;
-        throw RasterFault("has its first row elsewhere than on top; `gdalwarp` turns it");
-    }
+/// Throws for a TIFF whose first row is not the upper one, which GDAL does not see.
+void require_upright([[maybe_unused]] const std::string& path) {
+#ifdef OCEAN_HAVE_TIFF
+    TIFFSetErrorHandler(nullptr);
+    TIFFSetWarningHandler(nullptr);
+    TIFF* const tiff = TIFFOpen(path.c_str(), "rm");
+    if (tiff == nullptr) return;
+    std::uint16_t orientation = ORIENTATION_TOPLEFT;
+    TIFFGetField(tiff, TIFFTAG_ORIENTATION, &orientation);
+    TIFFClose(tiff);
+    if (orientation == ORIENTATION_TOPLEFT) return;
+    throw RasterFault("has its first row elsewhere than on top; `gdalwarp` turns it");
+#endif
 }
 
 /// Returns the band of heights.
@@ -108,7 +82,7 @@ GDALRasterBandH height_band(GDALDatasetH dataset) {
                           "; heights are integers or floats");
     }
     const char* const bits = GDALGetMetadataItem(band, "NBITS", "IMAGE_STRUCTURE");
-    if (is_image(dataset) && bits != nullptr) {
+    if (has_driver(dataset, "PNG") && bits != nullptr) {
         throw RasterFault(std::string("has ") + bits + " bits a pixel; allowed are 8 and 16");
     }
     return band;
@@ -179,15 +153,6 @@ void add_notes(const SampleScale& samples, GDALRasterBandH band, RasterFacts& fa
     }
 }
 
-/// Returns the first line of a window in the file.
-int first_line(GDALDatasetH dataset, const std::optional<GridWindow>& window,
-               const RasterFacts& facts) {
-    if (!window) return 0;
-    const std::int64_t lines = GDALGetRasterYSize(dataset);
-    return static_cast<int>(facts.rows_from_south ? window->south
-                                                  : lines - window->south - window->rows);
-}
-
 /// Throws unless the path is absolute and that of a regular file which a driver reads.
 Dataset open_raster(const std::string& path) {
     std::error_code ignored;
@@ -196,15 +161,13 @@ Dataset open_raster(const std::string& path) {
     CPLErrorReset();
     Dataset dataset(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_INTERNAL,
                                nullptr, nullptr, nullptr));
-    if (dataset) {
-        if (has_driver(dataset.get(), "GTiff")) require_upright(path);
-        return dataset;
+    if (!dataset) {
+        // GDAL's own words for a file that no driver knows are longer and have its path.
+        if (std::strstr(CPLGetLastErrorMsg(), "not recognized as") != nullptr) CPLErrorReset();
+        throw failed("is not a whole file of its format");
     }
-    if (std::string_view(CPLGetLastErrorMsg()).find("not recognized as") !=
-        std::string_view::npos) {
-        throw RasterFault("is not a whole file of its format");
-    }
-    throw failed("is not a whole file of its format");
+    if (has_driver(dataset.get(), "GTiff")) require_upright(path);
+    return dataset;
 }
 
 /// Returns the facts of a raster, or of a window of it.
@@ -220,7 +183,7 @@ RasterFacts facts_of(GDALDatasetH dataset, const std::optional<GridWindow>& wind
                           " cells, and not the window");
     }
     set_place(dataset, window, facts);
-    if (is_image(dataset)) {
+    if (has_driver(dataset, "PNG")) {  // shades, whose heights the user states
         facts.full_scale = GDALGetRasterDataType(band) == GDT_UInt16 ? 65535.0 : 255.0;
     }
     add_notes(sample_scale(band), band, facts);
@@ -235,7 +198,9 @@ void send_rows(GDALDatasetH dataset, const std::optional<GridWindow>& window,
     const SampleScale samples = sample_scale(band);
     set_cache(band);
     const int west = window ? static_cast<int>(window->west) : 0;
-    const int top = first_line(dataset, window, facts);
+    const std::int64_t south = window ? window->south : 0;
+    const std::int64_t north = GDALGetRasterYSize(dataset) - south - facts.rows;
+    const int top = static_cast<int>(facts.rows_from_south ? south : north);
     const int columns = static_cast<int>(facts.columns);
     std::vector<double> line(static_cast<std::size_t>(columns));
     std::vector<std::uint8_t> known(line.size(), 255);
@@ -258,20 +223,19 @@ void send_rows(GDALDatasetH dataset, const std::optional<GridWindow>& window,
     }
 }
 
-}  // namespace
-
+/// Registers the drivers of elevation models, no others, and switches networks, threads, plugins
+/// and files of configuration off.
 void start_gdal() {
     // PROJ reads the folder of a user before its own: /tmp/proj where there is no user's.
     ::setenv("PROJ_SKIP_READ_USER_WRITABLE_DIRECTORY", "YES", 1);
     CPLSetErrorHandler(CPLQuietErrorHandler);
-    for (const auto& [key, value] :
-         {std::pair{"GDAL_DRIVER_PATH", "disable"}, std::pair{"OGR_DRIVER_PATH", "disable"},
-          std::pair{"GDAL_CONFIG_FILE", ""}, std::pair{"GDAL_NUM_THREADS", "1"},
-          std::pair{"GDAL_DISABLE_READDIR_ON_OPEN", "TRUE"},
-          std::pair{"CPL_VSIL_CURL_ALLOWED_EXTENSIONS", "none"},
-          std::pair{"CPL_TMPDIR", "/nonexistent"}}) {
-        CPLSetConfigOption(key, value);
-    }
+    constexpr const char* kOptions[][2] = {{"GDAL_DRIVER_PATH", "disable"},
+                                           {"OGR_DRIVER_PATH", "disable"},
+                                           {"GDAL_CONFIG_FILE", ""},
+                                           {"GDAL_NUM_THREADS", "1"},
+                                           {"GDAL_DISABLE_READDIR_ON_OPEN", "TRUE"},
+                                           {"CPL_VSIL_CURL_ALLOWED_EXTENSIONS", "none"}};
+    for (const auto& [key, value] : kOptions) CPLSetConfigOption(key, value);
     OSRSetPROJEnableNetwork(0);
     GDALRegister_GTiff();
     GDALRegister_PNG();
@@ -283,12 +247,39 @@ void start_gdal() {
     GDALRegister_USGSDEM();
 }
 
-void read_gdal(const std::string& path, const RasterRequest& request,
-               const RasterReceiver& receiver) {
-    const Dataset dataset = open_raster(path);
-    const RasterFacts facts = facts_of(dataset.get(), request.window);
-    receiver.begin(facts);
-    if (!request.facts_alone) send_rows(dataset.get(), request.window, facts, receiver);
+/// Returns the window that four arguments say.
+GridWindow window_of(std::span<const char* const> words) {
+    std::int64_t numbers[4] = {};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::string_view word = words[i];
+        const auto [stop, error] = std::from_chars(word.begin(), word.end(), numbers[i]);
+        if (error != std::errc() || stop != word.end()) throw RasterFault("is asked for no window");
+    }
+    return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
+void read_raster(std::span<const char* const> arguments, const RasterReceiver& receiver) {
+    std::optional<GridWindow> window;
+    if (arguments.size() == 5) window = window_of(arguments.subspan(1));
+    start_gdal();
+    const Dataset dataset = open_raster(arguments[0]);
+    const RasterFacts facts = facts_of(dataset.get(), window);
+    receiver.begin(facts);
+    if (arguments.size() != 2) send_rows(dataset.get(), window, facts, receiver);
+}
+
+}  // namespace
 }  // namespace ocean::elevation
+
+int ocean::send_raster(std::span<const char* const> arguments) {
+    if (arguments.size() != 1 && arguments.size() != 2 && arguments.size() != 5) {
+        std::fputs("ocean-raster is a part of `ocean terrain import`\n", stderr);
+        return 2;
+    }
+    bool is_whole = true;
+    elevation::encode([&](const auto& receiver) { elevation::read_raster(arguments, receiver); },
+                      [&](const void* bytes, std::size_t size) {
+                          is_whole = std::fwrite(bytes, 1, size, stdout) == size && is_whole;
+                      });
+    return std::fflush(stdout) == 0 && is_whole ? 0 : 1;
+}

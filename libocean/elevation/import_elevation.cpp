@@ -11,8 +11,6 @@
 #include <system_error>
 #include <utility>
 
-#include "exr_raster.hpp"
-#include "hgt_raster.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/child_process.hpp"
@@ -22,19 +20,17 @@
 #include "ocean/io/read_provenance.hpp"
 #include "ocean/text.hpp"
 #include "raster.hpp"
-#include "raster_program.hpp"
 #include "raster_wire.hpp"
 
 namespace ocean {
 namespace {
 
-using elevation::RasterFacts;
-using elevation::RasterReceiver;
-using elevation::RawModel;
-
 using elevation::ElevationReader;
 using elevation::ForeignFormat;
 using elevation::GridWindow;
+using elevation::RasterFacts;
+using elevation::RasterReceiver;
+using elevation::RawModel;
 
 /// The limits of a child, and of ocean-raster, which is larger itself.
 constexpr sandbox::ChildLimits kLimits{.memory_bytes = std::uint64_t{2} << 30, .cpu_seconds = 600};
@@ -175,6 +171,19 @@ class ModelBuilder {
     int next_row_ = 0;
 };
 
+/// Returns the path of ocean-raster beside this program, as in the folders of a build and of an
+/// installation, else where libocean is installed; "" if it is in neither.
+std::string raster_program() {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    const fs::path self = fs::read_symlink("/proc/self/exe", ignored);
+    for (const fs::path& program : {self.parent_path().parent_path() / OCEAN_RASTER_BESIDE,
+                                    fs::path(OCEAN_RASTER_INSTALLED)}) {
+        if (fs::is_regular_file(program, ignored)) return program.string();
+    }
+    return "";
+}
+
 /// Reads an EXR image in a child process.
 void read_exr_in_child(const std::string& path, const RasterReceiver& receiver) {
     static_cast<void>(opened(path));
@@ -182,13 +191,9 @@ void read_exr_in_child(const std::string& path, const RasterReceiver& receiver) 
         elevation::encode([&](const RasterReceiver& sender) { elevation::read_exr(path, sender); },
                           sink);
     };
-    try {
-        sandbox::run_in_child(kLimits, produce, [&](const sandbox::Source& source) {
-            elevation::decode(source, receiver);
-        });
-    } catch (const sandbox::ChildFailure& failure) {
-        throw bad_file(path, std::string("OpenEXR failed on this file: ") + failure.what());
-    }
+    sandbox::run_in_child(kLimits, produce, [&](const sandbox::Source& source) {
+        elevation::decode(source, receiver);
+    });
 }
 
 /// Runs ocean-raster on a file.
@@ -196,12 +201,8 @@ void run_ocean_raster(const std::string& path, std::vector<std::string> request,
                       const std::function<void(const sandbox::Source&)>& consume) {
     static_cast<void>(opened(path));
     const std::filesystem::path file = std::filesystem::absolute(utf8_path(path));
-    request.insert(request.begin(), {elevation::raster_program(), text::to_utf8(file)});
-    try {
-        sandbox::run_program(kLimits, request, consume);
-    } catch (const sandbox::ChildFailure& failure) {
-        throw bad_file(path, std::string("ocean-raster failed on this file: ") + failure.what());
-    }
+    request.insert(request.begin(), {raster_program(), text::to_utf8(file)});
+    sandbox::run_program(kLimits, request, consume);
 }
 
 /// Reads a raster by GDAL: all of it, or what the crop keeps.
@@ -250,6 +251,10 @@ ElevationModel read_foreign(const std::string& path, const ForeignFormat& format
         }
     } catch (const elevation::RasterFault& fault) {
         throw bad_file(path, fault.what());
+    } catch (const sandbox::ChildFailure& failure) {
+        const bool is_exr = format.reader == ElevationReader::exr;
+        throw bad_file(path, std::string(is_exr ? "OpenEXR" : "ocean-raster") +
+                                 " failed on this file: " + failure.what());
     }
     return elevation::finish(builder.take(), path, options);
 }
@@ -264,7 +269,7 @@ ElevationModel import_elevation(const std::string& path, const ElevationImport& 
     if (request.corner && reader != ElevationReader::hgt) {
         throw wrong_option("--corner is for SRTM tiles (.hgt)");
     }
-    if (reader == ElevationReader::ocean_raster && elevation::raster_program().empty()) {
+    if (reader == ElevationReader::ocean_raster && raster_program().empty()) {
         throw text::error_at(ErrorKind::unsupported, path, 0,
                              "is a file of the format " + std::string(format->name) +
                                  ", which ocean-raster reads; that program is not installed "

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <istream>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -48,5 +49,16 @@ struct RasterReceiver {
 
 /// The sides that a reader accepts; the program checks them again. Throws RasterFault.
 void require_sides(std::int64_t columns, std::int64_t rows);
+
+/// Reads an SRTM tile (.hgt) of `bytes` bytes whose south-west sample lies at `corner` [degrees
+/// east, degrees north]: big-endian integers of 16 bits over one degree by one, without a header.
+/// The size gives the sides. Throws RasterFault.
+void read_hgt(std::istream& stream, std::uint64_t bytes, const std::array<double, 2>& corner,
+              const RasterReceiver& receiver);
+
+/// Reads the channel of an OpenEXR image whose name says height: `height` or `elevation`, else Z,
+/// Y, `depth` or R, else the only one; never alpha. Throws RasterFault, also if several may be
+/// meant and differ. Is called in a child process.
+void read_exr(const std::string& path, const RasterReceiver& receiver);
 
 }  // namespace ocean::elevation

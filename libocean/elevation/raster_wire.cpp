@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "ocean/internal/checked_text.hpp"
 
@@ -21,120 +20,91 @@ enum class Kind : std::uint64_t {
 };
 constexpr std::uint64_t kMaxTextBytes = 65536;
 constexpr std::uint64_t kMaxNotes = 64;
-constexpr std::uint64_t kNone = 99;  // of an optional flag
 
-class Writer {
-  public:
-    explicit Writer(const sandbox::Sink& sink) : sink_(sink) {}
-    void count(std::uint64_t value) { sink_(&value, sizeof(value)); }
-    void number(double value) { sink_(&value, sizeof(value)); }
-    void kind(Kind value) { count(static_cast<std::uint64_t>(value)); }
-    void text(std::string_view text) {
-        const std::string_view part = text.substr(0, kMaxTextBytes);
-        count(part.size());
-        sink_(part.data(), part.size());
-    }
-    void facts(const RasterFacts& facts) {
-        kind(Kind::facts);
-        count(static_cast<std::uint64_t>(facts.columns));
-        count(static_cast<std::uint64_t>(facts.rows));
-        count(facts.has_place ? 1 : 0);
-        for (const double value : facts.south_west_centre) number(value);
-        for (const double value : facts.cell) number(value);
-        count(facts.is_geographic ? (*facts.is_geographic ? 1 : 0) : kNone);
-        number(facts.metres_per_unit);
-        for (const double value : facts.ground_scale) number(value);
-        number(facts.height_unit.value_or(0.0));
-        count(facts.rows_from_south ? 1 : 0);
-        number(facts.full_scale);
-        text(facts.crs);
-        text(facts.definition);
-        const std::size_t notes = std::min<std::size_t>(facts.notes.size(), kMaxNotes);
-        count(notes);
-        for (std::size_t i = 0; i < notes; ++i) text(facts.notes[i]);
-    }
-    void row(std::span<const float> row) {
-        kind(Kind::row);
-        sink_(row.data(), row.size_bytes());
-    }
+struct Writer {
+    const sandbox::Sink& sink;
 
-  private:
-    const sandbox::Sink& sink_;
+    void count(std::uint64_t value, std::uint64_t) { sink(&value, sizeof(value)); }
+    void number(double value) { sink(&value, sizeof(value)); }
+    void factor(double value) { number(value); }
+    void text(const std::string& text) {
+        const std::uint64_t size = std::min<std::uint64_t>(text.size(), kMaxTextBytes);
+        count(size, kMaxTextBytes);
+        sink(text.data(), size);
+    }
 };
 
-class Reader {
-  public:
-    explicit Reader(const sandbox::Source& source) : source_(source) {}
+/// Reads what a Writer wrote, and trusts nothing of it.
+struct Reader {
+    const sandbox::Source& source;
 
     void bytes(void* to, std::size_t size) {
-        if (!source_(to, size)) throw sandbox::WireError();
+        if (!source(to, size)) throw sandbox::WireError();
     }
-    std::uint64_t count(std::uint64_t max) {
-        std::uint64_t value = 0;
-        bytes(&value, sizeof(value));
-        if (value > max) throw sandbox::WireError();
-        return value;
+    template <typename Count>
+    void count(Count& value, std::uint64_t max) {
+        std::uint64_t read = 0;
+        bytes(&read, sizeof(read));
+        if (read > max) throw sandbox::WireError();
+        value = static_cast<Count>(read);
     }
-    double number() {
-        double value = 0.0;
+    void number(double& value) {
         bytes(&value, sizeof(value));
         if (!std::isfinite(value)) throw sandbox::WireError();
-        return value;
     }
-    static double require_factor(double value) {
+    /// A ratio of lengths.
+    void factor(double& value) {
+        number(value);
         if (!(value >= 1e-6 && value <= 1e6)) throw sandbox::WireError();
-        return value;
     }
-    double factor() { return require_factor(number()); }
-    std::string text() {
-        std::string result(count(kMaxTextBytes), '\0');
-        bytes(result.data(), result.size());
-        return result;
+    void text(std::string& text) {
+        std::size_t size = 0;
+        count(size, kMaxTextBytes);
+        text.resize(size);
+        bytes(text.data(), size);
     }
-    RasterFacts facts() {
-        constexpr std::uint64_t kMaxSide = INT32_MAX;  // a part of a larger raster may be read
-        RasterFacts facts;
-        facts.columns = static_cast<std::int64_t>(count(kMaxSide));
-        facts.rows = static_cast<std::int64_t>(count(kMaxSide));
-        facts.has_place = count(1) == 1;
-        for (double& value : facts.south_west_centre) value = number();
-        for (double& value : facts.cell) value = number();
-        if (const std::uint64_t flag = count(kNone); flag <= 1) facts.is_geographic = flag == 1;
-        facts.metres_per_unit = factor();
-        for (double& value : facts.ground_scale) value = factor();
-        if (const double unit = number(); unit != 0.0) facts.height_unit = require_factor(unit);
-        facts.rows_from_south = count(1) == 1;
-        facts.full_scale = number();
-        facts.crs = text();
-        facts.definition = text();
-        for (std::uint64_t left = count(kMaxNotes); left > 0; --left) facts.notes.push_back(text());
-        return facts;
-    }
-
-  private:
-    const sandbox::Source& source_;
 };
 
-}  // namespace
-
-void encode(const std::function<void(const RasterReceiver&)>& read, const sandbox::Sink& sink) {
-    Writer writer(sink);
-    try {
-        read({.begin = [&](const RasterFacts& facts) { writer.facts(facts); },
-              .row = [&](std::span<const float> row) { writer.row(row); }});
-    } catch (const RasterFault& fault) {
-        writer.kind(Kind::fault);
-        writer.text(fault.what());
-    }
+/// Writes or reads an optional value as a flag and the value.
+template <typename Wire, typename Optional>
+bool has(Wire& wire, Optional& value) {
+    bool is_given = value.has_value();
+    wire.count(is_given, 1);
+    if (is_given && !value) value.emplace();
+    return is_given;
 }
 
-namespace {
+/// Writes or reads facts.
+template <typename Wire>
+void transfer(Wire& wire, RasterFacts& facts) {
+    constexpr std::uint64_t kMaxSide = INT32_MAX;  // a part of a larger raster may be read
+    wire.count(facts.columns, kMaxSide);
+    wire.count(facts.rows, kMaxSide);
+    wire.count(facts.has_place, 1);
+    for (auto& value : facts.south_west_centre) wire.number(value);
+    for (auto& value : facts.cell) wire.number(value);
+    if (has(wire, facts.is_geographic)) wire.count(*facts.is_geographic, 1);
+    wire.factor(facts.metres_per_unit);
+    for (auto& value : facts.ground_scale) wire.factor(value);
+    if (has(wire, facts.height_unit)) wire.factor(*facts.height_unit);
+    wire.count(facts.rows_from_south, 1);
+    wire.number(facts.full_scale);
+    wire.text(facts.crs);
+    wire.text(facts.definition);
+    std::size_t notes = std::min<std::size_t>(facts.notes.size(), kMaxNotes);
+    wire.count(notes, kMaxNotes);
+    facts.notes.resize(notes);
+    for (auto& note : facts.notes) wire.text(note);
+}
 
 /// Reads the kind of the next message. Throws a fault that was sent in its place.
 void require_next(Reader& reader, Kind kind) {
-    const auto got = static_cast<Kind>(reader.count(UINT64_MAX));
+    Kind got{};
+    reader.count(got, UINT64_MAX);
     if (got == Kind::fault) {
-        const std::string words = text::printable(reader.text(), kMaxTextBytes);
+        std::string words;
+        reader.text(words);
+        words = text::printable(words, kMaxTextBytes);
         throw RasterFault(words.empty() ? "cannot be read" : words);
     }
     if (got != kind) throw sandbox::WireError();
@@ -142,16 +112,38 @@ void require_next(Reader& reader, Kind kind) {
 
 }  // namespace
 
+void encode(const std::function<void(const RasterReceiver&)>& read, const sandbox::Sink& sink) {
+    Writer writer{sink};
+    const auto begin = [&](Kind kind) { writer.count(static_cast<std::uint64_t>(kind), 0); };
+    try {
+        read({.begin =
+                  [&](RasterFacts facts) {
+                      begin(Kind::facts);
+                      transfer(writer, facts);
+                  },
+              .row =
+                  [&](std::span<const float> row) {
+                      begin(Kind::row);
+                      sink(row.data(), row.size_bytes());
+                  }});
+    } catch (const RasterFault& fault) {
+        begin(Kind::fault);
+        writer.text(fault.what());
+    }
+}
+
 RasterFacts decode_facts(const sandbox::Source& source) {
-    Reader reader(source);
+    Reader reader{source};
     require_next(reader, Kind::facts);
-    return reader.facts();
+    RasterFacts facts;
+    transfer(reader, facts);
+    return facts;
 }
 
 void decode(const sandbox::Source& source, const RasterReceiver& receiver) {
     const RasterFacts facts = decode_facts(source);
     receiver.begin(facts);
-    Reader reader(source);
+    Reader reader{source};
     std::vector<float> row(static_cast<std::size_t>(facts.columns));
     for (std::int64_t i = 0; i < facts.rows; ++i) {
         require_next(reader, Kind::row);

@@ -161,9 +161,9 @@ LIBRARIES = {
             # Of the target that ocean-raster alone links.
             "gdal_place.hpp": ("gdal.h",),
             "gdal_place.cpp": ("gdal", "cpl_", "ogr_"),
-            "gdal_raster.cpp": ("gdal", "cpl_", "ogr_"),
+            "gdal_raster.cpp": ("gdal", "cpl_", "ogr_", "tiffio.h"),
         },
-        links=("OpenEXR::OpenEXR", "PkgConfig::gdal"),
+        links=("OpenEXR::OpenEXR", "PkgConfig::gdal", "TIFF::TIFF"),
     ),
     "capi": Library(below=("core", "seafile"), banned=STREAMS),
     "bake": Library(

@@ -13,7 +13,6 @@
 #include <sstream>
 #include <string_view>
 
-#include "hgt_raster.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/elevation_import.hpp"
 #include "ocean/io/elevation.hpp"

@@ -5,7 +5,6 @@
 // its heights, repeated or cut off. They are a name, too.
 #include <sstream>
 
-#include "hgt_raster.hpp"
 #include "ocean/internal/elevation_import.hpp"
 #include "raster_checks.hpp"
 

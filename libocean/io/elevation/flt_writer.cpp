@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Raw floats with header and projection: see elevation.hpp.
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <filesystem>
@@ -10,6 +11,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/elevation_rules.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/elevation.hpp"
 #include "ocean/io/output_file.hpp"
@@ -46,6 +48,11 @@ void write_heights(const ElevationModel& model, OutputFile& file) {
     }
 }
 
+std::string local_text(std::string name) {
+    std::ranges::replace(name, '"', '\'');
+    return "LOCAL_CS[\"" + name + "\",UNIT[\"metre\",1]]";
+}
+
 }  // namespace
 
 std::string elevation_header(const ElevationModel& model) {
@@ -56,6 +63,18 @@ std::string elevation_header(const ElevationModel& model) {
                        digits(domain.origin[0]) + "\nyllcenter " + digits(domain.origin[1]) + "\n";
     text += dx == dy ? "cellsize " + dx + "\n" : "xdim " + dx + "\nydim " + dy + "\n";
     return text + "NODATA_value -9999\nbyteorder LSBFIRST\n" + std::string(kCreator) + "\n";
+}
+
+std::string elevation_projection(const ElevationModel& model) {
+    const std::string name = elevation::crs_name(model.crs);
+    if (model.was_degrees) {
+        return local_text("metres from " + fixed_text(model.geographic_origin[1], 6) + " N, " +
+                          fixed_text(model.geographic_origin[0], 6) + " E" +
+                          (name.empty() ? "" : " of " + name));
+    }
+    if (!model.crs_definition.empty()) return model.crs_definition;
+    if (name.empty()) return local_text("metres");
+    return elevation::is_geographic(model.crs) == false ? model.crs : local_text(name);
 }
 
 void write_elevation(const ElevationModel& model, const std::string& path) {

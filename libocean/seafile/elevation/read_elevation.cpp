@@ -39,20 +39,16 @@ std::string lower_extension(const std::string& path) {
 
 using enum ElevationReader;
 constexpr std::array kForeignFormats = {
-    ForeignFormat{"TIFF", "II*\0"sv, {".tif", ".tiff"}, ocean_raster},
-    ForeignFormat{"TIFF", "MM\0*"sv, {}, ocean_raster},
-    ForeignFormat{"TIFF", "II+\0"sv, {}, ocean_raster},
-    ForeignFormat{"TIFF", "MM\0+"sv, {}, ocean_raster},
-    ForeignFormat{"PNG", "\x89PNG"sv, {".png"}, ocean_raster},
-    ForeignFormat{"OpenEXR", "\x76\x2f\x31\x01"sv, {".exr"}, exr},
+    ForeignFormat{
+        "TIFF", {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv}, {".tif", ".tiff"}, ocean_raster},
+    ForeignFormat{"PNG", {"\x89PNG"}, {".png"}, ocean_raster},
+    ForeignFormat{"OpenEXR", {"\x76\x2f\x31\x01"}, {".exr"}, exr},
     ForeignFormat{"SRTM", {}, {".hgt"}, hgt},
-    ForeignFormat{"DTED", "UHL1"sv, {".dt0", ".dt1", ".dt2"}, ocean_raster},
-    ForeignFormat{"Surfer", "DSAA"sv, {}, ocean_raster},
-    ForeignFormat{"Surfer", "DSBB"sv, {}, ocean_raster},
-    ForeignFormat{"Surfer", "DSRB"sv, {}, ocean_raster},
+    ForeignFormat{"DTED", {"UHL1"}, {".dt0", ".dt1", ".dt2"}, ocean_raster},
+    ForeignFormat{"Surfer", {"DSAA", "DSBB", "DSRB"}, {}, ocean_raster},
     ForeignFormat{"USGS DEM", {}, {".dem"}, ocean_raster},
-    ForeignFormat{"NetCDF", "CDF"sv, {".nc", ".grd"}, gdal_translate},
-    ForeignFormat{"HDF", "\x89HDF"sv, {".h5", ".hdf"}, gdal_translate},
+    ForeignFormat{"NetCDF", {"CDF"}, {".nc", ".grd"}, gdal_translate},
+    ForeignFormat{"HDF", {"\x89HDF"}, {".h5", ".hdf"}, gdal_translate},
     ForeignFormat{"raster of integers", {}, {".bil", ".img"}, gdal_translate},
     ForeignFormat{"SDTS", {}, {".ddf"}, gdal_translate},
 };
@@ -134,7 +130,9 @@ const ForeignFormat* elevation::foreign_format(const std::string& path) {
     const std::string extension = lower_extension(path), first = text::first_bytes(path, 1024);
     if (extension == ".flt" || extension == ".hdr" || extension == ".asc") return nullptr;
     for (const ForeignFormat& format : kForeignFormats) {
-        if (!format.first_bytes.empty() && first.starts_with(format.first_bytes)) return &format;
+        for (const std::string_view magic : format.first_bytes) {
+            if (!magic.empty() && first.starts_with(magic)) return &format;
+        }
     }
     if (begins_as_ascii_grid(first)) return nullptr;
     if (is_envi(path)) return &kEnvi;

@@ -49,7 +49,7 @@ enum class ElevationReader {
 /// A format that read_elevation() refuses: its name, and how a file of it begins or is named.
 struct ForeignFormat {
     std::string_view name;
-    std::string_view first_bytes;
+    std::array<std::string_view, 4> first_bytes;
     std::array<std::string_view, 3> extensions;
     ElevationReader reader;
 };
