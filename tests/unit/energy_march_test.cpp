@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -351,6 +352,158 @@ TEST(EnergyMarch, LandSwallowsAndBreakingIsBounded) {
     EXPECT_EQ(read(maps, maps.arrival, 400.0, 100.0), 0.0);
     EXPECT_GT(read(maps, maps.breaking_share, 240.0, 100.0), 0.3);
     EXPECT_LT(read(maps, maps.breaking_share, 20.0, 100.0), 0.3);
+}
+
+// ---- walls
+
+/// A wall of samples in water 8 m deep: those within half the width of a line from a to b, and
+/// those that the line passes nearest to, so that a wall of width 0 is one sample wide and closed
+/// by corners alone.
+struct Wall {
+    double ax, ay, bx, by, width;
+
+    bool has(double x, double y, double cell) const {
+        const double dx = bx - ax, dy = by - ay, length = std::hypot(dx, dy);
+        const double along = ((x - ax) * dx + (y - ay) * dy) / length;
+        const double across = ((y - ay) * dx - (x - ax) * dy) / length;
+        if (along < -0.5 * cell || along > length + 0.5 * cell) return false;
+        const double one = 0.5 * cell * std::max(std::abs(dx), std::abs(dy)) / length;
+        return std::abs(across) <= std::max(one, 0.5 * width);
+    }
+};
+
+BedGrid walled_bed(int columns, int rows, double cell, const std::vector<Wall>& walls) {
+    return make_bed(columns, rows, cell, [&](double x, double y) {
+        const auto stands = [&](const Wall& wall) { return wall.has(x, y, cell); };
+        return std::ranges::any_of(walls, stands) ? 4.0 : -8.0;
+    });
+}
+
+TEST(EnergyMarch, AThinWallShadowsAsAThickOneDoesFromAnyDirection) {
+    // One cell wide and 16 m, 200 m long, in a broad sea; the mean height 40 to 100 m behind the
+    // middle. A march of 16 m cells that reads its bed every 4 m steps over the thin one.
+    const Water water{.depth = 8.0};
+    struct Case {
+        double cell, turn;
+    };
+    for (const auto& [cell, turn] :
+         {Case{4.0, 0.0}, {4.0, 20.0}, {4.0, 70.0}, {2.0, 45.0}, {8.0, 20.0}}) {
+        const double c = std::cos(turn * kDegree), s = std::sin(turn * kDegree);
+        const int samples = static_cast<int>(640.0 / cell) + 1;
+        const DirectionalSpectrum sea = make_sea({{.direction = turn * kDegree, .spread = 5.0}});
+        const auto height = [&](double width) {
+            const Wall wall{320.0 + 100.0 * s, 320.0 - 100.0 * c, 320.0 - 100.0 * s,
+                            320.0 + 100.0 * c, width};
+            const EnergyMaps maps = march(walled_bed(samples, samples, cell, {wall}), sea, water);
+            double sum = 0.0;
+            for (double behind = 40.0; behind <= 100.0; behind += 15.0) {
+                sum += read(maps, maps.rms_height, 320.0 + behind * c, 320.0 + behind * s);
+            }
+            return sum / 5.0;
+        };
+        const double thin = height(0.0);
+        EXPECT_LT(thin, 1.25 * height(16.0)) << cell << " " << turn;
+        EXPECT_LT(thin, 0.4 * kHeight) << cell << " " << turn;
+    }
+}
+
+TEST(EnergyMarch, AWallAlongTheMarchPartsTheWaterOnItsSides) {
+    // A mole of two cells along the mean direction, closed to the sea by a second one: within the
+    // corner are only waves that come round its open end.
+    const Water water{.depth = 8.0};
+    for (const double turn : {0.0, 30.0, 80.0}) {
+        const double angle = turn * kDegree, c = std::cos(angle), s = std::sin(angle);
+        const auto place = [&](double along, double across) {
+            return std::array{400.0 + along * c - across * s, 400.0 + along * s + across * c};
+        };
+        const auto wall = [&](std::array<double, 2> a, std::array<double, 2> b) {
+            return Wall{a[0], a[1], b[0], b[1], 8.0};
+        };
+        const BedGrid bed = walled_bed(
+            201, 201, 4.0,
+            {wall(place(-200, 0), place(200, 0)), wall(place(-200, 0), place(-200, 160))});
+        const EnergyMaps maps = march(bed, make_sea({{.direction = angle, .spread = 20.0}}), water);
+        const auto at = [&](double along, double across) {
+            const auto [x, y] = place(along, across);
+            return read(maps, maps.rms_height, x, y);
+        };
+        EXPECT_LT(at(-100.0, 40.0), 0.25 * at(-100.0, -60.0)) << turn;
+        EXPECT_LT(at(-120.0, 30.0), 0.25 * at(-100.0, -60.0)) << turn;
+    }
+}
+
+TEST(EnergyMarch, NothingComesRoundLandFromBorderToBorder) {
+    const Water water{.depth = 8.0};
+    const BedGrid bed = make_bed(
+        121, 101, 8.0, [](double x, double) { return x >= 480.0 && x < 512.0 ? 4.0 : -8.0; });
+    for (const double direction : {0.0, -25.0, 15.0, 180.0}) {
+        for (const double spread : {2.0, 20.0}) {
+            const EnergyMaps maps =
+                march(bed, make_sea({{.direction = direction * kDegree, .spread = spread}}), water);
+            const double before = direction == 180.0 ? 800.0 : 200.0;
+            for (const double y : {100.0, 400.0, 700.0}) {
+                EXPECT_GT(read(maps, maps.rms_height, before, y), 0.5 * kHeight);
+                EXPECT_EQ(read(maps, maps.rms_height, 1000.0 - before, y), 0.0) << direction;
+                EXPECT_EQ(read(maps, maps.arrival, 1000.0 - before, y), 0.0) << direction;
+            }
+        }
+    }
+}
+
+TEST(EnergyMarch, PondsLagoonsAndAtollsAreStill) {
+    const Water water{.depth = 8.0};
+    struct Case {
+        const char* name;
+        std::function<double(double, double)> height;
+        std::vector<std::array<double, 2>> still, moved;
+    };
+    const std::vector<Case> cases = {
+        // A ring of one sample, closed by corners.
+        {"atoll",
+         [](double x, double y) {
+             return std::abs(std::hypot(x - 400.0, y - 400.0) - 150.0) < 2.9 ? 1.5 : -8.0;
+         },
+         {{400.0, 400.0}, {350.0, 420.0}},
+         {{100.0, 400.0}}},
+        {"lagoon behind a dune",
+         [](double x, double) {
+             return x < 400.0 ? -8.0 : x < 420.0 ? 3.0 : x < 500.0 ? -2.0 : 2.0;
+         },
+         {{460.0, 100.0}, {450.0, 400.0}, {470.0, 700.0}},
+         {{200.0, 400.0}}},
+        {"polder with a dike along the border",
+         [](double x, double y) {
+             if (x < 500.0) return -8.0;
+             return x < 530.0 || x > 790.0 || y < 40.0 || y > 760.0 ? 5.0 : -3.0;
+         },
+         {{560.0, 100.0}, {700.0, 400.0}, {770.0, 700.0}},
+         {{200.0, 400.0}}}};
+    for (const Case& of : cases) {
+        const BedGrid bed = make_bed(201, 201, 4.0, of.height);
+        const EnergyMaps maps = march(bed, make_sea({{.direction = 0.2, .spread = 3.0}}), water);
+        for (const auto& [x, y] : of.still) {
+            EXPECT_EQ(read(maps, maps.rms_height, x, y), 0.0) << of.name;
+        }
+        for (const auto& [x, y] : of.moved) {
+            EXPECT_GT(read(maps, maps.rms_height, x, y), 0.5 * kHeight) << of.name;
+        }
+    }
+}
+
+TEST(EnergyMarch, WaterThatAnySystemReachesIsNotStill) {
+    // The same land across the bed; a tenth of the energy is a swell from the other side. A strait
+    // of two samples joins the water, so that none is still.
+    const Water water{.depth = 8.0};
+    const auto barrier = [](double x, double) { return x >= 480.0 && x < 512.0 ? 4.0 : -8.0; };
+    const EnergyMaps two =
+        march(make_bed(121, 101, 8.0, barrier),
+              make_sea({{.share = 0.9}, {.direction = kPi, .share = 0.1}}), water);
+    EXPECT_NEAR(read(two, two.rms_height, 800.0, 400.0) / kHeight, std::sqrt(0.1), 0.03);
+    const EnergyMaps strait = march(
+        make_bed(121, 101, 8.0,
+                 [&](double x, double y) { return y > 390.0 && y < 410.0 ? -8.0 : barrier(x, y); }),
+        make_sea({{.spread = 10.0}}), water);
+    EXPECT_TRUE(strait.still.still.empty());
 }
 
 TEST(EnergyMarch, BitsAreTheSameForAnyNumberOfThreads) {

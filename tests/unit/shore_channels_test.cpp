@@ -6,12 +6,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string_view>
 #include <vector>
 
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/query.hpp"
 #include "ocean/sea_bed.hpp"
 #include "shore/shore_statics.hpp"
 
@@ -82,6 +84,108 @@ TEST(ShoreChannels, LandThatNoWaveReachesHasNoFoamOfTheOpenSea) {
     }
 }
 
+/// A polder 3 m below the water, ringed by dikes of 5 m of which one lies along the border of the
+/// bed, at the end of a beach.
+Parameters polder_sea() {
+    Parameters parameters;
+    parameters.grid.resolution = 128;
+    parameters.grid.patch_size = 512.0;
+    parameters.water.depth = 10.0;
+    WaveSystem& waves = parameters.waves.front();
+    waves.spectrum = SpectrumKind::jonswap;
+    waves.wind_speed = 12.0;
+    waves.significant_wave_height = 1.5;
+    waves.peak_period = 6.0;
+    waves.wind_direction = 0.0;
+    GivenBed given;
+    given.grid = {{0.0, 0.0}, {800.0, 600.0}, {161, 121}, false};
+    for (int j = 0; j < 121; ++j) {
+        for (int i = 0; i < 161; ++i) {
+            const double x = 5.0 * i, y = 5.0 * j;
+            const bool dike = x < 430.0 || x > 770.0 || y < 40.0 || y > 560.0;
+            const double height = x < 200.0   ? -10.0
+                                  : x < 400.0 ? -10.0 + (x - 200.0) * 0.075
+                                  : dike      ? 5.0
+                                              : -3.0;
+            given.heights.push_back(static_cast<float>(height));
+        }
+    }
+    parameters.water.bed = make_sea_bed(std::move(given), parameters.water);
+    return parameters;
+}
+
+TEST(ShoreChannels, PondsAreLevelUpToTheirDikesAndHaveNoFoam) {
+    Parameters wind = polder_sea();
+    Parameters swell = wind;  // whose short waves are in no band, and which runs up high
+    swell.waves.front().peak_period = 14.0;
+    swell.waves.front().peak_enhancement = 8.0;
+    constexpr std::size_t kSea = 32;
+    std::vector<WorldPoint> points;
+    for (std::size_t n = 0; n < kSea; ++n) {
+        points.push_back({90.0, 80.0 + 14.0 * static_cast<double>(n)});
+    }
+    for (double y = 60.0; y < 550.0; y += 60.0) {
+        for (const double x : {432.0, 436.0, 450.0, 600.0, 740.0, 769.0, 771.0}) {
+            points.push_back({x, y});
+        }
+    }
+    for (const bool has_foam : {true, false}) {
+        Ocean ocean(has_foam ? wind : swell);
+        std::vector<QuerySample> samples(points.size());
+        ocean.query(20.0, points, samples, {.foam = has_foam});
+        double foam = 0.0;
+        for (std::size_t n = 0; n < kSea; ++n) foam += samples[n].foam;
+        EXPECT_EQ(foam > 0.05 * kSea, has_foam);
+        for (std::size_t n = kSea; n < points.size(); ++n) {
+            EXPECT_NEAR(samples[n].height, 0.0, 0.01 * 1.5) << points[n].x << " " << points[n].y;
+            EXPECT_EQ(samples[n].foam, 0.0) << points[n].x << " " << points[n].y;
+        }
+        // The maps of a region are the same surface.
+        const Domain foot{{700.0, 300.0}, {72.0, 60.0}, {37, 16}, false};
+        const Surface map = ocean.region(20.0, foot, {Channel::height, Channel::whitecap});
+        EXPECT_EQ(std::ranges::max(map.channel(Channel::whitecap)), 0.0f);
+        for (const float height : map.channel(Channel::height)) EXPECT_NEAR(height, 0.0f, 0.015f);
+    }
+}
+
+TEST(ShoreChannels, WavesEightMetresBehindAThinWallAreThoseBehindAThickOne) {
+    // A wall of one sample, 4 m above the water, and one of five; their northern ends are free.
+    const auto height_behind = [](int width) {
+        Parameters parameters = polder_sea();
+        parameters.water.depth = 8.0;
+        GivenBed given;
+        given.grid = {{0.0, 0.0}, {400.0, 400.0}, {101, 101}, false};
+        for (int j = 0; j < 101; ++j) {
+            for (int i = 0; i < 101; ++i) {
+                const bool wall = i > 50 - width && i <= 50 && j < 70;
+                given.heights.push_back(wall ? 4.0f : -8.0f);
+            }
+        }
+        parameters.water.bed = nullptr;
+        parameters.water.bed = make_sea_bed(std::move(given), parameters.water);
+        std::vector<WorldPoint> points;
+        for (double y = 210.0; y < 260.0; y += 1.0) {
+            for (const double x : {208.0, 212.0, 220.0, 232.0, 244.0}) points.push_back({x, y});
+        }
+        Ocean ocean(parameters);
+        std::vector<QuerySample> samples(points.size());
+        std::vector<double> squares(5);
+        for (const double time : {0.0, 17.0, 31.0, 48.0}) {
+            ocean.query(time, points, samples, {.foam = false});
+            for (std::size_t n = 0; n < samples.size(); ++n) {
+                squares[n % 5] += samples[n].height * samples[n].height;
+            }
+        }
+        for (double& square : squares) square = std::sqrt(square / (4.0 * 50.0));
+        return squares;
+    };
+    const std::vector<double> thin = height_behind(1), thick = height_behind(5);
+    for (std::size_t n = 0; n < thin.size(); ++n) {
+        EXPECT_LT(thin[n], 1.25 * thick[n]) << n;
+        EXPECT_LT(thin[n], 0.375) << n;
+    }
+}
+
 // A change of the sea computes delays of those waves only that no sea before had, and shows the
 // bits of a sea that is made anew; so does a sea that comes back.
 TEST(ShoreStatics, AChangedSeaComputesItsNewWavesAlone) {
@@ -141,8 +245,8 @@ TEST(ShoreStatics, AreAsLargeAsToldAndAtMost5500KilobytesForASquareKilometreAndS
     ThreadPool pool(1);
     const auto delays = make_shore_delays(bed, bands, parameters.water, pool);
     const auto energy = make_shore_energy(bed, *delays, spectrum, parameters.water, pool);
-    std::size_t bytes =
-        delays->ground.bytes() + energy->breaking.bytes() + energy->remainder.bytes();
+    std::size_t bytes = delays->ground.bytes() + energy->breaking.bytes() +
+                        energy->remainder.bytes() + energy->lee.bytes();
     for (const PairDelays& waves : delays->waves) bytes += waves.maps->bytes();
     for (const QuadGrid& amplitudes : energy->amplitudes) bytes += amplitudes.bytes();
     std::set<int> sectors;

@@ -51,10 +51,25 @@ Domain coarse_domain(const Domain& bed, double cell) {
     return domain;
 }
 
+/// How a place beside land reads the four places of a march about it: those that land parts from
+/// it have no weight, the others together 1, or 0 if there are none.
+struct ReadPastLand {
+    std::size_t place;  // index in the world
+    std::array<std::size_t, 4> from;
+    std::array<float, 4> weight;
+
+    float value(const std::vector<float>& map) const {
+        float sum = 0.0f;
+        for (std::size_t n = 0; n < 4; ++n) sum += weight[n] * map[from[n]];
+        return sum;
+    }
+};
+
 /// One group over the bed.
 struct GroupMarch {
     MarchGroup group;
     MarchBed bed;
+    std::vector<ReadPastLand> past_land;
 };
 
 /// The inputs that all marches of a sea share.
@@ -98,10 +113,62 @@ void for_each_place(const MarchInputs& inputs, const Use& use) {
     });
 }
 
+/// Returns the reads of a march at the places of the world that land parts from some of the
+/// march's places about them. Land in the column before has let nothing through to the place; that
+/// in the column behind has the energy of the water before it.
+std::vector<ReadPastLand> reads_past_land(const MarchLand& land, const MarchBed& bed,
+                                          const Domain& world) {
+    std::vector<ReadPastLand> result;
+    if (land.is_empty()) return result;
+    const MarchGrid& grid = bed.grid;
+    for (int place_j = 0, n = 0; place_j < world.samples[1]; ++place_j) {
+        for (int place_i = 0; place_i < world.samples[0]; ++place_i, ++n) {
+            const auto place = world.place(place_i, place_j);
+            const auto [u, v] = grid.position(place);
+            const int i = std::clamp(static_cast<int>(u), 0, grid.columns - 2);
+            const int j = std::clamp(static_cast<int>(v), 0, grid.rows - 2);
+            const bool is_open = bed.way[grid.index(i + 1, j)] == MarchBed::kOpen &&
+                                 bed.way[grid.index(i + 1, j + 1)] == MarchBed::kOpen;
+            if (is_open || land.is_land(place)) continue;
+            ReadPastLand read{static_cast<std::size_t>(n), {}, {}};
+            float sum = 0.0f;
+            bool is_parted = false;
+            for (std::size_t corner = 0; corner < 4; ++corner) {
+                const int behind = static_cast<int>(corner / 2),
+                          above = static_cast<int>(corner % 2);
+                const auto from = grid.place(i + behind, j + above);
+                const float seen =
+                    behind == 0 && land.is_land(from) ? 0.0f : land.through(place, from);
+                const double share_u = behind == 1 ? u - i : 1.0 - (u - i);
+                const double share_v = above == 1 ? v - j : 1.0 - (v - j);
+                read.from[corner] = grid.index(i + behind, j + above);
+                read.weight[corner] = seen * static_cast<float>(share_u * share_v);
+                sum += read.weight[corner];
+                is_parted = is_parted || seen < 1.0f;
+            }
+            if (!is_parted) continue;
+            for (float& weight : read.weight) weight = sum > 0.0f ? weight / sum : 0.0f;
+            result.push_back(read);
+        }
+    }
+    return result;
+}
+
 double variance_in_open_sea(const MarchGroup& group) {
     double sum = 0.0;
     for (const MarchWave& wave : group.waves) sum += wave.variance;
     return sum;
+}
+
+/// Returns a map of a march at the samples of the world.
+std::vector<float> read_march(const MarchInputs& inputs, const GroupMarch& march,
+                              const std::vector<float>& map) {
+    std::vector<float> values(inputs.world.count());
+    for_each_place(inputs, [&](std::size_t n, const std::array<double, 2>& place) {
+        values[n] = march.bed.grid.read(map, place);
+    });
+    for (const ReadPastLand& read : march.past_land) values[read.place] = read.value(map);
+    return values;
 }
 
 /// Returns the variance of a march's waves in its own grid [m^2].
@@ -127,9 +194,8 @@ std::vector<std::vector<float>> march_without_breaking(const std::vector<GroupMa
             march_group(group, inputs.bins, march.bed, inputs.depths, {.breaking = false},
                         inputs.pool, [&count] { count.add_one(); });
         const auto share = static_cast<float>(variance_in_open_sea(group) / inputs.open_variance);
-        for_each_place(inputs, [&](std::size_t n, const std::array<double, 2>& place) {
-            arrival[n] += share * march.bed.grid.read(field.unshoaled, place);
-        });
+        const std::vector<float> k = read_march(inputs, march, field.unshoaled);
+        for (std::size_t n = 0; n < k.size(); ++n) arrival[n] += share * k[n];
         variances.push_back(variance_of(group, field));
     }
     for (float& k : arrival) k = std::min(k, static_cast<float>(kLargestArrival));
@@ -170,9 +236,23 @@ void march_with_breaking(const std::vector<GroupMarch>& marches,
                                              loss, inputs.pool, [&count] { count.add_one(); });
         for (std::size_t tag = 0; tag < march.group.members.size(); ++tag) {
             std::vector<float>& amplitude = maps.amplitude[march.group.members[tag]];
-            for_each_place(inputs, [&](std::size_t n, const std::array<double, 2>& place) {
-                amplitude[n] = std::sqrt(march.bed.grid.read(field.energy[tag], place));
-            });
+            amplitude = read_march(inputs, march, field.energy[tag]);
+            for (float& a : amplitude) a = std::sqrt(a);
+        }
+    }
+}
+
+/// Ends the waves where none reaches the nearest sample of the bed.
+void leave_still(const BedGrid& bed_height, EnergyMaps& maps) {
+    if (maps.still.still.empty()) return;
+    const Domain& domain = maps.domain;
+    std::size_t n = 0;
+    for (int j = 0; j < domain.samples[1]; ++j) {
+        for (int i = 0; i < domain.samples[0]; ++i, ++n) {
+            if (!maps.still.is_still(nearest_sample(bed_height.domain, domain.place(i, j))))
+                continue;
+            for (std::vector<float>& amplitude : maps.amplitude) amplitude[n] = 0.0f;
+            maps.arrival[n] = 0.0f;
         }
     }
 }
@@ -219,18 +299,23 @@ EnergyMaps march_energy(const BedGrid& bed_height, const ShoreBands& bands,
     double open_variance = 0.0;
     for (const ShoreWaves& waves : bands.waves) open_variance += waves.variance;
     const MarchInputs inputs{bins, depths, maps.domain, open_variance, pool};
+    MarchSea sea = make_march_sea(bands, spectrum, water, bins);
+    maps.still = find_still_water(bed_height, sea.incoming);
+    const MarchLand land(bed_height, maps.still);
     std::vector<GroupMarch> marches;
     long columns = 0;
-    for (MarchGroup& group : make_march_groups(bands, spectrum, water, bins)) {
+    for (MarchGroup& group : sea.groups) {
         const MarchGrid grid = MarchGrid::over(maps.domain, group.direction, settings.cell);
         columns += grid.columns;
-        MarchBed bed = make_march_bed(bed_height, grid, depths, pool);
-        marches.push_back({std::move(group), std::move(bed)});
+        MarchBed bed = make_march_bed(bed_height, land, grid, depths, pool);
+        std::vector<ReadPastLand> past_land = reads_past_land(land, bed, maps.domain);
+        marches.push_back({std::move(group), std::move(bed), std::move(past_land)});
     }
     ColumnCount count(progress, 2 * columns);
     const std::vector<std::vector<float>> variances =
         march_without_breaking(marches, inputs, count, maps.arrival);
     march_with_breaking(marches, variances, inputs, count, maps);
+    leave_still(bed_height, maps);
     write_sums(bed_height, bands, inputs, maps);
     return maps;
 }

@@ -6,6 +6,7 @@
 // travels back. Reflection, diffraction and currents are left out.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "bed_grid.hpp"
@@ -14,14 +15,15 @@
 #include "ocean/parameters.hpp"
 #include "shore_bands.hpp"
 #include "shore_progress.hpp"
+#include "still_water.hpp"
 
 namespace ocean {
 
 class ThreadPool;
 
 struct MarchSettings {
-    /// The side of a cell of the march and of the maps [m], 4 .. 64. Land narrower than a cell may
-    /// be missed.
+    /// The side of a cell of the march and of the maps [m], 4 .. 64. Land of any width stands in
+    /// the way of waves; water narrower than a cell may be missed.
     double cell = 16.0;
     /// The width of a bin of directions [rad], 1 .. 15 degrees.
     double direction_bin = kTwoPi / 72.0;  // 5 degrees
@@ -32,7 +34,7 @@ struct MarchSettings {
 /// Maps over coarse cells that cover the bed's domain, row-major [j][i]. Depths are those of the
 /// bed as it is, at least least_depth and at most the open sea's. Land swallows waves; the maps
 /// continue into it over the first cell, as if it were least_depth below the water, and reach 0
-/// beyond.
+/// beyond. Water behind land has the energy of the cells that no land parts from it.
 struct EnergyMaps {
     Domain domain{.wraps = false};
     /// Amplitudes over those of the open sea, one map for each of bands.waves. 1 where the bed is
@@ -43,6 +45,11 @@ struct EnergyMaps {
     std::vector<float>
         arrival;  // share of the open sea's energy that arrives if none breaks, 0 .. 2
     std::vector<float> group_width;  // sqrt(sum over waves of (share of the energy)^2), 0 .. 1
+    /// For each sample that whose values it has: another one on land, once maps are continued
+    /// there. Empty: its own.
+    std::vector<std::uint32_t> source;
+    /// The samples of the bed that no wave reaches; amplitudes and arrival are 0 there.
+    StillWater still;
 };
 
 /// Returns the maps of one sea over one bed [m, up]. Each system of waves marches along its mean

@@ -14,8 +14,7 @@ LocalSea ShoreSurface::local_sea(WorldPoint place, std::vector<LocalWave>& waves
                                  const ShoreSums* exact) const {
     waves.clear();
     LocalSea here;
-    const Jet share =
-        share_inside(statics_.domain(), border_margin(statics_.domain()), place.x, place.y);
+    const Jet share = statics_.share_of_coast(place.x, place.y);
     if (share.value() <= 0.0f) return here;
     const ShoreEnergy& energy = *statics_.energy;
     const QuadSample ground = statics_.delays->ground.read(place.x, place.y);
@@ -27,7 +26,8 @@ LocalSea ShoreSurface::local_sea(WorldPoint place, std::vector<LocalWave>& waves
     here.open = static_cast<double>(border.open.value());
     const float not_felt = (1.0f - held_in_unit(Plain(ground.value[3])).value()) *
                            (1.0f - held_in_unit(Plain(remainder.value[2])).value());
-    here.felt = static_cast<double>(1.0f - not_felt);
+    const float lee = energy.lee.at(place.x, place.y).height.value();
+    here.felt = static_cast<double>(felt_in_lee(Plain(1.0f - not_felt), Plain(lee)).value());
     if (here.felt <= 0.0) {
         // Both surfaces are the open sea.
         here.coast = 1.0;
@@ -36,7 +36,8 @@ LocalSea ShoreSurface::local_sea(WorldPoint place, std::vector<LocalWave>& waves
     }
     const float depth = ground.value[1];
     here.depth = static_cast<double>(depth);
-    here.calm = static_cast<double>(short_waves_left(Jet(depth)).value() * remainder.value[0]);
+    here.calm =
+        static_cast<double>(short_waves_left(Jet(depth)).value() * lee * remainder.value[0]);
     const Quad wavenumbers = energy.depths.band_wavenumbers(depth);
     BlockSignal signal;
     Jet real(0.0f);
@@ -48,7 +49,7 @@ LocalSea ShoreSurface::local_sea(WorldPoint place, std::vector<LocalWave>& waves
         const double y = place.y + static_cast<double>(delay.value[1]);
         read_signal(w, 1, &x, &y, JetParts::all, exact, signal);
         const float amplitude =
-            energy.amplitudes[w / 4].read(place.x, place.y).value[static_cast<int>(w % 4)];
+            lee * energy.amplitudes[w / 4].read(place.x, place.y).value[static_cast<int>(w % 4)];
         const Jet cosine(amplitude * std::cos(delay.value[2]));
         const Jet sine(amplitude * std::sin(delay.value[2]));
         const Jet re(signal.re.part[0][0], 0.0f, 0.0f, signal.re.part[3][0]);
@@ -62,7 +63,7 @@ LocalSea ShoreSurface::local_sea(WorldPoint place, std::vector<LocalWave>& waves
     const QuadSample broken = energy.breaking.read(place.x, place.y);
     const Jet k = energy.depths.at(Jet(depth)).wavenumber;
     const Jet highest = highest_wave(k, Jet(depth), breaker_index(Jet(ground.value[2])));
-    const Jet rms_height(broken.value[0]);
+    const Jet rms_height(lee * broken.value[0]);
     const Jet gain =
         limiter_gain_(rms_height / highest, typical_shape_root(rms_height, k, Jet(depth)));
     here.limited = static_cast<double>(

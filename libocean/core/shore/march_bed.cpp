@@ -12,16 +12,90 @@
 namespace ocean {
 namespace {
 
-constexpr double kSoftShore = 0.15;  // half the rise over which land begins to swallow [m]
-
 std::size_t at(int n) {
     return static_cast<std::size_t>(n);
 }
 
-/// Returns the share of the energy that a bed of this height lets pass.
-float passing(double height) {
-    return static_cast<float>(1.0 -
-                              std::clamp((height + kSoftShore) / (2.0 * kSoftShore), 0.0, 1.0));
+/// The places of a march beside land: those on whose ways it may be.
+class NearLand {
+  public:
+    NearLand(const MarchLand& land, const MarchGrid& grid)
+        : land_(land), grid_(grid), near_(grid.size()) {
+        if (land.is_empty()) return;
+        const Domain& domain = land.domain();
+        const double reach = 1.5 * land.cell() / grid.cell;  // of a sample's squares [cells]
+        for (int j = 0; j < domain.samples[1]; ++j) {
+            for (int i = 0; i < domain.samples[0]; ++i) {
+                if (land.is_shore(i, j)) mark(grid.position(domain.place(i, j)), reach);
+            }
+        }
+    }
+    bool operator()(int i, int j) const {
+        return near_[grid_.index(i, j)] != 0 || (land_.is_at_border() && reaches_beyond(i, j));
+    }
+
+  private:
+    /// Marks the places whose ways come near a position.
+    void mark(const std::array<double, 2>& position, double reach) {
+        const auto [u, v] = position;
+        const int first = std::max(static_cast<int>(std::ceil(u - reach)), 0);
+        const int last = std::min(static_cast<int>(std::floor(u + reach)) + 1, grid_.columns - 1);
+        const int low = std::max(static_cast<int>(std::ceil(v - reach)) - kWayRows, 0);
+        const int high =
+            std::min(static_cast<int>(std::floor(v + reach)) + kWayRows, grid_.rows - 1);
+        for (int i = first; i <= last; ++i) {
+            for (int j = low; j <= high; ++j) near_[grid_.index(i, j)] = 1;
+        }
+    }
+    /// Returns true if a way to (i, j) begins or ends beyond the bed.
+    bool reaches_beyond(int i, int j) const {
+        const Domain& domain = land_.domain();
+        const auto is_beyond = [&](const std::array<double, 2>& place) {
+            return place[0] < domain.origin[0] || place[1] < domain.origin[1] ||
+                   place[0] > domain.origin[0] + domain.size[0] ||
+                   place[1] > domain.origin[1] + domain.size[1];
+        };
+        return is_beyond(grid_.place(i, j)) || is_beyond(grid_.place(i - 1, j - kWayRows)) ||
+               is_beyond(grid_.place(i - 1, j + kWayRows));
+    }
+
+    const MarchLand& land_;
+    const MarchGrid& grid_;
+    std::vector<std::uint8_t> near_;
+};
+
+MarchWays ways_to(const MarchLand& land, const MarchGrid& grid, int i, int j) {
+    MarchWays ways;
+    for (int m = -kWayRows; m <= kWayRows; ++m) {
+        ways[at(kWayRows + m)] = land.through(grid.place(i - 1, j - m), grid.place(i, j));
+    }
+    return ways;
+}
+
+/// Finds the ways of a march that land crosses.
+void find_ways(const MarchLand& land, MarchBed& bed, ThreadPool& pool) {
+    if (land.is_empty()) return;
+    const MarchGrid& grid = bed.grid;
+    const NearLand near(land, grid);
+    bed.way.assign(grid.size(), MarchBed::kOpen);
+    std::vector<std::vector<MarchWays>> ways(at(grid.columns));
+    pool.for_each_item(grid.columns, [&](int i, int) {
+        for (int j = 0; j < grid.rows; ++j) {
+            if (!near(i, j)) continue;
+            const MarchWays to = ways_to(land, grid, i, j);
+            if (std::ranges::all_of(to, [](float share) { return share == 1.0f; })) continue;
+            bed.way[grid.index(i, j)] = static_cast<std::uint32_t>(ways[at(i)].size());
+            ways[at(i)].push_back(to);
+        }
+    });
+    for (int i = 0; i < grid.columns; ++i) {
+        const auto first = static_cast<std::uint32_t>(bed.ways.size());
+        for (int j = 0; j < grid.rows; ++j) {
+            std::uint32_t& way = bed.way[grid.index(i, j)];
+            if (way != MarchBed::kOpen) way += first;
+        }
+        bed.ways.insert(bed.ways.end(), ways[at(i)].begin(), ways[at(i)].end());
+    }
 }
 
 }  // namespace
@@ -62,9 +136,9 @@ MarchGrid MarchGrid::over(const Domain& domain, double direction, double cell) {
 }
 
 float MarchGrid::read(const std::vector<float>& map, const std::array<double, 2>& place) const {
-    const double x = (place[0] - first[0]) / cell, y = (place[1] - first[1]) / cell;
-    const double u = std::clamp(x * along[0] + y * along[1], 0.0, columns - 1.0);
-    const double v = std::clamp(y * along[0] - x * along[1], 0.0, rows - 1.0);
+    const auto [along_march, across] = position(place);
+    const double u = std::clamp(along_march, 0.0, columns - 1.0);
+    const double v = std::clamp(across, 0.0, rows - 1.0);
     const int i = std::min(static_cast<int>(u), columns - 2);
     const int j = std::min(static_cast<int>(v), rows - 2);
     const auto share_u = static_cast<float>(u - i), share_v = static_cast<float>(v - j);
@@ -76,16 +150,14 @@ float MarchGrid::read(const std::vector<float>& map, const std::array<double, 2>
     return near + share_u * (column(i + 1) - near);
 }
 
-MarchBed make_march_bed(const BedGrid& bed_height, const MarchGrid& grid, const DepthTables& depths,
-                        ThreadPool& pool) {
+MarchBed make_march_bed(const BedGrid& bed_height, const MarchLand& land, const MarchGrid& grid,
+                        const DepthTables& depths, ThreadPool& pool) {
     MarchBed bed;
     bed.grid = grid;
     bed.place.resize(grid.size());
     bed.refracting.resize(grid.size());
     bed.position.resize(grid.size());
     bed.depth.resize(grid.size());
-    bed.before.resize(grid.size());
-    bed.behind.resize(grid.size());
     const auto felt_depth = [&](double height) {
         return std::clamp(-height, depths.least_depth(), depths.greatest_depth());
     };
@@ -93,20 +165,14 @@ MarchBed make_march_bed(const BedGrid& bed_height, const MarchGrid& grid, const 
         for (int i = first; i < end; ++i) {
             for (int j = 0; j < grid.rows; ++j) {
                 const std::size_t cell = grid.index(i, j);
-                float before = 1.0f;
                 for (int part = 0; part < kMarchParts; ++part) {
                     const double back = 1.0 - (part + 0.5) / kMarchParts;
                     const double height = bed_at(bed_height, grid.place(i - back, j));
                     bed.depth[cell][at(part)] = static_cast<float>(felt_depth(height));
                     bed.position[cell][at(part)] = depths.position(felt_depth(height));
-                    before = std::min(before, passing(height));
                 }
                 const double height = bed_at(bed_height, grid.place(i, j));
                 const double after = bed_at(bed_height, grid.place(i + 0.5 / kMarchParts, j));
-                // Land swallows what lies behind it, not what arrives on its first cell.
-                const bool water = height < 0.0;
-                bed.before[cell] = water ? before : 1.0f;
-                bed.behind[cell] = water ? passing(height) : std::min(before, passing(height));
                 bed.place[cell] = depths.position(felt_depth(height));
                 bed.refracting[cell] = depths.position(
                     (double{bed.depth[cell].back()} + felt_depth(height) + felt_depth(after)) /
@@ -114,6 +180,7 @@ MarchBed make_march_bed(const BedGrid& bed_height, const MarchGrid& grid, const 
             }
         }
     });
+    find_ways(land, bed, pool);
     return bed;
 }
 

@@ -90,6 +90,41 @@ void shift_across(TagState& state, const std::vector<BinShift>& shifts,
     }
 }
 
+/// A row of a column, and what the bed lets through on the ways to it.
+struct RowWays {
+    int row;
+    const MarchWays& ways;
+};
+
+std::vector<RowWays> rows_beside_land(const MarchBed& bed, int i) {
+    std::vector<RowWays> result;
+    for (int j = 0; j < bed.grid.rows && !bed.way.empty(); ++j) {
+        const std::uint32_t way = bed.way[bed.grid.index(i, j)];
+        if (way != MarchBed::kOpen) result.push_back({j, bed.ways[way]});
+    }
+    return result;
+}
+
+/// Writes again what comes to rows beside land: each of the two rows that a bin comes from lets
+/// through what lies on the way from it, so that nothing comes round a wall between them.
+void shift_past_land(TagState& state, const std::vector<BinShift>& shifts,
+                     const std::vector<RowWays>& beside_land) {
+    const std::size_t rows = state.energy.size();
+    const int last = static_cast<int>(rows) - 1;
+    for (std::size_t n = 0; n < shifts.size(); ++n) {
+        const BinShift& shift = shifts[n];
+        const float* const from = &state.flux[n * rows];
+        float* const to = &state.next[n * rows];
+        for (const auto& [j, ways] : beside_land) {
+            const float near =
+                ways[at(kWayRows + shift.rows)] * from[std::clamp(j - shift.rows, 0, last)];
+            const float far =
+                ways[at(kWayRows + shift.rows + 1)] * from[std::clamp(j - shift.rows - 1, 0, last)];
+            to[j] = shift.fading * (near + shift.share * (far - near));
+        }
+    }
+}
+
 /// Turns the waves of one row: the energy up to each edge of a bin is that up to the place from
 /// which waves at the edge came. along, across: the changes of ln c over one cell.
 void turn_row(float* flux, std::size_t stride, const DirectionBins& bins, float along, float across,
@@ -225,10 +260,11 @@ March start(const MarchGroup& group, const DirectionBins& bins, const MarchBed& 
 }
 
 /// Moves one tag to column i, the first of which is the open sea's.
-void advance(March& march, int tag, int i) {
+void advance(March& march, int tag, int i, const std::vector<RowWays>& beside_land) {
     TagState& state = march.states[at(tag)];
     if (i > 0) {
         shift_across(state, march.shifts, march.kept);
+        shift_past_land(state, march.shifts, beside_land);
         turn(state, march.bed, i, march.depths.band(march.group.waves[at(tag)].band).log_speed,
              march.bins, march.edge_tangents);
         std::swap(state.flux, state.next);
@@ -237,14 +273,12 @@ void advance(March& march, int tag, int i) {
 }
 
 /// Returns the waves of row j of a column, as they come to it.
-CellWaves waves_of(const March& march, std::size_t cell, int j) {
+CellWaves waves_of(const March& march, int j) {
     CellWaves waves;
-    const double passed = double{march.bed.before[cell]};
     for (std::size_t tag = 0; tag < march.states.size(); ++tag) {
         const MarchWave& wave = march.group.waves[tag];
-        const double variance = wave.variance * passed;
-        waves.variance[at(wave.band)] += variance * double{march.states[tag].energy[at(j)]};
-        waves.flux += variance * double{march.states[tag].along[at(j)]} *
+        waves.variance[at(wave.band)] += wave.variance * double{march.states[tag].energy[at(j)]};
+        waves.flux += wave.variance * double{march.states[tag].along[at(j)]} *
                       march.depths.band(wave.band).open_group_speed;
     }
     return waves;
@@ -267,10 +301,11 @@ MarchField march_group(const MarchGroup& group, const DirectionBins& bins, const
         kMadeGood * breaking_dissipation(std::sqrt(8.0 * loss.open_variance),
                                          depths.greatest_depth(), depths.peak_frequency());
     for (int i = 0; i < grid.columns; ++i) {
-        pool.for_each_item(tags, [&](int tag, int) { advance(march, tag, i); });
+        const std::vector<RowWays> beside_land = rows_beside_land(bed, i);
+        pool.for_each_item(tags, [&](int tag, int) { advance(march, tag, i, beside_land); });
         for (int j = 0; j < grid.rows; ++j) {
             const std::size_t cell = grid.index(i, j);
-            const CellWaves waves = waves_of(march, cell, j);
+            const CellWaves waves = waves_of(march, j);
             const double share = loss.own_share.empty() ? 1.0 : double{loss.own_share[cell]};
             const double left =
                 loss.breaking && i > 0
@@ -279,12 +314,12 @@ MarchField march_group(const MarchGroup& group, const DirectionBins& bins, const
             const double unshoaled =
                 std::accumulate(waves.variance.begin(), waves.variance.end(), 0.0);
             field.unshoaled[cell] = static_cast<float>(unshoaled * left / open_variance);
-            const auto here = static_cast<float>(left * double{bed.before[cell]});
+            const auto here = static_cast<float>(left);
             for (int tag = 0; tag < tags; ++tag) {
                 field.energy[at(tag)][cell] = march.states[at(tag)].energy[at(j)] * here *
                                               read_table(march.shoaling(tag), bed.place[cell]);
             }
-            march.kept[at(j)] = here * bed.behind[cell];
+            march.kept[at(j)] = here;
         }
         column_done();
     }

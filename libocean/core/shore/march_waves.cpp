@@ -207,15 +207,42 @@ BandDepths band_depths(const ShoreBands& bands, int b, const DirectionalSpectrum
     return result;
 }
 
+/// Returns the directions from which a sea comes, by its energy over the slices.
+std::vector<double> incoming_directions(const Slices& energy) {
+    constexpr int kHalfWindow = 30;   // [slices]
+    constexpr double kSystem = 0.05;  // least energy of a window about a system, of all
+    constexpr double kAsHigh = 1.0 - 1e-9;
+    const auto slice = [](int s) { return static_cast<std::size_t>((s + kSlices) % kSlices); };
+    Slices windows{};
+    for (int s = 0; s < kSlices; ++s) {
+        for (int off = -kHalfWindow; off <= kHalfWindow; ++off) {
+            windows[slice(s)] += energy[slice(s + off)];
+        }
+    }
+    const double all = std::accumulate(energy.begin(), energy.end(), 0.0);
+    std::vector<double> result;
+    for (int s = 0; s < kSlices; ++s) {
+        const double here = windows[slice(s)];
+        if (!(here > kSystem * all)) continue;
+        bool highest = true;
+        for (int off = -kHalfWindow; off <= kHalfWindow && highest; ++off) {
+            highest = here >= kAsHigh * windows[slice(s + off)];
+        }
+        for (int side = -2; side <= 2 && highest; ++side) {
+            result.push_back(slice_centre(s) + 15.0 * kDegree * side);
+        }
+    }
+    return result;
+}
+
 }  // namespace
 
 DirectionBins DirectionBins::of_width(double width) {
     return {width, 2 * static_cast<int>(kWidestBin / width + 1e-9) + 1};
 }
 
-std::vector<MarchGroup> make_march_groups(const ShoreBands& bands,
-                                          const DirectionalSpectrum& spectrum, const Water& water,
-                                          const DirectionBins& bins) {
+MarchSea make_march_sea(const ShoreBands& bands, const DirectionalSpectrum& spectrum,
+                        const Water& water, const DirectionBins& bins) {
     const Dispersion dispersion(water);
     std::array<Slices, kShoreBands> by_band{};
     for (std::size_t b = 0; b < kShoreBands && !bands.waves.empty(); ++b) {
@@ -224,6 +251,7 @@ std::vector<MarchGroup> make_march_groups(const ShoreBands& bands,
                                      dispersion.angular_frequency(bands.edges[b + 1])));
     }
     std::vector<Slices> by_wave;
+    Slices energies{};
     std::vector<SectorEnergy> sectors;
     for (int sector = 0; sector < kShoreSectors; ++sector) {
         SectorEnergy energy{.sector = sector};
@@ -236,6 +264,7 @@ std::vector<MarchGroup> make_march_groups(const ShoreBands& bands,
                 sector_of(by_band[static_cast<std::size_t>(waves.band)], sector, waves.variance);
             for (int s = 0; s < kSlices; ++s) {
                 const double e = by_wave[w][static_cast<std::size_t>(s)];
+                energies[static_cast<std::size_t>(s)] += e;
                 energy.x += e * std::cos(slice_centre(s));
                 energy.y += e * std::sin(slice_centre(s));
             }
@@ -243,7 +272,8 @@ std::vector<MarchGroup> make_march_groups(const ShoreBands& bands,
         }
         if (present) sectors.push_back(energy);
     }
-    std::vector<MarchGroup> groups;
+    MarchSea sea;
+    if (!sectors.empty()) sea.incoming = incoming_directions(energies);
     for (const Range& range : fewest_ranges(sectors)) {
         MarchGroup group{.direction = range.direction};
         for (std::size_t i = 0; i < range.count; ++i) {
@@ -256,9 +286,9 @@ std::vector<MarchGroup> make_march_groups(const ShoreBands& bands,
                     {waves.band, waves.variance, bin_shares(by_wave[w], range.direction, bins)});
             }
         }
-        groups.push_back(std::move(group));
+        sea.groups.push_back(std::move(group));
     }
-    return groups;
+    return sea;
 }
 
 MarchGroup without_sectors(const MarchGroup& group) {

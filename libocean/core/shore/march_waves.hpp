@@ -39,10 +39,17 @@ struct DirectionBins {
     double edge(int bin) const { return centre(bin) - 0.5 * width; }  // the lower one
 };
 
-/// Returns the groups of a sea, by their direction's first sector. Empty for a flat sea.
-std::vector<MarchGroup> make_march_groups(const ShoreBands& bands,
-                                          const DirectionalSpectrum& spectrum, const Water& water,
-                                          const DirectionBins& bins);
+/// The waves of a sea as they march.
+struct MarchSea {
+    std::vector<MarchGroup> groups{};  // by their direction's first sector
+    /// The directions from which the sea comes [rad]: those of the highest energy of each of its
+    /// systems, and 15 and 30 degrees to their sides.
+    std::vector<double> incoming{};
+};
+
+/// Returns the waves of a sea. Empty for a flat sea.
+MarchSea make_march_sea(const ShoreBands& bands, const DirectionalSpectrum& spectrum,
+                        const Water& water, const DirectionBins& bins);
 /// Returns the group with its waves of each band joined, for a march that needs no tags.
 MarchGroup without_sectors(const MarchGroup& group);
 

@@ -16,7 +16,6 @@ namespace {
 void add_block(const ShoreStatics& statics, const Domain& labels, int j, int first,
                std::size_t count, OpenSpans& spans) {
     const Domain& domain = statics.domain();
-    const double margin = border_margin(domain);
     std::array<double, kShoreBlock> x{}, y{};
     for (std::size_t i = 0; i < count; ++i) {
         const auto place = labels.place(first + static_cast<int>(i), j);
@@ -30,8 +29,10 @@ void add_block(const ShoreStatics& statics, const Domain& labels, int j, int fir
     places.find(statics.energy->remainder.domain(), count, x.data(), y.data());
     statics.energy->remainder.read(places, false, remainder);
     for (std::size_t i = 0; i < count; ++i) {
-        const float share = share_inside(domain, margin, x[i], y[i]).value();
-        const float felt = share > 0.0f ? felt_at<Plain>(ground, remainder, i).value() : 0.0f;
+        const float share = statics.share_of_coast(x[i], y[i]).value();
+        const Plain lee(statics.energy->lee.at(x[i], y[i]).height.value());
+        const float felt =
+            share > 0.0f ? felt_in_lee(felt_at<Plain>(ground, remainder, i), lee).value() : 0.0f;
         if (share < 1.0f || felt < 1.0f) spans.open.add(x[i]);
         if (felt > 0.0f) spans.remainder.add(x[i]);
     }

@@ -47,6 +47,17 @@ inline Plain field_at(const QuadBlock& block, std::size_t field, std::size_t lab
     return block.value[field][label];
 }
 
+/// Multiplies a field of a label by a number.
+inline void scale_field(QuadBlock& block, std::size_t field, std::size_t label, const Jet& by) {
+    const Jet product = by * field_at<Jet>(block, field, label);
+    block.value[field][label] = product.value();
+    block.by_x[field][label] = product.by_x();
+    block.by_y[field][label] = product.by_y();
+}
+inline void scale_field(QuadBlock& block, std::size_t field, std::size_t label, const Plain& by) {
+    block.value[field][label] *= by.value();
+}
+
 /// The weights of four neighbouring samples at a place between the second and the third, and their
 /// derivatives by that place [1/sample]: [Catmull and Rom 1974], tension 1/2.
 struct CubicWeights {

@@ -41,6 +41,15 @@ Scalar felt_at(const QuadBlock& ground, const QuadBlock& remainder, std::size_t 
     return Scalar(1.0f) - not_felt;
 }
 
+/// Returns how much the waves at a label feel of the bed where walls make them lower by a factor.
+template <typename Scalar>
+Scalar felt_in_lee(const Scalar& felt, const Scalar& lower) {
+    constexpr float kFully = 0.05f;
+    if (lower.value() >= 1.0f) return felt;
+    const Scalar calmed = shore_step((1.0f / kFully) * (Scalar(1.0f) - lower));
+    return Scalar(1.0f) - (Scalar(1.0f) - felt) * (Scalar(1.0f) - calmed);
+}
+
 /// Returns the width of the strip along the border of the bed where the open sea fades in [m].
 inline double border_margin(const Domain& domain) {
     constexpr double kMargin = 64.0;  // [m]

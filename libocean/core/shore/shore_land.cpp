@@ -100,7 +100,8 @@ void continue_onto_land(EnergyMaps& maps, const BedGrid& bed_height, ThreadPool&
             }
         }
     });
-    const std::vector<std::uint32_t> nearest = nearest_water(bed, pool);
+    maps.source = nearest_water(bed, pool);
+    const std::vector<std::uint32_t>& nearest = maps.source;
     for (std::size_t n = 0; n < nearest.size(); ++n) {
         const std::uint32_t w = nearest[n];
         if (w == n) continue;

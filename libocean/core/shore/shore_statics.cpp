@@ -146,7 +146,8 @@ std::shared_ptr<const ShoreDelays> make_shore_delays(const BedGrid& bed, const S
 namespace {
 
 /// Returns for each cell the mean amplitude of the shortest band's waves, at most 1: that of the
-/// still shorter ones, which have no maps of their own.
+/// still shorter ones, which have no maps of their own. A swell has none in that band: its few
+/// waves in no band arrive with the others.
 std::vector<float> short_amplitude(const EnergyMaps& maps, const ShoreBands& bands) {
     std::vector<float> sum(maps.domain.count(), 0.0f);
     float variance = 0.0f;
@@ -159,8 +160,9 @@ std::vector<float> short_amplitude(const EnergyMaps& maps, const ShoreBands& ban
             sum[i] += share * amplitude * amplitude;
         }
     }
-    for (float& value : sum) {
-        value = variance > 0.0f ? std::min(std::sqrt(value / variance), 1.0f) : 1.0f;
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+        const float energy = variance > 0.0f ? sum[i] / variance : maps.arrival[i];
+        sum[i] = std::min(std::sqrt(energy), 1.0f);
     }
     return sum;
 }
@@ -239,6 +241,7 @@ std::shared_ptr<const ShoreEnergy> make_shore_energy(const BedGrid& bed, const S
     }
     energy->breaking = QuadGrid(
         maps.domain, {maps.rms_height, maps.breaking_share, maps.arrival, maps.group_width});
+    energy->lee = make_lee_map(bed, maps, energy->breaking, border_margin(bed.domain));
     const std::vector<float> calm = short_amplitude(maps, bands);
     const std::vector<float> correlated = correlation(maps, delays);
     const std::vector<float> felt = felt_by_energy(maps);
@@ -246,12 +249,20 @@ std::shared_ptr<const ShoreEnergy> make_shore_energy(const BedGrid& bed, const S
     return energy;
 }
 
+Jet ShoreStatics::share_of_coast(double x, double y) const {
+    const Jet share = share_inside(domain(), border_margin(domain()), x, y);
+    if (share.value() >= 1.0f || energy->lee.is_empty()) return share;
+    const Jet behind_land = energy->lee.at(x, y).inside;
+    return behind_land.value() > share.value() ? behind_land : share;
+}
+
 std::uint64_t shore_statics_bytes(const Domain& bed, std::size_t waves) {
-    // Kept: a quad for each of the waves and one of the ground. While they are made: five floats
-    // for each of the waves and solutions at the edges of bands and sectors.
+    // Kept: a quad for each of the waves and one of the ground, and two floats of lees. While they
+    // are made: five floats for each of the waves and solutions at the edges of bands and sectors.
     constexpr std::uint64_t kKept = sizeof(Quad);
+    constexpr std::uint64_t kLees = 2 * sizeof(float);
     constexpr std::uint64_t kWork = 5 * sizeof(float) + 3 * sizeof(double);
-    return bed.count() * ((waves + 1) * kKept + waves * kWork + 8 * sizeof(float));
+    return bed.count() * ((waves + 1) * kKept + kLees + waves * kWork + 8 * sizeof(float));
 }
 
 }  // namespace ocean

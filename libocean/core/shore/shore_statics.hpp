@@ -14,6 +14,7 @@
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/parameters.hpp"
 #include "shore/bed_grid.hpp"
+#include "shore/lee_map.hpp"
 #include "shore/quad_grid.hpp"
 #include "shore/shore_bands.hpp"
 #include "shore/shore_depths.hpp"
@@ -53,6 +54,7 @@ struct ShoreEnergy {
     /// Amplitude of the waves that are in no band, correlation of the coast's surface with the open
     /// sea's, and how much the waves feel of the bed by their energy, 0 .. 1.
     QuadGrid remainder;
+    LeeMap lee;
     ShoreDepths depths;
     double open_height = 0.0;  // significant wave height offshore [m]
     double peak_omega = 0.0;   // [rad/s]
@@ -64,6 +66,9 @@ struct ShoreStatics {
 
     const ShoreBands& bands() const { return delays->bands; }
     const Domain& domain() const { return delays->ground.domain(); }
+    /// Returns the share of the coast's surface at a place [m]: 0 beyond the border of the bed, 1
+    /// from the border_margin inwards, and behind land that keeps off the open sea beyond.
+    Jet share_of_coast(double x, double y) const;
 };
 
 /// Returns the delays over a bed. Needs a spectrum that is not flat. `known`: pairs of other seas

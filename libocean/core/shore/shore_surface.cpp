@@ -57,6 +57,7 @@ struct ShoreSurface::Block {
     BlockPlaces places;
     std::array<Scalar, kShoreBlock> share;  // of the coast, by the border alone
     std::array<Scalar, kShoreBlock> felt;   // 0: the open sea, exactly
+    std::array<Scalar, kShoreBlock> lee;    // by which waves are lower behind narrow walls
     QuadBlock ground, remainder;
     std::array<LinearWaves<Scalar>, kShoreBlock> open;
     // Labels where the waves feel the bed.
@@ -165,6 +166,7 @@ void ShoreSurface::read_block(Block<Scalar>& block, const ReadySums& ready,
         } else {
             take_sums(block.parts, ready, block.wavy);
         }
+        lower_in_lee(block);
     }
     finish(block, points);
 }
@@ -174,12 +176,10 @@ template <typename Scalar>
 void ShoreSurface::find_wavy(Block<Scalar>& block) const {
     const BlockPlaces& places = block.places;
     BlockPlaces& wavy = block.wavy.places;
-    const Domain& domain = statics_.domain();
-    const double margin = border_margin(domain);
     wavy.count = 0;
     bool is_inside = false;
     for (std::size_t i = 0; i < places.count; ++i) {
-        const Jet share = share_inside(domain, margin, places.x[i], places.y[i]);
+        const Jet share = statics_.share_of_coast(places.x[i], places.y[i]);
         if constexpr (std::is_same_v<Scalar, Jet>) {
             block.share[i] = share;
         } else {
@@ -197,6 +197,7 @@ void ShoreSurface::find_wavy(Block<Scalar>& block) const {
     for (std::size_t i = 0; i < places.count; ++i) {
         if (block.share[i].value() <= 0.0f) continue;
         block.felt[i] = felt_at<Scalar>(block.ground, block.remainder, i);
+        if (!energy.lee.is_empty()) find_lee(block, i);
         if (block.felt[i].value() <= 0.0f) continue;
         const std::size_t n = wavy.count++;
         wavy.x[n] = places.x[i];
@@ -216,6 +217,40 @@ void ShoreSurface::find_wavy(Block<Scalar>& block) const {
         find_places(wavy);
     }
     energy.breaking.read(wavy.energy, slopes, block.breaking);
+}
+
+/// Reads how much of the waves is left behind a narrow wall, where they are those of the coast.
+template <typename Scalar>
+void ShoreSurface::find_lee(Block<Scalar>& block, std::size_t i) const {
+    const Jet height = statics_.energy->lee.at(block.places.x[i], block.places.y[i]).height;
+    if constexpr (std::is_same_v<Scalar, Jet>) {
+        block.lee[i] = height;
+    } else {
+        block.lee[i] = height.value();
+    }
+    block.felt[i] = felt_in_lee(block.felt[i], block.lee[i]);
+}
+
+/// Lowers the waves behind narrow walls, and all that is told of them.
+template <typename Scalar>
+void ShoreSurface::lower_in_lee(Block<Scalar>& block) const {
+    if (statics_.energy->lee.is_empty()) return;
+    WavyBlock& wavy = block.wavy;
+    for (std::size_t n = 0; n < wavy.places.count; ++n) {
+        const std::size_t i = wavy.label[n];
+        const Scalar lee = block.lee[i];
+        const auto lower = [](BlockJets& sum, std::size_t at, const Scalar& by) {
+            sum.set(at, by * sum.at<Scalar>(at));
+        };
+        for (BlockJets* const sum :
+             {&wavy.sums.real, &wavy.sums.imaginary, &wavy.sums.along_x, &wavy.sums.along_y}) {
+            lower(*sum, n, lee);
+        }
+        lower(wavy.sums.squares, n, lee * lee);
+        scale_field(block.breaking, 0, n, lee);
+        scale_field(block.breaking, 2, n, lee * lee);
+        scale_field(block.remainder, 0, i, lee);
+    }
 }
 
 template <typename Scalar>
@@ -279,8 +314,10 @@ void ShoreSurface::finish(Block<Scalar>& block, std::span<ShorePoint> points) co
             share * wavy.sums.along_y.at<Scalar>(n) + calm * rest.displacement_y +
             open * (sea.displacement_y - rest.displacement_y - wavy.sums.left_y.at<Scalar>(n));
         // The waves in no band, which break by the wind, end before the water does.
-        points[i].surf = std::max(surf_weight(rms_height.value(), depth.value()),
-                                  1.0f - short_waves_left(Plain(depth.value())).value());
+        // Where few waves arrive, few are steep enough to break by it.
+        points[i].surf = std::max({surf_weight(rms_height.value(), depth.value()),
+                                   1.0f - short_waves_left(Plain(depth.value())).value(),
+                                   1.0f - shore_step(Plain(block.breaking.value[2][n])).value()});
         points[i].breaking = breaking_source(real.value(), imaginary.value(), rms_height.value(),
                                              depth.value(), block.breaking.value[1][n]);
         end_in_swash<Scalar>(swash_place<Scalar>(block.ground, i, block.breaking, n),

@@ -42,7 +42,8 @@ struct ShorePoint {
     Jet dx, dy;             // offset of the displayed point, choppiness included [m]
     float bed = 0.0f;       // height of the bed below the label [m]; meaningless beyond the bed
     float on_bed = 0.0f;    // weight of the coast's surface: 1 over the bed, 0 beyond its border
-    float surf = 0.0f;      // 1 where waves break by the depth, 0 where they do so by the wind
+    float surf = 0.0f;      // 0 where waves break by the wind, 1 where they do by the depth or
+                            // where none arrive
     float breaking = 0.0f;  // source of foam by breaking waves and at the water line, 0 .. 1
     float wetness = 1.0f;   // of the ground at this moment, 0 .. 1
 };
@@ -145,6 +146,10 @@ class ShoreSurface {
                     std::span<ShorePoint> points) const;
     template <typename Scalar>
     void find_wavy(Block<Scalar>& block) const;
+    template <typename Scalar>
+    void find_lee(Block<Scalar>& block, std::size_t i) const;
+    template <typename Scalar>
+    void lower_in_lee(Block<Scalar>& block) const;
     template <typename Scalar>
     void finish(Block<Scalar>& block, std::span<ShorePoint> points) const;
     /// Returns the depth of the water at a label in the swash [m], by the waves in bands alone.

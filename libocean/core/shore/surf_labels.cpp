@@ -32,7 +32,6 @@ bool is_in_swash(const RunUpSea& sea, const SwashPlace<Plain>& place) {
 void append_surf(const ShoreStatics& statics, const RunUpSea& sea,
                  std::span<const WorldPoint> labels, std::uint32_t first, SurfLabels& surf) {
     const Domain& domain = statics.domain();
-    const double margin = border_margin(domain);
     std::array<double, kShoreBlock> x{}, y{};
     for (std::size_t i = 0; i < labels.size(); ++i) {
         x[i] = labels[i].x;
@@ -45,9 +44,12 @@ void append_surf(const ShoreStatics& statics, const RunUpSea& sea,
     places.find(domain, labels.size(), x.data(), y.data());
     statics.delays->ground.read(places, false, ground);
     for (std::size_t i = 0; i < labels.size(); ++i) {
+        const float lee = statics.energy->lee.at(x[i], y[i]).height.value();
+        scale_field(broken, 0, i, Plain(lee));
+        scale_field(broken, 2, i, Plain(lee * lee));
         const float rms_height = broken.value[0][i];
         const float depth = ground.value[1][i];
-        const float on_bed = share_inside(domain, margin, x[i], y[i]).value();
+        const float on_bed = statics.share_of_coast(x[i], y[i]).value();
         if (on_bed <= 0.0f) continue;
         const auto place = swash_place<Plain>(ground, i, broken, i);
         const bool runs_up = is_in_swash(sea, place);
@@ -64,6 +66,7 @@ void append_surf(const ShoreStatics& statics, const RunUpSea& sea,
         surf.slope.push_back(place.slope.value());
         surf.arrival.push_back(place.arrival.value());
         surf.group_width.push_back(place.group_width.value());
+        surf.lee.push_back(lee);
         surf.in_swash.push_back(runs_up ? 1 : 0);
     }
 }
@@ -99,16 +102,17 @@ void ShoreSurface::read_surf(const SurfLabels& labels, std::span<float> breaking
         add_waves(JetParts::value, false, nullptr, block);
         for (std::size_t n = 0; n < places.count; ++n) {
             const std::size_t at = first + n;
-            const float real = block.sums.real.part[0][n];
-            const float imaginary = block.sums.imaginary.part[0][n];
+            const float lee = labels.lee[at];
+            const float real = lee * block.sums.real.part[0][n];
+            const float imaginary = lee * block.sums.imaginary.part[0][n];
+            const float squares = lee * lee * block.sums.squares.part[0][n];
             const float bed = labels.bed[at];
             const float source = breaking_source(real, imaginary, labels.rms_height[at],
                                                  labels.depth[at], labels.share[at]);
             breaking[at] = surf_left(bed) * source;
             depths[at] = -bed;
             if (labels.in_swash[at] != 0) {
-                depths[at] =
-                    swash_depth(labels, at, {real, imaginary, block.sums.squares.part[0][n]});
+                depths[at] = swash_depth(labels, at, {real, imaginary, squares});
                 const float tip = tip_foam(depths[at], labels.slope[at], swash_weight(bed));
                 breaking[at] = std::max(breaking[at], tip);
             }

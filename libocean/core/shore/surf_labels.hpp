@@ -28,6 +28,7 @@ struct SurfLabels {
     std::vector<float> on_bed;         // weight of the coast's surface
     // See SwashPlace.
     std::vector<float> bed, slope, arrival, group_width;
+    std::vector<float> lee;  // by which waves are lower behind narrow walls
     std::vector<char> in_swash;
 
     std::size_t size() const { return index.size(); }

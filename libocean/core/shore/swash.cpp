@@ -4,6 +4,8 @@
 // Sand and foam of the swash: see swash.hpp.
 #include "shore/swash.hpp"
 
+#include <algorithm>
+
 #include "ocean/surf_traces.hpp"
 
 namespace ocean {
@@ -14,8 +16,8 @@ float surf_left(float bed) {
 }
 
 float covered_by(float depth) {
-    constexpr float kWet = 0.02f;  // [m]
-    return breaking_step(depth / kWet);
+    constexpr float kWet = 0.02f;                        // [m]
+    return std::min(breaking_step(depth / kWet), 1.0f);  // rounding exceeds it
 }
 
 float damp_of(float bed, float run_up) {

@@ -22,7 +22,7 @@
 namespace ocean {
 namespace {
 
-constexpr int kRingsPerOctave = 8;
+constexpr int kStateRingsPerOctave = 8;
 constexpr double kRadians = kTwoPi / 360.0;
 /// Shares of the land whose slope angles are stated.
 constexpr std::array kSlopeShares = {0.5, 0.9, 0.99};
@@ -37,7 +37,7 @@ struct RingSum {
     double resolved_slope = 0.0;
 };
 
-/// Returns the rings of a tile, kRingsPerOctave to an octave of the wave index from 1 on.
+/// Returns the rings of a tile, kStateRingsPerOctave to an octave of the wave index from 1 on.
 std::vector<RingSum> ring_sums(const Terrain& terrain, const Modes& modes,
                                const TerrainScale& scale) {
     const int size = modes.lattice.resolution;
@@ -46,16 +46,17 @@ std::vector<RingSum> ring_sums(const Terrain& terrain, const Modes& modes,
     const CascadeModes& tile = modes.cascades.front();
     double layers = 1.0;  // the energy of all tiles, relative to the first
     for (const TerrainLayer& layer : terrain.layers) layers += layer.gain * layer.gain;
-    std::vector<RingSum> rings(static_cast<std::size_t>(std::ceil(
-                                   kRingsPerOctave * std::log2(0.75 * static_cast<double>(size)))) +
-                               1);
+    std::vector<RingSum> rings(
+        static_cast<std::size_t>(
+            std::ceil(kStateRingsPerOctave * std::log2(0.75 * static_cast<double>(size)))) +
+        1);
     const int half = size / 2;
     for (int m = 1 - half; m < half; ++m) {
         for (int n = 1 - half; n < half; ++n) {
             if (n == 0 && m == 0) continue;
             const double index = std::hypot(n, m);
             RingSum& ring =
-                rings[static_cast<std::size_t>(kRingsPerOctave * std::log2(index) + 1e-9)];
+                rings[static_cast<std::size_t>(kStateRingsPerOctave * std::log2(index) + 1e-9)];
             const double a = scale.gain * dk * amplitude(n * dk, m * dk);
             const double energy =
                 4.0 * std::norm(std::complex<double>(tile.h0[mode_index(n, m, size)]));
@@ -118,8 +119,8 @@ std::vector<TerrainOctave> octaves_of(const Terrain& terrain, std::span<const Ri
     const int octaves = std::bit_width(static_cast<unsigned>(terrain.resolution)) - 2;
     std::vector<TerrainOctave> result;
     for (int octave = 0; octave < octaves; ++octave) {
-        const auto part =
-            rings.subspan(static_cast<std::size_t>(octave) * kRingsPerOctave, kRingsPerOctave);
+        const auto part = rings.subspan(static_cast<std::size_t>(octave) * kStateRingsPerOctave,
+                                        kStateRingsPerOctave);
         TerrainOctave row;
         row.longest_wave = terrain.patch_size / std::exp2(octave);
         for (const RingSum& ring : part) {
