@@ -143,16 +143,6 @@ void set_cache(GDALRasterBandH band) {
     GDALSetCacheMax64(std::clamp(2 * bytes, kLeast, kMost));
 }
 
-void add_notes(const SampleScale& samples, GDALRasterBandH band, RasterFacts& facts) {
-    if (samples.scale != 1.0 || samples.offset != 0.0) {
-        facts.notes.push_back("the file states that a height is " + shortest_text(samples.scale) +
-                              " times its sample plus " + shortest_text(samples.offset));
-    }
-    if (facts.full_scale > 0.0 && GDALGetRasterDataType(band) == GDT_Byte) {
-        facts.notes.push_back("the image has 8 bits: heights are in steps of 1/255 of the range");
-    }
-}
-
 /// Throws unless the path is absolute and that of a regular file which a driver reads.
 Dataset open_raster(const std::string& path) {
     std::error_code ignored;
@@ -183,10 +173,19 @@ RasterFacts facts_of(GDALDatasetH dataset, const std::optional<GridWindow>& wind
                           " cells, and not the window");
     }
     set_place(dataset, window, facts);
+    const bool is_byte = GDALGetRasterDataType(band) == GDT_Byte;
     if (has_driver(dataset, "PNG")) {  // shades, whose heights the user states
-        facts.full_scale = GDALGetRasterDataType(band) == GDT_UInt16 ? 65535.0 : 255.0;
+        facts.full_scale = is_byte ? 255.0 : 65535.0;
+        if (is_byte)
+            facts.notes.push_back(
+                "the image has 8 bits: heights are in steps of 1/255 of the range");
     }
-    add_notes(sample_scale(band), band, facts);
+    const SampleScale samples = sample_scale(band);
+    facts.sample_scale = {samples.scale, samples.offset};
+    if (samples.scale != 1.0 || samples.offset != 0.0) {
+        facts.notes.push_back("the file states that a height is " + shortest_text(samples.scale) +
+                              " times its sample plus " + shortest_text(samples.offset));
+    }
     return facts;
 }
 

@@ -85,6 +85,7 @@ class ModelBuilder {
         raw.metres_per_unit = facts.metres_per_unit;
         raw.ground_scale = facts.ground_scale;
         raw.height_unit = facts.height_unit;
+        raw.sample_scale = facts.sample_scale;
         raw.has_shades = facts.full_scale > 0.0;
         raw.model.domain =
             elevation::make_domain(path_, facts.columns, facts.rows, facts.south_west_centre, cell);

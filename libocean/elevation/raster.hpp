@@ -33,6 +33,7 @@ struct RasterFacts {
     double metres_per_unit = 1.0;                  // of the horizontal coordinates
     std::array<double, 2> ground_scale{1.0, 1.0};  // see RawModel
     std::optional<double> height_unit;             // [m]
+    std::array<double, 2> sample_scale{1.0, 0.0};
     bool rows_from_south = false;
     double full_scale = 0.0;  // of images: the value of white, 0 for heights in a unit
     std::string crs;

@@ -87,6 +87,7 @@ void transfer(Wire& wire, RasterFacts& facts) {
     wire.factor(facts.metres_per_unit);
     for (auto& value : facts.ground_scale) wire.factor(value);
     if (has(wire, facts.height_unit)) wire.factor(*facts.height_unit);
+    for (auto& value : facts.sample_scale) wire.number(value);
     wire.count(facts.rows_from_south, 1);
     wire.number(facts.full_scale);
     wire.text(facts.crs);

@@ -177,6 +177,14 @@ def test_gdals_scale_and_offset_are_applied_and_told(ocean):
     found = facts(ocean, "s.tif")
     assert found["highest"] == pytest.approx(0.1 * land("int16").max() - 50.0, abs=1e-3)
     assert "0.1 times its sample plus -50" in found["notes"][0]
+    # A mark that the file does not declare is one of its samples.
+    data = land("int16")
+    data[4, 5:8] = -9999
+    write_tiff(ocean.folder / "s.tif", data, nodata=-32768)
+    with rasterio.open(ocean.folder / "s.tif", "r+") as file:
+        file.scales, file.offsets = [0.1], [-50.0]
+    notes = facts(ocean, "s.tif")["notes"]
+    assert any("3 heights are -9999, a common mark" in note for note in notes)
 
 
 def test_srtm_tiles_lie_where_their_names_say(ocean):

@@ -68,6 +68,7 @@ RasterFacts some_facts() {
     facts.metres_per_unit = 0.3048;
     facts.ground_scale = {0.5, 0.75};
     facts.height_unit = 1200.0 / 3937.0;
+    facts.sample_scale = {0.1, -50.0};
     facts.rows_from_south = true;
     facts.crs = "EPSG:2229";
     facts.definition = "PROJCS[...]";
@@ -95,6 +96,7 @@ TEST(RasterWire, GivesBackWhatWasSent) {
     EXPECT_EQ(received.facts.metres_per_unit, 0.3048);
     EXPECT_EQ(received.facts.ground_scale, expected.ground_scale);
     EXPECT_EQ(received.facts.height_unit, expected.height_unit);
+    EXPECT_EQ(received.facts.sample_scale, expected.sample_scale);
     EXPECT_TRUE(received.facts.rows_from_south);
     EXPECT_EQ(received.facts.crs, "EPSG:2229");
     EXPECT_EQ(received.facts.definition, "PROJCS[...]");

@@ -199,6 +199,18 @@ TEST(ElevationFile, AProjectionInFeetIsScaled) {
               10.0);
 }
 
+TEST(ElevationFile, AMapOfMercatorIsToldToStretchTheGround) {
+    for (const char* crs : {"PROJCS[\"WGS 84 / Pseudo-Mercator\",PROJECTION[\"Mercator_1SP\"]]",
+                            "PROJCS[\"a\",PROJECTION[\"Mercator_Auxiliary_Sphere\"]]",
+                            "PROJCRS[\"a\",METHOD[\"Popular Visualisation Pseudo Mercator\"]]"}) {
+        const auto notes = parse(kHeader + kHeights, {}, crs).notes;
+        ASSERT_EQ(notes.size(), 1u) << crs;
+        EXPECT_NE(notes[0].find("is Mercator's, which stretches the ground"), std::string::npos);
+    }
+    const char* const utm = "PROJCS[\"UTM\",PROJECTION[\"Transverse_Mercator\"],UNIT[\"m\",1]]";
+    EXPECT_TRUE(parse(kHeader + kHeights, {}, utm).notes.empty());
+}
+
 TEST(ElevationFile, RawFloatsHaveEitherByteOrderAndEitherHeader) {
     const TemporaryFolder folder;
     const std::string path = folder.file("bed.flt");

@@ -162,11 +162,7 @@ ElevationModel parse_ascii_grid(std::istream& text, std::size_t bytes, const std
     const GridHeader header = read_header(words, name);
     elevation::require_sides(name, header.columns, header.rows);
     require_text(words, header, bytes);
-    elevation::RawModel raw{.model = elevation::make_model(name, header.columns, header.rows,
-                                                           header.south_west_centre, header.cell),
-                            .is_geographic = elevation::is_geographic(crs),
-                            .metres_per_unit = elevation::metres_per_unit(crs)};
-    raw.model.crs = crs;
+    elevation::RawModel raw = elevation::make_raw_model(header, name, crs);
     const HeightReader reader(words, header);
     const std::size_t columns = static_cast<std::size_t>(header.columns);
     const int rows = static_cast<int>(header.rows);

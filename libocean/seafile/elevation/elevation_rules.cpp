@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <span>
 #include <utility>
 
 #include "ocean/internal/memory.hpp"
@@ -125,6 +124,11 @@ void scale_domain(RawModel& raw, const std::string& name, CellsInDegrees request
     if (requested == CellsInDegrees::no && raw.is_geographic.value_or(false)) {
         model.notes.push_back("the file has cells of degrees, which are metres as requested");
     }
+    if (is_mercator(model.crs)) {
+        model.notes.push_back(
+            "the map of the file is Mercator's, which stretches the ground, twice at 60 degrees "
+            "north or south; cells are metres of the map, those of a GeoTIFF would be scaled");
+    }
     const std::string system = crs_name(model.crs);
     const bool scaled = scale_unit(raw);
     if (!scale_to_ground(raw, system) && !scaled) return;
@@ -132,24 +136,19 @@ void scale_domain(RawModel& raw, const std::string& name, CellsInDegrees request
     model.crs_definition.clear();
 }
 
-/// Returns a note for each common mark for missing heights that is a height of the file. What the
-/// file declares is no height any more.
-std::vector<std::string> notes_of_marks(std::span<const float> heights) {
-    constexpr std::array kMarks = {-32768.0f, -32767.0f, -9999.0f, -99999.0f, 32767.0f};
-    std::array<std::size_t, kMarks.size()> counts{};
-    for (const float height : heights) {
-        for (std::size_t i = 0; i < kMarks.size(); ++i) counts[i] += height == kMarks[i] ? 1 : 0;
+/// Adds a note for each common mark for missing heights that is a sample of the file. Marks that
+/// the file declares are no heights any more.
+void note_marks(const RawModel& raw, std::vector<std::string>& notes) {
+    for (const double mark : {-32768.0, -32767.0, -9999.0, -99999.0, 32767.0}) {
+        const auto height = static_cast<float>(raw.sample_scale[0] * mark + raw.sample_scale[1]);
+        const auto count = std::ranges::count(raw.model.heights, height);
+        if (count == 0) continue;
+        const bool is_one = count == 1;
+        notes.push_back(std::to_string(count) + (is_one ? " height is " : " heights are ") +
+                        shortest_text(mark) +
+                        ", a common mark for missing heights, which the file does not declare; " +
+                        (is_one ? "it is kept" : "they are kept"));
     }
-    std::vector<std::string> notes;
-    for (std::size_t i = 0; i < kMarks.size(); ++i) {
-        if (counts[i] == 0) continue;
-        notes.push_back(
-            (counts[i] == 1 ? "1 height is " : std::to_string(counts[i]) + " heights are ") +
-            shortest_text(kMarks[i]) +
-            ", a common mark for missing heights, which the file does not declare; " +
-            (counts[i] == 1 ? "it is kept" : "they are kept"));
-    }
-    return notes;
 }
 
 /// Converts heights to metres, positive upwards. Throws for one beyond kMaxElevation.
@@ -241,16 +240,6 @@ void allocate_heights(ElevationModel& model, const std::string& name) {
     model.heights.resize(model.domain.count());
 }
 
-ElevationModel make_model(const std::string& name, std::int64_t columns, std::int64_t rows,
-                          const std::array<double, 2>& south_west_centre,
-                          const std::array<double, 2>& cell) {
-    require_sides(name, columns, rows);
-    ElevationModel model;
-    model.domain = make_domain(name, columns, rows, south_west_centre, cell);
-    allocate_heights(model, name);
-    return model;
-}
-
 double rounding_of(std::string_view word) {
     constexpr int kDigitsOfRounding = 6;
     const std::size_t end = std::min(word.find_first_of("eE"), word.size());
@@ -332,7 +321,7 @@ static void keep_window(ElevationModel& model, const GridWindow& window) {
 ElevationModel finish(RawModel raw, const std::string& name, const ElevationOptions& options) {
     if (options.crop) keep_window(raw.model, crop_window(raw, name, options));
     std::vector<std::string> marks;
-    if (!raw.has_shades) marks = notes_of_marks(raw.model.heights);
+    if (!raw.has_shades) note_marks(raw, marks);
     scale_domain(raw, name, options.degrees);
     scale_heights(raw, name, options);
     std::ranges::move(marks, std::back_inserter(raw.model.notes));

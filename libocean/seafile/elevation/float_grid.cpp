@@ -59,12 +59,8 @@ ElevationModel read_float_grid(const GridHeader& header, std::istream& floats, s
                                  std::to_string(columns) + " x " + std::to_string(rows) +
                                  " floats, which are " + std::to_string(needed));
     }
-    RawModel raw{.model = make_model(name, header.columns, header.rows, header.south_west_centre,
-                                     header.cell),
-                 .is_geographic = is_geographic(crs),
-                 .metres_per_unit = metres_per_unit(crs),
-                 .hint = "; or the byteorder of the header is wrong"};
-    raw.model.crs = crs;
+    RawModel raw = make_raw_model(header, name, crs);
+    raw.hint = "; or the byteorder of the header is wrong";
     if (!header.names_byte_order) {
         raw.model.notes.push_back("the header does not name the byte order; LSBFIRST is assumed");
     }

@@ -60,6 +60,17 @@ std::optional<double> grid_number(std::string_view word) {
     return text::parse_number(spelled);
 }
 
+RawModel make_raw_model(const GridHeader& header, const std::string& name, const std::string& crs) {
+    RawModel raw;
+    raw.model.domain =
+        make_domain(name, header.columns, header.rows, header.south_west_centre, header.cell);
+    allocate_heights(raw.model, name);
+    raw.model.crs = crs;
+    raw.is_geographic = is_geographic(crs);
+    raw.metres_per_unit = metres_per_unit(crs);
+    return raw;
+}
+
 bool GridHeaderReader::knows(std::string_view word) {
     const std::string key = key_of(word);
     return is_number_key(key) || std::ranges::find(kWordKeys, key) != kWordKeys.end();

@@ -62,6 +62,10 @@ class GridHeaderReader {
     std::map<std::string, Value, std::less<>> values_;
 };
 
+/// Returns a model of the header with heights to be filled in, in the system of a .prj file. Throws
+/// as make_domain and allocate_heights.
+RawModel make_raw_model(const GridHeader& header, const std::string& name, const std::string& crs);
+
 /// Returns the number that a word of a GIS spells, with a decimal point or comma; NaN for "nan" and
 /// for the "1.#QNAN" of Windows; nothing for another word.
 std::optional<double> grid_number(std::string_view word);

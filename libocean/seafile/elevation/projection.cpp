@@ -116,6 +116,11 @@ std::optional<bool> is_geographic(const std::string& crs) {
     return projection == "GEOGRAPHIC";
 }
 
+bool is_mercator(const std::string& crs) {
+    return names_any_of(upper_case(crs), {"PROJECTION[\"MERCATOR", "PROJECTION[\"POPULAR_VISUAL",
+                                          "METHOD[\"MERCATOR", "METHOD[\"POPULAR VISUAL"});
+}
+
 double metres_per_unit(const std::string& crs) {
     const std::string text = upper_case(crs);
     if (const std::size_t own = own_unit(text); own != text.npos) return factor_at(text, own);

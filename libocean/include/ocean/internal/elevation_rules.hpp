@@ -66,9 +66,10 @@ struct RawModel {
     /// The length of a cell on the ground for its length on the map, to the east and to the north,
     /// at the map's centre.
     std::array<double, 2> ground_scale = {1.0, 1.0};
-    std::optional<double> height_unit = {};  // as the file states [m]
-    bool has_shades = false;                 // an image's, whose heights the user stated
-    std::string hint = {};                   // appended to the error of a height out of range
+    std::optional<double> height_unit = {};           // as the file states [m]
+    std::array<double, 2> sample_scale = {1.0, 0.0};  // a height is s[0] times its sample plus s[1]
+    bool has_shades = false;                          // an image's, whose heights the user stated
+    std::string hint = {};  // appended to the error of a height out of range
 };
 
 /// Returns a domain in the file's units. Throws Error bad_file, with `name`, for cells that are not
@@ -76,10 +77,6 @@ struct RawModel {
 Domain make_domain(const std::string& name, std::int64_t columns, std::int64_t rows,
                    const std::array<double, 2>& south_west_centre,
                    const std::array<double, 2>& cell);
-/// Returns a model with that domain and its heights.
-ElevationModel make_model(const std::string& name, std::int64_t columns, std::int64_t rows,
-                          const std::array<double, 2>& south_west_centre,
-                          const std::array<double, 2>& cell);
 /// Gives a model the heights of its domain. Throws as require_sides; out_of_memory if they exceed
 /// the available memory.
 void allocate_heights(ElevationModel& model, const std::string& name);
@@ -114,6 +111,9 @@ std::string crs_name(const std::string& crs);
 std::string without_local_names(const std::string& crs);
 /// Returns true for a system of degrees, false for one of lengths, nothing for an unknown text.
 std::optional<bool> is_geographic(const std::string& crs);
+/// Returns true for a definition of Mercator's map, which stretches the ground: twice at 60
+/// degrees.
+bool is_mercator(const std::string& crs);
 /// Returns the length [m] of the unit of a projected system; 1 if the text names none.
 double metres_per_unit(const std::string& crs);
 
