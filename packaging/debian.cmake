@@ -137,7 +137,7 @@ if(OCEAN_BUILD_GDAL)
 "With it the command ocean imports the rasters of geographers, GeoTIFF above
 all, as land and as the beds of coasts. It reads them by GDAL in a process of
 its own, without network."
-    SECTION graphics SHLIBDEPS ON)
+    SECTION graphics SHLIBDEPS ON DEPENDS "ocean-tools ${same}")
 endif()
 debian_package(ocean-preview preview "window on the statistical ocean"
 "Shows a sea, a terrain or a coast to its horizon in a window, with all of its

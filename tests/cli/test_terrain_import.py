@@ -128,6 +128,11 @@ def test_degrees_are_scaled_by_the_latitude_of_the_centre(ocean):
     assert -place.e == pytest.approx(found["cell"][1]) and not crs.is_geographic
     again = facts(ocean, "bed.flt")
     assert not again["was_degrees"] and again["cell"] == pytest.approx(found["cell"])
+    # Metres from the south-west cell, and degrees.
+    crop = facts(ocean, "deg.tif", "--crop", f"118.9957W,{34.5 - 45.2 * cell}N,118.98W,34.49N")
+    assert crop["samples"][0] < COLUMNS and crop["origin"] == [0.0, 0.0]
+    assert -118.9957 <= crop["geographic_origin"][0] < -118.9957 + cell
+    assert crop["cell"][0] != found["cell"][0]
     # The user's word counts more than the file's.
     assert facts(ocean, "deg.tif", "--degrees", "no")["cell"] == pytest.approx([cell, cell])
 
@@ -399,6 +404,8 @@ def test_wrong_options_are_refused(ocean):
         ("--corner", "here"): "allowed is the name of a tile",
         ("--unit", "yard"): "'yard' is none of m, ft, us_ft",
         ("--crop", "1,2,3"): "allowed is WEST,SOUTH,EAST,NORTH",
+        ("--crop", "1E,2E,3E,4N"): "or in degrees as 6W,51.5N,2E,54N",
+        ("--crop", "1E,2N,3E,4N"): "--crop in degrees: dem.tif has cells of metres",
         ("--cell", "-5"): "--cell",
         ("--range", "5,5"): "one height",
         ("-o", "bed.tif"): "allowed is NAME.flt",

@@ -318,6 +318,11 @@ def test_a_raster_beyond_the_limit_is_read_by_a_window(ocean):
     found = facts(ocean, "globe.tif", "-o", "bed.flt", "--crop", ",".join(map(str, edges)))
     assert found["samples"] == [32, 16]
     assert (read_back(ocean)[0] == block[16:32, 8:40]).all()
+    # The same window in degrees.
+    places = [-180 + first * cell, 90 - bottom * cell, -180 + last * cell, 90 - top * cell]
+    letters = ("EW", "NS", "EW", "NS")
+    degrees = ",".join(f"{abs(x):.9f}{w[x < 0]}" for x, w in zip(places, letters, strict=True))
+    assert facts(ocean, "globe.tif", "--crop", degrees)["samples"] == [32, 16]
     # The scale is that of the window's own latitude.
     latitude = 90 - cell * (top + 8)
     assert found["geographic_origin"] == pytest.approx(

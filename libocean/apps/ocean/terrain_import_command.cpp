@@ -79,6 +79,29 @@ std::array<double, 2> corner_of(const std::string& text) {
                                               ": allowed is the name of a tile, as N34W119");
 }
 
+/// Sets the edges of "WEST,SOUTH,EAST,NORTH": metres, or degrees as in "6W,51.5N,2E,54N".
+void set_crop(const std::string& text, ElevationOptions& options) {
+    const std::string shape = "WEST,SOUTH,EAST,NORTH in metres, or in degrees as 6W,51.5N,2E,54N";
+    options.crop_in_degrees = text.find_first_of("NSEW") != text.npos;
+    if (!options.crop_in_degrees) {
+        options.crop = numbers_of<4>(text, "--crop", shape);
+        return;
+    }
+    std::string plain;
+    std::vector<std::string> words = split(text, ',');
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string_view letters = i % 2 == 0 ? "EW" : "NS";
+        const std::size_t letter = words[i].empty() ? 2 : letters.find(words[i].back());
+        if (letter > 1) {
+            throw Error(ErrorKind::invalid_value,
+                        "--crop " + text::printable(text) + ": allowed is " + shape);
+        }
+        words[i].pop_back();
+        plain += (i == 0 ? "" : ",") + std::string(letter == 1 ? "-" : "") + words[i];
+    }
+    options.crop = numbers_of<4>(plain, "--crop", shape);
+}
+
 ElevationImport request_of(const ImportCommandOptions& options) {
     ElevationImport request;
     if (!options.unit.empty()) {
@@ -96,10 +119,7 @@ ElevationImport request_of(const ImportCommandOptions& options) {
     }
     if (!options.range.empty()) request.range = range_of(options.range);
     if (!options.corner.empty()) request.corner = corner_of(options.corner);
-    if (!options.crop.empty()) {
-        request.options.crop =
-            numbers_of<4>(options.crop, "--crop", "WEST,SOUTH,EAST,NORTH in metres");
-    }
+    if (!options.crop.empty()) set_crop(options.crop, request.options);
     return request;
 }
 
@@ -288,8 +308,8 @@ Command terrain_import_command() {
                {"--corner", &options->corner, "NAME",
                 "South-west corner of an SRTM tile whose file has another name, as N34W119"},
                {"--crop", &options->crop, "WEST,SOUTH,EAST,NORTH",
-                "Keep the cells whose centres lie within these edges: metres of the map, or from "
-                "the south-west cell of a whole file in degrees"},
+                "Keep the cells whose centres lie within these edges: metres, from the south-west "
+                "cell on where cells are degrees, or degrees as 6W,51.5N,2E,54N"},
                {"--square", &options->square, "METRES",
                 "Write square cells of this side, as the bed of a sea needs: between cells by "
                 "interpolation, larger ones as means"}}},

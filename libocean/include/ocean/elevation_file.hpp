@@ -47,6 +47,7 @@ struct ElevationOptions {
     /// West, south, east and north edges: cells whose centres lie within them are kept. They are
     /// places of the whole model [m], before a map that stretches the ground is scaled.
     std::optional<std::array<double, 4>> crop = {};
+    bool crop_in_degrees = false;  // the edges are longitudes and latitudes
     /// Is called with the rows that have been read, now and then, on the calling thread. If it
     /// throws, the reader ends with that exception.
     std::function<void(int rows, int of_rows)> progress = {};

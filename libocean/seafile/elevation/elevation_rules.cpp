@@ -279,7 +279,11 @@ GridWindow crop_window(const RawModel& raw, const std::string& name,
     frame.model.domain = raw.model.domain;
     frame.is_geographic = raw.is_geographic;
     frame.metres_per_unit = raw.metres_per_unit;
-    scale_domain(frame, name, options.degrees);
+    if (options.crop_in_degrees && raw.is_geographic == false) {
+        throw Error(ErrorKind::invalid_value,
+                    "--crop in degrees: " + name + " has cells of metres");
+    }
+    if (!options.crop_in_degrees) scale_domain(frame, name, options.degrees);
     const Domain& whole = frame.model.domain;
     std::array<std::int64_t, 2> first{}, count{};
     for (std::size_t axis = 0; axis < 2; ++axis) {
