@@ -249,8 +249,8 @@ void set_system(OGRSpatialReferenceH given, RasterFacts& facts) {
     const char* const name = OSRGetName(system.get());
     if (authority != nullptr && code != nullptr) {
         facts.crs = std::string(authority) + ":" + code;
-    } else {
-        facts.crs = name != nullptr ? name : "";
+    } else if (name != nullptr && name != std::string_view("unknown")) {
+        facts.crs = name;
     }
     facts.is_geographic = OSRIsGeographic(system.get()) != 0;
     if (*facts.is_geographic) {

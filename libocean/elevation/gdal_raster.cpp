@@ -21,7 +21,6 @@
 #include <memory>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
 #include "gdal_place.hpp"
 #include "ocean/internal/checked_text.hpp"

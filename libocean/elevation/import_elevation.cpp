@@ -18,7 +18,6 @@
 #include "ocean/internal/elevation_rules.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/read_provenance.hpp"
-#include "ocean/text.hpp"
 #include "raster.hpp"
 #include "raster_wire.hpp"
 

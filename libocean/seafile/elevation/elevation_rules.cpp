@@ -132,7 +132,8 @@ void scale_domain(RawModel& raw, const std::string& name, CellsInDegrees request
     const std::string system = crs_name(model.crs);
     const bool scaled = scale_unit(raw);
     if (!scale_to_ground(raw, system) && !scaled) return;
-    model.crs = "LOCAL_CS[\"metres of " + system + "\",UNIT[\"metre\",1]]";
+    model.crs =
+        "LOCAL_CS[\"metres" + (system.empty() ? "" : " of " + system) + "\",UNIT[\"metre\",1]]";
     model.crs_definition.clear();
 }
 
