@@ -307,7 +307,7 @@ EnergyMaps march_energy(const BedGrid& bed_height, const ShoreBands& bands,
     for (MarchGroup& group : sea.groups) {
         const MarchGrid grid = MarchGrid::over(maps.domain, group.direction, settings.cell);
         columns += grid.columns;
-        MarchBed bed = make_march_bed(bed_height, land, grid, depths, pool);
+        MarchBed bed = make_march_bed(bed_height, land, grid, bins, depths, pool);
         std::vector<ReadPastLand> past_land = reads_past_land(land, bed, maps.domain);
         marches.push_back({std::move(group), std::move(bed), std::move(past_land)});
     }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <queue>
 #include <utility>
@@ -35,11 +36,25 @@ struct Axis {
 class Surroundings {
   public:
     Surroundings(const MarchLand& land, const EnergyMaps& maps, const QuadGrid& heights)
-        : land_(land), maps_(maps), heights_(heights) {}
+        : land_(land), maps_(maps), heights_(heights), has_shore_(maps.domain.count()) {
+        const Domain& bed = land.domain();
+        for (int j = 0; j < bed.samples[1]; ++j) {
+            for (int i = 0; i < bed.samples[0]; ++i) {
+                if (land.is_shore(i, j)) {
+                    has_shore_[nearest_sample(maps.domain, bed.place(i, j))] = 1;
+                }
+            }
+        }
+    }
 
     /// Returns true if land parts the water among the samples about a cell of the maps.
     bool is_parted(int i, int j) const {
         std::array<int, kStencil * kStencil> group{};
+        bool has_shore = false;
+        for (int n = 0; n < kStencil * kStencil; ++n) {
+            has_shore = has_shore || has_shore_[index(i, j, n)] != 0;
+        }
+        if (!has_shore) return false;
         for (int n = 0; n < kStencil * kStencil; ++n) {
             const std::size_t own = index(i, j, n);
             group[at(n)] = is_land(own) ? -1 : n;
@@ -120,6 +135,7 @@ class Surroundings {
     const MarchLand& land_;
     const EnergyMaps& maps_;
     const QuadGrid& heights_;
+    std::vector<std::uint8_t> has_shore_;  // of the bed nearest to each sample
 };
 
 using Samples = std::vector<std::array<float, 2>>;

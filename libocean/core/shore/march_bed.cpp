@@ -150,8 +150,25 @@ float MarchGrid::read(const std::vector<float>& map, const std::array<double, 2>
     return near + share_u * (column(i + 1) - near);
 }
 
+/// Finds what land beyond the border, which goes on for the longer side of the bed, keeps off.
+void find_inflow(const MarchLand& land, const DirectionBins& bins, MarchBed& bed,
+                 ThreadPool& pool) {
+    if (!land.is_at_border()) return;
+    const MarchGrid& grid = bed.grid;
+    const double beyond = std::max(land.domain().size[0], land.domain().size[1]) / grid.cell;
+    bed.inflow.resize(at(bins.count) * at(grid.rows));
+    pool.for_each_item(bins.count, [&](int bin, int) {
+        const double along = beyond * std::cos(bins.centre(bin));
+        const double across = beyond * std::sin(bins.centre(bin));
+        for (int j = 0; j < grid.rows; ++j) {
+            bed.inflow[at(bin) * at(grid.rows) + at(j)] =
+                land.through(grid.place(-along, j - across), grid.place(0, j));
+        }
+    });
+}
+
 MarchBed make_march_bed(const BedGrid& bed_height, const MarchLand& land, const MarchGrid& grid,
-                        const DepthTables& depths, ThreadPool& pool) {
+                        const DirectionBins& bins, const DepthTables& depths, ThreadPool& pool) {
     MarchBed bed;
     bed.grid = grid;
     bed.place.resize(grid.size());
@@ -181,6 +198,7 @@ MarchBed make_march_bed(const BedGrid& bed_height, const MarchLand& land, const 
         }
     });
     find_ways(land, bed, pool);
+    find_inflow(land, bins, bed, pool);
     return bed;
 }
 

@@ -72,10 +72,13 @@ struct MarchBed {
     /// Index in `ways`, or kOpen: no land is on them. Empty: there is no land.
     std::vector<std::uint32_t> way;
     std::vector<MarchWays> ways;
+    /// The share of the open sea's energy that land beyond the border of the bed lets through to
+    /// the first column, [bin][j]. Empty: there is none.
+    std::vector<float> inflow;
 };
 
 /// Makes the bed of a march. `land` is that of bed_height, and swallows the waves.
 MarchBed make_march_bed(const BedGrid& bed_height, const MarchLand& land, const MarchGrid& grid,
-                        const DepthTables& depths, ThreadPool& pool);
+                        const DirectionBins& bins, const DepthTables& depths, ThreadPool& pool);
 
 }  // namespace ocean

@@ -45,7 +45,9 @@ struct EnergyOnWay {
 }  // namespace
 
 MarchLand::MarchLand(const BedGrid& bed_height, const StillWater& still)
-    : bed_(bed_height), shore_squares_(bed_height.values.size()) {
+    : bed_(bed_height),
+      per_metre_(1.0 / bed_height.cell()),
+      shore_squares_(bed_height.values.size()) {
     const int columns = bed_.domain.samples[0], rows = bed_.domain.samples[1];
     std::size_t n = 0;
     for (int j = 0; j < rows; ++j) {
@@ -65,8 +67,8 @@ MarchLand::MarchLand(const BedGrid& bed_height, const StillWater& still)
 }
 
 std::array<double, 2> MarchLand::in_samples(const std::array<double, 2>& place) const {
-    return {(place[0] - bed_.domain.origin[0]) / cell(),
-            (place[1] - bed_.domain.origin[1]) / cell()};
+    return {(place[0] - bed_.domain.origin[0]) * per_metre_,
+            (place[1] - bed_.domain.origin[1]) * per_metre_};
 }
 
 float MarchLand::at(int i, int j) const {

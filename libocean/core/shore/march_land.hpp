@@ -46,6 +46,7 @@ class MarchLand {
     bool has_shore(int i, int j) const;
 
     BedGrid bed_;
+    double per_metre_;
     std::vector<std::uint8_t> shore_squares_;
     bool is_empty_ = true;
     bool is_at_border_ = false;

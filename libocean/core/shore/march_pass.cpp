@@ -183,7 +183,8 @@ void sum_bins(TagState& state, const std::vector<BinShift>& shifts) {
     for (float& energy : state.energy) energy /= state.open_energy;
 }
 
-TagState open_sea(const MarchWave& wave, const std::vector<BinShift>& shifts, int rows) {
+TagState open_sea(const MarchWave& wave, const std::vector<BinShift>& shifts, const MarchBed& bed) {
+    const int rows = bed.grid.rows;
     TagState state;
     const std::size_t size = shifts.size() * at(rows);
     state.flux.resize(size);
@@ -195,6 +196,7 @@ TagState open_sea(const MarchWave& wave, const std::vector<BinShift>& shifts, in
         std::fill_n(&state.flux[n * at(rows)], rows, flux);
         state.open_energy += flux * shifts[n].over_cosine;
     }
+    for (std::size_t n = 0; n < bed.inflow.size(); ++n) state.flux[n] *= bed.inflow[n];
     return state;
 }
 
@@ -253,7 +255,7 @@ March start(const MarchGroup& group, const DirectionBins& bins, const MarchBed& 
         march.edge_tangents.push_back(static_cast<float>(std::tan(bins.edge(n))));
     }
     for (const MarchWave& wave : group.waves) {
-        march.states.push_back(open_sea(wave, march.shifts, bed.grid.rows));
+        march.states.push_back(open_sea(wave, march.shifts, bed));
     }
     march.kept.assign(at(bed.grid.rows), 1.0f);
     return march;
