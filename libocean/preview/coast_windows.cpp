@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <utility>
 
 #include "ocean/land_mask.hpp"
@@ -73,6 +75,24 @@ void visit_part(const CoastPart& part, int window_samples, Visit&& visit) {
             static_cast<std::size_t>(part.first[0]);
         for (int i = 0; i < samples[0]; ++i) visit(to++, from++);
     }
+}
+
+/// Returns how wet the ground about a sample of a part is. Where the depth changes much from sample
+/// to sample it is the share of its cell that water covers: what covers a sample or does not would
+/// end in stairs of the cell.
+float wet_about(std::span<const float> depth, const std::array<int, 2>& samples, std::size_t at) {
+    constexpr float kFine = 0.05f;  // change of the depth over a cell [m]
+    const int width = samples[0];
+    const int i = static_cast<int>(at) % width, j = static_cast<int>(at) / width;
+    const auto change = [&](int index, int count, int step) {
+        const int back = index > 0 ? step : 0, on = index + 1 < count ? step : 0;
+        const float low = depth[at - static_cast<std::size_t>(back)];
+        const float high = depth[at + static_cast<std::size_t>(on)];
+        return std::abs(high - low) * static_cast<float>(step) / static_cast<float>(back + on);
+    };
+    const float over_cell = change(i, width, 1) + change(j, samples[1], width);
+    if (over_cell <= kFine) return covered_by(depth[at]);
+    return std::clamp(0.5f + depth[at] / over_cell, 0.0f, 1.0f);
 }
 
 void write_image(CoastImage& image, const CoastPart& part, const CoastTraces& traces,
@@ -201,7 +221,8 @@ std::vector<CoastPart> CoastSurface::follow(Ocean& sea, double time, ChannelSet 
         const auto depth = part.surface.channel(kDepth);
         visit_part(part, traces.window.samples, [&](std::size_t to, std::size_t from) {
             traces.foam[to] = std::max(breaking[from], foam_left * traces.foam[to]);
-            traces.wet[to] = std::max(covered_by(depth[from]), wet_left * traces.wet[to]);
+            traces.wet[to] =
+                std::max(wet_about(depth, domain.samples, from), wet_left * traces.wet[to]);
         });
     }
     followed_ = time;

@@ -122,6 +122,38 @@ TEST_F(CoastPreviewTest, WindowsStandStillInTheWorldAndKeepTheirFoam) {
     EXPECT_GT(foam, 0.05);
 }
 
+TEST_F(CoastPreviewTest, TheWetEdgeOfAnObliqueShoreIsNoStaircaseFarAway) {
+    // A beach of 1:10 that rises to the north-east, under ripples, in a window whose cells are 8 m:
+    // the line where the ground is a fifth wet is straight within an eighth of a cell.
+    Sea sea = test::beach_sea();
+    GivenBed given;
+    given.grid = {{0.0, 0.0}, {400.0, 400.0}, {81, 81}, false};
+    const auto height = [](double x, double y) { return (0.8 * x + 0.6 * y - 280.0) / 10.0; };
+    for (int j = 0; j < 81; ++j) {
+        for (int i = 0; i < 81; ++i) {
+            given.heights.push_back(static_cast<float>(std::max(-8.0, height(5.0 * i, 5.0 * j))));
+        }
+    }
+    Parameters parameters = sea.parameters;
+    parameters.waves.front().wind_speed = 1.0;
+    parameters.water.bed = nullptr;
+    parameters.water.bed = make_sea_bed(std::move(given), parameters.water);
+    Ocean ripples(Sea{parameters, {}});
+    CoastMapsOptions options;
+    options.samples = 64;
+    CoastSurface surface(options);
+    const std::vector<CoastImage> images = surface.at(ripples, kTime, {20.0, 200.0, 2.0});
+    double least = 1e9, most = -1e9;
+    for (double y = 150.0; y < 250.0; y += 1.0) {
+        double x = 150.0;
+        while (*read_windows(images, &CoastImage::traces, 2, x, y) > 0.2) x += 0.05;
+        const double across = 10.0 * height(x, y);  // from the line of still water [m]
+        least = std::min(least, across);
+        most = std::max(most, across);
+    }
+    EXPECT_LT(most - least, 2.0);
+}
+
 TEST_F(CoastPreviewTest, FoamIsWhatBreaksOrWhatIsLeftOfIt) {
     CoastMapsOptions options;
     options.samples = 64;
