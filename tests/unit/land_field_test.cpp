@@ -487,6 +487,88 @@ TEST(Islands, HaveOneSeaWithBeachesOfOneInThirty) {
     EXPECT_GT(wet, static_cast<std::ptrdiff_t>(height.size() / 4));
 }
 
+/// Returns how many cells lie lower than all their eight neighbours, on land.
+int pits_in(std::span<const float> height, int side) {
+    int pits = 0;
+    for (int j = 1; j + 1 < side; ++j) {
+        for (int i = 1; i + 1 < side; ++i) {
+            const auto at = [&](int x, int y) {
+                return height[static_cast<std::size_t>(y * side + x)];
+            };
+            float lowest = at(i - 1, j);
+            for (int y = j - 1; y <= j + 1; ++y) {
+                for (int x = i - 1; x <= i + 1; ++x) {
+                    if (x != i || y != j) lowest = std::min(lowest, at(x, y));
+                }
+            }
+            pits += at(i, j) > 0.0f && at(i, j) < lowest ? 1 : 0;
+        }
+    }
+    return pits;
+}
+
+/// Heights with and without a shore.
+struct ShoredMaps {
+    Surface with, without;
+
+    ShoredMaps(Land& shored, Land& plain, const Domain& region)
+        : with(shored.region(region, {Channel::height})),
+          without(plain.region(region, {Channel::height})) {}
+    float after(std::size_t at) const { return with.channel(Channel::height)[at]; }
+    float before(std::size_t at) const { return without.channel(Channel::height)[at]; }
+    bool is_changed(std::size_t at) const { return after(at) != before(at); }
+};
+
+/// Returns true if water lies up to `reach` samples to each side.
+bool is_near_water(const Surface& map, int i, int j, int reach) {
+    const int side = map.domain().samples[0];
+    for (int y = std::max(j - reach, 0); y <= std::min(j + reach, side - 1); ++y) {
+        for (int x = std::max(i - reach, 0); x <= std::min(i + reach, side - 1); ++x) {
+            if (map.channel(Channel::height)[static_cast<std::size_t>(y * side + x)] < 0.0f) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+TEST(Islands, KeepTheBitsOfLandThatTheShoreDoesNotReach) {
+    Terrain terrain = island(128);
+    Land shored(terrain);
+    terrain.coast.beach_slope = 0.0;
+    Land plain(terrain);
+    const Domain own = plain.domain();
+    const ShoredMaps maps(shored, plain, own);
+    const int side = own.samples[0];
+    // A beach is 130 m wide, a cell of 129 m and a diagonal; all land is at least 3 m high.
+    constexpr int kReach = 2;
+    int beyond = 0, changed = 0;
+    for (int j = 0; j < side; ++j) {
+        for (int i = 0; i < side; ++i) {
+            const auto at = static_cast<std::size_t>(j * side + i);
+            if (maps.before(at) < 3.0f || is_near_water(maps.with, i, j, kReach)) continue;
+            ++beyond;
+            changed += maps.is_changed(at) ? 1 : 0;
+        }
+    }
+    EXPECT_GT(beyond, side * side / 10);
+    EXPECT_EQ(changed, 0);
+    EXPECT_EQ(pits_in(maps.without.channel(Channel::height), side), 0);
+    EXPECT_EQ(pits_in(maps.with.channel(Channel::height), side), 0);
+    // Where the reach ends both join without a step, on cells far below those of their grids.
+    const double cell = 0.5;
+    const ShoredMaps fine(shored, plain, {{1500.0, 8000.0}, {cell * 8191, cell}, {8192, 2}, false});
+    int ends = 0;
+    for (std::size_t i = 1; i < 8192; ++i) {
+        if (fine.is_changed(i) == fine.is_changed(i - 1)) continue;
+        ++ends;
+        const double here = double{fine.after(i)} - double{fine.before(i)};
+        const double there = double{fine.after(i - 1)} - double{fine.before(i - 1)};
+        EXPECT_LT(std::abs(here - there), 0.01) << i;
+    }
+    EXPECT_GT(ends, 0);
+}
+
 TEST(Islands, KeepTheirStreamsWhileTheShoreChanges) {
     Land land(island(256));
     land.field();

@@ -179,26 +179,11 @@ class Builder {
         parts_.domain = domain;
     }
 
-    /// Returns the heights of the land so far, gullies and finer waves with it but no detail, and
-    /// forgets how they were made; keeps masks of gullies.
-    std::vector<float> heights_on(const Domain& domain) {
+    /// Returns the heights of the land so far, gullies and finer waves with it but no detail.
+    std::vector<float> heights_on(const Domain& domain) const {
         LandFieldParts so_far = parts_;
         so_far.detail = nullptr;
-        const LandField field(std::move(so_far));
-        ChannelSet wanted = {Channel::height};
-        if (parts_.gullies) {
-            for (const LandMask mask : {LandMask::wear, LandMask::gully, LandMask::ridge}) {
-                wanted = wanted | channel_of(mask);
-            }
-        }
-        Surface map = field.surface(domain, wanted, pool_);
-        if (parts_.gullies) {
-            for (const LandMask mask : {LandMask::wear, LandMask::gully, LandMask::ridge}) {
-                keep(mask, domain, map.channel(channel_of(mask)));
-            }
-        }
-        parts_.gullies.reset();
-        parts_.fine = nullptr;
+        const Surface map = LandField(std::move(so_far)).surface(domain, {Channel::height}, pool_);
         const auto heights = map.channel(Channel::height);
         return {heights.begin(), heights.end()};
     }
@@ -256,10 +241,13 @@ class Builder {
     void shape_shore() {
         CoastSettings settings = terrain_.coast;
         settings.level = level();
-        const Domain domain = shore_domain(settings);
-        std::vector<float> heights = heights_on(domain);
+        const int levels = shore_levels(settings);
+        const Domain domain = square_domain(1 << levels);
+        const std::vector<float> before = heights_on(domain);
+        std::vector<float> heights = before;
         const CoastMaps maps = shape_coast(heights, domain, settings, pool_, reporter("shore"));
-        rest_on_grid(domain, heights);
+        parts_.shore = std::make_shared<const ShoreGround>(domain, before, heights, levels, pool_);
+        parts_.domain = domain;
         keep(LandMask::beach, domain, maps.beach);
         keep(LandMask::cliff, domain, maps.cliff);
         keep(LandMask::shelter, domain, maps.shelter);
@@ -273,17 +261,21 @@ class Builder {
             domain, std::make_shared<const PageVector<float>>(std::move(share)));
     }
 
-    /// Returns the land's grid, refined to four samples along the smoothing of the shore line.
-    Domain shore_domain(const CoastSettings& settings) const {
+    /// Returns how often the land's grid is halved to have four samples along the smoothing of the
+    /// shore line.
+    int shore_levels(const CoastSettings& settings) const {
         constexpr double kSamplesOfSmoothing = 4.0;
         constexpr int kMaxShoreSide = 8192;
         const Domain& own = parts_.domain;
         const double cell = std::min(own.step(0), own.step(1));
         const double wanted = std::max(settings.smooth, 1.0) / kSamplesOfSmoothing;
-        int factor = std::max(1, static_cast<int>(std::ceil(cell / wanted - 1e-9)));
         const int side = std::max(own.samples[0], own.samples[1]);
-        factor = std::min(factor, std::max(1, kMaxShoreSide / side));
-        return square_domain(factor);
+        int levels = 0;
+        while (cell > (1.0 + 1e-9) * wanted * (1 << levels) &&
+               side << (levels + 1) <= kMaxShoreSide) {
+            ++levels;
+        }
+        return levels;
     }
 
     /// Returns the land with square cells, which an elevation model may lack, of its smaller cell

@@ -320,6 +320,7 @@ std::uint64_t LandField::bytes() const {
     const LandFieldParts& parts = impl_->parts;
     std::uint64_t sum = SplinePyramid::bytes(parts.base->finest().domain());
     if (parts.fine) sum += SplinePyramid::bytes(parts.fine->finest().domain());
+    if (parts.shore) sum += parts.shore->bytes();
     if (parts.detail_share) sum += parts.detail_share->bytes();
     for (const auto& [mask, grid] : parts.masks) sum += grid->bytes();
     return sum;

@@ -10,6 +10,7 @@
 
 #include "land/fine_waves.hpp"
 #include "land/mask_grid.hpp"
+#include "land/shore_ground.hpp"
 #include "land/spline_grid.hpp"
 #include "ocean/gullies.hpp"
 #include "ocean/land_mask.hpp"
@@ -22,6 +23,8 @@ struct LandFieldParts {
     std::shared_ptr<const SplinePyramid> base;
     std::shared_ptr<const SplinePyramid> fine = nullptr;  // waves finer than gullies
     std::optional<GullyFilter> gullies = {};
+    /// In place of base, gullies and finer waves as far as a shore reaches; empty: no shore.
+    std::shared_ptr<const ShoreGround> shore = nullptr;
     std::shared_ptr<const FineWaves> detail = nullptr;
     /// Share of the detail, which beaches and water have less of; empty: 1.
     std::shared_ptr<const MaskGrid> detail_share = nullptr;

@@ -46,17 +46,36 @@ void add_gullies(const GullyFilter& gullies, double cell, bool with_masks, LandR
     for (std::size_t i = 0; i < n; ++i) row.height[i] += static_cast<double>(row.part_height[i]);
 }
 
+/// Replaces the ground by that of the shore where it reaches.
+void set_shore(const ShoreGround& shore, double cell, bool with_slopes, LandRow& row) {
+    const ShoreGround::Level level = shore.level(cell);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        const double x = row.x[i], y = row.y[i];
+        if (!level.reaches(x, y)) continue;
+        if (!with_slopes) {
+            row.height[i] = level.heights().value_at(x, y);
+            continue;
+        }
+        const GroundJet jet = level.heights().at(x, y);
+        row.height[i] = jet.height;
+        row.slope_x[i] = jet.slope_x;
+        row.slope_y[i] = jet.slope_y;
+    }
+}
+
 }  // namespace
 
 void compute(const LandFieldParts& parts, double cell, ChannelSet wanted, LandRow& row) {
     // Slopes of the base lead its gullies.
     const bool is_base_alone = !parts.gullies && !parts.fine && !parts.detail;
-    set_base(parts, cell, !is_base_alone || wanted.intersects(kSlopes), row);
+    const bool with_slopes = !is_base_alone || wanted.intersects(kSlopes);
+    set_base(parts, cell, with_slopes, row);
     if (parts.gullies) add_gullies(*parts.gullies, cell, wanted.intersects(kEveryMask), row);
     if (parts.fine) {
         const SplineGrid& fine = parts.fine->level(cell);
         for (std::size_t i = 0; i < row.size(); ++i) add(fine.at(row.x[i], row.y[i]), 1.0, i, row);
     }
+    if (parts.shore) set_shore(*parts.shore, cell, with_slopes, row);
     if (!parts.detail) return;
     for (std::size_t i = 0; i < row.size(); ++i) {
         const double x = row.x[i], y = row.y[i];

@@ -243,7 +243,6 @@ namespace {
 
 constexpr std::array<double, 7> kFilter = {-1.0 / 32.0, 0.0, 9.0 / 32.0, 16.0 / 32.0,
                                            9.0 / 32.0,  0.0, -1.0 / 32.0};
-constexpr int kHalf = 3;
 
 /// Returns the sum of kFilter and the samples 0 .. 6 of a function.
 template <typename Sample>
@@ -262,19 +261,19 @@ std::vector<float> halved(const Domain& domain, std::span<const float> samples, 
     const auto new_width = static_cast<std::size_t>(half.samples[0]);
     std::vector<float> result(half.count());
     pool.for_each_range(half.samples[1], [&](int first, int last) {
-        std::vector<double> padded_line(width + 2 * kHalf);
-        double* const line = padded_line.data() + kHalf;
+        std::vector<double> padded_line(width + 2 * kHalvingReach);
+        double* const line = padded_line.data() + kHalvingReach;
         for (int j = first; j < last; ++j) {
             std::array<const float*, kFilter.size()> row{};
-            for (int q = -kHalf; q <= kHalf; ++q) {
-                row[static_cast<std::size_t>(q + kHalf)] =
+            for (int q = -kHalvingReach; q <= kHalvingReach; ++q) {
+                row[static_cast<std::size_t>(q + kHalvingReach)] =
                     samples.data() +
                     static_cast<std::size_t>(inside(2 * j + q, rows, domain.wraps)) * width;
             }
             for (std::size_t i = 0; i < width; ++i) {
                 line[i] = filtered([&](std::size_t q) { return static_cast<double>(row[q][i]); });
             }
-            for (int q = 1; q <= kHalf; ++q) {
+            for (int q = 1; q <= kHalvingReach; ++q) {
                 line[-q] = line[inside(-q, columns, domain.wraps)];
                 line[columns - 1 + q] = line[inside(columns - 1 + q, columns, domain.wraps)];
             }
@@ -325,7 +324,7 @@ SplinePyramid::SplinePyramid(const Domain& domain, std::span<const float> sample
     }
 }
 
-const SplineGrid& SplinePyramid::level(double cell) const {
+std::size_t SplinePyramid::index(double cell) const {
     std::size_t chosen = 0;
     while (chosen + 1 < levels_.size()) {
         const Domain& next = levels_[chosen + 1].domain();
@@ -333,7 +332,7 @@ const SplineGrid& SplinePyramid::level(double cell) const {
         if (std::max(next.step(0), next.step(1)) > kRounding * cell) break;
         ++chosen;
     }
-    return levels_[chosen];
+    return chosen;
 }
 
 std::size_t SplinePyramid::bytes(const Domain& domain) {

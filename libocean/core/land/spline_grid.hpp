@@ -44,12 +44,15 @@ class SplineGrid {
                    std::span<double> heights) const;
     static std::size_t bytes(const Domain& domain);
 
-  private:
     struct InCell {
         std::size_t cell;  // whose lower end is at or below the coordinate
         double share;      // the coordinate in its cell, 0 .. 1
     };
+    /// Returns the cell of a coordinate along an axis; beyond the ends of a domain that exists once
+    /// that of the end.
     InCell in_cell(double at, std::size_t axis) const;
+
+  private:
     void filter_rows(std::span<const float> samples, ThreadPool& pool);
     void filter_columns(ThreadPool& pool);
     float* row(int j);
@@ -64,6 +67,8 @@ class SplineGrid {
 /// 0 -1) / 32, which keeps waves of four new samples to 2 % [Deslauriers and Dubuc 1989]. A domain
 /// that wraps needs even counts of samples; one that exists once ends at its last even sample.
 std::vector<float> halved(const Domain& domain, std::span<const float> samples, ThreadPool& pool);
+/// The filter's samples to each side.
+inline constexpr int kHalvingReach = 3;
 /// Returns every other sample as it is.
 std::vector<float> decimated(const Domain& domain, std::span<const float> samples);
 /// Returns the domain of these samples.
@@ -79,7 +84,11 @@ class SplinePyramid {
 
     /// Returns the level for maps whose samples lie `cell` apart [m]: the coarsest whose samples
     /// are no farther apart.
-    const SplineGrid& level(double cell) const;
+    const SplineGrid& level(double cell) const { return levels_[index(cell)]; }
+    /// Returns the number of that level, from 0 for the finest.
+    std::size_t index(double cell) const;
+    const SplineGrid& at(std::size_t index) const { return levels_[index]; }
+    std::size_t size() const { return levels_.size(); }
     const SplineGrid& finest() const { return levels_.front(); }
     static std::size_t bytes(const Domain& domain);
 

@@ -7,9 +7,11 @@
 //   h(x) = g(b(x)) + f(x) + d(x)
 //
 // b is the base: a spline through the waves of a tile, an elevation model, or the grid that streams
-// and shore have shaped. g adds gullies to it, f the waves that are finer than gullies, d those
-// below the cells of a placed land. `cell` is the spacing of a map: what is shorter than two cells
-// fades out, in g and d by their formulas, in b and f by the levels of a pyramid.
+// have shaped. g adds gullies to it, f the waves that are finer than gullies, d those below the
+// cells of a placed land. Where a shore has changed the land, a spline through the grid on which it
+// did is in place of g(b(x)) + f(x); all other land has the bits that it has without it. `cell` is
+// the spacing of a map: what is shorter than two cells fades out, in g and d by their formulas, in
+// b and f by the levels of a pyramid.
 //
 // Slopes are derivatives of h; with gullies, whose formula has no exact gradient, central
 // differences over one cell.

@@ -119,8 +119,8 @@ IncomingWaves incoming_waves(const Parameters& parameters);
 /// Returns a sentence for each way in which a bed does not suit its waves: water along the sides
 /// where they come in that is shallower than half a wavelength and than the open sea, land there,
 /// more than half of them land with deeper water behind, as of a bed that is upside down, a depth
-/// there that is the open sea's in feet, a bed deeper than an open sea whose waves feel its ground, shorter than a wave, cells that are
-/// coarse for them, a surface that repeats within the bed.
+/// there that is the open sea's in feet, a bed deeper than an open sea whose waves feel its ground,
+/// shorter than a wave, cells that are coarse for them, a surface that repeats within the bed.
 std::vector<std::string> coast_warnings(const SeaBed& bed, const IncomingWaves& waves);
 
 /// Returns true for a place over the bed or on its border.

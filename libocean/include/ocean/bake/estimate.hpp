@@ -38,9 +38,9 @@ struct BakeForecast {
     };
     std::vector<File> files;
     std::vector<std::string> warnings;  // of a take those of its first hundred frames
-    std::uint64_t bytes = 0;         // of the files that are not kept, an upper bound
-    std::uint64_t free_bytes = 0;    // on their disk
-    std::uint64_t memory_bytes = 0;  // an upper bound
+    std::uint64_t bytes = 0;            // of the files that are not kept, an upper bound
+    std::uint64_t free_bytes = 0;       // on their disk
+    std::uint64_t memory_bytes = 0;     // an upper bound
 };
 /// A bake of more files than this lists the first and the last one of each kind.
 inline constexpr std::size_t kMaxForecastFiles = 100000;
