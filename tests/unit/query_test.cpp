@@ -574,8 +574,7 @@ TEST(Query, RefusesWhatItCannotAnswerAndWritesNothing) {
         query.sample(points, samples, sea.pool);
         ADD_FAILURE() << "a point that is not finite was taken";
     } catch (const Error& error) {
-        EXPECT_STREQ(error.what(),
-                     "point 1 = (3, nan); allowed: finite coordinates in metres");
+        EXPECT_STREQ(error.what(), "point 1 = (3, nan); allowed: finite coordinates in metres");
     }
     EXPECT_EQ(samples[0].height, 77.0);
     query.sample({}, {}, sea.pool);

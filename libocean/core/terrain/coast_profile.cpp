@@ -61,11 +61,10 @@ void check(std::span<const float> heights, const Domain& domain, const CoastSett
                     {"width", settings.width, 1e6}};
     for (const auto& [name, value, max] : positive) {
         if (value >= 1e-6 && value <= max) continue;
-        throw Error(ErrorKind::invalid_value,
-                    {.what = "is out of range",
-                     .parameter = std::string("coast.") + name,
-                     .value = plain_text(value),
-                     .allowed = "above 0, at most " + plain_text(max)});
+        throw Error(ErrorKind::invalid_value, {.what = "is out of range",
+                                               .parameter = std::string("coast.") + name,
+                                               .value = plain_text(value),
+                                               .allowed = "above 0, at most " + plain_text(max)});
     }
     if (!(std::abs(settings.level) <= 1e5)) throw refusal("the level of the water is not finite");
     if (!std::ranges::all_of(heights, [](float h) { return std::isfinite(h); })) {
