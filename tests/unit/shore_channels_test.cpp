@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -148,21 +149,42 @@ TEST(ShoreChannels, PondsAreLevelUpToTheirDikesAndHaveNoFoam) {
     }
 }
 
+/// The same waves over a bed 8 m deep, 400 m long, with walls 4 m high where `is_wall` says so.
+Parameters walled_sea(const std::function<bool(int i, int j)>& is_wall) {
+    Parameters parameters = polder_sea();
+    parameters.water.depth = 8.0;
+    GivenBed given;
+    given.grid = {{0.0, 0.0}, {400.0, 400.0}, {101, 101}, false};
+    for (int j = 0; j < 101; ++j) {
+        for (int i = 0; i < 101; ++i) given.heights.push_back(is_wall(i, j) ? 4.0f : -8.0f);
+    }
+    parameters.water.bed = nullptr;
+    parameters.water.bed = make_sea_bed(std::move(given), parameters.water);
+    return parameters;
+}
+
+TEST(ShoreChannels, APondBehindWallsOfOneSampleIsLevelFromTheirFootOn) {
+    // The maps of energy have cells of 16 m, which a cubic joins over a wall.
+    Ocean ocean(walled_sea([](int i, int j) {
+        const bool inside = i >= 50 && i <= 70 && j >= 40 && j <= 60;
+        return inside && (i == 50 || i == 70 || j == 40 || j == 60);
+    }));
+    std::vector<WorldPoint> points;
+    for (const double x : {204.0, 206.0, 210.0, 214.0, 240.0, 270.0, 276.0}) {
+        for (const double y : {164.0, 168.0, 200.0, 236.0}) points.push_back({x, y});
+    }
+    std::vector<QuerySample> samples(points.size());
+    ocean.query(20.0, points, samples, {.foam = false});
+    for (std::size_t n = 0; n < points.size(); ++n) {
+        EXPECT_NEAR(samples[n].height, 0.0, 0.015) << points[n].x << " " << points[n].y;
+    }
+}
+
 TEST(ShoreChannels, WavesEightMetresBehindAThinWallAreThoseBehindAThickOne) {
     // A wall of one sample, 4 m above the water, and one of five; their northern ends are free.
     const auto height_behind = [](int width) {
-        Parameters parameters = polder_sea();
-        parameters.water.depth = 8.0;
-        GivenBed given;
-        given.grid = {{0.0, 0.0}, {400.0, 400.0}, {101, 101}, false};
-        for (int j = 0; j < 101; ++j) {
-            for (int i = 0; i < 101; ++i) {
-                const bool wall = i > 50 - width && i <= 50 && j < 70;
-                given.heights.push_back(wall ? 4.0f : -8.0f);
-            }
-        }
-        parameters.water.bed = nullptr;
-        parameters.water.bed = make_sea_bed(std::move(given), parameters.water);
+        const Parameters parameters =
+            walled_sea([&](int i, int j) { return i > 50 - width && i <= 50 && j < 70; });
         std::vector<WorldPoint> points;
         for (double y = 210.0; y < 260.0; y += 1.0) {
             for (const double x : {208.0, 212.0, 220.0, 232.0, 244.0}) points.push_back({x, y});
