@@ -43,7 +43,8 @@ std::string decimal_rate(const std::string& text) {
                     " is installed" + allowed);
 }
 
-/// Returns ".exr, .df3 and .png (height_field)", with the name of a format where it is another word.
+/// Returns ".exr, .df3 and .png (height_field)", with the name of a format where it is another
+/// word.
 std::string extensions_of(std::span<const BakeFormat* const> formats) {
     std::vector<std::string> words;
     for (const BakeFormat* format : formats) {

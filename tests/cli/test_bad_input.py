@@ -16,7 +16,10 @@ WAVES = "libocean = 1\n[[waves]]\n"
     [
         (SMALL_SEA + "wind_sped = 3\n", ["sea.toml:9", "wind_sped", "wind_speed"]),
         (SMALL_SEA + 'fetch = "far"\n', ["sea.toml:9", "fetch", "far", "1000"]),
-        (SMALL_SEA + 'fetch = "12 km"\n', ["fetch", "is not a number: write it in m, without a unit"]),
+        (
+            SMALL_SEA + 'fetch = "12 km"\n',
+            ["fetch", "is not a number: write it in m, without a unit"],
+        ),
         (SMALL_SEA + "fetch = 12km\n", ["sea.toml:9", "not TOML", "without their unit"]),
         (SMALL_SEA + "swell = nan\n", ["sea.toml:9", "swell", "nan", "-1"]),
         (SMALL_SEA + "fetch = inf\n", ["sea.toml:9", "fetch", "inf"]),

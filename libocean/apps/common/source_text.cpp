@@ -46,11 +46,10 @@ SourceText read_source_text(const std::string& source, std::string_view kind) {
                 text::to_utf8(utf8_path(source).parent_path())};
     }
     if (provenance->kind != kind) {
-        throw Error(ErrorKind::bad_file, source + ": shows a " + text::printable(provenance->kind) +
-                                             " instead of " + io::subject_words(kind).noun +
-                                             (provenance->kind == kTerrainKind
-                                                  ? "; `ocean terrain` bakes one"
-                                                  : ""));
+        throw Error(ErrorKind::bad_file,
+                    source + ": shows a " + text::printable(provenance->kind) + " instead of " +
+                        io::subject_words(kind).noun +
+                        (provenance->kind == kTerrainKind ? "; `ocean terrain` bakes one" : ""));
     }
     return {provenance->text, source, ""};
 }

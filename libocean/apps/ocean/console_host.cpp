@@ -4,7 +4,6 @@
 // See console_host.hpp.
 #include "console_host.hpp"
 
-
 #include "console.hpp"
 #include "text.hpp"
 

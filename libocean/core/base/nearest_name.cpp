@@ -51,7 +51,8 @@ std::vector<KnownName> as_known(std::span<const std::string_view> names) {
 
 std::vector<std::string_view> nearest_names(std::string_view word,
                                             std::span<const KnownName> names) {
-    constexpr std::size_t kMaxEdits = 2, kMinBeginning = 4;
+    constexpr std::size_t kMaxEdits = 2;
+    constexpr std::size_t kMinBeginning = 4;
     const std::string wanted = folded(word);
     std::vector<std::string_view> nearest, begun;
     const auto add = [](std::string_view shown, std::vector<std::string_view>& list) {
