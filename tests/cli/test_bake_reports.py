@@ -16,7 +16,7 @@ def test_a_dry_run_writes_nothing(ocean):
     done = ocean(*BAKE, pattern("out/deep"), "-n", "--json")
     assert done.returncode == 0 and not (ocean.folder / "out").exists()
     paths = done.stdout.splitlines()
-    (plan,) = events(done)
+    plan = events(done)[0]
     assert plan["event"] == "plan" and plan["files"] == 20 == len(paths)
     made = ocean.good(*BAKE, pattern("out/deep"), "--compression", "none").splitlines()
     assert made == paths

@@ -88,8 +88,8 @@ void show_forecast(const BakeForecast& forecast, const BakeForecast& beside, Con
             console.data(file.path + state + "\n");
         }
     }
-    for (const std::string& warning : forecast.warnings) console.warning(warning);
     report_forecast(forecast, beside, console);
+    for (const std::string& warning : forecast.warnings) console.warning(warning);
 }
 
 void report_forecast(const BakeForecast& forecast, const BakeForecast& beside, Console& console) {
