@@ -158,7 +158,7 @@ LIBRARIES = {
         below=("core", "seafile", "io", "sandbox"),
         foreign={
             "exr_raster.cpp": ("Imf",),
-            # Of the target that ocean-raster alone links.
+            # ocean-raster alone links the target of these files.
             "gdal_place.hpp": ("gdal.h",),
             "gdal_place.cpp": ("gdal", "cpl_", "ogr_"),
             "gdal_raster.cpp": ("gdal", "cpl_", "ogr_", "tiffio.h"),

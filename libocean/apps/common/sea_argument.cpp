@@ -21,8 +21,6 @@
 namespace ocean::app {
 namespace {
 
-constexpr char kTerrainHint[] = "; `ocean terrain` bakes one";
-
 Sea read_source(const std::string& source) {
     if (source.starts_with(kPresetPrefix)) {
         const std::string name = source.substr(kPresetPrefix.size());

@@ -49,7 +49,7 @@ SourceText read_source_text(const std::string& source, std::string_view kind) {
         throw Error(ErrorKind::bad_file,
                     source + ": shows a " + text::printable(provenance->kind) + " instead of " +
                         io::subject_words(kind).noun +
-                        (provenance->kind == kTerrainKind ? "; `ocean terrain` bakes one" : ""));
+                        (provenance->kind == kTerrainKind ? kTerrainHint : ""));
     }
     return {provenance->text, source, ""};
 }

@@ -11,6 +11,8 @@
 namespace ocean::app {
 
 inline constexpr std::string_view kPresetPrefix = "preset:";
+/// The end of each refusal of a terrain in the place of a sea.
+inline constexpr char kTerrainHint[] = "; `ocean terrain` bakes one";
 
 /// The text of a file of parameters, and where it comes from.
 struct SourceText {
