@@ -24,7 +24,11 @@ constexpr std::uint64_t kMaxNotes = 64;
 struct Writer {
     const sandbox::Sink& sink;
 
-    void count(std::uint64_t value, std::uint64_t) { sink(&value, sizeof(value)); }
+    template <typename Count>
+    void count(Count value, std::uint64_t) {
+        const auto sent = static_cast<std::uint64_t>(value);
+        sink(&sent, sizeof(sent));
+    }
     void number(double value) { sink(&value, sizeof(value)); }
     void factor(double value) { number(value); }
     void text(const std::string& text) {
@@ -115,7 +119,7 @@ void require_next(Reader& reader, Kind kind) {
 
 void encode(const std::function<void(const RasterReceiver&)>& read, const sandbox::Sink& sink) {
     Writer writer{sink};
-    const auto begin = [&](Kind kind) { writer.count(static_cast<std::uint64_t>(kind), 0); };
+    const auto begin = [&](Kind kind) { writer.count(kind, 0); };
     try {
         read({.begin =
                   [&](RasterFacts facts) {

@@ -230,8 +230,9 @@ TEST(Products, AreFoundByNameAmongThoseThatThereAre) {
         FAIL();
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(),
-                     "unknown product 'steep'; known: height, displacement, slope, normal, "
-                     "jacobian, whitecap, foam, velocity, derivatives, cover, steepness");
+                     "unknown product 'steep'; did you mean steepness?; known: height, "
+                     "displacement, slope, normal, jacobian, whitecap, foam, velocity, "
+                     "derivatives, cover, steepness");
     }
 }
 
