@@ -7,11 +7,11 @@
 #include <string>
 #include <utility>
 
-#include "modes/mode_lattice.hpp"
 #include "ocean/foam.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/surface.hpp"
+#include "waves/modes/mode_lattice.hpp"
 
 namespace ocean {
 

@@ -11,17 +11,17 @@
 #include <vector>
 
 #include "chain.hpp"
-#include "detail/detail_maps.hpp"
-#include "kernel/map_kernel.hpp"
+#include "coast/surface/coast.hpp"
+#include "coast/surface/region_channels.hpp"
+#include "coast/surface/shore_motion.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/parameter_table.hpp"
-#include "parameters/performer.hpp"
-#include "shore/coast.hpp"
-#include "shore/region_channels.hpp"
-#include "shore/shore_motion.hpp"
-#include "spray/spray_follower.hpp"
-#include "surface/map_writer.hpp"
+#include "waves/detail/detail_maps.hpp"
+#include "waves/kernel/map_kernel.hpp"
+#include "waves/spray/spray_follower.hpp"
+#include "waves/state/performer.hpp"
+#include "waves/surface/map_writer.hpp"
 
 namespace ocean {
 

@@ -5,9 +5,9 @@
 #pragma once
 
 #include "chain.hpp"
+#include "coast/surface/coast.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/ocean.hpp"
-#include "shore/coast.hpp"
 
 namespace ocean {
 

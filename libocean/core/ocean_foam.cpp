@@ -10,7 +10,7 @@
 
 #include "chain.hpp"
 #include "ocean/ocean.hpp"
-#include "surface/map_writer.hpp"
+#include "waves/surface/map_writer.hpp"
 
 namespace ocean {
 

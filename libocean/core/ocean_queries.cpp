@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "chain.hpp"
+#include "coast/surface/shore_motion.hpp"
+#include "coast/surface/shore_query.hpp"
+#include "coast/surface/shore_surface.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean_coast.hpp"
-#include "query/query_bounds.hpp"
-#include "shore/shore_motion.hpp"
-#include "shore/shore_query.hpp"
-#include "shore/shore_surface.hpp"
+#include "waves/query/query_bounds.hpp"
 
 namespace ocean {
 namespace {

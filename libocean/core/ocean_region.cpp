@@ -12,6 +12,9 @@
 #include <vector>
 
 #include "chain.hpp"
+#include "coast/surface/region_channels.hpp"
+#include "coast/surface/shore_query.hpp"
+#include "coast/surface/surf_labels.hpp"
 #include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
@@ -21,10 +24,7 @@
 #include "ocean/sea_bed.hpp"
 #include "ocean/surf_traces.hpp"
 #include "ocean_coast.hpp"
-#include "query/query_points.hpp"
-#include "shore/region_channels.hpp"
-#include "shore/shore_query.hpp"
-#include "shore/surf_labels.hpp"
+#include "waves/query/query_points.hpp"
 
 namespace ocean {
 namespace {

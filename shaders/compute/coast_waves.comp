@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The sums over the waves of a coast, a label for each invocation. Core's processor code is
-// shore/signal_code.hpp and shore/pair_code.hpp; it finishes the surface from these sums. Places
-// and phases are double until their whole turns and cells have gone: a carrier turns some thousand
-// times between the label and the world's origin, and single precision would lose 1e-4 of it.
+// coast/loops/signal_code.hpp and coast/loops/pair_code.hpp; it finishes the surface from these
+// sums. Places and phases are double until their whole turns and cells have gone: a carrier turns
+// some thousand times between the label and the world's origin, and single precision would lose
+// 1e-4 of it.
 // Jets: a value, its derivatives along x and y [1/m] and in time [1/s]; what does not change with
 // time has three components.
 // Defined outside: PARTS, the components of the sums that are written: 1, 3 or 4.
@@ -78,7 +79,7 @@ Turn turn_by(vec3 angle) {
     return Turn(vec3(at.cosine, -at.sine * angle.yz), vec3(at.sine, at.cosine * angle.yz));
 }
 
-// ---- maps that do not change with time: shore/quad_grid.hpp
+// ---- maps that do not change with time: field/quad_grid.hpp
 
 struct Place {
     ivec2 first;  // the sample before the label
@@ -133,7 +134,7 @@ vec3 field(Quads quads, int component) {
     return vec3(quads.value[component], quads.by_x[component], quads.by_y[component]);
 }
 
-// ---- signals: shore/signal_code.hpp
+// ---- signals: coast/loops/signal_code.hpp
 
 struct Signal {
     vec4 re, im;
@@ -188,7 +189,7 @@ Signal read_signal(Pair of, dvec2 place) {
     return Signal(vec4(value.x, by_x.x, by_y.x, rate.x), vec4(value.y, by_x.y, by_y.y, rate.y));
 }
 
-// ---- the sums: shore/pair_code.hpp
+// ---- the sums: coast/loops/pair_code.hpp
 
 struct WaveSums {
     vec4 z_re, z_im, squares, along_x, along_y, left_x, left_y;
@@ -234,7 +235,7 @@ float held_in_unit(float x) {
     return x <= 0.0 ? 0.0 : x >= 1.0 - 1e-6 ? 1.0 : x;
 }
 
-// coth(k d) of the bands' middles at a depth: shore/shore_depths.cpp
+// coth(k d) of the bands' middles at a depth: coast/statics/shore_depths.cpp
 void read_displacement(vec3 depth, out vec3 displacement[4]) {
     float at = clamp((log(depth.x) - first_log) * per_log, 0.0, float(depth_count - 1));
     int first = min(int(at), depth_count - 2);

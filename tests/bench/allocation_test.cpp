@@ -9,12 +9,12 @@
 #include <cstddef>
 #include <vector>
 
-#include "kernel/map_kernel.hpp"
 #include "ocean/cascade_map.hpp"
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/thread_pool.hpp"
-#include "surface/map_writer.hpp"
+#include "waves/kernel/map_kernel.hpp"
+#include "waves/surface/map_writer.hpp"
 
 // The sanitizers have these functions for themselves; other C libraries name theirs otherwise.
 #if !defined(__GLIBC__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

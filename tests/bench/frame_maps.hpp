@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "huge_array.hpp"
-#include "kernel/map_kernel.hpp"
 #include "subject.hpp"
+#include "waves/kernel/map_kernel.hpp"
 
 namespace ocean::bench {
 

@@ -10,12 +10,12 @@
 #include <cstring>
 #include <vector>
 
-#include "kernel/map_kernel.hpp"
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/thread_pool.hpp"
 #include "pass_traffic.hpp"
+#include "waves/kernel/map_kernel.hpp"
 
 namespace {
 

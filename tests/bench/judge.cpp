@@ -9,7 +9,7 @@
 #include <cmath>
 #include <complex>
 
-#include "synthesis/synthesis.hpp"
+#include "waves/synthesis/synthesis.hpp"
 
 namespace ocean::bench {
 

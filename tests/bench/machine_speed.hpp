@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-#include "kernel/simd_level.hpp"
+#include "base/simd/simd_level.hpp"
 
 namespace ocean::bench {
 

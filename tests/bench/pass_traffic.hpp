@@ -4,7 +4,7 @@
 // The bytes that the two passes of a frame must read and write.
 #pragma once
 
-#include "kernel/frame_task.hpp"
+#include "waves/kernel/frame_task.hpp"
 
 namespace ocean::bench {
 

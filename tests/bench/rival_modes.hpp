@@ -10,8 +10,8 @@
 #include <memory>
 #include <vector>
 
+#include "base/simd/simd_level.hpp"
 #include "huge_array.hpp"
-#include "kernel/simd_level.hpp"
 #include "ocean/modes.hpp"
 
 namespace ocean::bench {

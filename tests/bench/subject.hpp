@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/simd_level.hpp"
+#include "base/simd/simd_level.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/thread_pool.hpp"
 #include "rival_modes.hpp"

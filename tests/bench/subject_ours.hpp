@@ -7,10 +7,10 @@
 #include <memory>
 #include <vector>
 
-#include "kernel/map_kernel.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/thread_pool.hpp"
 #include "subject.hpp"
+#include "waves/kernel/map_kernel.hpp"
 
 namespace ocean::bench {
 

@@ -74,8 +74,8 @@ LIBRARIES = {
                 "xmmintrin.h",
             ),
             "base/text.cpp": ("cstdio",),  # snprintf alone
-            "kernel/simd.hpp": ("immintrin.h",),
-            "kernel/simd_level.cpp": ("cpuid.h",),
+            "base/simd/simd.hpp": ("immintrin.h",),
+            "kernels.cpp": ("cpuid.h",),
         },
         links=("Threads::Threads",),
         banned=STREAMS,

@@ -13,10 +13,10 @@
 #include "ocean/gl/backend.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/ocean.hpp"
-#include "surface/map_writer.hpp"
-#include "surface/plane_channels.hpp"
-#include "synthesis/mode_grid.hpp"
 #include "unit/test_seas.hpp"
+#include "waves/surface/map_writer.hpp"
+#include "waves/surface/plane_channels.hpp"
+#include "waves/synthesis/mode_grid.hpp"
 
 namespace ocean {
 namespace {

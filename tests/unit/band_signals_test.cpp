@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The signals of the pairs: reads of them are the sums of their modes, at any place and time.
-#include "shore/band_signals.hpp"
+#include "coast/loops/band_signals.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@
 #include <tuple>
 #include <vector>
 
+#include "coast/loops/signal_task.hpp"
 #include "divided_sea.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
-#include "shore/signal_task.hpp"
 
 namespace ocean {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The transform of sixteen columns against the reference transform.
-#include "shore/batch_fft.hpp"
+#include "coast/loops/batch_fft.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Breaking waves: limits of the formulas, and what limiter and shape keep of a random sea.
-#include "shore/breaking.hpp"
+#include "coast/statics/breaking.hpp"
 
 #include <gtest/gtest.h>
 

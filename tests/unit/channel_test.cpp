@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "ocean/error.hpp"
-#include "surface/map_writer.hpp"
 #include "test_seas.hpp"
+#include "waves/surface/map_writer.hpp"
 
 namespace ocean {
 namespace {

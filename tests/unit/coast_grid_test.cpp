@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
+#include "field/coast_blur.hpp"
+#include "field/coast_distance.hpp"
+#include "land/shoreline/coast_seas.hpp"
 #include "ocean/coast_profile.hpp"
 #include "ocean/error.hpp"
-#include "terrain/coast_blur.hpp"
-#include "terrain/coast_distance.hpp"
-#include "terrain/coast_seas.hpp"
 
 namespace ocean {
 namespace {

@@ -14,7 +14,6 @@
 #include <string>
 #include <vector>
 
-#include "detail/detail_plan.hpp"
 #include "ocean/cascades.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
@@ -22,6 +21,7 @@
 #include "ocean/ocean.hpp"
 #include "test_seas.hpp"
 #include "wave/wave.hpp"
+#include "waves/detail/detail_plan.hpp"
 
 namespace ocean {
 namespace {

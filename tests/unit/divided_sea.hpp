@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
+#include "coast/loops/band_signals.hpp"
 #include "ocean/modes.hpp"
 #include "ocean/thread_pool.hpp"
-#include "shore/band_signals.hpp"
 #include "test_seas.hpp"
 
 namespace ocean::test {

@@ -3,7 +3,7 @@
 //
 // The energy of waves over a bed, against bulk models of a surf zone, the geometry of shadows and
 // its own symmetries.
-#include "shore/energy_march.hpp"
+#include "coast/statics/energy_march.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,10 +17,10 @@
 #include <string>
 #include <vector>
 
+#include "coast/statics/breaking.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
 #include "ocean/thread_pool.hpp"
-#include "shore/breaking.hpp"
 
 namespace ocean {
 namespace {

@@ -14,12 +14,12 @@
 #include <limits>
 #include <random>
 
-#include "gauge/chi_squared.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/gauge_series.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/query.hpp"
 #include "test_seas.hpp"
+#include "waves/gauge/chi_squared.hpp"
 
 namespace ocean {
 namespace {

@@ -18,12 +18,12 @@
 #include <vector>
 
 #include "gully_points.hpp"
+#include "land/gullies/gullies_task.hpp"
 #include "land/land.hpp"
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/thread_pool.hpp"
 #include "simd_levels.hpp"
-#include "terrain/gullies_task.hpp"
 
 namespace ocean {
 namespace {

@@ -12,9 +12,9 @@
 #include <random>
 #include <vector>
 
+#include "land/gullies/gullies_task.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/gullies.hpp"
-#include "terrain/gullies_task.hpp"
 
 namespace ocean::test {
 

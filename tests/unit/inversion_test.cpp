@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Inverting the displacement of waves that are known, and of sources that cannot be inverted.
-#include "query/inversion.hpp"
+#include "waves/query/inversion.hpp"
 
 #include <gtest/gtest.h>
 

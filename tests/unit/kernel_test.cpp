@@ -8,12 +8,12 @@
 #include <cstring>
 #include <random>
 
-#include "kernel/frame_parts.hpp"
-#include "kernel/frame_task.hpp"
-#include "kernel/map_kernel.hpp"
 #include "simd_levels.hpp"
-#include "synthesis/mode_grid.hpp"
 #include "test_seas.hpp"
+#include "waves/kernel/frame_parts.hpp"
+#include "waves/kernel/frame_task.hpp"
+#include "waves/kernel/map_kernel.hpp"
+#include "waves/synthesis/mode_grid.hpp"
 
 namespace ocean {
 namespace {

@@ -16,10 +16,10 @@
 #include <string>
 #include <vector>
 
-#include "land/base_detail.hpp"
-#include "land/fine_waves.hpp"
-#include "land/place_hash.hpp"
-#include "land/spline_grid.hpp"
+#include "field/spline_grid.hpp"
+#include "land/function/base_detail.hpp"
+#include "land/function/fine_waves.hpp"
+#include "land/function/place_hash.hpp"
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/land.hpp"

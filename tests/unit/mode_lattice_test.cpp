@@ -3,7 +3,7 @@
 //
 // Modes rebuilt for other waves equal those built at once, and data that does not depend on the
 // waves is not touched.
-#include "modes/mode_lattice.hpp"
+#include "waves/modes/mode_lattice.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,10 +16,10 @@
 #include <utility>
 #include <vector>
 
-#include "modes/quadrant_sampler.hpp"
 #include "ocean/dispersion.hpp"
 #include "test_seas.hpp"
 #include "wave/wave.hpp"
+#include "waves/modes/quadrant_sampler.hpp"
 
 namespace ocean {
 namespace {

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "modes/noise_row.hpp"
+#include "base/noise_row.hpp"
 #include "wave/wave.hpp"
 
 namespace ocean {

@@ -3,7 +3,7 @@
 //
 // Maps of a coast between their samples: blocks of labels read what a single label reads, whatever
 // their order and wherever they lie.
-#include "shore/quad_grid.hpp"
+#include "field/quad_grid.hpp"
 
 #include <gtest/gtest.h>
 

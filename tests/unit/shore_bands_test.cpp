@@ -3,7 +3,7 @@
 //
 // The division of a sea into bands and sectors: that it is a partition, and that the variances of
 // its pairs are those of the spectrum.
-#include "shore/shore_bands.hpp"
+#include "coast/statics/shore_bands.hpp"
 
 #include <gtest/gtest.h>
 

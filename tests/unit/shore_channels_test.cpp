@@ -12,11 +12,11 @@
 #include <string_view>
 #include <vector>
 
+#include "coast/statics/shore_statics.hpp"
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/query.hpp"
 #include "ocean/sea_bed.hpp"
-#include "shore/shore_statics.hpp"
 
 namespace ocean {
 namespace {

@@ -3,7 +3,7 @@
 //
 // Delays of waves over a bed: the affine maps keep the wave vectors and group speeds of a whole
 // sea, and deep water is left exactly as it is.
-#include "shore/shore_delays.hpp"
+#include "coast/statics/shore_delays.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 #include <limits>
 #include <vector>
 
-#include "shore/shore_land.hpp"
+#include "coast/statics/shore_land.hpp"
 #include "shore_waves.hpp"
 
 namespace ocean {

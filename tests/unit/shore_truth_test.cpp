@@ -17,17 +17,17 @@
 #include <utility>
 #include <vector>
 
+#include "coast/statics/breaking.hpp"
+#include "coast/statics/energy_march.hpp"
+#include "coast/statics/shore_bands.hpp"
+#include "coast/statics/shore_delays.hpp"
+#include "coast/surface/swash.hpp"
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/fft.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/sea_bed.hpp"
 #include "ocean/thread_pool.hpp"
-#include "shore/breaking.hpp"
-#include "shore/energy_march.hpp"
-#include "shore/shore_bands.hpp"
-#include "shore/shore_delays.hpp"
-#include "shore/swash.hpp"
 #include "shore_waves.hpp"
 #include "wave_moments.hpp"
 

@@ -12,12 +12,12 @@
 #include <random>
 #include <vector>
 
+#include "coast/bed/bed_grid.hpp"
+#include "coast/statics/eikonal.hpp"
+#include "coast/statics/shore_bands.hpp"
+#include "coast/statics/shore_delays.hpp"
+#include "coast/statics/slowness.hpp"
 #include "ocean/dispersion.hpp"
-#include "shore/bed_grid.hpp"
-#include "shore/eikonal.hpp"
-#include "shore/shore_bands.hpp"
-#include "shore/shore_delays.hpp"
-#include "shore/slowness.hpp"
 
 namespace ocean {
 

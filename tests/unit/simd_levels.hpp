@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "kernel/simd_level.hpp"
+#include "base/simd/simd_level.hpp"
 
 namespace ocean::test {
 

@@ -17,9 +17,9 @@
 #include "ocean/error.hpp"
 #include "ocean/foam.hpp"
 #include "ocean/sea_bed.hpp"
-#include "spray/spray_birth.hpp"
-#include "spray/spray_flight.hpp"
 #include "test_seas.hpp"
+#include "waves/spray/spray_birth.hpp"
+#include "waves/spray/spray_flight.hpp"
 
 namespace ocean {
 namespace {

@@ -13,12 +13,12 @@
 #include <tuple>
 #include <vector>
 
+#include "land/streams/stream_coarse.hpp"
+#include "land/streams/stream_flood.hpp"
+#include "land/streams/stream_heights.hpp"
+#include "land/streams/stream_tree.hpp"
 #include "ocean/error.hpp"
 #include "ocean/stream_power.hpp"
-#include "terrain/stream_coarse.hpp"
-#include "terrain/stream_flood.hpp"
-#include "terrain/stream_heights.hpp"
-#include "terrain/stream_tree.hpp"
 
 namespace ocean {
 namespace {

@@ -14,10 +14,10 @@
 #include <span>
 #include <vector>
 
+#include "land/streams/stream_creep.hpp"
+#include "land/streams/stream_land.hpp"
 #include "ocean/grid.hpp"
 #include "stream_island.hpp"
-#include "terrain/stream_creep.hpp"
-#include "terrain/stream_land.hpp"
 
 namespace ocean {
 namespace {

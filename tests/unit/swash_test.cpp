@@ -12,15 +12,15 @@
 #include <string>
 #include <vector>
 
+#include "coast/statics/shore_bands.hpp"
+#include "coast/surface/shore_surface.hpp"
+#include "coast/surface/swash.hpp"
+#include "field/jet.hpp"
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/sea_bed.hpp"
 #include "ocean/thread_pool.hpp"
-#include "shore/jet.hpp"
-#include "shore/shore_bands.hpp"
-#include "shore/shore_surface.hpp"
-#include "shore/swash.hpp"
 
 namespace ocean {
 namespace {

@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-#include "modes/noise_streams.hpp"
+#include "base/noise_streams.hpp"
 #include "ocean/error.hpp"
 #include "ocean/fft.hpp"
 #include "ocean/grid.hpp"

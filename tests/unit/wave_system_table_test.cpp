@@ -3,7 +3,7 @@
 //
 // The rows of a wave system: linear interpolation between them keeps the density that they were
 // made from, whatever wind, fetch, peak, depth and limit of the frequencies.
-#include "spectrum/wave_system_table.hpp"
+#include "waves/spectrum/wave_system_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// From the modes of the pairs to spline coefficients of one time; see band_signals.hpp. The reads
+// are in band_reads.cpp.
+#include "coast/loops/band_signals.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "wave/wave.hpp"
+
+namespace ocean {
+
+namespace formula = wave::double_precision;
+
+namespace {
+
+constexpr auto kBatch = static_cast<std::size_t>(kFftBatch);
+constexpr std::size_t kColumnsBefore = 1;  // in a row of coefficients: one before the first
+constexpr std::size_t kColumnsBeyond = 4;  // in all: three after the last
+
+/// Returns e^(-i omega t) of a mode.
+std::complex<double> phase_of(double rate, double tau) {
+    const double turns = formula::phase_turns(rate, 0.0, tau, 0.0);
+    const formula::SinCos phase = formula::sin_cos_turns(turns);
+    return {phase.cosine, -phase.sine};
+}
+
+}  // namespace
+
+BandSignals::BandSignals(const Modes& modes, const ShoreBands& bands, double spline_tolerance,
+                         bool rates)
+    : rates_(rates) {
+    clock_.loop_period = modes.loop_period;
+    std::vector<BandLattice> lattices = gather_bands(modes, bands);
+    const std::vector<std::array<int, 2>> sides = choose_sides(lattices, spline_tolerance);
+    pairs_.resize(lattices.size());
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        pairs_[i].lattice = std::move(lattices[i]);
+        prepare(pairs_[i], sides[i]);
+        for (std::size_t map = 0; map < (rates ? 2u : 1u); ++map) {
+            const int rows = 2 * pairs_[i].lattice.reach[1] + 1;
+            for (int m = 0; m < rows; m += kFftBatch) row_batches_.push_back({i, map, m});
+            for (int c = 0; c < sides[i][0]; c += kFftBatch) column_batches_.push_back({i, map, c});
+        }
+    }
+}
+
+void BandSignals::prepare(Pair& pair, std::array<int, 2> side) const {
+    const BandLattice& lattice = pair.lattice;
+    pair.side = side;
+    for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
+        const int reach = lattice.reach[axis];
+        pair.fft.emplace_back(side[axis], reach);
+        for (int n = -reach; n <= reach; ++n) {
+            pair.gain[axis].push_back(static_cast<float>(spline_gain(n, side[axis])));
+        }
+    }
+    std::size_t at = 0;
+    for (int m = -lattice.reach[1]; m <= lattice.reach[1]; ++m) {
+        pair.row_begin.push_back(at);
+        while (at < lattice.modes.size() && lattice.modes[at].m == m) ++at;
+    }
+    pair.row_begin.push_back(at);
+    const auto width = static_cast<std::size_t>(side[0]);
+    const auto height = static_cast<std::size_t>(side[1]);
+    for (std::size_t map = 0; map < (rates_ ? 2u : 1u); ++map) {
+        pair.rows[map].resize(pair.gain[1].size() * (width / kBatch));
+        pair.map[map].pitch = width + kColumnsBeyond;
+        pair.map[map].values.resize(2 * height * pair.map[map].pitch);
+    }
+}
+
+void BandSignals::move_to(double time, ThreadPool& pool) {
+    const double tau = clock_.tau(time);
+    std::vector<Work> work(static_cast<std::size_t>(pool.size()));
+    pool.for_each_item(static_cast<int>(row_batches_.size()), [&](int item, int thread) {
+        transform_rows(row_batches_[static_cast<std::size_t>(item)], tau,
+                       work[static_cast<std::size_t>(thread)]);
+    });
+    pool.for_each_item(static_cast<int>(column_batches_.size()), [&](int item, int thread) {
+        transform_columns(column_batches_[static_cast<std::size_t>(item)],
+                          work[static_cast<std::size_t>(thread)]);
+    });
+}
+
+/// Propagates the modes of kFftBatch rows, transforms them along x and stores them row by row.
+void BandSignals::transform_rows(const Batch& batch, double tau, Work& work) {
+    Pair& pair = pairs_[batch.pair];
+    const BandLattice& lattice = pair.lattice;
+    const auto first = static_cast<std::size_t>(batch.first);
+    const std::size_t last = std::min(first + kBatch, pair.gain[1].size());
+    work.spectrum.assign(pair.gain[0].size(), BatchRow{});
+    for (std::size_t row = first; row < last; ++row) {
+        for (std::size_t i = pair.row_begin[row]; i < pair.row_begin[row + 1]; ++i) {
+            const BandMode& mode = lattice.modes[i];
+            std::complex<double> h =
+                std::complex<double>(mode.amplitude) * phase_of(mode.rate, tau);
+            if (batch.map == 1) {
+                const double omega = kTwoPi * clock_.rate_unit() * mode.rate;
+                h = {omega * h.imag(), -omega * h.real()};
+            }
+            const auto column = static_cast<std::size_t>(mode.n + lattice.reach[0]);
+            h *= pair.gain[0][column] * pair.gain[1][row];
+            work.spectrum[column].real()[row - first] += static_cast<float>(h.real());
+            work.spectrum[column].imaginary()[row - first] += static_cast<float>(h.imag());
+        }
+    }
+    const auto width = static_cast<std::size_t>(pair.side[0]);
+    if (work.samples.size() < width) work.samples.resize(width);
+    pair.fft[0].transform(work.spectrum.data(), 1, work.samples.data());
+    for (std::size_t row = first; row < last; ++row) {
+        BatchRow* const to = pair.rows[batch.map].data() + row * (width / kBatch);
+        for (std::size_t x = 0; x < width; ++x) {
+            to[x / kBatch].real()[x % kBatch] = work.samples[x].real()[row - first];
+            to[x / kBatch].imaginary()[x % kBatch] = work.samples[x].imaginary()[row - first];
+        }
+    }
+}
+
+/// Transforms kFftBatch columns along y and stores them as coefficients.
+void BandSignals::transform_columns(const Batch& batch, Work& work) {
+    Pair& pair = pairs_[batch.pair];
+    SplineRows& map = pair.map[batch.map];
+    const auto width = static_cast<std::size_t>(pair.side[0]);
+    const auto height = static_cast<std::size_t>(pair.side[1]);
+    const auto first = static_cast<std::size_t>(batch.first);
+    if (work.samples.size() < height) work.samples.resize(height);
+    pair.fft[1].transform(pair.rows[batch.map].data() + first / kBatch, width / kBatch,
+                          work.samples.data());
+    for (std::size_t y = 0; y < height; ++y) {
+        const float* const re = work.samples[y].real();
+        const float* const im = work.samples[y].imaginary();
+        float* const row = map.values.data() + 2 * y * map.pitch;
+        float* const to = row + 2 * (kColumnsBefore + first);
+        for (std::size_t x = 0; x < kBatch; ++x) {
+            to[2 * x] = re[x];
+            to[2 * x + 1] = im[x];
+        }
+        const auto copy = [&](std::size_t from, std::size_t column) {
+            row[2 * column] = re[from];
+            row[2 * column + 1] = im[from];
+        };
+        if (first + kBatch == width) copy(kBatch - 1, 0);
+        if (first == 0) {
+            for (std::size_t x = 0; x + kColumnsBefore < kColumnsBeyond; ++x) {
+                copy(x, kColumnsBefore + width + x);
+            }
+        }
+    }
+}
+
+ExactSignal BandSignals::exact(std::size_t index, double time, double x, double y) const {
+    const BandLattice& lattice = pairs_[index].lattice;
+    const double tau = clock_.tau(time);
+    const double turns_x = x / lattice.period - std::floor(x / lattice.period);
+    const double turns_y = y / lattice.period - std::floor(y / lattice.period);
+    const double step = kTwoPi / lattice.period;
+    ExactSignal sum;
+    for (const BandMode& mode : lattice.modes) {
+        const int n = mode.n + lattice.carrier[0];
+        const int m = mode.m + lattice.carrier[1];
+        const formula::SinCos place = formula::sin_cos_turns(n * turns_x + m * turns_y);
+        const std::complex<double> wave = std::complex<double>(mode.amplitude) *
+                                          phase_of(mode.rate, tau) *
+                                          std::complex<double>(place.cosine, place.sine);
+        const std::complex<double> turned(-wave.imag(), wave.real());  // times i
+        sum.value += wave;
+        sum.by_x += step * n * turned;
+        sum.by_y += step * m * turned;
+        sum.rate -= kTwoPi * clock_.rate_unit() * mode.rate * turned;
+    }
+    return sum;
+}
+
+std::uint64_t BandSignals::samples() const {
+    std::uint64_t sum = 0;
+    for (const Pair& pair : pairs_) {
+        sum += static_cast<std::uint64_t>(pair.side[0]) * static_cast<std::uint64_t>(pair.side[1]);
+    }
+    return sum;
+}
+
+std::uint64_t BandSignals::bytes() const {
+    std::uint64_t sum = 0;
+    for (const Pair& pair : pairs_) {
+        sum += pair.lattice.modes.size() * sizeof(BandMode);
+        for (const BatchFft& fft : pair.fft) sum += fft.bytes();
+        for (const std::vector<BatchRow>& rows : pair.rows) sum += rows.size() * sizeof(BatchRow);
+        for (const SplineRows& map : pair.map) sum += map.values.size() * sizeof(float);
+    }
+    return sum;
+}
+
+}  // namespace ocean

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The analytic signals of the pairs of a band and a sector at one time, for reads at any place:
+//
+//   eta(x, t) = sum over the modes of the pair of 2 h0(k) e^(i (k.x - omega t))
+//
+// Its real part is the height that these waves have in the open sea, its modulus their envelope.
+// Each pair is one complex inverse transform about a carrier K near its middle, e^(-i K.x) eta, to
+// the coefficients of a cubic B-spline (waves/query/spline_map.hpp has its theory). Stands between
+// the modes of the sea and the coast, which reads the signals at shifted places.
+#pragma once
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "coast/loops/band_lattice.hpp"
+#include "coast/loops/batch_fft.hpp"
+#include "coast/loops/signal_task.hpp"
+#include "coast/statics/shore_bands.hpp"
+#include "ocean/coast_waves.hpp"
+#include "ocean/modes.hpp"
+#include "ocean/page_vector.hpp"
+#include "ocean/thread_pool.hpp"
+
+namespace ocean {
+
+/// A signal at a place, summed mode by mode.
+struct ExactSignal {
+    std::complex<double> value;  // [m]
+    std::complex<double> by_x;
+    std::complex<double> by_y;
+    std::complex<double> rate;  // [m/s]
+};
+
+/// Copies are independent. Several threads may read one object while none moves it.
+class BandSignals {
+  public:
+    /// Takes what it needs of the modes. spline_tolerance: the rms error of a read of all pairs
+    /// together over their rms; of its gradient it is about (error)^(3/4), see spline_map.hpp.
+    /// Single precision limits both to about 2e-7. `rates` doubles the work of move_to and the
+    /// memory. Reads are allowed after the first move_to.
+    BandSignals(const Modes& modes, const ShoreBands& bands, double spline_tolerance = 2e-6,
+                bool rates = false);
+    /// Makes the maps of a time [s]. The bits are the same for any number of threads.
+    void move_to(double time, ThreadPool& pool);
+    /// Returns the number of pairs: ShoreBands::waves.size().
+    std::size_t count() const { return pairs_.size(); }
+    /// Writes the signals of pair `index` at n finite places [m]; the sea's period wraps. Throws
+    /// Error invalid_value for a rate of signals that were made without rates.
+    void read(std::size_t index, std::size_t n, const double* x, const double* y,
+              const SignalOutputs& out) const;
+    /// Writes the maps of pair `index` and where places lie in them. Valid until the next move_to.
+    void describe(std::size_t index, CoastPair& pair) const;
+    /// Returns the signal of pair `index` at a time and a place, in double, from its modes: slow,
+    /// and independent of move_to.
+    ExactSignal exact(std::size_t index, double time, double x, double y) const;
+    /// Returns the complex samples of all maps of one time, without those of the rates.
+    std::uint64_t samples() const;
+    std::uint64_t bytes() const;
+
+  private:
+    /// A SignalMap with its coefficients.
+    struct SplineRows {
+        std::size_t pitch = 0;
+        PageVector<float> values;
+    };
+    struct Pair {
+        BandLattice lattice;
+        std::array<int, 2> side{};
+        std::vector<BatchFft> fft;                  // along x and y
+        std::array<std::vector<float>, 2> gain;     // spline_gain of -reach .. reach
+        std::vector<std::size_t> row_begin;         // of the modes of m = -reach, and the end
+        std::array<std::vector<BatchRow>, 2> rows;  // of values and rates, transformed along x
+        std::array<SplineRows, 2> map;              // of values and rates
+    };
+    /// kFftBatch rows or columns of a map: work for one thread.
+    struct Batch {
+        std::size_t pair;
+        std::size_t map;
+        int first;
+    };
+    struct Work {
+        std::vector<BatchRow> spectrum;
+        std::vector<BatchRow> samples;
+    };
+    void prepare(Pair& pair, std::array<int, 2> side) const;
+    void transform_rows(const Batch& batch, double tau, Work& work);
+    void transform_columns(const Batch& batch, Work& work);
+
+    Modes clock_;  // without arrays: converts time to tau
+    bool rates_;
+    SignalLoop loop_ = signal_loop(simd_level());
+    std::vector<Pair> pairs_;
+    std::vector<Batch> row_batches_;
+    std::vector<Batch> column_batches_;
+};
+
+/// Returns the modes that are in no pair: those that stay as they are in the open sea. h0 of the
+/// others is 0. Each shell's covariance of gradients is reduced to the share of it that the
+/// remaining modes have in this draw. The lattices, and lattice_revision, are those of `modes`.
+Modes open_remainder(const Modes& modes, const ShoreBands& bands);
+
+}  // namespace ocean

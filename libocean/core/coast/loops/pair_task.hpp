@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The input of the loop that adds the waves of one pair to the labels of a block: plain data, so
+// that the files compiled for one instruction set need nothing of the standard library.
+#pragma once
+
+#include <cstddef>
+
+#include "base/simd/simd_level.hpp"
+
+namespace ocean {
+
+/// The parts of each number that are computed: its value; and its gradient [1/m]; and its rate
+/// [1/s].
+enum class JetParts { value = 1, gradient = 3, all = 4 };
+
+/// Arrays of one float for each label, whole vectors of 64 bytes long. Their first index is the
+/// part: value, by x, by y, by t.
+struct PairTask {
+    std::size_t count;
+    JetParts parts;
+    bool displaces;             // whether along_x and along_y are written; if not, values alone
+    float centre;               // direction of the middle of the sector [rad]
+    const float* delay[3][4];   // shift x and y [m], phase, turn [rad] of ShoreDelays::waves
+    const float* amplitude[3];  // relative to the open sea
+    const float* re[4];         // the signal at the shifted place, by that place [m]
+    const float* im[4];
+    const float* displacement[3];  // coth(k d)
+    // Sums over pairs, by the label: the waves [m], their squares, and their displacement at
+    // choppiness 1 [m].
+    float* real[4];
+    float* imaginary[4];
+    float* squares[4];  // of |Z| of each pair [m^2]
+    float* along_x[4];
+    float* along_y[4];
+};
+
+using PairLoop = void (*)(const PairTask&);
+
+/// Returns the loop of an instruction set that is compiled in.
+PairLoop pair_loop(SimdLevel level);
+
+}  // namespace ocean

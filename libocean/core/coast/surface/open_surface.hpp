@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Waves that no bed has changed, at any label: the periodic maps of some modes, read by cubic
+// splines that are fine enough for a stated error.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+#include "field/jet.hpp"
+#include "ocean/modes.hpp"
+#include "waves/query/spline_map.hpp"
+#include "waves/query/spline_strips.hpp"
+
+namespace ocean {
+
+class ThreadPool;
+
+/// Height and horizontal displacement D of linear waves at one label; a point is displayed at its
+/// label less choppiness times D.
+template <typename Scalar>
+struct LinearWaves {
+    Scalar height;          // [m]
+    Scalar displacement_x;  // [m]
+    Scalar displacement_y;
+};
+
+class OpenSurface {
+  public:
+    /// Chooses the smallest spline that shows the waves of a map of `shown` samples with an rms
+    /// error of heights of at most `tolerance` [m], but never more than 4096 samples or twice the
+    /// map's: see height_error().
+    OpenSurface(const Modes& modes, int shown, double tolerance, ThreadPool& pool);
+
+    /// Begins a time, unless it has begun: no map is made. `modes` must be those of the
+    /// constructor. rates: whether reads shall have derivatives in time.
+    void move_to(const Modes& modes, double time, bool rates, ThreadPool& pool);
+    /// Ends the time that has begun; its memory stays.
+    void forget() { has_begun_ = false; }
+    /// Makes what reads at x from `first` to `last` [m] need, on all threads. Other reads make it
+    /// on the calling thread.
+    void prepare(double first, double last, ThreadPool& pool) const;
+
+    /// Returns the waves at a label [m]. Scalar: Jet, or Plain without derivatives. Several threads
+    /// may read at once. Throws Error invalid_value if no time has begun.
+    template <typename Scalar>
+    LinearWaves<Scalar> read(double x, double y) const;
+    /// Returns the rms error of heights [m]: aliases of the shortest waves.
+    double height_error() const { return height_error_; }
+
+  private:
+    /// Maps are large, and foam needs none: they are made when a time begins.
+    struct Maps {
+        Maps(const Modes& modes, Lattice lattice, const ModeFactor& factor, ThreadPool& pool)
+            : strips(modes, lattice.resolution, factor, pool), position(lattice, pool) {}
+
+        SplineStrips strips;
+        SplineMap position;
+        std::optional<SplineMap> velocity;
+    };
+    struct Place {
+        double x, y;  // within the period
+    };
+    /// Returns a label within the period, whose strips are made.
+    Place place(double x, double y) const;
+
+    int shown_;
+    int samples_;
+    double period_;
+    double height_error_;
+    std::unique_ptr<Maps> maps_;
+    bool has_begun_ = false;
+    bool rates_ = false;
+};
+
+template <>
+LinearWaves<Jet> OpenSurface::read(double x, double y) const;
+template <>
+LinearWaves<Plain> OpenSurface::read(double x, double y) const;
+
+}  // namespace ocean

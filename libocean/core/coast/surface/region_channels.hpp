@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The channels of a region of a sea over its bed, from its surface and its foam.
+#pragma once
+
+#include <cstddef>
+
+#include "coast/surface/shore_surface.hpp"
+#include "field/quad_grid.hpp"
+#include "ocean/backend.hpp"
+#include "ocean/foam_layer.hpp"
+#include "ocean/query.hpp"
+#include "ocean/sea_bed.hpp"
+#include "ocean/surface.hpp"
+
+namespace ocean {
+
+/// The foam over a region: that of the open sea, by label over one period, and the faded earlier
+/// foam of breaking waves at the labels of the region.
+struct RegionFoamMaps {
+    FoamLayer surf;
+    Surface open;
+
+    /// Returns the foam at a label with that index. `breaking` and `surf`: those of its ShorePoint.
+    float foam(WorldPoint label, std::size_t index, float breaking, float in_surf) const;
+    /// Returns the share of the water that the foam hides.
+    float cover(WorldPoint label, std::size_t index, float breaking, float in_surf) const;
+
+  private:
+    float surf_alone(std::size_t index, float breaking) const;
+};
+
+/// Returns what channels of a region need of its surface.
+JetParts region_parts(ChannelSet channels);
+
+/// Ends the whitecaps of a region where the swash begins: its tips are foam that no wind tears off.
+void leave_out_swash(const SeaBed& bed, Surface& map);
+
+class RegionChannels {
+  public:
+    /// For maps of these channels. `wet`: the faded earlier wetness of the ground. Keeps references
+    /// to the other arguments.
+    RegionChannels(const ShoreSurface& surface, ChannelSet channels,
+                   const SurfaceSettings& settings, const RegionFoamMaps& foam,
+                   const FoamLayer& wet, const SeaBed& bed)
+        : surface_(surface),
+          parts_(region_parts(channels)),
+          settings_(settings),
+          foam_(foam),
+          wet_(wet),
+          bed_(bed) {}
+
+    /// Writes every channel of the map, on all threads. `sum_waves` sums the waves; empty: this
+    /// processor does.
+    void write(const CoastFunction& sum_waves, Surface& map, ThreadPool& pool) const;
+
+  private:
+    /// Writes row j. `ready`: the sums at its labels.
+    void write_row(int j, ReadySums ready, Surface& map) const;
+    float value(Channel channel, WorldPoint label, std::size_t index,
+                const ShorePoint& point) const;
+
+    const ShoreSurface& surface_;
+    JetParts parts_;
+    const SurfaceSettings& settings_;
+    const RegionFoamMaps& foam_;
+    const FoamLayer& wet_;
+    const SeaBed& bed_;
+};
+
+}  // namespace ocean

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The surface of a sea over its bed at points of the world: the label that is displayed at each
+// point, found by Newton's method, and the surface there.
+#pragma once
+
+#include <span>
+
+#include "coast/surface/shore_surface.hpp"
+#include "ocean/query.hpp"
+
+namespace ocean {
+
+class ThreadPool;
+
+/// Writes one sample for each point; foam is 0. The bits are the same for any number of threads.
+/// `labelled` receives the surface at the labels found. Points must be finite. exact: see
+/// ShoreSurface::read.
+void query_shore(const ShoreSurface& surface, std::span<const WorldPoint> points,
+                 std::span<QuerySample> samples, std::span<ShorePoint> labelled,
+                 const ShoreSums* exact, ThreadPool& pool);
+
+/// Throws Error unsupported for the waves of a coarser map, of which a coast knows nothing, and
+/// invalid_value for a `refine` that a map of the grid does not allow.
+void require_query_of_coast(const Grid& grid, const QueryOptions& options);
+
+/// Returns the unit normal of the displayed surface at a label, on the side seen from above.
+std::array<float, 3> shore_normal(const ShorePoint& point);
+/// Returns the Jacobian of the displayed surface: below 0 it has folded over.
+float shore_jacobian(const ShorePoint& point);
+
+}  // namespace ocean

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The surface of a sea over its bed, a pure function of label and time. The waves of each band and
+// sector are the open sea's at a shifted place, with a phase and an amplitude of the coast; their
+// sum is limited to the highest wave that the depth carries and takes the skewed, asymmetric shape
+// of waves that are about to break. Where the waves feel no bed this is the open sea, and at the
+// border of the bed the open sea takes over.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "coast/loops/band_signals.hpp"
+#include "coast/loops/pair_task.hpp"
+#include "coast/statics/breaking.hpp"
+#include "coast/statics/shore_statics.hpp"
+#include "coast/surface/open_spans.hpp"
+#include "coast/surface/open_surface.hpp"
+#include "coast/surface/surf_labels.hpp"
+#include "coast/surface/swash.hpp"
+#include "field/jet.hpp"
+#include "ocean/coast_waves.hpp"
+#include "ocean/modes.hpp"
+#include "ocean/parameters.hpp"
+#include "ocean/query.hpp"
+#include "ocean/wave_sum.hpp"
+
+namespace ocean {
+
+class ThreadPool;
+struct BlockPlaces;
+struct BlockSignal;
+struct WavyBlock;
+
+/// The surface at one label. A point is displayed at its label plus (dx, dy).
+struct ShorePoint {
+    Jet height;             // over still water [m]
+    Jet dx, dy;             // offset of the displayed point, choppiness included [m]
+    float bed = 0.0f;       // height of the bed below the label [m]; meaningless beyond the bed
+    float on_bed = 0.0f;    // weight of the coast's surface: 1 over the bed, 0 beyond its border
+    float surf = 0.0f;      // 0 where waves break by the wind, 1 where they do by the depth or
+                            // where none arrive
+    float breaking = 0.0f;  // source of foam by breaking waves and at the water line, 0 .. 1
+    float wetness = 1.0f;   // of the ground at this moment, 0 .. 1
+};
+
+/// Sums over the waves that a backend has written for a CoastRequest of some labels, from the label
+/// `first` on. Empty: none has.
+struct ReadySums {
+    std::span<const float> sums;
+    std::size_t labels = 0;  // of the request
+    std::size_t first = 0;
+};
+
+/// One band and sector of waves at a place, before the limiter.
+struct LocalWave {
+    Jet real, imaginary;      // the analytic signal [m]
+    double wavenumber = 0.0;  // of the band's middle at the local depth [rad/m]
+    double direction = 0.0;   // to which the waves travel [rad]
+};
+
+/// The weights of the waves of a place.
+struct LocalSea {
+    bool is_over_bed = false;
+    double bed = 0.0;      // its height [m]
+    double depth = 0.0;    // that the waves feel [m]
+    double felt = 0.0;     // weight of the waves of bands and sectors against the open sea's
+    double limited = 1.0;  // factor of the limiter
+    double calm = 1.0;     // factor of the waves in no band
+    double coast = 0.0;    // weights at the border of the bed
+    double open = 1.0;
+};
+
+/// The open sea's waves of one time, mode by mode in double precision: what exact reads of a
+/// ShoreSurface take instead of its maps.
+struct ShoreSums {
+    WaveSum open;
+    WaveSum remainder;  // the waves that are in no band
+    double time = 0.0;  // [s]
+
+    void set_time(double to);
+};
+
+class ShoreSurface {
+  public:
+    /// Rates are derivatives in time, which double the work of move_to.
+    enum class Rates { without, with };
+
+    /// `shown`: samples of the sea's map whose waves count. Shares the statics; keeps no reference
+    /// to other arguments.
+    ShoreSurface(const Modes& modes, const Parameters& parameters, const ShoreStatics& statics,
+                 int shown, Rates rates, ThreadPool& pool);
+
+    /// Begins another time [s]. No thread may read meanwhile.
+    void move_to(double time, ThreadPool& pool);
+    double time() const { return time_; }
+    Rates rates() const { return rates_; }
+    /// Makes the maps of the open sea that read() needs at the labels of a region, on all threads,
+    /// from the modes of the constructor. Required before read() at another time, which throws
+    /// Error invalid_value where a map is missing.
+    void prepare(const Modes& modes, const Domain& labels, ThreadPool& pool);
+    /// Makes those that it needs anywhere. Strips beyond x = `first` .. `last` [m] are made where
+    /// they are read, on the calling thread.
+    void prepare(const Modes& modes, double first, double last, ThreadPool& pool);
+    /// Writes the surface at each label, on the calling thread: of its heights and offsets the
+    /// `parts`, of which `all` needs Rates::with; the others are 0. Values have the same bits
+    /// whichever parts are written. Several threads may read at once. `exact`: the waves are those
+    /// of its time, of which each mode is summed; prepare() and move_to() are not needed then.
+    /// `ready`: a backend has summed the waves.
+    void read(std::span<const WorldPoint> labels, JetParts parts, std::span<ShorePoint> points,
+              const ShoreSums* exact = nullptr, ReadySums ready = {}) const;
+    /// Returns what a backend needs to sum the waves. Valid until the next move_to.
+    CoastWaves waves() const;
+    /// Writes at labels in the surf and in the swash ShorePoint::breaking, the source of foam, and
+    /// the depth of the water [m], of which the part in the swash alone counts: elsewhere it is
+    /// that of still water.
+    void read_surf(const SurfLabels& labels, std::span<float> breaking,
+                   std::span<float> depths) const;
+
+    /// Returns the weights of a place, and writes its waves; empty where none feels the bed.
+    /// Signals must be those of the time; prepare() is not needed. exact: see read().
+    LocalSea local_sea(WorldPoint place, std::vector<LocalWave>& waves,
+                       const ShoreSums* exact = nullptr) const;
+    /// Returns sums of its modes at time 0; `modes` and `water` are those of the constructor.
+    ShoreSums sums(const Modes& modes, const Water& water) const;
+    /// Returns the modes of the waves that are in no band.
+    const Modes& remainder_modes() const { return remainder_modes_; }
+
+    const ShoreStatics& statics() const { return statics_; }
+    const RunUpSea& run_up() const { return run_up_; }
+    double choppiness() const { return choppiness_; }
+    /// Returns the rms error of heights by the splines of the open sea [m].
+    double height_error() const { return open_.height_error(); }
+    /// Returns the max distance between a label and the point where it is displayed [m].
+    double reach() const { return reach_; }
+
+  private:
+    template <typename Scalar>
+    struct Block;
+    template <typename Scalar>
+    void read_block(Block<Scalar>& block, const ReadySums& ready,
+                    std::span<ShorePoint> points) const;
+    template <typename Scalar>
+    void find_wavy(Block<Scalar>& block) const;
+    template <typename Scalar>
+    void find_lee(Block<Scalar>& block, std::size_t i) const;
+    template <typename Scalar>
+    void lower_in_lee(Block<Scalar>& block) const;
+    template <typename Scalar>
+    void finish(Block<Scalar>& block, std::span<ShorePoint> points) const;
+    /// Returns the depth of the water at a label in the swash [m], by the waves in bands alone.
+    float swash_depth(const SurfLabels& labels, std::size_t at,
+                      const SwashWaves<float>& waves) const;
+    /// Ends a surface whose breaking waves reach a place in its swash. felt: see Block.
+    template <typename Scalar>
+    void end_in_swash(const SwashPlace<Scalar>& place, const SwashWaves<Scalar>& waves,
+                      const Scalar& felt, LinearWaves<Scalar>& surface, ShorePoint& point) const;
+    void prepare(const Modes& modes, const OpenSpans& spans, ThreadPool& pool);
+    /// Writes where labels lie in the maps of the coast.
+    void find_places(BlockPlaces& places) const;
+    /// Adds all waves at labels that feel the bed, without `displaces` the values of Z alone.
+    void add_waves(JetParts parts, bool displaces, const ShoreSums* exact, WavyBlock& block) const;
+    /// Takes them from a backend's instead.
+    static void take_sums(JetParts parts, const ReadySums& ready, WavyBlock& block);
+    void add_left(std::size_t waves, JetParts parts, const ShoreSums* exact,
+                  WavyBlock& block) const;
+    /// Writes the signal of one of the waves at `count` places.
+    void read_signal(std::size_t waves, std::size_t count, const double* x, const double* y,
+                     JetParts parts, const ShoreSums* exact, BlockSignal& signal) const;
+
+    ShoreStatics statics_;
+    RunUpSea run_up_;
+    double choppiness_;
+    int shown_;
+    double reach_;
+    Modes remainder_modes_;
+    OpenSurface open_;
+    OpenSurface remainder_;
+    BandSignals signals_;
+    LimiterGain limiter_gain_;
+    double time_ = 0.0;
+    Rates rates_;
+    PairLoop pair_loop_;
+    std::optional<Domain> region_;
+    OpenSpans region_spans_;  // of region_
+};
+
+}  // namespace ocean

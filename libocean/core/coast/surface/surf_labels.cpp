@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "coast/surface/surf_labels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "coast/statics/breaking.hpp"
+#include "coast/statics/shore_blend.hpp"
+#include "coast/surface/shore_block.hpp"
+#include "coast/surface/shore_surface.hpp"
+#include "coast/surface/swash.hpp"
+#include "ocean/thread_pool.hpp"
+
+namespace ocean {
+namespace {
+
+/// Land above this multiple of the 2 % run-up stays dry.
+constexpr float kNeverReached = 2.5f;
+
+/// Returns true where waves may run up, or the ground is near enough to the line of still water.
+bool is_in_swash(const RunUpSea& sea, const SwashPlace<Plain>& place) {
+    const float bed = place.bed.value();
+    if (!sea.runs_up || swash_weight(bed) <= 0.0f) return false;
+    const float highest = run_up_2_percent(run_up_scale(sea, place.arrival.value()),
+                                           beach_slope(place.slope.value()));
+    return bed <= kNeverReached * highest;
+}
+
+/// Appends those of up to kShoreBlock labels that are in the surf or in the swash.
+void append_surf(const ShoreStatics& statics, const RunUpSea& sea,
+                 std::span<const WorldPoint> labels, std::uint32_t first, SurfLabels& surf) {
+    const Domain& domain = statics.domain();
+    std::array<double, kShoreBlock> x{}, y{};
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        x[i] = labels[i].x;
+        y[i] = labels[i].y;
+    }
+    GridPlaces places;
+    QuadBlock broken, ground;
+    places.find(statics.energy->breaking.domain(), labels.size(), x.data(), y.data());
+    statics.energy->breaking.read(places, false, broken);
+    places.find(domain, labels.size(), x.data(), y.data());
+    statics.delays->ground.read(places, false, ground);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const float lee = statics.energy->lee.at(x[i], y[i]).height.value();
+        scale_field(broken, 0, i, Plain(lee));
+        scale_field(broken, 2, i, Plain(lee * lee));
+        const float rms_height = broken.value[0][i];
+        const float depth = ground.value[1][i];
+        const float on_bed = statics.share_of_coast(x[i], y[i]).value();
+        if (on_bed <= 0.0f) continue;
+        const auto place = swash_place<Plain>(ground, i, broken, i);
+        const bool runs_up = is_in_swash(sea, place);
+        const bool breaks = surf_weight(rms_height, depth) > 0.0f && place.bed.value() < 0.0f;
+        if (!runs_up && !breaks) continue;
+        surf.index.push_back(first + static_cast<std::uint32_t>(i));
+        surf.x.push_back(x[i]);
+        surf.y.push_back(y[i]);
+        surf.rms_height.push_back(rms_height);
+        surf.depth.push_back(depth);
+        surf.share.push_back(broken.value[1][i]);
+        surf.on_bed.push_back(on_bed);
+        surf.bed.push_back(place.bed.value());
+        surf.slope.push_back(place.slope.value());
+        surf.arrival.push_back(place.arrival.value());
+        surf.group_width.push_back(place.group_width.value());
+        surf.lee.push_back(lee);
+        surf.in_swash.push_back(runs_up ? 1 : 0);
+    }
+}
+
+}  // namespace
+
+std::vector<SurfLabels> find_surf(const ShoreStatics& statics, const RunUpSea& sea,
+                                  std::span<const WorldPoint> labels, ThreadPool& pool) {
+    constexpr std::size_t kPiece = 1024;
+    std::vector<SurfLabels> pieces((labels.size() + kPiece - 1) / kPiece);
+    pool.for_each_item(static_cast<int>(pieces.size()), [&](int piece, int) {
+        const auto p = static_cast<std::size_t>(piece);
+        const std::size_t end = std::min((p + 1) * kPiece, labels.size());
+        for (std::size_t i = p * kPiece; i < end; i += kShoreBlock) {
+            append_surf(statics, sea, labels.subspan(i, std::min(kShoreBlock, end - i)),
+                        static_cast<std::uint32_t>(i), pieces[p]);
+        }
+    });
+    return pieces;
+}
+
+void ShoreSurface::read_surf(const SurfLabels& labels, std::span<float> breaking,
+                             std::span<float> depths) const {
+    WavyBlock block;
+    for (std::size_t first = 0; first < labels.size(); first += kShoreBlock) {
+        BlockPlaces& places = block.places;
+        places.count = std::min(kShoreBlock, labels.size() - first);
+        std::copy_n(labels.x.begin() + static_cast<std::ptrdiff_t>(first), places.count,
+                    places.x.begin());
+        std::copy_n(labels.y.begin() + static_cast<std::ptrdiff_t>(first), places.count,
+                    places.y.begin());
+        find_places(places);
+        add_waves(JetParts::value, false, nullptr, block);
+        for (std::size_t n = 0; n < places.count; ++n) {
+            const std::size_t at = first + n;
+            const float lee = labels.lee[at];
+            const float real = lee * block.sums.real.part[0][n];
+            const float imaginary = lee * block.sums.imaginary.part[0][n];
+            const float squares = lee * lee * block.sums.squares.part[0][n];
+            const float bed = labels.bed[at];
+            const float source = breaking_source(real, imaginary, labels.rms_height[at],
+                                                 labels.depth[at], labels.share[at]);
+            breaking[at] = surf_left(bed) * source;
+            depths[at] = -bed;
+            if (labels.in_swash[at] != 0) {
+                depths[at] = swash_depth(labels, at, {real, imaginary, squares});
+                const float tip = tip_foam(depths[at], labels.slope[at], swash_weight(bed));
+                breaking[at] = std::max(breaking[at], tip);
+            }
+            breaking[at] *= labels.on_bed[at];
+        }
+    }
+}
+
+float ShoreSurface::swash_depth(const SurfLabels& labels, std::size_t at,
+                                const SwashWaves<float>& waves) const {
+    const float depth = labels.depth[at];
+    const SwashPlace<float> place{labels.bed[at], labels.slope[at], labels.arrival[at],
+                                  labels.rms_height[at], labels.group_width[at]};
+    const float k = statics_.energy->depths.at(Plain(depth)).wavenumber.value();
+    const float highest = highest_wave(k, depth, breaker_index(place.slope));
+    const float gain =
+        limiter_gain_(place.rms_height / highest, typical_shape_root(place.rms_height, k, depth));
+    const BrokenWave<float> broken = broken_wave(waves.re, waves.im, highest, gain, k, depth);
+    return swash_surface(run_up_, place, waves, broken.height).height - place.bed;
+}
+
+}  // namespace ocean

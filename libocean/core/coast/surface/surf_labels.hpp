@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The labels of a region over which waves can break by the depth or run up. Which they are does not
+// depend on time, so that foam and wet ground of many ticks are followed at these alone.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "coast/statics/shore_statics.hpp"
+#include "ocean/query.hpp"
+
+namespace ocean {
+
+class ThreadPool;
+struct RunUpSea;
+
+/// Arrays of one value for each label in the surf or the swash, in the order of the labels.
+struct SurfLabels {
+    std::vector<std::uint32_t> index;  // among the labels
+    std::vector<double> x, y;          // [m]
+    std::vector<float> rms_height;     // [m]
+    std::vector<float> depth;          // [m]
+    std::vector<float> share;          // of the waves that break
+    std::vector<float> on_bed;         // weight of the coast's surface
+    // See SwashPlace.
+    std::vector<float> bed, slope, arrival, group_width;
+    std::vector<float> lee;  // by which waves are lower behind narrow walls
+    std::vector<char> in_swash;
+
+    std::size_t size() const { return index.size(); }
+};
+
+/// Returns the labels in the surf and in the swash in pieces, each of at most 1024 consecutive
+/// labels. The indices count all labels.
+std::vector<SurfLabels> find_surf(const ShoreStatics& statics, const RunUpSea& sea,
+                                  std::span<const WorldPoint> labels, ThreadPool& pool);
+
+}  // namespace ocean

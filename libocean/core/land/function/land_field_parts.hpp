@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The parts that a LandField is the sum of.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "field/mask_grid.hpp"
+#include "field/spline_grid.hpp"
+#include "land/function/fine_waves.hpp"
+#include "land/function/shore_ground.hpp"
+#include "ocean/gullies.hpp"
+#include "ocean/land_mask.hpp"
+
+namespace ocean {
+
+struct LandFieldParts {
+    Domain domain;        // see LandField::domain()
+    double offset = 0.0;  // added to all heights [m]
+    std::shared_ptr<const SplinePyramid> base;
+    std::shared_ptr<const SplinePyramid> fine = nullptr;  // waves finer than gullies
+    std::optional<GullyFilter> gullies = {};
+    /// In place of base, gullies and finer waves as far as a shore reaches; empty: no shore.
+    std::shared_ptr<const ShoreGround> shore = nullptr;
+    std::shared_ptr<const FineWaves> detail = nullptr;
+    /// Share of the detail, which beaches and water have less of; empty: 1.
+    std::shared_ptr<const MaskGrid> detail_share = nullptr;
+    /// Masks of the domain; those of gullies are computed.
+    std::vector<std::pair<LandMask, std::shared_ptr<const MaskGrid>>> masks = {};
+};
+
+}  // namespace ocean

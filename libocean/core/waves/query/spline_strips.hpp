@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Spline maps of one time, made strip by strip where they are read: a few points need only a few
+// columns of a map, and pass two of the kernel, which is the larger part of its work, makes
+// columns.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "ocean/page_vector.hpp"
+#include "waves/kernel/map_kernel.hpp"
+#include "waves/kernel/packed_modes.hpp"
+#include "waves/query/lazy_tiles.hpp"
+
+namespace ocean {
+
+class ThreadPool;
+
+class SplineStrips {
+  public:
+    /// Packs the modes for maps of `resolution` samples.
+    SplineStrips(const Modes& modes, int resolution, const ModeFactor& factor, ThreadPool& pool);
+    /// Packs other modes. Returns false and changes nothing if their lattice differs.
+    bool repack(const Modes& modes, const ModeFactor& factor, ThreadPool& pool);
+
+    /// Begins another time, without any strip. The outputs' buffers must outlive the strips.
+    void begin(const Modes& modes, double time, std::span<const MapOutput> outputs,
+               ThreadPool& pool);
+
+    int count() const { return ready_.count(); }
+    int width() const { return width_; }
+    int strip_of(int column) const { return column / width_; }
+    bool has(int strip) const { return ready_.has(strip); }
+    /// Makes the missing ones of these strips, on the threads of the pool if it is not null.
+    void make(std::span<const int> strips, ThreadPool* pool) const;
+    void need(int strip) const {
+        if (!has(strip)) make({&strip, 1}, nullptr);
+    }
+
+  private:
+    std::shared_ptr<PackedModes> packed_;
+    MapKernel kernel_;
+    int width_;
+    mutable LazyTiles ready_;
+    mutable std::mutex making_;
+    mutable std::vector<PageVector<float>> scratch_;  // one for each thread
+};
+
+}  // namespace ocean

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The `radix2` backend: one full complex transform per field, as in the textbook. Its imaginary
+// parts must vanish, which shows that the modes are those of a real sea.
+#include <cmath>
+
+#include "ocean/fft.hpp"
+#include "ocean/thread_pool.hpp"
+#include "waves/synthesis/mode_grid.hpp"
+
+namespace ocean {
+
+LinearPlanes<float> synthesize_radix2(const MapModes& modes, LinearSet fields, ThreadPool& pool) {
+    LinearPlanes<float> planes;
+    const Radix2Fft<float> fft(modes.resolution);
+    // A field per item: the planes are independent of each other.
+    pool.for_each_item(kLinearCount, [&](int item, int) {
+        const Linear field = kLinears[static_cast<std::size_t>(item)];
+        if (!fields.contains(field)) return;
+        auto grid = coefficient_grid<float>(modes, field);
+        fft.transform_2d(grid, FftDirection::inverse);
+        planes[field].resize(grid.size());
+        for (std::size_t i = 0; i < grid.size(); ++i) planes[field][i] = grid[i].real();
+    });
+    return planes;
+}
+
+double imaginary_residue(const Modes& modes, double time) {
+    const MapModes all = map_modes(modes, time, modes.lattice.resolution);
+    auto grid = coefficient_grid<double>(all, Linear::height);
+    Radix2Fft<double>(all.resolution).transform_2d(grid, FftDirection::inverse);
+    double largest = 0.0;
+    double sum = 0.0;
+    for (const std::complex<double>& value : grid) {
+        largest = std::max(largest, std::abs(value.imag()));
+        sum += value.real() * value.real();
+    }
+    return sum > 0.0 ? largest / std::sqrt(sum / static_cast<double>(grid.size())) : 0.0;
+}
+
+}  // namespace ocean
