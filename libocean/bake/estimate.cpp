@@ -15,6 +15,7 @@
 #include "ocean/foam.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/platform.hpp"
+#include "ocean/internal/sea_bytes.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/text.hpp"

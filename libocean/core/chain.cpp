@@ -9,6 +9,7 @@
 
 #include "ocean/foam.hpp"
 #include "ocean/internal/memory.hpp"
+#include "ocean/internal/sea_bytes.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/surface.hpp"
 #include "waves/modes/mode_lattice.hpp"

@@ -16,6 +16,8 @@
 #include "coast/surface/shore_motion.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
+#include "ocean/internal/sea_bytes.hpp"
+#include "ocean/map_request.hpp"
 #include "ocean/parameter_table.hpp"
 #include "waves/detail/detail_maps.hpp"
 #include "waves/kernel/map_kernel.hpp"

@@ -6,7 +6,6 @@
 
 #include "chain.hpp"
 #include "coast/surface/coast.hpp"
-#include "ocean/internal/memory.hpp"
 #include "ocean/ocean.hpp"
 
 namespace ocean {

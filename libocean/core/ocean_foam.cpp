@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "chain.hpp"
+#include "ocean/map_request.hpp"
 #include "ocean/ocean.hpp"
 #include "waves/surface/map_writer.hpp"
 

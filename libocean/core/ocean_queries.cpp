@@ -16,6 +16,7 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/surface_query.hpp"
 #include "ocean_coast.hpp"
 #include "waves/query/query_bounds.hpp"
 

@@ -4,6 +4,7 @@
 // Heights by world position; see world_heights.hpp. A row of points at a time goes through the
 // query.
 #include "ocean/world_heights.hpp"
+#include "ocean/surface_query.hpp"
 
 #include <vector>
 

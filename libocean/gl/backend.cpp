@@ -13,6 +13,7 @@
 #include "map_frame.hpp"
 #include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
+#include "ocean/map_request.hpp"
 #include "ocean/page_vector.hpp"
 #include "ocean/thread_pool.hpp"
 #include "write_quantity.hpp"

@@ -14,6 +14,7 @@
 #include "ocean/backend.hpp"
 #include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
+#include "ocean/map_request.hpp"
 
 namespace ocean::gl {
 

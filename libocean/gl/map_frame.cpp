@@ -11,6 +11,7 @@
 
 #include "checks.hpp"
 #include "ocean/error.hpp"
+#include "ocean/map_request.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::gl {

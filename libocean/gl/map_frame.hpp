@@ -16,6 +16,7 @@
 #include "ocean/gl/context.hpp"
 #include "ocean/gl/objects.hpp"
 #include "ocean/gl/textures.hpp"
+#include "ocean/map_request.hpp"
 
 namespace ocean::gl {
 

@@ -8,6 +8,7 @@
 
 #include "ocean/backend.hpp"
 #include "ocean/gl/objects.hpp"
+#include "ocean/map_request.hpp"
 #include "ocean/page_vector.hpp"
 
 namespace ocean {

@@ -9,8 +9,10 @@
 
 #include "checks.hpp"
 #include "map_frame.hpp"
+#include "ocean/foam.hpp"
 #include "ocean/foam_follower.hpp"
 #include "ocean/gl/context.hpp"
+#include "ocean/map_request.hpp"
 #include "ocean/ocean.hpp"
 
 namespace ocean::gl {

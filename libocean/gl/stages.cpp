@@ -14,6 +14,7 @@
 #include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/internal/nearest_name.hpp"
+#include "ocean/map_request.hpp"
 #include "thesis_frame.hpp"
 
 namespace ocean::gl {

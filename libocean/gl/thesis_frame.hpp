@@ -13,6 +13,7 @@
 #include "ocean/backend.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/gl/objects.hpp"
+#include "ocean/map_request.hpp"
 
 namespace ocean::gl {
 

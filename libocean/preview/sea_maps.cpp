@@ -11,6 +11,7 @@
 #include "cover_power.hpp"
 #include "detail_tiles.hpp"
 #include "ocean/cascades.hpp"
+#include "ocean/foam.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/gl/shader_program.hpp"
 #include "ocean/gl/textures.hpp"

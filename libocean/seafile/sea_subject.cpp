@@ -15,13 +15,14 @@
 #include "ocean/cascades.hpp"
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/error.hpp"
-#include "ocean/internal/memory.hpp"
+#include "ocean/internal/sea_bytes.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/map_levels.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/region.hpp"
 #include "ocean/sea_bed.hpp"
 #include "ocean/seafile.hpp"
+#include "ocean/surface_query.hpp"
 #include "ocean/world_heights.hpp"
 
 namespace ocean {

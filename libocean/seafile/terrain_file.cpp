@@ -84,7 +84,7 @@ class TerrainReader {
     static void switch_on(Terrain& terrain, std::string_view section) {
         if (section == "terrain.gullies") terrain.gullies.depth = GullySettings{}.depth;
         if (section == "terrain.stream") terrain.stream.slope = StreamSettings{}.slope;
-        if (section == "terrain.coast") terrain.coast.beach_slope = CoastSettings{}.beach_slope;
+        if (section == "terrain.coast") terrain.coast.beach_slope = ShorelineSettings{}.beach_slope;
     }
 
     bool read_base_table(Terrain& terrain, std::string_view section, const TomlEntry& entry) {

@@ -12,9 +12,10 @@
 
 #include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
-#include "ocean/internal/memory.hpp"
+#include "ocean/internal/sea_bytes.hpp"
 #include "ocean/land_field.hpp"
 #include "ocean/region.hpp"
+#include "ocean/surface_query.hpp"
 #include "ocean/terrain_table.hpp"
 #include "ocean/terrainfile.hpp"
 #include "ocean/text.hpp"

@@ -11,6 +11,8 @@
 
 #include "ocean/cascade_map.hpp"
 #include "ocean/directional_spectrum.hpp"
+#include "ocean/foam.hpp"
+#include "ocean/map_request.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/kernel/map_kernel.hpp"

@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "ocean/coast_profile.hpp"
 #include "ocean/land.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/sea_bed.hpp"
+#include "ocean/shoreline_profile.hpp"
 
 namespace {
 
@@ -49,7 +49,7 @@ void shape_island(benchmark::State& state) {
         state.PauseTiming();
         std::vector<float> shaped = island;
         state.ResumeTiming();
-        benchmark::DoNotOptimize(ocean::shape_coast(shaped, domain, {}, pool));
+        benchmark::DoNotOptimize(ocean::shape_shoreline(shaped, domain, {}, pool));
     }
     state.SetItemsProcessed(state.iterations() * std::int64_t{side} * side);
 }

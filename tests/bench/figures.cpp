@@ -18,6 +18,8 @@
 #include "frame_maps.hpp"
 #include "machine_speed.hpp"
 #include "ocean/error.hpp"
+#include "ocean/foam.hpp"
+#include "ocean/map_request.hpp"
 #include "ocean/ocean.hpp"
 #include "subject_ours.hpp"
 #include "table.hpp"

@@ -16,6 +16,7 @@
 #include "map_frame.hpp"
 #include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
+#include "ocean/map_request.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/text.hpp"
 #include "thesis_frame.hpp"

@@ -33,6 +33,7 @@ HEADER_OWNER = {
     "ocean/internal/record_rules.hpp": "seafile",
     "ocean/sea_subject.hpp": "seafile",
     "ocean/seafile.hpp": "seafile",
+    "ocean/terrain_subject.hpp": "seafile",
     "ocean/terrainfile.hpp": "seafile",
     "ocean/internal/toml_sections.hpp": "seafile",
     "ocean/internal/utc_time.hpp": "seafile",
@@ -297,6 +298,101 @@ def folder_breaches(library: str, text: str) -> list[str]:
     return [f"{library}/CMakeLists.txt reaches into {name}" for name in foreign]
 
 
+# Folders of core that public headers without a source file of their name belong to.
+HEADER_FOLDER = {
+    "backend": "waves/modes",
+    "channel": "field",
+    "coast_waves": "coast/loops",
+    "detail": "waves/detail",
+    "domain": "field",
+    "enum_words": "base",
+    "foam_clock": "waves/foam",
+    "foam_follower": "waves/foam",
+    "foam_layer": "field",
+    "gauge": "waves/gauge",
+    "internal/linear_shape": "field",
+    "internal/platform": "base",
+    "land_mask": "field",
+    "land_quadtree": "field",
+    "map_output": "field",
+    "map_request": "waves/modes",
+    "measured_rings": "land/model",
+    "page_vector": "base",
+    "parameters": "waves/parameters",
+    "query": "field",
+    "revision": "base",
+    "spectrum_record": "waves/parameters",
+    "spray": "waves/spray",
+    "stage_runs": "waves/parameters",
+    "subject": "",
+    "subject_kind": "base",
+    "surf_traces": "coast/surface",
+    "surface_query": "waves/query",
+    "table": "base",
+    "table_member": "base",
+    "take": "waves/state",
+    "terrain": "land/model",
+    "version": "base",
+    "world_heights": "",
+}
+
+
+def header_folders() -> dict[str, str]:
+    """The folder of core that each public header of core belongs to; "" is core itself."""
+    core = ROOT / "core"
+    of_stem = {path.stem: str(path.parent.relative_to(core)) for path in core.rglob("*.cpp")}
+    folders = {}
+    for path in sources(ROOT / "include" / "ocean"):
+        name = str(path.relative_to(ROOT / "include"))
+        stem = name.removeprefix("ocean/").removesuffix(".hpp")
+        if owner_of_header(name) == "core":
+            folder = HEADER_FOLDER.get(stem, of_stem.get(Path(stem).name))
+            assert folder is not None, f"{name}: add it to HEADER_FOLDER"
+            folders[name] = folder.replace(".", "")
+    return folders
+
+
+def folder_arrows(folder_of: dict[str, str], includes: dict[str, list[str]]) -> dict[str, set]:
+    """The folders that each folder includes headers of; both dictionaries have files as keys."""
+    arrows = {}
+    for name, included in includes.items():
+        for header in included:
+            if folder_of.get(header, folder_of[name]) != folder_of[name]:
+                arrows.setdefault(folder_of[name], set()).add(folder_of[header])
+    return arrows
+
+
+def circle(arrows: dict[str, set]) -> list[str]:
+    """The folders that are left when those that no arrow leaves or reaches are taken away, again
+    and again."""
+    left = {name: set(to) for name, to in arrows.items()}
+    while True:
+        reached = {to for targets in left.values() for to in targets}
+        inner = {name: to & set(left) for name, to in left.items() if name in reached}
+        inner = {name: to for name, to in inner.items() if to}
+        if inner == left:
+            return sorted(left)
+        left = inner
+
+
+def core_arrows() -> dict[str, set]:
+    core = ROOT / "core"
+    folder_of, includes = header_folders(), {}
+    for path in sources(core):
+        folder_of[str(path.relative_to(core))] = str(path.parent.relative_to(core)).replace(".", "")
+    for path in sources(core) + [ROOT / "include" / name for name in header_folders()]:
+        beside = path.parent.relative_to(core) if core in path.parents else None
+        name = str(path.relative_to(core if beside is not None else ROOT / "include"))
+        included = re.findall(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', path.read_text(), re.M)
+        includes[name] = [
+            str(beside / header)
+            if beside is not None and (path.parent / header).exists()
+            else header
+            for header in included
+        ]
+    return folder_arrows(folder_of, includes)
+
+
 def sources(folder: Path) -> list[Path]:
     return sorted(path for path in folder.rglob("*") if path.suffix in {".cpp", ".hpp", ".h", ".c"})
 
@@ -336,6 +432,34 @@ def test_public_headers_go_one_way():
     for path in headers:
         name = str(path.relative_to(ROOT / "include"))
         assert not include_breaches(owner_of_header(name), name, path.read_text())
+
+
+def test_folders_of_core_have_no_circle():
+    """A folder is a room: what it includes never leads back to it."""
+    arrows = core_arrows()
+    assert len(arrows) > 20
+    inside = circle(arrows)
+    assert not inside, {name: sorted(arrows[name] & set(inside)) for name in inside}
+
+
+def test_a_circle_of_folders_is_found():
+    folder_of = {"a/x.cpp": "a", "b/y.hpp": "b", "c/z.hpp": "c"}
+    one_way = {"a/x.cpp": ["b/y.hpp"], "b/y.hpp": ["c/z.hpp", "elsewhere.hpp"]}
+    assert not circle(folder_arrows(folder_of, one_way))
+    assert circle(folder_arrows(folder_of, {**one_way, "c/z.hpp": ["b/y.hpp"]})) == ["b", "c"]
+
+
+def test_no_folder_of_core_is_wide():
+    wide = {
+        str(folder.relative_to(ROOT)): count
+        for folder in (ROOT / "core").rglob("*")
+        if folder.is_dir()
+        and (count := len([p for p in folder.iterdir() if p.suffix in (".cpp", ".hpp")])) > 30
+    }
+    assert not wide
+    assert all(
+        (folder / "README.md").exists() for folder in (ROOT / "core").rglob("*") if folder.is_dir()
+    )
 
 
 def test_installed_headers_include_installed_ones_alone():

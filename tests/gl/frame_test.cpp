@@ -10,8 +10,11 @@
 
 #include "ocean/error.hpp"
 #include "ocean/fft.hpp"
+#include "ocean/foam.hpp"
 #include "ocean/gl/backend.hpp"
 #include "ocean/gl/context.hpp"
+#include "ocean/make_surface.hpp"
+#include "ocean/map_request.hpp"
 #include "ocean/ocean.hpp"
 #include "unit/test_seas.hpp"
 #include "waves/surface/map_writer.hpp"

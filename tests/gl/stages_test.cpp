@@ -9,6 +9,7 @@
 #include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/gl/stages.hpp"
+#include "ocean/map_request.hpp"
 #include "ocean/ocean.hpp"
 #include "unit/test_seas.hpp"
 

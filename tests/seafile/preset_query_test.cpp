@@ -10,6 +10,7 @@
 #include "ocean/ocean.hpp"
 #include "ocean/query.hpp"
 #include "ocean/seafile.hpp"
+#include "ocean/surface_query.hpp"
 #include "ocean/wave_sum.hpp"
 
 namespace ocean {

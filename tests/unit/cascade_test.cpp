@@ -14,6 +14,9 @@
 #include "ocean/cascade_map.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
+#include "ocean/foam.hpp"
+#include "ocean/make_surface.hpp"
+#include "ocean/map_request.hpp"
 #include "test_seas.hpp"
 #include "wave/wave.hpp"
 

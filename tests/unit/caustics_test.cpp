@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "ocean/error.hpp"
+#include "ocean/make_surface.hpp"
 #include "ocean/thread_pool.hpp"
 #include "ocean/water_types.hpp"
 #include "test_seas.hpp"

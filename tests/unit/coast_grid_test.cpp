@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "field/coast_blur.hpp"
-#include "field/coast_distance.hpp"
-#include "land/shoreline/coast_seas.hpp"
-#include "ocean/coast_profile.hpp"
+#include "field/grid_blur.hpp"
+#include "field/zero_line.hpp"
+#include "land/shoreline/map_seas.hpp"
 #include "ocean/error.hpp"
+#include "ocean/shoreline_profile.hpp"
 
 namespace ocean {
 namespace {
@@ -26,10 +26,10 @@ namespace {
 TEST(CoastBlur, HasTheVarianceThatWasRequested) {
     ThreadPool pool(2);
     for (const double deviation : {1.0, 1.7, 5.0, 12.3}) {
-        const CoastGrid grid{201, 203};
+        const SampleGrid grid{201, 203};
         std::vector<float> map(grid.count());
         map[grid.index(100, 101)] = 1.0f;
-        CoastPasses passes(pool, {}, kBlurPasses);
+        GridPasses passes(pool, {}, kBlurPasses);
         blur(map, grid, deviation, passes);
         double sum = 0.0, x = 0.0, xx = 0.0, yy = 0.0, xy = 0.0;
         for (int j = 0; j < grid.rows; ++j) {
@@ -54,7 +54,7 @@ TEST(CoastBlur, HasTheVarianceThatWasRequested) {
 
 TEST(CoastBlur, ContinuesTheEdgeAndKeepsPlanes) {
     ThreadPool pool(2);
-    const CoastGrid grid{90, 33};
+    const SampleGrid grid{90, 33};
     std::vector<float> level(grid.count(), 7.0f), slope(grid.count()), step(grid.count());
     for (int j = 0; j < grid.rows; ++j) {
         for (int i = 0; i < grid.columns; ++i) {
@@ -63,7 +63,7 @@ TEST(CoastBlur, ContinuesTheEdgeAndKeepsPlanes) {
         }
     }
     for (std::vector<float>* map : {&level, &slope, &step}) {
-        CoastPasses passes(pool, {}, kBlurPasses);
+        GridPasses passes(pool, {}, kBlurPasses);
         blur(*map, grid, 4.0, passes);
     }
     for (int j = 0; j < grid.rows; ++j) {
@@ -79,7 +79,7 @@ TEST(CoastBlur, ContinuesTheEdgeAndKeepsPlanes) {
     // Beyond the edge the first value goes on: the mean of |x| of a Gaussian is 0.8 deviations.
     EXPECT_NEAR(slope[grid.index(0, 5)], 0.5f * 4.0f * 0.399f, 0.02f);
     // More of the same than the grid has.
-    CoastPasses passes(pool, {}, kBlurPasses);
+    GridPasses passes(pool, {}, kBlurPasses);
     blur(level, grid, 1e9, passes);
     EXPECT_NEAR(level[0], 7.0f, 1e-5f);
 }
@@ -87,22 +87,22 @@ TEST(CoastBlur, ContinuesTheEdgeAndKeepsPlanes) {
 // ---- Distance
 
 struct Distances {
-    CoastGrid grid;
+    SampleGrid grid;
     std::vector<float> map;
     std::vector<float> distance;
     std::vector<std::uint32_t> nearest;
 
-    Distances(CoastGrid size, std::vector<float> heights)
+    Distances(SampleGrid size, std::vector<float> heights)
         : grid(size), map(std::move(heights)), distance(grid.count()), nearest(grid.count()) {
         ThreadPool pool(3);
-        CoastPasses passes(pool, {}, kDistancePasses);
+        GridPasses passes(pool, {}, kDistancePasses);
         std::vector<float> offsets(grid.count());
-        shore_distance(map, grid, offsets, distance, nearest, passes);
+        zero_line_distance(map, grid, offsets, distance, nearest, passes);
     }
 };
 
 /// The line of a map by the definition: its ends in every square, sides of the square in turn.
-std::vector<std::array<double, 4>> line_of(const CoastGrid& grid, const std::vector<float>& map) {
+std::vector<std::array<double, 4>> line_of(const SampleGrid& grid, const std::vector<float>& map) {
     std::vector<std::array<double, 4>> parts;
     constexpr int kX[] = {0, 1, 1, 0}, kY[] = {0, 0, 1, 1};
     for (int j = 0; j + 1 < grid.rows; ++j) {
@@ -145,7 +145,7 @@ double distance_to(const std::vector<std::array<double, 4>>& line, double x, dou
 
 TEST(CoastDistance, IsThatToTheLine) {
     // Whole and broken waves with islands, pools, saddles and lines that end at the border.
-    for (const CoastGrid grid : {CoastGrid{47, 38}, CoastGrid{19, 53}, CoastGrid{33, 2}}) {
+    for (const SampleGrid grid : {SampleGrid{47, 38}, SampleGrid{19, 53}, SampleGrid{33, 2}}) {
         std::vector<float> map;
         for (int j = 0; j < grid.rows; ++j) {
             for (int i = 0; i < grid.columns; ++i) {
@@ -178,7 +178,7 @@ TEST(CoastDistance, IsThatToTheLine) {
 TEST(CoastDistance, IsExactBesideAStraightLineOfAnyDirection) {
     for (const double degrees : {0.0, 10.0, 30.0, 45.0, 77.0, 90.0, 200.0}) {
         const double c = std::cos(degrees * 0.017453293), s = std::sin(degrees * 0.017453293);
-        const CoastGrid grid{120, 100};
+        const SampleGrid grid{120, 100};
         std::vector<float> map;
         for (int j = 0; j < grid.rows; ++j) {
             for (int i = 0; i < grid.columns; ++i) {
@@ -212,7 +212,7 @@ TEST(CoastDistance, LandOnTheLineIsLand) {
 
 /// Returns the picture after raise_cut_off_seas: '.' is water, '#' land.
 std::vector<std::string> raised(const std::vector<std::string>& picture) {
-    const CoastGrid grid{static_cast<int>(picture[0].size()), static_cast<int>(picture.size())};
+    const SampleGrid grid{static_cast<int>(picture[0].size()), static_cast<int>(picture.size())};
     std::vector<float> map;
     for (const std::string& row : picture) {
         for (const char c : row) map.push_back(c == '#' ? 2.0f : c == '0' ? 0.0f : -1.0f);
@@ -279,18 +279,18 @@ TEST(CoastProfile, NoGridIsTooSmallAndNoNumberIsBroken) {
             for (int k = 0; k < columns * rows; ++k) {
                 heights.push_back(k % columns < columns / 2 ? -1e5f : 9e4f);
             }
-            CoastSettings extreme{.beach_slope = 1e-6,
-                                  .berm = 1e-6,
-                                  .face = 10.0,
-                                  .closure = 1e4,
-                                  .shelf = 1e-6,
-                                  .smooth = 1e-6,
-                                  .shelter = 1e6,
-                                  .width = 1e-6};
-            for (const CoastSettings& settings : {CoastSettings(), extreme}) {
+            ShorelineSettings extreme{.beach_slope = 1e-6,
+                                      .berm = 1e-6,
+                                      .face = 10.0,
+                                      .closure = 1e4,
+                                      .shelf = 1e-6,
+                                      .smooth = 1e-6,
+                                      .shelter = 1e6,
+                                      .width = 1e-6};
+            for (const ShorelineSettings& settings : {ShorelineSettings(), extreme}) {
                 std::vector<float> shaped = heights;
-                const CoastMaps maps =
-                    shape_coast(shaped, domain_of(columns, rows, cell), settings, pool);
+                const ShorelineMaps maps =
+                    shape_shoreline(shaped, domain_of(columns, rows, cell), settings, pool);
                 for (std::size_t k = 0; k < shaped.size(); ++k) {
                     EXPECT_TRUE(std::isfinite(shaped[k]));
                     EXPECT_TRUE(std::isfinite(maps.distance[k]));
@@ -315,7 +315,7 @@ TEST(CoastProfile, AGridWithoutAShoreKeepsItsHeights) {
             heights[k] = level + static_cast<float>(k % 7);
         }
         const std::vector<float> before = heights;
-        const CoastMaps maps = shape_coast(heights, domain, {}, pool);
+        const ShorelineMaps maps = shape_shoreline(heights, domain, {}, pool);
         EXPECT_EQ(heights, before);
         for (std::size_t k = 0; k < heights.size(); ++k) {
             EXPECT_EQ(maps.distance[k], level > 0.0f ? kNoShore : -kNoShore);
@@ -338,7 +338,7 @@ TEST(CoastProfile, LakesAloneAreFilledAndSmallRocksSunk) {
                 heights[static_cast<std::size_t>(80 * j + i)] = -6.0f * side;
             }
         }
-        const CoastMaps maps = shape_coast(heights, domain, {}, pool);
+        const ShorelineMaps maps = shape_shoreline(heights, domain, {}, pool);
         for (std::size_t k = 0; k < heights.size(); ++k) {
             EXPECT_GT(heights[k] * side, 0.0f);
             EXPECT_EQ(maps.distance[k], side * kNoShore);
@@ -353,9 +353,9 @@ TEST(CoastProfile, RefusesWhatItCannotShape) {
     std::vector<float> heights(good.count(), 1.0f);
     heights[7] = -4.0f;
     const std::vector<float> before = heights;
-    const auto refuses = [&](const Domain& domain, const CoastSettings& settings) {
+    const auto refuses = [&](const Domain& domain, const ShorelineSettings& settings) {
         try {
-            shape_coast(heights, domain, settings, pool);
+            shape_shoreline(heights, domain, settings, pool);
         } catch (const Error& error) {
             return error.kind() == ErrorKind::invalid_value && heights == before;
         }
@@ -375,20 +375,20 @@ TEST(CoastProfile, RefusesWhatItCannotShape) {
     bad = good;
     bad.samples = {48, 1};
     EXPECT_TRUE(refuses(bad, {}));
-    for (double CoastSettings::*const number :
-         {&CoastSettings::beach_slope, &CoastSettings::berm, &CoastSettings::face,
-          &CoastSettings::closure, &CoastSettings::shelf, &CoastSettings::smooth,
-          &CoastSettings::shelter, &CoastSettings::width}) {
+    for (double ShorelineSettings::*const number :
+         {&ShorelineSettings::beach_slope, &ShorelineSettings::berm, &ShorelineSettings::face,
+          &ShorelineSettings::closure, &ShorelineSettings::shelf, &ShorelineSettings::smooth,
+          &ShorelineSettings::shelter, &ShorelineSettings::width}) {
         for (const double value : {0.0, -1.0, 1e9, HUGE_VAL, std::nan("")}) {
-            CoastSettings settings;
+            ShorelineSettings settings;
             settings.*number = value;
             EXPECT_TRUE(refuses(good, settings)) << value;
         }
     }
     EXPECT_TRUE(refuses(good, {.level = std::nan("")}));
     heights[9] = std::numeric_limits<float>::infinity();
-    EXPECT_THROW(shape_coast(heights, good, {}, pool), Error);
-    EXPECT_EQ(coast_bytes(100), 2400u);
+    EXPECT_THROW(shape_shoreline(heights, good, {}, pool), Error);
+    EXPECT_EQ(shoreline_bytes(100), 2400u);
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ TEST(Eikonal, ObeysSnellsLawOnABeachOfAnyDirectionUpToTheBorder) {
 /// most: where a wave could arrive earlier, it does.
 double excess(const OneWave& wave) {
     double worst = -1.0;
-    const CoastGrid& grid = wave.grid;
+    const SampleGrid& grid = wave.grid;
     for (int j = 1; j + 1 < grid.rows; ++j) {
         for (int i = 1; i + 1 < grid.columns; ++i) {
             const auto fall = [&](int di, int dj) {

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "ocean/error.hpp"
+#include "ocean/surface_query.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <random>
 
+#include "ocean/map_request.hpp"
 #include "simd_levels.hpp"
 #include "test_seas.hpp"
 #include "waves/kernel/frame_parts.hpp"

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "divided_sea.hpp"
+#include "ocean/make_surface.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/wave_sum.hpp"
 

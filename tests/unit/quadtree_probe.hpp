@@ -5,6 +5,7 @@
 // high the shown surface is.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>

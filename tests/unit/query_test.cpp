@@ -15,6 +15,7 @@
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/surface_query.hpp"
 #include "ocean/wave_sum.hpp"
 #include "test_seas.hpp"
 #include "wave/wave.hpp"

@@ -33,7 +33,7 @@ SeaError sea_on_beach(double depth_of_check) {
     const int columns = 336, rows = 60;
     const BedGrid depth = grid_of(columns, rows, cell,
                                   [](double x, double) { return std::max(45.0 - x / 30.0, 0.6); });
-    const CoastGrid grid = size_of(depth);
+    const SampleGrid grid = size_of(depth);
     const Water water = water_of_depth(std::numeric_limits<double>::infinity());
     const ShoreBands bands = bands_of_wind_sea({-2, -1, 0, 1, 2});
     ShoreBands wrapped = bands;
@@ -85,7 +85,7 @@ TEST(ShoreDelays, KeepWaveVectorsOverARoughBed) {
     const double cell = 4.0;
     const BedGrid bed = rough_bed(200, 160, cell);
     const BedGrid depth = felt_depth(bed, std::numeric_limits<double>::infinity());
-    const CoastGrid grid = size_of(depth);
+    const SampleGrid grid = size_of(depth);
     const Water water = water_of_depth(std::numeric_limits<double>::infinity());
     const ShoreBands bands = bands_of_wind_sea({0, 1});
     ThreadPool pool(2);
@@ -240,7 +240,7 @@ TEST(ShoreLand, DelaysChangeByThreeHundredthsPastTheLastWater) {
     }
     const DelayMaps own = maps;
     continue_onto_land(maps, bed, nearest);
-    const CoastGrid grid = size_of(bed);
+    const SampleGrid grid = size_of(bed);
     for (int j = 0; j < 60; ++j) {
         for (int i = 0; i < 60; ++i) {
             const std::size_t at = grid.index(i, j);

@@ -276,7 +276,7 @@ TEST(ShoreTruth, FewWavesGoTheWrongWayInLees) {
     const ShoreBands bands = choose_bands(spectrum, sea);
     const BedGrid bed = fractal_bed_with_an_islet();
     const BedGrid depth = felt_depth(bed, sea.water.depth);
-    const CoastGrid grid = size_of(depth);
+    const SampleGrid grid = size_of(depth);
     ThreadPool pool(2);
     const std::vector<DelayMaps> maps = shore_delays(depth, bands, sea.water, pool);
     const EnergyMaps energy = march_energy(bed, bands, spectrum, sea.water, {}, pool);

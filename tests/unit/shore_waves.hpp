@@ -36,7 +36,7 @@ inline BedGrid grid_of(int columns, int rows, double cell,
     return grid;
 }
 
-inline CoastGrid size_of(const BedGrid& grid) {
+inline SampleGrid size_of(const BedGrid& grid) {
     return {grid.domain.samples[0], grid.domain.samples[1]};
 }
 
@@ -77,7 +77,7 @@ inline double wavenumber(double omega, double depth) {
 
 /// One wave over a bed: its slowness and delays by the solver alone.
 struct OneWave {
-    CoastGrid grid;
+    SampleGrid grid;
     std::vector<float> slowness;
     PlaneVector direction;
     std::vector<double> delay;  // [cells]
@@ -119,7 +119,7 @@ struct OneWave {
 };
 
 /// Returns the gradient of a map [1/m of its unit].
-inline PlaneVector gradient_of(const std::vector<float>& map, const CoastGrid& grid, double cell,
+inline PlaneVector gradient_of(const std::vector<float>& map, const SampleGrid& grid, double cell,
                                int i, int j) {
     const auto value = [&](int x, int y) { return double{map[grid.index(x, y)]}; };
     return {(value(i + 1, j) - value(i - 1, j)) / (2.0 * cell),
@@ -127,7 +127,7 @@ inline PlaneVector gradient_of(const std::vector<float>& map, const CoastGrid& g
 }
 
 /// Returns the wave vector that maps give a wave k of the open sea [rad/m].
-inline PlaneVector mapped_wave(const DelayMaps& maps, const CoastGrid& grid, double cell, int i,
+inline PlaneVector mapped_wave(const DelayMaps& maps, const SampleGrid& grid, double cell, int i,
                                int j, PlaneVector k) {
     const PlaneVector x = gradient_of(maps.shift_x, grid, cell, i, j);
     const PlaneVector y = gradient_of(maps.shift_y, grid, cell, i, j);

@@ -14,6 +14,7 @@
 
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
+#include "ocean/make_surface.hpp"
 #include "ocean/sea.hpp"
 #include "test_seas.hpp"
 

@@ -14,6 +14,7 @@
 #include <limits>
 
 #include "ocean/dispersion.hpp"
+#include "ocean/make_surface.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {

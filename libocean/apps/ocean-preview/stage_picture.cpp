@@ -10,6 +10,7 @@
 
 #include "ocean/backend.hpp"
 #include "ocean/error.hpp"
+#include "ocean/map_request.hpp"
 #include "ocean/preview/picture.hpp"
 
 namespace ocean::app {

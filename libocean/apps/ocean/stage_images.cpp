@@ -12,6 +12,7 @@
 #include "ocean/gl/stages.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/io/output_file.hpp"
+#include "ocean/map_request.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/sea_subject.hpp"
 

@@ -17,7 +17,7 @@
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/detail.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/internal/memory.hpp"
+#include "ocean/internal/sea_bytes.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/povray_declarations.hpp"
 #include "ocean/io/subject_words.hpp"

@@ -7,7 +7,7 @@
 #include "formats/formats.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/internal/memory.hpp"
+#include "ocean/internal/sea_bytes.hpp"
 #include "ocean/sea_subject.hpp"
 #include "ocean/text.hpp"
 #include "source.hpp"

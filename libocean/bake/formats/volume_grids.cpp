@@ -10,7 +10,7 @@
 #include "formats/spray_points.hpp"
 #include "formats/volume_settings.hpp"
 #include "formats/volumes.hpp"
-#include "ocean/internal/memory.hpp"
+#include "ocean/make_surface.hpp"
 #include "ocean/sea_subject.hpp"
 #include "ocean/text.hpp"
 

@@ -12,7 +12,7 @@
 #include "ocean/detail.hpp"
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/error.hpp"
-#include "ocean/internal/memory.hpp"
+#include "ocean/internal/sea_bytes.hpp"
 #include "ocean/provenance.hpp"
 #include "ocean/sea_subject.hpp"
 #include "ocean/text.hpp"

@@ -10,9 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "ocean/detail.hpp"
-#include "ocean/foam_texture.hpp"
-
 namespace ocean {
 
 /// The first stream of each user.
@@ -33,9 +30,8 @@ struct NoiseStreamRange {
 };
 inline constexpr std::array kNoiseStreams = {
     NoiseStreamRange{NoiseStream::cascades, 5},
-    NoiseStreamRange{NoiseStream::detail_bands, kMaxDetailBands},
-    NoiseStreamRange{NoiseStream::foam_textures,
-                     kStreamsOfFoamTexture* static_cast<std::uint32_t>(kFoamTextures.size())},
+    NoiseStreamRange{NoiseStream::detail_bands, 3},
+    NoiseStreamRange{NoiseStream::foam_textures, 3 * kStreamsOfFoamTexture},
     NoiseStreamRange{NoiseStream::foam_cover, 1},
     NoiseStreamRange{NoiseStream::terrain, 2},  // the first tile, and its layers
 };
@@ -51,6 +47,14 @@ static_assert(
         return true;
     }(),
     "two users of noise would draw the same numbers");
+
+/// Returns how many streams a user has.
+consteval std::uint32_t streams_of(NoiseStream user) {
+    for (const auto& [first, count] : kNoiseStreams) {
+        if (first == user) return count;
+    }
+    return 0;
+}
 
 /// Returns the number that gaussian_noise and noise_row take for a user's stream.
 constexpr std::uint32_t noise_stream(NoiseStream user, std::uint32_t index = 0) {

@@ -29,8 +29,8 @@ int inside(int i, int n, bool wraps) {
 
 /// The same sample of neighbouring lines, which are filtered together: each in its own order, so
 /// that its bits do not depend on the others.
-constexpr int kLanes = 8;
-using Lanes = std::array<double, kLanes>;
+constexpr int kSplineLanes = 8;
+using Lanes = std::array<double, kSplineLanes>;
 
 /// Returns the sum of power^k times the samples from `first` on, towards `step`.
 Lanes tail_of(std::span<const Lanes> line, int first, int step, bool wraps) {
@@ -39,7 +39,7 @@ Lanes tail_of(std::span<const Lanes> line, int first, int step, bool wraps) {
     for (int k = 0; k < kReach; ++k) {
         const int i = inside(first + step * k, static_cast<int>(line.size()), wraps);
         const Lanes& sample = line[static_cast<std::size_t>(i)];
-        for (std::size_t l = 0; l < kLanes; ++l) sum[l] += power * sample[l];
+        for (std::size_t l = 0; l < kSplineLanes; ++l) sum[l] += power * sample[l];
         power *= kPole;
     }
     return sum;
@@ -51,7 +51,7 @@ void filter_lines(std::span<Lanes> line, bool wraps) {
     for (double& value : last) value *= 6.0;
     line.front() = last;
     for (Lanes& sample : line.subspan(1)) {
-        for (std::size_t l = 0; l < kLanes; ++l) last[l] = 6.0 * sample[l] + kPole * last[l];
+        for (std::size_t l = 0; l < kSplineLanes; ++l) last[l] = 6.0 * sample[l] + kPole * last[l];
         sample = last;
     }
     const auto end = static_cast<int>(line.size()) - 1;
@@ -60,13 +60,13 @@ void filter_lines(std::span<Lanes> line, bool wraps) {
         for (double& value : last) value *= -kPole;
     } else {
         const Lanes& before = line[line.size() - 2];
-        for (std::size_t l = 0; l < kLanes; ++l) {
+        for (std::size_t l = 0; l < kSplineLanes; ++l) {
             last[l] = kPole / (kPole * kPole - 1.0) * (last[l] + kPole * before[l]);
         }
     }
     line.back() = last;
     for (auto i = line.size() - 1; i-- > 0;) {
-        for (std::size_t l = 0; l < kLanes; ++l) last[l] = kPole * (last[l] - line[i][l]);
+        for (std::size_t l = 0; l < kSplineLanes; ++l) last[l] = kPole * (last[l] - line[i][l]);
         line[i] = last;
     }
 }
@@ -97,7 +97,7 @@ std::size_t padded(int samples) {
 
 /// Returns coefficients of a row, in whole lanes.
 std::size_t pitch_of(const Domain& domain) {
-    return (padded(domain.samples[0]) + kLanes - 1) / kLanes * kLanes;
+    return (padded(domain.samples[0]) + kSplineLanes - 1) / kSplineLanes * kSplineLanes;
 }
 
 }  // namespace
@@ -115,18 +115,19 @@ SplineGrid::SplineGrid(const Domain& domain, std::span<const float> samples, Thr
 void SplineGrid::filter_rows(std::span<const float> samples, ThreadPool& pool) {
     const int columns = domain_.samples[0], rows = domain_.samples[1];
     const auto width = static_cast<std::size_t>(columns);
-    pool.for_each_range((rows + kLanes - 1) / kLanes, [&](int first, int last) {
+    pool.for_each_range((rows + kSplineLanes - 1) / kSplineLanes, [&](int first, int last) {
         std::vector<Lanes> lines(width);
-        for (int begin = first * kLanes; begin < std::min(last * kLanes, rows); begin += kLanes) {
-            const int end = std::min(begin + kLanes, rows);
-            std::array<const float*, kLanes> from{};
-            for (int l = 0; l < kLanes; ++l) {
+        for (int begin = first * kSplineLanes; begin < std::min(last * kSplineLanes, rows);
+             begin += kSplineLanes) {
+            const int end = std::min(begin + kSplineLanes, rows);
+            std::array<const float*, kSplineLanes> from{};
+            for (int l = 0; l < kSplineLanes; ++l) {
                 const int j = std::min(begin + l, end - 1);
                 from[static_cast<std::size_t>(l)] =
                     samples.data() + static_cast<std::size_t>(j) * width;
             }
             for (std::size_t i = 0; i < width; ++i) {
-                for (std::size_t l = 0; l < kLanes; ++l) {
+                for (std::size_t l = 0; l < kSplineLanes; ++l) {
                     lines[i][l] = static_cast<double>(from[l][i]);
                 }
             }
@@ -147,17 +148,19 @@ void SplineGrid::filter_rows(std::span<const float> samples, ThreadPool& pool) {
 /// Filters the columns, and adds the rows beyond both ends.
 void SplineGrid::filter_columns(ThreadPool& pool) {
     const int rows = domain_.samples[1];
-    pool.for_each_range(static_cast<int>(pitch_) / kLanes, [&](int first, int last) {
+    pool.for_each_range(static_cast<int>(pitch_) / kSplineLanes, [&](int first, int last) {
         std::vector<Lanes> lines(static_cast<std::size_t>(rows));
-        for (int begin = first * kLanes; begin < last * kLanes; begin += kLanes) {
+        for (int begin = first * kSplineLanes; begin < last * kSplineLanes; begin += kSplineLanes) {
             for (int j = 0; j < rows; ++j) {
-                std::copy_n(row(j) + begin, kLanes, lines[static_cast<std::size_t>(j)].begin());
+                std::copy_n(row(j) + begin, kSplineLanes,
+                            lines[static_cast<std::size_t>(j)].begin());
             }
             filter_lines(lines, domain_.wraps);
             for (int j = -kBefore; j < rows + kAfter; ++j) {
                 float* const to = row(j) + begin;
                 const auto from = static_cast<std::size_t>(inside(j, rows, domain_.wraps));
-                for (std::size_t l = 0; l < kLanes; ++l) to[l] = static_cast<float>(lines[from][l]);
+                for (std::size_t l = 0; l < kSplineLanes; ++l)
+                    to[l] = static_cast<float>(lines[from][l]);
             }
         }
     });

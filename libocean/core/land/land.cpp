@@ -3,6 +3,8 @@
 //
 // The facade of a terrain; see land.hpp.
 #include "ocean/land.hpp"
+#include "ocean/make_surface.hpp"
+#include "ocean/map_request.hpp"
 #include "ocean/region.hpp"
 
 #include <algorithm>
@@ -14,8 +16,10 @@
 #include "land/function/build_field.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
+#include "ocean/internal/sea_bytes.hpp"
 #include "ocean/land_field.hpp"
 #include "ocean/land_mask.hpp"
+#include "ocean/surface_query.hpp"
 #include "ocean/terrain_table.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/surface/map_writer.hpp"

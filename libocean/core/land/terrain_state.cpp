@@ -14,7 +14,7 @@
 
 #include "ocean/grid.hpp"
 #include "ocean/internal/json.hpp"
-#include "ocean/internal/memory.hpp"
+#include "ocean/internal/sea_bytes.hpp"
 #include "ocean/land.hpp"
 #include "ocean/terrain_law.hpp"
 #include "ocean/text.hpp"

@@ -9,6 +9,7 @@
 #include <cstddef>
 
 #include "ocean/backend.hpp"
+#include "ocean/make_surface.hpp"
 #include "ocean/surface.hpp"
 
 namespace ocean {

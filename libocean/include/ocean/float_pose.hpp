@@ -9,6 +9,7 @@
 #include <span>
 
 #include "ocean/query.hpp"
+#include "ocean/surface_query.hpp"
 
 namespace ocean {
 

@@ -40,6 +40,11 @@ double folded_share(const GradientCovariance& covariance, double choppiness);
 double whitecap_threshold(const GradientCovariance& covariance, const SurfaceSettings& settings,
                           double wind_speed);
 
+/// Returns the settings with foam_threshold set to the Jacobian below which whitecaps begin on a
+/// map of `resolution` samples, and foam_coverage set to FoamCoverage::threshold, so that the
+/// threshold is computed once for many surfaces.
+SurfaceSettings with_threshold(const SurfaceSettings& settings, const Modes& modes, int resolution);
+
 /// The lattice on which the foam of a map has its past. That of a finer map has four samples to its
 /// shortest wave, since readers interpolate between them.
 struct FoamLattice {

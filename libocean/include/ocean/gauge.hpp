@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "ocean/surface_query.hpp"
 #include "ocean/wave_sum.hpp"
 
 namespace ocean {

@@ -38,10 +38,6 @@ struct LandOptions {
     std::function<void(std::string_view work, double share)> progress = {};
 };
 
-/// The channels of every terrain, which has no displacement; some lands have masks too.
-inline constexpr ChannelSet kTerrainChannels = {
-    Channel::height, Channel::nx, Channel::ny, Channel::nz, Channel::slope_x, Channel::slope_y};
-
 /// How often each stage of a terrain ran, for tests and tools.
 struct TerrainRuns {
     int noise = 0;

@@ -17,6 +17,10 @@
 
 namespace ocean {
 
+/// The channels of every terrain, which has no displacement; some lands have masks too.
+inline constexpr ChannelSet kTerrainChannels = {
+    Channel::height, Channel::nx, Channel::ny, Channel::nz, Channel::slope_x, Channel::slope_y};
+
 /// The order is that of libocean.h.
 enum class LandMask {
     wear,

@@ -28,6 +28,7 @@
 #include "ocean/spray.hpp"
 #include "ocean/stage_runs.hpp"
 #include "ocean/surface.hpp"
+#include "ocean/surface_query.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "ocean/coast_profile.hpp"
 #include "ocean/elevation.hpp"
 #include "ocean/gullies.hpp"
 #include "ocean/measured_rings.hpp"
+#include "ocean/shoreline_profile.hpp"
 #include "ocean/stream_power.hpp"
 
 namespace ocean {
@@ -76,10 +76,10 @@ struct Terrain {
     std::optional<double> base_error;  // [m]; unset: a tenth of its slope times its cell
     std::optional<double> detail_wavelength;  // [m]; unset: a thirtieth of the base's cell
     std::vector<TerrainLayer> layers;
-    GullySettings gullies{.depth = 0.0};      // depth 0: none
-    StreamSettings stream{.slope = 0.0};      // slope 0: none
-    CoastSettings coast{.beach_slope = 0.0};  // beach_slope 0: none
-    std::optional<double> coast_level;        // [m]; unset: 0
+    GullySettings gullies{.depth = 0.0};          // depth 0: none
+    StreamSettings stream{.slope = 0.0};          // slope 0: none
+    ShorelineSettings coast{.beach_slope = 0.0};  // beach_slope 0: none
+    std::optional<double> coast_level;            // [m]; unset: 0
 
     /// The rings of `measured`, read by ocean::seafile. Shared and never modified. Not in the
     /// table.

@@ -11,6 +11,7 @@
 
 #include "ocean/modes.hpp"
 #include "ocean/parameters.hpp"
+#include "ocean/query.hpp"
 
 namespace ocean {
 
@@ -30,14 +31,6 @@ struct LinearSample {
 struct DisplacementSample {
     double displacement_x, displacement_y;         // [m]
     double gradient_xx, gradient_yy, gradient_xy;  // dDx/dx, dDy/dy, dDx/dy
-};
-
-/// The motion of the water at a fixed point, by linear theory.
-struct WaterMotion {
-    double velocity_x, velocity_y, velocity_z;  // [m/s]
-    double pressure;                            // without the hydrostatic part [Pa]
-
-    bool operator==(const WaterMotion&) const = default;
 };
 
 /// The factor by which each mode has decayed at one depth, for a WaveSum and its copies.

@@ -26,7 +26,7 @@ double upwind_root(double a, double b, double s) {
 
 }  // namespace
 
-EikonalSolver::EikonalSolver(const CoastGrid& grid, const BorderSlopes& border)
+EikonalSolver::EikonalSolver(const SampleGrid& grid, const BorderSlopes& border)
     : grid_(grid),
       border_(border),
       stride_(static_cast<std::size_t>(grid.columns) + 2),

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "coast/bed/shore_border.hpp"
-#include "field/coast_lines.hpp"
+#include "field/grid_lines.hpp"
 
 namespace ocean {
 
@@ -25,7 +25,7 @@ class EikonalSolver {
     /// k = 2 rad/m and cells of 4 m it is a phase of 1e-5 rad.
     static constexpr double kTolerance = 1e-6;
 
-    EikonalSolver(const CoastGrid& grid, const BorderSlopes& border);
+    EikonalSolver(const SampleGrid& grid, const BorderSlopes& border);
 
     /// Solves for a wave that travels along the unit vector `direction` in the open sea.
     /// slowness: row-major, >= 1. Solves twice: the directions of the first solve improve the order
@@ -61,7 +61,7 @@ class EikonalSolver {
     bool sweep_row(int j);
     void mark_row(int j);
 
-    CoastGrid grid_;
+    SampleGrid grid_;
     const BorderSlopes& border_;
     std::size_t stride_;
     PlaneVector direction_;

@@ -19,7 +19,7 @@
 #include <numbers>
 
 #include "eikonal.hpp"
-#include "field/coast_blur.hpp"
+#include "field/grid_blur.hpp"
 #include "slowness.hpp"
 
 namespace ocean {
@@ -92,7 +92,7 @@ void weigh(const std::array<const float*, kKernel.size()>& arrays, std::size_t c
 
 /// Smooths a map along x, then along y, in place. Beyond its ends a line continues by its
 /// reflection in the end point, so that linear maps stay what they are.
-void smooth(std::vector<float>& map, const CoastGrid& grid) {
+void smooth(std::vector<float>& map, const SampleGrid& grid) {
     const auto columns = static_cast<std::size_t>(grid.columns);
     const auto reach = static_cast<std::size_t>(kKernelReach);
     std::array<const float*, kKernel.size()> arrays;
@@ -132,7 +132,7 @@ void smooth(std::vector<float>& map, const CoastGrid& grid) {
 
 /// Returns the delays of one solve [m], smoothed by 1.4 cells: differences of first order leave
 /// kinks of a cell.
-std::vector<float> smoothed_delays(const EikonalSolver& solver, const CoastGrid& grid,
+std::vector<float> smoothed_delays(const EikonalSolver& solver, const SampleGrid& grid,
                                    double cell) {
     std::vector<float> delays(grid.count());
     for (int j = 0; j < grid.rows; ++j) {
@@ -171,7 +171,7 @@ std::array<std::vector<float>, kShoreBands + 1> slowness_maps(const BedGrid& dep
 }
 
 /// Writes the unit directions of the waves whose phase is k_c . x + G_0.
-void write_directions(const std::vector<float>& mean_phase, const CoastGrid& grid, double cell,
+void write_directions(const std::vector<float>& mean_phase, const SampleGrid& grid, double cell,
                       PlaneVector wave, DelayMaps& maps) {
     maps.direction_x.resize(grid.count());
     maps.direction_y.resize(grid.count());
@@ -201,7 +201,7 @@ void write_directions(const std::vector<float>& mean_phase, const CoastGrid& gri
 using CornerDelays = std::array<std::array<const float*, kSides>, 2>;
 
 DelayMaps affine_maps(const CornerDelays& tau, double low, double high, int sector,
-                      const CoastGrid& grid, double cell) {
+                      const SampleGrid& grid, double cell) {
     DelayMaps maps;
     for (std::vector<float>* map : {&maps.shift_x, &maps.shift_y, &maps.phase}) {
         map->resize(grid.count());
@@ -244,9 +244,9 @@ void run_in_batches(int count, ThreadPool& pool, const ShoreProgress& progress, 
 BedGrid felt_depth(const BedGrid& bed_height, double water_depth) {
     BedGrid depth{bed_height.domain, bed_height.values};
     for (float& value : depth.values) value = -value;
-    const CoastGrid grid{depth.domain.samples[0], depth.domain.samples[1]};
+    const SampleGrid grid{depth.domain.samples[0], depth.domain.samples[1]};
     ThreadPool alone(1);
-    CoastPasses passes(alone, {}, kBlurPasses);
+    GridPasses passes(alone, {}, kBlurPasses);
     blur(depth.values, grid, std::max(kFeltLength / depth.cell(), kLeastFeltCells), passes);
     const auto least = static_cast<float>(kLeastFeltDepth);
     const auto most = static_cast<float>(water_depth);
@@ -258,7 +258,7 @@ std::vector<DelayMaps> shore_delays(const BedGrid& depth, const ShoreBands& band
                                     const Water& water, ThreadPool& pool,
                                     const ShoreProgress& progress) {
     constexpr double kSolved = 0.9;  // of the work
-    const CoastGrid grid{depth.domain.samples[0], depth.domain.samples[1]};
+    const SampleGrid grid{depth.domain.samples[0], depth.domain.samples[1]};
     SolvePlan plan(bands);
     const BorderSlopes border(depth);
     const auto slowness = slowness_maps(depth, bands, water, pool);

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "field/coast_distance.hpp"
+#include "field/zero_line.hpp"
 #include "march_bed.hpp"
 
 namespace ocean {
@@ -19,7 +19,7 @@ bool is_water(float bed_height) {
 
 /// Returns the water beside a crossing that is nearest to sample (i, j). `beside` is one of the
 /// two samples between which the crossing lies, so it or one of its four neighbours is water.
-std::uint32_t water_beside(const BedGrid& bed, const CoastGrid& grid, std::uint32_t beside, int i,
+std::uint32_t water_beside(const BedGrid& bed, const SampleGrid& grid, std::uint32_t beside, int i,
                            int j) {
     if (is_water(bed.values[beside])) return beside;
     const int x = static_cast<int>(beside) % grid.columns;
@@ -42,7 +42,7 @@ std::uint32_t water_beside(const BedGrid& bed, const CoastGrid& grid, std::uint3
 }  // namespace
 
 std::vector<std::uint32_t> nearest_water(const BedGrid& bed_height, ThreadPool& pool) {
-    const CoastGrid grid{bed_height.domain.samples[0], bed_height.domain.samples[1]};
+    const SampleGrid grid{bed_height.domain.samples[0], bed_height.domain.samples[1]};
     std::vector<std::uint32_t> nearest(grid.count());
     const auto water = std::count_if(bed_height.values.begin(), bed_height.values.end(), is_water);
     if (water == 0 || static_cast<std::size_t>(water) == grid.count()) {
@@ -55,8 +55,8 @@ std::vector<std::uint32_t> nearest_water(const BedGrid& bed_height, ThreadPool& 
                        ? std::min(bed_height.values[n] - kLastWater, 0.0f)
                        : bed_height.values[n] - kLastWater;
     }
-    CoastPasses passes(pool, {}, kDistancePasses);
-    shore_distance(above, grid, offsets, distance, nearest, passes);
+    GridPasses passes(pool, {}, kDistancePasses);
+    zero_line_distance(above, grid, offsets, distance, nearest, passes);
     for (int j = 0; j < grid.rows; ++j) {
         for (int i = 0; i < grid.columns; ++i) {
             const std::size_t at = grid.index(i, j);
@@ -70,7 +70,7 @@ std::vector<std::uint32_t> nearest_water(const BedGrid& bed_height, ThreadPool& 
 
 void continue_onto_land(DelayMaps& maps, const BedGrid& bed_height,
                         std::span<const std::uint32_t> nearest) {
-    const CoastGrid grid{bed_height.domain.samples[0], bed_height.domain.samples[1]};
+    const SampleGrid grid{bed_height.domain.samples[0], bed_height.domain.samples[1]};
     const auto columns = static_cast<std::uint32_t>(grid.columns);
     const auto continued = [](float& own, double place, float water, double water_place) {
         const double change = (place + double{own}) - (water_place + double{water});

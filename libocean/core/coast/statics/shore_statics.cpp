@@ -12,7 +12,7 @@
 #include "coast/statics/shore_blend.hpp"
 #include "coast/statics/shore_delays.hpp"
 #include "coast/statics/shore_land.hpp"
-#include "field/coast_blur.hpp"
+#include "field/grid_blur.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/thread_pool.hpp"
 
@@ -31,7 +31,7 @@ std::vector<float> breaking_slope(const BedGrid& bed, ThreadPool& pool) {
     constexpr float kDeep = 25.0f;       // [m]
     constexpr float kFade = 15.0f;       // [m]
     BedGrid smooth = bed;
-    CoastPasses passes(pool, {}, kBlurPasses);
+    GridPasses passes(pool, {}, kBlurPasses);
     blur(smooth.values, {bed.domain.samples[0], bed.domain.samples[1]}, kSmoothing / bed.cell(),
          passes);
     const int width = bed.domain.samples[0];

@@ -13,7 +13,7 @@
 namespace ocean {
 namespace {
 
-constexpr int kEntries = 1024;
+constexpr int kSlownessEntries = 1024;
 // Without a threshold waves of 300 m would feel a bed of 250 m, and the open sea would change by
 // 3e-5 of its height. A change of 1e-4 is that at k d = 5.
 constexpr double kNone = 1e-4;
@@ -33,12 +33,12 @@ Slowness::Slowness(double k, const Water& water, double least_depth)
     : deepest_(std::min(water.depth, kDeep / k)) {
     const double omega = Dispersion(water).angular_frequency(k);
     first_ = std::sqrt(std::min(least_depth, deepest_));
-    const double step = (std::sqrt(deepest_) - first_) / kEntries;
+    const double step = (std::sqrt(deepest_) - first_) / kSlownessEntries;
     scale_ = step > 0.0 ? 1.0 / step : 0.0;
-    table_.reserve(kEntries + 1);
-    for (int n = 0; n <= kEntries; ++n) {
+    table_.reserve(kSlownessEntries + 1);
+    for (int n = 0; n <= kSlownessEntries; ++n) {
         Water shallow = water;
-        shallow.depth = n < kEntries ? (first_ + n * step) * (first_ + n * step) : deepest_;
+        shallow.depth = n < kSlownessEntries ? (first_ + n * step) * (first_ + n * step) : deepest_;
         const double e = Dispersion(shallow).wavenumber(omega) / k - 1.0;
         table_.push_back(static_cast<float>(1.0 + threshold(e)));
     }
@@ -47,7 +47,7 @@ Slowness::Slowness(double k, const Water& water, double least_depth)
 float Slowness::at(double depth) const {
     if (!(depth < deepest_)) return 1.0f;
     const double place = std::max((std::sqrt(depth) - first_) * scale_, 0.0);
-    const auto n = static_cast<std::size_t>(std::min(place, kEntries - 1.0));
+    const auto n = static_cast<std::size_t>(std::min(place, kSlownessEntries - 1.0));
     const double t = place - static_cast<double>(n);
     return static_cast<float>((1.0 - t) * double{table_[n]} + t * double{table_[n + 1]});
 }

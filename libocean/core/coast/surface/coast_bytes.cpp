@@ -6,10 +6,11 @@
 #include "ocean/cascades.hpp"
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/foam.hpp"
-#include "ocean/internal/memory.hpp"
+#include "ocean/internal/sea_bytes.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/query.hpp"
 #include "ocean/sea_bed.hpp"
+#include "ocean/surface_query.hpp"
 
 namespace ocean {
 

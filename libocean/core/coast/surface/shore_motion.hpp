@@ -12,6 +12,7 @@
 #include "ocean/modes.hpp"
 #include "ocean/parameters.hpp"
 #include "ocean/query.hpp"
+#include "ocean/surface_query.hpp"
 
 namespace ocean {
 

@@ -14,10 +14,11 @@
 #include "land/function/base_detail.hpp"
 #include "land/function/land_field_parts.hpp"
 #include "land/function/stream_source.hpp"
-#include "ocean/coast_profile.hpp"
 #include "ocean/grid.hpp"
-#include "ocean/land.hpp"
+#include "ocean/land_mask.hpp"
+#include "ocean/make_surface.hpp"
 #include "ocean/region.hpp"
+#include "ocean/shoreline_profile.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/terrain_law.hpp"
 
@@ -239,13 +240,14 @@ class Builder {
     }
 
     void shape_shore() {
-        CoastSettings settings = terrain_.coast;
+        ShorelineSettings settings = terrain_.coast;
         settings.level = level();
         const int levels = shore_levels(settings);
         const Domain domain = square_domain(1 << levels);
         const std::vector<float> before = heights_on(domain);
         std::vector<float> heights = before;
-        const CoastMaps maps = shape_coast(heights, domain, settings, pool_, reporter("shore"));
+        const ShorelineMaps maps =
+            shape_shoreline(heights, domain, settings, pool_, reporter("shore"));
         parts_.shore = std::make_shared<const ShoreGround>(domain, before, heights, levels, pool_);
         parts_.domain = domain;
         keep(LandMask::beach, domain, maps.beach);
@@ -263,7 +265,7 @@ class Builder {
 
     /// Returns how often the land's grid is halved to have four samples along the smoothing of the
     /// shore line.
-    int shore_levels(const CoastSettings& settings) const {
+    int shore_levels(const ShorelineSettings& settings) const {
         constexpr double kSamplesOfSmoothing = 4.0;
         constexpr int kMaxShoreSide = 8192;
         const Domain& own = parts_.domain;
@@ -355,7 +357,7 @@ std::uint64_t field_bytes(const Terrain& terrain) {
     }
     bytes += 4 * SplinePyramid::bytes(domain);
     if (terrain.has_streams()) bytes += stream_bytes(domain.samples[0], domain.samples[1]);
-    if (terrain.has_coast()) bytes += coast_bytes(4 * domain.count());
+    if (terrain.has_coast()) bytes += shoreline_bytes(4 * domain.count());
     const double shortest = detail_wavelength(terrain);
     if (shortest > 0.0) bytes += 3 * FineWaves::bytes(FineWaves::kMaxRatio * shortest, shortest);
     return bytes;

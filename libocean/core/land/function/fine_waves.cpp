@@ -12,6 +12,7 @@
 
 #include "land/function/place_hash.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/make_surface.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/terrain_modes.hpp"
 #include "wave/wave.hpp"

@@ -16,7 +16,7 @@
 #include "land/function/land_field_parts.hpp"
 #include "land/function/land_row.hpp"
 #include "ocean/error.hpp"
-#include "ocean/land.hpp"
+#include "ocean/land_mask.hpp"
 
 namespace ocean {
 namespace {

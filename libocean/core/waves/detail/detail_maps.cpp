@@ -7,7 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ocean/internal/memory.hpp"
+#include "ocean/internal/sea_bytes.hpp"
+#include "ocean/map_request.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

@@ -14,12 +14,14 @@
 #include "ocean/cascades.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
+#include "ocean/map_request.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/modes/quadrant_sampler.hpp"
 
 namespace ocean {
-
 namespace {
+
+static_assert(streams_of(NoiseStream::detail_bands) == kMaxDetailBands);
 
 constexpr double kFactor = 6.0;        // from one band to the next
 constexpr double kTwoBandsUpTo = 2.0;  // m

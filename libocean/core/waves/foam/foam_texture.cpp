@@ -35,6 +35,9 @@
 namespace ocean {
 namespace {
 
+static_assert(streams_of(NoiseStream::foam_textures) ==
+              kStreamsOfFoamTexture * kFoamTextures.size());
+
 /// Samples along each side of the lattice from which ranks are learned.
 constexpr int kLearned = 256;
 /// Min texels that a cell must span; a level with smaller cells would be noise and is left out.

@@ -98,4 +98,13 @@ double threshold_of_mean(const GradientCovariance& covariance, const SurfaceSett
     return 0.5 * (below + above);
 }
 
+SurfaceSettings with_threshold(const SurfaceSettings& settings, const Modes& modes,
+                               int resolution) {
+    SurfaceSettings result = settings;
+    result.foam_threshold =
+        whitecap_threshold(modes.gradient_covariance(resolution), settings, modes.wind_speed);
+    result.foam_coverage = FoamCoverage::threshold;
+    return result;
+}
+
 }  // namespace ocean

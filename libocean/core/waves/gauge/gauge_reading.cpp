@@ -7,6 +7,7 @@
 
 #include "ocean/gauge.hpp"
 #include "ocean/query.hpp"
+#include "ocean/surface_query.hpp"
 #include "wave/wave.hpp"
 #include "waves/query/inversion.hpp"
 

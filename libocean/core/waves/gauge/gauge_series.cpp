@@ -19,6 +19,7 @@
 #include "ocean/gauge.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/query.hpp"
+#include "ocean/surface_query.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

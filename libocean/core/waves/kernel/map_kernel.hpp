@@ -13,6 +13,7 @@
 #include "frame_task.hpp"
 #include "ocean/backend.hpp"
 #include "ocean/internal/platform.hpp"
+#include "ocean/map_request.hpp"
 
 namespace ocean {
 

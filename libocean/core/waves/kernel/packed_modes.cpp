@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "ocean/map_request.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

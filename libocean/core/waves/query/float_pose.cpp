@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ocean/error.hpp"
+#include "ocean/surface_query.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {

@@ -10,6 +10,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/query.hpp"
+#include "ocean/surface_query.hpp"
 #include "ocean/wave_sum.hpp"
 #include "waves/query/orbital_decay.hpp"
 #include "waves/query/query_points.hpp"

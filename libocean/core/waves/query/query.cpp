@@ -12,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include "ocean/surface_query.hpp"
 #include "ocean/thread_pool.hpp"
 #include "ocean/wave_sum.hpp"
 #include "wave/wave.hpp"

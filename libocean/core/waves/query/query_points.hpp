@@ -12,7 +12,6 @@
 #include <string>
 
 #include "ocean/error.hpp"
-#include "ocean/internal/memory.hpp"
 #include "ocean/query.hpp"
 #include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"

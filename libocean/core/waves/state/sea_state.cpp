@@ -13,7 +13,7 @@
 #include "ocean/channel.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/foam.hpp"
-#include "ocean/internal/memory.hpp"
+#include "ocean/internal/sea_bytes.hpp"
 #include "ocean/spreading.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/state/mode_sums.hpp"

@@ -3,6 +3,8 @@
 //
 // The small map of one cascade; see cascade_map.hpp.
 #include "ocean/cascade_map.hpp"
+#include "ocean/make_surface.hpp"
+#include "ocean/map_request.hpp"
 
 #include <array>
 

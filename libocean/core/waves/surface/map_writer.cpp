@@ -5,6 +5,7 @@
 // fields that it writes.
 #include "waves/surface/map_writer.hpp"
 
+#include "ocean/map_request.hpp"
 #include "waves/surface/plane_channels.hpp"
 
 namespace ocean {

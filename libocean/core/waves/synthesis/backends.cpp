@@ -9,6 +9,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/nearest_name.hpp"
+#include "ocean/map_request.hpp"
 #include "waves/kernel/cpu_backend.hpp"
 #include "waves/surface/plane_channels.hpp"
 #include "waves/synthesis/synthesis.hpp"

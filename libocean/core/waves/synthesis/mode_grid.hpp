@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ocean/grid.hpp"
+#include "ocean/map_request.hpp"
 #include "wave/wave.hpp"
 #include "waves/synthesis/synthesis.hpp"
 

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "ocean/fft.hpp"
+#include "ocean/make_surface.hpp"
+#include "ocean/map_request.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/synthesis/mode_grid.hpp"
 

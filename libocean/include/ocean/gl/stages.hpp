@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ocean/backend.hpp"
+#include "ocean/map_request.hpp"
 
 namespace ocean {
 class ThreadPool;

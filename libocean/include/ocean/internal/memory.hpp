@@ -1,31 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The memory that a sea needs, known before it is allocated.
+// The check that memory is there, before it is allocated.
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
-
-#include "ocean/backend.hpp"
-#include "ocean/domain.hpp"
-#include "ocean/parameters.hpp"
 
 namespace ocean {
 
-/// Returns the bytes of the modes.
-std::uint64_t modes_bytes(const Grid& grid);
-/// Returns the bytes of `maps` maps.
-std::uint64_t maps_bytes(int resolution, int maps);
-/// Returns the bytes that computing these channels from the modes needs, beside modes and maps.
-std::uint64_t work_bytes(const Grid& grid, const Backend& backend, ChannelSet channels,
-                         int resolution, std::span<const ChannelInfo> host_channels = {});
-/// Returns the bytes of the coast of a sea over a bed, also while it is made.
-std::uint64_t coast_bytes(const Parameters& parameters);
-/// Returns the bytes that a region of these channels needs beside the region.
-std::uint64_t region_work_bytes(const Parameters& parameters, const Domain& domain,
-                                ChannelSet channels);
 /// Throws Error out_of_memory, before anything is allocated, if `bytes` exceeds the available
 /// memory. `what` names the data in the message.
 void require_memory(std::uint64_t bytes, const std::string& what,

@@ -16,7 +16,7 @@
 namespace ocean {
 
 /// Samples of a row-major grid.
-struct CoastGrid {
+struct SampleGrid {
     int columns;
     int rows;
 
@@ -30,16 +30,16 @@ struct CoastGrid {
 };
 
 /// The rows or the columns of a grid: sample k of line l has the index l across + k along.
-struct CoastLines {
+struct GridLines {
     int count;
     int length;
     std::size_t across;
     std::size_t along;
 
-    static CoastLines rows(const CoastGrid& grid) {
+    static GridLines rows(const SampleGrid& grid) {
         return {grid.rows, grid.columns, static_cast<std::size_t>(grid.columns), 1};
     }
-    static CoastLines columns(const CoastGrid& grid) {
+    static GridLines columns(const SampleGrid& grid) {
         return {grid.columns, grid.rows, 1, static_cast<std::size_t>(grid.columns)};
     }
     std::size_t index(int line, int k) const {
@@ -48,12 +48,12 @@ struct CoastLines {
 };
 
 /// Lines of a block: their floats fill a cache line.
-inline constexpr int kCoastLanes = 16;
+inline constexpr int kGridLanes = 16;
 
 /// Copies lines first .. first + lanes - 1 one after the other: sample k of the line first + l goes
 /// to buffer[l length + k].
 template <typename T>
-void load_lines(const T* map, const CoastLines& lines, int first, int lanes, T* buffer) {
+void load_lines(const T* map, const GridLines& lines, int first, int lanes, T* buffer) {
     for (int k = 0; k < lines.length; ++k) {
         for (int l = 0; l < lanes; ++l) {
             buffer[l * lines.length + k] = map[lines.index(first + l, k)];
@@ -62,7 +62,7 @@ void load_lines(const T* map, const CoastLines& lines, int first, int lanes, T* 
 }
 /// Copies a buffer of load_lines back.
 template <typename T>
-void store_lines(const T* buffer, const CoastLines& lines, int first, int lanes, T* map) {
+void store_lines(const T* buffer, const GridLines& lines, int first, int lanes, T* map) {
     for (int k = 0; k < lines.length; ++k) {
         for (int l = 0; l < lanes; ++l) {
             map[lines.index(first + l, k)] = buffer[l * lines.length + k];
@@ -72,9 +72,9 @@ void store_lines(const T* buffer, const CoastLines& lines, int first, int lanes,
 
 /// A buffer for each thread of a pool. It keeps the largest size that was requested.
 template <typename T>
-class CoastBuffers {
+class LineBuffers {
   public:
-    explicit CoastBuffers(const ThreadPool& pool)
+    explicit LineBuffers(const ThreadPool& pool)
         : buffers_(static_cast<std::size_t>(pool.size())) {}
 
     T* of(int thread, std::size_t size) {
@@ -89,22 +89,22 @@ class CoastBuffers {
 
 /// Runs passes over blocks of lines in the pool and reports progress between batches of them, so
 /// that a report that throws stops soon.
-class CoastPasses {
+class GridPasses {
   public:
-    CoastPasses(ThreadPool& pool, std::function<void(double share)> report, int passes)
+    GridPasses(ThreadPool& pool, std::function<void(double share)> report, int passes)
         : pool_(pool), report_(std::move(report)), passes_(passes) {}
 
     ThreadPool& pool() { return pool_; }
 
     /// Calls body(first, lanes, thread) for blocks of `lines` lines.
     void run(int lines, const std::function<void(int first, int lanes, int thread)>& body) {
-        const int blocks = (lines + kCoastLanes - 1) / kCoastLanes;
+        const int blocks = (lines + kGridLanes - 1) / kGridLanes;
         const int batch = report_ ? std::max(blocks / kReports, 4 * pool_.size()) : blocks;
         for (int begin = 0; begin < blocks; begin += batch) {
             report((done_ + static_cast<double>(begin) / blocks) / passes_);
             pool_.for_each_item(std::min(batch, blocks - begin), [&](int item, int thread) {
-                const int first = (begin + item) * kCoastLanes;
-                body(first, std::min(kCoastLanes, lines - first), thread);
+                const int first = (begin + item) * kGridLanes;
+                body(first, std::min(kGridLanes, lines - first), thread);
             });
         }
         ++done_;

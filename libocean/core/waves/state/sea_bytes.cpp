@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Bytes of modes and maps; see memory.hpp.
-#include "ocean/internal/memory.hpp"
+// Bytes of modes and maps; see sea_bytes.hpp.
+#include "ocean/internal/sea_bytes.hpp"
 
 #include <complex>
 
-#include "ocean/error.hpp"
-#include "ocean/internal/platform.hpp"
+#include "ocean/grid.hpp"
 
 namespace ocean {
 
@@ -30,15 +29,6 @@ std::uint64_t work_bytes(const Grid& grid, const Backend& backend, ChannelSet ch
     // Channels that the backend has no code for are made of planes of their fields.
     const LinearSet planes = fields_of(channels.without(backend.makes), false, host_channels);
     return own + maps_bytes(resolution, planes.size());
-}
-
-void require_memory(std::uint64_t bytes, const std::string& what, const std::string& advice) {
-    if (bytes == 0) return;  // available_memory() is a system call
-    const std::uint64_t there = available_memory();
-    if (bytes <= there) return;
-    const auto mebibytes = [](std::uint64_t value) { return std::to_string(value >> 20) + " MiB"; };
-    throw Error(ErrorKind::out_of_memory, what + " needs " + mebibytes(bytes) + " of memory, " +
-                                              mebibytes(there) + " are available; " + advice);
 }
 
 }  // namespace ocean

@@ -3,7 +3,7 @@
 //
 // The coast of an island by numbers: beaches where it is sheltered, steep shores where it is
 // exposed, one sea, and a water line that lies where the smoothed shore line does.
-#include "ocean/coast_profile.hpp"
+#include "ocean/shoreline_profile.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ struct Coast {
     Domain domain;
     std::vector<float> before;
     std::vector<float> after;
-    CoastMaps maps;
+    ShorelineMaps maps;
 
     int columns() const { return domain.samples[0]; }
     int rows() const { return domain.samples[1]; }
@@ -33,9 +33,9 @@ struct Coast {
         return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns()) +
                static_cast<std::size_t>(i);
     }
-    void shape(ThreadPool& pool, const CoastSettings& settings = {}) {
+    void shape(ThreadPool& pool, const ShorelineSettings& settings = {}) {
         after = before;
-        maps = shape_coast(after, domain, settings, pool);
+        maps = shape_shoreline(after, domain, settings, pool);
     }
     double slope(int i, int j) const {
         const double x = double{after[index(i + 1, j)]} - double{after[index(i - 1, j)]};
@@ -444,7 +444,7 @@ TEST(CoastProfile, ThreadsDoNotChangeABit) {
         ThreadPool pool(threads);
         Coast again = small_island();
         again.after = again.before;
-        again.maps = shape_coast(again.after, again.domain, {}, pool, [](double) {});
+        again.maps = shape_shoreline(again.after, again.domain, {}, pool, [](double) {});
         EXPECT_EQ(again.after, coast.after);
         EXPECT_EQ(again.maps.beach, coast.maps.beach);
         EXPECT_EQ(again.maps.cliff, coast.maps.cliff);
@@ -520,7 +520,8 @@ TEST(CoastProfile, ProgressRisesAndStopsWithTheHeightsAsTheyWere) {
     const Coast coast = small_island();
     std::vector<float> heights = coast.before;
     std::vector<double> shares;
-    shape_coast(heights, coast.domain, {}, pool, [&](double share) { shares.push_back(share); });
+    shape_shoreline(heights, coast.domain, {}, pool,
+                    [&](double share) { shares.push_back(share); });
     EXPECT_GT(shares.size(), 15u);
     EXPECT_TRUE(std::ranges::is_sorted(shares));
     EXPECT_EQ(shares.front(), 0.0);
@@ -530,10 +531,10 @@ TEST(CoastProfile, ProgressRisesAndStopsWithTheHeightsAsTheyWere) {
     for (std::size_t stop = 0; stop < shares.size(); ++stop) {
         heights = coast.before;
         std::size_t calls = 0;
-        EXPECT_THROW(shape_coast(heights, coast.domain, {}, pool,
-                                 [&](double) {
-                                     if (calls++ == stop) throw std::runtime_error("stopped");
-                                 }),
+        EXPECT_THROW(shape_shoreline(heights, coast.domain, {}, pool,
+                                     [&](double) {
+                                         if (calls++ == stop) throw std::runtime_error("stopped");
+                                     }),
                      std::runtime_error);
         EXPECT_EQ(calls, stop + 1);
         EXPECT_EQ(heights, coast.before);

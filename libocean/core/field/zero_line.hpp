@@ -8,11 +8,11 @@
 #include <limits>
 #include <span>
 
-#include "coast_lines.hpp"
+#include "grid_lines.hpp"
 
 namespace ocean {
 
-/// The passes that shore_distance runs.
+/// The passes that zero_line_distance runs.
 inline constexpr int kDistancePasses = 5;
 
 /// Writes the distance of each sample to the zero line of `map` [samples], + where the map is above
@@ -22,8 +22,8 @@ inline constexpr int kDistancePasses = 5;
 /// Distances are exact below 2.5 samples; farther away they may be too long by 0.1 sample, where
 /// two parts of the line are equally far. The map has at least one sample on each side of 0.
 /// `offsets` is memory for as many floats as the map has.
-void shore_distance(std::span<const float> map, const CoastGrid& grid, std::span<float> offsets,
-                    std::span<float> distance, std::span<std::uint32_t> nearest,
-                    CoastPasses& passes);
+void zero_line_distance(std::span<const float> map, const SampleGrid& grid,
+                        std::span<float> offsets, std::span<float> distance,
+                        std::span<std::uint32_t> nearest, GridPasses& passes);
 
 }  // namespace ocean

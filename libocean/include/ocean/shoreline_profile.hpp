@@ -34,7 +34,7 @@ namespace ocean {
 inline constexpr float kNoShore = 1e9f;
 
 /// All numbers but the level must be positive.
-struct CoastSettings {
+struct ShorelineSettings {
     double level = 0.0;               // height of the water [m]
     double beach_slope = 1.0 / 30.0;  // of the bed where the shore is sheltered
     double berm = 2.2;                // height of the beach above the level [m]
@@ -47,7 +47,7 @@ struct CoastSettings {
 };
 
 /// Maps on the domain of the heights, row-major from the south.
-struct CoastMaps {
+struct ShorelineMaps {
     PageVector<float> beach;     // sand, from the back of the berm to the closure depth, 0 .. 1
     PageVector<float> cliff;     // a steep exposed shore, about 60 m wide on land, 0 .. 1
     PageVector<float> shelter;   // B, 0 .. 1
@@ -70,10 +70,11 @@ struct CoastMaps {
 /// for a domain that wraps, has less than 2 or more than 65535 samples along a side or cells that
 /// are not square, for another number of heights, for a height that is not finite and for settings
 /// out of range; out_of_memory.
-CoastMaps shape_coast(std::span<float> heights, const Domain& domain, const CoastSettings& settings,
-                      ThreadPool& pool, const std::function<void(double share)>& progress = {});
+ShorelineMaps shape_shoreline(std::span<float> heights, const Domain& domain,
+                              const ShorelineSettings& settings, ThreadPool& pool,
+                              const std::function<void(double share)>& progress = {});
 
-/// Returns the bytes that shape_coast allocates for a grid, maps included.
-std::uint64_t coast_bytes(std::size_t cells);
+/// Returns the bytes that shape_shoreline allocates for a grid, maps included.
+std::uint64_t shoreline_bytes(std::size_t cells);
 
 }  // namespace ocean

@@ -6,7 +6,7 @@
 
 #include <span>
 
-#include "coast_lines.hpp"
+#include "grid_lines.hpp"
 
 namespace ocean {
 
@@ -15,6 +15,6 @@ inline constexpr int kBlurPasses = 2;
 
 /// Blurs a map in place by a Gaussian of the given deviation [samples], at most twice the longer
 /// side of the grid, with the map continued beyond its border by the values of its edge.
-void blur(std::span<float> map, const CoastGrid& grid, double deviation, CoastPasses& passes);
+void blur(std::span<float> map, const SampleGrid& grid, double deviation, GridPasses& passes);
 
 }  // namespace ocean

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Distances: see coast_distance.hpp. The line crosses edges of the grid between two rows and
+// Distances: see zero_line.hpp. The line crosses edges of the grid between two rows and
 // between two columns. Crossings of the first kind lie on columns, so their distance transform is
 // separable though they do not lie on samples: the nearest one in each column, then the lower
 // envelope of parabolas along each row [Felzenszwalb and Huttenlocher 2012]. Those of the second
 // kind take the axes in the other order. The line's parts at the nearest crossing finish it.
-#include "coast_distance.hpp"
+#include "zero_line.hpp"
 
 #include <algorithm>
 #include <array>
@@ -94,7 +94,7 @@ class Envelope {
 /// Finds the nearest of all crossings between samples of the lines `along` which they lie.
 class CrossingSearch {
   public:
-    CrossingSearch(std::span<const float> map, std::span<float> offsets, CoastPasses& passes)
+    CrossingSearch(std::span<const float> map, std::span<float> offsets, GridPasses& passes)
         : map_(map),
           offsets_(offsets),
           passes_(passes),
@@ -104,7 +104,7 @@ class CrossingSearch {
 
     /// Lowers squared distances, and replaces `nearest` where it does. `on` are the lines on which
     /// the crossings lie, `other` those of the other axis. The first search overwrites all.
-    void search(const CoastLines& on, const CoastLines& other, bool first_search,
+    void search(const GridLines& on, const GridLines& other, bool first_search,
                 std::span<float> squares, std::span<std::uint32_t> nearest) {
         passes_.run(on.count, [&](int first, int lanes, int thread) {
             const std::size_t size = buffer_size(on);
@@ -148,15 +148,15 @@ class CrossingSearch {
     }
 
   private:
-    static std::size_t buffer_size(const CoastLines& lines) {
-        return static_cast<std::size_t>(lines.length) * kCoastLanes;
+    static std::size_t buffer_size(const GridLines& lines) {
+        return static_cast<std::size_t>(lines.length) * kGridLanes;
     }
 
     std::span<const float> map_;
     std::span<float> offsets_;
-    CoastPasses& passes_;
-    CoastBuffers<float> floats_, squares_;
-    CoastBuffers<std::uint32_t> indices_;
+    GridPasses& passes_;
+    LineBuffers<float> floats_, squares_;
+    LineBuffers<std::uint32_t> indices_;
 };
 
 double squared_distance(Point p, Point a, Point b) {
@@ -170,7 +170,7 @@ double squared_distance(Point p, Point a, Point b) {
 /// The parts of the zero line in squares of four samples.
 class LineParts {
   public:
-    LineParts(std::span<const float> map, const CoastGrid& grid) : map_(map), grid_(grid) {}
+    LineParts(std::span<const float> map, const SampleGrid& grid) : map_(map), grid_(grid) {}
 
     /// Returns the lesser of `least` and the squared distance of the point (0, 0) to the line in
     /// the square (i, j) .. (i + 1, j + 1), whose first sample lies at `at`.
@@ -211,15 +211,15 @@ class LineParts {
 
   private:
     std::span<const float> map_;
-    CoastGrid grid_;
+    SampleGrid grid_;
 };
 
 }  // namespace
 
-void shore_distance(std::span<const float> map, const CoastGrid& grid, std::span<float> offsets,
-                    std::span<float> distance, std::span<std::uint32_t> nearest,
-                    CoastPasses& passes) {
-    const CoastLines rows = CoastLines::rows(grid), columns = CoastLines::columns(grid);
+void zero_line_distance(std::span<const float> map, const SampleGrid& grid,
+                        std::span<float> offsets, std::span<float> distance,
+                        std::span<std::uint32_t> nearest, GridPasses& passes) {
+    const GridLines rows = GridLines::rows(grid), columns = GridLines::columns(grid);
     CrossingSearch crossings(map, offsets, passes);
     crossings.search(columns, rows, true, distance, nearest);
     crossings.search(rows, columns, false, distance, nearest);

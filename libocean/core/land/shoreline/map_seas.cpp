@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Seas: see coast_seas.hpp. Runs of water in rows are joined with those that they touch in the row
+// Seas: see map_seas.hpp. Runs of water in rows are joined with those that they touch in the row
 // below, by a forest whose roots are seas.
-#include "coast_seas.hpp"
+#include "map_seas.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -69,7 +69,7 @@ void join_rows(const std::vector<Run>& runs, std::uint32_t below, std::uint32_t 
 
 }  // namespace
 
-void raise_cut_off_seas(std::span<float> map, const CoastGrid& grid) {
+void raise_cut_off_seas(std::span<float> map, const SampleGrid& grid) {
     std::size_t count = 1;  // the border
     for (int j = 0; j < grid.rows; ++j) {
         for_each_run(&map[grid.index(0, j)], grid.columns, [&](Run) { ++count; });

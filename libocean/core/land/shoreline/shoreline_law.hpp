@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ocean/coast_profile.hpp"
+#include "ocean/shoreline_profile.hpp"
 
 namespace ocean {
 
@@ -41,9 +41,9 @@ struct BedLaw {
 
 inline constexpr BedLaw kExposedBed{.slope = 0.16, .closure = 7.0, .outer = 1.0 / 40.0};
 
-class CoastLaw {
+class ShorelineLaw {
   public:
-    CoastLaw(const CoastSettings& settings, double cell)
+    ShorelineLaw(const ShorelineSettings& settings, double cell)
         : settings_(settings),
           cell_(cell),
           sheltered_{.slope = settings.beach_slope,
@@ -100,7 +100,7 @@ class CoastLaw {
         return (1.0 - away) * line + away * inland;
     }
 
-    CoastSettings settings_;
+    ShorelineSettings settings_;
     double cell_;  // [m]
     BedLaw sheltered_;
 };

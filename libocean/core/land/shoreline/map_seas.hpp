@@ -6,12 +6,12 @@
 
 #include <span>
 
-#include "field/coast_lines.hpp"
+#include "field/grid_lines.hpp"
 
 namespace ocean {
 
 /// Changes the sign of all samples <= 0 that no path of such samples, along rows and columns,
 /// connects with the border; samples of 0 become the least normal float.
-void raise_cut_off_seas(std::span<float> map, const CoastGrid& grid);
+void raise_cut_off_seas(std::span<float> map, const SampleGrid& grid);
 
 }  // namespace ocean

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The blur: see coast_blur.hpp. Along each axis four boxes follow each other, whose convolution is
+// The blur: see grid_blur.hpp. Along each axis four boxes follow each other, whose convolution is
 // a Gaussian but for 4 % of its peak. A box of whole samples would have only some deviations; this
 // one has its two outermost samples at a smaller weight, so that the variance is exact
 // [Gwosdek 2011]. There is no exponential in it, so all machines get the same bits.
-#include "coast_blur.hpp"
+#include "grid_blur.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,33 +36,32 @@ struct Box {
 /// Applies a box to interleaved lines in place. Sample k of the result, k < length, is centred on
 /// sample k + reach() of the input, which has length + 2 reach() samples.
 void apply(const Box& box, int length, float* lines) {
-    double sum[kCoastLanes] = {};
+    double sum[kGridLanes] = {};
     for (int k = 1; k <= 2 * box.radius + 1; ++k) {
-        for (int l = 0; l < kCoastLanes; ++l) sum[l] += double{lines[k * kCoastLanes + l]};
+        for (int l = 0; l < kGridLanes; ++l) sum[l] += double{lines[k * kGridLanes + l]};
     }
     const int last = 2 * box.reach();
     for (int k = 0; k < length; ++k) {
-        float* const first = lines + k * kCoastLanes;
-        const float* const next = first + last * kCoastLanes;
-        for (int l = 0; l < kCoastLanes; ++l) {
+        float* const first = lines + k * kGridLanes;
+        const float* const next = first + last * kGridLanes;
+        for (int l = 0; l < kGridLanes; ++l) {
             const double ends = double{first[l]} + double{next[l]};
             first[l] = static_cast<float>(sum[l] * box.inner + ends * box.outer);
-            sum[l] += double{next[l]} - double{first[kCoastLanes + l]};
+            sum[l] += double{next[l]} - double{first[kGridLanes + l]};
         }
     }
 }
 
-void blur_lines(std::span<float> map, const CoastLines& lines, const Box& box,
-                CoastBuffers<float>& buffers, CoastPasses& passes) {
+void blur_lines(std::span<float> map, const GridLines& lines, const Box& box,
+                LineBuffers<float>& buffers, GridPasses& passes) {
     const int pad = kBoxes * box.reach();
     const auto samples = static_cast<std::size_t>(lines.length + 2 * pad);
     passes.run(lines.count, [&](int first, int lanes, int thread) {
-        float* const buffer = buffers.of(thread, samples * kCoastLanes);
+        float* const buffer = buffers.of(thread, samples * kGridLanes);
         for (int k = 0; k < lines.length + 2 * pad; ++k) {
             const int from = std::clamp(k - pad, 0, lines.length - 1);
-            for (int l = 0; l < kCoastLanes; ++l) {
-                buffer[k * kCoastLanes + l] =
-                    map[lines.index(first + std::min(l, lanes - 1), from)];
+            for (int l = 0; l < kGridLanes; ++l) {
+                buffer[k * kGridLanes + l] = map[lines.index(first + std::min(l, lanes - 1), from)];
             }
         }
         for (int b = 1; b <= kBoxes; ++b) {
@@ -70,7 +69,7 @@ void blur_lines(std::span<float> map, const CoastLines& lines, const Box& box,
         }
         for (int k = 0; k < lines.length; ++k) {
             for (int l = 0; l < lanes; ++l) {
-                map[lines.index(first + l, k)] = buffer[k * kCoastLanes + l];
+                map[lines.index(first + l, k)] = buffer[k * kGridLanes + l];
             }
         }
     });
@@ -78,13 +77,13 @@ void blur_lines(std::span<float> map, const CoastLines& lines, const Box& box,
 
 }  // namespace
 
-void blur(std::span<float> map, const CoastGrid& grid, double deviation, CoastPasses& passes) {
+void blur(std::span<float> map, const SampleGrid& grid, double deviation, GridPasses& passes) {
     const double widest = 2.0 * std::max(grid.columns, grid.rows);
     const double d = std::min(deviation, widest);
     const Box box = Box::of_variance(d * d / kBoxes);
-    CoastBuffers<float> buffers(passes.pool());
-    blur_lines(map, CoastLines::rows(grid), box, buffers, passes);
-    blur_lines(map, CoastLines::columns(grid), box, buffers, passes);
+    LineBuffers<float> buffers(passes.pool());
+    blur_lines(map, GridLines::rows(grid), box, buffers, passes);
+    blur_lines(map, GridLines::columns(grid), box, buffers, passes);
 }
 
 }  // namespace ocean

@@ -1,24 +1,24 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The stages of a coast: see coast_profile.hpp. smoothed heights -> seas -> distances -> shelter
-// and steepness of the nearest shore -> profile.
-#include "ocean/coast_profile.hpp"
+// The stages of a coast: see shoreline_profile.hpp. smoothed heights -> seas -> distances ->
+// shelter and steepness of the nearest shore -> profile.
+#include "ocean/shoreline_profile.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
-#include "coast_law.hpp"
-#include "coast_seas.hpp"
-#include "field/coast_blur.hpp"
-#include "field/coast_distance.hpp"
-#include "field/coast_lines.hpp"
+#include "field/grid_blur.hpp"
+#include "field/grid_lines.hpp"
+#include "field/zero_line.hpp"
+#include "map_seas.hpp"
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/text.hpp"
+#include "shoreline_law.hpp"
 
 namespace ocean {
 namespace {
@@ -31,7 +31,8 @@ Error refusal(const std::string& message) {
     return Error(ErrorKind::invalid_value, message);
 }
 
-void check(std::span<const float> heights, const Domain& domain, const CoastSettings& settings) {
+void check(std::span<const float> heights, const Domain& domain,
+           const ShorelineSettings& settings) {
     const auto [columns, rows] = domain.samples;
     if (domain.wraps || columns < 2 || rows < 2) {
         throw refusal("a coast needs a domain that exists once, with at least 2 x 2 samples");
@@ -84,17 +85,18 @@ Sides sides_of(std::span<const float> map, double level) {
     return sides;
 }
 
-class CoastShaper {
+class ShorelineShaper {
   public:
-    CoastShaper(std::span<float> heights, const Domain& domain, const CoastSettings& settings,
-                ThreadPool& pool, const std::function<void(double share)>& progress)
+    ShorelineShaper(std::span<float> heights, const Domain& domain,
+                    const ShorelineSettings& settings, ThreadPool& pool,
+                    const std::function<void(double share)>& progress)
         : heights_(heights),
           grid_{domain.samples[0], domain.samples[1]},
           cell_(domain.step(0)),
           settings_(settings),
           law_(settings, cell_),
           passes_(pool, progress, kPasses) {
-        require_memory(coast_bytes(grid_.count()), "the coast of a land");
+        require_memory(shoreline_bytes(grid_.count()), "the coast of a land");
         above_ = static_cast<float>(settings.level + kLeast);
         below_ = static_cast<float>(settings.level - kLeast);
         constexpr float kFar = std::numeric_limits<float>::max();
@@ -102,7 +104,7 @@ class CoastShaper {
         if (!(double{below_} < settings.level)) below_ = std::nextafter(below_, -kFar);
     }
 
-    CoastMaps shape() {
+    ShorelineMaps shape() {
         find_line();
         const Sides sides = sides_of(smoothed_, 0.0);
         for (PageVector<float>* map :
@@ -111,7 +113,7 @@ class CoastShaper {
         }
         if (sides.land && sides.sea) {
             nearest_.resize(grid_.count());
-            shore_distance(smoothed_, grid_, maps_.beach, maps_.distance, nearest_, passes_);
+            zero_line_distance(smoothed_, grid_, maps_.beach, maps_.distance, nearest_, passes_);
             find_character();
         } else {
             std::ranges::fill(maps_.distance, sides.land ? kNoShore : -kNoShore);
@@ -211,26 +213,27 @@ class CoastShaper {
     }
 
     std::span<float> heights_;
-    CoastGrid grid_;
+    SampleGrid grid_;
     double cell_;  // [m]
-    CoastSettings settings_;
-    CoastLaw law_;
-    CoastPasses passes_;
+    ShorelineSettings settings_;
+    ShorelineLaw law_;
+    GridPasses passes_;
     float above_, below_;                // the level's neighbours [m]
     PageVector<float> smoothed_;         // heights above the level, with the sign of the result [m]
     PageVector<std::uint32_t> nearest_;  // the index of the sample at the nearest shore
-    CoastMaps maps_;
+    ShorelineMaps maps_;
 };
 
 }  // namespace
 
-CoastMaps shape_coast(std::span<float> heights, const Domain& domain, const CoastSettings& settings,
-                      ThreadPool& pool, const std::function<void(double share)>& progress) {
+ShorelineMaps shape_shoreline(std::span<float> heights, const Domain& domain,
+                              const ShorelineSettings& settings, ThreadPool& pool,
+                              const std::function<void(double share)>& progress) {
     check(heights, domain, settings);
-    return CoastShaper(heights, domain, settings, pool, progress).shape();
+    return ShorelineShaper(heights, domain, settings, pool, progress).shape();
 }
 
-std::uint64_t coast_bytes(std::size_t cells) {
+std::uint64_t shoreline_bytes(std::size_t cells) {
     // Four maps, the smoothed heights, the nearest shore.
     return std::uint64_t{cells} * (5 * sizeof(float) + sizeof(std::uint32_t));
 }

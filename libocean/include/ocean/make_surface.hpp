@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// From modes to the surface of one time, by a backend; and planes of linear fields on the way.
+#pragma once
+
+#include <array>
+
+#include "ocean/backend.hpp"
+#include "ocean/channel.hpp"
+#include "ocean/modes.hpp"
+#include "ocean/page_vector.hpp"
+#include "ocean/surface.hpp"
+
+namespace ocean {
+
+class ThreadPool;
+
+/// Planes of resolution^2 values, row-major [j][i]; those that were not requested are empty.
+template <typename Real>
+struct LinearPlanes {
+    std::array<PageVector<Real>, kLinearCount> plane;
+    const PageVector<Real>& operator[](Linear field) const {
+        return plane[static_cast<std::size_t>(field)];
+    }
+    PageVector<Real>& operator[](Linear field) { return plane[static_cast<std::size_t>(field)]; }
+};
+
+/// Returns one map of `resolution` samples (0 = the modes' own; else a power of two, 32 .. 8192):
+/// all modes below its Nyquist line, zero padded where the modes end. The bits do not depend on the
+/// order of calls or the number of threads. Without foam, which has a past: see foam.hpp and Ocean.
+Surface make_surface(const Modes& modes, const SurfaceSettings& settings, double time,
+                     ChannelSet channels, const Backend& backend, ThreadPool& pool,
+                     int resolution = 0);
+
+/// Returns the channels computed from planes of their linear fields (fields_of), such as sums over
+/// the small maps of cascades. `settings` as from with_threshold.
+Surface combine_planes(const LinearPlanes<float>& planes, const Lattice& lattice, double time,
+                       const SurfaceSettings& settings, ChannelSet channels, ThreadPool& pool);
+
+/// Returns the largest |imaginary part| of the height field over its rms, by a full complex
+/// transform: 0 to rounding if the modes are Hermitian. For tests and verification.
+double imaginary_residue(const Modes& modes, double time);
+
+}  // namespace ocean
