@@ -14,6 +14,7 @@
 #include "coast/surface/coast.hpp"
 #include "coast/surface/region_channels.hpp"
 #include "coast/surface/shore_motion.hpp"
+#include "coast/surface/surf_reader.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/sea_bytes.hpp"
@@ -78,8 +79,7 @@ void Ocean::change(Sea sea) {
     const auto first = first_dirty_stage(sea_.parameters, sea.parameters);
     if (performed || (first && *first != Stage::clock)) {
         foam_.clear();
-        region_foam_.reset();
-        region_wet_.reset();
+        region_traces_.reset();
         spray_.reset();
     }
     if (sea_.parameters.grid != sea.parameters.grid) {
@@ -192,14 +192,6 @@ void Ocean::write_open(double time, std::span<const MapOutput> outputs, int reso
         }
     }
     write_maps(time, outputs, resolution, foam);
-}
-
-void Ocean::region_into(double time, const Domain& domain, std::span<const MapOutput> outputs) {
-    if (!fields_of(outputs).empty()) {
-        throw Error(ErrorKind::unsupported,
-                    "a region has no linear fields: over a bed waves do not add up");
-    }
-    copy_channels(region(time, domain, channels_of(outputs)), outputs, pool_);
 }
 
 void Ocean::evaluate_cascade_into(std::size_t cascade, double time,

@@ -4,17 +4,16 @@
 // The facade's sea over a bed: maps of regions and queries, from the one surface of the coast. Foam
 // of breaking waves is followed at labels, as the open sea's is on its lattices.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "chain.hpp"
 #include "coast/surface/region_channels.hpp"
 #include "coast/surface/shore_query.hpp"
-#include "coast/surface/surf_labels.hpp"
+#include "coast/surface/surf_reader.hpp"
 #include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
@@ -43,58 +42,6 @@ void require_region(const Domain& domain) {
                     std::to_string(domain.samples[1]) +
                     " samples; allowed: a rectangle that does not wrap, 2 .. " +
                     std::to_string(kMaxRegionSide) + " samples along each side");
-}
-
-std::vector<WorldPoint> labels_of(const Domain& domain) {
-    std::vector<WorldPoint> labels(domain.count());
-    std::size_t next = 0;
-    for (int j = 0; j < domain.samples[1]; ++j) {
-        for (int i = 0; i < domain.samples[0]; ++i) {
-            const auto [x, y] = domain.place(i, j);
-            labels[next++] = {x, y};
-        }
-    }
-    return labels;
-}
-
-enum class SurfTrace { foam, wet_ground };
-
-/// Writes what waves that break and run up leave, of one tick: what is left of that before, or what
-/// comes now.
-void add_trace(SurfTrace trace, const ShoreSurface& surface, std::span<const SurfLabels> surf,
-               const FoamLayer& before, std::span<float> left, ThreadPool& pool) {
-    std::ranges::fill(left, 0.0f);
-    pool.for_each_item(static_cast<int>(surf.size()), [&](int piece, int) {
-        const SurfLabels& labels = surf[static_cast<std::size_t>(piece)];
-        std::vector<float> breaking(labels.size());
-        std::vector<float> depths(labels.size());
-        surface.read_surf(labels, breaking, depths);
-        for (std::size_t n = 0; n < labels.size(); ++n) {
-            const std::size_t i = labels.index[n];
-            const float past = before.map == nullptr ? 0.0f : before.fade * before.map[i];
-            const float now = trace == SurfTrace::foam ? breaking[n] : covered_by(depths[n]);
-            const float here = std::max(now, past);
-            left[i] = here < before.cutoff ? 0.0f : here;
-        }
-    });
-}
-
-/// Returns the source of a trace at labels, whose lifetime [s] does not change. `surface_at`
-/// returns the surface of a time; the labels that waves reach are found at the first tick.
-FoamSource trace_source(SurfTrace trace, std::span<const WorldPoint> labels, double lifetime,
-                        const std::function<const ShoreSurface&(double time)>& surface_at,
-                        ThreadPool& pool,
-                        const std::function<void(std::int64_t, std::int64_t)>& progress) {
-    return {[lifetime](double) { return lifetime; },
-            [=, &pool, surf = std::vector<SurfLabels>()](double t, const FoamLayer& before,
-                                                         std::span<float> left) mutable {
-                const ShoreSurface& surface = surface_at(t);
-                if (surf.empty()) {
-                    surf = find_surf(surface.statics(), surface.run_up(), labels, pool);
-                }
-                add_trace(trace, surface, surf, before, left, pool);
-            },
-            progress};
 }
 
 /// The clock of the foam of breaking waves: their fronts are some metres wide, so that a quarter of
@@ -144,68 +91,83 @@ void Ocean::prepare_coast() {
     });
 }
 
-FoamLayer Ocean::surf_foam(double time, std::span<const WorldPoint> labels, FoamState& state) {
-    const double lifetime = sea_.parameters.water.shore.surf_foam_lifetime;
+FoamLayer Ocean::surf_layer(SurfTrace trace, double time, SurfReader& reader, FoamState& state) {
+    // With a take other labels may be reached at every time.
+    if (!sea_.take.empty()) reader.forget();
     const auto surface_at = [this](double t) -> const ShoreSurface& {
         ++runs_.foam_ticks;
         return shore_surface(t, false);
     };
-    return state.layer(time, trace_source(SurfTrace::foam, labels, lifetime, surface_at, pool_,
-                                          options_.foam_progress));
+    const double lifetime =
+        trace == SurfTrace::foam ? sea_.parameters.water.shore.surf_foam_lifetime : kDryingTime;
+    return state.layer(time,
+                       reader.source(trace, lifetime, surface_at, pool_, options_.foam_progress));
 }
 
-FoamLayer Ocean::wet_ground(double time, std::span<const WorldPoint> labels, FoamState& state) {
-    const auto surface_at = [this](double t) -> const ShoreSurface& {
-        ++runs_.foam_ticks;
-        return shore_surface(t, false);
-    };
-    return state.layer(time, trace_source(SurfTrace::wet_ground, labels, kDryingTime, surface_at,
-                                          pool_, options_.foam_progress));
-}
-
-Surface Ocean::region(double time, const Domain& domain, ChannelSet channels) {
+void Ocean::begin_region(double time, const Domain& domain, ChannelSet channels,
+                         std::size_t new_maps) {
     require_time(time);
     require_region(domain);
     require_bed();
     go_to(time);
     const bool has_foam = channels.intersects(kFoamChannels);
     const bool has_wet = channels.contains(channel_of(LandMask::wetness));
-    const auto maps = static_cast<std::uint64_t>(channels.size() + (has_foam ? kFoamMaps + 1 : 0) +
+    const auto maps = static_cast<std::uint64_t>(new_maps + (has_foam ? kFoamMaps + 1 : 0) +
                                                  (has_wet ? kFoamMaps : 0));
     const std::uint64_t points = has_foam || has_wet ? sizeof(WorldPoint) : 0;
     require_memory(domain.count() * (maps * sizeof(float) + points),
                    "a region of " + std::to_string(domain.samples[0]) + " x " +
                        std::to_string(domain.samples[1]) + " samples");
+}
+
+Surface Ocean::region(double time, const Domain& domain, ChannelSet channels) {
+    begin_region(time, domain, channels, channels.size());
+    Surface map(domain, time, channels);
+    write_region(time, domain, outputs_of(map));
+    return map;
+}
+
+void Ocean::region_into(double time, const Domain& domain, std::span<const MapOutput> outputs) {
+    if (!fields_of(outputs).empty()) {
+        throw Error(ErrorKind::unsupported,
+                    "a region has no linear fields: over a bed waves do not add up");
+    }
+    begin_region(time, domain, channels_of(outputs), 0);
+    write_region(time, domain, outputs);
+}
+
+void Ocean::write_region(double time, const Domain& domain, std::span<const MapOutput> outputs) {
+    const ChannelSet channels = channels_of(outputs);
     ++runs_.surface;
+    if (!region_traces_ || region_traces_->domain != domain) {
+        region_traces_.reset();
+        region_traces_ = std::make_unique<RegionTraces>(domain);
+    }
+    RegionTraces& traces = *region_traces_;
     RegionFoamMaps foam;
-    if (has_foam) {
-        if (!region_foam_ || region_foam_->domain != domain) {
-            region_foam_.emplace(RegionFoam{
-                domain,
-                FoamState(surf_clock(sea_.parameters), domain.count(), options_.foam_start)});
+    if (channels.intersects(kFoamChannels)) {
+        if (!traces.foam) {
+            traces.foam.emplace(surf_clock(sea_.parameters), domain.count(), options_.foam_start);
         }
-        foam.surf = surf_foam(time, labels_of(domain), region_foam_->state);
+        foam.surf = surf_layer(SurfTrace::foam, time, traces.reader, *traces.foam);
         const int shown = default_map_resolution(sea_.parameters.grid);
         foam.open = Surface(Lattice{shown, sea_.parameters.grid.patch_size}, time,
                             channels.without(kEveryMask | kEveryChannel.without(kFoamChannels)));
         write_open(time, outputs_of(foam.open), shown);
     }
     FoamLayer wet;
-    if (has_wet) {
-        if (!region_wet_ || region_wet_->domain != domain) {
-            region_wet_.emplace(RegionFoam{domain, FoamState(wet_clock(sea_.parameters),
-                                                             domain.count(), options_.foam_start)});
+    if (channels.contains(channel_of(LandMask::wetness))) {
+        if (!traces.wet) {
+            traces.wet.emplace(wet_clock(sea_.parameters), domain.count(), options_.foam_start);
         }
-        wet = wet_ground(time, labels_of(domain), region_wet_->state);
+        wet = surf_layer(SurfTrace::wet_ground, time, traces.reader, *traces.wet);
     }
     ShoreSurface& surface = shore_surface(time, region_parts(channels) == JetParts::all);
     const SurfaceSettings& settings =
         chain_->shown_settings(default_map_resolution(now().grid), pool_, runs_);
     const RegionChannels writer(surface, channels, settings, foam, wet, *now().water.bed);
-    Surface map(domain, time, channels);
     surface.prepare(current_modes(), domain, pool_);
-    writer.write(coast_->summed_by(options_.backend), map, pool_);
-    return map;
+    writer.write(coast_->summed_by(options_.backend), domain, outputs, pool_);
 }
 
 void Ocean::query_shore(double time, std::span<const WorldPoint> points,
@@ -232,7 +194,8 @@ void Ocean::query_shore(double time, std::span<const WorldPoint> points,
     }
     FoamState state(surf_clock(sea_.parameters), labels.size());
     RegionFoamMaps foam;
-    foam.surf = surf_foam(time, labels, state);
+    SurfReader reader([&labels] { return labels; });
+    foam.surf = surf_layer(SurfTrace::foam, time, reader, state);
     const int shown = default_map_resolution(sea_.parameters.grid);
     foam.open = Surface(Lattice{shown, sea_.parameters.grid.patch_size}, time, Channel::foam);
     write_open(time, outputs_of(foam.open), shown);

@@ -9,11 +9,13 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "coast/statics/shore_statics.hpp"
 #include "ocean/directional_spectrum.hpp"
+#include "ocean/land_mask.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/query.hpp"
 #include "ocean/sea_bed.hpp"
@@ -68,6 +70,51 @@ TEST(ShoreChannels, PartsOfARegionHaveTheBitsOfTheWhole) {
         for (std::size_t i = 0; i < 41; ++i) {
             EXPECT_EQ(small.channel(Channel::height)[j * 41 + i],
                       large.channel(Channel::height)[(j + 10) * 81 + i + 30]);
+        }
+    }
+}
+
+TEST(ShoreChannels, FoamAndWetGroundShareTheReadsOfATime) {
+    const Domain beach{{700.0, 100.0}, {120.0, 60.0}, {31, 16}, false};
+    const ChannelSet traces = {Channel::foam, channel_of(LandMask::wetness)};
+    // At 4 s both clocks tick.
+    const auto ticks = [&](Ocean& ocean, ChannelSet channels) {
+        static_cast<void>(ocean.region(3.9, beach, channels));
+        const int before = ocean.stage_runs().foam_ticks;
+        static_cast<void>(ocean.region(4.1, beach, channels));
+        return ocean.stage_runs().foam_ticks - before;
+    };
+    Ocean ocean(beach_sea());
+    Ocean foam(beach_sea());
+    EXPECT_EQ(ticks(ocean, traces), ticks(foam, Channel::foam));
+    const Surface followed = ocean.region(4.1, beach, traces);
+    Ocean alone(beach_sea());
+    const Surface fresh = alone.region(4.1, beach, traces);
+    for (const Channel channel : {Channel::foam, channel_of(LandMask::wetness)}) {
+        EXPECT_TRUE(std::ranges::equal(followed.channel(channel), fresh.channel(channel)));
+    }
+}
+
+TEST(ShoreChannels, ARegionGoesIntoInterleavedPaddedBuffersWithFactors) {
+    const Domain domain{{600.0, 100.0}, {600.0, 40.0}, {301, 21}, false};  // rows of two pieces
+    const ChannelSet channels = {Channel::height, Channel::nx, Channel::jacobian};
+    Ocean ocean(beach_sea());
+    const Surface map = ocean.region(4.0, domain, channels);
+    constexpr std::size_t kPitch = 3 * 301 + 5;
+    std::vector<float> buffer(21 * kPitch, -7.0f);
+    MapOutput output{buffer.data(), 3, {}};
+    output.component = {{{Channel::nx, 2.0f}, {}, {Channel::height, -1.0f}}};
+    output.row_pitch = kPitch;
+    ocean.region_into(4.0, domain, std::span(&output, 1));
+    for (std::size_t j = 0; j < 21; ++j) {
+        for (std::size_t i = 0; i < 301; ++i) {
+            const float* const sample = &buffer[j * kPitch + 3 * i];
+            ASSERT_EQ(sample[0], 2.0f * map.channel(Channel::nx)[j * 301 + i]);
+            ASSERT_EQ(sample[1], -7.0f) << "a component without a quantity stays unchanged";
+            ASSERT_EQ(sample[2], -map.channel(Channel::height)[j * 301 + i]);
+        }
+        for (std::size_t pad = 0; pad < 5; ++pad) {
+            ASSERT_EQ(buffer[j * kPitch + 903 + pad], -7.0f);
         }
     }
 }

@@ -41,6 +41,9 @@ class Performer;
 class ShoreMotion;
 class ShoreSurface;
 class SprayFollower;
+class SurfReader;
+struct RegionTraces;
+enum class SurfTrace;
 
 struct OceanOptions {
     int threads = 0;                    // 0 = the cores this process may use
@@ -209,10 +212,13 @@ class Ocean {
     ShoreSurface& shore_surface(double time, bool with_rates);
     void query_shore(double time, std::span<const WorldPoint> points,
                      std::span<QuerySample> samples, const QueryOptions& options);
-    /// Returns the foam of breaking waves at labels that are followed from call to call.
-    FoamLayer surf_foam(double time, std::span<const WorldPoint> labels, FoamState& state);
-    /// Returns the wetness of the ground at labels that are followed from call to call.
-    FoamLayer wet_ground(double time, std::span<const WorldPoint> labels, FoamState& state);
+    /// Throws as region() before a region is computed, and out_of_memory if `new_maps` maps of its
+    /// samples do not fit beside its foam.
+    void begin_region(double time, const Domain& domain, ChannelSet channels, std::size_t new_maps);
+    /// Writes a region of the sea at the chain's time.
+    void write_region(double time, const Domain& domain, std::span<const MapOutput> outputs);
+    /// Returns the foam of breaking waves, or the wetness of the ground, at the reader's labels.
+    FoamLayer surf_layer(SurfTrace trace, double time, SurfReader& reader, FoamState& state);
     /// Writes maps of the sea at the chain's time, with whitecaps laid over `foam`.
     void write_maps(double time, std::span<const MapOutput> outputs, int resolution,
                     const FoamLayer& foam);
@@ -254,13 +260,7 @@ class Ocean {
     std::unique_ptr<Performer> performer_;
     std::unique_ptr<Coast> coast_;
     std::unique_ptr<ShoreMotion> shore_motion_;
-    /// The foam of breaking waves on the domain of the last region.
-    struct RegionFoam {
-        Domain domain;
-        FoamState state;
-    };
-    std::optional<RegionFoam> region_foam_;
-    std::optional<RegionFoam> region_wet_;  // the wetness of its ground
+    std::unique_ptr<RegionTraces> region_traces_;
 
     /// Identifies the maps of a query.
     struct QueryKey {

@@ -41,6 +41,7 @@ float read_period(const Surface& map, Channel channel, WorldPoint label) {
 }
 
 constexpr ChannelSet kRates = {Channel::vx, Channel::vy, Channel::vz};
+constexpr ChannelSet kNormals = {Channel::nx, Channel::ny, Channel::nz};
 constexpr ChannelSet kGradients = {
     Channel::nx,   Channel::ny,   Channel::nz,   Channel::slope_x,  Channel::slope_y,
     Channel::dx_x, Channel::dy_y, Channel::dx_y, Channel::jacobian, Channel::whitecap};
@@ -71,54 +72,6 @@ float RegionFoamMaps::cover(WorldPoint label, std::size_t index, float breaking,
     return 1.0f - (1.0f - offshore) * (1.0f - surf_cover);
 }
 
-float RegionChannels::value(Channel channel, WorldPoint label, std::size_t index,
-                            const ShorePoint& point) const {
-    switch (channel) {
-        case Channel::dx:
-            return point.dx.value();
-        case Channel::dy:
-            return point.dy.value();
-        case Channel::height:
-            return point.height.value();
-        case Channel::nx:
-            return shore_normal(point)[0];
-        case Channel::ny:
-            return shore_normal(point)[1];
-        case Channel::nz:
-            return shore_normal(point)[2];
-        case Channel::slope_x:
-            return point.height.by_x();
-        case Channel::slope_y:
-            return point.height.by_y();
-        case Channel::jacobian:
-            return shore_jacobian(point);
-        case Channel::whitecap: {
-            const float offshore = wave::single_precision::surface_whitecap(
-                shore_jacobian(point), static_cast<float>(settings_.foam_threshold),
-                static_cast<float>(settings_.foam_width));
-            return std::max((1.0f - point.surf) * offshore, point.breaking);
-        }
-        case Channel::foam:
-            return foam_.foam(label, index, point.breaking, point.surf);
-        case Channel::vx:
-            return point.dx.by_t();
-        case Channel::vy:
-            return point.dy.by_t();
-        case Channel::vz:
-            return point.height.by_t();
-        case Channel::dx_x:
-            return point.dx.by_x();
-        case Channel::dy_y:
-            return point.dy.by_y();
-        // Over a bed the two mixed derivatives differ a little.
-        case Channel::dx_y:
-            return 0.5f * (point.dx.by_y() + point.dy.by_x());
-        case Channel::cover:
-            return foam_.cover(label, index, point.breaking, point.surf);
-    }
-    return 0.0f;
-}
-
 void leave_out_swash(const SeaBed& bed, Surface& map) {
     const Domain& domain = map.domain();
     const std::span<float> whitecaps = map.channel(Channel::whitecap);
@@ -131,11 +84,11 @@ void leave_out_swash(const SeaBed& bed, Surface& map) {
     }
 }
 
-void RegionChannels::write(const CoastFunction& sum_waves, Surface& map, ThreadPool& pool) const {
-    const Domain& domain = map.domain();
+void RegionChannels::write(const CoastFunction& sum_waves, const Domain& domain,
+                           std::span<const MapOutput> outputs, ThreadPool& pool) const {
     const int rows = domain.samples[1];
     if (!sum_waves) {
-        pool.for_each_item(rows, [&](int j, int) { write_row(j, {}, map); });
+        pool.for_each_item(rows, [&](int j, int) { write_row(domain, j, {}, outputs); });
         return;
     }
     // Enough labels for every core of a GPU, whose sums take some 10 MB.
@@ -158,57 +111,139 @@ void RegionChannels::write(const CoastFunction& sum_waves, Surface& map, ThreadP
         sums.resize(kCoastSums * parts * labels.size());
         sum_waves({waves, first == 0, labels, parts, sums});
         pool.for_each_item(count, [&](int row, int) {
-            write_row(first + row, {sums, labels.size(), static_cast<std::size_t>(row) * width},
-                      map);
+            const std::size_t from = static_cast<std::size_t>(row) * width;
+            write_row(domain, first + row, {sums, labels.size(), from}, outputs);
         });
     }
 }
 
-void RegionChannels::write_row(int j, ReadySums ready, Surface& map) const {
-    constexpr std::size_t kPiece = 256;
-    const Domain& domain = map.domain();
+struct RegionChannels::Piece {
+    static constexpr std::size_t kSize = 256;
+
+    std::size_t first;  // index of the first sample in the region
+    std::size_t count;
+    std::array<WorldPoint, kSize> labels;
+    std::array<ShorePoint, kSize> points;
+    std::array<std::array<float, 3>, kSize> normals;  // if a channel needs them
+    std::array<float, kSize> jacobians;               // the same
+};
+
+void RegionChannels::write_row(const Domain& domain, int j, ReadySums ready,
+                               std::span<const MapOutput> outputs) const {
     const auto width = static_cast<std::size_t>(domain.samples[0]);
-    const std::size_t row = static_cast<std::size_t>(j) * width;
-    std::array<WorldPoint, kPiece> labels;
-    std::array<ShorePoint, kPiece> points;
-    for (std::size_t first = 0; first < width; first += kPiece) {
-        const std::size_t count = std::min(kPiece, width - first);
+    const auto row = static_cast<std::size_t>(j);
+    Piece piece;
+    for (std::size_t first = 0; first < width; first += Piece::kSize) {
+        const std::size_t count = std::min(Piece::kSize, width - first);
+        piece.first = row * width + first;
+        piece.count = count;
         for (std::size_t i = 0; i < count; ++i) {
             const auto [x, y] = domain.place(static_cast<int>(first + i), j);
-            labels[i] = {x, y};
+            piece.labels[i] = {x, y};
         }
-        surface_.read(std::span(labels).first(count), parts_, std::span(points).first(count),
-                      nullptr, {ready.sums, ready.labels, ready.first + first});
-        for (int c = 0; c < kChannelCount; ++c) {
-            const auto channel = static_cast<Channel>(c);
-            if (!map.has(channel)) continue;
-            const std::span<float> out = map.channel(channel).subspan(row + first, count);
+        surface_.read(std::span(piece.labels).first(count), parts_,
+                      std::span(piece.points).first(count), nullptr,
+                      {ready.sums, ready.labels, ready.first + first});
+        if (channels_.intersects(kNormals)) {
             for (std::size_t i = 0; i < count; ++i) {
-                out[i] = value(channel, labels[i], row + first + i, points[i]);
+                piece.normals[i] = shore_normal(piece.points[i]);
             }
         }
-        if (map.has(channel_of(LandMask::breaking))) {
-            const auto out = map.channel(channel_of(LandMask::breaking)).subspan(row + first);
-            for (std::size_t i = 0; i < count; ++i) out[i] = points[i].breaking;
-        }
-        if (map.has(channel_of(LandMask::wetness))) {
-            const auto out = map.channel(channel_of(LandMask::wetness)).subspan(row + first);
+        if (channels_.intersects({Channel::jacobian, Channel::whitecap})) {
             for (std::size_t i = 0; i < count; ++i) {
-                const float past =
-                    wet_.map == nullptr ? 0.0f : wet_.fade * wet_.map[row + first + i];
-                out[i] = std::max(points[i].wetness, past);
+                piece.jacobians[i] = shore_jacobian(piece.points[i]);
             }
         }
-        if (map.has(channel_of(LandMask::depth))) {
-            const auto out = map.channel(channel_of(LandMask::depth)).subspan(row + first);
-            for (std::size_t i = 0; i < count; ++i) {
-                const ShorePoint& point = points[i];
-                const double x = labels[i].x + static_cast<double>(point.dx.value());
-                const double y = labels[i].y + static_cast<double>(point.dy.value());
-                out[i] = point.height.value() - bed_height(bed_, x, y);
+        for (const MapOutput& output : outputs) {
+            const auto used = output.used();
+            float* const to =
+                output.data + row * output.pitch(domain.samples[0]) + first * used.size();
+            for (std::size_t c = 0; c < used.size(); ++c) {
+                if (used[c].quantity.is_channel()) write_piece(piece, used[c], to + c, used.size());
             }
         }
     }
+}
+
+void RegionChannels::write_piece(const Piece& piece, const MapOutput::Component& component,
+                                 float* to, std::size_t step) const {
+    const Channel channel = component.quantity.channel();
+    const auto each = [&](const auto& value) {
+        for (std::size_t i = 0; i < piece.count; ++i) to[i * step] = component.factor * value(i);
+    };
+    const auto each_point = [&](const auto& value) {
+        each([&](std::size_t i) { return value(piece.points[i]); });
+    };
+    switch (channel) {
+        case Channel::dx:
+            return each_point([](const ShorePoint& point) { return point.dx.value(); });
+        case Channel::dy:
+            return each_point([](const ShorePoint& point) { return point.dy.value(); });
+        case Channel::height:
+            return each_point([](const ShorePoint& point) { return point.height.value(); });
+        case Channel::nx:
+            return each([&](std::size_t i) { return piece.normals[i][0]; });
+        case Channel::ny:
+            return each([&](std::size_t i) { return piece.normals[i][1]; });
+        case Channel::nz:
+            return each([&](std::size_t i) { return piece.normals[i][2]; });
+        case Channel::slope_x:
+            return each_point([](const ShorePoint& point) { return point.height.by_x(); });
+        case Channel::slope_y:
+            return each_point([](const ShorePoint& point) { return point.height.by_y(); });
+        case Channel::jacobian:
+            return each([&](std::size_t i) { return piece.jacobians[i]; });
+        case Channel::whitecap:
+            return each([&](std::size_t i) {
+                const ShorePoint& point = piece.points[i];
+                const float offshore = wave::single_precision::surface_whitecap(
+                    piece.jacobians[i], static_cast<float>(settings_.foam_threshold),
+                    static_cast<float>(settings_.foam_width));
+                return std::max((1.0f - point.surf) * offshore, point.breaking);
+            });
+        case Channel::foam:
+            return each([&](std::size_t i) {
+                const ShorePoint& point = piece.points[i];
+                return foam_.foam(piece.labels[i], piece.first + i, point.breaking, point.surf);
+            });
+        case Channel::vx:
+            return each_point([](const ShorePoint& point) { return point.dx.by_t(); });
+        case Channel::vy:
+            return each_point([](const ShorePoint& point) { return point.dy.by_t(); });
+        case Channel::vz:
+            return each_point([](const ShorePoint& point) { return point.height.by_t(); });
+        case Channel::dx_x:
+            return each_point([](const ShorePoint& point) { return point.dx.by_x(); });
+        case Channel::dy_y:
+            return each_point([](const ShorePoint& point) { return point.dy.by_y(); });
+        // Over a bed the two mixed derivatives differ a little.
+        case Channel::dx_y:
+            return each_point(
+                [](const ShorePoint& point) { return 0.5f * (point.dx.by_y() + point.dy.by_x()); });
+        case Channel::cover:
+            return each([&](std::size_t i) {
+                const ShorePoint& point = piece.points[i];
+                return foam_.cover(piece.labels[i], piece.first + i, point.breaking, point.surf);
+            });
+    }
+    if (channel == channel_of(LandMask::breaking)) {
+        return each_point([](const ShorePoint& point) { return point.breaking; });
+    }
+    if (channel == channel_of(LandMask::wetness)) {
+        return each([&](std::size_t i) {
+            const float past = wet_.map == nullptr ? 0.0f : wet_.fade * wet_.map[piece.first + i];
+            return std::max(piece.points[i].wetness, past);
+        });
+    }
+    if (channel == channel_of(LandMask::depth)) {
+        return each([&](std::size_t i) {
+            const ShorePoint& point = piece.points[i];
+            const double x = piece.labels[i].x + static_cast<double>(point.dx.value());
+            const double y = piece.labels[i].y + static_cast<double>(point.dy.value());
+            return point.height.value() - bed_height(bed_, x, y);
+        });
+    }
+    each([](std::size_t) { return 0.0f; });
 }
 
 }  // namespace ocean

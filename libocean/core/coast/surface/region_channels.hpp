@@ -5,11 +5,13 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "coast/surface/shore_surface.hpp"
 #include "field/quad_grid.hpp"
 #include "ocean/backend.hpp"
 #include "ocean/foam_layer.hpp"
+#include "ocean/map_output.hpp"
 #include "ocean/query.hpp"
 #include "ocean/sea_bed.hpp"
 #include "ocean/surface.hpp"
@@ -45,23 +47,31 @@ class RegionChannels {
                    const SurfaceSettings& settings, const RegionFoamMaps& foam,
                    const FoamLayer& wet, const SeaBed& bed)
         : surface_(surface),
+          channels_(channels),
           parts_(region_parts(channels)),
           settings_(settings),
           foam_(foam),
           wet_(wet),
           bed_(bed) {}
 
-    /// Writes every channel of the map, on all threads. `sum_waves` sums the waves; empty: this
-    /// processor does.
-    void write(const CoastFunction& sum_waves, Surface& map, ThreadPool& pool) const;
+    /// Writes the outputs of a region, which hold channels alone, on all threads. `sum_waves` sums
+    /// the waves; empty: this processor does.
+    void write(const CoastFunction& sum_waves, const Domain& domain,
+               std::span<const MapOutput> outputs, ThreadPool& pool) const;
 
   private:
+    /// Some samples of a row, with the values that several channels share.
+    struct Piece;
+
     /// Writes row j. `ready`: the sums at its labels.
-    void write_row(int j, ReadySums ready, Surface& map) const;
-    float value(Channel channel, WorldPoint label, std::size_t index,
-                const ShorePoint& point) const;
+    void write_row(const Domain& domain, int j, ReadySums ready,
+                   std::span<const MapOutput> outputs) const;
+    /// Writes one component of the samples, `step` floats apart.
+    void write_piece(const Piece& piece, const MapOutput::Component& component, float* to,
+                     std::size_t step) const;
 
     const ShoreSurface& surface_;
+    ChannelSet channels_;
     JetParts parts_;
     const SurfaceSettings& settings_;
     const RegionFoamMaps& foam_;

@@ -20,7 +20,7 @@ namespace {
 constexpr int kMaxRepeatedSide = 4096;
 constexpr double kBeyond = 0.1;  // mean correlation from which peaks count
 
-using Plane = std::vector<std::complex<float>>;
+using PowerPlane = std::vector<std::complex<float>>;
 
 /// Returns the signed lag of an index [samples].
 int lag(int i, int side) {
@@ -67,7 +67,7 @@ RepeatPeak highest_peak(const std::vector<float>& correlation, int side, double 
     return peak;
 }
 
-std::vector<float> normalised(const Plane& plane, bool imaginary) {
+std::vector<float> normalised(const PowerPlane& plane, bool imaginary) {
     const auto part = [&](const std::complex<float>& value) {
         return imaginary ? value.imag() : value.real();
     };
@@ -88,7 +88,7 @@ TerrainRepeat find_repeat(const Modes& modes) {
                    "the autocorrelation of the terrain");
     const double dk = tile.lattice.wavenumber_step();
     // Both powers are even and real: their transforms are the two parts of one.
-    Plane plane(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+    PowerPlane plane(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
     for (int m = 1 - side / 2; m < side / 2; ++m) {
         for (int n = 1 - side / 2; n < side / 2; ++n) {
             const double power = std::norm(std::complex<double>(tile.h0[mode_index(n, m, own)]));

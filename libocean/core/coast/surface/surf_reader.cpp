@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "coast/surface/surf_reader.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "coast/surface/shore_surface.hpp"
+#include "ocean/surf_traces.hpp"
+#include "ocean/thread_pool.hpp"
+
+namespace ocean {
+namespace {
+
+std::vector<WorldPoint> labels_of(const Domain& domain) {
+    std::vector<WorldPoint> labels(domain.count());
+    std::size_t next = 0;
+    for (int j = 0; j < domain.samples[1]; ++j) {
+        for (int i = 0; i < domain.samples[0]; ++i) {
+            const auto [x, y] = domain.place(i, j);
+            labels[next++] = {x, y};
+        }
+    }
+    return labels;
+}
+
+}  // namespace
+
+RegionTraces::RegionTraces(const Domain& of) : domain(of), reader([of] { return labels_of(of); }) {}
+
+void SurfReader::forget() {
+    pieces_.reset();
+    read_time_.reset();
+}
+
+void SurfReader::read(const ShoreSurface& surface, ThreadPool& pool) {
+    if (!pieces_) {
+        std::vector<Piece> pieces;
+        for (SurfLabels& labels : find_surf(surface.statics(), surface.run_up(), labels_(), pool)) {
+            pieces.push_back({std::move(labels), {}, {}});
+        }
+        pieces_ = std::move(pieces);
+    }
+    read_time_.reset();  // while the reads are neither the old ones nor the new
+    pool.for_each_item(static_cast<int>(pieces_->size()), [&](int number, int) {
+        Piece& piece = (*pieces_)[static_cast<std::size_t>(number)];
+        piece.breaking.resize(piece.labels.size());
+        piece.depths.resize(piece.labels.size());
+        surface.read_surf(piece.labels, piece.breaking, piece.depths);
+    });
+}
+
+FoamSource SurfReader::source(SurfTrace trace, double lifetime,
+                              std::function<const ShoreSurface&(double time)> surface_at,
+                              ThreadPool& pool,
+                              std::function<void(std::int64_t, std::int64_t)> progress) {
+    const auto tick = [this, trace, surface_at = std::move(surface_at), &pool](
+                          double time, const FoamLayer& before, std::span<float> left) {
+        if (read_time_ != time) {
+            read(surface_at(time), pool);
+            read_time_ = time;
+        }
+        std::ranges::fill(left, 0.0f);
+        pool.for_each_item(static_cast<int>(pieces_->size()), [&](int number, int) {
+            const Piece& piece = (*pieces_)[static_cast<std::size_t>(number)];
+            for (std::size_t n = 0; n < piece.labels.size(); ++n) {
+                const std::size_t i = piece.labels.index[n];
+                const float past = before.map == nullptr ? 0.0f : before.fade * before.map[i];
+                const float now =
+                    trace == SurfTrace::foam ? piece.breaking[n] : covered_by(piece.depths[n]);
+                const float here = std::max(now, past);
+                left[i] = here < before.cutoff ? 0.0f : here;
+            }
+        });
+    };
+    return {[lifetime](double) { return lifetime; }, tick, std::move(progress)};
+}
+
+}  // namespace ocean

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The traces that waves leave on a coast at labels: foam where they break, and wet ground where
+// they run up. Which labels the waves reach is found once, and both traces share the reads of a
+// time.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "coast/surface/surf_labels.hpp"
+#include "ocean/domain.hpp"
+#include "ocean/foam.hpp"
+#include "ocean/query.hpp"
+
+namespace ocean {
+
+class ShoreSurface;
+class ThreadPool;
+
+enum class SurfTrace { foam, wet_ground };
+
+/// Reads what waves do in the surf and in the swash, for the foam clocks of both traces.
+class SurfReader {
+  public:
+    /// `labels` makes the labels; called when those that waves reach are found.
+    explicit SurfReader(std::function<std::vector<WorldPoint>()> labels)
+        : labels_(std::move(labels)) {}
+
+    /// Returns the source of a trace with a lifetime [s] that does not change. `surface_at` returns
+    /// the surface of a time, and is called for a time that has not just been read. The reader must
+    /// outlive the source.
+    FoamSource source(SurfTrace trace, double lifetime,
+                      std::function<const ShoreSurface&(double time)> surface_at, ThreadPool& pool,
+                      std::function<void(std::int64_t, std::int64_t)> progress);
+    /// Forgets the labels that waves reach. Required before a sea whose waves have changed is read.
+    void forget();
+
+  private:
+    /// A piece of the labels, with its reads of one time.
+    struct Piece {
+        SurfLabels labels;
+        std::vector<float> breaking;  // source of foam, 0 .. 1
+        std::vector<float> depths;    // [m]
+    };
+
+    void read(const ShoreSurface& surface, ThreadPool& pool);
+
+    std::function<std::vector<WorldPoint>()> labels_;
+    std::optional<std::vector<Piece>> pieces_;
+    std::optional<double> read_time_;  // of the pieces [s]
+};
+
+/// The traces on a region, followed from call to call.
+struct RegionTraces {
+    explicit RegionTraces(const Domain& of);
+
+    Domain domain;
+    SurfReader reader;
+    std::optional<FoamState> foam;  // of breaking waves
+    std::optional<FoamState> wet;   // wetness of the ground
+};
+
+}  // namespace ocean
