@@ -10,6 +10,7 @@
 #include <memory>
 #include <utility>
 
+#include "field/bilinear.hpp"
 #include "ocean/domain.hpp"
 #include "ocean/page_vector.hpp"
 
@@ -29,9 +30,7 @@ class MaskGrid {
         const auto columns = static_cast<std::size_t>(domain_.samples[0]);
         const float* const low = values_->data() + j * columns + i;
         const float* const high = low + columns;
-        const double below = low[0] + u * (low[1] - low[0]);
-        const double above = high[0] + u * (high[1] - high[0]);
-        return static_cast<float>(below + v * (above - below));
+        return static_cast<float>(bilinear(low[0], low[1], high[0], high[1], u, v));
     }
     std::size_t bytes() const { return sizeof(float) * values_->size(); }
 

@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "field/cubic.hpp"
 #include "field/jet.hpp"
 #include "ocean/domain.hpp"
 
@@ -58,18 +59,13 @@ inline void scale_field(QuadBlock& block, std::size_t field, std::size_t label, 
     block.value[field][label] *= by.value();
 }
 
-/// The weights of four neighbouring samples at a place between the second and the third, and their
-/// derivatives by that place [1/sample]: [Catmull and Rom 1974], tension 1/2.
+/// The weights of four neighbouring samples at a place, and their derivatives [1/sample].
 struct CubicWeights {
     std::array<float, 4> value;
     std::array<float, 4> slope;
 
     CubicWeights() = default;
-    explicit CubicWeights(float t)
-        : value{-0.5f * t * (1.0f - t) * (1.0f - t), 1.0f + t * t * (1.5f * t - 2.5f),
-                t * (0.5f + t * (2.0f - 1.5f * t)), -0.5f * t * t * (1.0f - t)},
-          slope{-0.5f + t * (2.0f - 1.5f * t), t * (4.5f * t - 5.0f), 0.5f + t * (4.0f - 4.5f * t),
-                t * (1.5f * t - 1.0f)} {}
+    explicit CubicWeights(float t) : value(catmull_rom(t)), slope(catmull_rom_slopes(t)) {}
 };
 
 /// Where up to kShoreBlock labels lie among the samples of a domain.

@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 
+#include "field/cubic.hpp"
+
 namespace ocean {
 namespace {
 
@@ -70,19 +72,6 @@ void filter_lines(std::span<Lanes> line, bool wraps) {
         line[i] = last;
     }
 }
-
-/// Weights of the four coefficients around a place of a cell, and of their derivative.
-struct Weights {
-    std::array<double, 4> value, slope;
-
-    explicit Weights(double t) {
-        const double s = 1.0 - t;
-        value = {s * s * s / 6.0, (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0,
-                 (1.0 + 3.0 * t + 3.0 * t * t - 3.0 * t * t * t) / 6.0, t * t * t / 6.0};
-        slope = {-0.5 * s * s, 0.5 * t * (3.0 * t - 4.0), 0.5 * (1.0 + 2.0 * t - 3.0 * t * t),
-                 0.5 * t * t};
-    }
-};
 
 double sum_of(const std::array<double, 4>& weights, const float* values) {
     return weights[0] * static_cast<double>(values[0]) +
@@ -188,14 +177,15 @@ GroundJet SplineGrid::at(double x, double y) const {
     const auto [i, u] = in_cell(x, 0);
     const auto [j, v] = in_cell(y, 1);
     const float* const corner = coefficients_.data() + j * pitch_ + i;
-    const Weights along(u), across(v);
+    const std::array<double, 4> along = b_spline(u), along_slopes = b_spline_slopes(u);
+    const std::array<double, 4> across = b_spline(v), across_slopes = b_spline_slopes(v);
     GroundJet jet;
     for (std::size_t q = 0; q < 4; ++q) {
         const float* const row = corner + q * pitch_;
-        const double value = sum_of(along.value, row);
-        jet.height += across.value[q] * value;
-        jet.slope_y += across.slope[q] * value;
-        jet.slope_x += across.value[q] * sum_of(along.slope, row);
+        const double value = sum_of(along, row);
+        jet.height += across[q] * value;
+        jet.slope_y += across_slopes[q] * value;
+        jet.slope_x += across[q] * sum_of(along_slopes, row);
     }
     jet.slope_x *= per_metre_[0];
     jet.slope_y *= per_metre_[1];
@@ -215,11 +205,11 @@ void SplineGrid::values_at(std::span<const double> x, std::span<const double> y,
     for (std::size_t n = 0; n < x.size(); ++n) {
         if (n == 0 || y[n] != y[n - 1]) {
             const auto [j, v] = in_cell(y[n], 1);
-            across = Weights(v).value;
+            across = b_spline(v);
             line = coefficients_.data() + j * pitch_;
         }
         const auto [i, u] = in_cell(x[n], 0);
-        const std::array<double, 4> along = Weights(u).value;
+        const std::array<double, 4> along = b_spline(u);
         double height = 0.0;
         for (std::size_t q = 0; q < 4; ++q) {
             height += across[q] * sum_of(along, line + q * pitch_ + i);

@@ -9,6 +9,7 @@
 
 #include "base/simd/simd.hpp"
 #include "coast/loops/signal_task.hpp"
+#include "field/cubic.hpp"
 
 namespace ocean::OCEAN_KERNEL {
 
@@ -24,22 +25,19 @@ OCEAN_INLINE FourFloats load_four(const float* from) {
     return four;
 }
 
-/// Returns the weights of the four coefficients beside a place at t in its cell, 0 .. 1: the kernel
-/// of the cubic B-spline [Unser 1999] as polynomials of t.
-OCEAN_INLINE FourFloats spline_weights(float t) {
-    constexpr float kSixth = 1.0f / 6.0f;
-    const FourFloats c0 = {kSixth, 4.0f * kSixth, kSixth, 0.0f};
-    const FourFloats c1 = {-0.5f, 0.0f, 0.5f, 0.0f};
-    const FourFloats c2 = {0.5f, -1.0f, 0.5f, 0.0f};
-    const FourFloats c3 = {-kSixth, 0.5f, -0.5f, kSixth};
-    return ((c3 * t + c2) * t + c1) * t + c0;
+/// Returns the coefficients of t^n in the weights of the B-spline, times a factor.
+template <int n>
+OCEAN_INLINE FourFloats b_spline_power(float factor = 1.0f) {
+    return FourFloats{kBSpline[n][0], kBSpline[n][1], kBSpline[n][2], kBSpline[n][3]} * factor;
 }
-/// Returns their derivatives.
+/// Returns the weights of the four coefficients beside a place at t in its cell, 0 .. 1.
+OCEAN_INLINE FourFloats spline_weights(float t) {
+    return ((b_spline_power<3>() * t + b_spline_power<2>()) * t + b_spline_power<1>()) * t +
+           b_spline_power<0>();
+}
+/// Returns the derivatives of the weights by t.
 OCEAN_INLINE FourFloats spline_slopes(float t) {
-    const FourFloats c1 = {-0.5f, 0.0f, 0.5f, 0.0f};
-    const FourFloats c2 = {1.0f, -2.0f, 1.0f, 0.0f};
-    const FourFloats c3 = {-0.5f, 1.5f, -1.5f, 0.5f};
-    return (c3 * t + c2) * t + c1;
+    return (b_spline_power<3>(3.0f) * t + b_spline_power<2>(2.0f)) * t + b_spline_power<1>();
 }
 
 /// Four complex numbers, two to a register.

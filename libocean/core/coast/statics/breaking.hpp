@@ -15,6 +15,7 @@
 #include <cmath>
 #include <vector>
 
+#include "field/ease.hpp"
 #include "ocean/grid.hpp"
 
 namespace ocean {
@@ -39,12 +40,12 @@ inline constexpr double kShapeShare = 0.8;
 /// Smooths amplitudes about zero, far below any visible wave [m].
 inline constexpr double kLeastAmplitude = 1e-6;
 
-/// Returns 0 for x <= 0, 1 for x >= 1, and 10 x^3 - 15 x^4 + 6 x^5 between them.
+/// Returns 0 for x <= 0, 1 for x >= 1, and ease_quintic between them.
 template <typename Real>
 Real breaking_step(const Real& x) {
     if (value_of(x) <= 0.0) return Real(0.0);
     if (value_of(x) >= 1.0) return Real(1.0);
-    return x * x * x * (x * (Real(6.0) * x - Real(15.0)) + Real(10.0));
+    return ease_quintic(x);
 }
 
 /// Returns |Z| [m], smooth where it vanishes.

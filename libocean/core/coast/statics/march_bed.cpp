@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field/bilinear.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {
@@ -112,12 +113,8 @@ double bed_at(const BedGrid& bed, const std::array<double, 2>& place) {
     }
     const int right = std::min(low[0] + 1, bed.domain.samples[0] - 1);
     const int top = std::min(low[1] + 1, bed.domain.samples[1] - 1);
-    const auto along_row = [&](int j) {
-        const double left = double{bed.at(low[0], j)};
-        return left + share[0] * (double{bed.at(right, j)} - left);
-    };
-    const double bottom = along_row(low[1]);
-    return bottom + share[1] * (along_row(top) - bottom);
+    return bilinear(double{bed.at(low[0], low[1])}, double{bed.at(right, low[1])},
+                    double{bed.at(low[0], top)}, double{bed.at(right, top)}, share[0], share[1]);
 }
 
 MarchGrid MarchGrid::over(const Domain& domain, double direction, double cell) {
@@ -142,12 +139,8 @@ float MarchGrid::read(const std::vector<float>& map, const std::array<double, 2>
     const int i = std::min(static_cast<int>(u), columns - 2);
     const int j = std::min(static_cast<int>(v), rows - 2);
     const auto share_u = static_cast<float>(u - i), share_v = static_cast<float>(v - j);
-    const auto column = [&](int c) {
-        const float low = map[index(c, j)];
-        return low + share_v * (map[index(c, j + 1)] - low);
-    };
-    const float near = column(i);
-    return near + share_u * (column(i + 1) - near);
+    return bilinear(map[index(i, j)], map[index(i, j + 1)], map[index(i + 1, j)],
+                    map[index(i + 1, j + 1)], share_v, share_u);
 }
 
 /// Finds what land beyond the border, which goes on for the longer side of the bed, keeps off.

@@ -9,18 +9,19 @@
 
 #include "coast/statics/shore_bands.hpp"
 #include "coast/statics/shore_delays.hpp"
+#include "field/ease.hpp"
 #include "field/jet.hpp"
 #include "field/quad_grid.hpp"
 #include "ocean/domain.hpp"
 
 namespace ocean {
 
-/// Returns the smooth step over 0 .. 1.
+/// Returns ease_quintic of t within 0 .. 1, with its derivative there in closed form.
 template <typename Scalar>
 Scalar shore_step(const Scalar& t) {
     const float x = std::clamp(t.value(), 0.0f, 1.0f);
     const float rest = x * (1.0f - x);
-    return chain(t, x * x * x * (x * (6.0f * x - 15.0f) + 10.0f), 30.0f * rest * rest);
+    return chain(t, ease_quintic(x), 30.0f * rest * rest);
 }
 
 /// Returns a number held within 0 .. 1; where it is held it does not change. Sums of weights are 1

@@ -8,23 +8,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field/ease.hpp"
 #include "ocean/shoreline_profile.hpp"
 
 namespace ocean {
-
-/// Returns 0 below a, 1 above b, and between them the polynomial whose first and second derivatives
-/// are 0 at both ends.
-inline double ease(double a, double b, double x) {
-    const double t = std::clamp((x - a) / (b - a), 0.0, 1.0);
-    return t * t * t * (t * (6.0 * t - 15.0) + 10.0);
-}
-
-/// Returns the integral of ease(0, 1, t) from 0 on.
-inline double ease_integral(double t) {
-    if (t <= 0.0) return 0.0;
-    if (t >= 1.0) return t - 0.5;
-    return t * t * t * t * (t * (t - 3.0) + 2.5);
-}
 
 /// A bed that falls by `slope` to 4/5 of the depth `closure` and by `outer` from 6/5 of it on.
 struct BedLaw {

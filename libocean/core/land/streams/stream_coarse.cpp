@@ -6,17 +6,15 @@
 
 #include <algorithm>
 
+#include "field/bilinear.hpp"
+#include "field/ease.hpp"
+
 namespace ocean {
 namespace {
 
 /// Returns a number within -1 .. 1 from 32 random bits.
 float signed_unit(std::uint64_t bits) {
     return static_cast<float>(static_cast<std::uint32_t>(bits) >> 8) * (1.0f / 8388608.0f) - 1.0f;
-}
-
-/// Returns 3 t^2 - 2 t^3.
-float ease(float t) {
-    return t * t * (3.0f - 2.0f * t);
 }
 
 /// A place between two of `count` values in a row.
@@ -51,16 +49,14 @@ CoarseHeights::Shift CoarseHeights::shift_at(int i, int j) const {
     // A node lies every 2 kSpacing fine cells.
     constexpr int kCells = 2 * kSpacing;
     const auto part = [](int cell) {
-        return ease((static_cast<float>(cell % kCells) + 0.5f) * (1.0f / kCells));
+        return ease_cubic((static_cast<float>(cell % kCells) + 0.5f) * (1.0f / kCells));
     };
     const Shift* const south =
         shifts_.data() + static_cast<std::ptrdiff_t>(j / kCells) * nodes_along_ + i / kCells;
     const Shift* const north = south + nodes_along_;
     const float x = part(i), y = part(j);
     const auto mix = [&](float Shift::*axis) {
-        const float low = south[0].*axis + x * (south[1].*axis - south[0].*axis);
-        const float high = north[0].*axis + x * (north[1].*axis - north[0].*axis);
-        return low + y * (high - low);
+        return bilinear(south[0].*axis, south[1].*axis, north[0].*axis, north[1].*axis, x, y);
     };
     return {mix(&Shift::x), mix(&Shift::y)};
 }
@@ -76,9 +72,7 @@ float CoarseHeights::change_at(int i, int j) const {
     const Between y(place(j, shift.y, grid_.rows), grid_.rows);
     const float* const south = change_.data() + grid_.index(x.low, y.low);
     const float* const north = south + grid_.columns;
-    const float low = south[0] + x.part * (south[1] - south[0]);
-    const float high = north[0] + x.part * (north[1] - north[0]);
-    return low + y.part * (high - low);
+    return bilinear(south[0], south[1], north[0], north[1], x.part, y.part);
 }
 
 }  // namespace ocean

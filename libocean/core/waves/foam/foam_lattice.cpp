@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "field/cubic.hpp"
 #include "ocean/foam.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/page_vector.hpp"
@@ -60,13 +61,6 @@ FoamWhitecaps foam_whitecaps(const Modes& modes, const ShownFoam& foam, const Su
 
 namespace {
 
-/// Returns the weights of the four samples around a place that is u of the way from the second to
-/// the third, 0 <= u < 1, on the cubic through them [Catmull and Rom 1974].
-std::array<float, 4> spline_weights(float u) {
-    return {u * (-0.5f + u * (1.0f - 0.5f * u)), 1.0f + u * u * (-2.5f + 1.5f * u),
-            u * (0.5f + u * (2.0f - 1.5f * u)), u * u * (-0.5f + 0.5f * u)};
-}
-
 float raised(float x, float to) {
     return x > 0.0f ? std::pow(x, to) : 0.0f;
 }
@@ -82,7 +76,7 @@ void spread_foam(std::span<const float> lattice, double power, std::span<float> 
     const std::size_t factor = side(map.size()) / n;
     std::vector<std::array<float, 4>> weights;
     for (std::size_t k = 0; k < factor; ++k) {
-        weights.push_back(spline_weights(static_cast<float>(k) / static_cast<float>(factor)));
+        weights.push_back(catmull_rom(static_cast<float>(k) / static_cast<float>(factor)));
     }
     PageVector<float> cover(lattice.size());
     pool.for_each_item(static_cast<int>(n), [&](int row, int) {

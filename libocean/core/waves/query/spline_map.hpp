@@ -20,6 +20,7 @@
 #include <array>
 #include <cstddef>
 
+#include "field/cubic.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/map_output.hpp"
 #include "ocean/modes.hpp"
@@ -101,17 +102,6 @@ class SplineMap {
     PageVector<Fields> texels_;
 };
 
-inline std::array<float, 4> spline_weights(float t) {
-    const float s = 1.0f - t;
-    constexpr float kSixth = 1.0f / 6.0f;
-    return {kSixth * s * s * s, kSixth * (t * t * (3.0f * t - 6.0f) + 4.0f),
-            kSixth * (s * s * (3.0f * s - 6.0f) + 4.0f), kSixth * t * t * t};
-}
-inline std::array<float, 4> spline_slopes(float t) {
-    const float s = 1.0f - t;
-    return {-0.5f * s * s, t * (1.5f * t - 2.0f), -s * (1.5f * s - 2.0f), 0.5f * t * t};
-}
-
 inline SplineMap::Place SplineMap::place(double x, double y) const {
     const double u = x * per_metre_;
     const double v = y * per_metre_;
@@ -132,8 +122,8 @@ inline SplineMap::Place SplineMap::place(double x, double y) const {
 
 inline SplineValue SplineMap::value(double x, double y) const {
     const Place at = place(x, y);
-    const std::array<float, 4> wx = spline_weights(at.x);
-    const std::array<float, 4> wy = spline_weights(at.y);
+    const std::array<float, 4> wx = b_spline(at.x);
+    const std::array<float, 4> wy = b_spline(at.y);
     Fields sum{};
     for (std::size_t j = 0; j < 4; ++j) {
         Fields along{};
@@ -153,10 +143,10 @@ inline SplineJet SplineMap::jet_from(Fields value, Fields by_x, Fields by_y) con
 
 inline SplineJet SplineMap::jet(double x, double y) const {
     const Place at = place(x, y);
-    const std::array<float, 4> wx = spline_weights(at.x);
-    const std::array<float, 4> wy = spline_weights(at.y);
-    const std::array<float, 4> sx = spline_slopes(at.x);
-    const std::array<float, 4> sy = spline_slopes(at.y);
+    const std::array<float, 4> wx = b_spline(at.x);
+    const std::array<float, 4> wy = b_spline(at.y);
+    const std::array<float, 4> sx = b_spline_slopes(at.x);
+    const std::array<float, 4> sy = b_spline_slopes(at.y);
     Fields sum{};
     Fields by_x{};
     Fields by_y{};
