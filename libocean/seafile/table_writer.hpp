@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Writes a model as a file through its table: the inverse of TableReader, shared by the writers of
-// files and the presets.
+// Writes a model as a file through its table: the inverse of TableReader.
 #pragma once
 
 #include <functional>

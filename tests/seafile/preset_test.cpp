@@ -4,8 +4,16 @@
 // Presets keep their names: the scales' heights by libocean's own spectra, on grids that hold them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <sstream>
+#include <string>
+
 #include "helpers.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/parameter_table.hpp"
+#include "ocean/terrain_table.hpp"
+#include "ocean/terrainfile.hpp"
 
 namespace ocean::test {
 namespace {
@@ -21,6 +29,38 @@ TEST(Presets, AreTwoScalesAndTwoSeeds) {
         EXPECT_EQ(&find_preset(preset.name), &preset);
         EXPECT_FALSE(preset.description.empty());
         EXPECT_EQ(preset.toml.find("# " + preset.name + ": " + preset.description), 0u);
+    }
+}
+
+/// Checks that each key of a preset is commented by unit and label, and stands where the table has
+/// it: the files are written by hand.
+template <typename Model>
+void expect_comments_of_table(const Table<Model>& table, const Preset& preset) {
+    std::istringstream lines(preset.toml);
+    std::string section;
+    std::ptrdiff_t before = -1;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with('[')) section = line.substr(line.rfind('[') + 1);
+        if (line.starts_with('#') || line.starts_with("libocean") || line.find(" = ") == line.npos)
+            continue;
+        const auto row = std::ranges::find_if(table.rows, [&](const TableRow<Model>& one) {
+            return section.starts_with(std::string(one.section) + "]") &&
+                   line.starts_with(std::string(one.key) + " = ");
+        });
+        ASSERT_NE(row, table.rows.end()) << preset.name << ": " << line;
+        EXPECT_GT(row - table.rows.begin(), before) << preset.name << ": " << line;
+        before = row - table.rows.begin();
+        const std::string unit = row->unit.empty() ? "" : std::string(row->unit) + ": ";
+        EXPECT_TRUE(line.ends_with("  # " + unit + std::string(row->label)))
+            << preset.name << ": " << line;
+    }
+    EXPECT_GE(before, 0) << preset.name;
+}
+
+TEST(Presets, CommentTheirKeysByUnitAndLabelInTheOrderOfTheTable) {
+    for (const Preset& preset : presets()) expect_comments_of_table(sea_table(), preset);
+    for (const Preset& preset : terrain_presets()) {
+        expect_comments_of_table(terrain_table(), preset);
     }
 }
 
@@ -109,6 +149,9 @@ TEST(Presets, UnknownNameIsNotFoundAndTheNearestNamed) {
     const Refusal refusal = refusal_of([] { find_preset("beaufort_13"); });
     EXPECT_EQ(refusal.kind, ErrorKind::not_found);
     EXPECT_TRUE(refusal.says("'beaufort_13'") && refusal.says("did you mean beaufort_1"))
+        << refusal.message;
+    EXPECT_TRUE(refusal.says(
+        "allowed: beaufort_0 .. beaufort_12, douglas_0 .. douglas_9, seed_lantz, seed_thesis"))
         << refusal.message;
 }
 
