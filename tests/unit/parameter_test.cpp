@@ -4,10 +4,15 @@
 // The parameter table is complete and consistent, and its access functions are strict.
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <set>
+#include <string>
+#include <string_view>
 
+#include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
 #include "ocean/parameter_table.hpp"
+#include "ocean/spectrum.hpp"
 
 namespace ocean {
 namespace {
@@ -191,6 +196,19 @@ TEST(ParameterTable, BandLimitsMustBeInOrderOnceAllAreSet) {
     EXPECT_THROW(validate(p), Error);
     set_parameter(p, "longest_wavelength", "6");
     EXPECT_NO_THROW(validate(p));
+}
+
+TEST(ParameterTable, EachSpectrumUsesTheParameterThatItsDirectionsFollow) {
+    const auto is_used = [](std::string_view parameter, std::string_view spectrum) {
+        const std::string words = ", " + std::string(find_parameter(parameter).info->used_by) + ",";
+        return words.find(", " + std::string(spectrum) + ",") != std::string::npos;
+    };
+    for (std::size_t i = 0; i < enum_count<SpectrumKind>(); ++i) {
+        const auto kind = static_cast<SpectrumKind>(i);
+        const bool is_aligned = direction_law(kind) == DirectionLaw::alignment;
+        EXPECT_EQ(is_used("alignment", word_of(kind)), is_aligned) << word_of(kind);
+        EXPECT_EQ(is_used("spreading", word_of(kind)), !is_aligned) << word_of(kind);
+    }
 }
 
 TEST(ParameterTable, AMeasuredSystemNeedsItsFile) {

@@ -86,6 +86,11 @@ double finite_depth_factor(double omega, double depth, double gravity);
 double phillips_wavenumber_density(double k, double wind_speed, double amplitude,
                                    double cutoff_wavelength, double gravity);
 
+/// The parameter that the directions of a kind of spectrum follow where no record has measured
+/// them.
+enum class DirectionLaw { spreading, alignment };
+DirectionLaw direction_law(SpectrumKind kind);
+
 /// A frequency spectrum with the properties that the other stages read.
 struct FrequencySpectrum {
     std::function<double(double omega)> density;  // [m^2 s/rad]; 0 outside [lowest, highest]

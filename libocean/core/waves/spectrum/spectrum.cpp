@@ -157,6 +157,19 @@ constexpr double kCalm = 1e-6;
 
 }  // namespace
 
+DirectionLaw direction_law(SpectrumKind kind) {
+    switch (kind) {
+        case SpectrumKind::phillips:
+            return DirectionLaw::alignment;
+        case SpectrumKind::pierson_moskowitz:
+        case SpectrumKind::jonswap:
+        case SpectrumKind::tma:
+        case SpectrumKind::measured:
+            break;
+    }
+    return DirectionLaw::spreading;
+}
+
 FrequencySpectrum make_frequency_spectrum(const WaveSystem& system, const Water& water,
                                           double highest) {
     FrequencySpectrum result;

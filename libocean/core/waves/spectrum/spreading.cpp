@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "ocean/grid.hpp"
+#include "ocean/spectrum.hpp"
 #include "waves/spectrum/spreading_rows.hpp"
 
 namespace ocean {
@@ -47,11 +48,14 @@ double cosine_2s_normalisation(double s) {
 
 namespace {
 
-/// Returns the exponent of
-/// cos(theta/2)
-/// ^2 of the system's base distribution at x; 0 if it is not of that family.
+bool is_aligned(const WaveSystem& system) {
+    return direction_law(system.spectrum) == DirectionLaw::alignment;
+}
+
+/// Returns the exponent of |cos(theta/2)|^2 of the system's base distribution at x; 0 if it is not
+/// of that family.
 double base_exponent(const WaveSystem& system, double x, double wave_age_inverse) {
-    if (system.spectrum == SpectrumKind::phillips) return 0.0;
+    if (is_aligned(system)) return 0.0;
     switch (system.spreading) {
         case SpreadingKind::mitsuyasu:
             return std::min(mitsuyasu_exponent(x, wave_age_inverse), kLargestExponent);
@@ -67,9 +71,7 @@ double base_exponent(const WaveSystem& system, double x, double wave_age_inverse
 /// Returns the part of the distribution that does not depend on the frequency.
 double base_shape(const WaveSystem& system, double theta) {
     const double cosine = std::cos(theta);
-    if (system.spectrum == SpectrumKind::phillips) {
-        return std::pow(std::abs(cosine), system.alignment);
-    }
+    if (is_aligned(system)) return std::pow(std::abs(cosine), system.alignment);
     if (system.spreading == SpreadingKind::cosine_squared) {
         return cosine > 0.0 ? cosine * cosine : 0.0;
     }
@@ -77,14 +79,12 @@ double base_shape(const WaveSystem& system, double theta) {
 }
 
 bool is_donelan_banner(const WaveSystem& system) {
-    return system.spectrum != SpectrumKind::phillips &&
-           system.spreading == SpreadingKind::donelan_banner;
+    return !is_aligned(system) && system.spreading == SpreadingKind::donelan_banner;
 }
 
-/// Returns e^x for x <= 0 to 1e-11, 0 below -600: the series of e^r,
-/// r
-///  <= ln(2)/2, even and odd terms side by side, times a power of two that is put into the
-/// exponent's bits. For loops that the compiler vectorises.
+/// Returns e^x for x <= 0 to 1e-11, 0 below -600: the series of e^r, |r| <= ln(2)/2, even and odd
+/// terms side by side, times a power of two that is put into the exponent's bits. For loops that
+/// the compiler vectorises.
 inline double exponential(double x) {
     constexpr double kRounding = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to whole
     const double shifted = x * 1.4426950408889634 + kRounding;
@@ -181,7 +181,7 @@ int directions_needed(const WaveSystem& system, double wave_age_inverse) {
     // the top of |cos(theta/2)|^(2s) is s/2 of the peak, and of sech^2(beta theta) 2 beta^2.
     const double swell = std::max(system.swell, 0.0);
     double bend = 0.5 * (base_exponent(system, 1.0, wave_age_inverse) + 16.0 * swell * swell);
-    if (system.spectrum == SpectrumKind::phillips) {
+    if (is_aligned(system)) {
         bend += system.alignment;
     } else if (system.spreading == SpreadingKind::hasselmann) {
         bend = std::max(bend, 0.5 * (9.77 + 16.0 * swell * swell));
