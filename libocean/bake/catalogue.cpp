@@ -37,6 +37,15 @@ const BakeFormat* Catalogue::find_format_of_frame(std::string_view extension) co
     return nullptr;
 }
 
+std::string Catalogue::format_labels(bool displaced) const {
+    std::string text;
+    for (const BakeFormat* format : formats) {
+        if (displaced && !format->holds_displaced) continue;
+        text += (text.empty() ? "" : ", ") + std::string(format->label);
+    }
+    return text;
+}
+
 std::string Catalogue::product_names() const {
     std::string text;
     for (const Product& product : products) {
@@ -73,10 +82,16 @@ const Catalogue& standard_catalogue() {
 #endif
     };
     static constexpr const MadeProduct* kMade[] = {&kCaustics, &kSlopeTiles, &kTerrainStages};
+    static constexpr const char* kVolumeOptions[] = {"box", "voxel", "velocity-voxel", "mist"};
+    static constexpr FormatLibrary kLibraries[] = {
+        {".vdb", "OpenVDB", "Volumes VDB", kVolumeOptions},
+        {".tif", "libtiff", "GeoTIFF"},
+    };
     static const std::vector<Product> products = all_products(product_table(), kMade);
     static constexpr SubjectReader kSubjects[] = {{kSeaKind, parse_sea_subject},
                                                   {kTerrainKind, parse_terrain_subject}};
-    static const Catalogue catalogue{kFormats, products, core_backends(), kSubjects, {}, kMade};
+    static const Catalogue catalogue{kFormats, products, core_backends(), kSubjects,
+                                     {},       kMade,    kLibraries};
     return catalogue;
 }
 

@@ -35,8 +35,9 @@ std::string decimal_rate(const std::string& text) {
     return shortest_text(part(text.substr(0, slash)) / part(text.substr(slash + 1)));
 }
 
-[[noreturn]] void refuse_absent(const std::string& typed, const std::string& library,
+[[noreturn]] void refuse_absent(const std::string& typed, const FormatLibrary& one,
                                 const std::string& allowed) {
+    const std::string library(one.library);
     throw Error(ErrorKind::unsupported,
                 typed + ": this program was built without " + library +
                     "; the build of `cmake --preset release` has it where " + library +
@@ -74,8 +75,9 @@ std::vector<const BakeFormat*> formats_of_subject(const BakeOptions& options,
     const std::string& output = options.output;
     const auto formats = formats_of_subject(options, catalogue);
     const std::string allowed = "allowed are " + extensions_of(formats);
-    if (extension == ".vdb") refuse_absent("-o " + output, "OpenVDB", "; " + allowed);
-    if (extension == ".tif") refuse_absent("-o " + output, "libtiff", "; " + allowed);
+    for (const FormatLibrary& one : catalogue.libraries) {
+        if (extension == one.extension) refuse_absent("-o " + output, one, "; " + allowed);
+    }
     std::vector<KnownName> names;
     for (const BakeFormat* format : formats) {
         names.push_back({format->extension.substr(1), format->extension});
@@ -101,8 +103,8 @@ std::string homes_of(const std::string& option, const Catalogue& catalogue) {
     return listing(homes, "and");
 }
 
-/// Refuses options that only other formats have, options whose companion is missing, and those of a
-/// format that this program was built without: volumes.
+/// Refuses options that only other formats have, options whose companion is missing, and options of
+/// a format that this program was built without.
 void refuse_foreign_options(const BakeOptions& options, const BakeFormat& format,
                             const Catalogue& catalogue) {
     const std::vector<FormatOption> known = options_of(format, catalogue);
@@ -126,10 +128,12 @@ void refuse_foreign_options(const BakeOptions& options, const BakeFormat& format
             }
         }
     }
-    for (const std::string name : kVolumeOptions) {
-        const std::string& text = options.format_option(name);
-        if (text.empty() || catalogue.find_format(".vdb") != nullptr) continue;
-        refuse_absent("--" + name + " " + text, "OpenVDB", "");
+    for (const FormatLibrary& one : catalogue.libraries) {
+        if (!catalogue.lacks(one)) continue;
+        for (const std::string name : one.options) {
+            const std::string& text = options.format_option(name);
+            if (!text.empty()) refuse_absent("--" + name + " " + text, one, "");
+        }
     }
 }
 

@@ -5,6 +5,8 @@
 // the build that has it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,15 +19,27 @@
 namespace ocean {
 namespace {
 
-/// Returns the refusal of a plan by the standard catalogue without .vdb and .tif.
+/// Returns the standard catalogue without .vdb and .tif.
+const Catalogue& poor_catalogue() {
+    static const std::vector<const BakeFormat*> formats = [] {
+        std::vector<const BakeFormat*> some;
+        for (const BakeFormat* format : standard_catalogue().formats) {
+            if (format->extension != ".vdb" && format->extension != ".tif") some.push_back(format);
+        }
+        return some;
+    }();
+    static const Catalogue catalogue = [] {
+        Catalogue without = standard_catalogue();
+        without.formats = formats;
+        return without;
+    }();
+    return catalogue;
+}
+
+/// Returns the refusal of a plan by the poor catalogue.
 std::string refusal(const std::string& output, std::pair<std::string, std::string> option = {},
                     const std::string& backend = "") {
-    Catalogue catalogue = standard_catalogue();
-    std::vector<const BakeFormat*> formats;
-    for (const BakeFormat* format : catalogue.formats) {
-        if (format->extension != ".vdb" && format->extension != ".tif") formats.push_back(format);
-    }
-    catalogue.formats = formats;
+    const Catalogue& catalogue = poor_catalogue();
     BakeOptions options;
     options.source = "preset:beaufort_4";
     options.output = output;
@@ -56,12 +70,22 @@ TEST(AbsentParts, AreNamedByTheExtension) {
 }
 
 TEST(AbsentParts, AreNamedByTheOptionsOfVolumes) {
-    for (const char* const option : kVolumeOptions) {
+    const std::span<const FormatLibrary> libraries = standard_catalogue().libraries;
+    const auto volumes = std::ranges::find(libraries, "OpenVDB", &FormatLibrary::library);
+    ASSERT_NE(volumes, libraries.end());
+    EXPECT_EQ(volumes->options.size(), 4u);
+    for (const char* const option : volumes->options) {
         const std::string said = refusal("sea.exr", {option, "1"});
         EXPECT_TRUE(said.starts_with("--" + std::string(option) +
                                      " 1: this program was built without OpenVDB; "))
             << said;
     }
+}
+
+TEST(AbsentParts, AreNotAmongTheFormatsThatHelpLists) {
+    const Catalogue& catalogue = poor_catalogue();
+    EXPECT_EQ(catalogue.format_labels(true), "EXR, DF3, PNG, POV-Ray mesh, PLY, OBJ, USD");
+    for (const FormatLibrary& one : catalogue.libraries) EXPECT_TRUE(catalogue.lacks(one));
 }
 
 TEST(AbsentParts, AreNamedByTheBackend) {

@@ -105,6 +105,7 @@ TEST(TypedFormat, DoesNothingWhereAnOptionalFunctionIsLeftOut) {
     EXPECT_TRUE(format.shared_files(plan).empty());
     EXPECT_FALSE(format.read_pixels(plan, {}, 1, [](std::string_view) { FAIL(); }));
     EXPECT_EQ(format.read_header, nullptr);
+    EXPECT_EQ(format.label, format.name);
 }
 
 }  // namespace

@@ -172,7 +172,7 @@ Command bake_command(const Catalogue& catalogue) {
     groups.push_back(run_options("Progress, warnings and errors as JSON lines"));
     return {
         .name = "bake",
-        .summary = "Write frames of a sea: EXR, DF3, PNG, POV-Ray mesh, PLY, OBJ, USD, VDB",
+        .summary = "Write frames of a sea: " + catalogue.format_labels(true),
         .options = std::move(groups),
         .footer = kBakeFooter,
         .page_noun = "format",

@@ -23,16 +23,19 @@ bool has_option(const std::vector<OptionGroup>& groups, const std::string& name)
     });
 }
 
-/// Adds the options of volumes to a program without OpenVDB, whose plan refuses them.
-void add_absent_volume_options(BakeOptions& bake, const Catalogue& catalogue,
-                               std::vector<OptionGroup>& groups) {
-    if (catalogue.find_format(".vdb") != nullptr) return;
-    OptionGroup group{"Volumes VDB", {}};
-    for (const char* const name : kVolumeOptions) {
-        group.options.push_back({"--" + std::string(name), &bake.format_options[name], "VALUE",
-                                 "Not in this program, which was built without OpenVDB"});
+/// Adds the options of formats that this program was built without; the plan refuses them.
+void add_absent_options(BakeOptions& bake, const Catalogue& catalogue,
+                        std::vector<OptionGroup>& groups) {
+    for (const FormatLibrary& one : catalogue.libraries) {
+        if (!catalogue.lacks(one) || one.options.empty()) continue;
+        OptionGroup group{std::string(one.family), {}};
+        for (const char* const name : one.options) {
+            group.options.push_back(
+                {"--" + std::string(name), &bake.format_options[name], "VALUE",
+                 "Not in this program, which was built without " + std::string(one.library)});
+        }
+        groups.push_back(std::move(group));
     }
-    groups.push_back(std::move(group));
 }
 
 }  // namespace
@@ -55,7 +58,7 @@ void add_format_options(FormatFlags& flags, BakeOptions& bake, const Catalogue& 
         }
         if (!group.options.empty()) groups.push_back(std::move(group));
     }
-    add_absent_volume_options(bake, catalogue, groups);
+    add_absent_options(bake, catalogue, groups);
     for (OptionGroup& group : std::span(groups).subspan(1)) {
         for (Option& option : group.options) {
             if (std::holds_alternative<std::string*>(option.target)) option.rule = NotEmpty{};

@@ -181,7 +181,7 @@ Command terrain_command(const Catalogue& catalogue) {
     groups.push_back(run_options("Progress, warnings and errors as JSON lines"));
     return {
         .name = "terrain",
-        .summary = "Write a fractional terrain: EXR, PNG, GeoTIFF, PLY, OBJ, USD, VDB",
+        .summary = "Write a fractional terrain: " + catalogue.format_labels(false),
         .options = std::move(groups),
         .footer = kTerrainFooter,
         .run = [typed, &catalogue](const Context& context) { run(*typed, catalogue, context); },

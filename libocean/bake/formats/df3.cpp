@@ -301,6 +301,7 @@ void write(const FrameWork& work, const Df3Settings& settings, std::span<const B
 constexpr BakeFormatOf<Df3Settings> kOf = {
     .name = "df3",
     .extension = ".df3",
+    .label = "DF3",
     .family = "DF3 files",
     .summary = "POV-Ray density files: height, offsets, foam",
     .example = "--far-maps",

@@ -335,6 +335,7 @@ void adopt(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& o
 constexpr BakeFormatOf<ExrSettings> kOf = {
     .name = "exr",
     .extension = ".exr",
+    .label = "EXR",
     .family = "EXR files",
     .summary = "OpenEXR images: a map of each product",
     .example = "--products displacement,normal,foam",

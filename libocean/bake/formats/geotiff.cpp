@@ -59,6 +59,7 @@ bool read_pixels(const BakePlan& plan, const NoSettings&, const BakeFile& file, 
 constexpr BakeFormatOf<NoSettings> kOf = {
     .name = "geotiff",
     .extension = ".tif",
+    .label = "GeoTIFF",
     .family = "GeoTIFF",
     .summary = "GeoTIFF of a terrain: heights as floats, for GIS",
     .holds_displaced = false,

@@ -115,6 +115,7 @@ bool read_pixels(const BakePlan&, const NoSettings&, const BakeFile& file, int,
 constexpr BakeFormatOf<NoSettings> kOf = {
     .name = "height_field",
     .extension = ".png",
+    .label = "PNG",
     .family = "Height fields",
     .summary = "POV-Ray height fields: a grey PNG of 16 bits",
     .read_options = read_options,

@@ -176,6 +176,7 @@ void write(const FrameWork& work, const Mesh2Settings& settings, std::span<const
 constexpr BakeFormatOf<Mesh2Settings> kOf = {
     .name = "mesh2",
     .extension = ".inc",
+    .label = "POV-Ray mesh",
     .family = "Mesh files",
     .summary = "POV-Ray meshes: a period, or to the horizon",
     .example = "--eye 0,0,8 --heading 90",

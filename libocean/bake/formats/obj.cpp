@@ -40,6 +40,7 @@ void write(const FrameWork& work, const PlainMesh& settings, std::span<const Bak
 constexpr BakeFormatOf<PlainMesh> kOf = {
     .name = "obj",
     .extension = ".obj",
+    .label = "OBJ",
     .family = "Mesh files OBJ",
     .summary = "Meshes of a period in Wavefront OBJ",
     .example = "--products normal,foam",

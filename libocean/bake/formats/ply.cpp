@@ -105,6 +105,7 @@ void adopt(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& o
 constexpr BakeFormatOf<MeshOrSpray> kOf = {
     .name = "ply",
     .extension = ".ply",
+    .label = "PLY",
     .family = "Mesh files PLY",
     .summary = "Meshes of a period in PLY, or points of spray",
     .example = "--products normal,foam",

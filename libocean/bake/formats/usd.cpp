@@ -216,6 +216,7 @@ constexpr BakeFormatOf<PlainMesh> kOf = {
     .name = "usda",
     .extension = kStageEnding,
     .frame_extension = kFrameEnding,
+    .label = "USD",
     .family = "USD stages",
     .summary = "USD stages: an animated mesh of a period",
     .example = "--products normal,foam",

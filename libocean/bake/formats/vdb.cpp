@@ -131,6 +131,7 @@ void adopt(const BakedHeader& header, const Catalogue&, BakeOptions& options) {
 constexpr BakeFormatOf<VolumesOrSpray> kOf = {
     .name = "vdb",
     .extension = ".vdb",
+    .label = "VDB",
     .family = "Volumes VDB",
     .summary = "OpenVDB volumes of water, or points of spray",
     .example = "--products surface,vel --voxel 1",

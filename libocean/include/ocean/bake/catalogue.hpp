@@ -22,9 +22,15 @@ namespace ocean {
 /// The value of `--backend` for the fastest backend on this machine.
 inline constexpr std::string_view kAutoBackend = "auto";
 
-/// The options that only .vdb files have. A program without OpenVDB reads them too, to refuse them
-/// by the name of what it lacks.
-inline constexpr const char* kVolumeOptions[] = {"box", "voxel", "velocity-voxel", "mist"};
+/// A format that needs a library. A program that was built without it refuses the files and the
+/// options by its name.
+struct FormatLibrary {
+    std::string_view extension;
+    std::string_view library;  // "OpenVDB"
+    std::string_view family;   // the heading of the options, BakeFormat::family
+    /// Options that only this format has.
+    std::span<const char* const> options = {};
+};
 
 /// A kind of subject, and the function that reads it back from the text in a baked file.
 struct SubjectReader {
@@ -40,11 +46,17 @@ struct Catalogue {
     std::span<const SubjectReader> subjects;
     std::span<const ChannelInfo> channels = {};  // beside the library's own
     std::span<const MadeProduct* const> made = {};
+    std::span<const FormatLibrary> libraries = {};  // of all formats that need one
 
     /// Returns the format with an extension in lower case, ".exr"; null if none has it.
     const BakeFormat* find_format(std::string_view extension) const;
     /// Returns the format whose frame files have the extension; null if none has it.
     const BakeFormat* find_format_of_frame(std::string_view extension) const;
+    /// Returns true if the format of a row of `libraries` is not among `formats`.
+    bool lacks(const FormatLibrary& one) const { return find_format(one.extension) == nullptr; }
+    /// Returns "EXR, DF3, PNG ...", the labels of the formats; with `displaced` only of those that
+    /// hold a displaced subject.
+    std::string format_labels(bool displaced) const;
     /// Returns "height, displacement, ...".
     std::string product_names() const;
     /// Returns "cpu, radix2, dft or auto".

@@ -121,6 +121,7 @@ struct BakeFormat {
     std::string_view name;
     std::string_view extension;
     std::string_view frame_extension;
+    std::string_view label;
     std::string_view family;
     std::string_view summary;
     std::string_view example;

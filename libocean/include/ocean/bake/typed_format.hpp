@@ -46,6 +46,7 @@ struct BakeFormatOf {
     std::string_view name;                  // "height_field"
     std::string_view extension;             // in lower case with its dot, ".png"
     std::string_view frame_extension = {};  // of frame files, if it differs from `extension`
+    std::string_view label = {};            // in lists of formats, "EXR"; empty: `name`
     std::string_view family;                // heading of its options in help texts, "EXR files"
     std::string_view summary = {};          // what it writes, in a line of help; empty: `family`
     std::string_view example = {};          // options of its example in help, "--mist 0.1"
@@ -124,6 +125,7 @@ constexpr BakeFormat bake_format() {
         .name = kOf.name,
         .extension = kOf.extension,
         .frame_extension = kOf.frame_extension,
+        .label = kOf.label.empty() ? kOf.name : kOf.label,
         .family = kOf.family,
         .summary = kOf.summary.empty() ? kOf.family : kOf.summary,
         .example = kOf.example,
