@@ -49,7 +49,7 @@ void FrameBaker::make(const std::vector<BakeFile>& files, int frame) {
 std::vector<Surface> FrameBaker::make_maps(double time) {
     const FrameMaps& maps = bake_.plan.maps;
     if (maps.channels.empty()) return {};
-    if (!maps.by_place) {
+    if (!maps.eulerian) {
         std::vector<Surface> levels = source_->levels(time, maps.channels, maps.resolutions);
         if (maps.finer > 0) {
             auto finer = source_->levels(time, maps.finer_channels, std::array{maps.finer});
@@ -57,7 +57,7 @@ std::vector<Surface> FrameBaker::make_maps(double time) {
         }
         return levels;
     }
-    WorldHeights heights = source_->heights_by_place(time, maps.resolutions.front());
+    WorldHeights heights = source_->eulerian_heights(time, maps.resolutions.front());
     if (heights.folded > 0) {
         bake_.host.warning(format_text(
             "at %g s %zu of %zu points lie where the crests have folded over: they take the top "

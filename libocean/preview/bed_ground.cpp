@@ -70,8 +70,8 @@ std::vector<std::uint8_t> bed_masks(const LandImage& image) {
     return masks;
 }
 
-ShownLand bed_land(const SeaBed& bed, LandImage image) {
-    ShownLand land;
+DrawnLand bed_land(const SeaBed& bed, LandImage image) {
+    DrawnLand land;
     double slopes = 0.0, sum = 0.0, squares = 0.0, count = 0.0;
     for (std::size_t n = 0; n < image.texels.size(); n += kGroundComponents) {
         const auto height = static_cast<double>(image.texels[n]);

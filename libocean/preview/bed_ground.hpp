@@ -17,11 +17,11 @@ namespace ocean::preview {
 /// samples: beyond the shorter one it holds the edge.
 LandImage bed_image(const SeaBed& bed, int max_resolution);
 
-/// Returns the masks of such an image as ShownLand::masks holds them, four bytes a texel: sand
+/// Returns the masks of such an image as DrawnLand::masks holds them, four bytes a texel: sand
 /// where level ground lies near still water, cliffs where it is steep there.
 std::vector<std::uint8_t> bed_masks(const LandImage& image);
 
 /// Returns the ground without its textures.
-ShownLand bed_land(const SeaBed& bed, LandImage image);
+DrawnLand bed_land(const SeaBed& bed, LandImage image);
 
 }  // namespace ocean::preview

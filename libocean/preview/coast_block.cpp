@@ -4,7 +4,7 @@
 
 namespace ocean::preview {
 
-CoastBlock make_coast_block(const ShownCoast& coast, const Camera& camera) {
+CoastBlock make_coast_block(const DrawnCoast& coast, const Camera& camera) {
     CoastBlock block;
     for (std::size_t w = 0; w < coast.windows.size(); ++w) {
         const CoastWindow& window = coast.windows[w].window;

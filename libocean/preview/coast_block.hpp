@@ -19,6 +19,6 @@ struct CoastBlock {
 };
 static_assert(sizeof(CoastBlock) == (kMaxWindows + 2) * 16, "std140 has no other padding");
 
-CoastBlock make_coast_block(const ShownCoast& coast, const Camera& camera);
+CoastBlock make_coast_block(const DrawnCoast& coast, const Camera& camera);
 
 }  // namespace ocean::preview

@@ -13,7 +13,7 @@ namespace ocean::preview {
 
 using wave::double_precision::horizon_distance;
 
-void bind_coast(gl::ShaderProgram& program, TextureUnits& units, const ShownCoast& coast,
+void bind_coast(gl::ShaderProgram& program, TextureUnits& units, const DrawnCoast& coast,
                 GLuint sampler) {
     units.bind(program, "coast_shapes", GL_TEXTURE_2D_ARRAY, coast.shape);
     units.bind(program, "coast_traces", GL_TEXTURE_2D_ARRAY, coast.traces, sampler);
@@ -34,17 +34,17 @@ CoastGround::CoastGround(const RendererOptions& options)
     glSamplerParameteri(ground_sampler_.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-double CoastGround::farthest(const ShownCoast& coast, const PictureFrame& frame) {
+double CoastGround::farthest(const DrawnCoast& coast, const PictureFrame& frame) {
     const double highest = std::max(coast.ground.heights[1], 0.1);
     return 1.05 * (horizon_distance(frame.camera.eye[2]) + horizon_distance(highest));
 }
 
-void CoastGround::prepare(const ShownCoast& coast, const PictureFrame& frame) {
+void CoastGround::prepare(const DrawnCoast& coast, const PictureFrame& frame) {
     coast_block_.set(make_coast_block(coast, frame.camera));
     land_block_.set(make_land_block(coast.ground, {}, frame, shadow_steps_));
 }
 
-void CoastGround::draw(const ShownCoast& coast, const PictureFrame& frame, const Clipmap& mesh,
+void CoastGround::draw(const DrawnCoast& coast, const PictureFrame& frame, const Clipmap& mesh,
                        const glm::dvec3& eye, double finest) {
     program_.use();
     PictureFrame::attach(program_.name());

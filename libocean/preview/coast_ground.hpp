@@ -14,7 +14,7 @@
 namespace ocean::preview {
 
 /// Binds the windows of a coast for the current program, which uses `sampler` for their means.
-void bind_coast(gl::ShaderProgram& program, TextureUnits& units, const ShownCoast& coast,
+void bind_coast(gl::ShaderProgram& program, TextureUnits& units, const DrawnCoast& coast,
                 GLuint sampler);
 
 class CoastGround {
@@ -22,11 +22,11 @@ class CoastGround {
     explicit CoastGround(const RendererOptions& options);
 
     /// Returns the distance beyond which no ground of the coast is seen [m].
-    static double farthest(const ShownCoast& coast, const PictureFrame& frame);
+    static double farthest(const DrawnCoast& coast, const PictureFrame& frame);
     /// Sets the values of a picture, for the water's program too.
-    void prepare(const ShownCoast& coast, const PictureFrame& frame);
+    void prepare(const DrawnCoast& coast, const PictureFrame& frame);
     /// Draws the ground of that picture. mesh, eye, finest: those of the water.
-    void draw(const ShownCoast& coast, const PictureFrame& frame, const Clipmap& mesh,
+    void draw(const DrawnCoast& coast, const PictureFrame& frame, const Clipmap& mesh,
               const glm::dvec3& eye, double finest);
 
   private:

@@ -50,11 +50,11 @@ double highest_of(const std::vector<CoastImage>& windows) {
 
 }  // namespace
 
-double ShownCoast::ground_at(double x, double y) const {
+double DrawnCoast::ground_at(double x, double y) const {
     return bed_height(*bed, x, y);
 }
 
-double ShownCoast::surface_at(double x, double y) const {
+double DrawnCoast::surface_at(double x, double y) const {
     const double bed_there = ground_at(x, y);
     const auto height = read_windows(windows, &CoastImage::shape, 2, x, y);
     return std::max(bed_there, height.value_or(0.0));
@@ -64,24 +64,24 @@ class CoastMaps::Impl {
   public:
     explicit Impl(const CoastMapsOptions& options) : surface_(options) {}
 
-    std::shared_ptr<const ShownCoast> show(Ocean& sea, double time,
+    std::shared_ptr<const DrawnCoast> show(Ocean& sea, double time,
                                            const std::array<double, 3>& eye) {
-        ShownCoast& shown = next();
+        DrawnCoast& shown = next();
         show_bed(shown, sea.parameters().water.bed);
         shown.windows = surface_.at(sea, time, eye);
         upload(shown);
         return shown_;
     }
 
-    std::shared_ptr<const ShownCoast> show_ground(const std::shared_ptr<const SeaBed>& bed) {
-        ShownCoast& shown = next();
+    std::shared_ptr<const DrawnCoast> show_ground(const std::shared_ptr<const SeaBed>& bed) {
+        DrawnCoast& shown = next();
         show_bed(shown, bed);
         shown.windows.clear();
         return shown_;
     }
 
-    std::shared_ptr<const ShownCoast> fade_from(const ShownCoast& before, double share) {
-        ShownCoast& shown = *shown_;
+    std::shared_ptr<const DrawnCoast> fade_from(const DrawnCoast& before, double share) {
+        DrawnCoast& shown = *shown_;
         const auto part = static_cast<float>(share);
         for (std::size_t w = 0; w < std::min(shown.windows.size(), before.windows.size()); ++w) {
             CoastImage& to = shown.windows[w];
@@ -99,11 +99,11 @@ class CoastMaps::Impl {
 
   private:
     /// Returns the coast to write: a caller may still read the one before.
-    ShownCoast& next() {
+    DrawnCoast& next() {
         if (!shown_) {
-            shown_ = std::make_shared<ShownCoast>();
+            shown_ = std::make_shared<DrawnCoast>();
         } else if (shown_.use_count() > 1) {
-            auto copy = std::make_shared<ShownCoast>();
+            auto copy = std::make_shared<DrawnCoast>();
             copy->ground = shown_->ground;
             copy->bed = shown_->bed;
             shown_ = std::move(copy);
@@ -111,7 +111,7 @@ class CoastMaps::Impl {
         return *shown_;
     }
 
-    void show_bed(ShownCoast& shown, const std::shared_ptr<const SeaBed>& bed) {
+    void show_bed(DrawnCoast& shown, const std::shared_ptr<const SeaBed>& bed) {
         if (shown.bed == bed) return;
         shown.bed = bed;
         shown.ground = bed_land(*bed, bed_image(*bed, kMaxGround));
@@ -129,7 +129,7 @@ class CoastMaps::Impl {
         shown.ground.masks = masks_.name();
     }
 
-    void upload(ShownCoast& shown) {
+    void upload(DrawnCoast& shown) {
         glActiveTexture(GL_TEXTURE0);
         const std::array<std::size_t, 2> size = {
             shown.windows.size(), static_cast<std::size_t>(shown.windows.front().window.samples)};
@@ -144,7 +144,7 @@ class CoastMaps::Impl {
     }
 
     CoastSurface surface_;
-    std::shared_ptr<ShownCoast> shown_;
+    std::shared_ptr<DrawnCoast> shown_;
     gl::Texture ground_, masks_;
     std::array<std::size_t, 2> size_{};  // windows and samples of the textures
     std::array<Layers, 4> layers_ = {{{&CoastImage::shape, gl::Mipmaps::no},
@@ -156,16 +156,16 @@ class CoastMaps::Impl {
 CoastMaps::CoastMaps(const CoastMapsOptions& options) : impl_(std::make_unique<Impl>(options)) {}
 CoastMaps::~CoastMaps() = default;
 
-std::shared_ptr<const ShownCoast> CoastMaps::show(Ocean& sea, double time,
+std::shared_ptr<const DrawnCoast> CoastMaps::show(Ocean& sea, double time,
                                                   const std::array<double, 3>& eye) {
     return impl_->show(sea, time, eye);
 }
 
-std::shared_ptr<const ShownCoast> CoastMaps::show_ground(const std::shared_ptr<const SeaBed>& bed) {
+std::shared_ptr<const DrawnCoast> CoastMaps::show_ground(const std::shared_ptr<const SeaBed>& bed) {
     return impl_->show_ground(bed);
 }
 
-std::shared_ptr<const ShownCoast> CoastMaps::fade_from(const ShownCoast& before, double share) {
+std::shared_ptr<const DrawnCoast> CoastMaps::fade_from(const DrawnCoast& before, double share) {
     return impl_->fade_from(before, share);
 }
 

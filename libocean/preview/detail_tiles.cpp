@@ -36,7 +36,7 @@ SlopeVariance variance_of(const std::vector<float>& slopes) {
     return {sum.x / kCount, sum.y / kCount, sum.xy / kCount};
 }
 
-/// A level of the mipmaps of a tile: slopes as in ShownTile.
+/// A level of the mipmaps of a tile: slopes as in DrawnTile.
 struct Level {
     std::size_t side;
     std::vector<float> slopes;
@@ -94,7 +94,7 @@ std::array<double, kTileLevels> read_shares(const std::vector<float>& slopes) {
 
 }  // namespace
 
-void DetailTiles::set_sea(Ocean& sea, const ShownCascade& finest) {
+void DetailTiles::set_sea(Ocean& sea, const DrawnCascade& finest) {
     const Grid grid{finest.maps.resolution, finest.period, 1, {}};
     const bool same_grid = sea_ && sea_->parameters().grid == grid;
     if (same_grid && revision_ == sea.revision()) return;
@@ -118,10 +118,10 @@ void DetailTiles::set_sea(Ocean& sea, const ShownCascade& finest) {
     read_.clear();
 }
 
-const std::vector<ShownTile>& DetailTiles::make(Ocean& sea, double time,
-                                                const std::vector<ShownCascade>& cascades) {
-    const ShownCascade& finest = *std::ranges::min_element(
-        cascades, {}, [](const ShownCascade& c) { return c.period / c.maps.resolution; });
+const std::vector<DrawnTile>& DetailTiles::make(Ocean& sea, double time,
+                                                const std::vector<DrawnCascade>& cascades) {
+    const DrawnCascade& finest = *std::ranges::min_element(
+        cascades, {}, [](const DrawnCascade& c) { return c.period / c.maps.resolution; });
     set_sea(sea, finest);
     std::vector<MapOutput> outputs;
     for (std::vector<float>& image : images_) {

@@ -18,19 +18,19 @@ class DetailTiles {
   public:
     /// Returns the tiles of a sea at a time [s], which its cascades' maps lack. They are valid
     /// until the next call. Throws Error.
-    const std::vector<ShownTile>& make(Ocean& sea, double time,
-                                       const std::vector<ShownCascade>& cascades);
+    const std::vector<DrawnTile>& make(Ocean& sea, double time,
+                                       const std::vector<DrawnCascade>& cascades);
 
   private:
-    void set_sea(Ocean& sea, const ShownCascade& finest);
+    void set_sea(Ocean& sea, const DrawnCascade& finest);
 
     /// The sea on the grid of its finest map: the detail begins where the waves of that grid end.
     std::unique_ptr<Ocean> sea_;
     std::uint64_t revision_ = 0;  // of the shown sea
     gl::Texture maps_;            // a layer for each band
     std::vector<std::vector<float>> images_;
-    std::vector<std::array<double, kTileLevels>> read_;  // as in ShownTile
-    std::vector<ShownTile> tiles_;
+    std::vector<std::array<double, kTileLevels>> read_;  // as in DrawnTile
+    std::vector<DrawnTile> tiles_;
 };
 
 }  // namespace ocean::preview

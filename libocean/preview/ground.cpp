@@ -15,7 +15,7 @@ constexpr int kWaterCells = 32;      // of a level of the water's mesh, which is
 constexpr double kWaterCell = 0.25;  // the finest [m]
 
 /// Returns the bytes of the maps of a land, with their mipmaps.
-std::uint64_t map_bytes(const ShownLand& land) {
+std::uint64_t map_bytes(const DrawnLand& land) {
     constexpr std::uint64_t kTexel = 4 * sizeof(float), kMasks = 4;
     const auto side = static_cast<std::uint64_t>(land.image->resolution);
     return side * side * (kTexel + (land.has_masks ? kMasks : 0)) / 3 * 4;
@@ -42,7 +42,7 @@ Ground::Ground(const RendererOptions& options)
       sampler_(make_footprint_sampler(taps_)),
       block_(BlockBinding::land) {}
 
-void Ground::show(const ShownLand& land) {
+void Ground::show(const DrawnLand& land) {
     land_ = &land;
     map_bytes_ = map_bytes(land);
     patches_.show(land);
@@ -69,7 +69,7 @@ void Ground::bind_maps(gl::ShaderProgram& program, TextureUnits& units) {
 }
 
 void Ground::draw(const PictureFrame& frame) {
-    const ShownLattice lattice = patches_.choose(frame);
+    const DrawnLattice lattice = patches_.choose(frame);
     block_.set(make_land_block(*land_, lattice, frame, shadow_steps_));
     // Water first: it hides its bed.
     if (land_->water_level && frame.options.view == View::shaded) draw_water(frame);

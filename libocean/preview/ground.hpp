@@ -23,7 +23,7 @@ class Ground : public Drawable {
     explicit Ground(const RendererOptions& options);
 
     /// Sets the land of the pictures to come, which must outlive them.
-    void show(const ShownLand& land);
+    void show(const DrawnLand& land);
     double farthest(const PictureFrame& frame) const override;
     void draw(const PictureFrame& frame) override;
     /// Returns whether the last picture lacks patches that other threads make.
@@ -41,7 +41,7 @@ class Ground : public Drawable {
     gl::ShaderProgram program_, water_program_;
     gl::Sampler sampler_;
     UniformBlock<LandBlock> block_;
-    const ShownLand* land_ = nullptr;
+    const DrawnLand* land_ = nullptr;
     std::uint64_t map_bytes_ = 0;
 };
 

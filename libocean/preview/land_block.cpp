@@ -34,7 +34,7 @@ int whole(double x) {
 }
 
 /// Returns the lowest and the highest value that a view shows where DrawOptions give none.
-std::array<double, 2> default_range(ViewRange range, const ShownLand& land) {
+std::array<double, 2> default_range(ViewRange range, const DrawnLand& land) {
     const double height = 2.0 * colour_scale(land);
     const double slope = std::max(4.0 * std::sqrt(0.5) * land.rms_slope, 1e-6);
     switch (range) {
@@ -48,7 +48,7 @@ std::array<double, 2> default_range(ViewRange range, const ShownLand& land) {
     return {0.0, 1.0};
 }
 
-void set_map(LandBlock& b, const ShownLand& land, const Camera& camera) {
+void set_map(LandBlock& b, const DrawnLand& land, const Camera& camera) {
     const LandImage& image = *land.image;
     const double texel = texel_of(land);
     const double east = camera.eye[0] - image.origin[0], north = camera.eye[1] - image.origin[1];
@@ -66,7 +66,7 @@ void set_map(LandBlock& b, const ShownLand& land, const Camera& camera) {
 
 /// Sets the lattice of the vertices and their morph: see morph_at() and land_vertex() of
 /// ocean/land_quadtree.hpp.
-void set_lattice(LandBlock& b, const ShownLattice& lattice, const Camera& camera) {
+void set_lattice(LandBlock& b, const DrawnLattice& lattice, const Camera& camera) {
     const QuadtreeSettings& settings = lattice.settings;
     const auto beside = [&](std::size_t axis) {
         return camera.eye[axis] - static_cast<double>(lattice.snapped[axis]) * settings.spacing;
@@ -85,7 +85,7 @@ void set_lattice(LandBlock& b, const ShownLattice& lattice, const Camera& camera
 
 /// Sets the sizes of the cover noise, in equal ratios from a part of the tile to less than a cell
 /// of the terrain.
-void set_cover(LandBlock& b, const ShownLand& land, const Camera& camera) {
+void set_cover(LandBlock& b, const DrawnLand& land, const Camera& camera) {
     const double largest = land.image->period / 24.0;
     const double smallest = std::min(0.1 * land.cell, kSmallestCover);
     for (std::size_t i = 0; i < kCoverSizes; ++i) {
@@ -99,7 +99,7 @@ void set_cover(LandBlock& b, const ShownLand& land, const Camera& camera) {
 
 }  // namespace
 
-LandBlock make_land_block(const ShownLand& land, const ShownLattice& lattice,
+LandBlock make_land_block(const DrawnLand& land, const DrawnLattice& lattice,
                           const PictureFrame& frame, int shadow_steps) {
     const Camera& camera = frame.camera;
     const Look& look = frame.look;

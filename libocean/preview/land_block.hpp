@@ -35,7 +35,7 @@ struct LandBlock {
 static_assert(sizeof(LandBlock) == (12 + 2 * kCoverSizes) * 16, "std140 has no other padding");
 
 /// shadow_steps: RendererOptions::shadow_steps.
-LandBlock make_land_block(const ShownLand& land, const ShownLattice& lattice,
+LandBlock make_land_block(const DrawnLand& land, const DrawnLattice& lattice,
                           const PictureFrame& frame, int shadow_steps);
 
 }  // namespace ocean::preview

@@ -76,7 +76,7 @@ Domain map_of_placed(const Land& land, int resolution) {
     return {own.origin, {side, side}, {resolution, resolution}, false};
 }
 
-/// Values of masks beside each other, as ShownLand::masks holds them.
+/// Values of masks beside each other, as DrawnLand::masks holds them.
 class MaskTexels {
   public:
     /// Returns the outputs that a field writes the available masks to.
@@ -150,7 +150,7 @@ double LandImage::height_at(double x, double y) const {
     return sum;
 }
 
-double ShownLand::ground_at(double x, double y) const {
+double DrawnLand::ground_at(double x, double y) const {
     ThreadPool caller(1);
     const WorldPoint point{x, y};
     QuerySample sample{};
@@ -158,26 +158,26 @@ double ShownLand::ground_at(double x, double y) const {
     return sample.height;
 }
 
-double ShownLand::surface_at(double x, double y) const {
+double DrawnLand::surface_at(double x, double y) const {
     const double ground = ground_at(x, y);
     return water_level ? std::max(ground, *water_level) : ground;
 }
 
-double texel_of(const ShownLand& land) {
+double texel_of(const DrawnLand& land) {
     return land.image->period / land.image->resolution;
 }
 
-double colour_scale(const ShownLand& land) {
+double colour_scale(const DrawnLand& land) {
     return land.rms > 0.0 ? land.rms : 1.0;
 }
 
-double cover_relief(const ShownLand& land) {
+double cover_relief(const DrawnLand& land) {
     if (!land.water_level) return colour_scale(land);
     constexpr double kReliefs = 3.0;  // between the water and the summit
     return std::max((land.heights[1] - *land.water_level) / kReliefs, 1.0);
 }
 
-CoverLines cover_lines(const ShownLand& land, std::optional<double> snow_line) {
+CoverLines cover_lines(const DrawnLand& land, std::optional<double> snow_line) {
     if (land.water_level) {
         constexpr double kNoSnow = 1e6;  // [m]
         return {snow_line.value_or(kNoSnow), 0.5 * (*land.water_level + land.heights[1])};
@@ -200,7 +200,7 @@ int land_map_resolution(const Terrain& terrain, bool quick) {
 struct LandMaps::Impl {
     gl::Texture texture, masks;
     std::shared_ptr<LandImage> image;
-    ShownLand shown;
+    DrawnLand shown;
 
     void make(Land& land, int resolution) {
         // A caller may still read the image before.
@@ -279,7 +279,7 @@ struct LandMaps::Impl {
 LandMaps::LandMaps() : impl_(std::make_unique<Impl>()) {}
 LandMaps::~LandMaps() = default;
 
-ShownLand LandMaps::show(Land& land, int resolution) {
+DrawnLand LandMaps::show(Land& land, int resolution) {
     // The land that is shown keeps its field, so that no other one has the same address.
     const bool known = impl_->shown.field != nullptr && land.field() == impl_->shown.field &&
                        resolution == impl_->image->resolution;

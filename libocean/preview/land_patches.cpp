@@ -35,7 +35,7 @@ int makers_of(const RendererOptions& options) {
     return std::max(1, options.live ? cores - 1 : cores);
 }
 
-double calm_ground(const ShownLand& land, double x, double y) {
+double calm_ground(const DrawnLand& land, double x, double y) {
     ThreadPool caller(1);
     const WorldPoint point{x, y};
     QuerySample sample{};
@@ -44,7 +44,7 @@ double calm_ground(const ShownLand& land, double x, double y) {
 }
 
 /// Returns true if the field has slopes that the map of a land lacks.
-bool has_finer_waves(const ShownLand& land) {
+bool has_finer_waves(const DrawnLand& land) {
     constexpr int kPlaces = 256;
     constexpr double kSlope = 2e-3;  // rms
     std::vector<WorldPoint> points(kPlaces);
@@ -138,7 +138,7 @@ void LandPatches::make_grid() {
     glBindVertexArray(0);
 }
 
-void LandPatches::show(const ShownLand& land) {
+void LandPatches::show(const DrawnLand& land) {
     land_ = &land;
     if (land.field == field_) return;
     field_ = land.field;
@@ -236,7 +236,7 @@ void LandPatches::fetch(std::vector<PatchKey> lacking, bool at_once) {
              maker_.unfinished() + (maker_.has_made() ? 1 : 0) > 0);
 }
 
-ShownLattice LandPatches::choose(const PictureFrame& frame) {
+DrawnLattice LandPatches::choose(const PictureFrame& frame) {
     const Camera& camera = frame.camera;
     const Frustum frustum(frame.projection.clip_from_world, camera.eye[2]);
     const auto planes = planes_of(frustum, camera.eye[0], camera.eye[1]);
@@ -262,7 +262,7 @@ ShownLattice LandPatches::choose(const PictureFrame& frame) {
         fetch(lacking, true);
         lacking.clear();
     }
-    ShownLattice lattice{settings_for(camera.eye[2]), {}, camera.eye[2] - view.ground};
+    DrawnLattice lattice{settings_for(camera.eye[2]), {}, camera.eye[2] - view.ground};
     for (std::size_t axis = 0; axis < 2; ++axis) {
         lattice.snapped[axis] =
             static_cast<std::int64_t>(std::floor(camera.eye[axis] / settings_.spacing));
@@ -328,7 +328,7 @@ void LandPatches::prefetch(const LandView& view) {
     maker_.request(keys);
 }
 
-void LandPatches::place_instances(const ShownLattice& lattice, const LandView& view) {
+void LandPatches::place_instances(const DrawnLattice& lattice, const LandView& view) {
     placed_.clear();
     const int half = settings_.patch / 2;
     for (const LandPatch& patch : patches_) {

@@ -24,7 +24,7 @@
 namespace ocean::preview {
 
 /// The view that a picture's patches were chosen for, as the vertex shader needs it.
-struct ShownLattice {
+struct DrawnLattice {
     QuadtreeSettings settings;
     std::array<std::int64_t, 2> snapped{};  // the eye in spacings of level 0, rounded down
     double height = 0.0;                    // of the eye over the plane of distances [m]
@@ -36,11 +36,11 @@ class LandPatches {
     explicit LandPatches(const RendererOptions& options);
 
     /// Draws this land from now on, which must outlive the pictures.
-    void show(const ShownLand& land);
+    void show(const DrawnLand& land);
     /// Returns the distance beyond which no ground is seen [m].
     double farthest(double eye_height) const;
     /// Chooses the patches of a picture and makes the missing ones. Throws Error.
-    ShownLattice choose(const PictureFrame& frame);
+    DrawnLattice choose(const PictureFrame& frame);
     /// Draws them with the current program. Leaves its vertex array bound.
     void draw() const;
 
@@ -72,11 +72,11 @@ class LandPatches {
     void prefetch(const LandView& view);
     bool has_detail(const PatchKey& key) const;
     void fetch_detail();
-    void place_instances(const ShownLattice& lattice, const LandView& view);
+    void place_instances(const DrawnLattice& lattice, const LandView& view);
 
     bool live_, shows_detail_;
     std::chrono::duration<double> patience_;
-    const ShownLand* land_ = nullptr;
+    const DrawnLand* land_ = nullptr;
     std::shared_ptr<const LandField> field_;  // of the resident patches
     std::optional<HeightRanges> ranges_;
     QuadtreeSettings settings_;

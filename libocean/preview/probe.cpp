@@ -33,7 +33,7 @@ std::array<float, 4> middle_pixel(Renderer& renderer, const Shown& shown, const 
 
 }  // namespace
 
-std::optional<Probe> probe(Renderer& renderer, const ShownSea& sea, const Camera& camera,
+std::optional<Probe> probe(Renderer& renderer, const DrawnSea& sea, const Camera& camera,
                            const std::array<double, 2>& place, int cascade) {
     const auto middle = [&](View view) {
         return middle_pixel(renderer, sea, camera, place, finest_texel(sea), view, cascade);
@@ -44,7 +44,7 @@ std::optional<Probe> probe(Renderer& renderer, const ShownSea& sea, const Camera
     return Probe{numbers[0], numbers[1], numbers[2], numbers[3], foam[0]};
 }
 
-std::optional<LandProbe> probe(Renderer& renderer, const ShownLand& land, const Camera& camera,
+std::optional<LandProbe> probe(Renderer& renderer, const DrawnLand& land, const Camera& camera,
                                const std::array<double, 2>& place) {
     const auto middle = [&](View view) {
         return middle_pixel(renderer, land, camera, place, texel_of(land), view);

@@ -107,13 +107,13 @@ struct Renderer::Impl {
         }
     }
 
-    void draw(const ShownSea& sea, const PictureFrame& frame, bool has_sky) {
+    void draw(const DrawnSea& sea, const PictureFrame& frame, bool has_sky) {
         water.show(sea);
         shows_land = false;
         draw(water, "water", frame, has_sky);
     }
 
-    void draw(const ShownLand& land, const PictureFrame& frame, bool has_sky) {
+    void draw(const DrawnLand& land, const PictureFrame& frame, bool has_sky) {
         if (row_of(frame.options.view).glsl_of(SceneKind::land).empty()) {
             throw Error(ErrorKind::invalid_value,
                         "land has no view " + std::string(word_of(frame.options.view)));
@@ -155,30 +155,30 @@ LeftOut Renderer::left_out() const {
     return impl_->water.left_out();
 }
 
-void Renderer::draw(const ShownSea& sea, const Camera& camera, const Look& look,
+void Renderer::draw(const DrawnSea& sea, const Camera& camera, const Look& look,
                     const DrawOptions& options) {
     impl_->draw_perspective(sea, camera, look, options);
 }
 
-void Renderer::draw(const ShownLand& land, const Camera& camera, const Look& look,
+void Renderer::draw(const DrawnLand& land, const Camera& camera, const Look& look,
                     const DrawOptions& options) {
     impl_->draw_perspective(land, camera, look, options);
 }
 
-void Renderer::draw(const ShownScene& scene, const Camera& camera, const Look& look,
+void Renderer::draw(const DrawnScene& scene, const Camera& camera, const Look& look,
                     const DrawOptions& options) {
     std::visit([&](const auto& shown) { impl_->draw_perspective(shown, camera, look, options); },
                scene);
 }
 
-void Renderer::draw_from_above(const ShownSea& sea, const Camera& camera, double x, double y,
+void Renderer::draw_from_above(const DrawnSea& sea, const Camera& camera, double x, double y,
                                double metres, const DrawOptions& options) {
     const Look look;
     const Projection projection = from_above(camera, x, y, metres, sea.significant_wave_height);
     impl_->draw(sea, {camera, look, options, projection}, false);
 }
 
-void Renderer::draw_from_above(const ShownLand& land, const Camera& camera, double x, double y,
+void Renderer::draw_from_above(const DrawnLand& land, const Camera& camera, double x, double y,
                                double metres, const DrawOptions& options) {
     const Look look;
     const double highest = std::max(std::abs(land.heights[0]), std::abs(land.heights[1]));
@@ -186,8 +186,8 @@ void Renderer::draw_from_above(const ShownLand& land, const Camera& camera, doub
     impl_->draw(land, {camera, look, options, projection}, false);
 }
 
-SceneKind kind_of(const ShownScene& scene) {
-    return std::holds_alternative<ShownSea>(scene) ? SceneKind::sea : SceneKind::land;
+SceneKind kind_of(const DrawnScene& scene) {
+    return std::holds_alternative<DrawnSea>(scene) ? SceneKind::sea : SceneKind::land;
 }
 
 std::string text(const LeftOut& left_out) {

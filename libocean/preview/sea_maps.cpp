@@ -119,7 +119,7 @@ class SeaMaps::Impl {
         framebuffer_ = gl::make_framebuffer();
     }
 
-    ShownSea show(Ocean& of, double time, const std::optional<std::array<double, 3>>& eye) {
+    DrawnSea show(Ocean& of, double time, const std::optional<std::array<double, 3>>& eye) {
         Ocean& sea = open_sea(of);
         if (computed_) {
             compute(sea, time);
@@ -140,7 +140,7 @@ class SeaMaps::Impl {
         return shown_;
     }
 
-    ShownSea fade_from(const ShownSea& before, double share) {
+    DrawnSea fade_from(const DrawnSea& before, double share) {
         if (shown_.coast && before.coast) shown_.coast = coast_.fade_from(*before.coast, share);
         return shown_;
     }
@@ -320,8 +320,8 @@ class SeaMaps::Impl {
 
     SeaMapsOptions options_;
     gl::AfterStage after_stage_;
-    ShownSea shown_;
-    ShownCover pattern_;
+    DrawnSea shown_;
+    DrawnCover pattern_;
     std::optional<Parameters> patterned_;  // the parameters of pattern_
     Revision described_;                   // revision of the described modes
     CoverPower cover_power_;               // for live maps
@@ -349,16 +349,16 @@ class SeaMaps::Impl {
     SurfaceSettings given_;
 };
 
-double finest_texel(const ShownSea& sea) {
+double finest_texel(const DrawnSea& sea) {
     double finest = sea.period;
     if (sea.coast && !sea.coast->windows.empty()) finest = sea.coast->windows[0].window.cell;
-    for (const ShownCascade& cascade : sea.cascades) {
+    for (const DrawnCascade& cascade : sea.cascades) {
         finest = std::min(finest, cascade.period / cascade.maps.resolution);
     }
     return finest;
 }
 
-ShownSea cross_fade(const ShownSea& from, const ShownSea& to, double share, double correlation) {
+DrawnSea cross_fade(const DrawnSea& from, const DrawnSea& to, double share, double correlation) {
     const double angle = 0.25 * kTwoPi * std::clamp(share, 0.0, 1.0);
     const double a = std::cos(angle), b = std::sin(angle);
     const auto mean_square = [&](double x, double y) {
@@ -370,19 +370,19 @@ ShownSea cross_fade(const ShownSea& from, const ShownSea& to, double share, doub
                           to.significant_wave_height;
     const double sum = std::sqrt(height * height + shared);
     const double scale = sum > 0.0 ? height / sum : 1.0;
-    ShownSea both = to;
-    for (ShownCascade& cascade : both.cascades) cascade.weight *= b * scale;
-    for (ShownTile& tile : both.tiles) tile.weight *= b * scale;
-    for (ShownCover& cover : both.covers) cover.share *= b * b;
-    for (ShownCascade cascade : from.cascades) {
+    DrawnSea both = to;
+    for (DrawnCascade& cascade : both.cascades) cascade.weight *= b * scale;
+    for (DrawnTile& tile : both.tiles) tile.weight *= b * scale;
+    for (DrawnCover& cover : both.covers) cover.share *= b * b;
+    for (DrawnCascade cascade : from.cascades) {
         cascade.weight *= a * scale;
         both.cascades.push_back(cascade);
     }
-    for (ShownTile tile : from.tiles) {
+    for (DrawnTile tile : from.tiles) {
         tile.weight *= a * scale;
         both.tiles.push_back(tile);
     }
-    for (ShownCover cover : from.covers) {
+    for (DrawnCover cover : from.covers) {
         cover.share *= a * a;
         both.covers.push_back(cover);
     }
@@ -397,11 +397,11 @@ SeaMaps::SeaMaps(const SeaMapsOptions& options, gl::AfterStage after_stage)
     : impl_(std::make_unique<Impl>(options, std::move(after_stage))) {}
 SeaMaps::~SeaMaps() = default;
 
-ShownSea SeaMaps::show(Ocean& sea, double time, const std::optional<std::array<double, 3>>& eye) {
+DrawnSea SeaMaps::show(Ocean& sea, double time, const std::optional<std::array<double, 3>>& eye) {
     return impl_->show(sea, time, eye);
 }
 
-ShownSea SeaMaps::fade_from(const ShownSea& before, double share) {
+DrawnSea SeaMaps::fade_from(const DrawnSea& before, double share) {
     return impl_->fade_from(before, share);
 }
 

@@ -47,10 +47,10 @@ std::array<std::size_t, kMaxArrays> array_sizes(const Items& items, Array&& arra
     return sizes;
 }
 
-const gl::CascadeArrays& maps_of(const ShownCascade& cascade) {
+const gl::CascadeArrays& maps_of(const DrawnCascade& cascade) {
     return cascade.maps;
 }
-unsigned map_of(const ShownTile& tile) {
+unsigned map_of(const DrawnTile& tile) {
     return tile.texture;
 }
 
@@ -58,7 +58,7 @@ unsigned map_of(const ShownTile& tile) {
 constexpr double kLeastDistance = 0.1;
 
 /// Returns how far the drawn surface is from its labels, and where it ends.
-Reach reach_of(const ShownSea& sea, double eye_height) {
+Reach reach_of(const DrawnSea& sea, double eye_height) {
     const double crest = std::max(1.5 * sea.significant_wave_height, 0.1);
     const double highest = sea.coast ? std::max(crest, sea.coast->highest) : crest;
     return {.sideways = 1.5 * sea.choppiness * sea.significant_wave_height,
@@ -81,7 +81,7 @@ Water::Water(const RendererOptions& options)
       sampler_(make_footprint_sampler(taps_)),
       block_(BlockBinding::water) {}
 
-void Water::show(const ShownSea& sea) {
+void Water::show(const DrawnSea& sea) {
     if (sea.cascades.size() > kMaxCascades || sea.covers.size() > 2 ||
         sea.tiles.size() > kMaxTiles) {
         throw Error(ErrorKind::invalid_value, "a picture shows at most two seas");
@@ -153,7 +153,7 @@ void Water::bind_maps(gl::ShaderProgram& program, TextureUnits& units,
     // Textures are uploaded through the current unit, which may be the sky's.
     glActiveTexture(GL_TEXTURE0 + PictureFrame::kSkyUnit + 1);
     const bool lace_is_ready = variant.lace && lace_maps_.ready();
-    visit_arrays(sea_->cascades, maps_of, [&](std::size_t a, const ShownCascade& cascade) {
+    visit_arrays(sea_->cascades, maps_of, [&](std::size_t a, const DrawnCascade& cascade) {
         const std::string number = "[" + std::to_string(a) + "]";
         const auto bind = [&](const char* name, unsigned texture, GLuint sampler) {
             units.bind(program, name + number, GL_TEXTURE_2D_ARRAY, texture, sampler);
@@ -170,7 +170,7 @@ void Water::bind_maps(gl::ShaderProgram& program, TextureUnits& units,
     if (variant.lace) bind_lace(program, units, lace_is_ready);
     if (variant.coast) bind_coast(program, units, *sea_->coast, sampler_.name());
     if (variant.tiles[0] == 0) return;
-    visit_arrays(sea_->tiles, map_of, [&](std::size_t a, const ShownTile& tile) {
+    visit_arrays(sea_->tiles, map_of, [&](std::size_t a, const DrawnTile& tile) {
         units.bind(program, "tile_maps[" + std::to_string(a) + "]", GL_TEXTURE_2D_ARRAY,
                    tile.texture);
     });

@@ -25,7 +25,7 @@ class Water : public Drawable {
 
     /// Sets the sea of the pictures to come, which must outlive them. Throws Error invalid_value
     /// for more cascades, foams or slope tiles than two seas have.
-    void show(const ShownSea& sea);
+    void show(const DrawnSea& sea);
     double farthest(const PictureFrame& frame) const override;
     void draw(const PictureFrame& frame) override;
 
@@ -55,7 +55,7 @@ class Water : public Drawable {
     Programs waters_, seeds_;
     gl::Sampler sampler_;
     UniformBlock<WaterBlock> block_;
-    const ShownSea* sea_ = nullptr;
+    const DrawnSea* sea_ = nullptr;
     bool lace_used_ = false;
     LeftOut left_out_;
 };

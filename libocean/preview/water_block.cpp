@@ -25,7 +25,7 @@ double fraction(double x) {
 }
 
 /// Returns the lowest and the highest value that a view shows where DrawOptions give none.
-std::array<double, 2> default_range(ViewRange range, const ShownSea& sea) {
+std::array<double, 2> default_range(ViewRange range, const DrawnSea& sea) {
     const double height = std::max(sea.significant_wave_height, 1e-3);
     const double slope = 4.0 * std::sqrt(0.5 * sea.mean_square_slope);
     switch (range) {
@@ -39,7 +39,7 @@ std::array<double, 2> default_range(ViewRange range, const ShownSea& sea) {
     return {};
 }
 
-void set_waves(WaterBlock& b, const ShownSea& sea, const Look& look, const DrawOptions& options) {
+void set_waves(WaterBlock& b, const DrawnSea& sea, const Look& look, const DrawOptions& options) {
     const Rgb crest = water_type(look.water_type).crest_colour();
     b.waves = glm::vec4(sea.choppiness, sea.significant_wave_height,
                         options.cascade < 0 ? sea.mean_square_slope : 0.0, 0.0);
@@ -51,7 +51,7 @@ void set_waves(WaterBlock& b, const ShownSea& sea, const Look& look, const DrawO
     b.range = glm::vec4(low, high, 0.0, 0.0);
 }
 
-void set_copies(WaterBlock& b, const ShownSea& sea, const Camera& camera, bool are_shown) {
+void set_copies(WaterBlock& b, const DrawnSea& sea, const Camera& camera, bool are_shown) {
     const double u = camera.eye[0] / sea.period, v = camera.eye[1] / sea.period;
     b.period = glm::vec4(1.0 / sea.period, are_shown ? 1.0 : 0.0, 0.0, 0.0);
     const auto grid = wave::double_precision::copy_grid(u, v);
@@ -61,7 +61,7 @@ void set_copies(WaterBlock& b, const ShownSea& sea, const Camera& camera, bool a
 }
 
 /// shown: the number of the cascade that is shown alone, or -1 for all.
-void set_cascade(WaterBlock& b, std::size_t c, const ShownCascade& cascade, const Camera& camera,
+void set_cascade(WaterBlock& b, std::size_t c, const DrawnCascade& cascade, const Camera& camera,
                  int shown) {
     const bool is_shown = shown < 0 || cascade.number == shown;
     b.part[c] = glm::vec4(is_shown ? cascade.weight : 0.0, cascade.sea_period / cascade.period,
@@ -72,7 +72,7 @@ void set_cascade(WaterBlock& b, std::size_t c, const ShownCascade& cascade, cons
 }
 
 /// Far from the origin a label in tiles has no fraction left in float.
-void set_lace(WaterBlock& b, std::size_t v, const ShownCover& cover, const Camera& camera) {
+void set_lace(WaterBlock& b, std::size_t v, const DrawnCover& cover, const Camera& camera) {
     const double tile = foam_texture_info(FoamTextureKind::lace).period;
     const double bubble = tile / foam_texture_info(FoamTextureKind::bubbles).period;
     const double streak = tile / foam_texture_info(FoamTextureKind::streaks).period;
@@ -88,7 +88,7 @@ void set_lace(WaterBlock& b, std::size_t v, const ShownCover& cover, const Camer
                                fraction(streak * along), fraction(streak * across));
 }
 
-void set_cover(WaterBlock& b, std::size_t v, const ShownCover& cover, const Camera& camera) {
+void set_cover(WaterBlock& b, std::size_t v, const DrawnCover& cover, const Camera& camera) {
     b.cover[v] =
         glm::vec4(fraction(camera.eye[0] / cover.period), fraction(camera.eye[1] / cover.period),
                   1.0 / cover.period, 1.0 / cover.resolution);
@@ -96,7 +96,7 @@ void set_cover(WaterBlock& b, std::size_t v, const ShownCover& cover, const Came
     set_lace(b, v, cover, camera);
 }
 
-void set_tile(WaterBlock& b, std::size_t d, const ShownTile& tile, const Camera& camera) {
+void set_tile(WaterBlock& b, std::size_t d, const DrawnTile& tile, const Camera& camera) {
     const double u = camera.eye[0] / tile.tile, v = camera.eye[1] / tile.tile;
     const double half = 0.5 / tile.samples;  // a sample lies in the middle of its texel
     b.tile[d] = glm::vec4(fraction(u) + half, fraction(v) + half, 1.0 / tile.tile, tile.weight);
@@ -117,7 +117,7 @@ void set_tile(WaterBlock& b, std::size_t d, const ShownTile& tile, const Camera&
 
 }  // namespace
 
-WaterBlock make_water_block(const ShownSea& sea, const Camera& camera, const Look& look,
+WaterBlock make_water_block(const DrawnSea& sea, const Camera& camera, const Look& look,
                             const DrawOptions& options) {
     WaterBlock b;
     set_waves(b, sea, look, options);

@@ -40,7 +40,7 @@ struct WaterBlock {
 static_assert(sizeof(WaterBlock) == (7 + 2 * kMaxCascades + 9 + 6 * kMaxTiles) * 16,
               "std140 has no other padding");
 
-WaterBlock make_water_block(const ShownSea& sea, const Camera& camera, const Look& look,
+WaterBlock make_water_block(const DrawnSea& sea, const Camera& camera, const Look& look,
                             const DrawOptions& options);
 
 }  // namespace ocean::preview

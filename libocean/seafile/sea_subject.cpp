@@ -41,9 +41,9 @@ OceanOptions ocean_options(const MapsOptions& options) {
 }
 
 /// The part of a sea that a subject shows: one period, or a part of its bed.
-class ShownSea {
+class SeaExtent {
   public:
-    ShownSea(const Sea& sea, std::optional<Domain> region) : region_(region) {
+    SeaExtent(const Sea& sea, std::optional<Domain> region) : region_(region) {
         if (!region_ && sea.parameters.water.bed) region_ = sea.parameters.water.bed->domain;
     }
 
@@ -66,16 +66,16 @@ class ShownSea {
 
 class SeaMaps final : public SubjectMaps {
   public:
-    SeaMaps(const Sea& sea, const ShownSea& shown, const MapsOptions& options)
-        : ocean_(sea, ocean_options(options)), shown_(shown) {
-        if (shown_.is_region()) {
+    SeaMaps(const Sea& sea, const SeaExtent& extent, const MapsOptions& options)
+        : ocean_(sea, ocean_options(options)), extent_(extent) {
+        if (extent_.is_region()) {
             ocean_.prepare_coast();
         } else {
             ocean_.modes();
         }
     }
     SeaMaps(const SeaMaps& built, const MapsOptions& options)
-        : ocean_(built.ocean_, ocean_options(options)), shown_(built.shown_) {}
+        : ocean_(built.ocean_, ocean_options(options)), extent_(built.extent_) {}
 
     Ocean& ocean() { return ocean_; }
 
@@ -84,15 +84,15 @@ class SeaMaps final : public SubjectMaps {
     }
     std::vector<Surface> levels(double time, ChannelSet channels,
                                 std::span<const int> resolutions) override {
-        if (!shown_.is_region()) return map_levels(ocean_, time, channels, resolutions);
+        if (!extent_.is_region()) return map_levels(ocean_, time, channels, resolutions);
         std::vector<Surface> levels;
         for (const int resolution : resolutions) {
             levels.push_back(ocean_.region(time, domain(resolution), channels));
         }
         return levels;
     }
-    WorldHeights heights_by_place(double time, int resolution) override {
-        if (shown_.is_region()) return region_heights(ocean_, time, domain(resolution));
+    WorldHeights eulerian_heights(double time, int resolution) override {
+        if (extent_.is_region()) return region_heights(ocean_, time, domain(resolution));
         return world_heights(ocean_, time, resolution);
     }
     void query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
@@ -103,17 +103,17 @@ class SeaMaps final : public SubjectMaps {
 
   private:
     Domain domain(int resolution) const {
-        return shown_.domain(ocean_.parameters().grid, resolution);
+        return extent_.domain(ocean_.parameters().grid, resolution);
     }
 
     Ocean ocean_;
-    ShownSea shown_;
+    SeaExtent extent_;
 };
 
 class SeaSubject final : public Subject {
   public:
     SeaSubject(Sea sea, std::optional<Domain> region)
-        : sea_(std::move(sea)), shown_(sea_, region) {}
+        : sea_(std::move(sea)), extent_(sea_, region) {}
 
     const Sea& sea() const { return sea_; }
 
@@ -145,23 +145,23 @@ class SeaSubject final : public Subject {
     ChannelSet channels() const override {
         ChannelSet all;
         for (int c = 0; c < kChannelCount; ++c) all = all | static_cast<Channel>(c);
-        if (shown_.is_region()) {
+        if (extent_.is_region()) {
             using enum LandMask;
             all = all | channel_of(depth) | channel_of(breaking) | channel_of(wetness);
         }
         return all;
     }
-    int default_resolution() const override { return shown_.default_resolution(grid()); }
-    Domain domain(int resolution) const override { return shown_.domain(grid(), resolution); }
+    int default_resolution() const override { return extent_.default_resolution(grid()); }
+    Domain domain(int resolution) const override { return extent_.domain(grid(), resolution); }
     std::optional<int> backend_resolution(const Backend& backend, int resolution) const override {
-        if (!shown_.is_region()) return resolution;
+        if (!extent_.is_region()) return resolution;
         // The foam of the open sea is followed on maps of its own.
         const bool knows_coasts = backend == Backend::cpu || backend.start_coast != nullptr;
         return knows_coasts ? std::optional(default_map_resolution(grid())) : std::nullopt;
     }
     double shortest_wave(int resolution) const override {
-        const double held = shown_.is_region() ? 2.0 * domain(resolution).step(0)
-                                               : ocean::shortest_wave(grid(), resolution);
+        const double held = extent_.is_region() ? 2.0 * domain(resolution).step(0)
+                                                : ocean::shortest_wave(grid(), resolution);
         return std::max(sea_.parameters.surface.shortest_wavelength, held);
     }
     HeightRange height_range() const override {
@@ -174,28 +174,28 @@ class SeaSubject final : public Subject {
     }
 
     std::unique_ptr<SubjectMaps> open(const MapsOptions& options) const override {
-        return std::make_unique<SeaMaps>(sea_, shown_, options);
+        return std::make_unique<SeaMaps>(sea_, extent_, options);
     }
     std::uint64_t bytes(int sharing) const override {
         // With a take each of them is at a time of its own, and the first at another.
         const std::uint64_t seas = plays_take() ? 1 + static_cast<std::uint64_t>(sharing) : 1;
-        const std::uint64_t bed = shown_.is_region() ? coast_bytes(sea_.parameters) : 0;
+        const std::uint64_t bed = extent_.is_region() ? coast_bytes(sea_.parameters) : 0;
         return seas * modes_bytes(grid()) + bed;
     }
     std::uint64_t work_bytes(const MapsOptions& options, ChannelSet channels,
                              int resolution) const override {
-        if (shown_.is_region()) {
+        if (extent_.is_region()) {
             // Foam is followed on maps of its own, over one period and over the region.
             return region_work_bytes(sea_.parameters, domain(resolution), channels);
         }
         return ocean::work_bytes(grid(), options.backend, channels, resolution, options.channels);
     }
-    std::uint64_t by_place_bytes(int resolution) const override {
-        if (shown_.is_region()) return region_heights_bytes(domain(resolution));
+    std::uint64_t eulerian_bytes(int resolution) const override {
+        if (extent_.is_region()) return region_heights_bytes(domain(resolution));
         return world_heights_bytes(sea_, resolution);
     }
     std::uint64_t query_bytes(const QueryOptions& options) const override {
-        if (shown_.is_region()) return 0;  // those of the coast
+        if (extent_.is_region()) return 0;  // those of the coast
         return SurfaceQuery::map_bytes(grid().resolution, options);
     }
 
@@ -203,7 +203,7 @@ class SeaSubject final : public Subject {
     const Grid& grid() const { return sea_.parameters.grid; }
 
     Sea sea_;
-    ShownSea shown_;
+    SeaExtent extent_;
 };
 
 }  // namespace

@@ -57,7 +57,7 @@ Surface repeated(const Surface& tile, const Domain& domain) {
 }
 
 /// The part of a terrain that a subject shows: tiles, a placed land as a whole, or a region.
-struct ShownPart {
+struct TerrainExtent {
     TerrainTiles tiles;
     std::optional<Domain> region;
 
@@ -80,16 +80,16 @@ struct ShownPart {
 
 class TerrainMaps final : public SubjectMaps {
   public:
-    TerrainMaps(const Terrain& terrain, const ShownPart& part, const MapsOptions& options)
-        : land_(terrain, land_options(options)), part_(part) {
-        if (part.region || terrain.is_shaped()) {
+    TerrainMaps(const Terrain& terrain, const TerrainExtent& extent, const MapsOptions& options)
+        : land_(terrain, land_options(options)), extent_(extent) {
+        if (extent.region || terrain.is_shaped()) {
             land_.field();
         } else {
             land_.modes();
         }
     }
     TerrainMaps(const TerrainMaps& built, const MapsOptions& options)
-        : land_(built.land_, land_options(options)), part_(built.part_) {}
+        : land_(built.land_, land_options(options)), extent_(built.extent_) {}
 
     Land& land() { return land_; }
 
@@ -104,13 +104,13 @@ class TerrainMaps final : public SubjectMaps {
         }
         return levels;
     }
-    WorldHeights heights_by_place(double, int resolution) override {
+    WorldHeights eulerian_heights(double, int resolution) override {
         return {map({Channel::height}, resolution)};
     }
     void query(double, std::span<const WorldPoint> points, std::span<QuerySample> samples,
                const QueryOptions& options) override {
-        if (part_.region) {
-            return land_.field()->query(points, samples, part_.region->step(0), land_.pool());
+        if (extent_.region) {
+            return land_.field()->query(points, samples, extent_.region->step(0), land_.pool());
         }
         land_.query(points, samples, options);
     }
@@ -118,21 +118,21 @@ class TerrainMaps final : public SubjectMaps {
 
   private:
     Surface map(ChannelSet channels, int resolution) {
-        const Domain domain = part_.domain(land_.terrain(), resolution);
+        const Domain domain = extent_.domain(land_.terrain(), resolution);
         if (!domain.wraps) return land_.region(domain, channels);
         Surface tile = land_.surface(channels, resolution);
-        if (part_.tiles == TerrainTiles{}) return tile;
+        if (extent_.tiles == TerrainTiles{}) return tile;
         return repeated(tile, domain);
     }
 
     Land land_;
-    ShownPart part_;
+    TerrainExtent extent_;
 };
 
 class TerrainSubject final : public Subject {
   public:
-    TerrainSubject(Terrain terrain, ShownPart part)
-        : terrain_(std::move(terrain)), part_(std::move(part)) {}
+    TerrainSubject(Terrain terrain, TerrainExtent extent)
+        : terrain_(std::move(terrain)), extent_(std::move(extent)) {}
 
     const Terrain& terrain() const { return terrain_; }
 
@@ -151,8 +151,8 @@ class TerrainSubject final : public Subject {
     std::vector<std::string> warnings(double) const override { return {}; }
 
     ChannelSet channels() const override { return terrain_channels(terrain_); }
-    int default_resolution() const override { return part_.default_resolution(terrain_); }
-    Domain domain(int resolution) const override { return part_.domain(terrain_, resolution); }
+    int default_resolution() const override { return extent_.default_resolution(terrain_); }
+    Domain domain(int resolution) const override { return extent_.domain(terrain_, resolution); }
     std::optional<int> backend_resolution(const Backend& backend, int resolution) const override {
         return has_lattice() || backend == Backend::cpu ? std::optional(resolution) : std::nullopt;
     }
@@ -177,7 +177,7 @@ class TerrainSubject final : public Subject {
     }
 
     std::unique_ptr<SubjectMaps> open(const MapsOptions& options) const override {
-        return std::make_unique<TerrainMaps>(terrain_, part_, options);
+        return std::make_unique<TerrainMaps>(terrain_, extent_, options);
     }
     std::uint64_t bytes(int) const override { return Land::bytes(terrain_); }
     std::uint64_t work_bytes(const MapsOptions& options, ChannelSet channels,
@@ -185,7 +185,7 @@ class TerrainSubject final : public Subject {
         if (!has_lattice()) return 0;
         return ocean::work_bytes(grid(), options.backend, channels, resolution, options.channels);
     }
-    std::uint64_t by_place_bytes(int) const override { return 0; }
+    std::uint64_t eulerian_bytes(int) const override { return 0; }
     std::uint64_t query_bytes(const QueryOptions& options) const override {
         if (terrain_.is_shaped()) return 0;
         return SurfaceQuery::map_bytes(terrain_.resolution, options);
@@ -194,7 +194,7 @@ class TerrainSubject final : public Subject {
   private:
     /// Returns true if it is a sum of waves over one period, false if it is a function of the
     /// place.
-    bool has_lattice() const { return !part_.region && !terrain_.is_shaped(); }
+    bool has_lattice() const { return !extent_.region && !terrain_.is_shaped(); }
     Grid grid() const {
         Grid grid;
         grid.resolution = terrain_.resolution;
@@ -203,18 +203,18 @@ class TerrainSubject final : public Subject {
     }
 
     Terrain terrain_;
-    ShownPart part_;
+    TerrainExtent extent_;
 };
 
 }  // namespace
 
 std::unique_ptr<Subject> make_subject(Terrain terrain, TerrainTiles tiles) {
-    return std::make_unique<TerrainSubject>(std::move(terrain), ShownPart{tiles, {}});
+    return std::make_unique<TerrainSubject>(std::move(terrain), TerrainExtent{tiles, {}});
 }
 
 std::unique_ptr<Subject> make_region_subject(Terrain terrain, const Region& region) {
     const Domain domain = domain_of(terrain, region);
-    return std::make_unique<TerrainSubject>(std::move(terrain), ShownPart{{}, domain});
+    return std::make_unique<TerrainSubject>(std::move(terrain), TerrainExtent{{}, domain});
 }
 
 Domain domain_of(const Terrain& terrain, const Region& region) {

@@ -59,7 +59,7 @@ class Plane final : public Subject {
     std::unique_ptr<SubjectMaps> open(const MapsOptions& options) const override;
     std::uint64_t bytes(int) const override { return sizeof(Plane); }
     std::uint64_t work_bytes(const MapsOptions&, ChannelSet, int) const override { return 0; }
-    std::uint64_t by_place_bytes(int) const override { return 0; }
+    std::uint64_t eulerian_bytes(int) const override { return 0; }
     std::uint64_t query_bytes(const QueryOptions&) const override { return 0; }
 
   private:
@@ -79,7 +79,7 @@ class PlaneMaps final : public SubjectMaps {
         for (const int resolution : resolutions) maps.push_back(map(time, channels, resolution));
         return maps;
     }
-    WorldHeights heights_by_place(double time, int resolution) override {
+    WorldHeights eulerian_heights(double time, int resolution) override {
         return {map(time, {Channel::height}, resolution)};
     }
     void query(double, std::span<const WorldPoint> points, std::span<QuerySample> samples,

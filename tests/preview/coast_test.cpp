@@ -34,7 +34,7 @@ class CoastPreviewTest : public PreviewTest {
         camera.look_at({260.0, 96.0, 0.0});
         return camera;
     }
-    const ShownSea& shown() {
+    const DrawnSea& shown() {
         shown_ = maps_.show(sea_, kTime, kEye);
         return shown_;
     }
@@ -42,11 +42,11 @@ class CoastPreviewTest : public PreviewTest {
     Ocean sea_{test::beach_sea()};
     SeaMaps maps_{options()};
     Renderer renderer_{{.cells = 32}};
-    ShownSea shown_;
+    DrawnSea shown_;
 };
 
 TEST_F(CoastPreviewTest, VerticesAtSamplesOfAWindowHaveTheHeightsOfTheRegion) {
-    const ShownSea& sea = shown();
+    const DrawnSea& sea = shown();
     // Labels of the finest window within the finest level of the mesh.
     const Domain labels{{220.0, 92.0}, {8.0, 8.0}, {9, 9}, false};
     const Surface region = sea_.region(kTime, labels, {Channel::dx, Channel::dy, Channel::height});
@@ -69,7 +69,7 @@ TEST_F(CoastPreviewTest, VerticesAtSamplesOfAWindowHaveTheHeightsOfTheRegion) {
 }
 
 TEST_F(CoastPreviewTest, WaterEndsWhereTheRegionIsDry) {
-    const ShownSea& sea = shown();
+    const DrawnSea& sea = shown();
     const Domain row{{180.0, 96.0}, {80.0, 1.0}, {161, 3}, false};
     const Surface region = sea_.region(kTime, row, channel_of(LandMask::depth));
     const auto depth = region.channel(channel_of(LandMask::depth));
@@ -86,7 +86,7 @@ TEST_F(CoastPreviewTest, WaterEndsWhereTheRegionIsDry) {
 }
 
 TEST_F(CoastPreviewTest, LandAndWaterLeaveNoGap) {
-    const ShownSea& sea = shown();
+    const DrawnSea& sea = shown();
     const Canvas canvas(96, 96, GL_RGBA32F);
     canvas.bind();
     renderer_.draw_from_above(sea, camera(), 225.0, 96.0, 90.0, {.width = 96, .height = 96});
@@ -179,7 +179,7 @@ TEST_F(CoastPreviewTest, FoamIsWhatBreaksOrWhatIsLeftOfIt) {
 }
 
 TEST_F(CoastPreviewTest, ACoastInWorkIsGroundInTheOpenSea) {
-    const ShownSea ground = maps_.show(sea_, kTime, std::nullopt);
+    const DrawnSea ground = maps_.show(sea_, kTime, std::nullopt);
     ASSERT_TRUE(ground.coast);
     EXPECT_TRUE(ground.coast->windows.empty());
     EXPECT_NEAR(ground.coast->surface_at(300.0, 96.0), 3.0, 1e-5);
@@ -199,7 +199,7 @@ class CoastBedTest : public PreviewTest {
         camera.eye = {240.0 - 20.0 * depth, 96.0, 1.0};
         camera.pitch = -90.0;
         camera.field_of_view = 40.0;
-        const ShownSea sea = maps_.show(sea_, kTime, camera.eye);
+        const DrawnSea sea = maps_.show(sea_, kTime, camera.eye);
         Look look;
         look.water_type = water_type;
         look.sun_altitude = 60.0;

@@ -109,7 +109,7 @@ struct Counts {
 
 class DrawableTest : public PreviewTest {
   protected:
-    Counts hidden(const ShownSea& sea, const Camera& camera, double distance) {
+    Counts hidden(const DrawnSea& sea, const Camera& camera, double distance) {
         Renderer renderer({.cells = 64});
         const double height = 0.4 * std::hypot(distance, camera.eye[2]);
         const auto wall = std::make_shared<Wall>(distance, height);
@@ -152,7 +152,7 @@ class DrawableTest : public PreviewTest {
 TEST_F(DrawableTest, AWallAndTheWaterHideEachOtherFromAnyHeightAndDistance) {
     Ocean sea(two_cascades(), {.foam_start = FoamStart::empty});
     SeaMaps maps({.compute = false, .foam_resolution = 64});
-    const ShownSea shown = maps.show(sea, 5.0);
+    const DrawnSea shown = maps.show(sea, 5.0);
     struct Case {
         double eye, distance, field_of_view;
     };

@@ -154,7 +154,7 @@ TEST(Environment, RefusesWhatIsNone) {
 /// Without a wind.
 class FlatSea {
   public:
-    ShownSea show() { return maps_.show(sea_, 3.0); }
+    DrawnSea show() { return maps_.show(sea_, 3.0); }
 
   private:
     static Parameters calm() {
@@ -184,7 +184,7 @@ TEST_F(EnvironmentTest, TheBackgroundLiesAsTheHelpSays) {
     Ocean sea(test::wind_sea(32), {.foam_start = FoamStart::empty});
     SeaMaps maps({.compute = false, .foam_resolution = 32});
     Renderer renderer({.cells = 16});
-    const ShownSea shown = maps.show(sea, 0.0);
+    const DrawnSea shown = maps.show(sea, 0.0);
     // Red is the part of the way from the left edge, green that from the lower one.
     std::vector<float> rgb;
     for (int j = 0; j < 64; ++j) {
@@ -219,7 +219,7 @@ TEST_F(EnvironmentTest, FromBelowTheSkyIsInSnellsWindowAlone) {
     constexpr double kLight = 0.9, kDepth = 5.0;
     const Look look = look_of(64, 32, [](const auto&) { return Rgb3{kLight, kLight, kLight}; });
     FlatSea flat;
-    const ShownSea shown = flat.show();
+    const DrawnSea shown = flat.show();
     const WaterType& type = water_type(look.water_type);
     // Critical is 41.4 degrees above the horizontal.
     for (const double pitch : {89.0, 60.0, 44.0, 39.0, 20.0, -30.0}) {
@@ -249,7 +249,7 @@ TEST_F(EnvironmentTest, FromBelowTheSkyIsInSnellsWindowAlone) {
 TEST_F(EnvironmentTest, TheComputedSkyLightsAsItIsDrawn) {
     Renderer renderer({.cells = 32});
     FlatSea flat;
-    const ShownSea shown = flat.show();
+    const DrawnSea shown = flat.show();
     for (const double altitude : {-3.0, 4.0, 35.0}) {
         const Look look{.sun_altitude = altitude, .sun_bearing = 70.0};
         // Squares of the sine of the elevation are uniform where directions are weighed by it.
@@ -276,7 +276,7 @@ TEST_F(EnvironmentTest, TheAirHidesFarWaterAsReckoned) {
     constexpr double kLight = 0.9, kHeight = 600.0;
     Look look = look_of(64, 32, [](const auto&) { return Rgb3{kLight, kLight, kLight}; });
     FlatSea flat;
-    const ShownSea shown = flat.show();
+    const DrawnSea shown = flat.show();
     for (const double distance : {900.0, 2500.0, 9000.0}) {
         // The Earth's curve hides distance^2 / 2 R of the eye's height.
         const double above = kHeight + distance * distance / (2.0 * 6371000.0);
@@ -325,7 +325,7 @@ TEST_F(EnvironmentTest, WaterMirrorsAUniformSkyAsReckoned) {
         parameters.surface.choppiness = 0.0;
         Ocean sea(parameters, {.foam_start = FoamStart::empty});
         SeaMaps maps({.compute = false, .foam_resolution = 64});
-        const ShownSea shown = maps.show(sea, 3.0);
+        const DrawnSea shown = maps.show(sea, 3.0);
         for (std::size_t c = 0; c < 3; ++c) {
             double found = 0.0;
             for (const double heading : {0.0, 90.0}) {  // slopes of both add up
@@ -350,7 +350,7 @@ TEST_F(EnvironmentTest, ItsSunIsAGlitterAndNoSpark) {
     Ocean sea(test::wind_sea(64), {.foam_start = FoamStart::empty});
     SeaMaps maps({.compute = false, .foam_resolution = 64});
     Renderer renderer({.cells = 32});
-    const ShownSea shown = maps.show(sea, 3.0);
+    const DrawnSea shown = maps.show(sea, 3.0);
     const Look look = look_of(1024, 512, sunny(toward(30.0, 0.0)));
     const auto brightest = [&](double heading) {
         const auto pixels =

@@ -73,8 +73,8 @@ class LaceTest : public PreviewTest {
         maps_ = std::make_unique<SeaMaps>(SeaMapsOptions{.compute = false, .foam_resolution = 32});
     }
 
-    ShownSea covered(double cover, double time = 0.0) {
-        ShownSea shown = maps_->show(*sea_, time);
+    DrawnSea covered(double cover, double time = 0.0) {
+        DrawnSea shown = maps_->show(*sea_, time);
         EXPECT_FALSE(shown.has_foam);
         shown.has_foam = true;
         const auto c = static_cast<float>(cover);
@@ -90,7 +90,7 @@ class LaceTest : public PreviewTest {
     }
 
     /// A square of `metres` a side from so high that all pixels see as much of it.
-    std::vector<float> foam(const ShownSea& sea, double x, double y, double metres, int side) {
+    std::vector<float> foam(const DrawnSea& sea, double x, double y, double metres, int side) {
         const Canvas canvas(side, side, GL_RGBA32F);
         const double height = 5.0 * metres;
         const Camera camera{.eye = {x, y, height},
@@ -112,7 +112,7 @@ class LaceTest : public PreviewTest {
 
 TEST_F(LaceTest, AsMuchIsWhiteAsIsCoveredNearAndFar) {
     for (const double cover : {0.02, 0.1, 0.3, 0.7}) {
-        const ShownSea sea = covered(cover);
+        const DrawnSea sea = covered(cover);
         // Pixels of 0.1 m and 0.3 m see the pattern, those of 1 m a part of it, those of 3 m none.
         for (const int side : {1320, 440, 132, 44}) {
             // Larger pixels need more pictures, each shifted by a part of a pixel.
@@ -181,7 +181,7 @@ TEST_F(LaceTest, ALabelKeepsItsFoamWhereverTheEyeIs) {
 
 TEST_F(LaceTest, CellsLieAlongTheWay) {
     // A turn by a quarter is the same pattern seen from another side.
-    ShownSea sea = covered(0.3);
+    DrawnSea sea = covered(0.3);
     sea.covers[0].stretch = 3.0;
     constexpr int kSide = 512;
     const auto change_along = [&](double direction) {

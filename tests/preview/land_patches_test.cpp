@@ -24,7 +24,7 @@ namespace {
 class LandPatchesTest : public PreviewTest {
   protected:
     /// Draws a land with a renderer, and returns the pixels of a view.
-    std::vector<float> drawn(Renderer& renderer, const ShownLand& shown, const Camera& camera,
+    std::vector<float> drawn(Renderer& renderer, const DrawnLand& shown, const Camera& camera,
                              View view = View::numbers, int width = 96, int height = 54) {
         const Canvas canvas(width, height, GL_RGBA32F);
         renderer.draw(shown, camera, {}, {.width = width, .height = height, .view = view});
@@ -35,7 +35,7 @@ class LandPatchesTest : public PreviewTest {
         for (std::size_t i = 0; i < pixels.size(); i += 4) empty += pixels[i] == 0.0f ? 1 : 0;
         return empty;
     }
-    static Camera over(const ShownLand& shown, double x, double y, double above) {
+    static Camera over(const DrawnLand& shown, double x, double y, double above) {
         Camera camera;
         camera.eye = {x, y, shown.surface_at(x, y) + above};
         camera.pitch = -15.0;
@@ -60,7 +60,7 @@ HeightSampler sampler_of(const LandField& field, ThreadPool& pool) {
 TEST_F(LandPatchesTest, ShownVerticesAreThoseOfTheQuadtreeWithTheHeightsOfTheField) {
     for (const Terrain& terrain : {hills(), gullied(), island()}) {
         Land land(terrain, {.threads = 1});
-        const ShownLand shown = maps_.show(land, 128);
+        const DrawnLand shown = maps_.show(land, 128);
         Renderer renderer({.land_threads = 1});
         VertexReader reader;
         Camera camera = over(shown, 1717.3, 1903.7, 40.0);
@@ -125,7 +125,7 @@ TEST_F(LandPatchesTest, TrianglesShareTheirEdgesBitByBit) {
     // Each edge inside the picture's mesh belongs to two triangles. Open edges lie on the border of
     // the selection: there the frustum has left out the neighbour.
     Land land(gullied(), {.threads = 1});
-    const ShownLand shown = maps_.show(land, 128);
+    const DrawnLand shown = maps_.show(land, 128);
     Renderer renderer({.land_threads = 1});
     VertexReader reader;
     Camera camera = over(shown, 517.0, 303.0, 60.0);
@@ -170,7 +170,7 @@ TEST_F(LandPatchesTest, TrianglesShareTheirEdgesBitByBit) {
 
 TEST_F(LandPatchesTest, APictureWithoutItsPatchesIsCoarserAndHasNoHoles) {
     Land land(gullied(), {.threads = 1});
-    const ShownLand shown = maps_.show(land, 128);
+    const DrawnLand shown = maps_.show(land, 128);
     Renderer live({.land_threads = 1, .land_patience = 0.0, .live = true});
     Renderer waiting({.land_threads = 1});
     Camera camera = over(shown, 517.0, 303.0, 300.0);
@@ -192,7 +192,7 @@ TEST_F(LandPatchesTest, APictureWithoutItsPatchesIsCoarserAndHasNoHoles) {
 
 TEST_F(LandPatchesTest, TrianglesAndTexturesStayWithinTheirBounds) {
     Land land(hills(), {.threads = 1});
-    const ShownLand shown = maps_.show(land, 128);
+    const DrawnLand shown = maps_.show(land, 128);
     Renderer renderer({.land_threads = 2});
     std::size_t most = 0;
     for (const double above : {2.0, 40.0, 100.0, 300.0, 900.0}) {
@@ -216,12 +216,12 @@ TEST_F(LandPatchesTest, AFrameOfLandTakesAtMostOneAndAHalfOfTheSeas) {
     terrain.resolution = 512;
     terrain.patch_size = 8192.0;
     Land land(terrain);
-    const ShownLand shown_land = maps_.show(land, 512);
+    const DrawnLand shown_land = maps_.show(land, 512);
     Parameters parameters = two_cascades();
     parameters.grid.cascades = 3;
     Ocean ocean(Sea{parameters, {}});
     SeaMaps sea_maps({.detail = false});  // as in a window without a GPU
-    const ShownSea shown_sea = sea_maps.show(ocean, 1.0);
+    const DrawnSea shown_sea = sea_maps.show(ocean, 1.0);
     Renderer renderer({.cells = kCells, .shadow_steps = kShadowSteps});
     const Canvas canvas(640, 360, GL_RGBA8);
     const DrawOptions options{.width = 640, .height = 360};
@@ -273,7 +273,7 @@ TEST_F(LandPatchesTest, RowsMakeRoomForNewPatches) {
 TEST_F(LandPatchesTest, RangesHoldTheHeightsOfTheirSquares) {
     for (const Terrain& terrain : {hills(), island()}) {
         Land land(terrain, {.threads = 1});
-        const ShownLand shown = maps_.show(land, 128);
+        const DrawnLand shown = maps_.show(land, 128);
         const HeightRanges ranges(*shown.image, 1.0 + 2.0 * shown.rms_slope * texel_of(shown));
         for (int n = 0; n < 200; ++n) {
             const double side = 4.0 * std::exp2(n % 12);
@@ -291,7 +291,7 @@ TEST_F(LandPatchesTest, RangesHoldTheHeightsOfTheirSquares) {
 
 TEST_F(LandPatchesTest, AnIslandStandsInWaterAndEndsAtItsEdge) {
     Land land(island(), {.threads = 1});
-    const ShownLand shown = maps_.show(land, 128);
+    const DrawnLand shown = maps_.show(land, 128);
     ASSERT_TRUE(shown.water_level);
     Renderer renderer({.land_threads = 1});
     // Outside, over the continued sea bed: no ground below, but water.

@@ -44,7 +44,7 @@ class LandTest : public PreviewTest {
     Land land_{small_terrain(), {.threads = 1}};
     LandMaps maps_;
     Renderer renderer_{{.land_threads = 2}};
-    ShownLand shown_ = maps_.show(land_, 128);
+    DrawnLand shown_ = maps_.show(land_, 128);
 };
 
 TEST_F(LandTest, TheDrawnHeightIsThatOfTheMap) {
@@ -200,7 +200,7 @@ TEST_F(LandTest, TheMapIsMadeOnlyForAChange) {
     EXPECT_EQ(land_.runs().maps, before);
     EXPECT_EQ(image, shown_.image);
     land_.set("mean", "12");
-    const ShownLand lower = maps_.show(land_, 128);
+    const DrawnLand lower = maps_.show(land_, 128);
     EXPECT_EQ(land_.runs().maps, before + 1);
     EXPECT_EQ(lower.mean, 12.0);
     // The land that was shown before keeps its image.

@@ -22,7 +22,7 @@ TEST_F(LandVertexTest, EachVertexOfThePictureStandsWhereTheQuadtreeShowsIt) {
     ThreadPool pool(1);
     for (const Terrain& terrain : {hills(), island()}) {
         Land land(terrain, {.threads = 1});
-        const ShownLand shown = maps.show(land, 128);
+        const DrawnLand shown = maps.show(land, 128);
         Renderer renderer({.land_threads = 1});
         Camera camera;
         camera.eye = {1717.3, 1903.7, shown.surface_at(1717.3, 1903.7) + 40.0};

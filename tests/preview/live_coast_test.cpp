@@ -37,7 +37,7 @@ class LiveCoastTest : public ::testing::Test {
         return parameters.waves.front().wind_speed.value();
     }
     /// Returns the heights of the finest window.
-    static std::vector<float> heights(const preview::ShownSea& sea) {
+    static std::vector<float> heights(const preview::DrawnSea& sea) {
         std::vector<float> heights;
         const std::vector<float>& shape = sea.coast->windows.at(0).shape;
         for (std::size_t n = 2; n < shape.size(); n += 4) heights.push_back(shape[n]);
@@ -66,7 +66,7 @@ TEST_F(LiveCoastTest, TheOpenSeaStandsForACoastThatIsInWork) {
     EXPECT_TRUE(live.coast_in_work());
     EXPECT_FALSE(live.can_query());
     EXPECT_NE(live.coast_progress().find("%"), std::string::npos);
-    const preview::ShownSea first = live.show(kEye);
+    const preview::DrawnSea first = live.show(kEye);
     ASSERT_TRUE(first.coast);
     EXPECT_TRUE(first.coast->windows.empty());
     wait_for_coast(live);
@@ -83,7 +83,7 @@ TEST_F(LiveCoastTest, TheCoastBeforeStaysUntilThatOfANewWindIsComputed) {
     EXPECT_EQ(wind(live.now()), 14.0);  // as the panel shows it
     live.paused = true;
     Ocean before(test::beach_sea(), {.threads = 1});
-    const preview::ShownSea meanwhile = live.show(kEye);
+    const preview::DrawnSea meanwhile = live.show(kEye);
     EXPECT_EQ(heights(meanwhile), heights(before, meanwhile.coast->windows[0].window, live.time()));
     wait_for_coast(live);
     ASSERT_TRUE(live.fading());
@@ -94,7 +94,7 @@ TEST_F(LiveCoastTest, TheCoastBeforeStaysUntilThatOfANewWindIsComputed) {
     Sea stronger = test::beach_sea();
     stronger.parameters.waves.front().wind_speed = 14.0;
     Ocean after(stronger, {.threads = 1});
-    const preview::ShownSea shown = live.show(kEye);
+    const preview::DrawnSea shown = live.show(kEye);
     const std::vector<float> now = heights(shown);
     EXPECT_EQ(now, heights(after, shown.coast->windows[0].window, live.time()));
     // Half way it is the mean of both.

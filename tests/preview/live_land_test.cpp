@@ -84,7 +84,7 @@ TEST_F(LiveLandTest, ASeaAndATerrainTakeEachOthersPlace) {
     EXPECT_EQ(scene.kind(), preview::SceneKind::land);
     EXPECT_TRUE(scene.is_still());
     EXPECT_EQ(text_of(scene.opened()), write_terrain(hills()));
-    EXPECT_TRUE(std::holds_alternative<preview::ShownLand>(scene.shown()));
+    EXPECT_TRUE(std::holds_alternative<preview::DrawnLand>(scene.shown()));
     // A terrain that is refused leaves the scene as it is.
     Terrain wrong = hills();
     wrong.beta = -1.0;
@@ -127,7 +127,7 @@ TEST_F(LiveLandTest, TheCameraWalksOnTheGroundAndIsNeverInIt) {
 
 TEST_F(LiveLandTest, AFirstEyeStandsOnTheGroundWhereverThatIs) {
     LiveScene scene(hills(), options());
-    const auto& land = std::get<preview::ShownLand>(scene.shown());
+    const auto& land = std::get<preview::DrawnLand>(scene.shown());
     const auto eye_of = [&](EyePlace place, std::array<double, 3> eye, std::string& warning) {
         preview_.eye_place = place;
         preview_.camera.eye = eye;

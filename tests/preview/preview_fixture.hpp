@@ -31,14 +31,14 @@ class PreviewTest : public ::testing::Test {
         for (const std::string& message : context_.messages()) ADD_FAILURE() << message;
     }
 
-    std::vector<std::uint8_t> picture(Renderer& renderer, const ShownSea& sea, const Camera& camera,
+    std::vector<std::uint8_t> picture(Renderer& renderer, const DrawnSea& sea, const Camera& camera,
                                       const Look& look = {}, int width = 160, int height = 90) {
         const Canvas canvas(width, height, GL_RGBA8);
         renderer.draw(sea, camera, look, {.width = width, .height = height});
         return canvas.rgb();
     }
     /// Returns the numbers of each pixel: see View::numbers in libocean/preview/view_table.hpp.
-    std::vector<float> numbers(Renderer& renderer, const ShownSea& sea, const Camera& camera,
+    std::vector<float> numbers(Renderer& renderer, const DrawnSea& sea, const Camera& camera,
                                int side, const Look& look = {}) {
         const Canvas canvas(side, side, GL_RGBA32F);
         renderer.draw(sea, camera, look, {.width = side, .height = side, .view = View::numbers});
@@ -46,7 +46,7 @@ class PreviewTest : public ::testing::Test {
     }
 
     /// Returns the light of each pixel, row after row, the bottom row first: R, G, B, 1.
-    std::vector<float> light(Renderer& renderer, const ShownSea& sea, const Camera& camera,
+    std::vector<float> light(Renderer& renderer, const DrawnSea& sea, const Camera& camera,
                              const Look& look, int width, int height) {
         const Canvas canvas(width, height, GL_RGBA32F);
         DrawOptions options;

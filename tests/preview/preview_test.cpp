@@ -46,7 +46,7 @@ TEST_F(PreviewTest, TheDrawnHeightIsTheQuerys) {
     for (const auto& [compute, resolution] : {Case{false, 128}, {true, 128}, {false, 512}}) {
         SeaMaps maps({.compute = compute, .cascade_resolution = resolution});
         Renderer renderer({.cells = 64});
-        const ShownSea shown = maps.show(sea, time);
+        const DrawnSea shown = maps.show(sea, time);
         const Camera camera{.eye = {123.4, -56.7, 6.0}};
         const double rms_slope = std::sqrt(state.mean_square_slope.resolved);
         double half_texel_slope = 0.0;  // of each cascade, added up
@@ -101,7 +101,7 @@ TEST_F(PreviewTest, ShownAndHandedOnSlopesAreTheSeas) {
     Ocean sea(parameters);
     SeaMaps maps({.compute = false});
     Renderer renderer({.cells = 8});  // pixels read slopes, whatever the mesh
-    const ShownSea shown = maps.show(sea, 12.0);
+    const DrawnSea shown = maps.show(sea, 12.0);
     for (const double height : {10.0, 100.0, 1000.0, 3000.0, 10000.0}) {
         // Pictures beside each other, a whole number in the period, as far as they are smaller.
         const int beside = std::max(1, static_cast<int>(kPeriod / (2.0 * height)));
@@ -139,9 +139,9 @@ TEST_F(PreviewTest, WithDetailTooTheSlopesAreTheSeas) {
     Ocean sea(parameters);
     SeaMaps maps({.compute = false, .detail = true});
     Renderer renderer({.cells = 8});  // pixels read slopes, whatever the mesh
-    const ShownSea shown = maps.show(sea, 12.0);
+    const DrawnSea shown = maps.show(sea, 12.0);
     ASSERT_GE(shown.tiles.size(), 2u);
-    ShownSea bare = shown;
+    DrawnSea bare = shown;
     bare.tiles.clear();
     std::mt19937 random(4);
     std::uniform_real_distribution<double> unit(0.0, kPeriod);
@@ -189,10 +189,10 @@ TEST_F(PreviewTest, TheDetailOfALabelIsThatOfTheTilesEverywhere) {
     Ocean sea(two_cascades());
     SeaMaps maps({.compute = false, .detail = true});
     Renderer renderer({.cells = 32});
-    ShownSea shown = maps.show(sea, 12.0);
-    for (ShownCascade& cascade : shown.cascades) cascade.weight = 0.0;  // nothing else has slopes
+    DrawnSea shown = maps.show(sea, 12.0);
+    for (DrawnCascade& cascade : shown.cascades) cascade.weight = 0.0;  // nothing else has slopes
     shown.tiles.resize(1);
-    const ShownTile& tile = shown.tiles[0];
+    const DrawnTile& tile = shown.tiles[0];
     const auto side = static_cast<std::size_t>(tile.samples);
     const std::vector<float> slopes = test::layer_texels(tile.texture, tile.layer, 0, GL_RG, 2);
     const auto slope_at = [&](double u, double v, std::size_t component) {
@@ -236,7 +236,7 @@ TEST_F(PreviewTest, NearWaterIsNoSilk) {
     const Camera camera{.eye = {0.0, 0.0, 1.6}, .heading = 30.0, .pitch = -4.0};
     const Look look{.foam_amount = 0.0};
     constexpr int kWidth = 640, kHeight = 360;
-    const auto fine_contrast = [&](const ShownSea& shown) {
+    const auto fine_contrast = [&](const DrawnSea& shown) {
         const auto rgb = picture(renderer, shown, camera, look, kWidth, kHeight);
         double squares = 0.0;
         int count = 0;
@@ -256,8 +256,8 @@ TEST_F(PreviewTest, NearWaterIsNoSilk) {
         }
         return std::sqrt(squares / count);
     };
-    const ShownSea shown = maps.show(sea, 4.0);
-    ShownSea bare = shown;
+    const DrawnSea shown = maps.show(sea, 4.0);
+    DrawnSea bare = shown;
     bare.tiles.clear();
     const double with = fine_contrast(shown), without = fine_contrast(bare);
     RecordProperty("with", std::to_string(with));
@@ -266,7 +266,7 @@ TEST_F(PreviewTest, NearWaterIsNoSilk) {
 }
 
 /// Returns the mean cover by the last level of the mipmaps.
-double mean_cover(const ShownSea& shown) {
+double mean_cover(const DrawnSea& shown) {
     float mean = 0.0f;
     glBindTexture(GL_TEXTURE_2D, shown.covers[0].texture);
     const int last = static_cast<int>(std::lround(std::log2(shown.covers[0].resolution)));
@@ -293,7 +293,7 @@ TEST_F(PreviewTest, AsMuchIsCoveredAsTheSeaSaysFromAnyDistance) {
         EXPECT_GT(expected, 0.01);
         SeaMaps maps(
             {.compute = compute, .foam_resolution = kResolution, .foam_start = FoamStart::settled});
-        const ShownSea shown = maps.show(sea, time);
+        const DrawnSea shown = maps.show(sea, time);
         ASSERT_EQ(shown.covers.size(), 1u);
         glBindTexture(GL_TEXTURE_2D, shown.covers[0].texture);
         for (int level = 0; kResolution >> level > 0; ++level) {
@@ -332,7 +332,7 @@ TEST_F(PreviewTest, ThePictureHasNoHole) {
     Ocean sea(two_cascades());
     SeaMaps maps({.compute = false});
     Renderer renderer({.cells = 32});
-    const ShownSea shown = maps.show(sea, 5.0);
+    const DrawnSea shown = maps.show(sea, 5.0);
     std::mt19937 random(8);
     std::uniform_real_distribution<double> place(-1000.0, 1000.0);
     for (const double height : {6.0, 40.0, 700.0, 20000.0}) {
@@ -352,7 +352,7 @@ TEST_F(PreviewTest, WaterStandsStillWhileTheEyeMoves) {
     Ocean sea(two_cascades());
     SeaMaps maps({.compute = false});
     Renderer renderer({.cells = 64});
-    const ShownSea shown = maps.show(sea, 5.0);
+    const DrawnSea shown = maps.show(sea, 5.0);
     const double bound = 1e-3 * shown.significant_wave_height;
     const auto height_from = [&](double x, double y) {
         return probe(renderer, shown, {.eye = {x, y, 4.0}}, {10.0, 20.0})->mesh_height;
@@ -422,7 +422,7 @@ TEST_F(PreviewTest, TheFarSeaDoesNotRepeat) {
     Ocean sea(parameters);
     SeaMaps maps({.compute = false});
     Renderer renderer({.cells = 64});
-    const ShownSea shown = maps.show(sea, 5.0);
+    const DrawnSea shown = maps.show(sea, 5.0);
     constexpr int kPixels = 40;  // a period
     constexpr int kSide = 8 * kPixels;
     const Camera camera = above(50.0, 60.0, 4.0 * kPeriod);
@@ -447,7 +447,7 @@ TEST_F(PreviewTest, HeightsOfACrossFadeAreTheBlendOfBothSeas) {
     SeaMaps to_maps({.compute = false, .foam_resolution = 64});
     Renderer renderer({.cells = 32});
     const Camera camera = above(0.5 * kPeriod, 0.5 * kPeriod, 0.5 * kPeriod);
-    const auto height_of = [&](const ShownSea& sea) {
+    const auto height_of = [&](const DrawnSea& sea) {
         const auto values = numbers(renderer, sea, camera, 64);
         double squares = 0.0;
         for (std::size_t p = 1; p < values.size(); p += 4) squares += values[p] * values[p];
@@ -464,8 +464,8 @@ TEST_F(PreviewTest, HeightsOfACrossFadeAreTheBlendOfBothSeas) {
             stronger.seed = static_cast<std::uint32_t>(100 + seed);
             Ocean from_sea(parameters, {.foam_start = FoamStart::empty});
             Ocean to_sea(stronger, {.foam_start = FoamStart::empty});
-            const ShownSea from = from_maps.show(from_sea, 3.0);
-            const ShownSea to = to_maps.show(to_sea, 3.0);
+            const DrawnSea from = from_maps.show(from_sea, 3.0);
+            const DrawnSea to = to_maps.show(to_sea, 3.0);
             const double height = height_of(cross_fade(from, to, share));
             const double before = height_of(from), after = height_of(to);
             found += height;
@@ -492,14 +492,14 @@ TEST_F(PreviewTest, WavesThatBothSeasHaveDoNotGrowInTheMiddleOfACrossFade) {
     SeaMaps to_maps({.compute = false, .foam_resolution = 64});
     Renderer renderer({.cells = 32});
     const Camera camera = above(0.5 * kPeriod, 0.5 * kPeriod, 0.5 * kPeriod);
-    const auto height_of = [&](const ShownSea& sea) {
+    const auto height_of = [&](const DrawnSea& sea) {
         const auto values = numbers(renderer, sea, camera, 64);
         double squares = 0.0;
         for (std::size_t p = 1; p < values.size(); p += 4) squares += values[p] * values[p];
         return 4.0 * std::sqrt(squares / (64.0 * 64.0));
     };
-    const ShownSea from = from_maps.show(from_sea, 3.0);
-    const ShownSea to = to_maps.show(to_sea, 3.0);
+    const DrawnSea from = from_maps.show(from_sea, 3.0);
+    const DrawnSea to = to_maps.show(to_sea, 3.0);
     const double correlation = height_correlation(from_sea.modes(3.0), 3.0, to_sea.modes(3.0), 3.0);
     EXPECT_GT(correlation, 0.8);
     for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9}) {
@@ -519,7 +519,7 @@ TEST_F(PreviewTest, LinearLightHasNoLimit) {
     Ocean sea(two_cascades(), {.foam_start = FoamStart::empty});
     SeaMaps maps({.compute = false});
     Renderer renderer({.cells = 32});
-    const ShownSea shown = maps.show(sea, 5.0);
+    const DrawnSea shown = maps.show(sea, 5.0);
     const Camera at_the_sun{.eye = {0.0, 0.0, 5.0}, .heading = 0.0, .pitch = 0.0};
     const auto exposed = [&](double exposure) {
         Look look{.sun_altitude = 8.0, .sun_bearing = 0.0};
@@ -538,7 +538,7 @@ TEST_F(PreviewTest, CrestsGlowBeforeTheSunAlone) {
     Ocean sea(two_cascades(), {.foam_start = FoamStart::empty});
     SeaMaps maps({.compute = false});
     Renderer renderer({.cells = 64});
-    const ShownSea shown = maps.show(sea, 5.0);
+    const DrawnSea shown = maps.show(sea, 5.0);
     // The light that crests add to each pixel, with the sun so many degrees beside the sight.
     const auto added = [&](double aside, double amount) {
         const Camera camera{.eye = {0.0, 0.0, 3.0}, .heading = 20.0, .pitch = -6.0};
@@ -580,9 +580,9 @@ TEST_F(PreviewTest, CascadesShownAloneAddUpToTheSea) {
     Ocean sea(parameters);
     SeaMaps maps({.compute = false});
     Renderer renderer({.cells = 64});
-    const ShownSea shown = maps.show(sea, 12.0);
+    const DrawnSea shown = maps.show(sea, 12.0);
     constexpr int kSide = 64;
-    const auto period = [&](const ShownSea& of, int cascade) {
+    const auto period = [&](const DrawnSea& of, int cascade) {
         const Canvas canvas(kSide, kSide, GL_RGBA32F);
         DrawOptions options;
         options.width = options.height = kSide;

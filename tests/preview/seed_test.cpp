@@ -54,7 +54,7 @@ class SeedTest : public PreviewTest {
     Ocean sea_{test::wind_sea(64, 40.0), {.foam_start = FoamStart::empty}};
     SeaMaps maps_{{.compute = false, .foam_resolution = 32}};
     Renderer renderer_{{.cells = 16}};
-    ShownSea shown_ = maps_.show(sea_, 7.0);
+    DrawnSea shown_ = maps_.show(sea_, 7.0);
 };
 
 TEST_F(SeedTest, ThereAreTenByTenEqualTiles) {

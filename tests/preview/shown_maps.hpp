@@ -32,10 +32,10 @@ inline std::vector<float> layer_texels(unsigned array, int layer, int level, GLe
 
 /// Heights of the shown maps on `resolution` samples along a side of the sea's period: the sum over
 /// its cascades, each wrapped round its own. They need as many samples.
-inline std::vector<float> shown_heights(const preview::ShownSea& sea, int resolution) {
+inline std::vector<float> shown_heights(const preview::DrawnSea& sea, int resolution) {
     const auto side = static_cast<std::size_t>(resolution);
     std::vector<float> heights(side * side);
-    for (const preview::ShownCascade& cascade : sea.cascades) {
+    for (const preview::DrawnCascade& cascade : sea.cascades) {
         if (cascade.maps.resolution != resolution) return {};
         const std::vector<float> texels =
             layer_texels(cascade.maps.displacement, cascade.layer, 0, GL_RGBA, 4);
@@ -51,9 +51,9 @@ inline std::vector<float> shown_heights(const preview::ShownSea& sea, int resolu
 }
 
 /// Returns the mean square slope of the shown maps, by the last level of their second moments.
-inline double map_slope(const preview::ShownSea& sea) {
+inline double map_slope(const preview::DrawnSea& sea) {
     double sum = 0.0;
-    for (const preview::ShownCascade& cascade : sea.cascades) {
+    for (const preview::DrawnCascade& cascade : sea.cascades) {
         const int level = static_cast<int>(std::lround(std::log2(cascade.maps.resolution)));
         const std::vector<float> last =
             layer_texels(cascade.maps.moments, cascade.layer, level, GL_RGBA, 4);

@@ -39,13 +39,13 @@ class UnitsTest : public PreviewTest {
         parameters.grid.cascades = 5;
         return parameters;
     }
-    std::vector<std::uint8_t> drawn(Renderer& renderer, const ShownSea& sea) {
+    std::vector<std::uint8_t> drawn(Renderer& renderer, const DrawnSea& sea) {
         return picture(renderer, sea, {.eye = {0.0, 0.0, 12.0}, .pitch = -25.0}, {}, 48, 32);
     }
 
     Ocean sea_{foaming(15.0), {.foam_start = FoamStart::settled}};
     SeaMaps maps_{{.compute = false, .foam_resolution = 64, .detail = true}};
-    ShownSea shown_ = maps_.show(sea_, 5.0);
+    DrawnSea shown_ = maps_.show(sea_, 5.0);
 };
 
 TEST_F(UnitsTest, FiveCascadesWithFoamAndNearDetailFit) {
@@ -54,7 +54,7 @@ TEST_F(UnitsTest, FiveCascadesWithFoamAndNearDetailFit) {
     // The finest maps of five cascades leave no wave to the tiles: those of another sea stand in.
     Ocean coarse(test::wind_sea(32, 400.0), {.foam_start = FoamStart::empty});
     SeaMaps coarse_maps({.compute = false, .foam_resolution = 64, .detail = true});
-    ShownSea other = coarse_maps.show(coarse, 5.0);
+    DrawnSea other = coarse_maps.show(coarse, 5.0);
     ASSERT_FALSE(other.tiles.empty());
     shown_.tiles = other.tiles;
     Renderer renderer({.cells = 16, .max_texture_units = kUnits});
@@ -66,7 +66,7 @@ TEST_F(UnitsTest, FiveCascadesWithFoamAndNearDetailFit) {
     // Two seas: their arrays are not the same.
     Ocean second(foaming(16.0), {.foam_start = FoamStart::settled});
     SeaMaps second_maps({.compute = false, .foam_resolution = 64, .detail = true});
-    ShownSea to = second_maps.show(second, 5.0);
+    DrawnSea to = second_maps.show(second, 5.0);
     SeaMaps more_tiles({.compute = false, .foam_resolution = 64, .detail = true});
     to.tiles = more_tiles.show(coarse, 6.0).tiles;
     drawn(renderer, cross_fade(shown_, to, 0.5));
@@ -77,10 +77,10 @@ TEST_F(UnitsTest, FiveCascadesWithFoamAndNearDetailFit) {
 
 TEST_F(UnitsTest, APartThatDoesNotFitIsLeftOutWithTheNumbers) {
     Ocean sea(test::wind_sea(32, 400.0), {.foam_start = FoamStart::settled});
-    ShownSea shown = maps_.show(sea, 5.0);
+    DrawnSea shown = maps_.show(sea, 5.0);
     ASSERT_FALSE(shown.tiles.empty());
     Renderer all({.cells = 16}), nine({.cells = 16, .max_texture_units = 9});
-    ShownSea bare = shown;
+    DrawnSea bare = shown;
     bare.tiles.clear();
     EXPECT_NE(drawn(all, shown), drawn(all, bare));
     EXPECT_EQ(drawn(nine, shown), drawn(all, bare));

@@ -32,7 +32,7 @@ TEST_F(ViewTest, EachDrawsOtherPixelsAndAnUnknownOneIsRefused) {
     Ocean sea(two_cascades(), {.foam_start = FoamStart::empty});
     SeaMaps maps({.compute = false});
     Renderer renderer({.cells = 32});
-    const ShownSea shown = maps.show(sea, 5.0);
+    const DrawnSea shown = maps.show(sea, 5.0);
     const auto drawn = [&](View view) {
         const Canvas canvas(32, 32, GL_RGBA32F);
         const Camera down{.eye = {0.0, 0.0, 30.0}, .pitch = -90.0};

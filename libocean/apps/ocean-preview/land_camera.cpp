@@ -11,11 +11,11 @@ namespace ocean::app {
 /// Height of an eye without --eye over the surface of a coast [m].
 constexpr double kOverCoast = 8.0;
 
-double lowest_eye(const preview::ShownLand& land) {
+double lowest_eye(const preview::DrawnLand& land) {
     return std::min(0.3, 0.2 * preview::texel_of(land));
 }
 
-double lowest_eye(const preview::ShownCoast&) {
+double lowest_eye(const preview::DrawnCoast&) {
     return 0.3;
 }
 
@@ -53,12 +53,12 @@ std::string place_on(const PreviewOptions& options, const Shown& shown, const Do
 
 }  // namespace
 
-std::string place_on_land(const PreviewOptions& options, const preview::ShownLand& land,
+std::string place_on_land(const PreviewOptions& options, const preview::DrawnLand& land,
                           preview::Camera& camera) {
     return place_on(options, land, land.field->domain(), kEyeHeight + 0.25 * land.rms, camera);
 }
 
-std::string place_on_coast(const PreviewOptions& options, const preview::ShownCoast& coast,
+std::string place_on_coast(const PreviewOptions& options, const preview::DrawnCoast& coast,
                            preview::Camera& camera) {
     return place_on(options, coast, coast.bed->domain, kOverCoast, camera);
 }

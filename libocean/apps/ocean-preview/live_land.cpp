@@ -17,7 +17,7 @@ LiveLand::LiveLand(Terrain terrain, int threads,
       land_(std::make_unique<Land>(
           std::move(terrain), LandOptions{.threads = threads, .backend = computing_.backend})) {}
 
-preview::ShownLand LiveLand::show() {
+preview::DrawnLand LiveLand::show() {
     return maps_.show(*land_, computing_.resolution);
 }
 

@@ -30,7 +30,7 @@ class LiveLand {
     LiveLand(Terrain terrain, int threads, std::function<LandComputing(const Terrain&)> computing);
 
     /// Returns the land with all changes. Redoes only the stages that they dirty. Throws Error.
-    preview::ShownLand show();
+    preview::DrawnLand show();
 
     /// Sets a parameter; a file that it names is read, relative to the working directory. Throws
     /// Error.

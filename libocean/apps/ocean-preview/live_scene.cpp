@@ -32,7 +32,7 @@ CameraGround ground_of(LiveSea& sea) {
 }
 
 /// By the shown windows: a query of the coast would take longer than its picture.
-CameraGround ground_of(const std::shared_ptr<const preview::ShownCoast>& coast) {
+CameraGround ground_of(const std::shared_ptr<const preview::DrawnCoast>& coast) {
     const auto boat = [coast](double x, double y, double) {
         double sum = 0.0;
         for (const double east : {-0.5, 0.0, 0.5}) {
@@ -48,7 +48,7 @@ CameraGround ground_of(const std::shared_ptr<const preview::ShownCoast>& coast) 
             .is_solid = true};
 }
 
-CameraGround ground_of(const preview::ShownLand& land) {
+CameraGround ground_of(const preview::DrawnLand& land) {
     return {.height = [land](double x, double y) { return land.surface_at(x, y); },
             .boat = {},
             .clearance = lowest_eye(land),
@@ -88,10 +88,10 @@ preview::Pending LiveScene::pending() const {
 }
 
 CameraGround LiveScene::ground() {
-    const auto* const shown = std::get_if<preview::ShownSea>(&shown_);
+    const auto* const shown = std::get_if<preview::DrawnSea>(&shown_);
     if (shown != nullptr && shown->coast) return ground_of(shown->coast);
     if (sea_) return ground_of(*sea_);
-    return ground_of(std::get<preview::ShownLand>(shown_));
+    return ground_of(std::get<preview::DrawnLand>(shown_));
 }
 
 void LiveScene::set(const std::string& name, const std::string& value) {
@@ -108,7 +108,7 @@ void LiveScene::open(const OpenedScene& scene) {
         sea_ = make_sea(*sea);
         sea_->paused = paused_;
         land_.reset();
-        shown_ = preview::ShownSea{};
+        shown_ = preview::DrawnSea{};
     } else {
         const Terrain& terrain = std::get<Terrain>(scene);
         if (land_) return land_->open(terrain);

@@ -55,7 +55,7 @@ class LiveScene {
 
     /// Computes the scene at its time, a coast around an eye [m]. Throws Error, and shown() stays.
     void show(const std::array<double, 3>& eye);
-    const preview::ShownScene& shown() const { return shown_; }
+    const preview::DrawnScene& shown() const { return shown_; }
     /// Advances a sea's clock and fades [s].
     void advance(double seconds);
     /// Returns true if the picture stays the same until something is changed; see pending().
@@ -87,7 +87,7 @@ class LiveScene {
     std::unique_ptr<LiveSea> sea_;
     std::unique_ptr<LiveLand> land_;
     bool paused_ = false;  // of the sea before a land
-    preview::ShownScene shown_;
+    preview::DrawnScene shown_;
 };
 
 /// Returns the text of a scene's own file.

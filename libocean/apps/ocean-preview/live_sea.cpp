@@ -44,15 +44,15 @@ OceanOptions LiveSea::ocean_options(const Computing& computing) const {
             .foam_start = options_.foam_start};
 }
 
-preview::ShownSea LiveSea::show(const std::array<double, 3>& eye) {
+preview::DrawnSea LiveSea::show(const std::array<double, 3>& eye) {
     const auto eye_of = [&](bool has_coast) {
         return has_coast ? std::optional(eye) : std::nullopt;
     };
     maps_->set_detail(near_detail);
-    preview::ShownSea shown = maps_->show(*ocean_, time_, eye_of(has_coast_));
+    preview::DrawnSea shown = maps_->show(*ocean_, time_, eye_of(has_coast_));
     if (!before_) return shown;
     maps_before_->set_detail(near_detail);
-    const preview::ShownSea from = maps_before_->show(*before_, time_before_, eye_of(had_coast_));
+    const preview::DrawnSea from = maps_before_->show(*before_, time_before_, eye_of(had_coast_));
     shown = maps_->fade_from(from, faded_);
     return preview::cross_fade(from, shown, faded_, correlation_);
 }

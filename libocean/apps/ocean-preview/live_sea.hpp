@@ -41,7 +41,7 @@ class LiveSea {
 
     /// Returns the sea at its time, or two seas that are faded into each other. eye: the place that
     /// the windows of a coast surround [m]. Throws Error.
-    preview::ShownSea show(const std::array<double, 3>& eye = {});
+    preview::DrawnSea show(const std::array<double, 3>& eye = {});
 
     // The clock of the sea [s].
     double time() const { return time_; }

@@ -123,7 +123,7 @@ class OffscreenRun {
             const InterruptWatch::Hold whole = context_.interrupts.hold();
             return io::write_png(path, stage.width, stage.height, stage.rgb);
         }
-        const preview::ShownScene& shown = scene_->shown_at(options, time);
+        const preview::DrawnScene& shown = scene_->shown_at(options, time);
         std::string warning;
         const preview::Camera camera = scene_->camera_of(options, warning);
         if (!warning.empty()) context_.console.warning(warning);
@@ -171,7 +171,7 @@ void draw_with_bridge(const PreviewOptions& options, const Sea& sea, const Conte
     preview::Renderer renderer(renderer_for(options, info, options.follow > 0.0));
     bool first = true;
     const auto show = [&](double milliseconds) {
-        const preview::ShownSea shown = live.show(options.camera.eye);
+        const preview::DrawnSea shown = live.show(options.camera.eye);
         for (const auto& place : options.probes) {
             const std::string when =
                 options.follow > 0.0 ? format_text("%.1f,", milliseconds) : std::string();
@@ -188,7 +188,7 @@ void draw_with_bridge(const PreviewOptions& options, const Sea& sea, const Conte
 }
 
 /// A function that makes the scene of a frame, counted from 0.
-using ShowFrame = std::function<preview::ShownScene(int frame)>;
+using ShowFrame = std::function<preview::DrawnScene(int frame)>;
 
 /// Returns the frames of a running sea, at its own rate from a time on [s].
 ShowFrame frames_of(const Sea& sea, const Computing& computing, const Context& context,
@@ -244,12 +244,12 @@ void print_budget(const PreviewOptions& options, const OpenedScene& scene, const
         show = frames_of(*sea, computing_for(device.backend, options, *sea, info), context, options,
                          after_stage);
         if (sea->parameters.water.bed) {
-            const preview::ShownScene first = show(0);
-            place_on_coast(options, *std::get<preview::ShownSea>(first).coast, camera);
+            const preview::DrawnScene first = show(0);
+            place_on_coast(options, *std::get<preview::DrawnSea>(first).coast, camera);
         }
     } else {
         show = frames_of(std::get<Terrain>(scene), options, device, context);
-        place_on_land(options, std::get<preview::ShownLand>(show(0)), camera);
+        place_on_land(options, std::get<preview::DrawnLand>(show(0)), camera);
     }
     const bool flies = kind_of(scene) == preview::SceneKind::land;
     preview::RendererOptions renderer_options = renderer_for(options, info, true);
@@ -261,7 +261,7 @@ void print_budget(const PreviewOptions& options, const OpenedScene& scene, const
     for (int frame = 0; frame < kBefore + options.budget; ++frame) {
         measured = frame < kBefore ? &warm : &budget;
         measured->begin();
-        const preview::ShownScene shown = show(frame);
+        const preview::DrawnScene shown = show(frame);
         after_stage("state");
         if (flies) fly(camera);
         canvas.bind();

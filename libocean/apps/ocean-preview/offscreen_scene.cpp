@@ -41,7 +41,7 @@ class OffscreenSea : public OffscreenScene {
     }
     double time_of_frame(int frame) const override { return sea_.sea().time_of(frame); }
 
-    const preview::ShownScene& shown_at(const PreviewOptions& options, double time) override {
+    const preview::DrawnScene& shown_at(const PreviewOptions& options, double time) override {
         const auto& bed = sea_.parameters().water.bed;
         const std::array<double, 3> eye = bed ? eye_on_coast(options, *bed) : eye_;
         if (!shown_ || sea_of(*shown_).time != time || eye != eye_) {
@@ -71,8 +71,8 @@ class OffscreenSea : public OffscreenScene {
     }
 
   private:
-    static const preview::ShownSea& sea_of(const preview::ShownScene& shown) {
-        return std::get<preview::ShownSea>(shown);
+    static const preview::DrawnSea& sea_of(const preview::DrawnScene& shown) {
+        return std::get<preview::DrawnSea>(shown);
     }
     static preview::SeaMapsOptions settled(preview::SeaMapsOptions maps) {
         maps.foam_start = FoamStart::settled;
@@ -85,7 +85,7 @@ class OffscreenSea : public OffscreenScene {
     Ocean sea_;
     preview::SeaMaps maps_;
     gl::StageMaker stages_;
-    std::optional<preview::ShownScene> shown_;  // what maps_ holds
+    std::optional<preview::DrawnScene> shown_;  // what maps_ holds
     std::array<double, 3> eye_{};               // of the coast that it has
 };
 
@@ -104,7 +104,7 @@ class OffscreenLand : public OffscreenScene {
     double time_of(const PreviewOptions&) const override { return 0.0; }
     double time_of_frame(int) const override { return 0.0; }
 
-    const preview::ShownScene& shown_at(const PreviewOptions&, double) override {
+    const preview::DrawnScene& shown_at(const PreviewOptions&, double) override {
         if (!shown_) shown_ = maps_.show(land_, resolution_);
         return *shown_;
     }
@@ -119,7 +119,7 @@ class OffscreenLand : public OffscreenScene {
         const WorldPoint point{place[0], place[1]};
         QuerySample sample{};
         land_.query({&point, 1}, {&sample, 1}, {.exact = true});
-        const auto& shown = std::get<preview::ShownLand>(shown_at(options, time));
+        const auto& shown = std::get<preview::DrawnLand>(shown_at(options, time));
         std::string warning;
         const auto found = preview::probe(renderer, shown, camera_of(options, warning), place);
         if (!found) return line_of(place, {sample.height});
@@ -130,7 +130,7 @@ class OffscreenLand : public OffscreenScene {
     preview::Camera camera_of(const PreviewOptions& options, std::string& warning) override {
         preview::Camera camera = options.camera;
         warning =
-            place_on_land(options, std::get<preview::ShownLand>(shown_at(options, 0.0)), camera);
+            place_on_land(options, std::get<preview::DrawnLand>(shown_at(options, 0.0)), camera);
         return camera;
     }
 
@@ -138,13 +138,13 @@ class OffscreenLand : public OffscreenScene {
     Land land_;
     int resolution_;
     preview::LandMaps maps_;
-    std::optional<preview::ShownScene> shown_;
+    std::optional<preview::DrawnScene> shown_;
     std::optional<TerrainStages> stages_;
 };
 
 }  // namespace
 
-std::string sea_probe_line(preview::Renderer& renderer, const preview::ShownSea& shown,
+std::string sea_probe_line(preview::Renderer& renderer, const preview::DrawnSea& shown,
                            const PreviewOptions& options, const std::array<double, 2>& place) {
     const auto found =
         preview::probe(renderer, shown, options.camera, place, options.cascade.value_or(-1));

@@ -28,7 +28,7 @@ class OffscreenScene {
     virtual double time_of_frame(int frame) const = 0;
     /// Returns the scene of a picture at a time; those of one time share its maps, over a bed those
     /// of one eye. Throws Error.
-    virtual const preview::ShownScene& shown_at(const PreviewOptions& options, double time) = 0;
+    virtual const preview::DrawnScene& shown_at(const PreviewOptions& options, double time) = 0;
     /// Returns a stage of the scene at a time. Throws Error.
     virtual StagePicture stage(const PreviewOptions& options, double time) = 0;
     /// Returns the line of a probe. Throws Error.
@@ -39,7 +39,7 @@ class OffscreenScene {
 };
 
 /// Returns the line of a probe of a sea that is shown: "X,Y,NUMBER...". Throws Error.
-std::string sea_probe_line(preview::Renderer& renderer, const preview::ShownSea& shown,
+std::string sea_probe_line(preview::Renderer& renderer, const preview::DrawnSea& shown,
                            const PreviewOptions& options, const std::array<double, 2>& place);
 
 /// Throws Error.

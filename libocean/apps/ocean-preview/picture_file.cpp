@@ -49,14 +49,14 @@ void require_picture_folder(const std::string& path) {
 }
 
 void write_picture(const std::string& path, preview::Renderer& renderer,
-                   const preview::ShownScene& scene, const preview::Camera& camera,
+                   const preview::DrawnScene& scene, const preview::Camera& camera,
                    const preview::Look& look, preview::DrawOptions options, int samples) {
     options.linear = OutputPattern(path).extension() == ".exr";
     const preview::Canvas canvas(options.width, options.height,
                                  options.linear ? GL_RGBA32F : GL_RGBA8, samples);
     // Near detail is finer than pixels; without it one light for all samples is as smooth and four
     // times as fast.
-    const auto* const sea = std::get_if<preview::ShownSea>(&scene);
+    const auto* const sea = std::get_if<preview::DrawnSea>(&scene);
     if (sea != nullptr && !sea->tiles.empty()) options.shaded_samples = canvas.samples();
     renderer.draw(scene, camera, look, options);
     if (options.linear) {

@@ -24,7 +24,7 @@ inline constexpr int kSamples = 4;
 /// pixel, up to the driver's limit. The renderer's context must be current; its framebuffer is the
 /// window's afterwards. Throws Error.
 void write_picture(const std::string& path, preview::Renderer& renderer,
-                   const preview::ShownScene& scene, const preview::Camera& camera,
+                   const preview::DrawnScene& scene, const preview::Camera& camera,
                    const preview::Look& look, preview::DrawOptions options, int samples);
 
 }  // namespace ocean::app

@@ -54,7 +54,7 @@ class SubjectMaps {
     virtual std::vector<Surface> levels(double time, ChannelSet channels,
                                         std::span<const int> resolutions) = 0;
     /// Returns the heights on resolution^2 world positions of the domain.
-    virtual WorldHeights heights_by_place(double time, int resolution) = 0;
+    virtual WorldHeights eulerian_heights(double time, int resolution) = 0;
     /// Writes height, normal and fold of the surface at each point.
     virtual void query(double time, std::span<const WorldPoint> points,
                        std::span<QuerySample> samples, const QueryOptions& options) = 0;
@@ -114,7 +114,7 @@ class Subject {
     /// Returns the bytes that making a map of these channels needs beside the map.
     virtual std::uint64_t work_bytes(const MapsOptions& options, ChannelSet channels,
                                      int resolution) const = 0;
-    virtual std::uint64_t by_place_bytes(int resolution) const = 0;
+    virtual std::uint64_t eulerian_bytes(int resolution) const = 0;
     virtual std::uint64_t query_bytes(const QueryOptions& options) const = 0;
 };
 

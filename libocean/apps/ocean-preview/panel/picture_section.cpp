@@ -65,7 +65,7 @@ void draw_sea_look(PanelState& state) {
     choose_water(state);
 }
 
-void draw_land_look(const preview::ShownLand& land, PanelState& state) {
+void draw_land_look(const preview::DrawnLand& land, PanelState& state) {
     preview::Look& look = state.look;
     const std::vector<std::string> names = preview::land_colour_names();
     std::string name = names[static_cast<std::size_t>(look.land_colours)];
@@ -118,7 +118,7 @@ void draw_picture_section(LiveScene& scene, PanelState& state) {
     ImGui::PushItemWidth(panel_length(kWidgetWidth));
     choose_word("View (V)", all_view_names(scene.kind()), state.view, state);
     if (sea != nullptr) draw_sea_look(state);
-    const auto* const land = std::get_if<preview::ShownLand>(&scene.shown());
+    const auto* const land = std::get_if<preview::DrawnLand>(&scene.shown());
     if (land != nullptr) draw_land_look(*land, state);
     draw_light(state);
     ImGui::PopItemWidth();

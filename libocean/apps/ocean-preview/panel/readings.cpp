@@ -10,7 +10,7 @@
 namespace ocean::app {
 namespace {
 
-void draw_sea_readings(const LiveSea& sea, const preview::ShownSea& shown) {
+void draw_sea_readings(const LiveSea& sea, const preview::DrawnSea& shown) {
     ImGui::Text("Hs %.2f m   Tp %.1f s   mss %.4f", shown.significant_wave_height,
                 shown.peak_period, shown.mean_square_slope);
     const double settling = sea.foam_settling();
@@ -27,7 +27,7 @@ void draw_sea_readings(const LiveSea& sea, const preview::ShownSea& shown) {
                 sea.recording() ? "RECORDING," : "take:", changes);
 }
 
-void draw_land_readings(const preview::ShownLand& shown, const preview::LandStatistics& mesh) {
+void draw_land_readings(const preview::DrawnLand& shown, const preview::LandStatistics& mesh) {
     ImGui::Text("rms %.4g m   heights %.5g .. %.5g m", shown.rms, shown.heights[0],
                 shown.heights[1]);
     ImGui::Text("rms slope %.3f   tile %.5g m   cell %.4g m", shown.rms_slope,
@@ -39,11 +39,11 @@ void draw_land_readings(const preview::ShownLand& shown, const preview::LandStat
 }  // namespace
 
 void draw_readings(const LiveScene& scene, const PanelState& state) {
-    const auto* const land = std::get_if<preview::ShownLand>(&scene.shown());
+    const auto* const land = std::get_if<preview::DrawnLand>(&scene.shown());
     if (land != nullptr) {
         draw_land_readings(*land, state.land_mesh);
     } else if (scene.sea() != nullptr) {
-        draw_sea_readings(*scene.sea(), std::get<preview::ShownSea>(scene.shown()));
+        draw_sea_readings(*scene.sea(), std::get<preview::DrawnSea>(scene.shown()));
     }
     ImGui::Text("%s %.1f ms   draw %.1f ms   panel %.1f ms", noun_of(scene.kind()),
                 state.times.scene, state.times.draw, state.times.panel);

@@ -25,7 +25,7 @@ std::optional<PickedWater> pick_water(LiveSea& sea, const preview::Camera& camer
 }
 
 std::string describe(const PickedWater& picked, preview::Renderer& renderer,
-                     const preview::ShownSea& shown, const preview::Camera& camera, int cascade) {
+                     const preview::DrawnSea& shown, const preview::Camera& camera, int cascade) {
     const auto& [point, sample] = picked;
     const auto drawn = preview::probe(renderer, shown, camera, {point.x, point.y}, cascade);
     return format_text("x %.2f  y %.2f  height %.2f m\nnormal %.2f %.2f %.2f\nfoam %.2f", point.x,
@@ -33,7 +33,7 @@ std::string describe(const PickedWater& picked, preview::Renderer& renderer,
                        drawn ? drawn->cover : 0.0);
 }
 
-std::optional<WorldPoint> pick_ground(const preview::ShownLand& land, const preview::Camera& camera,
+std::optional<WorldPoint> pick_ground(const preview::DrawnLand& land, const preview::Camera& camera,
                                       const std::array<double, 2>& place, double aspect) {
     constexpr double kFarthest = 200e3;  // [m]
     constexpr int kHalvings = 30;

@@ -26,11 +26,11 @@ std::optional<PickedWater> pick_water(LiveSea& sea, const preview::Camera& camer
 /// Returns lines for a person: place, height [m], normal, and the share of foam that is drawn
 /// there. Changes the bound framebuffer and the viewport. Throws Error.
 std::string describe(const PickedWater& picked, preview::Renderer& renderer,
-                     const preview::ShownSea& shown, const preview::Camera& camera, int cascade);
+                     const preview::DrawnSea& shown, const preview::Camera& camera, int cascade);
 
 /// Returns the first point of the ground that a line of sight through a place of the picture meets,
 /// within a hundred tiles; nothing if it meets none. The place and aspect are those of pick_water.
-std::optional<WorldPoint> pick_ground(const preview::ShownLand& land, const preview::Camera& camera,
+std::optional<WorldPoint> pick_ground(const preview::DrawnLand& land, const preview::Camera& camera,
                                       const std::array<double, 2>& place, double aspect);
 
 /// Returns lines for a person: place, height [m], slope and normal by a query of the land. Throws

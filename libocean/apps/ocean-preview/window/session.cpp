@@ -27,7 +27,7 @@ namespace ocean::app {
 namespace {
 
 bool is_coast(const LiveScene& scene) {
-    const auto* const sea = std::get_if<preview::ShownSea>(&scene.shown());
+    const auto* const sea = std::get_if<preview::DrawnSea>(&scene.shown());
     return sea != nullptr && sea->coast != nullptr;
 }
 
@@ -144,11 +144,11 @@ void Session::reset_camera() {
             scene_.show(start.camera.eye);  // its ground
         }
         if (!is_first) start = PreviewOptions();
-        if (const auto* const land = std::get_if<preview::ShownLand>(&scene_.shown())) {
+        if (const auto* const land = std::get_if<preview::DrawnLand>(&scene_.shown())) {
             const std::string warning = place_on_land(start, *land, start.camera);
             if (!warning.empty()) state_.message = warning;
         }
-        const auto* const sea = std::get_if<preview::ShownSea>(&scene_.shown());
+        const auto* const sea = std::get_if<preview::DrawnSea>(&scene_.shown());
         if (sea != nullptr && sea->coast) {
             const std::string warning = place_on_coast(start, *sea->coast, start.camera);
             if (!warning.empty()) state_.message = warning;
@@ -275,7 +275,7 @@ void Session::look_under_mouse() {
     const preview::Camera& camera = camera_.camera();
     const std::array<double, 2> place{x / width, y / height};
     const double aspect = static_cast<double>(width) / height;
-    if (const auto* const land = std::get_if<preview::ShownLand>(&scene_.shown())) {
+    if (const auto* const land = std::get_if<preview::DrawnLand>(&scene_.shown())) {
         const auto picked = pick_ground(*land, camera, place, aspect);
         if (picked) state_.under_mouse = describe(*picked, *scene_.land());
         return;
@@ -284,7 +284,7 @@ void Session::look_under_mouse() {
     const auto picked = pick_water(*scene_.sea(), camera, place, aspect);
     if (!picked) return;
     state_.under_mouse =
-        describe(*picked, viewport_.renderer(), std::get<preview::ShownSea>(scene_.shown()), camera,
+        describe(*picked, viewport_.renderer(), std::get<preview::DrawnSea>(scene_.shown()), camera,
                  state_.cascade);
     viewport_.bind_window();
 }

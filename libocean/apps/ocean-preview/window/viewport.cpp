@@ -119,7 +119,7 @@ void Viewport::bind_window() const {
 }
 
 std::string Viewport::save(const std::string& stem, const std::string& ending,
-                           const preview::ShownScene& shown, const preview::Camera& camera,
+                           const preview::DrawnScene& shown, const preview::Camera& camera,
                            const PanelState& state) {
     if (is_stage_picture(state.view)) {
         const std::string name = free_name(stem, ".png");

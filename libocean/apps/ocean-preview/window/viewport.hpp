@@ -38,7 +38,7 @@ class Viewport {
     /// Writes the shown picture to a file that is free, ending .png or .exr (a stage is a .png).
     /// Returns its name. Throws Error.
     std::string save(const std::string& stem, const std::string& ending,
-                     const preview::ShownScene& shown, const preview::Camera& camera,
+                     const preview::DrawnScene& shown, const preview::Camera& camera,
                      const PanelState& state);
 
   private:

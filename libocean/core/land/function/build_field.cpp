@@ -199,7 +199,7 @@ class Builder {
     }
 
     /// Keeps a mask of the streams, which the land that they carved shares.
-    void keep_of_streams(LandMask mask, const Domain& domain, const PageVector<float>& values) {
+    void add_stream_mask(LandMask mask, const Domain& domain, const PageVector<float>& values) {
         keep(mask, domain, MaskGrid::Values(carved_.land, &values));
     }
 
@@ -233,10 +233,10 @@ class Builder {
         const std::vector<float> heights =
             with_sea_bed(land, *parts_.base, parts_.offset, domain, level(), pool_);
         rest_on_grid(domain, heights);
-        keep_of_streams(LandMask::flow, domain, land.area);
-        keep_of_streams(LandMask::deposit, domain, land.deposit);
-        keep_of_streams(LandMask::streambed, domain, land.channel);
-        keep_of_streams(LandMask::wetness, domain, land.wetness);
+        add_stream_mask(LandMask::flow, domain, land.area);
+        add_stream_mask(LandMask::deposit, domain, land.deposit);
+        add_stream_mask(LandMask::streambed, domain, land.channel);
+        add_stream_mask(LandMask::wetness, domain, land.wetness);
     }
 
     void shape_shore() {

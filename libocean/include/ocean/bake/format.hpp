@@ -56,7 +56,7 @@ struct ProductChoice {
 struct FrameMaps {
     ChannelSet channels;
     std::vector<int> resolutions;  // the finest first
-    bool by_place = false;         // heights only, as a function of the place instead of the label
+    bool eulerian = false;         // heights only, as a function of the place instead of the label
     int finer = 0;  // samples along a side of one more map, after the others; 0 = none
     ChannelSet finer_channels = {};
     bool sequential = false;  // frames depend on earlier ones, so they are baked in order

@@ -32,14 +32,14 @@ struct CoastWindow {
     bool operator==(const CoastWindow&) const = default;
 };
 
-/// The values of a window, row-major [j][i]. Components as the textures of ShownCoast have them.
+/// The values of a window, row-major [j][i]. Components as the textures of DrawnCoast have them.
 struct CoastImage {
     CoastWindow window;
     std::vector<float> shape, gradients, moments, traces;  // four floats a sample
 };
 
 /// A coast at a time. Its textures are valid until the next show() of its CoastMaps.
-struct ShownCoast {
+struct DrawnCoast {
     // Arrays of textures with a layer for each window.
     unsigned shape = 0;      // Dx, Dy at choppiness 1, height, depth of the water over the bed [m]
     unsigned gradients = 0;  // slope x, slope y, dDx/dx, dDy/dy
@@ -48,7 +48,7 @@ struct ShownCoast {
     /// The finest window first; none while the coast is in work: the open sea is shown then.
     std::vector<CoastImage> windows;
     std::shared_ptr<const SeaBed> bed;
-    ShownLand ground;      // the bed as land, without a field
+    DrawnLand ground;      // the bed as land, without a field
     double highest = 0.0;  // greatest distance of the surface from still water, over water [m]
 
     /// Returns the height of the bed [m], beyond the bed that of its edge.
@@ -83,12 +83,12 @@ class CoastMaps {
     /// Returns the coast of a sea with a bed at a time [s] for an eye [m]. Foam of breaking waves
     /// and wet ground are followed from call to call at samples that are fixed in the world; where
     /// a window gets new samples they begin with those of the coarser window. Throws Error.
-    std::shared_ptr<const ShownCoast> show(Ocean& sea, double time,
+    std::shared_ptr<const DrawnCoast> show(Ocean& sea, double time,
                                            const std::array<double, 3>& eye);
     /// Returns its ground alone, for a coast that is still in work.
-    std::shared_ptr<const ShownCoast> show_ground(const std::shared_ptr<const SeaBed>& bed);
+    std::shared_ptr<const DrawnCoast> show_ground(const std::shared_ptr<const SeaBed>& bed);
     /// Blends a coast of the same windows in, with the share 1 - `share`; others are left out.
-    std::shared_ptr<const ShownCoast> fade_from(const ShownCoast& before, double share);
+    std::shared_ptr<const DrawnCoast> fade_from(const DrawnCoast& before, double share);
 
   private:
     class Impl;

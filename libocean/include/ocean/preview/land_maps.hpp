@@ -31,7 +31,7 @@ struct LandImage {
 };
 
 /// A terrain. Its textures are valid until the next show() of its LandMaps.
-struct ShownLand {
+struct DrawnLand {
     unsigned texture = 0;  // the texels of the image, with mipmaps that are means
     /// The masks that a material reads, each 0 .. 1, with mipmaps: 0.5 + (beach - cliff)/2,
     /// streambed, deposit, 0.5 + wear/2. A land without masks has one texel.
@@ -54,13 +54,13 @@ struct ShownLand {
 };
 
 /// Returns the distance of the map's samples [m].
-double texel_of(const ShownLand& land);
+double texel_of(const DrawnLand& land);
 
 /// Returns the height that the colours of land scale with [m]: its rms height, of flat land 1 m.
-double colour_scale(const ShownLand& land);
+double colour_scale(const DrawnLand& land);
 /// Returns the relief that the widths of the covers' edges follow [m]: the rms height, or of a land
 /// with a coast a third of the way from the water to the summit.
-double cover_relief(const ShownLand& land);
+double cover_relief(const DrawnLand& land);
 
 /// Heights where the covers of level ground end [m].
 struct CoverLines {
@@ -69,7 +69,7 @@ struct CoverLines {
 };
 /// Returns the lines of a land. snow_line: a given one [m]; the default is 1.3 rms heights above
 /// the mean, and far above land with a coast, whose trees end half way to the summit.
-CoverLines cover_lines(const ShownLand& land, std::optional<double> snow_line);
+CoverLines cover_lines(const DrawnLand& land, std::optional<double> snow_line);
 
 /// Returns the default samples along a side of a terrain's map: twice its own, so that cubic
 /// patches follow its shortest waves, up to 4096; of a land with erosion, a shore or a place its
@@ -87,7 +87,7 @@ class LandMaps {
 
     /// Returns the land by a map of `resolution` samples along a side; makes the map anew only if
     /// the land or the resolution has changed. Throws Error.
-    ShownLand show(Land& land, int resolution);
+    DrawnLand show(Land& land, int resolution);
 
   private:
     struct Impl;

@@ -23,7 +23,7 @@ struct Probe {
 /// Returns the numbers at a place [m] of the mesh that the camera sees, or nothing where no water
 /// is drawn. cascade: as in DrawOptions. Changes the bound framebuffer and the viewport. Throws
 /// Error.
-std::optional<Probe> probe(Renderer& renderer, const ShownSea& sea, const Camera& camera,
+std::optional<Probe> probe(Renderer& renderer, const DrawnSea& sea, const Camera& camera,
                            const std::array<double, 2>& place, int cascade = -1);
 
 /// The drawn land at a place of the world.
@@ -34,7 +34,7 @@ struct LandProbe {
 };
 
 /// Returns the numbers of land at a place [m] as probe() of a sea does.
-std::optional<LandProbe> probe(Renderer& renderer, const ShownLand& land, const Camera& camera,
+std::optional<LandProbe> probe(Renderer& renderer, const DrawnLand& land, const Camera& camera,
                                const std::array<double, 2>& place);
 
 }  // namespace ocean::preview

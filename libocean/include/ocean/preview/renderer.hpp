@@ -78,8 +78,8 @@ struct LandStatistics {
 class Drawable;
 
 /// A scene as its maps have made it.
-using ShownScene = std::variant<ShownSea, ShownLand>;
-SceneKind kind_of(const ShownScene& scene);
+using DrawnScene = std::variant<DrawnSea, DrawnLand>;
+SceneKind kind_of(const DrawnScene& scene);
 
 struct DrawOptions {
     int width = 0;  // [pixels]
@@ -123,17 +123,17 @@ class Renderer {
     /// Clears colour and depth of the current framebuffer and draws a picture. Leaves other
     /// bindings behind: program, textures, uniform buffers 0 and 1, depth test, viewport. Throws
     /// Error.
-    void draw(const ShownSea& sea, const Camera& camera, const Look& look,
+    void draw(const DrawnSea& sea, const Camera& camera, const Look& look,
               const DrawOptions& options);
-    void draw(const ShownLand& land, const Camera& camera, const Look& look,
+    void draw(const DrawnLand& land, const Camera& camera, const Look& look,
               const DrawOptions& options);
-    void draw(const ShownScene& scene, const Camera& camera, const Look& look,
+    void draw(const DrawnScene& scene, const Camera& camera, const Look& look,
               const DrawOptions& options);
     /// Draws the square of `metres` a side with its middle at (x, y) from straight above,
     /// orthographic, with the mesh of the camera and without the sky. For probes. Throws Error.
-    void draw_from_above(const ShownSea& sea, const Camera& camera, double x, double y,
+    void draw_from_above(const DrawnSea& sea, const Camera& camera, double x, double y,
                          double metres, const DrawOptions& options);
-    void draw_from_above(const ShownLand& land, const Camera& camera, double x, double y,
+    void draw_from_above(const DrawnLand& land, const Camera& camera, double x, double y,
                          double metres, const DrawOptions& options);
 
   private:

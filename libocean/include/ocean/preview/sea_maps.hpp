@@ -19,7 +19,7 @@ namespace ocean::preview {
 /// Cascades of a picture; a sea has at most 5.
 inline constexpr std::size_t kMaxCascades = 10;
 
-struct ShownCascade {
+struct DrawnCascade {
     gl::CascadeArrays maps;   // of all cascades of its sea
     int layer = 0;            // of the maps
     double period = 0.0;      // [m]
@@ -30,7 +30,7 @@ struct ShownCascade {
 
 /// A map of foam with mipmaps: the covered share of each texel, that share times its thickness, and
 /// the amount of bubbles that breakers have driven down.
-struct ShownCover {
+struct DrawnCover {
     unsigned texture = 0;
     int resolution = 0;
     double period = 0.0;  // m
@@ -47,7 +47,7 @@ inline constexpr std::size_t kTileLevels = 8;
 
 /// Slopes by label, two floats a texel, of waves that no map of a cascade has; see
 /// ocean/detail.hpp.
-struct ShownTile {
+struct DrawnTile {
     unsigned texture = 0;  // GL_TEXTURE_2D_ARRAY, of all tiles of its sea
     int layer = 0;
     int samples = 0;
@@ -60,12 +60,12 @@ struct ShownTile {
 };
 
 /// A sea at a time. Its textures are valid until the next show() of its SeaMaps.
-struct ShownSea {
-    std::vector<ShownCascade> cascades;
-    std::vector<ShownCover> covers;           // one, or two in a cross-fade
+struct DrawnSea {
+    std::vector<DrawnCascade> cascades;
+    std::vector<DrawnCover> covers;           // one, or two in a cross-fade
     bool has_foam = false;                    // or has had some
-    std::vector<ShownTile> tiles;             // empty without SeaMapsOptions::detail
-    std::shared_ptr<const ShownCoast> coast;  // null: the sea has no bed
+    std::vector<DrawnTile> tiles;             // empty without SeaMapsOptions::detail
+    std::shared_ptr<const DrawnCoast> coast;  // null: the sea has no bed
     double period = 0.0;                      // [m]
     double time = 0.0;                        // [s]
     double choppiness = 0.0;
@@ -78,13 +78,13 @@ struct ShownSea {
 };
 
 /// Returns the side of a texel of its finest map [m]: no mesh is finer.
-double finest_texel(const ShownSea& sea);
+double finest_texel(const DrawnSea& sea);
 
 /// Returns two seas at once, faded by `share` 0 .. 1 from the first one to the second. Independent
 /// seas have amplitudes a and b with a^2 + b^2 = 1, because their energies add up; with a
 /// correlation of their heights, see height_correlation(), both are smaller, so that the wave
 /// height is the same blend.
-ShownSea cross_fade(const ShownSea& from, const ShownSea& to, double share,
+DrawnSea cross_fade(const DrawnSea& from, const DrawnSea& to, double share,
                     double correlation = 0.0);
 
 struct SeaMapsOptions {
@@ -122,13 +122,13 @@ class SeaMaps {
     SeaMaps(const SeaMaps&) = delete;
     SeaMaps& operator=(const SeaMaps&) = delete;
 
-    /// Returns the sea at a time [s]; overwrites the textures of the ShownSea before. eye: of a sea
+    /// Returns the sea at a time [s]; overwrites the textures of the DrawnSea before. eye: of a sea
     /// over a bed, the place that the windows of its coast surround [m]; nothing: the coast is in
     /// work, and the open sea is shown before its ground. Throws Error.
-    ShownSea show(Ocean& sea, double time,
+    DrawnSea show(Ocean& sea, double time,
                   const std::optional<std::array<double, 3>>& eye = std::array{0.0, 0.0, 0.0});
     /// Blends the coast of another sea into that of the last show(), with the share 1 - `share`.
-    ShownSea fade_from(const ShownSea& before, double share);
+    DrawnSea fade_from(const DrawnSea& before, double share);
     /// Sets SeaMapsOptions::detail.
     void set_detail(bool on);
     /// Discards the foam from a time on [s], or all of it, after a change of the sea.
