@@ -100,8 +100,8 @@ struct Land::Impl {
         if (*dirty <= TerrainStage::filter) {
             is_filtered = false;
             query.reset();
-        } else {
-            offset = terrain.mean;
+        } else if (terrain.range.empty()) {
+            offset = terrain.mean;  // else the offset fits the range
         }
     }
 

@@ -40,7 +40,9 @@ void Coast::keep(const std::vector<PairDelays>& pairs) {
 const ShoreStatics& Coast::statics(const CoastSea& sea, ThreadPool& pool,
                                    const BuildProgress& progress) {
     const Water& water = sea.parameters.water;
-    const Source source{water, sea.spectrum_revision};
+    const SurfaceSettings& limits = sea.parameters.surface;
+    const Source source{water, sea.parameters.grid, limits.shortest_wavelength,
+                        limits.longest_wavelength, sea.spectrum_revision};
     if (statics_.delays && made_of_ == source) return statics_;
     const ShoreBands bands = choose_bands(sea.spectrum, sea.parameters);
     if (bands.waves.empty()) {

@@ -80,6 +80,10 @@ class Coast {
     /// The input of the statics, compared with that of the next call.
     struct Source {
         Water water;
+        // The bands end at its limits of wavelength and at the finest cascade's Nyquist line.
+        Grid grid;
+        double shortest_wavelength = 0.0;
+        double longest_wavelength = 0.0;
         Revision spectrum;
         bool operator==(const Source&) const = default;
     };
