@@ -336,6 +336,7 @@ BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
     plan.skip_existing = options.skip_existing;
     plan.keep_going = options.keep_going;
     plan.threads = options.threads;
+    plan.build_progress = options.build_progress;
     plan.channels = catalogue.channels;
     // A wrong name is refused before the sea is read.
     if (!options.backend.empty() && options.backend != kAutoBackend) {

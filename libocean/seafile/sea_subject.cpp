@@ -164,7 +164,7 @@ class SeaSubject final : public Subject {
                                                 : ocean::shortest_wave(grid(), resolution);
         return std::max(sea_.parameters.surface.shortest_wavelength, held);
     }
-    HeightRange height_range() const override {
+    HeightRange height_range(const MapsOptions&) const override {
         constexpr double kMinDepth = 4.0;  // [m]
         const Parameters& parameters = sea_.parameters;
         const double variance = make_directional_spectrum(parameters).variance(parameters.water);

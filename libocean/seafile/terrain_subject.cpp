@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -142,6 +144,7 @@ class TerrainSubject final : public Subject {
     void set(std::string_view name, std::string_view value) override {
         set_parameter(terrain_, name, value);
         validate(terrain_);
+        built_ = nullptr;
     }
 
     double time_of(double) const override { return 0.0; }
@@ -161,8 +164,9 @@ class TerrainSubject final : public Subject {
         const Lattice lattice{std::min(resolution, terrain_.resolution), terrain_.patch_size};
         return std::max(terrain_.shortest_wavelength, lattice.shortest_wavelength());
     }
-    HeightRange height_range() const override {
-        Land land(terrain_);
+    HeightRange height_range(const MapsOptions& options) const override {
+        const std::unique_ptr<TerrainMaps> maps = built(options);
+        Land& land = maps->land();
         if (!has_lattice()) {
             constexpr int kCoarse = 512;
             const Domain own = domain(std::min(default_resolution(), kCoarse));
@@ -177,7 +181,7 @@ class TerrainSubject final : public Subject {
     }
 
     std::unique_ptr<SubjectMaps> open(const MapsOptions& options) const override {
-        return std::make_unique<TerrainMaps>(terrain_, extent_, options);
+        return built(options);
     }
     std::uint64_t bytes(int) const override { return Land::bytes(terrain_); }
     std::uint64_t work_bytes(const MapsOptions& options, ChannelSet channels,
@@ -192,6 +196,14 @@ class TerrainSubject final : public Subject {
     }
 
   private:
+    /// Returns maps of the land, which is computed once: streams take as long as all frames.
+    std::unique_ptr<TerrainMaps> built(const MapsOptions& options) const {
+        const std::lock_guard lock(mutex_);
+        if (built_ != nullptr) return std::make_unique<TerrainMaps>(*built_, options);
+        auto maps = std::make_unique<TerrainMaps>(terrain_, extent_, options);
+        built_ = std::make_unique<const TerrainMaps>(*maps, MapsOptions{.threads = 1});
+        return maps;
+    }
     /// Returns true if it is a sum of waves over one period, false if it is a function of the
     /// place.
     bool has_lattice() const { return !extent_.region && !terrain_.is_shaped(); }
@@ -204,6 +216,8 @@ class TerrainSubject final : public Subject {
 
     Terrain terrain_;
     TerrainExtent extent_;
+    mutable std::mutex mutex_;
+    mutable std::unique_ptr<const TerrainMaps> built_;  // null until it is first needed
 };
 
 }  // namespace

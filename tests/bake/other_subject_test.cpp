@@ -55,7 +55,7 @@ class Plane final : public Subject {
         return {{100.0, -50.0}, {300.0, 150.0}, {resolution, resolution}, false};
     }
     double shortest_wave(int resolution) const override { return 2.0 * domain(resolution).step(0); }
-    HeightRange height_range() const override { return {-10.0, level_ + 45.0}; }
+    HeightRange height_range(const MapsOptions&) const override { return {-10.0, level_ + 45.0}; }
     std::unique_ptr<SubjectMaps> open(const MapsOptions& options) const override;
     std::uint64_t bytes(int) const override { return sizeof(Plane); }
     std::uint64_t work_bytes(const MapsOptions&, ChannelSet, int) const override { return 0; }

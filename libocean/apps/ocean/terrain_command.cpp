@@ -12,6 +12,7 @@
 
 #include "bake_options.hpp"
 #include "commands.hpp"
+#include "console.hpp"
 #include "input_files.hpp"
 #include "ocean/bake/catalogue.hpp"
 #include "ocean/bake/existing_frames.hpp"
@@ -145,6 +146,7 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
     refuse_lod_of_maps(typed, options);
     options.source = typed.terrain.source;
     options.threads = context.options.threads;
+    options.build_progress = build_progress_on(context.console);
     const TerrainTiles tiles = parse_tiles(typed.tiles);
     const std::optional<Region> region = region_of(typed);
     options.open_subject = [&](const std::string& source) {

@@ -223,7 +223,7 @@ LandLod resolve_land_lod(const BakePlan& draft, const LandLod& requested) {
         quadtree.farthest = farthest_corner(lod.eye, *quadtree.edge) + quadtree.spacing;
     }
     if (lod.farthest) quadtree.farthest = *lod.farthest;
-    const auto maps = draft.subject->open({.threads = draft.threads});
+    const auto maps = draft.subject->open(draft.maps_options());
     constexpr double kCalm = 16.0;  // [m]: shorter waves do not count in the eye's height
     const std::array<WorldPoint, 1> below = {{{lod.eye[0], lod.eye[1]}}};
     std::array<QuerySample, 1> ground{};

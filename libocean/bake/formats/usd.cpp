@@ -136,7 +136,7 @@ std::string shared_text(const BakePlan& plan, const PlainMesh& mesh, const BakeF
 
 void write_shared(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& file) {
     if (file.part == kTopology && mesh.lod) {
-        const auto maps = plan.subject->open({.threads = plan.threads});
+        const auto maps = plan.subject->open(plan.maps_options());
         return io::write_usd_topology(
             make_land_lod_mesh(*maps, *mesh.lod, {}, io::Faces::triangles), words_of(plan),
             file.path);

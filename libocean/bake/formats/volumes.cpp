@@ -191,7 +191,9 @@ VolumeSettings resolve_volumes(const BakePlan& draft, const VolumeSettings& requ
         settings.velocity = false;
     }
     const Domain domain = draft.subject->domain(draft.resolution);
-    settings.heights = draft.subject->height_range();
+    if (!settings.box || settings.to_the_crest()) {
+        settings.heights = draft.subject->height_range(draft.maps_options());
+    }
     if (settings.voxel == 0.0) settings.voxel = domain.step(0);
     if (settings.velocity_voxel == 0.0) settings.velocity_voxel = 2.0 * settings.voxel;
     if (!settings.box) {

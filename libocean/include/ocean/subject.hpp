@@ -99,7 +99,9 @@ class Subject {
     virtual Domain domain(int resolution) const = 0;
     /// Returns the shortest wave that such a map holds [m].
     virtual double shortest_wave(int resolution) const = 0;
-    virtual HeightRange height_range() const = 0;
+    /// Returns the heights of its volumes. A subject that is computed for them keeps what it has
+    /// computed for the maps that open() returns.
+    virtual HeightRange height_range(const MapsOptions& options) const = 0;
 
     /// Returns the samples along a side of the maps that a backend makes for a map of `resolution`
     /// samples; nothing if it makes none, because the subject is a function of the place.
@@ -107,7 +109,7 @@ class Subject {
         return resolution;
     }
 
-    /// Returns maps that have computed what all its copies share.
+    /// Returns maps that have computed what all its copies share. Several threads may call it.
     virtual std::unique_ptr<SubjectMaps> open(const MapsOptions& options) const = 0;
     /// Returns the bytes of `sharing` SubjectMaps that share, without those that a map needs.
     virtual std::uint64_t bytes(int sharing) const = 0;

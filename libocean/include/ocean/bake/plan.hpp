@@ -32,6 +32,8 @@ struct BakeOptions {
     int max_resolution = 0;  // of the default resolution [samples along a side]; 0 = no limit
     /// Opens SEA, or the subject of a baked file: resolved and valid. Throws Error.
     std::function<std::unique_ptr<Subject>(const std::string& source)> open_subject;
+    /// Called while a plan computes its subject, as MapsOptions::build_progress; may be empty.
+    std::function<void(std::string_view work, double share)> build_progress;
 
     /// Returns "" for an option that was not given.
     const std::string& format_option(const std::string& name) const;
@@ -61,7 +63,12 @@ struct BakePlan {
     int threads = 0;
     bool skip_existing = false;
     bool keep_going = false;
+    std::function<void(std::string_view work, double share)> build_progress;  // of the options
 
+    /// Returns the settings of maps that a plan computes.
+    MapsOptions maps_options() const {
+        return {.threads = threads, .build_progress = build_progress};
+    }
     /// Returns true if maps of earlier foam are kept from frame to frame.
     bool follows_foam() const { return ocean::has_past(foam_use(maps.channels, channels)); }
     /// Returns true if frames depend on earlier ones (foam, spray), so that they are baked in
