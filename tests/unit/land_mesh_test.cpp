@@ -202,6 +202,53 @@ TEST(LandMesh, LandThatExistsOnceIsClosedAndEndsExactlyAtItsEdge) {
     }
 }
 
+TEST(LandMesh, KnowsThePatchThatShowsEachVertexAndMixesFurtherValuesAsHeights) {
+    QuadtreeSettings settings = small_patches();
+    const HeightSampler twice = [](std::span<const WorldPoint> points, double spacing,
+                                   std::span<float> values) {
+        for (std::size_t n = 0; n < points.size(); ++n) {
+            values[2 * n] = values[2 * n + 1] = rough_height(points[n], spacing);
+        }
+    };
+    for (const bool has_edge : {false, true}) {
+        if (has_edge) settings.edge = LandEdge{{-100.3, -90.7}, {151.1, 203.9}};
+        for (const LandView& view : random_views(4, 100.0)) {
+            const auto patches = select(settings, view, {});
+            const LandMesh mesh = make_land_mesh(settings, patches, view, twice, 1);
+            ASSERT_EQ(mesh.places.size(), mesh.positions.size());
+            ASSERT_EQ(mesh.values.size(), mesh.positions.size());
+            std::set<Position> at_labels;  // without their heights
+            const auto vertex_at = [&](LandPlace place) {
+                const LandPatch& patch = patches[place.patch];
+                const int quads = patch.quads(settings);
+                const std::int64_t side = quads + 1;
+                return land_vertex(
+                    settings, view, patch.level,
+                    {patch.i * quads + place.vertex % side, patch.j * quads + place.vertex / side});
+            };
+            const auto is_at_label = [](const LandVertex& vertex) {
+                return vertex.shown.x == vertex.label.x && vertex.shown.y == vertex.label.y;
+            };
+            for (std::uint32_t patch = 0; patch < patches.size(); ++patch) {
+                const auto side = static_cast<std::uint32_t>(patches[patch].quads(settings)) + 1;
+                for (std::uint32_t v = 0; v < side * side; ++v) {
+                    const LandVertex vertex = vertex_at({patch, v});
+                    if (!is_at_label(vertex)) continue;
+                    at_labels.insert({vertex.shown.x + 0.0, vertex.shown.y + 0.0, 0.0});
+                }
+            }
+            for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+                const Position& position = mesh.positions[v];
+                const LandVertex vertex = vertex_at(mesh.places[v]);
+                ASSERT_EQ(vertex.shown.x, position[0]);
+                ASSERT_EQ(vertex.shown.y, position[1]);
+                ASSERT_EQ(is_at_label(vertex), at_labels.contains({position[0], position[1], 0.0}));
+                ASSERT_NEAR(mesh.values[v], position[2], 1e-4);
+            }
+        }
+    }
+}
+
 TEST(LandMesh, AtTheEndOfItsRangeALevelShowsTheNextOne) {
     QuadtreeSettings settings = small_patches();
     const std::array<LandPatch, 1> fine = {LandPatch{1, 3, 5, false}};

@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// See land_lod.hpp. The mesh has no levels any more; normals and masks go through its patches once
-// more, in the same order, and find its vertices by their positions.
+// See land_lod.hpp. The mesher mixes normals as heights; masks are maps of its patches, read at the
+// places of the mesh's vertices.
 #include "formats/land_lod.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <memory>
-#include <unordered_map>
+#include <numeric>
 #include <utility>
 
 #include "ocean/bake/typed_format.hpp"
@@ -29,106 +28,7 @@ using Position = std::array<double, 3>;
 
 constexpr const char* kEye = "lod EX,EY,EZ";
 constexpr double kMaxEye = 1e7;  // [m]
-
-struct PositionHash {
-    std::size_t operator()(const Position& position) const {
-        std::uint64_t h = 0;  // mixed as [Steele 2014]
-        for (const double value : position) {
-            h = (h ^ std::bit_cast<std::uint64_t>(value)) + 0x9e3779b97f4a7c15ull;
-            h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ull;
-            h ^= h >> 27;
-        }
-        return static_cast<std::size_t>(h);
-    }
-};
-
-/// Heights and normals of one call of the sampler.
-struct Samples {
-    std::vector<float> heights;
-    std::vector<std::array<float, 3>> normals;
-};
-
-/// Samples a land and keeps what it returned, in the order of the calls.
-class RecordingSampler {
-  public:
-    RecordingSampler(const LandField& field, ThreadPool& pool) : field_(field), pool_(pool) {}
-
-    void operator()(std::span<const WorldPoint> points, double spacing, std::span<float> heights) {
-        samples_.resize(points.size());
-        field_.query(points, samples_, spacing, pool_);
-        Samples kept;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            heights[i] = static_cast<float>(samples_[i].height);
-            kept.heights.push_back(heights[i]);
-            const auto& normal = samples_[i].normal;
-            kept.normals.push_back({static_cast<float>(normal[0]), static_cast<float>(normal[1]),
-                                    static_cast<float>(normal[2])});
-        }
-        calls_.push_back(std::move(kept));
-    }
-
-    /// Returns the next call, from the first one on.
-    const Samples& replay() { return calls_[next_++]; }
-
-  private:
-    const LandField& field_;
-    ThreadPool& pool_;
-    std::vector<QuerySample> samples_;
-    std::vector<Samples> calls_;
-    std::size_t next_ = 0;
-};
-
-/// The vertices of a patch, as place_patch of ocean/land_mesh.hpp goes through them.
-struct PatchVertices {
-    std::vector<LandVertex> vertices;
-    std::vector<LandIndex> indices;
-    bool has_fine = false, has_coarse = false;
-    int side = 0;
-
-    PatchVertices(const LandLod& lod, const LandPatch& patch)
-        : side(patch.quads(lod.quadtree) + 1) {
-        const std::int64_t quads = side - 1;
-        for (std::int64_t j = patch.j * quads; j <= patch.j * quads + quads; ++j) {
-            for (std::int64_t i = patch.i * quads; i <= patch.i * quads + quads; ++i) {
-                indices.push_back({i, j});
-                vertices.push_back(land_vertex(lod.quadtree, lod.view(), patch.level, {i, j}));
-                has_fine |= vertices.back().share < 1.0;
-                has_coarse |= vertices.back().share > 0.0;
-            }
-        }
-    }
-    /// Returns the place of a parent among the samples of the next level.
-    std::size_t parent(LandIndex index) const {
-        const LandIndex first = indices.front();
-        const std::int64_t coarse_side = (side + 1) / 2;
-        return static_cast<std::size_t>((index.j - first.j) / 2 * coarse_side +
-                                        (index.i - first.i) / 2);
-    }
-};
-
-/// The values of a mesh's vertices, each set by the patch that shows it where its level has it.
-class VertexValues {
-  public:
-    explicit VertexValues(const LandMesh& mesh) : mesh_(mesh), is_set_(mesh.positions.size()) {
-        index_.reserve(mesh.positions.size());
-        for (std::size_t v = 0; v < mesh.positions.size(); ++v) index_[mesh.positions[v]] = v;
-    }
-    /// Returns the vertex of a position that still wants a value; `exact`: at its own label.
-    /// Returns the count of vertices if there is none.
-    std::size_t wanting(const Position& position, bool exact) {
-        const auto found = index_.find(position);
-        if (found == index_.end()) return mesh_.positions.size();
-        const int rank = exact ? 2 : 1;
-        if (is_set_[found->second] >= rank) return mesh_.positions.size();
-        is_set_[found->second] = rank;
-        return found->second;
-    }
-
-  private:
-    const LandMesh& mesh_;
-    std::unordered_map<Position, std::size_t, PositionHash> index_;
-    std::vector<int> is_set_;
-};
+constexpr int kNormalValues = 3;
 
 /// Returns the maps of a patch's masks, at its vertices.
 Surface masks_of(const LandField& field, const LandLod& lod, const LandPatch& patch,
@@ -143,20 +43,59 @@ Surface masks_of(const LandField& field, const LandLod& lod, const LandPatch& pa
     return field.surface(region, masks, pool);
 }
 
-std::array<float, 3> mixed_normal(const PatchVertices& patch, const LandVertex& vertex,
-                                  std::size_t v, const Samples* own, const Samples* coarse) {
-    std::array<float, 3> mean{};
-    const auto share = static_cast<float>(vertex.share);
-    for (std::size_t c = 0; c < 3; ++c) {
-        if (own != nullptr) mean[c] += (1.0f - share) * own->normals[v][c];
-        if (coarse == nullptr) continue;
-        mean[c] += 0.5f * share *
-                   (coarse->normals[patch.parent(vertex.parents[0])][c] +
-                    coarse->normals[patch.parent(vertex.parents[1])][c]);
+/// Returns the sampler of a land's heights, with the normal behind each if there is one wanted.
+HeightSampler sampler_of(const LandField& field, ThreadPool& pool, bool has_normals) {
+    return
+        [&field, &pool, has_normals, samples = std::vector<QuerySample>()](
+            std::span<const WorldPoint> points, double spacing, std::span<float> values) mutable {
+            samples.resize(points.size());
+            field.query(points, samples, spacing, pool);
+            float* to = values.data();
+            for (const QuerySample& sample : samples) {
+                *to++ = static_cast<float>(sample.height);
+                if (!has_normals) continue;
+                for (const double component : sample.normal) *to++ = static_cast<float>(component);
+            }
+        };
+}
+
+/// Returns means of normals, three numbers each, as unit vectors.
+std::vector<float> unit_normals(std::vector<float> normals) {
+    for (std::size_t v = 0; v < normals.size(); v += kNormalValues) {
+        const float x = normals[v], y = normals[v + 1], z = normals[v + 2];
+        const float length = std::sqrt(x * x + y * y + z * z);
+        for (std::size_t c = 0; c < kNormalValues; ++c) normals[v + c] /= length;
     }
-    const float length = std::sqrt(mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2]);
-    for (float& component : mean) component /= length;
-    return mean;
+    return normals;
+}
+
+/// Adds the products that are masks, each vertex with the value of its level.
+void add_masks(const LandField& field, const LandLod& lod, std::span<const LandPatch> patches,
+               const LandMesh& land, std::span<const Product* const> products, ThreadPool& pool,
+               io::Mesh& mesh) {
+    ChannelSet masks;
+    std::vector<std::pair<Channel, std::size_t>> columns;  // a mask, its attribute
+    for (const Product* product : products) {
+        if (product->name == "normal") continue;
+        masks = masks | product->set();
+        columns.emplace_back(product->channels[0], mesh.attributes.size());
+        mesh.attributes.push_back(
+            {std::string(product->name), 1, std::vector<float>(land.places.size())});
+    }
+    if (columns.empty()) return;
+    std::vector<std::size_t> by_patch(land.places.size());
+    std::iota(by_patch.begin(), by_patch.end(), std::size_t{0});
+    std::ranges::sort(by_patch, {}, [&](std::size_t v) { return land.places[v].patch; });
+    std::optional<std::uint32_t> shown;  // the patch of the maps
+    Surface maps;
+    for (const std::size_t v : by_patch) {
+        const LandPlace place = land.places[v];
+        if (shown != place.patch) maps = masks_of(field, lod, patches[place.patch], masks, pool);
+        shown = place.patch;
+        for (const auto& [channel, column] : columns) {
+            mesh.attributes[column].values[v] = maps.channel(channel)[place.vertex];
+        }
+    }
 }
 
 /// Returns the least spacing of vertices that floats tell apart around an eye, which files hold
@@ -238,8 +177,9 @@ LandLod resolve_land_lod(const BakePlan& draft, const LandLod& requested) {
         lod.max_vertices += side * side;
     }
     lod.max_triangles = triangles_of(quadtree, patches);
-    // Samples of the field, and the index of the vertices.
-    lod.work_bytes = land_mesh_bytes(quadtree, patches) + lod.max_vertices * (2 * 16 + 64);
+    // With the vertices in the order of their patches.
+    lod.work_bytes =
+        land_mesh_bytes(quadtree, patches, kNormalValues) + lod.max_vertices * sizeof(std::size_t);
     return lod;
 }
 
@@ -261,12 +201,11 @@ io::Mesh make_land_lod_mesh(SubjectMaps& source, const LandLod& lod,
     const std::shared_ptr<const LandField> field = land_of(source).field();
     ThreadPool& pool = source.pool();
     const std::vector<LandPatch> patches = select(lod.quadtree, lod.view(), {});
-    RecordingSampler sampler(*field, pool);
+    const bool has_normals =
+        std::ranges::find(products, "normal", &Product::name) != products.end();
     const LandMesh land =
-        make_land_mesh(lod.quadtree, patches, lod.view(),
-                       [&](std::span<const WorldPoint> points, double spacing,
-                           std::span<float> heights) { sampler(points, spacing, heights); });
-    const std::size_t count = land.positions.size();
+        make_land_mesh(lod.quadtree, patches, lod.view(), sampler_of(*field, pool, has_normals),
+                       has_normals ? kNormalValues : 0);
     io::Mesh mesh;
     for (const Position& position : land.positions) {
         for (const double value : position) mesh.positions.push_back(static_cast<float>(value));
@@ -285,46 +224,8 @@ io::Mesh make_land_lod_mesh(SubjectMaps& source, const LandLod& lod,
         }
         mesh.attributes.push_back(std::move(uv));
     }
-    if (products.empty()) return mesh;
-    ChannelSet masks;
-    std::vector<std::pair<Channel, std::size_t>> columns;  // a mask, its attribute
-    for (const Product* product : products) {
-        if (product->name == "normal") {
-            mesh.normals.resize(3 * count);
-            continue;
-        }
-        masks = masks | product->set();
-        columns.emplace_back(product->channels[0], mesh.attributes.size());
-        mesh.attributes.push_back({std::string(product->name), 1, std::vector<float>(count)});
-    }
-    VertexValues values(land);
-    std::vector<Position> positions;
-    for (const LandPatch& patch : patches) {
-        const PatchVertices lattice(lod, patch);
-        const Samples* const own = lattice.has_fine ? &sampler.replay() : nullptr;
-        const Samples* const coarse = lattice.has_coarse ? &sampler.replay() : nullptr;
-        Surface maps;
-        if (masks.size() > 0) maps = masks_of(*field, lod, patch, masks, pool);
-        for (std::size_t v = 0; v < lattice.vertices.size(); ++v) {
-            const LandVertex& vertex = lattice.vertices[v];
-            const double z = vertex.height(
-                own != nullptr ? own->heights[v] : 0.0f,
-                coarse != nullptr ? coarse->heights[lattice.parent(vertex.parents[0])] : 0.0f,
-                coarse != nullptr ? coarse->heights[lattice.parent(vertex.parents[1])] : 0.0f);
-            const bool exact = vertex.shown.x == vertex.label.x && vertex.shown.y == vertex.label.y;
-            const std::size_t at =
-                values.wanting({vertex.shown.x + 0.0, vertex.shown.y + 0.0, z + 0.0}, exact);
-            if (at == count) continue;
-            if (!mesh.normals.empty()) {
-                const auto normal = mixed_normal(lattice, vertex, v, own, coarse);
-                std::ranges::copy(normal,
-                                  mesh.normals.begin() + static_cast<std::ptrdiff_t>(3 * at));
-            }
-            for (const auto& [channel, column] : columns) {
-                mesh.attributes[column].values[at] = maps.channel(channel)[v];
-            }
-        }
-    }
+    if (has_normals) mesh.normals = unit_normals(land.values);
+    add_masks(*field, lod, patches, land, products, pool, mesh);
     return mesh;
 }
 

@@ -52,18 +52,24 @@ class Welder {
     }
 
     std::uint32_t weld(const Position& position) {
-        for (std::uint64_t at = hash(position);; ++at) {
-            std::uint32_t& slot = slots_[at & (slots_.size() - 1)];
-            if (slot == kNoVertex) {
-                slot = static_cast<std::uint32_t>(positions_.size());
-                positions_.push_back(position);
-                return slot;
-            }
-            if (positions_[slot] == position) return slot;
+        std::uint32_t& slot = slot_of(position);
+        if (slot == kNoVertex) {
+            slot = static_cast<std::uint32_t>(positions_.size());
+            positions_.push_back(position);
         }
+        return slot;
     }
+    /// Returns the vertex of a position; kNoVertex if there is none.
+    std::uint32_t find(const Position& position) { return slot_of(position); }
 
   private:
+    /// Returns the slot of a position, or the free one where it belongs.
+    std::uint32_t& slot_of(const Position& position) {
+        for (std::uint64_t at = hash(position);; ++at) {
+            std::uint32_t& slot = slots_[at & (slots_.size() - 1)];
+            if (slot == kNoVertex || positions_[slot] == position) return slot;
+        }
+    }
     /// Returns a mixed number of the bits [Steele 2014].
     static std::uint64_t hash(const Position& position) {
         std::uint64_t h = 0;
@@ -86,11 +92,17 @@ std::uint64_t vertices_of(const QuadtreeSettings& settings, std::span<const Land
     return vertices;
 }
 
-}  // namespace
+/// The vertices of a patch as a view shows them.
+struct PlacedPatch {
+    std::vector<Position> positions;
+    std::vector<bool> is_at_label;  // a vertex stands at its own label
+    std::vector<float> values;      // further values
+};
 
-void place_patch(const QuadtreeSettings& settings, const LandView& view, const LandPatch& patch,
-                 const HeightSampler& sampler, std::vector<Position>& positions) {
+PlacedPatch placed(const QuadtreeSettings& settings, const LandView& view, const LandPatch& patch,
+                   const HeightSampler& sampler, std::size_t further_values) {
     const PatchLattice lattice(settings, patch);
+    const std::size_t width = 1 + further_values;
     std::vector<LandVertex> vertices;
     std::vector<WorldPoint> labels, coarse_labels;
     bool has_fine = false, has_coarse = false;
@@ -105,52 +117,84 @@ void place_patch(const QuadtreeSettings& settings, const LandView& view, const L
             if (i % 2 == 0 && j % 2 == 0) coarse_labels.push_back(vertex.label);
         }
     }
-    std::vector<float> own(labels.size()), coarse(coarse_labels.size());
+    std::vector<float> own(width * labels.size()), coarse(width * coarse_labels.size());
     const double spacing = settings.spacing_of(patch.level);
     if (has_fine) sampler(labels, spacing, own);
     if (has_coarse) sampler(coarse_labels, 2.0 * spacing, coarse);
-    positions.resize(vertices.size());
+    PlacedPatch result;
     for (std::size_t v = 0; v < vertices.size(); ++v) {
         const LandVertex& vertex = vertices[v];
-        const double z = vertex.height(own[v], coarse[lattice.parent(vertex.parents[0])],
-                                       coarse[lattice.parent(vertex.parents[1])]);
-        positions[v] = {vertex.shown.x + 0.0, vertex.shown.y + 0.0, z + 0.0};  // no -0
+        const float* const here = &own[width * v];
+        const float* const first = &coarse[width * lattice.parent(vertex.parents[0])];
+        const float* const second = &coarse[width * lattice.parent(vertex.parents[1])];
+        const double z = vertex.height(*here, *first, *second);
+        result.positions.push_back({vertex.shown.x + 0.0, vertex.shown.y + 0.0, z + 0.0});  // no -0
+        result.is_at_label.push_back(vertex.shown.x == vertex.label.x &&
+                                     vertex.shown.y == vertex.label.y);
+        const auto share = static_cast<float>(vertex.share);
+        for (std::size_t c = 1; c < width; ++c) {
+            const float ends = first[c] + second[c];
+            result.values.push_back((1.0f - share) * here[c] + 0.5f * share * ends + 0.0f);
+        }
     }
+    return result;
 }
 
-std::uint64_t land_mesh_bytes(const QuadtreeSettings& settings,
-                              std::span<const LandPatch> patches) {
+}  // namespace
+
+void place_patch(const QuadtreeSettings& settings, const LandView& view, const LandPatch& patch,
+                 const HeightSampler& sampler, std::vector<Position>& positions) {
+    positions = placed(settings, view, patch, sampler, 0).positions;
+}
+
+std::uint64_t land_mesh_bytes(const QuadtreeSettings& settings, std::span<const LandPatch> patches,
+                              int further_values) {
     const std::uint64_t vertices = vertices_of(settings, patches);
     const std::uint64_t triangles = triangles_of(settings, patches);
+    const std::uint64_t vertex = sizeof(Position) + sizeof(LandPlace) + 1 +
+                                 static_cast<std::uint64_t>(further_values) * sizeof(float);
     // Vectors that grow hold up to three times their elements while they are copied.
-    return 3 * (vertices * sizeof(Position) + triangles * sizeof(std::array<std::uint32_t, 3>)) +
+    return 3 * (vertices * vertex + triangles * sizeof(std::array<std::uint32_t, 3>)) +
            Welder::bytes(vertices);
 }
 
 LandMesh make_land_mesh(const QuadtreeSettings& settings, std::span<const LandPatch> patches,
-                        const LandView& view, const HeightSampler& sampler) {
+                        const LandView& view, const HeightSampler& sampler, int further_values) {
     validate(settings);
     const std::uint64_t max_vertices = vertices_of(settings, patches);
     if (max_vertices >= kNoVertex) {
         throw Error(ErrorKind::invalid_value,
                     ErrorFields{.what = "have too many vertices", .parameter = "patches"});
     }
+    const auto further = static_cast<std::size_t>(further_values);
     LandMesh mesh;
     Welder welder(max_vertices, mesh.positions);
-    std::vector<Position> positions;
-    std::vector<std::uint32_t> welded;
+    PlacedPatch shown;
+    std::vector<std::uint32_t> welded;  // the mesh's vertices of the patch's
+    std::vector<bool> is_at_label;      // of `places`
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
-        const Position &p = positions[a], &q = positions[b], &r = positions[c];
+        const Position &p = shown.positions[a], &q = shown.positions[b], &r = shown.positions[c];
         if (p == q || q == r || r == p) return;
         for (const std::size_t v : {a, b, c}) {
-            if (welded[v] == kNoVertex) welded[v] = welder.weld(positions[v]);
+            if (welded[v] == kNoVertex) welded[v] = welder.weld(shown.positions[v]);
         }
         mesh.triangles.push_back({welded[a], welded[b], welded[c]});
     };
-    for (const LandPatch& patch : patches) {
-        const PatchLattice lattice(settings, patch);
-        place_patch(settings, view, patch, sampler, positions);
-        welded.assign(positions.size(), kNoVertex);
+    // A vertex that others have snapped to may be in no triangle of its own.
+    const auto enter = [&](std::uint32_t patch, std::size_t v) {
+        const std::uint32_t at =
+            welded[v] != kNoVertex ? welded[v] : welder.find(shown.positions[v]);
+        if (at == kNoVertex) return;
+        const bool is_new = mesh.places[at].patch == kNoVertex;
+        if (!is_new && (is_at_label[at] || !shown.is_at_label[v])) return;
+        mesh.places[at] = {patch, static_cast<std::uint32_t>(v)};
+        is_at_label[at] = shown.is_at_label[v];
+        std::copy_n(shown.values.data() + further * v, further, mesh.values.data() + further * at);
+    };
+    for (std::uint32_t patch = 0; patch < patches.size(); ++patch) {
+        const PatchLattice lattice(settings, patches[patch]);
+        shown = placed(settings, view, patches[patch], sampler, further);
+        welded.assign(lattice.count(), kNoVertex);
         for (int j = 0; j < lattice.quads; ++j) {
             for (int i = 0; i < lattice.quads; ++i) {
                 const std::size_t low =
@@ -160,6 +204,10 @@ LandMesh make_land_mesh(const QuadtreeSettings& settings, std::span<const LandPa
                 add(low, high + 1, high);
             }
         }
+        mesh.places.resize(mesh.positions.size(), {kNoVertex, kNoVertex});
+        mesh.values.resize(further * mesh.positions.size());
+        is_at_label.resize(mesh.positions.size());
+        for (std::size_t v = 0; v < welded.size(); ++v) enter(patch, v);
     }
     return mesh;
 }

@@ -16,14 +16,28 @@
 namespace ocean {
 
 /// Writes the height of land at each point [m], with the waves that vertices `spacing` [m] apart
-/// show. A pure function of point and spacing, whatever the other points are; finite.
+/// show, and behind each height the further values of a mesh that has some. A pure function of
+/// point and spacing, whatever the other points are; finite.
 using HeightSampler =
     std::function<void(std::span<const WorldPoint> points, double spacing, std::span<float>)>;
+
+/// The patch that shows a vertex of a mesh, and the number of the vertex in that patch's lattice.
+struct LandPlace {
+    std::uint32_t patch;   // among the patches of the mesh
+    std::uint32_t vertex;  // row by row from the lower left corner
+
+    bool operator==(const LandPlace&) const = default;
+};
 
 /// Triangles that share their vertices.
 struct LandMesh {
     std::vector<std::array<double, 3>> positions;         // x, y, z of the world [m]
     std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise from above
+    /// One for each vertex: of the patches that show it, the first one where it stands at its own
+    /// label, else the first one.
+    std::vector<LandPlace> places;
+    /// The further values of each vertex, between levels the mean that its height is.
+    std::vector<float> values;
 };
 
 /// Writes the (quads + 1)^2 vertices of a patch as the view shows them, row by row from its lower
@@ -32,13 +46,15 @@ void place_patch(const QuadtreeSettings& settings, const LandView& view, const L
                  const HeightSampler& sampler, std::vector<std::array<double, 3>>& positions);
 
 /// Returns an upper bound of the bytes that make_land_mesh needs, its result included.
-std::uint64_t land_mesh_bytes(const QuadtreeSettings& settings, std::span<const LandPatch> patches);
+std::uint64_t land_mesh_bytes(const QuadtreeSettings& settings, std::span<const LandPatch> patches,
+                              int further_values = 0);
 
 /// Returns the mesh of patches that `select` chose for the same settings and view. Each edge
 /// inside has two triangles, in opposite directions; only the outer border of the patches is open.
-/// No two vertices are equal, none is unused, and no triangle has two equal vertices. Throws as
-/// validate, and Error invalid_value for patches of more than 2^32 - 2 vertices.
+/// No two vertices are equal, none is unused, and no triangle has two equal vertices. The sampler
+/// writes 1 + further_values numbers for each point. Throws as validate, and Error invalid_value
+/// for patches of more than 2^32 - 2 vertices.
 LandMesh make_land_mesh(const QuadtreeSettings& settings, std::span<const LandPatch> patches,
-                        const LandView& view, const HeightSampler& sampler);
+                        const LandView& view, const HeightSampler& sampler, int further_values = 0);
 
 }  // namespace ocean
