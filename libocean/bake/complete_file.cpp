@@ -62,7 +62,7 @@ void refuse_to_overwrite_foreign_files(const BakePlan& plan, const Manifest& man
 void describe(const BakePlan& plan, const BakeFile& file, ManifestEntry& entry) {
     entry.name = native(file).filename().string();
     entry.frame = file.frame;
-    entry.time = plan.subject->time_of(file.frame);
+    entry.time = plan.subject->timeline().time_of(file.frame);
     entry.product = file.product;
     entry.recipe = plan.format->recipe(plan, file);
 }

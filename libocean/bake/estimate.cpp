@@ -29,11 +29,12 @@ constexpr std::uint64_t kProgramBytes = 30 << 20;
 /// Returns the memory of a frame: its maps, the work of making them, and the format's part [bytes].
 std::uint64_t frame_bytes(const BakePlan& plan) {
     std::uint64_t bytes = plan.format->frame_bytes(plan);
+    const Costs costs = plan.subject->costs();
     const int maps = plan.maps.channels.size() + (plan.follows_foam() ? kFoamMaps : 0);
     const auto add = [&](int resolution, int map_count, ChannelSet channels) {
-        bytes += maps_bytes(resolution, map_count) +
-                 plan.subject->work_bytes({.backend = plan.backend, .channels = plan.channels},
-                                          channels, resolution);
+        bytes +=
+            maps_bytes(resolution, map_count) +
+            costs.map({.backend = plan.backend, .channels = plan.channels}, channels, resolution);
     };
     for (const int resolution : plan.maps.resolutions) add(resolution, maps, plan.maps.channels);
     if (plan.maps.finer > 0) {
@@ -77,9 +78,9 @@ void list_frames(const BakePlan& plan, const std::vector<int>& kept, BakeForecas
 }  // namespace
 
 std::uint64_t bake_memory_bytes(const BakePlan& plan, int frames_at_a_time) {
-    const auto each = static_cast<std::uint64_t>(frames_at_a_time);
-    return kProgramBytes + plan.format->library_bytes + plan.subject->bytes(frames_at_a_time) +
-           each * frame_bytes(plan);
+    const Costs costs = plan.subject->costs();
+    return kProgramBytes + plan.format->library_bytes + costs.shared +
+           static_cast<std::uint64_t>(frames_at_a_time) * (costs.each + frame_bytes(plan));
 }
 
 WorkShare share_work(const BakePlan& plan) {
@@ -96,14 +97,14 @@ WorkShare share_work(const BakePlan& plan) {
 }
 
 std::vector<std::string> bake_warnings(const BakePlan& plan, std::size_t frames) {
-    const bool plays = plan.subject->plays_take();
+    const Timeline timeline = plan.subject->timeline();
     std::vector<std::string> all;
     for (const int frame : std::span(plan.frames).first(std::min(frames, plan.frames.size()))) {
-        const std::string of = plays ? "frame " + std::to_string(frame) + ": " : "";
-        for (const auto& warning : plan.subject->warnings(plan.subject->time_of(frame))) {
+        const std::string of = timeline.plays_take ? "frame " + std::to_string(frame) + ": " : "";
+        for (const auto& warning : plan.subject->warnings(timeline.time_of(frame))) {
             all.push_back(of + warning);
         }
-        if (!all.empty() || !plays) break;
+        if (!all.empty() || !timeline.plays_take) break;
     }
     if (std::string warning = spray_cell_warning(plan); !warning.empty()) {
         all.push_back(std::move(warning));

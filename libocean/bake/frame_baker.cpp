@@ -37,7 +37,7 @@ bool FrameBaker::keep(const std::vector<BakeFile>& files) {
 }
 
 void FrameBaker::make(const std::vector<BakeFile>& files, int frame) {
-    const std::vector<Surface> maps = make_maps(bake_.plan.subject->time_of(frame));
+    const std::vector<Surface> maps = make_maps(bake_.plan.subject->timeline().time_of(frame));
     bake_.plan.format->write({bake_.plan, frame, maps, *source_, threads_,
                               [this](const BakeFile& file, const std::function<void()>& write) {
                                   write_and_verify(bake_, file, threads_, write);

@@ -278,7 +278,7 @@ io::Provenance provenance_of(const BakePlan& plan, int frame) {
             .text = plan.subject_text,
             .id = plan.subject_id,
             .frame = frame,
-            .time = plan.subject->time_of(frame),
+            .time = plan.subject->timeline().time_of(frame),
             .domain = plan.domain(),
             .backend = std::string(plan.backend.name)};
 }
@@ -288,7 +288,7 @@ io::Provenance FrameWork::provenance() const {
 }
 
 double FrameWork::time() const {
-    return plan.subject->time_of(frame);
+    return plan.subject->timeline().time_of(frame);
 }
 
 std::vector<int> halving_resolutions(int resolution) {
@@ -347,7 +347,7 @@ BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
     std::unique_ptr<Subject> subject = options.open_subject(options.source);
     if (!options.fps.empty()) subject->set("time.fps", decimal_rate(options.fps));
     plan.subject = std::move(subject);
-    if (plan.frames.empty()) plan.frames = {plan.subject->first_frame()};
+    if (plan.frames.empty()) plan.frames = {plan.subject->timeline().first_frame};
     plan.all_frames = plan.frames;
     plan.resolution = find_resolution(options, *plan.subject);
     refuse_displaced(plan);

@@ -99,8 +99,8 @@ class FrameReporter {
         if (outcome.skipped) {
             host_.frame_skipped(number, outcome.files);
         } else {
-            host_.note(
-                format_text("frame %d is at %.9g s", number, plan_.subject->time_of(number)));
+            host_.note(format_text("frame %d is at %.9g s", number,
+                                   plan_.subject->timeline().time_of(number)));
             host_.frame_baked(number, outcome.seconds, outcome.files);
         }
     }

@@ -24,7 +24,7 @@ void set_default(std::string& option, std::string_view value) {
 /// Refuses a file whose time is not that of its frame: it was not baked, and could not be baked
 /// again.
 void check_time(const Subject& subject, const BakedHeader& header, const std::string& path) {
-    if (subject.time_of(header.whole_number("frame")) == header.number("time")) return;
+    if (subject.timeline().time_of(header.whole_number("frame")) == header.number("time")) return;
     refuse_source(path, "its ocean:time is not that of its ocean:frame");
 }
 

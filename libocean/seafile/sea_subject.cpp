@@ -124,10 +124,7 @@ class SeaSubject final : public Subject {
         set_parameter(sea_.parameters, name, value);
     }
 
-    double time_of(double frame) const override { return sea_.time_of(frame); }
-    int first_frame() const override { return sea_.parameters.time.first_frame; }
-    double frame_rate() const override { return sea_.parameters.time.fps; }
-    bool plays_take() const override { return !sea_.take.empty(); }
+    Timeline timeline() const override { return timeline_of(sea_); }
     std::vector<std::string> warnings(double time) const override {
         const Parameters parameters = sea_.at(time);
         std::vector<std::string> all = full_development_warnings(parameters);
@@ -176,27 +173,29 @@ class SeaSubject final : public Subject {
     std::unique_ptr<SubjectMaps> open(const MapsOptions& options) const override {
         return std::make_unique<SeaMaps>(sea_, extent_, options);
     }
-    std::uint64_t bytes(int sharing) const override {
-        // With a take each of them is at a time of its own, and the first at another.
-        const std::uint64_t seas = plays_take() ? 1 + static_cast<std::uint64_t>(sharing) : 1;
-        const std::uint64_t bed = extent_.is_region() ? coast_bytes(sea_.parameters) : 0;
-        return seas * modes_bytes(grid()) + bed;
-    }
-    std::uint64_t work_bytes(const MapsOptions& options, ChannelSet channels,
-                             int resolution) const override {
+    Costs costs() const override {
+        Costs costs{.shared = modes_bytes(grid())};
+        // With a take each SubjectMaps is at a time of its own.
+        if (timeline().plays_take) costs.each = modes_bytes(grid());
         if (extent_.is_region()) {
+            costs.shared += coast_bytes(sea_.parameters);
             // Foam is followed on maps of its own, over one period and over the region.
-            return region_work_bytes(sea_.parameters, domain(resolution), channels);
+            costs.map = [this](const MapsOptions&, ChannelSet channels, int resolution) {
+                return region_work_bytes(sea_.parameters, domain(resolution), channels);
+            };
+            costs.by_place = [this](int resolution) {
+                return region_heights_bytes(domain(resolution));
+            };
+            return costs;  // queries read the coast
         }
-        return ocean::work_bytes(grid(), options.backend, channels, resolution, options.channels);
-    }
-    std::uint64_t eulerian_bytes(int resolution) const override {
-        if (extent_.is_region()) return region_heights_bytes(domain(resolution));
-        return world_heights_bytes(sea_, resolution);
-    }
-    std::uint64_t query_bytes(const QueryOptions& options) const override {
-        if (extent_.is_region()) return 0;  // those of the coast
-        return SurfaceQuery::map_bytes(grid().resolution, options);
+        costs.map = [this](const MapsOptions& options, ChannelSet channels, int resolution) {
+            return work_bytes(grid(), options.backend, channels, resolution, options.channels);
+        };
+        costs.by_place = [this](int resolution) { return world_heights_bytes(sea_, resolution); };
+        costs.query = [this](const QueryOptions& options) {
+            return SurfaceQuery::map_bytes(grid().resolution, options);
+        };
+        return costs;
     }
 
   private:

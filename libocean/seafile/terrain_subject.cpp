@@ -147,12 +147,6 @@ class TerrainSubject final : public Subject {
         built_ = nullptr;
     }
 
-    double time_of(double) const override { return 0.0; }
-    int first_frame() const override { return 1; }
-    double frame_rate() const override { return 24.0; }
-    bool plays_take() const override { return false; }
-    std::vector<std::string> warnings(double) const override { return {}; }
-
     ChannelSet channels() const override { return terrain_channels(terrain_); }
     int default_resolution() const override { return extent_.default_resolution(terrain_); }
     Domain domain(int resolution) const override { return extent_.domain(terrain_, resolution); }
@@ -183,16 +177,19 @@ class TerrainSubject final : public Subject {
     std::unique_ptr<SubjectMaps> open(const MapsOptions& options) const override {
         return built(options);
     }
-    std::uint64_t bytes(int) const override { return Land::bytes(terrain_); }
-    std::uint64_t work_bytes(const MapsOptions& options, ChannelSet channels,
-                             int resolution) const override {
-        if (!has_lattice()) return 0;
-        return ocean::work_bytes(grid(), options.backend, channels, resolution, options.channels);
-    }
-    std::uint64_t eulerian_bytes(int) const override { return 0; }
-    std::uint64_t query_bytes(const QueryOptions& options) const override {
-        if (terrain_.is_shaped()) return 0;
-        return SurfaceQuery::map_bytes(terrain_.resolution, options);
+    Costs costs() const override {
+        Costs costs{.shared = Land::bytes(terrain_)};
+        if (has_lattice()) {
+            costs.map = [this](const MapsOptions& options, ChannelSet channels, int resolution) {
+                return work_bytes(grid(), options.backend, channels, resolution, options.channels);
+            };
+        }
+        if (!terrain_.is_shaped()) {
+            costs.query = [this](const QueryOptions& options) {
+                return SurfaceQuery::map_bytes(terrain_.resolution, options);
+            };
+        }
+        return costs;
     }
 
   private:

@@ -41,11 +41,7 @@ class Plane final : public Subject {
         throw Error(ErrorKind::invalid_value,
                     {.what = "a plane has no such parameter", .parameter = std::string(name)});
     }
-    double time_of(double frame) const override { return frame / 24.0; }
-    int first_frame() const override { return 1; }
-    double frame_rate() const override { return 24.0; }
-    bool plays_take() const override { return false; }
-    std::vector<std::string> warnings(double) const override { return {}; }
+    Timeline timeline() const override { return {.moves = true, .start = 1.0 / 24.0}; }
     ChannelSet channels() const override {
         using enum Channel;
         return {Channel::height, nx, ny, nz, slope_x, slope_y};
@@ -57,10 +53,7 @@ class Plane final : public Subject {
     double shortest_wave(int resolution) const override { return 2.0 * domain(resolution).step(0); }
     HeightRange height_range(const MapsOptions&) const override { return {-10.0, level_ + 45.0}; }
     std::unique_ptr<SubjectMaps> open(const MapsOptions& options) const override;
-    std::uint64_t bytes(int) const override { return sizeof(Plane); }
-    std::uint64_t work_bytes(const MapsOptions&, ChannelSet, int) const override { return 0; }
-    std::uint64_t eulerian_bytes(int) const override { return 0; }
-    std::uint64_t query_bytes(const QueryOptions&) const override { return 0; }
+    Costs costs() const override { return {.shared = sizeof(Plane)}; }
 
   private:
     double level_;

@@ -122,7 +122,7 @@ io::UsdSequence sequence_of(const BakePlan& plan, const PlainMesh& mesh) {
             .manifest = file_name(shared[kClips].path),
             .frames = frame_template(plan),
             .numbers = plan.all_frames,
-            .rate = plan.subject->frame_rate(),
+            .rate = plan.subject->timeline().frame_rate,
             .y_up = mesh.axes == io::Axes::yup,
             .attributes = attributes,
             .words = words_of(plan)};

@@ -90,14 +90,14 @@ std::uint64_t mist_bytes(const BakePlan& plan, const SpraySettings& spray, std::
 
 std::uint64_t volume_frame_bytes(const BakePlan& plan, const VolumeSettings& settings) {
     const GridCounts counts = max_counts(plan, settings);
+    const Costs costs = plan.subject->costs();
     constexpr std::uint64_t kColumnBytes = sizeof(io::SurfaceColumn) + sizeof(float) +
                                            8 * sizeof(io::Velocity);  // the layers of a leaf
     const std::uint64_t mist =
         settings.density ? mist_bytes(plan, settings.spray, counts.puffs) : std::uint64_t{0};
     // A voxel has a value and a share of its leaf's mask.
     return mist + counts.voxels() * (sizeof(float) + 1) + counts.columns * kColumnBytes +
-           plan.subject->query_bytes(height_query(plan)) +
-           2 * plan.subject->query_bytes(velocity_query(plan, settings));
+           costs.query(height_query(plan)) + 2 * costs.query(velocity_query(plan, settings));
 }
 
 std::uint64_t max_volume_bytes(const BakePlan& plan, const VolumeSettings& settings) {

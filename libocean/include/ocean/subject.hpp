@@ -19,6 +19,7 @@
 #include "ocean/domain.hpp"
 #include "ocean/query.hpp"
 #include "ocean/surface.hpp"
+#include "ocean/timeline.hpp"
 
 namespace ocean {
 
@@ -68,6 +69,27 @@ struct HeightRange {
     double top = 0.0;  // above any crest to be expected
 };
 
+/// The cost of something that needs no memory.
+struct NoCost {
+    template <typename... Arguments>
+    std::uint64_t operator()(const Arguments&...) const {
+        return 0;
+    }
+};
+
+/// The memory that maps of a subject need [bytes]. The functions may refer to the subject.
+struct Costs {
+    std::uint64_t shared = 0;  // for all SubjectMaps together
+    std::uint64_t each = 0;    // for each SubjectMaps beside that, without its maps
+    /// Returns the bytes that making a map of these channels needs beside the map.
+    std::function<std::uint64_t(const MapsOptions& options, ChannelSet channels, int resolution)>
+        map = NoCost{};
+    /// Returns the bytes that making heights by place needs beside their map.
+    std::function<std::uint64_t(int resolution)> by_place = NoCost{};
+    /// Returns the bytes of a query of these options.
+    std::function<std::uint64_t(const QueryOptions& options)> query = NoCost{};
+};
+
 class Subject {
   public:
     virtual ~Subject() = default;
@@ -81,15 +103,10 @@ class Subject {
     /// Sets a parameter, before maps are made. Throws Error invalid_value.
     virtual void set(std::string_view name, std::string_view value) = 0;
 
-    /// Returns the time of a frame [s], also for a subject that does not move.
-    virtual double time_of(double frame) const = 0;
-    virtual int first_frame() const = 0;
-    virtual double frame_rate() const = 0;  // [1/s]
-    /// Returns true if its parameters change with time, so that maps of different times differ in
-    /// more than the phase of their waves.
-    virtual bool plays_take() const = 0;
+    /// Returns the times of its frames; without an override it does not move.
+    virtual Timeline timeline() const { return {}; }
     /// Returns warnings about the subject at a time, a sentence each.
-    virtual std::vector<std::string> warnings(double time) const = 0;
+    virtual std::vector<std::string> warnings(double /*time*/) const { return {}; }
 
     /// Returns the channels of the table that it has.
     virtual ChannelSet channels() const = 0;
@@ -111,13 +128,8 @@ class Subject {
 
     /// Returns maps that have computed what all its copies share. Several threads may call it.
     virtual std::unique_ptr<SubjectMaps> open(const MapsOptions& options) const = 0;
-    /// Returns the bytes of `sharing` SubjectMaps that share, without those that a map needs.
-    virtual std::uint64_t bytes(int sharing) const = 0;
-    /// Returns the bytes that making a map of these channels needs beside the map.
-    virtual std::uint64_t work_bytes(const MapsOptions& options, ChannelSet channels,
-                                     int resolution) const = 0;
-    virtual std::uint64_t eulerian_bytes(int resolution) const = 0;
-    virtual std::uint64_t query_bytes(const QueryOptions& options) const = 0;
+    /// Returns the memory that its maps need. Valid as long as the subject.
+    virtual Costs costs() const = 0;
 };
 
 }  // namespace ocean

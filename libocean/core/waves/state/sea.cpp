@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "ocean/error.hpp"
+#include "ocean/timeline.hpp"
 #include "waves/spectrum/wave_system_table.hpp"
 
 namespace ocean {
@@ -275,8 +276,15 @@ double Sea::foam_lifetime(double time) const {
 }
 
 double Sea::time_of(double frame) const {
-    const Timing& time = parameters.time;
-    return time.start + (frame - time.first_frame) / time.fps;
+    return timeline_of(*this).time_of(frame);
+}
+
+Timeline timeline_of(const Sea& sea) {
+    return {.moves = true,
+            .start = sea.parameters.time.start,
+            .first_frame = sea.parameters.time.first_frame,
+            .frame_rate = sea.parameters.time.fps,
+            .plays_take = !sea.take.empty()};
 }
 
 std::string take_line(const TakeEvent& event) {
