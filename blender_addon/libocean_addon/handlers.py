@@ -120,8 +120,22 @@ def complete() -> None:
         terrain_live.complete_meshes()
         return
     if not is_whole or live.has_draft_meshes() or terrain_live.has_draft_meshes():
-        subject = "sea" if live.ocean_objects() else "terrain"
-        print(f"libocean: the render shows a draft of the {subject}", flush=True)
+        subjects = " and the ".join(_subjects_in_draft()) or "scene"
+        print(f"libocean: the render shows a draft of the {subjects}", flush=True)
+
+
+def _subjects_in_draft() -> list[str]:
+    """Returns the names of the subjects that have a draft in place of maps or of a mesh."""
+
+    def is_any_draft(objects) -> bool:
+        return any(drafts.is_draft(ob.name_full) for ob in objects)
+
+    has_draft = {
+        "sea": is_any_draft(live.ocean_objects()) or live.has_draft_meshes(),
+        "terrain": is_any_draft(terrain_live.terrain_objects()) or terrain_live.has_draft_meshes(),
+        "coast": is_any_draft(coast_live.coast_objects()),
+    }
+    return [subject for subject, found in has_draft.items() if found]
 
 
 @persistent

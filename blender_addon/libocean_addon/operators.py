@@ -206,7 +206,7 @@ class SaveSea(OnOcean, bpy.types.Operator, ExportHelper):
     def execute(self, context):
         values = live.current_values(context.object.libocean, context.scene)
         try:
-            with libocean.parse(values.text()) as sea:
+            with libocean.parse(values.text(), base_dir=paths.blend_folder()) as sea:
                 text = sea.text
             paths.write_text(self.filepath, text)
         except libocean.Error as failure:

@@ -453,6 +453,9 @@ GERMAN = {
         "each": (
             "Größe, Auflösung, Kaskaden oder Region sind animiert: gebacken wird nur je ein Wert"
         ),
+        "There is not enough memory: choose fewer samples": (
+            "Der Speicher reicht nicht: wählen Sie weniger Stützstellen"
+        ),
         "To write EXR files takes the Python package OpenEXR, which this copy of the add-on does "
         "not have for Python {}: {}. The add-on's zip has it; the command ocean bake writes such "
         "files without it": (

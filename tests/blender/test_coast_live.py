@@ -9,8 +9,10 @@ import bpy
 import numpy as np
 import pytest
 from conftest import positions
+from libocean_addon import handlers
 from libocean_addon.bundled import libocean
 from libocean_addon.coast import open_coast
+from libocean_addon.coast.coast_job import CoastJob
 from libocean_addon.shared import drafts
 from test_coast import assert_is_sea, coast, sea_file  # noqa: F401, fixtures
 from test_coast_steps import slow, work_on  # noqa: F401, a fixture
@@ -20,12 +22,14 @@ from test_terrain_drafts import waiting  # noqa: F401, a fixture
 
 @pytest.fixture
 def calls(monkeypatch):
-    """The threads of the calls of the library, and the seas that it opens."""
+    """The threads of the calls of the library, and the seas that it opens. The time of a frame is
+    left out, for which a coast has a handle that no job holds."""
     threads = []
 
     def noting(call):
         def noted(*arguments, **options):
-            threads.append(threading.current_thread())
+            if "ocean_time_of_frame" not in arguments:
+                threads.append(threading.current_thread())
             return call(*arguments, **options)
 
         return noted
@@ -84,6 +88,48 @@ def test_another_bed_is_opened_in_the_background(coast, waiting, slow, calls, se
     coast.libocean.seabed = str(other)
     finish()
     assert coast.libocean_coast.problem == ""
+
+
+def test_a_lack_of_memory_is_said_in_the_panel(coast, waiting, slow, monkeypatch):  # noqa: F811
+    def fail(_job):
+        raise MemoryError
+
+    with monkeypatch.context() as patch:
+        patch.setattr(CoastJob, "work", fail)
+        coast.libocean.level = 0.3
+        finish()
+    sentence = "There is not enough memory: choose fewer samples"
+    assert coast.libocean_coast.problem == sentence
+    coast.libocean.level = 0.4
+    finish()
+    assert coast.libocean_coast.problem == ""
+
+
+def test_a_render_without_a_timer_says_that_it_shows_a_draft_of_the_coast(
+    coast,  # noqa: F811
+    waiting,  # noqa: F811
+    slow,  # noqa: F811
+    monkeypatch,
+    capsys,
+):
+    coast.libocean.level = 0.3
+    assert drafts.is_draft(coast.name_full)
+    monkeypatch.setattr(drafts, "_PATIENCE", 0.05)
+    render = threading.Thread(target=handlers.complete)
+    render.start()
+    render.join()
+    assert "the render shows a draft of the coast\n" in capsys.readouterr().out
+
+
+def test_the_time_of_a_frame_is_the_librarys(coast, monkeypatch):  # noqa: F811
+    opened = open_coast.coast_of(coast.name_full)
+    for rate in (24.0, 30000.0 / 1001.0):
+        coast.libocean.use_scene_frame_rate = False
+        coast.libocean.fps = rate
+        with libocean.parse(opened.values.text()) as sea:
+            assert opened.time_of(7.5) == sea.time_of_frame(7.5)
+    monkeypatch.setattr(libocean.Sea, "time_of_frame", lambda _sea, frame: 100.0 + frame)
+    assert opened.time_of(7.5) == 107.5
 
 
 def test_new_water_comes_before_the_past_of_its_foam(coast, waiting, slow):  # noqa: F811

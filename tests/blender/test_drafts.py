@@ -11,6 +11,7 @@ import pytest
 from conftest import attribute, evaluated_mesh, positions
 from libocean_addon.bundled import libocean
 from libocean_addon.sea import live, open_sea
+from libocean_addon.sea.sea_job import SeaJob
 from libocean_addon.shared import drafts, modifier_groups
 
 
@@ -198,6 +199,19 @@ def test_a_frame_that_is_asked_for_by_name_is_whole(scene, ocean, waiting):
     foam = attribute(ocean, "foam").mean()
     with libocean.parse(open_sea.sea_of(ocean.name_full).sea.text) as sea:
         assert foam == pytest.approx(sea.surface(199 / 24).foam.mean(), rel=0.02)
+
+
+def test_a_lack_of_memory_is_said_in_the_panel(ocean, waiting, monkeypatch):
+    def fail(_job):
+        raise MemoryError
+
+    with monkeypatch.context() as patch:
+        patch.setattr(SeaJob, "work", fail)
+        ocean.libocean.choppiness = 0.7
+        rest(ocean)
+    assert ocean.libocean.problem == "There is not enough memory: choose fewer samples"
+    ocean.libocean.choppiness = 0.8
+    assert ocean.libocean.problem == ""
 
 
 def test_the_mesh_does_not_grow_without_being_asked(ocean):

@@ -9,6 +9,7 @@ import pytest
 from conftest import add_ocean
 from libocean_addon.bundled import libocean
 from libocean_addon.sea import facts, open_sea, parameter_values, records
+from libocean_addon.shared import changes
 
 SPECTRA = Path(__file__).parents[1] / "data" / "spectra"
 BUOY = str(SPECTRA / "ndbc_41010.data_spec")
@@ -83,6 +84,27 @@ def test_the_record_needs_its_file_no_more(ocean, tmp_path):
     copy.unlink()
     ocean.libocean.choppiness = 0.5
     assert ocean.libocean.problem == ""
+
+
+def test_a_file_beside_the_blend_file_is_found_by_its_name(ocean, tmp_path):
+    """A sea that is shown can be saved, and have another system measured."""
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "sea.blend"))
+    (tmp_path / "buoy.data_spec").write_bytes(Path(BUOY).read_bytes())
+    ocean = bpy.data.objects[ocean.name]
+    bpy.ops.libocean.add_waves()
+    settings = ocean.libocean
+    with changes.quiet():
+        settings.waves[0].spectrum, settings.waves[0].file = "measured", "buoy.data_spec"
+    settings.choppiness = 0.5
+    assert settings.problem == ""
+    saved = tmp_path / "other" / "sea.toml"
+    saved.parent.mkdir()
+    assert bpy.ops.libocean.save_sea(filepath=str(saved)) == {"FINISHED"}
+    with libocean.open(str(saved)) as sea:
+        assert sea.state["significant_wave_height"]["asked"] == height_of(ocean)
+    settings.active_wave = 1
+    assert bpy.ops.libocean.pick_record(filepath=MODEL) == {"FINISHED"}
+    assert [system.spectrum for system in settings.waves] == ["measured", "measured"]
 
 
 @pytest.mark.parametrize(

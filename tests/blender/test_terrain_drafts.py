@@ -181,13 +181,33 @@ def test_a_small_terrain_is_whole_at_once(waiting):
 
 
 def test_no_memory_is_said_in_the_panel(terrain, waiting, monkeypatch):
-    def fail(*_rest, **_settings):
-        raise MemoryError
+    short = "There is not enough memory: choose fewer samples"
+    long = "a map needs 900 MiB of memory, 300 MiB are available; lower terrain.resolution"
+    sentences = {
+        MemoryError("of arrays"): short,
+        libocean.OutOfMemoryError("out of memory", 7): short,
+        libocean.OutOfMemoryError(long, 7): long.replace("terrain.resolution", "Resolution"),
+    }
+    for failure, sentence in sentences.items():
+
+        def fail(_job, failure=failure):
+            raise failure
+
+        monkeypatch.setattr(open_terrain.TerrainJob, "work", fail)
+        terrain.libocean_terrain.seed += 1
+        rest()
+        assert terrain.libocean_terrain.problem == sentence
+    monkeypatch.undo()
+
+
+def test_a_failure_in_the_background_has_the_words_of_the_panel(terrain, waiting, monkeypatch):
+    def fail(_job):
+        raise libocean.Error("lower terrain.resolution", 0)
 
     monkeypatch.setattr(open_terrain.TerrainJob, "work", fail)
     terrain.libocean_terrain.seed = 8
     rest()
-    assert terrain.libocean_terrain.problem == "MemoryError"
+    assert terrain.libocean_terrain.problem == "lower Resolution"
     monkeypatch.undo()
     terrain.libocean_terrain.seed = 9
     assert terrain.libocean_terrain.problem == ""

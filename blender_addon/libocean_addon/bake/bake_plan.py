@@ -222,7 +222,7 @@ class Bake(Work):
         self.range = with_margins(*shot)
         self.frame_length = bake_record.frame_length(context.scene)
         frames, self.recipes = _plan(context, ob, *self.range)
-        base_dir = bpy.path.abspath("//") or None
+        base_dir = paths.blend_folder()
         try:
             with libocean.parse(frames[0].sea, base_dir=base_dir) as sea:
                 self._look(ob, sea)

@@ -48,10 +48,8 @@ def show(ob, depsgraph, moment: Moment) -> None:
             problem = _show_in(ob, coast, modifier, view, moment)
     except ExtentError as failure:
         problem = str(failure)
-    except libocean.Error as failure:
+    except (libocean.Error, MemoryError) as failure:
         problem = messages.of_error(failure, len(values.waves))
-    except MemoryError as failure:
-        problem = type(failure).__name__
     except Exception as failure:  # a fault of the add-on, which ends neither a frame nor an edit
         problem = failures.sentence(failure)
     if settings.problem != problem:
@@ -193,8 +191,6 @@ def finish_draft_job(name: str, job: CoastJob) -> None:
     if coast.take_over(job):
         _show_with_floats(ob)
     elif isinstance(job.failure, (libocean.Error, MemoryError)):
-        text = type(job.failure).__name__
-        if isinstance(job.failure, libocean.Error):
-            text = messages.of_error(job.failure, len(ob.libocean.waves))
+        text = messages.of_error(job.failure, len(ob.libocean.waves))
         coast.failed = (job.key, text)
         ob.libocean_coast.problem = text

@@ -13,11 +13,10 @@ import math
 import threading
 import time
 
-import bpy
-
 from ..sea import messages
+from ..sea.clock import Clock
 from ..sea.sea_text import SeaValues
-from ..shared import drafts, images
+from ..shared import drafts, images, paths
 from ..shared.open_by_object import OpenByObject
 from ..shared.progress import Progress
 from ..terrain.extent import Extent
@@ -47,6 +46,7 @@ class OpenCoast:
         """The key of a view that could not be made, and the sentence that says why."""
         self.pace = drafts.Pace()
         self._held = BedSea()
+        self._clock = Clock()
         self._base_dir: str | None = None
         self._job: CoastJob | None = None  # that the handle is lent to
         self._draft: CoastJob | None = None  # the quick one that has ended last
@@ -82,7 +82,7 @@ class OpenCoast:
         if values != self.values:
             self.values = values
             self.changes += 1
-            self._base_dir = bpy.path.abspath("//") or None
+            self._base_dir = paths.blend_folder()
 
     def open(self) -> None:
         """Has the handle take the values to show. Blocks until it is free. Raises
@@ -102,9 +102,7 @@ class OpenCoast:
 
     def time_of(self, frame: float) -> float:
         """Returns the sea's time at a frame [s], without the handle."""
-        values = self.values.values
-        first, rate = float(values["first_frame"]), float(values["fps"])
-        return float(values["start"]) + (frame - first) / rate
+        return self._clock.time_of(self.values, frame)
 
     # The region -----------------------------------------------------------------
 
@@ -293,6 +291,7 @@ class OpenCoast:
         held, self._held = self._held, BedSea()
         if not self.is_busy():
             held.close()  # else its job closes it
+        self._clock.close()
 
 
 _coasts = OpenByObject(OpenCoast)

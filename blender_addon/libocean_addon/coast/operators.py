@@ -60,7 +60,7 @@ def _sea_of(ob, scene):
     if not has_sea:
         return libocean.preset(DEFAULT_PRESET)
     text = sea_live.current_values(ob.libocean, scene).text()
-    return libocean.parse(text, base_dir=bpy.path.abspath("//") or None)
+    return libocean.parse(text, base_dir=paths.blend_folder())
 
 
 class OnCoast:
@@ -182,7 +182,7 @@ class SaveCoast(OnCoast, bpy.types.Operator, ExportHelper):
     def execute(self, context):
         values = sea_live.current_values(context.object.libocean, context.scene)
         try:
-            with libocean.parse(values.text(), base_dir=bpy.path.abspath("//") or None) as sea:
+            with libocean.parse(values.text(), base_dir=paths.blend_folder()) as sea:
                 text = sea.text
             paths.write_text(self.filepath, text)
         except libocean.Error as failure:

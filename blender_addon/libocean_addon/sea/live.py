@@ -139,7 +139,7 @@ def show(ocean: Ocean, depsgraph, moment: Moment) -> None:
                 "sea on it",
                 ob.data.name,
             )
-    except libocean.Error as failure:
+    except (libocean.Error, MemoryError) as failure:
         problem = messages.of_error(failure, len(values.waves))
     except Exception as failure:  # a fault of the add-on, which ends neither a frame nor an edit
         problem = failures.sentence(failure)

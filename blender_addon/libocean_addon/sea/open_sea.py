@@ -12,7 +12,7 @@ import time
 import bpy
 import numpy as np
 
-from ..shared import drafts, images
+from ..shared import drafts, images, paths
 from ..shared.native import libocean
 from ..shared.open_by_object import OpenByObject
 from . import atlas, messages, node_group, sea_text
@@ -75,7 +75,7 @@ class OpenSea:
         self.changes += 1
 
     def _open(self, values: sea_text.SeaValues) -> None:
-        base_dir = bpy.path.abspath("//") or None
+        base_dir = paths.blend_folder()
         opened = libocean.parse(values.text(), base_dir=base_dir, progress=drafts.tell_watcher)
         if self.sea is not None:
             self.sea.close()

@@ -122,7 +122,7 @@ class PickRecord(operators.OnOcean, bpy.types.Operator, ImportHelper):
         system.values.update(
             wind_speed="", wind_direction="", significant_wave_height="", peak_period=""
         )
-        with libocean.parse(values.text()) as sea:
+        with libocean.parse(values.text(), base_dir=paths.blend_folder()) as sea:
             operators.take_over(ob, sea)
         settings.active_wave = number
         live.parameters_changed(ob)

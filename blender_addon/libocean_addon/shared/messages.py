@@ -11,6 +11,8 @@ import re
 import bpy
 
 from .. import translations
+from .compat import tr_label
+from .native import libocean
 from .parameter_table import ParameterTable, path_of
 
 
@@ -50,8 +52,11 @@ class Words:
         return self._path.sub(lambda found: self.label_of(found.group(), items), text)
 
     def of_error(self, failure: Exception, items: int = 1) -> str:
-        """Returns the sentence of a failure. If the value of a field is wrong it is put together
-        from the library's parts: label, value, fault and allowed values."""
+        """Returns the sentence of a panel on an error of the library or a lack of memory. If the
+        value of a field is wrong, the sentence is put together from the library's parts: label,
+        value, fault and allowed values."""
+        if isinstance(failure, MemoryError) and not _has_numbers(failure):
+            return tr_label("There is not enough memory: choose fewer samples")
         parameter = getattr(failure, "parameter", "")
         text = self.label_of(parameter, items)
         if text == parameter or not failure.value:
@@ -65,6 +70,12 @@ class Words:
         if not failure.allowed:
             return text
         return f"{text}; allowed: {self.in_words(failure.allowed, items)}"
+
+
+def _has_numbers(failure: MemoryError) -> bool:
+    """Returns whether a lack of memory is an error of the library that says how many bytes are
+    needed, and available."""
+    return isinstance(failure, libocean.Error) and str(failure) != "out of memory"
 
 
 def of_file(failure: OSError) -> str:

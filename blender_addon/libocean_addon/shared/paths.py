@@ -51,6 +51,12 @@ def library_of(group, key: str):
     return theirs.library if is_theirs else None
 
 
+def blend_folder() -> str | None:
+    """Returns the folder of the open file, from which relative names of files in values of a sea or
+    terrain start; None for a file that was never saved."""
+    return bpy.path.abspath(_TO_BLEND) or None
+
+
 def blend_name() -> str:
     """Returns how names of files begin that are the open file's: as it is called, without its
     extension. `#` stands for digits of a frame in names that `ocean bake` is given."""

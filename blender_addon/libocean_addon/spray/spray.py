@@ -229,7 +229,7 @@ def show_all(depsgraph, moment) -> None:
         problem = ""
         try:
             _show(ob, modifier, depsgraph, moment)
-        except libocean.Error as failure:
+        except (libocean.Error, MemoryError) as failure:
             problem = messages.of_error(failure)
             _empty(ob, modifier)
         if ob.libocean.spray_problem != problem:

@@ -46,7 +46,7 @@ def show(ob, depsgraph=None, *, moving: bool = False, again: bool = False) -> No
     except ExtentError as failure:
         problem = str(failure)
     except (libocean.Error, MemoryError) as failure:
-        problem = WORDS.of_error(failure, len(values.layers)) or type(failure).__name__
+        problem = WORDS.of_error(failure, len(values.layers))
     except Exception as failure:  # a fault of the add-on, which ends neither a frame nor an edit
         problem = failures.sentence(failure)
     if settings.problem != problem:
@@ -387,8 +387,9 @@ def finish_draft_job(name: str, job: TerrainJob) -> None:
     if ob is None or job.is_cancelled():
         job.close()
         return
-    if terrain_of(ob.name_full).take_over(job):
+    terrain = terrain_of(ob.name_full)
+    if terrain.take_over(job):
         follow_mesh(ob, view=job.view)
         show(ob, bpy.context.evaluated_depsgraph_get())
     elif isinstance(job.failure, (libocean.Error, MemoryError)):
-        ob.libocean_terrain.problem = str(job.failure) or type(job.failure).__name__
+        ob.libocean_terrain.problem = WORDS.of_error(job.failure, len(terrain.values.layers))

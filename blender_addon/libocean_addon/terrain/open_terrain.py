@@ -11,10 +11,9 @@ from __future__ import annotations
 import threading
 import time
 
-import bpy
 import numpy as np
 
-from ..shared import drafts, images
+from ..shared import drafts, images, paths
 from ..shared.compat import tr_label
 from ..shared.native import libocean
 from ..shared.open_by_object import OpenByObject
@@ -156,7 +155,7 @@ class OpenTerrain:
         if values == self.values:
             return
         if self.terrain is None or values.structure() != self.values.structure():
-            base_dir = bpy.path.abspath("//") or None
+            base_dir = paths.blend_folder()
             opened = libocean.parse_terrain(
                 values.text(), base_dir=base_dir, progress=drafts.tell_watcher_of_share
             )

@@ -206,7 +206,7 @@ class SaveTerrain(OnTerrain, bpy.types.Operator, ExportHelper):
 
     def execute(self, context):
         values = parameter_values.values_of(context.object.libocean_terrain)
-        base_dir = bpy.path.abspath("//") or None
+        base_dir = paths.blend_folder()
         try:
             with libocean.parse_terrain(values.text(), base_dir=base_dir) as terrain:
                 text = terrain.text

@@ -186,7 +186,7 @@ class Volumes(bake_plan.Work):
     def __init__(self, context, ob, folder, shot, *, overwrite: bool, shows: bool) -> None:
         super().__init__(ob, shot)
         self.folder, self.shot, self.shows = paths.normal(folder), shot, shows
-        base_dir = bpy.path.abspath("//") or None
+        base_dir = paths.blend_folder()
         try:
             frames = _plan(context, ob, *shot, base_dir)
             with libocean.parse(frames[0].sea, base_dir=base_dir) as sea:
