@@ -28,7 +28,7 @@ _locked_by_us: set[str] = set()  # scenes
 
 
 @persistent
-@failures.told_once
+@failures.log_once
 def _frame_changed(scene, depsgraph=None) -> None:
     rendering = depsgraph is not None and depsgraph.mode == "RENDER"
     if rendering:
@@ -39,7 +39,7 @@ def _frame_changed(scene, depsgraph=None) -> None:
 
 
 @persistent
-@failures.told_once
+@failures.log_once
 def _depsgraph_updated(scene, depsgraph) -> None:
     if depsgraph.mode == "RENDER":
         return
@@ -63,7 +63,7 @@ def _depsgraph_updated(scene, depsgraph) -> None:
 
 
 @persistent
-@failures.told_once
+@failures.log_once
 def _data_replaced(*_) -> None:
     render_check.forget()
     oceans, terrains = live.ocean_objects(), terrain_live.terrain_objects()
@@ -90,7 +90,7 @@ def _data_replaced(*_) -> None:
 
 
 @persistent
-@failures.told_once
+@failures.log_once
 def _saving(*_) -> None:
     render_check.restore()
     live.complete_meshes()
@@ -100,13 +100,13 @@ def _saving(*_) -> None:
 
 
 @persistent
-@failures.told_once
+@failures.log_once
 def _saved(*_) -> None:
     stored_horizon.make_whole(live.ocean_objects())
 
 
 @persistent
-@failures.told_once
+@failures.log_once
 def _before_frame(scene, *_) -> None:
     render_check.check(scene)
 
@@ -139,7 +139,7 @@ def _subjects_in_draft() -> list[str]:
 
 
 @persistent
-@failures.told_once
+@failures.log_once
 def _lock_interface(scene, *_) -> None:
     """Locks the interface: Blender must not draw images that a render in another thread
     rewrites."""
@@ -155,7 +155,7 @@ def _lock_interface(scene, *_) -> None:
 
 
 @persistent
-@failures.told_once
+@failures.log_once
 def _unlock_interface(scene, *_) -> None:
     terrain_live.end_render()
     render_check.restore()

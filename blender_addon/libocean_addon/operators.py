@@ -28,7 +28,7 @@ PRESETS = [
 ]
 
 
-def take_over(ob, sea) -> None:
+def adopt(ob, sea) -> None:
     """Puts an open sea into an object."""
     parameter_values.assign(ob.libocean, sea_text.read(sea))
 
@@ -42,7 +42,7 @@ def _start_sea(ob, preset: str) -> None:
     """A sea for an object without one."""
     if len(ob.libocean.waves) == 0:
         with libocean.preset(preset) as sea:
-            take_over(ob, sea)
+            adopt(ob, sea)
     live.parameters_changed(ob)
 
 
@@ -179,7 +179,7 @@ class LoadSea(OnOcean, bpy.types.Operator, ImportHelper):
         ob = context.object
         try:
             with libocean.open(str(paths.absolute(self.filepath))) as sea:
-                take_over(ob, sea)
+                adopt(ob, sea)
         except libocean.Error as failure:
             self.report({"ERROR"}, str(failure))
             return {"CANCELLED"}
@@ -229,7 +229,7 @@ class LoadPreset(OnOcean, bpy.types.Operator):
 
     def execute(self, context):
         with libocean.preset(self.preset) as sea:
-            take_over(context.object, sea)
+            adopt(context.object, sea)
         return {"FINISHED"}
 
 

@@ -311,7 +311,7 @@ def test_what_fails_in_a_handler_is_said_in_the_panel_and_once_in_the_log(
     def fail(*_rest, **_settings):
         raise KeyError("out of order")
 
-    monkeypatch.setattr(failures, "_told", set())
+    monkeypatch.setattr(failures, "_logged", set())
     with monkeypatch.context() as patch:
         patch.setattr(live, "_set_inputs", fail)
         for frame in (2, 3):

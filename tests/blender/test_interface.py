@@ -201,7 +201,7 @@ def test_f1_leads_to_a_section_of_the_documentation(cls):
 def test_every_preset_comes_back_from_properties_as_it_was(ocean):
     for preset in libocean.presets():
         with libocean.preset(preset) as sea, changes.quiet():
-            operators.take_over(ocean, sea)
+            operators.adopt(ocean, sea)
             with libocean.parse(text_of(ocean)) as again:
                 assert again.text == sea.text
 

@@ -113,7 +113,7 @@ def test_no_draw_function_raises(ocean, cls, monkeypatch, capsys):
 
     monkeypatch.setattr(Layout, "prop", fail)
     monkeypatch.setattr(facts, "state_of", fail)
-    monkeypatch.setattr(failures, "_told", set())
+    monkeypatch.setattr(failures, "_logged", set())
     for _ in range(3):
         cls.draw(types.SimpleNamespace(layout=layout), bpy.context)
     assert "out of order" in " ".join(drawn)

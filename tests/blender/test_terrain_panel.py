@@ -90,7 +90,7 @@ def test_no_draw_function_raises(terrain, cls, monkeypatch, capsys):
 
     for name in ("prop", "operator"):
         monkeypatch.setattr(Layout, name, fail)
-    monkeypatch.setattr(failures, "_told", set())
+    monkeypatch.setattr(failures, "_logged", set())
     for _ in range(3):
         cls.draw(shown_in(Layout(drawn), cls), bpy.context)
     assert "out of order" in " ".join(drawn)

@@ -3,7 +3,7 @@
 """The library's handle of a sea over a bed, which stays while values change: the library makes
 again only what they dirty. No Blender's data in here: one thread at a time has it.
 
-    SeaValues -> take: set, or parsed anew for another bed -> sea, state, extent of the bed
+    SeaValues -> adopt: set, or parsed anew for another bed -> sea, state, extent of the bed
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class BedSea:
         self.own: Extent | None = None
         """The samples of the bed."""
 
-    def take(self, values: SeaValues, base_dir: str | None) -> None:
+    def adopt(self, values: SeaValues, base_dir: str | None) -> None:
         """Makes it the sea of these values. base_dir: the folder of relative paths. Raises
         libocean.Error, after which the handle is opened anew."""
         if values == self.values:

@@ -154,7 +154,7 @@ class CoastJob(drafts.Job):
 
     def work(self) -> None:
         self._require_wanted()
-        self.lent.take(self.values, self.base_dir)
+        self.lent.adopt(self.values, self.base_dir)
         try:
             self.extent = self.view.region.extent(self.lent.own)
         except ExtentError as failure:
@@ -186,7 +186,7 @@ class CoastJob(drafts.Job):
         if not self._is_owned():
             self.lent.close()
 
-    def said(self, name: str) -> str:
+    def status_text(self, name: str) -> str:
         if self.ticks is not None and self.ticks[1] != _THOUSANDTHS:
             return tr_label("{}: water and foam, {:.0%}", name, self.share)
         return tr_label("{}: waves over the bed, {:.0%}", name, self.share)

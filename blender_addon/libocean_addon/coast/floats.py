@@ -51,7 +51,7 @@ def float_pose(ob, body: tuple[float, ...], moment):
     moment does not wait for it. Raises NoWaterError and libocean.Error."""
     coast = coast_of(ob.name_full)
     coast.follow(live.sea_live.current_values(ob.libocean, moment.scene))
-    if moment.moving and not coast.is_at_hand():
+    if moment.moving and not coast.is_cheap():
         return None
     view = live.view_of(coast, ob.original, ob, moment)
     with coast.lock:

@@ -84,7 +84,7 @@ def _show_in(ob, coast: OpenCoast, modifier, view: View, moment: Moment) -> str:
     """Fills the images of a modifier and sets its other inputs. Returns a sentence on the reason
     why the view cannot be made; "" if it can."""
     name, key = ob.name_full, coast.key(view)
-    may_wait = moment.moving or (moment.again and drafts.wants(name, key))
+    may_wait = moment.moving or (moment.is_redraw and drafts.wants(name, key))
     draft = may_wait and not coast.is_ready(view)
     if draft:
         whole = view.region.extent(coast.own)
@@ -125,8 +125,7 @@ def show_all(scene, depsgraph=None, *, rendering: bool = False, passing: bool = 
     """Shows all coasts. passing: Blender says that the frame has changed."""
     if sea_live.is_paused():
         return
-    moving, again = drafts.may_suffice(rendering=rendering, passing=passing)
-    moment = Moment(scene, rendering, moving, again)
+    moment = Moment.of(scene, rendering=rendering, passing=passing)
     for ob in coast_objects():
         show(ob, depsgraph, moment)
 
@@ -188,7 +187,7 @@ def finish_draft_job(name: str, job: CoastJob) -> None:
         job.close()
         return
     coast = coast_of(name)
-    if coast.take_over(job):
+    if coast.adopt(job):
         _show_with_floats(ob)
     elif isinstance(job.failure, (libocean.Error, MemoryError)):
         text = messages.of_error(job.failure, len(ob.libocean.waves))

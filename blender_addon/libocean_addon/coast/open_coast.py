@@ -24,7 +24,7 @@ from .bed_sea import BedSea
 from .coast_job import Bed, CoastJob, Maps, View, fill_maps, make_bed
 from .node_group import DISPLACEMENT, FOAM, WETNESS
 
-_AT_HAND = 3.0  # [s] of the sea that foam advances while a user waits
+_CHEAP_ADVANCE = 3.0  # [s] of the sea that foam advances while a user waits
 _COARSE, _QUICK = "coarse", "quick"  # begin the keys of drafts
 _OF_BED = ("level", "seabed", "seabed_origin", "seabed_unit", "seabed_sign")
 
@@ -90,13 +90,13 @@ class OpenCoast:
         with self.lock:
             if self._held.values != self.values:
                 self._end_job(None)
-                self._held.take(self.values, self._base_dir)
+                self._held.adopt(self.values, self._base_dir)
 
     def is_busy(self) -> bool:
         """Returns whether a job has the handle: a call of it would wait."""
         return self._job is not None and self._job.is_alive()
 
-    def is_at_hand(self) -> bool:
+    def is_cheap(self) -> bool:
         """Returns whether the handle is free, and knows where the waves of the values go."""
         return self._prepared == self.changes and not self.is_busy()
 
@@ -123,7 +123,7 @@ class OpenCoast:
         """Returns whether the whole maps of a view are there, or can be made while a user waits."""
         if self._filled == self.key(view):
             return True
-        if not self.is_at_hand():
+        if not self.is_cheap():
             return False
         extent = view.region.extent(self.own)
         if self.bed(extent) is None or not self._is_plain(view, extent):
@@ -134,7 +134,7 @@ class OpenCoast:
         """Returns whether the library has the past of foam and wet ground at hand."""
         what = (self.changes, extent, _pasts(view))
         known = self._advanced is not None and self._advanced[:-1] == what
-        return known and 0.0 <= view.time - self._advanced[-1] <= _AT_HAND
+        return known and 0.0 <= view.time - self._advanced[-1] <= _CHEAP_ADVANCE
 
     def show(self, view: View, image_named: dict) -> Extent:
         """Fills the images, by the inputs of the node group, with the whole maps of a view. Blocks
@@ -182,7 +182,7 @@ class OpenCoast:
         water at rest."""
         if self._draft is not None and self._draft.key == self.key(view):
             return self._put_draft(image_named)
-        if not self.is_at_hand():
+        if not self.is_cheap():
             return self.extent_in(image_named[DISPLACEMENT])
         whole = view.region.extent(self.own)
         coarse = whole.coarser(whole.step_for(self.pace.size))
@@ -266,9 +266,9 @@ class OpenCoast:
             job.cancel()
         job.join()
         if not job.is_cancelled():
-            self.take_over(job)
+            self.adopt(job)
 
-    def take_over(self, job: CoastJob) -> bool:
+    def adopt(self, job: CoastJob) -> bool:
         """Keeps the maps of a job that has ended. Returns False if the job is of no use."""
         if job.failure is not None or job.key[0] != self.changes or job.lent is not self._held:
             job.close()

@@ -47,9 +47,19 @@ class Moment:
     rendering: bool
     moving: bool = False
     """True if a draft suffices for now: values move, or time plays."""
-    again: bool = False
-    """True if Blender may show its frame once more by itself, as it does after an edit of a driver:
-    a draft of it stays one."""
+    is_redraw: bool = False
+    """True if Blender may redraw the same frame unprompted (e.g. after a driver edit): a draft of
+    that frame stays one."""
+
+    @classmethod
+    def of(cls, scene: bpy.types.Scene, *, rendering: bool, passing: bool) -> Moment:
+        """Returns the moment of a scene. passing: Blender reports that the frame has changed."""
+        return cls(
+            scene,
+            rendering,
+            moving=drafts.allows_draft(rendering=rendering, passing=passing),
+            is_redraw=drafts.is_redraw(rendering=rendering, passing=passing),
+        )
 
     def time(self, settings, sea: OpenSea) -> float:
         """Returns the sea's time at the scene's frame [s], which may lie between two frames."""
@@ -171,7 +181,7 @@ def _show_in(ocean: Ocean, seen, modifier, moment: Moment) -> None:
     at, channel = moment.time(settings, sea), channel_of(settings)
     name = ob.name_full
     key = (sea.changes, at, size, channel)
-    may_wait = moment.moving or (moment.again and drafts.wants(name, key))
+    may_wait = moment.moving or (moment.is_redraw and drafts.wants(name, key))
     draft = may_wait and not sea.is_ready(at, size, channel)
     if draft:
         # While time plays only foam is behind; while values move, all of the sea.
@@ -264,8 +274,7 @@ def show_all(
     """Shows all these objects. passing: Blender says that the frame has changed."""
     if _paused:
         return
-    moving, again = drafts.may_suffice(rendering=rendering, passing=passing)
-    moment = Moment(scene, rendering, moving, again)
+    moment = Moment.of(scene, rendering=rendering, passing=passing)
     for ob in oceans:
         show(look_up(ob), depsgraph, moment)
     for follower in hooks.connected().followers:
@@ -292,7 +301,7 @@ def parameters_changed(ob) -> bool:
     show(ocean, None, moment)
     for follower in hooks.connected().followers:
         follower(None, moment)
-    # Behind a draft the mesh follows when values rest; a new one is not left without vertices.
+    # While a draft is shown, the mesh is rebuilt only once values rest, except a new, empty mesh.
     draft = drafts.is_draft(ob.name_full)
     if not draft or meshes.is_empty(ob.data):
         follow_mesh(ob, draft=draft)
@@ -362,7 +371,7 @@ def finish_draft_job(name: str, job: SeaJob) -> None:
         job.close()
         return
     sea = sea_of(ob.name_full)
-    if sea.take_over(job):
+    if sea.adopt(job):
         follow_mesh(ob)
         show_all([ob], bpy.context.scene)
     elif isinstance(job.failure, (libocean.Error, MemoryError)):

@@ -27,7 +27,7 @@ QUICK = {COVER: "whitecap", NO_COVER: NO_COVER}
 
 _LIMITS = ("shortest_wavelength", "longest_wavelength")
 
-_AT_HAND = 3.0  # [s] of the sea that foam advances while a user waits: sixty of its steps
+_CHEAP_ADVANCE = 3.0  # [s] of the sea that foam advances while a user waits: sixty of its steps
 
 
 def _channels(field: str, cover: str) -> tuple[str, ...]:
@@ -131,7 +131,7 @@ class OpenSea:
         """Returns whether the whole map of a time can be made at once: the sea is unchanged and the
         foam's past is at hand."""
         known = self.ready is not None and self.ready[:3] == (self.changes, size, channel)
-        if known and (channel != COVER or 0.0 <= at - self.ready[3] <= _AT_HAND):
+        if known and (channel != COVER or 0.0 <= at - self.ready[3] <= _CHEAP_ADVANCE):
             return True
         if self.took is None or self.took[0] != self._costs(channel):
             return False
@@ -168,7 +168,7 @@ class OpenSea:
         """Returns the job that makes the whole map of a time, and its spray if it has any."""
         return SeaJob(self.sea.clone(), self.changes, at, size, channel, spray)
 
-    def take_over(self, job: SeaJob) -> bool:
+    def adopt(self, job: SeaJob) -> bool:
         """Replaces the handle by that of a job that has ended. Returns False if the job is of no
         use."""
         if job.failure is not None or job.changes != self.changes:
@@ -194,7 +194,7 @@ class OpenSea:
     def is_spray_ready(self, at: float, settings: dict) -> bool:
         """Returns whether the library has computed most of it, for example for the frame before."""
         known = self.spray_ready is not None and self.spray_ready[:2] == (self.changes, settings)
-        return known and abs(at - self.spray_ready[2]) <= _AT_HAND
+        return known and abs(at - self.spray_ready[2]) <= _CHEAP_ADVANCE
 
     def _show(self, at: float, size: int, targets: dict, channel: str) -> bool:
         """Fills stale images. Returns whether there were any."""

@@ -123,7 +123,7 @@ class PickRecord(operators.OnOcean, bpy.types.Operator, ImportHelper):
             wind_speed="", wind_direction="", significant_wave_height="", peak_period=""
         )
         with libocean.parse(values.text(), base_dir=paths.blend_folder()) as sea:
-            operators.take_over(ob, sea)
+            operators.adopt(ob, sea)
         settings.active_wave = number
         live.parameters_changed(ob)
 

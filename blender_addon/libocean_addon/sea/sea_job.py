@@ -29,5 +29,5 @@ class SeaJob(Job):
     def close(self) -> None:
         self.sea.close()
 
-    def said(self, name: str) -> str:
+    def status_text(self, name: str) -> str:
         return tr_label("{}: foam {:.0%}", name, self.share)

@@ -40,14 +40,18 @@ def is_playing() -> bool:
     return any(screen.is_animation_playing or screen.is_scrubbing for screen in screens)
 
 
-def may_suffice(*, rendering: bool, passing: bool) -> tuple[bool, bool]:
-    """Returns whether a draft suffices for now, and whether Blender may show the same once more by
-    itself, as it does after an edit of a driver: a draft stays one then. passing: Blender says that
-    the frame has changed. If nothing plays, it may be a frame of a viewport render, which waits for
-    the whole; the operator of that render runs in the area of its viewport."""
-    is_possible = allowed and not rendering
-    moving = is_possible and (is_playing() or not passing)
-    return moving, is_possible and passing and bpy.context.area is None
+def allows_draft(*, rendering: bool, passing: bool) -> bool:
+    """Returns whether a draft suffices for now: values move, or time plays. passing: Blender
+    reports that the frame has changed. If nothing plays, it may be a frame of a viewport render,
+    which waits for the whole."""
+    return allowed and not rendering and (is_playing() or not passing)
+
+
+def is_redraw(*, rendering: bool, passing: bool) -> bool:
+    """Returns whether Blender may redraw the same frame unprompted, as it does after an edit of a
+    driver: a draft of that frame stays one. The operator of a viewport render, which waits for the
+    whole, runs in the area of its viewport. passing: Blender reports that the frame has changed."""
+    return allowed and not rendering and passing and bpy.context.area is None
 
 
 class Pace:
@@ -76,7 +80,7 @@ class CancelledError(Exception):
 
 class Job:
     """Makes the whole subject of an object, in a thread. A class of its own for each subject has
-    `work`, `close` and `said`."""
+    `work`, `close` and `status_text`."""
 
     def __init__(self, key: tuple) -> None:
         self.key = key
@@ -96,7 +100,7 @@ class Job:
         """Frees the library's handle of a job whose result nobody takes."""
         raise NotImplementedError
 
-    def said(self, name: str) -> str:
+    def status_text(self, name: str) -> str:
         """Returns a line about the work on the object with that full name, for the status bar."""
         raise NotImplementedError
 
@@ -352,7 +356,7 @@ def line() -> tuple[str, str]:
     work."""
     if _running is not None:
         name, job = _running
-        return job.said(name), name
+        return job.status_text(name), name
     for name in _wishes:
         return tr_label("{}: a draft", name), name
     return "", ""

@@ -10,20 +10,20 @@ import traceback
 
 from .compat import tr_label
 
-_told: set[str] = set()
+_logged: set[str] = set()
 
 
 def sentence(failure: Exception) -> str:
     """Returns the sentence of a panel on an exception, and prints its traceback unless that was
     done before."""
     text = f"{type(failure).__name__}: {failure}"
-    if text not in _told:
-        _told.add(text)
+    if text not in _logged:
+        _logged.add(text)
         traceback.print_exception(failure)
     return tr_label("This cannot be shown: {}", text)
 
 
-def told_once(handler):
+def log_once(handler):
     """Wraps a handler of Blender, which would print the same traceback at every frame."""
 
     @functools.wraps(handler)

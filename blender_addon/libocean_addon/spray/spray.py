@@ -158,7 +158,7 @@ def _show(ob, modifier, depsgraph, moment) -> None:
         camera = camera.evaluated_get(depsgraph)
     settings, wanted = seen.libocean, live.spray_settings(seen.libocean)
     at = moment.time(settings, sea)
-    may_wait = moment.moving or (moment.again and drafts.is_draft(ob.name_full))
+    may_wait = moment.moving or (moment.is_redraw and drafts.is_draft(ob.name_full))
     if may_wait and not ob.libocean.use_bake and not sea.is_spray_ready(at, wanted):
         _empty(ob, modifier)
         key = (sea.changes, at, live.map_sizes(settings, sea)[0], live.channel_of(settings))

@@ -28,9 +28,9 @@ from .terrain_text import rings_in
 terrain_objects = node_group.FAMILY.objects
 
 
-def show(ob, depsgraph=None, *, moving: bool = False, again: bool = False) -> None:
+def show(ob, depsgraph=None, *, moving: bool = False, is_redraw: bool = False) -> None:
     """Brings the images and the inputs of a terrain up to date. moving: a draft suffices for now;
-    again: Blender may show the same once more by itself, and a draft of it stays one."""
+    is_redraw: Blender may redraw the same frame unprompted, and a draft of that frame stays one."""
     seen = ob.evaluated_get(depsgraph) if depsgraph else ob
     terrain, settings = terrain_of(ob.name_full), ob.libocean_terrain
     values = values_of(seen.libocean_terrain)
@@ -42,7 +42,7 @@ def show(ob, depsgraph=None, *, moving: bool = False, again: bool = False) -> No
         if _is_main_thread():
             drafts.keep_timer(ob.name_full, kept=view is not None)
         for modifier in node_group.modifiers(ob):
-            _show_in(ob, seen, terrain, modifier, view, moving=moving, again=again)
+            _show_in(ob, seen, terrain, modifier, view, moving=moving, is_redraw=is_redraw)
     except ExtentError as failure:
         problem = str(failure)
     except (libocean.Error, MemoryError) as failure:
@@ -116,14 +116,21 @@ def _renew(ob, modifier) -> None:
 
 
 def _show_in(
-    ob, seen, terrain: OpenTerrain, modifier, view: CameraView | None, *, moving: bool, again: bool
+    ob,
+    seen,
+    terrain: OpenTerrain,
+    modifier,
+    view: CameraView | None,
+    *,
+    moving: bool,
+    is_redraw: bool,
 ) -> None:
     """Fills the images of a modifier and sets its other inputs. seen: the object, evaluated."""
     _renew(ob, modifier)
     name, key = ob.name_full, (terrain.key, view)
     image_named = _images_of(ob, terrain, modifier)
     # Drafts go by the names of objects, of which a sea on the same one would have taken this one.
-    may_wait = (moving or (again and drafts.wants(name, key))) and not sea_group.modifiers(ob)
+    may_wait = (moving or (is_redraw and drafts.wants(name, key))) and not sea_group.modifiers(ob)
     lacks_mesh = view is not None and _lacks_mesh(ob, terrain, view)
     is_slow = _is_large(ob) or not terrain.is_quick()
     draft = may_wait and (lacks_mesh or (is_slow and not terrain.is_whole()))
@@ -236,9 +243,10 @@ def _is_on_samples(ob, shown: Extent) -> bool:
 
 def show_all(depsgraph=None, *, rendering: bool = False, passing: bool = False) -> None:
     """Shows all terrains. passing: Blender says that the frame has changed."""
-    moving, again = drafts.may_suffice(rendering=rendering, passing=passing)
+    moving = drafts.allows_draft(rendering=rendering, passing=passing)
+    is_redraw = drafts.is_redraw(rendering=rendering, passing=passing)
     for ob in terrain_objects():
-        show(ob, depsgraph, moving=moving, again=again)
+        show(ob, depsgraph, moving=moving, is_redraw=is_redraw)
 
 
 def parameters_changed(ob) -> None:
@@ -249,7 +257,7 @@ def parameters_changed(ob) -> None:
     show(ob, moving=drafts.allowed)
     if _keep_spectrum(ob):
         show(ob, moving=drafts.allowed)
-    # Behind a draft the mesh follows when values rest; a new one is not left without vertices.
+    # While a draft is shown, the mesh is rebuilt only once values rest, except a new, empty mesh.
     draft = drafts.is_draft(ob.name_full)
     if not draft or meshes.is_empty(ob.data):
         follow_mesh(ob, draft=draft)
@@ -388,7 +396,7 @@ def finish_draft_job(name: str, job: TerrainJob) -> None:
         job.close()
         return
     terrain = terrain_of(ob.name_full)
-    if terrain.take_over(job):
+    if terrain.adopt(job):
         follow_mesh(ob, view=job.view)
         show(ob, bpy.context.evaluated_depsgraph_get())
     elif isinstance(job.failure, (libocean.Error, MemoryError)):

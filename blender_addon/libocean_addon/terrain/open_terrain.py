@@ -92,7 +92,7 @@ class TerrainJob(drafts.Job):
     def close(self) -> None:
         self.terrain.close()
 
-    def said(self, name: str) -> str:
+    def status_text(self, name: str) -> str:
         columns, rows = self.extent.samples
         text = tr_label("{}: {} x {} samples", name, columns, rows)
         return f"{text}, {self.share:.0%}" if self.ticks else text
@@ -275,7 +275,7 @@ class OpenTerrain:
             job.maps = self._maps
         return job
 
-    def take_over(self, job: TerrainJob) -> bool:
+    def adopt(self, job: TerrainJob) -> bool:
         """Replaces handle and maps by those of a job that has ended. Returns False if the job is of
         no use."""
         if job.failure is not None or job.key[0] != self.key:

@@ -26,7 +26,7 @@ PRESETS = [
 ]
 
 
-def take_over(ob, terrain) -> None:
+def adopt(ob, terrain) -> None:
     """Puts an open terrain into an object."""
     parameter_values.assign(ob.libocean_terrain, terrain_text.read(terrain))
 
@@ -172,7 +172,7 @@ class AddTerrainModifier(bpy.types.Operator):
         ob = context.object
         add_modifier(ob)
         with libocean.terrain_preset(DEFAULT_PRESET) as terrain:
-            take_over(ob, terrain)
+            adopt(ob, terrain)
         return {"FINISHED"}
 
 
@@ -188,7 +188,7 @@ class LoadTerrain(OnTerrain, bpy.types.Operator, ImportHelper):
     def execute(self, context):
         try:
             with libocean.open_terrain(str(paths.absolute(self.filepath))) as terrain:
-                take_over(context.object, terrain)
+                adopt(context.object, terrain)
         except libocean.Error as failure:
             self.report({"ERROR"}, str(failure))
             return {"CANCELLED"}
@@ -232,7 +232,7 @@ class LoadTerrainPreset(OnTerrain, bpy.types.Operator):
     def execute(self, context):
         ob = context.object
         with libocean.terrain_preset(self.preset) as terrain:
-            take_over(ob, terrain)
+            adopt(ob, terrain)
         return {"FINISHED"}
 
 
