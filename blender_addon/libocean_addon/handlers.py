@@ -210,13 +210,13 @@ def _finish_draft_job(name: str, job: drafts.Job) -> None:
 
 
 def _wake() -> None:
-    """Shows what is in a file that was opened before the add-on was switched on."""
+    """Shows the seas and lands of a file that was opened before the add-on was switched on."""
     if live.ocean_objects() or terrain_live.terrain_objects() or coast_live.coast_objects():
         _data_replaced()
 
 
 def _wake_soon() -> None:
-    """Calls _wake(): from a timer where there is a window, else at once, since no timer runs before
+    """Calls _wake(): with a window from a timer, without one at once, since no timer runs before
     the script of a command line."""
     if bpy.app.background:
         with compat.all_data():

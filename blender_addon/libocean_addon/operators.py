@@ -234,7 +234,7 @@ class LoadPreset(OnOcean, bpy.types.Operator):
 
 
 class OnSea(OnOcean):
-    """Base of operators on the waves of the active object's sea, which may be that of a coast."""
+    """Base of operators on the waves of the active object's sea, also the sea of a coast."""
 
     @classmethod
     def poll(cls, context) -> bool:

@@ -10,8 +10,8 @@ from .shared import changes, meshes, resolutions
 
 
 def upgrade(ob) -> None:
-    """Rewrites the settings of an object as today's version has them; leaves those of today
-    alone."""
+    """Rewrites the settings of an object for today's version; leaves settings of today
+    unchanged."""
     if ob.library is not None:
         return
     settings = ob.libocean

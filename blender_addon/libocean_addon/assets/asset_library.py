@@ -48,8 +48,8 @@ def default_folder() -> Path:
 
 
 def with_catalogs(text: str) -> str:
-    """The text of a file of catalogues with ours in it. One that is there stays as it is: it may
-    have been renamed."""
+    """Returns the text of a file of catalogues with ours in it. A catalogue of ours that the file
+    has already stays as it is, since it may have been renamed."""
     if not text:
         text = _HEADER
     lines = [line.strip() for line in text.splitlines()]
@@ -66,12 +66,12 @@ def with_catalogs(text: str) -> str:
 
 
 def _read_text(path: Path) -> str:
-    """Line ends as they are."""
+    """Reads a text and keeps its line ends."""
     return path.read_bytes().decode("utf-8") if path.exists() else ""
 
 
 def _replace(files: dict[Path, bytes]) -> None:
-    """All of them, or none where the disk is full."""
+    """Writes all files, or none if the disk is full."""
     parts = {path: path.with_name(f".{path.name}.part") for path in files}
     try:
         for path, data in files.items():
@@ -125,8 +125,8 @@ def _written(folder: Path) -> bytes:
 
 
 def make(folder: Path) -> None:
-    """The library in that folder; raises LibraryError or OSError, and then nothing has changed that
-    was there."""
+    """Makes the library in that folder. Raises LibraryError or OSError; existing files are
+    unchanged then."""
     folder.mkdir(parents=True, exist_ok=True)
     _require_ours(folder)
     try:

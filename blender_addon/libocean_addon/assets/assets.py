@@ -85,7 +85,7 @@ def _seas(kind: str, forces, what: str) -> list[Asset]:
 
 
 def table() -> list[Asset]:
-    """All of them, as the Asset Browser shows them."""
+    """Returns all assets, in the order of the Asset Browser."""
     horizons = _seas("HORIZON", WINDS, "The sea as far as the horizon, around the scene's camera")
     patches = _seas("PATCH", PATCHES, "One period of the sea; patches side by side are one sea")
     skies = [
@@ -151,7 +151,7 @@ def _mark(block, asset: Asset) -> None:
 
 
 def write(path: Path) -> None:
-    """Makes all of them in the file that is open, and writes a file of them."""
+    """Makes all assets in the open file, and writes a file with them."""
     assets, blocks = table(), set()
     water = {preset: _make_water(preset) for preset in {asset.preset for asset in assets} - {""}}
     for asset in assets:

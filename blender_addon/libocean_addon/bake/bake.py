@@ -31,7 +31,7 @@ def _words(failure: Exception) -> str:
 
 
 running: Work | None = None
-"""The work that a user waits for; a single one, since there is one status bar."""
+"""The work that a user waits for. There is a single one, since there is one status bar."""
 
 
 def _is_own(cls, context) -> bool:

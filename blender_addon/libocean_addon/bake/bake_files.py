@@ -27,11 +27,11 @@ class Fault(enum.Enum):
 
     MISSING = "missing"
     BROKEN = "broken"
-    """It is no EXR or VDB file, or was cut off."""
+    """The file is no EXR or VDB file, or was cut off."""
     FOREIGN = "foreign"
-    """It shows another sea, time, frame, field or size."""
+    """The file shows another sea, time, frame, field or size."""
     NAMELESS = "nameless"
-    """It names no sea: what an older or another program wrote. Such files play."""
+    """Its header names no sea: an older or another program wrote the file. Such files play."""
 
 
 STOPS = (Fault.MISSING, Fault.BROKEN, Fault.FOREIGN)
@@ -87,7 +87,7 @@ _known: dict[str, tuple[int, int, Identity | Fault]] = {}
 
 
 def identity(path: str) -> Identity | Fault:
-    """Returns what a file shows, or why that is not known."""
+    """Returns the content of a file by its header, or the reason why it is unknown."""
     try:
         now = os.stat(path)
     except OSError:
@@ -104,13 +104,13 @@ class Expected:
 
     frame_marks: dict[int, str]
     sea: str | None = None
-    """The mark of the one sea of all frames."""
+    """The mark of the sea, if all frames have the same one."""
     resolution: int | None = None
     region: tuple[int, int] | None = None
     """Rows and columns of the images of a region."""
 
     def fault(self, found: Identity, frame: int, field: str | None) -> Fault | None:
-        """Returns FOREIGN where a file shows anything else than this frame. field: of an image."""
+        """Returns FOREIGN if a file shows another frame, sea or field. field: of an image."""
         is_other = bool(found.frame) and found.frame != str(frame)
         if field is not None:
             is_other |= bool(found.field) and found.field != field
@@ -143,8 +143,8 @@ def find(
     path: Callable[[str | None, int], Path | str],
     expected: Expected,
 ) -> Faults:
-    """Returns the faults of the files of these frames. path: of the file of a field and a frame;
-    the one field of a volume is None."""
+    """Returns the faults of the files of these frames. path(field, frame): the path of a file. A
+    volume has one field, None."""
     faults: Faults = {}
     fields = tuple(fields)
     for frame in frames:

@@ -53,7 +53,7 @@ class Job:
     done: int = 0
     """Frames whose files are present."""
     written: int = 0
-    """Frames of which a file was missing before."""
+    """Frames that lacked a file before this job."""
     failure: Exception | None = None
     warning: str = ""
     """A warning about a frame."""
@@ -61,8 +61,7 @@ class Job:
     """The marks by which the files of each frame are recognised."""
 
     def run(self, tell: Callable[[], None] = lambda: None) -> None:
-        """Writes what is missing; tell is called after each frame. What went wrong is in
-        `failure`."""
+        """Writes the missing files; tell is called after each frame. An error is in `failure`."""
         try:
             self._run(tell)
         except _StoppedError:
@@ -106,8 +105,8 @@ class _StoppedError(Exception):
 
 
 class OtherTilesError(Exception):
-    """The slope tiles of a frame hold other waves than those of the first frame, over another size;
-    a bake has one of each."""
+    """The slope tiles of a frame differ from the first frame's in waves and size; a bake has one
+    size of each tile."""
 
 
 @dataclasses.dataclass(kw_only=True)

@@ -36,8 +36,8 @@ def asked_range(ob, scene) -> tuple[int, int]:
 
 
 def with_margins(first: int, last: int) -> tuple[int, int]:
-    """Returns the first and last frame that get files: motion blur reads beyond those of the shot.
-    Blender's image sequences have no negative numbers."""
+    """Returns the first and last frame that get files: motion blur also reads a frame before and
+    behind the shot. Blender's image sequences have no negative numbers."""
     return max(first - 1, 0), last + 1
 
 
@@ -114,7 +114,7 @@ def _require_own(ob, place: bake_record.Place, recipes: dict[str, str]) -> None:
 
 
 def require_no_strangers(frames: list[int], asked: str) -> None:
-    """Raises BakeError if files of another sea would be overwritten. frames: those with such
+    """Raises BakeError if files of another sea would be overwritten. frames: the frames of such
     files."""
     if frames:
         numbers = bake_files.in_words(frames)
@@ -170,7 +170,7 @@ class Work:
 
     job: bake_job.Job
     modifiers = staticmethod(node_group.modifiers)
-    """Returns the modifiers by which an object is known to be still that of the work."""
+    """Returns the modifiers by which the work recognises its object."""
 
     def __init__(self, ob, shot: tuple[int, int]) -> None:
         if shot[1] < shot[0]:
@@ -206,7 +206,7 @@ class Bake(Work):
     """A bake, until the object plays it."""
 
     def __init__(self, context, ob, asked: str, shot: tuple[int, int], *, overwrite: bool) -> None:
-        """asked: the folder; empty: that of the object's settings, or the default one."""
+        """asked: the folder; empty: the folder of the object's settings, or the default one."""
         super().__init__(ob, shot)
         try:
             package = exr_files.load_package()
@@ -247,7 +247,7 @@ class Bake(Work):
         ob.libocean.bake.begun = self.folder
 
     def _look(self, ob, sea) -> None:
-        """Notes what the object and the sea of its first frame say of the maps."""
+        """Notes the parameters of the maps, from the object and the sea of its first frame."""
         self.resolution = ob.libocean.render_resolution or sea.map_resolution()
         self.period = float(sea.get("patch_size"))
         self.samples = live.samples_of(ob.libocean, sea.map_resolution())
@@ -261,7 +261,7 @@ class Bake(Work):
         baked.follow(ob, node_group.modifiers(ob))
 
     def _note(self, record) -> None:
-        """Writes what is of these maps alone into the record."""
+        """Writes the parameters of these maps into the record."""
         job = self.job
         record.extent = ""
         record.resolution, record.period = job.resolution, self.period
@@ -274,7 +274,7 @@ class Bake(Work):
         job, ob = self.job, self.find()
         settings, record = ob.libocean, ob.libocean.bake
         with changes.quiet():
-            # Live first: playing, the folder would be that of the bake before.
+            # Switch to the live sea first: while a bake plays, the folder is the playing one's.
             settings.use_bake = False
             self._follow(ob)
             record.fields = ",".join(job.fields)

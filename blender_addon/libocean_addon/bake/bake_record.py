@@ -32,7 +32,7 @@ def exists(ob) -> bool:
 
 
 def wanted_fields(settings) -> list[str]:
-    """The maps that a bake of these settings has; slope tiles come to them."""
+    """Returns the maps that a bake of these settings has, without slope tiles."""
     switches = {
         "cover": "use_foam",
         "velocity": "use_velocity",
@@ -63,7 +63,7 @@ _BAKES = "//ocean_bake/"
 
 @dataclasses.dataclass(frozen=True)
 class Place:
-    """The place of a bake's files. A folder may hold those of several bakes."""
+    """The place of a bake's files. A folder may hold the files of several bakes."""
 
     folder: str
     """As Blender writes paths."""
@@ -91,14 +91,15 @@ def playing(ob) -> list:
 
 
 def shown_image(ob):
-    """The image that the playing modifier displaces by; None where there is none."""
+    """Returns the image by which the playing modifier displaces; None without a playing
+    modifier."""
     images = (modifier_groups.value(modifier, "Displacement") for modifier in playing(ob))
     return next((image for image in images if image is not None), None)
 
 
 def place_of(ob) -> Place:
     """Returns the place of the bake. When a file is saved elsewhere, Blender changes the paths of
-    its images, but not those of the record."""
+    its images, but not the paths in the record."""
     record, image = ob.libocean.bake, shown_image(ob)
     stem = record.stem or exr_files.EARLIER_STEM
     if image is None:
@@ -114,8 +115,8 @@ def others_in(ob, place: Place) -> list:
 
 
 def _new_place(ob, recipes: dict[str, str], asked: str) -> Place:
-    """The folder that was asked for, or that of the object's name; of objects whose names make one
-    folder, but whose seas differ, each has its own."""
+    """Returns the requested folder, or a folder with the object's name. Objects whose names lead to
+    one folder, but whose seas differ, have a folder each."""
     stem = paths.blend_name()
     if asked:
         return Place(asked, stem)
@@ -130,9 +131,10 @@ def _new_place(ob, recipes: dict[str, str], asked: str) -> Place:
 
 
 def next_place(ob, recipes: dict[str, str], asked: str = "") -> Place:
-    """Returns where the next bake, of a sea of these recipes, goes: on, where the last one is,
-    whatever the object is called by now. Another sea never goes where a blend file of another name
-    may play the one of before. asked: the folder; empty: as the settings say."""
+    """Returns the place of the next bake, of a sea of these recipes. The same sea continues at the
+    place of the last bake, whatever the object is called by now. Another sea never gets the place
+    of a bake that a blend file of another name may play. asked: the folder; empty: as the settings
+    say."""
     asked = paths.normal(asked or ob.libocean.bake.directory)
     goes_on = exists(ob) and _goes_on(ob, recipes, asked)
     return place_of(ob) if goes_on else _new_place(ob, recipes, asked)
@@ -159,7 +161,7 @@ def region_of(settings) -> str:
 
 
 def recipe(settings, values: sea_text.SeaValues) -> str:
-    """A short text that is another one where the sea shown at a frame is."""
+    """Returns a short text that differs if the sea shown at a frame differs."""
     time = settings.custom_time if settings.use_custom_time else None
     whole = f"{time} {settings.render_resolution}{region_of(settings)}\n{values.text()}"
     return hashlib.sha256(whole.encode()).hexdigest()[:16]
@@ -179,7 +181,7 @@ def is_same_sea(record, recipes: dict[str, str]) -> bool:
 
 
 def is_other_sea(ob, scene, values: sea_text.SeaValues) -> bool:
-    """Returns whether the parameters differ from those of the bake at the scene's frame."""
+    """Returns whether the bake shows another sea than the parameters at the scene's frame."""
     recipes = _recipes(ob.libocean.bake.recipes)
     baked = recipes.get("", recipes.get(str(scene.frame_current)))
     return baked is not None and baked != recipe(ob.libocean, values)
@@ -207,7 +209,7 @@ def _expected(
 
 
 def expected(ob) -> bake_files.Expected:
-    """Returns what the files of the bake must show, by the object's record."""
+    """Returns the content that the files of the bake must have, by the object's record."""
     record = ob.libocean.bake
     return _expected(
         record.first, record.marks, record.sea, record.recipes, record.resolution, record.extent
@@ -238,7 +240,8 @@ _SENTENCES = {
 
 
 def fault_texts(ob, found: bake_files.Faults) -> list[str]:
-    """A sentence for each kind of fault that stops a render: of which frames, and a file."""
+    """Returns a sentence for each kind of fault that stops a render: it names the frames and a
+    file."""
     return [
         f"{ob.name}: {say()} {bake_files.in_words(found[fault])} ({min(found[fault].items())[1]})"
         for fault, say in _SENTENCES.items()
@@ -247,7 +250,7 @@ def fault_texts(ob, found: bake_files.Faults) -> list[str]:
 
 
 def strangers(ob, place: Place, frames=None) -> list[int]:
-    """The frames of which there are files that are not of the object's bake."""
+    """Returns the frames that have files of another bake than the object's."""
     record, known = ob.libocean.bake, expected(ob)
     if frames is None:
         frames = range(record.first, record.last + 1)

@@ -124,7 +124,8 @@ def faults(ob) -> list[str]:
 def _inventory(
     place: bake_record.Place, first: int, last: int, fields: tuple[str, ...]
 ) -> tuple[int, int]:
-    """Frames that are there and their bytes, looked up anew when the folder has changed."""
+    """Returns the number of frames with files, and their bytes, looked up anew when the folder has
+    changed."""
     folder = str(place.path)
     asked = (folder, place.stem, first, last, fields)
     try:

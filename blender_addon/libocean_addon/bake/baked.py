@@ -19,7 +19,7 @@ from ..sea import node_group
 from ..shared import changes, meshes, modifier_groups, overrides, paths
 from . import bake_record, baked_nodes, exr_files
 
-# Names of the fields in files, by those of the node group's inputs.
+# The names of the fields in files, by the inputs of the node group.
 FILES = {name: name.lower() for name in baked_nodes.FIELDS}
 FILES |= {node_group.far_image(name): exr_files.far(file) for name, file in FILES.items()}
 
@@ -48,8 +48,8 @@ def sequence(ob, place: bake_record.Place, field: str):
 
 
 def _clear_inputs(modifier) -> set:
-    """Returns the images that it showed: nothing stays that another group would take for something
-    else."""
+    """Returns the images that the modifier showed, and empties its inputs: another group would take
+    the values that stay for its own."""
     group = modifier.node_group
     names = node_group.image_inputs(group)
     images = {modifier_groups.value(modifier, name) for name in names} - {None}
@@ -60,8 +60,8 @@ def _clear_inputs(modifier) -> set:
 
 
 def remove_unused(images: set) -> None:
-    """Removes images without users. Image sequences that are in use, or by Blender's count
-    overridden, read their files again: these may be other ones by now."""
+    """Removes images without users. Image sequences that are in use, or have an override by
+    Blender's count, read their files again: the files may have been replaced."""
     for image in images:
         if image.library is not None:
             continue
@@ -93,8 +93,8 @@ def _serves(ob, modifier) -> bool:
 
 
 def _change(ob, modifier) -> None:
-    """From live to baked or back, from the library's bake to that of the shot, or to a mesh of
-    another kind."""
+    """Changes a modifier from live to baked or back, from the library's bake to the bake of the
+    shot, or to a mesh of another kind."""
     to_baked = ob.libocean.use_bake
     if overrides.is_librarys(ob, modifier):
         overrides.add_own(ob, modifier, node_group.get(ob.libocean.kind, baked=to_baked))
@@ -155,7 +155,7 @@ def _set_inputs(ob, modifier) -> None:
 
 
 def upgrade(ob) -> None:
-    """Node groups that an earlier version of the add-on built become today's."""
+    """Replaces node groups that an earlier version of the add-on built by today's."""
     if ob.library is not None:
         return
     for modifier in node_group.modifiers(ob):

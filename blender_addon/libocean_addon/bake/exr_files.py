@@ -39,10 +39,10 @@ _MAPS = ("displacement", "cover", "velocity", "normal", "jacobian")
 _OF_COASTS = ("depth", "breaking", "foam", "wetness")
 _NUMBERS = ("cover", "jacobian", *_OF_COASTS)  # all else has three components
 _ALIKE = {"depth": "height", "breaking": "foam", "wetness": "foam"}
-"""Fields of every sea with the units of those that a coast alone has."""
+"""By a field that only coasts have, a field of every sea with the same unit."""
 _FAR = "_far"  # after a field's name: the coarser maps of a horizon (atlas.py)
 DETAIL = tuple(f"detail{number + 1}" for number in range(detail_tiles.MOST_BANDS))
-"""Slope tiles, those of the longest waves first: slopes along x and y, and an empty channel."""
+"""Slope tiles, the longest waves first: slopes along x and y, and an empty channel."""
 FIELDS = (*_MAPS, *_OF_COASTS, *(f"{field}{_FAR}" for field in _MAPS), *DETAIL)
 AXES = "tnb"  # (x, z, y), the default of `ocean bake`
 PYTHON = f"{sys.version_info[0]}.{sys.version_info[1]}"
@@ -147,7 +147,7 @@ _LINES = (1, 1, 1, 16, 32, 16, 32, 32, 32, 256)
 
 
 class _Reader:
-    """Reads the beginning of a file, as far as it is needed."""
+    """Reads as much of the beginning of a file as is needed."""
 
     def __init__(self, file) -> None:
         self.file = file
@@ -278,7 +278,7 @@ def read_header(file_path: str | Path) -> Header:
 
 
 def is_there(file_path: Path, provenance: Provenance, field: str) -> bool:
-    """Returns whether a file is whole and equal to the one that would be written, whatever its
+    """Returns whether a file is complete and has the content that would be written, in any
     compression."""
     try:
         with open(file_path, "rb") as file:
@@ -302,7 +302,7 @@ def is_there(file_path: Path, provenance: Provenance, field: str) -> bool:
 
 
 class NotWholeError(Exception):
-    """A file, the one argument, could not be written to its end."""
+    """The file in the argument could not be written to its end."""
 
 
 # As `ocean bake` compresses: ZIP saves a thirtieth of float vectors, for five times the time of a

@@ -139,13 +139,13 @@ class Found:
     """Returns sentences about faults of the frames to be rendered, with the numbers of files."""
 
     errors: list[str]
-    """Seas that would not be those that were baked."""
+    """Sentences about files for which the render would show another sea than the baked one."""
     warnings: list[str]
     """Returns sentences about files that are shown but may not be the intended ones."""
 
 
 def find(scene, frames) -> Found:
-    """Returns what is wrong with these frames of the scene."""
+    """Returns the faults of these frames of the scene."""
     frames, found = list(frames), Found([], [])
     seas = [*live.ocean_objects(), *coast_group.FAMILY.objects()]
     playing = [ob for ob in seas if _is_playing(ob)]

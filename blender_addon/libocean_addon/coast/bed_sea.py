@@ -25,7 +25,7 @@ def extent_of(origin: str, state: dict) -> Extent:
 
 
 class BedSea:
-    """A handle, and what is known of the sea that it has."""
+    """A handle, with state and extent of its sea."""
 
     def __init__(self) -> None:
         self.sea = None
@@ -36,8 +36,8 @@ class BedSea:
         """The samples of the bed."""
 
     def adopt(self, values: SeaValues, base_dir: str | None) -> None:
-        """Makes it the sea of these values. base_dir: the folder of relative paths. Raises
-        libocean.Error, after which the handle is opened anew."""
+        """Gives the handle these values. base_dir: the folder of relative paths. Raises
+        libocean.Error; the next call opens the handle anew then."""
         if values == self.values:
             return
         before, self.values = self.values, None

@@ -78,7 +78,7 @@ def _change(modifier, group) -> None:
 
 
 def _play(ob, modifier, files: list[str]) -> None:
-    """Has a modifier play these files of the bake of the record, those that it has."""
+    """Has a modifier play the files of these fields, as far as the bake of the record has them."""
     record, place = ob.libocean.bake, bake_record.place_of(ob)
     known = record.fields.split(",")
     images = {

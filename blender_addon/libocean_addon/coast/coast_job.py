@@ -31,7 +31,7 @@ Maps = dict[str, np.ndarray]
 """Pixels (rows, columns, 4) by the input of the node group."""
 
 _THOUSANDTHS = 1000
-"""The total of the progress of waves over a bed; that of foam is a number of ticks."""
+"""The total in the progress of waves over a bed. The progress of foam has the number of ticks."""
 _QUICK = ("whitecap", "whitecap")
 """The channels of foam in a draft: whitecaps have no past."""
 
@@ -51,7 +51,7 @@ class Region:
     """Distance of the samples [m]; 0: automatic."""
 
     def extent(self, own: Extent) -> Extent:
-        """Returns the samples. own: those of the bed. Raises ExtentError."""
+        """Returns the samples. own: the samples of the bed. Raises ExtentError."""
         corners = self.corners
         if corners is None:
             (west, south), (width, depth) = own.origin, own.size
@@ -137,8 +137,8 @@ class CoastJob(drafts.Job):
         view: View,
         is_owned: Callable[[], bool],
     ) -> None:
-        """lent: the handle, which takes the values. is_owned(): whether it is still that of its
-        coast."""
+        """lent: the handle, which takes the values. is_owned(): whether the coast still has this
+        handle."""
         super().__init__(key)
         self.lent, self.values, self.base_dir, self.view = lent, values, base_dir, view
         self.is_quick = False
@@ -148,7 +148,7 @@ class CoastJob(drafts.Job):
         self.bed: Bed | None = None
         self.extent: Extent | None = None
         self.is_plain = False
-        """True if the maps take no more than those of any frame of a shot."""
+        """True if the maps take no longer than the maps of any frame of a shot."""
         self.maps: Maps | None = None
         self._is_owned = is_owned
 

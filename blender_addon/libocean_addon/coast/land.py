@@ -16,7 +16,7 @@ from .coast_job import Bed
 
 _RUN_UP = 0.3
 """Height over still water up to which waves wet the land, as a share of the significant wave
-height: that of a beach of moderate slope."""
+height. The value holds for a beach of moderate slope."""
 _DRY_SAND = 1.0  # [m] of sand above that
 
 

@@ -57,7 +57,7 @@ def show(ob, depsgraph, moment: Moment) -> None:
 
 
 def view_of(coast: OpenCoast, ob, seen, moment: Moment) -> View:
-    """Returns what is to be seen of the coast of an object. seen: the object, evaluated or not."""
+    """Returns the view of the coast of an object. seen: the object, evaluated or not."""
     at = sea_live.own_time(seen.libocean)
     if at is None:
         at = coast.time_of(moment.scene.frame_current_final)
@@ -109,7 +109,7 @@ def _show_in(ob, coast: OpenCoast, modifier, view: View, moment: Moment) -> str:
 
 
 def _wet_land(ob, coast: OpenCoast, is_wet: bool) -> None:
-    """Sets the inputs of the land's modifier beside the image, or removes it."""
+    """Sets all inputs of the land's modifier but the image, or removes the modifier."""
     ground = ob.libocean_coast.land
     if not meshes.is_ours(ground):
         return
@@ -134,7 +134,7 @@ def parameters_changed(ob) -> None:
     """Shows an object after one of its properties was set in the user interface or by a script."""
     if not node_group.modifiers(ob):
         return
-    ob.update_tag()  # else what is evaluated goes on having the values of before
+    ob.update_tag()  # without it the evaluated object keeps the old values
     if coast_bake.follow(ob):
         drafts.forget(ob.name_full, (), more_follows=False)
     _show_with_floats(ob)

@@ -102,8 +102,8 @@ def grid_words(extent: Extent) -> str:
 
 
 def water_inputs(ob, extent: Extent, fields) -> dict:
-    """Returns the inputs of the water beside its images. extent: the samples of these; fields: the
-    inputs that are in use."""
+    """Returns all inputs of the water but its images. extent: the samples of the images; fields:
+    the inputs that are in use."""
     settings = ob.libocean_coast
     return {
         **map_inputs(extent),
@@ -129,7 +129,7 @@ def place_in_map(b: Builder, inputs):
 
 
 def image_of(file: str) -> str:
-    """Returns the input of a group that plays a bake for the files of a field."""
+    """Returns the name of the input for the files of a field, in a group that plays a bake."""
     return file.capitalize()
 
 
@@ -230,7 +230,7 @@ def _stored(b: Builder, inputs, fields, place, interpolation: str):
 
 
 def _without_dry(b: Builder, geometry, inputs, depth):
-    """Returns the geometry without the faces of which each corner lies dry."""
+    """Returns the geometry without the faces whose corners are all dry."""
     is_wet = b.number("GREATER_THAN", depth, b.number("MULTIPLY", inputs["Clip Depth"], -1.0))
     geometry, wet = compat.capture(b.group, geometry, b.color(is_wet, is_wet, is_wet, 1.0))
     node = b.node("GeometryNodeDeleteGeometry", domain="FACE")

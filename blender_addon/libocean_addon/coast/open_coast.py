@@ -35,7 +35,7 @@ def _pasts(view: View) -> tuple[str, ...]:
 
 
 class OpenCoast:
-    """The library's sea over the bed of one object, its maps, and what was shown last."""
+    """The library's sea over the bed of one object, its maps, and the content of its images."""
 
     def __init__(self) -> None:
         self.lock = threading.RLock()  # renders run in a thread of their own
@@ -48,7 +48,7 @@ class OpenCoast:
         self._held = BedSea()
         self._clock = Clock()
         self._base_dir: str | None = None
-        self._job: CoastJob | None = None  # that the handle is lent to
+        self._job: CoastJob | None = None  # the job that has the handle
         self._draft: CoastJob | None = None  # the quick one that has ended last
         self._prepared = -1  # the changes for which the library knows where waves go
         self._advanced: tuple | None = None  # changes, extent, fields and time of the last past
@@ -56,14 +56,14 @@ class OpenCoast:
         self._bed_of: tuple | None = None  # its values and extent
         self._maps: Maps = {}
         self._filled: tuple | None = None  # the key of the maps
-        self._shown: dict[str, tuple] = {}  # by image: key and extent of what it holds
+        self._shown: dict[str, tuple] = {}  # by image: key and extent of its content
         self._seconds = math.inf  # a sample of the last whole maps
 
     # The sea --------------------------------------------------------------------
 
     @property
     def sea(self):
-        """The handle, for those who hold the lock and have opened it."""
+        """The handle. A caller holds the lock and has opened it."""
         return self._held.sea
 
     @property
@@ -154,7 +154,7 @@ class OpenCoast:
         return extent
 
     def _is_plain(self, view: View, extent: Extent) -> bool:
-        """Returns whether maps of a view take no more than those of any frame of a shot."""
+        """Returns whether maps of a view take no longer than the maps of any frame of a shot."""
         is_known = self._prepared == self.changes
         return is_known and (not _pasts(view) or self._has_past(view, extent))
 
@@ -167,8 +167,8 @@ class OpenCoast:
             self._advanced = (self.changes, extent, _pasts(view), view.time)
 
     def require_bed(self, extent: Extent) -> Bed:
-        """Returns the bed on these samples, made if it is unknown, for those who hold the lock and
-        have opened the handle. Raises libocean.Error."""
+        """Returns the bed on these samples, made if it is unknown. A caller holds the lock and has
+        opened the handle. Raises libocean.Error."""
         if self.bed(extent) is None:
             self._keep_bed(extent, make_bed(self.sea, extent))
         return self._bed
@@ -178,8 +178,8 @@ class OpenCoast:
 
     def show_draft(self, view: View, image_named: dict) -> Extent | None:
         """Fills the images with coarser maps of a view, if the handle is free and the library knows
-        where the waves go; else they keep what they hold. Returns the samples of that; None for
-        water at rest."""
+        where the waves go; otherwise the images keep their content. Returns the samples of that
+        content; None for water at rest."""
         if self._draft is not None and self._draft.key == self.key(view):
             return self._put_draft(image_named)
         if not self.is_cheap():
@@ -284,13 +284,13 @@ class OpenCoast:
         return True
 
     def forget_images(self) -> None:
-        """Forgets, after undo and loading, what images hold."""
+        """Forgets the content of images, after undo and loading."""
         self._shown.clear()
 
     def close(self) -> None:
         held, self._held = self._held, BedSea()
         if not self.is_busy():
-            held.close()  # else its job closes it
+            held.close()  # otherwise its job closes it
         self._clock.close()
 
 

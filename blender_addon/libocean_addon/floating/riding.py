@@ -23,7 +23,7 @@ from ..shared.native import libocean
 
 CONSTRAINT = "Waves (libocean)"
 
-# Single precision holds 24 bits: what Blender's products of matrices lose stays below this share.
+# Single precision holds 24 bits: Blender's products of matrices lose less than this share.
 _NOISE = 2.0**-20
 
 
@@ -33,7 +33,7 @@ def is_water(ob) -> bool:
 
 
 def constraint_of(ob):
-    """The one through which the waves move it; None where there is none."""
+    """Returns the constraint by which the waves move an object; None without one."""
     motion = ob.libocean_float.motion
     if motion is None:
         return None
@@ -54,8 +54,8 @@ def _forget_delta(ob) -> None:
 
 
 def attach(ob) -> bool:
-    """Puts the waves behind everything else that moves it. False for linked objects that were not
-    attached in their own file."""
+    """Puts the waves behind everything else that moves the object. Returns False for linked objects
+    that were not attached in their own file."""
     settings = ob.libocean_float
     constraint = constraint_of(ob)
     if constraint is None:
@@ -77,7 +77,7 @@ def attach(ob) -> bool:
 
 
 def detach(ob) -> None:
-    """The waves let go of an object, which stays where it is unless something else moves it."""
+    """Releases an object from the waves: it stays where it is unless something else moves it."""
     constraint = constraint_of(ob)
     ob.libocean_float.motion = None
     if constraint is None or ob.library is not None:
@@ -141,8 +141,8 @@ def _motion(place: Matrix, height: float, turn: Matrix) -> Matrix:
 
 
 def _is_same(one: Matrix, other: Matrix) -> bool:
-    """To the precision of Blender's matrices: what was written comes back a little different, and
-    to write it again would go on forever."""
+    """Compares to the precision of Blender's matrices: a value comes back slightly different from
+    Blender, and to write it again would go on forever."""
     reach = max(1.0, *(abs(x) for x in other.translation))
     return all(
         abs(a - b) <= _NOISE * (reach if column == 3 else 1.0)
@@ -174,7 +174,7 @@ def ride(ob, depsgraph, moment) -> None:
         if is_water(ocean):
             pose = _pose(seen.libocean_float, sea, heading, place.translation, moment)
             if pose is None and coast_group.modifiers(ocean):
-                return  # until the coast is made it stays as it is
+                return  # until the coast is made, the object stays as it is
     except coast_floats.NoWaterError as failure:
         problem = str(failure)
     except libocean.Error:  # the coast says which

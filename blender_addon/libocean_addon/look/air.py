@@ -25,7 +25,7 @@ _COPIED = {"ENUM", "BOOLEAN", "INT", "FLOAT", "POINTER"}
 _COMMON = set(bpy.types.ShaderNode.bl_rna.properties.keys()) - {"mute"}
 _PLACES = {"TEX_COORD", "NEW_GEOMETRY"}
 _DRAWN = {"VALTORGB", "CURVE_RGB", "CURVE_VEC", "CURVE_FLOAT"}
-"""Nodes with a curve in them, which is not copied: what goes into them goes on."""
+"""Nodes with a curve, which is not copied: the copy passes their input on."""
 _SKY = (
     "sun_elevation",
     "sun_rotation",
@@ -55,7 +55,8 @@ class _Copy:
         return self.t.math("NORMALIZE", self.t.math("ADD", level, (0.0, 0.0, _HEIGHT)))
 
     def _drive(self, owner, name: str, node, path: str) -> None:
-        """A property of a copy, a number or several, follows that of the node."""
+        """Has a property of a copied node, a number or several, follow the same property of the
+        original."""
         now = getattr(owner, name)
         indices = range(len(now)) if hasattr(now, "__len__") else (-1,)
         for index in indices:
@@ -64,7 +65,8 @@ class _Copy:
             sunlight.drive(owner, name, index, "v", sources)
 
     def feed(self, node, number: int, socket) -> None:
-        """A socket gets what comes into a node at its input of that number."""
+        """Connects a socket to a copy of the link, or of the value, at the input of that number of
+        a node."""
         source = node.inputs[number]
         if source.is_linked:
             value = self.output(source.links[0].from_socket)
@@ -113,7 +115,7 @@ class _Copy:
 
 
 def _clear(tree, water) -> bool:
-    """Takes away what was made before. Whether the socket is free then."""
+    """Removes the nodes that were made before. Returns whether the socket is free then."""
     links = water.inputs[SOCKET].links
     if links and MARK not in links[0].from_node:
         return False
@@ -126,7 +128,7 @@ def _clear(tree, water) -> bool:
 
 
 def follow(tree, water, world) -> None:
-    """The air of this world, where the water has a visibility. What somebody put at the socket
+    """Gives a water with a visibility the air of this world. A user's own link at the socket
     stays."""
     if not _clear(tree, water) or world is None or water.inputs["Visibility"].default_value <= 0.0:
         return

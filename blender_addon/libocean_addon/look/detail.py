@@ -83,7 +83,7 @@ def fade(b, footprint, shortest_wave: float, longest_wave: float):
 def _play(user, frames: tuple[int, int]) -> None:
     """The file of the scene's frame; beyond the first and the last frame that has one, theirs."""
     first, last = frames
-    # Blender counts them from 1, but lets what comes before be number 0: that is the first.
+    # Blender counts from 1, but gives earlier frames the number 0, which the first file has.
     user.frame_start, user.frame_duration, user.frame_offset = first + 1, last - first, first
     user.use_auto_refresh = True
 
@@ -147,8 +147,8 @@ def _remove_unused_sequences(found) -> None:
 def _build(
     group, made_of: str, bands: list[Band], shown, frames: tuple[int, int] | None = None
 ) -> None:
-    """Anew. shown: the images of the bands; frames: those that have files, where images are
-    sequences."""
+    """Makes the group anew. shown: the images of the bands; frames: the frames that have files,
+    where images are sequences."""
     before = _read_by(group)
     group.nodes.clear()
     t = Tree(group)
@@ -289,7 +289,7 @@ def follow(ocean, settings, at: float, size: int) -> None:
             images.let_go(image)
             sea.detail_pixels[..., :2] = band.slope
             images.fill(image, sea.detail_pixels)
-            image.update()  # else Eevee without a window goes on with what it has
+            image.update()  # without it Eevee without a window keeps the old image
     for image in {*owned, *shown}:
         sea.shown[image.name_full] = state
     # The group is built once for these waves: mean_square, which is the frame's, is left out.

@@ -110,7 +110,8 @@ def make_camera(height: float, heading: float):
 
 
 def _look_through_camera(space) -> None:
-    """The 3D view it was called from shows what a render will."""
+    """Has the 3D view, from which the operator was called, show the picture that a render will
+    give."""
     space.clip_end = max(space.clip_end, 1e5)
     space.shading.use_scene_world = True  # of the material preview
     space.shading.use_scene_lights = True

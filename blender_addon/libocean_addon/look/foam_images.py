@@ -19,7 +19,7 @@ from ..shared.native import libocean
 
 SIDES = {"lace": 1024, "bubbles": 512, "streaks": 512}
 """Texels a side: 3 MB in all."""
-MARK = "libocean_foam"  # custom property of an image: what it was made of
+MARK = "libocean_foam"  # custom property of an image: the values it was made of
 _VERSION = 1
 
 

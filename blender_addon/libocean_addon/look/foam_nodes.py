@@ -51,8 +51,8 @@ def unite_uniform(b: Builder, a, other, begins):
 
 
 def foam_mask(b: Builder, cover, value, edge):
-    """How white a point is. The middle of the ramp is c and, within half an edge of 0 and 1, what
-    moves it: sqrt(2 e m) - e / 2 - m for m = min(c, e / 2), nothing at m = e / 2."""
+    """Returns how white a point is. The middle of the ramp is c and, within half an edge of 0 and
+    1, its shift: sqrt(2 e m) - e / 2 - m for m = min(c, e / 2), nothing at m = e / 2."""
     cover = b.number("ADD", cover, 0.0, clamp=True)
     half, twice = b.number("MULTIPLY", edge, 0.5), b.number("MULTIPLY", edge, 2.0)
 
@@ -104,8 +104,9 @@ def blend(b: Builder, off, on, share):
 
 
 def _read(b: Builder, kind: str, along, across):
-    """The texture where its tile is so often along and across: bilinear, of four texels. Eevee's
-    own would take means of many texels far away, of which a threshold makes no foam at all."""
+    """Returns the texture whose tile is repeated so often along and across: bilinear, of four
+    texels. Far away Eevee's own filter would average many texels, and a threshold of the mean would
+    show no foam."""
     return b.nested(f"foam {kind}", lambda b, *where: [_bilinear(b, kind, *where)], along, across)[
         0
     ]

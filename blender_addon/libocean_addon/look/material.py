@@ -112,7 +112,7 @@ def put(made, values: dict) -> None:
 
 
 def fit(made, ob, scene) -> None:
-    """Makes a material that of an ocean, of the scene's camera, and of its sun and air."""
+    """Adapts a material to an ocean, the scene's camera, its sun and its air."""
     state = facts.sea_state(ob)
     values = look_of(state) if state else {}
     angle = pixel_angle(scene)
@@ -197,7 +197,7 @@ def give_body(ob, *, wanted: bool) -> None:
 
 
 def put_in_first_slot(ob, material) -> None:
-    """Puts a material into the first slot, in the place of what is there."""
+    """Puts a material into the first slot, in place of the present one."""
     if ob.material_slots:
         ob.material_slots[0].material = material
     else:
@@ -205,7 +205,7 @@ def put_in_first_slot(ob, material) -> None:
 
 
 def assign(ob, material) -> None:
-    """Puts it into the first slot, in the place of what is there."""
+    """Puts the material into the first slot, in place of the present one."""
     put_in_first_slot(ob, material)
     # The points must carry the attributes that it reads.
     for name in ("use_foam", "use_velocity", "use_normal"):

@@ -67,7 +67,7 @@ def _is_default_cube(ob) -> bool:
 
 
 def _has_default_nodes(lamp) -> bool:
-    """Returns whether a lamp has no nodes, or those that Blender 5.2 gives each lamp."""
+    """Returns whether a lamp has no nodes, or only the nodes that Blender 5.2 gives each lamp."""
     if lamp.node_tree is None:
         return True
     nodes = {node.type: node for node in lamp.node_tree.nodes}
@@ -96,8 +96,8 @@ _DEFAULTS = {"Cube": _is_default_cube, "Light": _is_default_lamp}
 
 
 def untouched(scene) -> list:
-    """Returns the cube and the lamp of the start-up file, each if it is as that file has it; none
-    if the scene has objects beside those of that file."""
+    """Returns the cube and the lamp of the start-up file, each if it is unchanged; neither if the
+    scene has other objects than the start-up file."""
     if any(ob.name not in _PLACES for ob in scene.objects):
         return []
     found = [scene.objects[name] for name in _DEFAULTS if name in scene.objects]

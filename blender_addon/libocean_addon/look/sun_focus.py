@@ -91,7 +91,7 @@ def focus(displacement, normal, period: float, depth: float, sun, samples: int) 
 
 
 def _reader(water):
-    """The node that reads the image for a water; None where it has no god rays."""
+    """Returns the node that reads the image for a water; None for a water without god rays."""
     links = water.inputs[SOCKET].links if SOCKET in water.inputs else ()
     node = links[0].from_node if links else None
     return node if node is not None and _DEPTH in node else None
@@ -123,8 +123,8 @@ def _image(owner: str, name: str, before):
 
 
 def _sun(water) -> tuple[float, float, float]:
-    """Returns the direction to the sun, that of noon without a sun or with one below the
-    horizon."""
+    """Returns the direction to the sun; without a sun, or with one below the horizon, the direction
+    at noon."""
     sun = tuple(water.inputs["Sun Direction"].default_value)
     length = math.hypot(*sun)
     if length < 1e-6 or sun[2] < math.sin(math.radians(5.0)) * length:
@@ -160,7 +160,7 @@ def follow(ocean, at: float) -> None:
 
 
 def _fill(image, sea, at: float, depth: float, sun) -> None:
-    """And packs it, for renders without the add-on."""
+    """Fills the image with the light on the plane, and packs it, for renders without the add-on."""
     side = SAMPLES * _RAYS
     displacement, normal = (np.empty((side, side, 4), np.float32) for _ in range(2))
     with sea.lock:

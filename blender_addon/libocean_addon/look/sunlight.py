@@ -104,7 +104,7 @@ def _follow_lamp(water, ob) -> None:
 
 
 def background(world):
-    """Returns the node that the world shows: the one at its output, or the first."""
+    """Returns the node that the world shows: the node at its output, or the first one."""
     if world is None or not compat.has_nodes(world):
         return None
     nodes = world.node_tree.nodes
@@ -141,7 +141,7 @@ def strength(world, shown) -> Source:
 
 
 def dust(sky) -> str:
-    """The name of that property."""
+    """Returns the name of the property with the density of dust."""
     return "dust_density" if hasattr(sky, "dust_density") else "aerosol_density"  # from 5.0 on
 
 
@@ -184,7 +184,7 @@ def _follow_sky(water, world, sky, shown) -> None:
 
 
 def follow(water, scene) -> None:
-    """The water has the sun of the scene as it is and as it will be; none where there is none."""
+    """Gives the water the sun of the scene and its changes; a scene without a sun gives none."""
     for name in (DIRECTION, LIGHT):
         water.inputs[name].driver_remove("default_value")
     water.inputs[DIRECTION].default_value = (0.0, 0.0, 0.0)

@@ -31,11 +31,11 @@ _ROUGHNESS = 0.03
 PIXEL_ANGLE = 36.0 / 50.0 / 1920.0
 _THIN_FOAM = (0.22, 0.29, 0.31)
 _THICK_FOAM = (0.80, 0.80, 0.80)
-_PLUME = (0.012, 0.060, 0.066)  # what bubbles below the surface send back
+_PLUME = (0.012, 0.060, 0.066)  # light that bubbles below the surface send back
 
 
 def _declare(group) -> None:
-    """The sockets: what an artist may tune."""
+    """The sockets, which an artist may tune."""
 
     def number(name: str, default: float, low: float, high: float, description: str) -> None:
         compat.add_socket(
@@ -195,8 +195,8 @@ def _reflectance(t: Tree, ior, normal, slopes):
 
 
 def place(t: Tree):
-    """Returns the place of foam and detail: the label, if the mesh carries one of the world, so
-    that waves carry the foam along; else the position."""
+    """Returns the place of foam and detail: the label, if the mesh carries one from the world, so
+    that waves carry the foam along; otherwise the position."""
     stored = t.node("ShaderNodeAttribute", attribute_name="label").outputs["Vector"]
     # An attribute that is absent reads 0.
     there = t.number("GREATER_THAN", t.parts(stored)[2], 0.5)
@@ -238,8 +238,8 @@ def _foam(t: Tree, inputs) -> foam_nodes.Foam:
 
 
 def _froth(t: Tree, inputs, foam: foam_nodes.Foam, normal):
-    """Bubbles take no light: what thick foam does not send back goes through, to all sides, where
-    there is something below it."""
+    """Bubbles absorb no light: light that thick foam does not send back goes through, to all sides,
+    where a medium lies below."""
     bump = t.node("ShaderNodeBump")
     t.feed(foam.height, bump.inputs["Height"])
     bump.inputs["Distance"].default_value = 1.0

@@ -15,7 +15,7 @@ import numpy as np
 FINEST = {
     "Displacement": ("dx", "dy", "height", "cover"),
     "Velocity": ("vx", "vy", "vz", "jacobian"),
-    # The fourth is not used: a component that is left alone would cost more.
+    # The fourth component is not used; skipping it would cost more.
     "Normal": ("nx", "ny", "nz", "height"),
 }
 """The channels of the finest map in each image."""
@@ -47,7 +47,7 @@ def put(atlas: np.ndarray, size: int, level: int, field: np.ndarray) -> None:
 
 
 def lost_slopes(state: dict, samples: int) -> float:
-    """Variance of the slopes of those waves that a map of so many samples a side leaves out. state:
+    """Returns the variance of the slopes that a map with so many samples a side leaves out. state:
     of the sea."""
     shown = {m["resolution"]: m["mean_square_slope"] for m in state["map_slopes"]}
     if samples not in shown:
@@ -78,8 +78,8 @@ def fill(sea, time: float, size: int, finest: dict, atlases: dict, state: dict) 
 
 
 def halved(field: np.ndarray) -> np.ndarray:
-    """A periodic map on every other sample: means of each and, at half its weight, the two beside
-    it, so that nothing moves. What cover becomes from far away."""
+    """Returns a periodic map on every other sample: means of each sample and, at half its weight,
+    the two beside it, so that nothing moves. Seen from far away, cover becomes this mean."""
     for axis in (0, 1):
         even, odd = (np.swapaxes(field, 0, axis)[first::2] for first in (0, 1))
         beside = np.float32(0.25) * (odd + np.roll(odd, 1, axis=0))

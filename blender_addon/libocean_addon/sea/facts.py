@@ -25,7 +25,7 @@ def map_sizes(ob) -> tuple[int, int] | None:
 
 
 def image_bytes(ob) -> int:
-    """Returns the bytes of the images that hold the maps, in the viewport and, if those differ, in
+    """Returns the bytes of the images with the maps: in the viewport and, if the sizes differ, in
     renders."""
     settings, sizes = ob.libocean, set(map_sizes(ob))
     fields = 1 + settings.use_velocity + settings.use_normal

@@ -98,7 +98,7 @@ class Horizon:
 
     @staticmethod
     def of(words: str) -> Horizon | None:
-        """Returns the horizon of these words; None for those of something else."""
+        """Returns the horizon that these words describe; None for words of another mesh."""
         kind, *numbers = words.split() or [""]
         if kind != _KIND:
             return None

@@ -68,7 +68,7 @@ class Moment:
 
 
 def own_time(settings) -> float | None:
-    """Returns the time that the settings say instead of the frame's [s]; None: the frame's."""
+    """Returns the custom time of the settings [s]; None if the frame's time counts."""
     return settings.custom_time if settings.use_custom_time else None
 
 
@@ -122,8 +122,8 @@ _SMALLEST = 32  # samples a side of a map
 
 
 def prepare(ob, modifier) -> None:
-    """Gives a sea that is not shown yet its images: without any, a second copy of it in a scene
-    would go on showing the frame at which it came."""
+    """Gives a new sea its images before it is shown. A copy in a scene that is made without images
+    would keep the frame at which it was made."""
     _targets(ob, modifier, _SMALLEST, render=False, shared=True)
 
 
@@ -293,7 +293,7 @@ def parameters_changed(ob) -> bool:
     ocean = look_up(ob)
     if not ocean.modifiers:
         return False
-    ob.update_tag()  # else what is evaluated goes on having the values of before
+    ob.update_tag()  # without it the evaluated object keeps the old values
     if baked.follow(ob, ocean.modifiers):
         ocean.sea.shown.clear()
         ocean = look_up(ob)

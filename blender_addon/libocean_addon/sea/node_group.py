@@ -31,9 +31,9 @@ _KIND = "libocean_kind"
 _BAKED = modifier_groups.BAKED
 
 FIELDS = ("Displacement", "Velocity", "Normal")
-"""The maps; each image has a twin for renders. The alpha of the first is the cover of foam, whose
-mean is what is seen from far away; that of the second the Jacobian of the displacement; that of a
-horizon's third one the variance of the slopes that are left out."""
+"""The maps; each image has a twin for renders. The alpha of the first map is the cover of foam,
+whose mean is seen from far away; the alpha of the second map is the Jacobian of the displacement;
+the alpha of a horizon's third map is the variance of the slopes that are left out."""
 
 
 WORLD_ORIGIN = "World Origin"
@@ -74,7 +74,7 @@ def _declare(group, kind: str) -> None:
 
 
 class _LiveFields:
-    """The fields as images that the add-on fills, those for renders apart."""
+    """Reads the fields from images that the add-on fills, with separate images for renders."""
 
     def __init__(self, builder: Builder, inputs) -> None:
         self.b, self.inputs = builder, inputs

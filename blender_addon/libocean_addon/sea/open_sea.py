@@ -35,7 +35,7 @@ def _channels(field: str, cover: str) -> tuple[str, ...]:
 
 
 class OpenSea:
-    """The library's sea of one object, its buffers, and what was shown last."""
+    """The library's sea of one object, its buffers, and the content of its images."""
 
     def __init__(self) -> None:
         self.lock = threading.Lock()  # renders run in a thread of their own
@@ -48,18 +48,17 @@ class OpenSea:
         self.point_sea = None
         self.point_changes = 0
         self.buffers: dict[tuple[str, int], np.ndarray] = {}
-        self.detail_pixels: np.ndarray | None = None  # what goes into the image of a band
-        self.shown: dict[str, tuple] = {}  # by image: what it holds
+        self.detail_pixels: np.ndarray | None = None  # the pixels for the image of a band
+        self.shown: dict[str, tuple] = {}  # by image: its content
         self.ready: tuple | None = (
             None  # changes, size, channel of cover, time: of the last whole map
         )
-        self.took: tuple | None = None  # what cost how many seconds a sample when it was not ready
+        self.took: tuple | None = None  # settings, seconds a sample from the start
         self.spray_ready: tuple | None = None  # changes, settings, time: of the last spray
         self.pace = drafts.Pace()
 
     def follow(self, values: sea_text.SeaValues) -> None:
-        """Makes it the sea of these values; raises libocean.Error and leaves it unchanged
-        otherwise."""
+        """Gives the sea these values. Raises libocean.Error, and leaves the sea unchanged then."""
         if values == self.values:
             return
         messages.require_files(values)
@@ -144,7 +143,7 @@ class OpenSea:
 
     def show(self, at: float, size: int, targets: dict[str, bpy.types.Image], channel: str) -> None:
         """Fills these images, by the inputs of the node group, with the maps of a time [s].
-        channel: the one in the place of cover."""
+        channel: the channel in place of cover."""
         with self.lock:
             begun = time.perf_counter()
             known = self.ready is not None and self.ready[:2] == (self.changes, size)
@@ -169,8 +168,8 @@ class OpenSea:
         return SeaJob(self.sea.clone(), self.changes, at, size, channel, spray)
 
     def adopt(self, job: SeaJob) -> bool:
-        """Replaces the handle by that of a job that has ended. Returns False if the job is of no
-        use."""
+        """Replaces the handle by the handle of a job that has ended. Returns False if the job is of
+        no use."""
         if job.failure is not None or job.changes != self.changes:
             job.sea.close()
             return False
@@ -227,7 +226,7 @@ class OpenSea:
         return True
 
     def forget_images(self) -> None:
-        """Forgets, after undo and loading, what images hold."""
+        """Forgets the content of images, after undo and loading."""
         self.shown.clear()
 
     def close(self) -> None:

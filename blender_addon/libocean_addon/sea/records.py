@@ -110,7 +110,8 @@ class PickRecord(operators.OnOcean, bpy.types.Operator, ImportHelper):
         return {"FINISHED"}
 
     def _measure(self, context, path: str) -> None:
-        """The library is asked before anything is changed; what it read is inlined."""
+        """Makes the active wave system the record. The library reads the file before any setting
+        changes; the settings get the record itself."""
         ob = context.object
         settings = ob.libocean
         number = min(settings.active_wave, len(settings.waves) - 1)

@@ -47,7 +47,7 @@ class Rings:
         named = b.node("GeometryNodeInputNamedAttribute", data_type="FLOAT_VECTOR")
         named.inputs["Name"].default_value = RING
         self.level, self.share, self.cells = b.parts(compat.active(named.outputs, "Attribute"))
-        # Values of inputs alone are computed once, not for each vertex.
+        # Values that depend on inputs alone are computed once, not for each vertex.
         self.texels = b.number("DIVIDE", 0.5, fields.half_texel())
         self.origin = fields.origin()
         self.coarser = b.number("DIVIDE", self.texels, inputs["Samples"])  # map than mesh

@@ -28,7 +28,8 @@ _STORED = "stored "  # before the words that the whole mesh is made of
 _SMALL_THERE = "libocean_small_there"  # custom property of a linked mesh that is whole in memory
 
 _aside: dict[str, str] = {}
-"""The names of whole meshes while a file is saved, by those of the small ones in their places."""
+"""The names of whole meshes while a file is saved, by the names of the small meshes in their
+place."""
 
 
 def is_small(mesh) -> bool:
@@ -43,12 +44,12 @@ def _read(elements, name: str, kind, width: int = 1) -> np.ndarray:
 
 
 def _layers(mesh) -> set[str]:
-    """Returns the names of a mesh's layers; those of Blender's own begin with a point."""
+    """Returns the names of a mesh's layers; names of Blender's own layers begin with a point."""
     return {layer.name for layer in [*mesh.attributes, *mesh.uv_layers] if layer.name[0] != "."}
 
 
 def _is_as_made(mesh, shape: Horizon, layers: set[str]) -> bool:
-    """Returns whether a mesh is what shape.fill() makes, which has these layers."""
+    """Returns whether a mesh equals a result of shape.fill() with these layers."""
     vertices, rings, *faces = shape.parts()
     corners = np.concatenate([of_one_kind.ravel() for of_one_kind in faces])
     counts = len(vertices), sum(map(len, faces)), len(corners)
@@ -107,7 +108,8 @@ def _put_aside(mesh, objects) -> None:
 
 
 def make_whole(oceans) -> None:
-    """Makes the small meshes of these objects whole again, those of other files in memory alone."""
+    """Makes the small meshes of these objects whole again. Meshes of other files change in memory
+    alone."""
     for ob in oceans:
         small = ob.data
         if not is_small(small):

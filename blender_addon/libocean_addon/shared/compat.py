@@ -60,7 +60,8 @@ def input_identifiers(group) -> dict[str, str]:
 
 
 def active(sockets, name: str):
-    """The socket in use among those of one name: some nodes have one for each type."""
+    """Returns the socket in use among several with one name: some nodes have a socket for each
+    type."""
     return next(socket for socket in sockets if socket.enabled and socket.name == name)
 
 
@@ -96,9 +97,10 @@ def _single(value: float) -> float:
 
 
 def set_input(modifier, identifier: str, value) -> None:
-    """Sets it where it is another; the object is told, which Blender leaves to us."""
+    """Sets an input of a modifier if its value differs, and notifies the object, which Blender does
+    not do."""
     now = get_input(modifier, identifier)
-    # From 4.0 on what is set comes back in single precision.
+    # From 4.0 on a value comes back in single precision.
     if isinstance(value, float):
         value = _single(value)
     elif isinstance(value, tuple):
@@ -236,7 +238,7 @@ RELATIVE_PATH = {"PATH_SUPPORTS_BLEND_RELATIVE"} if VERSION >= (4, 5) else set()
 
 
 def add_asset_library(name: str, folder: Path) -> None:
-    """To those of the preferences, unless the folder is one already."""
+    """Adds a folder to the asset libraries of the preferences, unless it is one already."""
     preferences = bpy.context.preferences
     libraries = preferences.filepaths.asset_libraries
     known = {Path(bpy.path.abspath(library.path)).resolve() for library in libraries}
@@ -250,7 +252,7 @@ def add_asset_library(name: str, folder: Path) -> None:
         library.name = name
     if hasattr(library, "import_method"):  # 3.5
         library.import_method = "APPEND"
-    preferences.is_dirty = True  # else Blender would not save them when it is left
+    preferences.is_dirty = True  # without it Blender would not save them at its end
 
 
 def asset_menu():
@@ -261,7 +263,7 @@ def asset_menu():
 # Volumes ----------------------------------------------------------------------
 
 
-READS_VOLUMES_ONCE = VERSION >= (4, 1)  # what a file says of its grids is kept by its path
+READS_VOLUMES_ONCE = VERSION >= (4, 1)  # Blender caches the grids of a file by its path
 
 
 def load_openvdb():
@@ -289,7 +291,7 @@ def tr(text: str, *values) -> str:
 
 
 def tr_label(text: str, *values) -> str:
-    """The same for what is drawn."""
+    """Returns a drawn text in the user's language, with the values in its placeholders."""
     return bpy.app.translations.pgettext_iface(text).format(*values)
 
 

@@ -97,7 +97,7 @@ class Job:
         raise NotImplementedError
 
     def close(self) -> None:
-        """Frees the library's handle of a job whose result nobody takes."""
+        """Frees the library's handle of a job without use."""
         raise NotImplementedError
 
     def status_text(self, name: str) -> str:
@@ -147,17 +147,19 @@ watchers: dict[int, Callable[[int, int], None]] = {}
 
 
 def tell_watcher(done: int, total: int) -> None:
-    """The progress function of every handle: that of the thread, or else the console's."""
+    """Reports progress to the function of this thread, or otherwise to the console. The progress
+    function of handles that count ticks of foam."""
     watchers.get(threading.get_ident(), console.tell)(done, total)
 
 
 def tell_watcher_of_share(done: int, total: int) -> None:
-    """The same for handles that report the share of their work, not ticks of foam."""
+    """Reports progress as tell_watcher() does, for handles that report the share of their work."""
     watchers.get(threading.get_ident(), console.tell_share)(done, total)
 
 
 def tell_watcher_of_part(done: int, total: int) -> None:
-    """The same for handles that report the share of each part of their work."""
+    """Reports progress as tell_watcher() does, for handles that report the share of each part of
+    their work."""
     watchers.get(threading.get_ident(), console.tell_part)(done, total)
 
 
@@ -178,8 +180,8 @@ _step_at = 0.0
 
 
 def ask(name: str, key: tuple, *, rest: bool = True) -> None:
-    """Requests the whole subject of the object with that full name. key: that of the job. rest:
-    begin once values rest, with another key than before."""
+    """Requests the whole subject of the object with that full name. key: of the job. rest: begin
+    only once values rest, when the key no longer changes."""
     if _stopped.get(name) == key:
         return
     _stopped.pop(name, None)

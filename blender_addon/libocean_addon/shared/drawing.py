@@ -14,12 +14,12 @@ from .compat import tr_label
 
 # Pixels at a resolution scale of 1, counted in pictures of a properties editor.
 NARROW = 285
-"""The width of an editor's region below which a label beside its field would be cut. A window
-1920 pixels wide begins with 291, one of 1400 with 204."""
+"""The width of an editor's region below which a label beside its field would be cut. A window 1920
+pixels wide begins with a width of 291, a window of 1400 with 204."""
 _MARGIN = 48  # left and right of a line of text in a box
 _ICON = 26
 BUTTON = 26
-"""The width of a button that has an icon alone."""
+"""The width of a button with an icon and no text."""
 _ANY_WIDTH = 600  # where the width is unknown
 
 
@@ -46,7 +46,7 @@ def width() -> float:
 
 
 def is_narrow() -> bool:
-    """Returns whether labels go into their fields, since beside them they would be cut."""
+    """Returns whether labels go into their fields, since a label beside its field would be cut."""
     return width() < NARROW
 
 
@@ -90,7 +90,7 @@ def beside(layout, text: str, choices: list[str]):
 
 def field(layout, owner, name: str, *, text: str | None = None, context: str = "*") -> None:
     """Draws the field of a list, a path or an object, which has no place for a label inside. text:
-    its label, of this context; None: that of the property."""
+    the label, in this context; None: the name of the property."""
     found = owner.bl_rna.properties[name]
     label, context = (found.name, found.translation_context) if text is None else (text, context)
     if not is_narrow():
@@ -150,7 +150,7 @@ def lines(text: str, space: float) -> list[str]:
 
 
 def say(layout, text: str, icon: str = "NONE", *, beside: float = 0.0) -> None:
-    """Draws a sentence in as many lines as it takes. beside: pixels of its row that other widgets
+    """Draws a sentence in as many lines as it needs. beside: pixels of its row that other widgets
     need."""
     space = width() - _MARGIN - beside - (0 if icon == "NONE" else _ICON)
     column = layout.column(align=True)

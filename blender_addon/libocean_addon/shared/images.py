@@ -21,8 +21,8 @@ def make(owner: str, field: str, shape: tuple[int, int], blank: tuple[float, flo
 
 
 def let_go(image) -> bool:
-    """Takes an image out of the file again that Blender packed into it, as it offers to do with
-    modified images when it is left. True if it was; what it showed is lost."""
+    """Unpacks an image that Blender packed into the file, as it offers to do with modified images
+    at its end. Returns whether the image was packed; its pixels are lost then."""
     if image.packed_file is None:
         return False
     image.unpack(method="REMOVE")

@@ -66,7 +66,7 @@ def _write_labels(
     places = places.reshape(-1, 3)
     places[:, 2] = 0.0
     if LABEL in layers:
-        # One after the other: a layer that is added moves the memory of those before it.
+        # One after the other: adding a layer moves the memory of the earlier ones.
         label = mesh.attributes.get(LABEL) or mesh.attributes.new(LABEL, "FLOAT_VECTOR", "POINT")
         label.data.foreach_set("vector", places.ravel())
     if UV_MAP not in layers:
@@ -122,7 +122,7 @@ vertices."""
 MAX_SAMPLES = 4096
 DRAFT_SAMPLES = 256
 """The max samples per side of a patch's mesh while its subject is a draft."""
-_MADE_OF = "libocean_mesh"  # custom property of a mesh: what it was made of
+_MADE_OF = "libocean_mesh"  # custom property of a mesh: the values it was made of
 
 
 def automatic(own: int) -> int:
@@ -194,7 +194,8 @@ def follow(ob, made_of: str, make) -> None:
 
 
 def make_again(mesh, made_of: str, make) -> None:
-    """Has make(mesh) fill a mesh, that of another file in memory alone. made_of: as in follow()."""
+    """Has make(mesh) fill a mesh; a mesh of another file is filled in memory alone. made_of: as in
+    follow()."""
     if mesh.library is not None:
         _fill_linked(mesh, make)
     else:

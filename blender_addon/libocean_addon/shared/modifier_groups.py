@@ -60,8 +60,8 @@ class Family:
         return [m for m in ob.modifiers if m.type == "NODES" and self.is_ours(m.node_group)]
 
     def modifiers(self, ob) -> list:
-        """Returns the modifiers of an object that count: those that a shot added take the place of
-        its library's."""
+        """Returns the modifiers of an object that count: modifiers that a shot added replace the
+        library's."""
         found = [m for m in ob.modifiers if m.type == "NODES" and self.is_ours(m.node_group)]
         own = [m for m in found if ob.override_library is None or not m.is_override_data]
         return own or found

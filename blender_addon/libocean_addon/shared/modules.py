@@ -12,8 +12,8 @@ from pathlib import Path
 
 
 def load(name: str, folder: Path):
-    """Returns the module of that name in a folder, or else one that Python finds. `sys.path` stays
-    as it is. Raises ImportError."""
+    """Returns the module of that name in a folder, or otherwise one that Python finds. `sys.path`
+    stays as it is. Raises ImportError."""
     spec = None if name in sys.modules else PathFinder.find_spec(name, [str(folder)])
     if spec is None:
         return importlib.import_module(name)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Short words for what a node group is made of."""
+"""Short words for the parts of a node group."""
 
 from __future__ import annotations
 

@@ -12,7 +12,7 @@ class Opened(Protocol):
     """What is open for one object."""
 
     def forget_images(self) -> None:
-        """Forgets what images hold."""
+        """Forgets the content of images."""
 
     def close(self) -> None: ...
 
@@ -26,14 +26,14 @@ class OpenByObject(Generic[T]):
         self._opened: dict[str, T] = {}
 
     def of(self, name: str) -> T:
-        """Returns what is open for the object with that full name, opened when it is missing."""
+        """Returns the open subject of the object with that full name, opened if it is missing."""
         if name not in self._opened:
             self._opened[name] = self._make()
         return self._opened[name]
 
     def forget(self, names: set[str]) -> None:
-        """Forgets, after undo and loading, the content of images, and closes what belongs to
-        objects without one of these names."""
+        """Forgets the content of images, after undo and loading, and closes the subjects of objects
+        without one of these names."""
         for name in list(self._opened):
             if name in names:
                 self._opened[name].forget_images()

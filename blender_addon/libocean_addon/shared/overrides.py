@@ -27,8 +27,8 @@ def overridable(cls):
 
 
 def make_editable(ob) -> None:
-    """Has Blender keep what changes of an override: of one that it made of itself, for what hangs
-    on another, it would drop all that when the file is opened again."""
+    """Has Blender keep the changes of an override. If Blender made the override itself, because
+    another object needed it, Blender would drop the changes when the file is opened again."""
     if ob.override_library is not None:
         ob.override_library.is_system_override = False
 
@@ -39,7 +39,7 @@ def is_librarys(ob, modifier) -> bool:
 
 
 def has_librarys_bake(ob) -> bool:
-    """Returns whether the record of the bake is still that of the library."""
+    """Returns whether an override still has the library's record of the bake."""
     ours, theirs = ob.libocean.bake, ob.override_library.reference.libocean.bake
     names = ("fields", "folder", "stem", "first", "last", "marks", "sea")
     return all(getattr(ours, name) == getattr(theirs, name) for name in names)
@@ -54,7 +54,7 @@ def library_of_bake(ob):
 
 
 def add_own(ob, modifier, group):
-    """Adds a modifier of this node group behind that of the library, which is switched off."""
+    """Adds a modifier with this node group behind the library's, which is switched off."""
     own = ob.modifiers.new(modifier.name, "NODES")
     own.node_group = group
     own.show_expanded = False

@@ -19,20 +19,20 @@ class ParameterTable:
 
     rows: list[dict[str, Any]]
     item_section: str
-    """The section of which a file may have several: "waves", "terrain.layer"."""
+    """The section that a file may have several times: "waves", "terrain.layer"."""
     file_kind: str
     """The name of the subject's file in tool tips: "Sea file"."""
     files: tuple[str, ...] = ()
     """Keys of parameters that name a file."""
     copies: dict[str, str] = dataclasses.field(default_factory=dict)
-    """The property with the lines of what a parameter names, by the parameter's key."""
+    """The property with the lines of the file that a parameter names, by the parameter's key."""
     resolutions: dict[str, str] = dataclasses.field(default_factory=dict)
     """Keys of parameters that are samples per side, with the name of the choice 0; "": none."""
     lengths: dict[str, int] = dataclasses.field(default_factory=dict)
     """The max number of entries of a list, by its key."""
 
     def entries(self, *, items: bool) -> list[dict[str, Any]]:
-        """Returns the rows of the items, or those of all other sections."""
+        """Returns the rows of the items, or the rows of all other sections."""
         return [row for row in self.rows if (row["section"] == self.item_section) == items]
 
 

@@ -18,16 +18,16 @@ def is_of_windows(path: str) -> bool:
 
 
 def normal(path: str) -> str:
-    """Returns a path with `/` between its parts where it is relative, whichever system it was typed
-    on. An absolute path is that of its own system, where `\\` may be part of a name."""
+    """Returns a path with `/` between its parts if it is relative, whichever system it was typed
+    on. An absolute path is left as it is: on its own system `\\` may be part of a name."""
     if os.path.isabs(path) and not path.startswith(_TO_BLEND) or is_of_windows(path):
         return path
     return path.replace("\\", "/")
 
 
 def absolute(path: str, library=None) -> Path:
-    """Returns where a path leads. library: the one whose file a path that begins with `//` is
-    relative to; None: the open file."""
+    """Returns the absolute path of a file or folder. library: the library whose file a path that
+    begins with `//` is relative to; None: the open file."""
     return Path(os.path.normpath(bpy.path.abspath(normal(path), library=library)))
 
 
@@ -58,7 +58,8 @@ def blend_folder() -> str | None:
 
 
 def blend_name() -> str:
-    """Returns how names of files begin that are the open file's: as it is called, without its
-    extension. `#` stands for digits of a frame in names that `ocean bake` is given."""
+    """Returns the beginning of the names of files that belong to the open file: its own name
+    without extension. `#` stands for digits of a frame in names for `ocean bake`, and is
+    replaced."""
     stem = Path(bpy.data.filepath).stem
     return stem.replace("\\", "_").replace("#", "_") or "untitled"

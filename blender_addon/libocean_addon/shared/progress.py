@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The progress of a work of several parts, of which each reports its own from 0 to its end."""
+"""The progress of a work with several parts; each part reports its own from 0 to its end."""
 
 from __future__ import annotations
 
 
 class Progress:
-    """The finished share of a work, which never falls. How many parts follow is not known: each
-    takes half of what the parts before it left."""
+    """The finished share of a work, which never falls. The number of parts is unknown: each takes
+    half of the share that the parts before it left."""
 
     def __init__(self, begin: float = 0.0, end: float = 1.0) -> None:
         """begin, end: the shares of a larger work between which this one lies."""

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Short words for what a material is made of."""
+"""Short words for the parts of a material."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .node_builder import Builder
 
 
 class Tree(Builder):
-    """Words for shaders beside those that all nodes share."""
+    """Words for shaders, in addition to the words for all nodes."""
 
     def shader(self, kind: str, *, settings: dict | None = None, **inputs):
         made = self.node(kind, **(settings or {}))

@@ -42,8 +42,8 @@ def _switched_on(switch: str):
 
 
 def _named_anew(lines: str):
-    """Returns the update function of a name of which the settings keep a copy, as lines of a file:
-    a new name makes the copy void."""
+    """Returns the update function of a file's name. The settings keep the lines of the file as a
+    copy, and a new name makes the copy void."""
 
     def update(self, _context) -> None:
         if not changes.is_quiet():
@@ -58,8 +58,8 @@ def _label(choice: str) -> str:
 
 
 def _number_limits(entry: dict[str, Any]) -> dict[str, Any]:
-    """Returns the limits of a slider. Those of the parameter are the library's, whose sentence the
-    panel shows: Blender would take another value instead without a word."""
+    """Returns the soft limits of a slider. A property has no hard ones, at which Blender would set
+    another value without a word: the library checks values, and the panel shows its sentence."""
     limits = {key: entry[key] for key in ("soft_min", "soft_max") if entry.get(key) is not None}
     if entry["type"] == "int":
         limits = {key: max(-(2**31), min(2**31 - 1, value)) for key, value in limits.items()}
@@ -94,8 +94,8 @@ def _switch(entry: dict[str, Any]):
 
 
 def _vector(entry: dict[str, Any], common: dict[str, Any], size: int, **settings):
-    """Returns a property of several numbers. Its limits are those of all numbers together: the
-    library checks each."""
+    """Returns a property of several numbers. Its limits hold for all numbers together: the library
+    checks each."""
     unit = _UNITS.get(entry["unit"], "NONE")
     return bpy.props.FloatVectorProperty(**common, size=size, unit=unit, precision=3, **settings)
 
@@ -154,7 +154,7 @@ def properties_of(
 
 
 def annotations(table: ParameterTable, resolutions: Resolutions, *, items: bool) -> dict[str, Any]:
-    """Returns the properties of the items, or those of all other parameters, by name."""
+    """Returns the properties of the items, or of all other parameters, by name."""
     made: dict[str, Any] = {}
     for entry in table.entries(items=items):
         made.update(properties_of(entry, table, resolutions))

@@ -97,7 +97,7 @@ def _new_carrier(ob, modifier):
     name = f".{ob.name} spray"
     carrier = bpy.data.objects.new(name, bpy.data.meshes.new(name))
     modifier_groups.assign(modifier, {"Points": carrier})
-    modifier.node_group = modifier.node_group  # Blender looks anew at what the inputs name
+    modifier.node_group = modifier.node_group  # has Blender read its inputs again
     return carrier
 
 

@@ -85,7 +85,7 @@ def get():
 
 
 def modifier_of(ob):
-    """The one that shows an object's spray; None where there is none."""
+    """Returns the modifier that shows an object's spray; None without one."""
     return next((m for m in ob.modifiers if m.type == "NODES" and is_ours(m.node_group)), None)
 
 

@@ -42,8 +42,8 @@ class CameraVertices:
 
 
 def view_of(ob, camera, settings) -> CameraView | None:
-    """Returns the view of a camera of an object with a terrain; None without a camera. ob and
-    camera: evaluated; settings: those of the object."""
+    """Returns the view of a camera for an object with a terrain; None without a camera. ob and
+    camera: evaluated; settings: of the object."""
     if camera is None:
         return None
     local = ob.matrix_world.inverted_safe() @ camera.matrix_world.translation

@@ -16,7 +16,7 @@ from ..shared.compat import tr_label
 
 MAX_VERTICES = 4096 * 4096
 """The max number of samples, and so of vertices, of a region."""
-_SLACK = 1e-6  # of a cell: what a division leaves of a whole number
+_SLACK = 1e-6  # of a cell: rounding error of a division
 
 
 class ExtentError(Exception):

@@ -84,7 +84,7 @@ _FILM_ROUGHNESS = 0.12
 """The film of water on wetted ground lies over grains of sand; chosen by eye."""
 _SHADE = 0.35  # share of a colour that the finer noise takes or adds
 
-# The scales of the noise, each as a share of the one before it, and their weights.
+# The scales of the noise, each as a share of the previous scale, and their weights.
 _STEP = 0.23
 _WEIGHTS = (0.40, 0.30, 0.18, 0.12)
 _CONTRAST = 2.4  # Blender's noise has a deviation of about 0.13 around 0.5
@@ -115,7 +115,8 @@ def _declare(group) -> None:
 
 
 def _noise(t: Tree, size, amount) -> list:
-    """Returns the noise of all four scales, about -1 .. 1, and that of the finer two."""
+    """Returns the noise of all four scales, about -1 .. 1, and the noise of the two finer
+    scales."""
     place = t.math("MULTIPLY", t.node("ShaderNodeTexCoord").outputs["Object"], (1.0, 1.0, 0.0))
     place = t.scale(place, t.number("DIVIDE", 1.0, size))
     total = fine = 0.0
@@ -172,8 +173,8 @@ _OF_COVERS = (
 
 
 def _covers(t: Tree, inputs, height, slopes, noise, by_masks) -> list:
-    """Returns the share of each cover over those before it, in the order of _COVERS.
-    by_masks: shares that masks give to forest, scree, rock."""
+    """Returns the share of each cover over the covers before it, in the order of _COVERS. by_masks:
+    shares that masks give to forest, scree, rock."""
     lush, gravel, cliff = by_masks
     slope = t.math("LENGTH", slopes, result="Value")
     width = inputs["Line Width"]

@@ -84,7 +84,7 @@ def wanted_view(ob, depsgraph=None) -> CameraView | None:
     if not settings.use_lod or settings.shape != "TILE":
         return None
     if _rendering and (depsgraph is None or depsgraph.mode != "RENDER"):
-        return terrain_of(ob.name_full).view  # that of the frame that is rendered
+        return terrain_of(ob.name_full).view  # the view of the rendered frame
     camera = bpy.context.scene.camera if depsgraph is None else depsgraph.scene.camera
     if depsgraph is None or camera is None:
         return camera_mesh.view_of(ob, camera, settings)
@@ -129,7 +129,7 @@ def _show_in(
     _renew(ob, modifier)
     name, key = ob.name_full, (terrain.key, view)
     image_named = _images_of(ob, terrain, modifier)
-    # Drafts go by the names of objects, of which a sea on the same one would have taken this one.
+    # Drafts are kept by names of objects: a sea on the same object has this name already.
     may_wait = (moving or (is_redraw and drafts.wants(name, key))) and not sea_group.modifiers(ob)
     lacks_mesh = view is not None and _lacks_mesh(ob, terrain, view)
     is_slow = _is_large(ob) or not terrain.is_quick()
@@ -151,7 +151,7 @@ def _show_in(
 
 
 LARGE = 400000
-"""The vertices of a mesh of which Blender takes longer than a user waits."""
+"""The vertices of a mesh for which Blender takes longer than a user waits."""
 
 
 def _is_large(ob) -> bool:
@@ -253,7 +253,7 @@ def parameters_changed(ob) -> None:
     """Shows an object after one of its properties was set in the user interface or by a script."""
     if not node_group.modifiers(ob):
         return
-    ob.update_tag()  # else what is evaluated goes on having the values of before
+    ob.update_tag()  # without it the evaluated object keeps the old values
     show(ob, moving=drafts.allowed)
     if _keep_spectrum(ob):
         show(ob, moving=drafts.allowed)
@@ -302,8 +302,8 @@ def _lacks_mesh(ob, terrain: OpenTerrain, view: CameraView) -> bool:
 
 def follow_mesh(ob, *, draft: bool = False, view: CameraView | None = None) -> None:
     """Makes a mesh of the add-on fit the terrain, and labels a mesh of the user. A linked mesh
-    stays as its file has it. draft: with few vertices; view: of the camera that a mesh follows,
-    None: that of the last show()."""
+    stays as its file has it. draft: with few vertices; view: of the camera that the mesh follows,
+    None: the view of the last show()."""
     terrain, settings = terrain_of(ob.name_full), ob.libocean_terrain
     if not follows_camera(ob) or terrain.terrain is None:
         return
@@ -328,7 +328,7 @@ def follow_mesh(ob, *, draft: bool = False, view: CameraView | None = None) -> N
             )
         else:
             _follow_grid(ob, extent, draft=draft)
-    # The extent of the maps is that of the last show(): a draft's, or the whole.
+    # The last show() set the extent of the maps: of a draft, or of the whole.
     for modifier in node_group.modifiers(ob):
         image = modifier_groups.value(modifier, node_group.GROUND)
         shown = None if image is None else terrain.extent_in(image)

@@ -52,7 +52,8 @@ def look_of(state: dict, water: float | None = None) -> dict[str, float]:
 
 
 def water_of(values: TerrainValues) -> float | None:
-    """Returns the height of the water that a shore is shaped for [m]; None for a land without."""
+    """Returns the height of the water that a shore is shaped for [m]; None for a land without a
+    shore."""
     return float(values.values["coast_level"] or 0.0) if "coast" in values.groups() else None
 
 
@@ -83,7 +84,7 @@ def grounds(ob) -> list:
 
 
 def assign(ob, material) -> None:
-    """Puts a material into the first slot, in the place of the one in it."""
+    """Puts a material into the first slot, in place of the present one."""
     put_in_first_slot(ob, material)
     if not ob.libocean_terrain.use_normal:  # the points must carry the attribute that it reads
         ob.libocean_terrain.use_normal = True

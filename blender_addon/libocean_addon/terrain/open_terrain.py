@@ -40,8 +40,8 @@ def own_extent(terrain) -> Extent:
 
 
 def fill_maps(terrain, extent: Extent, groups: tuple[str, ...], maps: Maps | None = None) -> Maps:
-    """Returns the maps of an extent, in the arrays of `maps` where they fit. groups: those whose
-    masks the land has."""
+    """Returns the maps of an extent, in the arrays of `maps` where they fit. groups: the groups
+    whose masks the land has."""
     channels = {GROUND: CHANNELS}
     for group in groups:
         channels[image_of(group)] = (*MASKS[group], "")[:4]
@@ -99,7 +99,7 @@ class TerrainJob(drafts.Job):
 
 
 class OpenTerrain:
-    """The library's terrain of one object, its maps, and what was shown last."""
+    """The library's terrain of one object, its maps, and the content of its images."""
 
     def __init__(self) -> None:
         self.lock = threading.RLock()  # renders run in a thread of their own
@@ -121,11 +121,11 @@ class OpenTerrain:
         self._draft = None  # the handle with fewer samples
         self._draft_values: TerrainValues | None = None
         self._draft_seconds = 0.0
-        self._built = -1  # the changes for which the handle has built what maps are made of
+        self._built = -1  # the changes for which the handle has built the parts of maps
         self._maps: Maps = {}
         self._filled: tuple | None = None  # changes, extent and groups of the maps
         self._whole: tuple | None = None  # the same of the last whole map
-        self._shown: dict[str, tuple] = {}  # by image: the same of what it holds
+        self._shown: dict[str, tuple] = {}  # by image: the same of its content
         self._seconds = _FIRST  # a sample of the last whole map
 
     @property
@@ -146,12 +146,12 @@ class OpenTerrain:
 
     @property
     def key(self) -> tuple:
-        """Returns what the whole map depends on. Raises ExtentError."""
+        """Returns the values that the whole map depends on. Raises ExtentError."""
         return self.changes, self.extent, self.groups
 
     def follow(self, values: TerrainValues) -> None:
-        """Makes it the terrain of these values; raises libocean.Error and leaves it unchanged
-        otherwise."""
+        """Gives the terrain these values. Raises libocean.Error, and leaves the terrain unchanged
+        then."""
         if values == self.values:
             return
         if self.terrain is None or values.structure() != self.values.structure():
@@ -174,8 +174,8 @@ class OpenTerrain:
         return self.state
 
     def state_for_look(self) -> dict:
-        """Returns the state, or in a draft that of the terrain with fewer samples, without waiting
-        for the whole."""
+        """Returns the state of the terrain; in a draft, the state of the terrain with fewer
+        samples, without waiting for the whole."""
         is_behind = self._draft is not None and self._draft_values == self.values
         if self.state is None and self._built != self.changes and is_behind:
             return self._draft.state
@@ -211,7 +211,7 @@ class OpenTerrain:
 
     def show_draft(self, image_named: dict) -> Extent:
         """Fills the images with maps of the same terrain with fewer samples, and so without its
-        shortest waves. Where that takes too long the images keep what they hold."""
+        shortest waves. If that takes too long, the images keep their content."""
         held = self._shown.get(image_named[GROUND].name_full)
         if held is not None and self._draft_seconds > _SLOW_DRAFT:
             return held[1]
@@ -276,8 +276,8 @@ class OpenTerrain:
         return job
 
     def adopt(self, job: TerrainJob) -> bool:
-        """Replaces handle and maps by those of a job that has ended. Returns False if the job is of
-        no use."""
+        """Replaces handle and maps by the results of a job that has ended. Returns False if the job
+        is of no use."""
         if job.failure is not None or job.key[0] != self.key:
             job.close()
             return False
@@ -309,7 +309,7 @@ class OpenTerrain:
         return None if held is None else held[1]
 
     def forget_images(self) -> None:
-        """Forgets, after undo and loading, what images hold."""
+        """Forgets the content of images, after undo and loading."""
         self._shown.clear()
 
     def close(self) -> None:

@@ -14,7 +14,7 @@ _BY_MEASURED = {"outer_scale": "0", "breaks": "[]"}
 
 
 def is_measured(group) -> bool:
-    """Returns whether the spectrum is that of a file."""
+    """Returns whether the spectrum comes from a file."""
     return bool(group.measured or group.measured_rings)
 
 
@@ -49,8 +49,8 @@ def _has_no_effect(group) -> list[str]:
 
 
 def is_replaced(group, key: str) -> bool:
-    """Returns whether a parameter has no effect since another one takes its place: the range that
-    of rms and mean, the measured spectrum that of a law, an elevation model that of waves."""
+    """Returns whether a parameter has no effect since another one takes its place: a range replaces
+    rms and mean, a measured spectrum the law, an elevation model the waves."""
     if key in _BY_RANGE and group.use_range:
         return True
     if key in _BY_BASE and is_placed(group) and group.base:
@@ -59,8 +59,8 @@ def is_replaced(group, key: str) -> bool:
 
 
 def values_of(group) -> TerrainValues:
-    """Returns the values of the properties, those without effect as a file without them has them.
-    group: Object.libocean_terrain, evaluated or not."""
+    """Returns the values of the properties; properties without effect have the values of a file
+    that leaves them out. group: Object.libocean_terrain, evaluated or not."""
     values = property_texts.texts_of(group, PARAMETERS, items=False)
     if group.use_range:
         values.update(_BY_RANGE)

@@ -30,7 +30,7 @@ def switch_of(group: str) -> str:
 
 
 def _rows() -> list[dict[str, Any]]:
-    """Returns the library's rows; those of a group go by property."""
+    """Returns the library's rows; rows of a group have the names of their properties."""
     rows = libocean.terrain_parameters()
     for row in rows:
         if row["section"] in _NAMES:
@@ -40,7 +40,7 @@ def _rows() -> list[dict[str, Any]]:
 
 
 def _typical(section: str, key: str) -> float:
-    """Returns the value of a group's switch in a file that has the section alone."""
+    """Returns the value of a group's switch in a file that sets nothing else in the section."""
     text = f'libocean = 1\n[terrain]\nkind = "placed"\n[{section}]\n'
     with libocean.parse_terrain(text) as terrain:
         return float(terrain.get(f"{section}.{key}"))

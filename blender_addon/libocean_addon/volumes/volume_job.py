@@ -83,7 +83,7 @@ class Settings:
         }
 
     def options(self) -> list[str]:
-        """Returns them as options of `ocean bake`."""
+        """Returns the settings as options of `ocean bake`."""
         return [f"--{name.replace('_', '-')}={text}" for name, text in self._texts().items()]
 
     def strings(self, sea, frame: Frame) -> dict[str, str]:
@@ -119,7 +119,7 @@ _SMALLEST_MAP = 32  # samples a side
 
 def _voxels(low: float, high: float, size: float, beyond: int) -> np.ndarray:
     """Numbers of the voxels from low to high, and so many beyond each."""
-    rounding = 1e-9  # what it left of a whole number of voxels is no voxel
+    rounding = 1e-9  # a rounding error of the division is no voxel
     first = math.ceil(low / size - rounding) - beyond
     return np.arange(first, math.floor(high / size + rounding) + beyond + 1)
 
@@ -175,7 +175,7 @@ class _Columns:
         return velocity.reshape(*self.shape, 3)
 
     def neighbours(self) -> tuple[np.ndarray, np.ndarray]:
-        """The lowest and the highest that the surface is in a column and the four beside it."""
+        """Returns the lowest and the highest surface in a column and the four beside it."""
         around = np.pad(self.height, 1, mode="edge")
         beside = [around[2:, 1:-1], around[:-2, 1:-1], around[1:-1, 2:], around[1:-1, :-2]]
         return (
@@ -242,7 +242,7 @@ def _velocity_resolution(settings: Settings, period: float) -> int:
 def _make_velocity(module, columns: _Columns, resolution: int):
     """Up to the band above the surface."""
     size = columns.size
-    grid = module.Vec3SGrid((3e38, 3e38, 3e38))  # which no water has: so what is not there is known
+    grid = module.Vec3SGrid((3e38, 3e38, 3e38))  # marks missing values: no water has it
     moved_at = math.nan  # the height that the motion is of
     for k in columns.k.tolist():
         is_there = size * k <= columns.height + BAND * size
@@ -255,7 +255,7 @@ def _make_velocity(module, columns: _Columns, resolution: int):
         start = (int(columns.i[0]), int(columns.j[0]), k)
         grid.copyFromArray(layer[:, :, None], ijk=start)
     grid.background = (0.0, 0.0, 0.0)
-    grid.name = VELOCITY  # one of those that Blender takes for motion
+    grid.name = VELOCITY  # a name that Blender takes for motion
     grid.vectorType = module.VectorType.CONTRAVARIANT_RELATIVE
     grid.transform = module.createLinearTransform(size)
     return grid

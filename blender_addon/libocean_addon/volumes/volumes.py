@@ -33,7 +33,8 @@ except ModuleNotFoundError:  # in the extension, which runs no other program
 
 _VOLUMES = "//ocean_volumes/"
 MARKS = "libocean_marks"
-"""Custom property of a volume: the first frame, and by what the file of each is known again."""
+"""Custom property of a volume: the first frame, and the mark by which the file of each frame is
+recognised."""
 
 
 def asked_folder(ob) -> str:
@@ -46,8 +47,8 @@ def _join(folder: str, name: str) -> str:
 
 
 def _stem(ob, folder: str) -> str:
-    """The beginning of the files' names: those of blend file and object, and a number where that
-    of another object is the same."""
+    """Returns the beginning of the files' names: the names of blend file and object, and a number
+    if another object has the same name."""
     name = bpy.path.clean_name(ob.name)
     own = f"{paths.blend_name()}.{name}"
     taken = {
@@ -68,7 +69,7 @@ def sea_to_world(ob) -> Matrix:
     to_world = ob.matrix_world
     if not ob.libocean.follow_world:
         return to_world.copy()
-    # The sea is that of the world, however the mesh lies in it; it grows about the object.
+    # The sea is anchored to the world, however the mesh lies; it grows about the object.
     place = to_world.translation
     grown = Matrix.Scale(to_world.median_scale, 4)
     return Matrix.Translation(place) @ grown @ Matrix.Translation((-place.x, -place.y, 0.0))
@@ -119,9 +120,9 @@ def _settings(ob, sea) -> volume_job.Settings:
 
 
 def find_command():
-    """Returns the command `ocean` of the preferences, or else of the system, where this copy of the
-    add-on may run one; None without one. Raises BakeError if that of the preferences cannot write
-    volumes."""
+    """Returns the command `ocean` of the preferences, or otherwise of the system, where this copy
+    of the add-on may run one; None without one. Raises BakeError if the command of the preferences
+    cannot write volumes."""
     if ocean_command is None:
         return None
     addon = bpy.context.preferences.addons.get(ADDON)
@@ -215,7 +216,8 @@ class Volumes(bake_plan.Work):
         ob.libocean.volumes.begun = self.written
 
     def _strangers(self, base_dir: str | None) -> list[int]:
-        """The frames whose files are of other seas; none where this file shows those files."""
+        """Returns the frames whose files show other seas; none where this file shows these
+        files."""
         found, marks = [], {}
         if any(_is_of(ob.data, self.job.path(self.shot[0])) for ob in _own_volumes()):
             return found
@@ -232,7 +234,7 @@ class Volumes(bake_plan.Work):
         return found
 
     def finish(self) -> str:
-        """An object shows them where the sea is."""
+        """Has an object show the volumes at the place of the sea."""
         if self.shows:
             ob, job = self.find(), self.job
             first = job.path(self.shot[0])
@@ -266,8 +268,8 @@ def _own_volumes() -> list:
 
 
 def _volume_object(ob, path: Path):
-    """The one that shows the sequence, or the one that was written before, or a new one beside the
-    sea."""
+    """Returns the volume object that shows the sequence, or the one that was written before, or a
+    new one beside the sea."""
     written = ob.libocean.volumes.written
     others = (other for other in live.ocean_objects() if other != ob)
     if any(other.libocean.volumes.written == written for other in others):  # of a copy, or its own
@@ -285,17 +287,17 @@ def _volume_object(ob, path: Path):
 
 
 def _play(volume, file_path: str, first: int, last: int) -> None:
-    # The files may be other ones by now: as long as anybody shows them Blender reads none again.
+    # The files may have been replaced: Blender reads none again while an object shows them.
     volume.is_sequence = False
     volume.filepath = ""
     bpy.context.view_layer.update()
     volume.filepath = file_path
-    volume.grids.load()  # else it knows no grid of that name
+    volume.grids.load()  # without it Blender knows no grid of that name
     volume.velocity_grid = volume_job.VELOCITY
     volume.velocity_unit = "SECOND"
     volume.is_sequence = True
     volume.frame_start, volume.frame_duration = first, last - first + 1
-    volume.frame_offset = first - 1  # the number of a file is that of its frame
+    volume.frame_offset = first - 1  # files have the numbers of their frames
 
 
 class WriteVolumes(bake.Frames, bpy.types.Operator):
