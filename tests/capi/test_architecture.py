@@ -332,6 +332,7 @@ HEADER_FOLDER = {
     "table_member": "base",
     "take": "waves/state",
     "terrain": "land/model",
+    "timeline": "base",
     "version": "base",
     "world_heights": "",
 }

@@ -190,7 +190,7 @@ def test_the_sea_file_has_a_manual_page(tmp_path):
     code = guide.read_text().split("```")[1].partition("\n")[2]
     assert all(line.strip() in shown for line in code.splitlines())
     words = " ".join(shown.split())
-    assert "TOML, strict: a key that does not exist" in words
+    assert "is strict TOML: an unknown key or a value out of range" in words
     assert "--set name=value, ocean_set and sea.set. Live parameters" in words
 
 
