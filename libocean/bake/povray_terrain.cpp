@@ -26,7 +26,7 @@ constexpr std::string_view kSettings =
 
 std::vector<FolderFile> povray_terrain_files(const BakePlan& plan, const TerrainState& state,
                                              std::string_view format) {
-    const Terrain* const terrain = find_terrain(*plan.subject);
+    const TerrainModel* const terrain = find_terrain(*plan.subject);
     if (terrain == nullptr) throw Error(ErrorKind::unsupported, "this folder needs a terrain");
     const Domain domain = plan.domain();
     std::vector<FolderFile> files = {

@@ -42,8 +42,8 @@ LandOptions land_options(const ocean_options* given) {
 }
 
 /// Makes another terrain of the handle: whole, or, where `edit` throws, not at all.
-void change_terrain(ocean_terrain& handle, const std::function<void(Terrain&)>& edit) {
-    Terrain changed = handle.land->terrain();
+void change_terrain(ocean_terrain& handle, const std::function<void(TerrainModel&)>& edit) {
+    TerrainModel changed = handle.land->terrain();
     edit(changed);
     resolve_files(changed, handle.base_dir);
     handle.mesh.reset();
@@ -88,7 +88,7 @@ ocean_result ocean_terrain_parse(const char* toml, size_t length, const char* ba
         require(out, "out");
         LandOptions opened_with = land_options(options);
         const std::string folder = base_dir != nullptr ? base_dir : "";
-        Terrain terrain = parse_terrain({toml, length}, "text", folder);
+        TerrainModel terrain = parse_terrain({toml, length}, "text", folder);
         *out = std::make_unique<ocean_terrain>(std::move(terrain), std::move(opened_with),
                                                lasting_folder(folder))
                    .release();
@@ -116,7 +116,8 @@ ocean_result ocean_terrain_set(ocean_terrain* terrain, const char* name, const c
         const Visit visit(terrain, kTerrainHandle);
         require(name, "name");
         require(value, "value");
-        change_terrain(*terrain, [&](Terrain& changed) { set_parameter(changed, name, value); });
+        change_terrain(*terrain,
+                       [&](TerrainModel& changed) { set_parameter(changed, name, value); });
     });
 }
 
@@ -128,7 +129,7 @@ ocean_result ocean_terrain_set_all(ocean_terrain* terrain, const char* const* na
             require(names, "names");
             require(values, "values");
         }
-        change_terrain(*terrain, [&](Terrain& changed) {
+        change_terrain(*terrain, [&](TerrainModel& changed) {
             for (std::size_t i = 0; i < count; ++i) {
                 require(names[i], ("names[" + std::to_string(i) + "]").c_str());
                 require(values[i], ("values[" + std::to_string(i) + "]").c_str());
@@ -178,7 +179,7 @@ ocean_result ocean_terrain_provenance_json(const ocean_terrain* terrain, const c
                                            int32_t axes, char* out, size_t* size) {
     return guarded([&] {
         const Visit visit(terrain, kTerrainHandle);
-        const Terrain& open = terrain->land->terrain();
+        const TerrainModel& open = terrain->land->terrain();
         auto strings = provenance_strings({.kind = std::string(kTerrainKind),
                                            .text = write_terrain(open),
                                            .frame = 1,

@@ -33,7 +33,7 @@ struct CountedMesh {
 }  // namespace ocean::capi
 
 struct ocean_terrain : ocean::capi::Handle {
-    ocean_terrain(ocean::Terrain terrain, ocean::LandOptions opened_with, std::string folder)
+    ocean_terrain(ocean::TerrainModel terrain, ocean::LandOptions opened_with, std::string folder)
         : options(std::move(opened_with)),
           base_dir(std::move(folder)),
           land(std::make_unique<ocean::Land>(std::move(terrain), options)) {}

@@ -187,7 +187,7 @@ CoverLines cover_lines(const DrawnLand& land, std::optional<double> snow_line) {
     return {snow, snow - kTreesBelowSnow * colour_scale(land)};
 }
 
-int land_map_resolution(const Terrain& terrain, bool quick) {
+int land_map_resolution(const TerrainModel& terrain, bool quick) {
     int own = terrain.resolution;
     if (terrain.base_model != nullptr) {
         const Domain domain = terrain_domain(terrain);
@@ -206,7 +206,7 @@ struct LandMaps::Impl {
         // A caller may still read the image before.
         if (!image || image.use_count() > 2) image = std::make_shared<LandImage>();
         const bool fits = texture && image->resolution == resolution;
-        const Terrain& terrain = land.terrain();
+        const TerrainModel& terrain = land.terrain();
         const std::shared_ptr<const LandField> field = land.field();
         image->resolution = resolution;
         image->texels.resize(kComponents * Lattice{resolution, 1.0}.size());

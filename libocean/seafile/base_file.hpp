@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "ocean/terrain.hpp"
+#include "ocean/terrain_model.hpp"
 #include "toml_input.hpp"
 
 namespace ocean {

@@ -35,7 +35,7 @@ bool is_terrain_file(std::string path) {
 }
 
 /// Returns the heights of a land on its own grid. A tile exists once: the samples of one period.
-GivenBed bed_of_terrain(const Terrain& terrain) {
+GivenBed bed_of_terrain(const TerrainModel& terrain) {
     Land land(terrain);
     GivenBed bed{.grid = land.domain()};
     for (std::size_t axis = 0; axis < 2; ++axis) {

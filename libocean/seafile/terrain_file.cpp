@@ -49,9 +49,9 @@ class TerrainReader {
     TerrainReader(const std::string& name, const std::string& base_dir)
         : name_(name), base_dir_(base_dir), reader_(terrain_table(), name, parts()) {}
 
-    Terrain read(std::string_view text) {
+    TerrainModel read(std::string_view text) {
         const toml::table root = parse_toml(text, name_);
-        Terrain terrain = reader_.read(root);
+        TerrainModel terrain = reader_.read(root);
         try {
             resolve_files(terrain, base_dir_);
             require_hash(terrain);
@@ -69,9 +69,9 @@ class TerrainReader {
     }
 
   private:
-    OwnParts<Terrain> parts() {
+    OwnParts<TerrainModel> parts() {
         return {.read_key =
-                    [this](Terrain& terrain, std::string_view section, std::size_t,
+                    [this](TerrainModel& terrain, std::string_view section, std::size_t,
                            const TomlEntry& entry) {
                         return read_rings_table(terrain, section, entry) ||
                                read_base_table(terrain, section, entry);
@@ -81,13 +81,13 @@ class TerrainReader {
 
     /// Gives the first key of a section of erosion or shore a typical value, which the section's
     /// own keys may replace: the section alone switches it on.
-    static void switch_on(Terrain& terrain, std::string_view section) {
+    static void switch_on(TerrainModel& terrain, std::string_view section) {
         if (section == "terrain.gullies") terrain.gullies.depth = GullySettings{}.depth;
         if (section == "terrain.stream") terrain.stream.slope = StreamSettings{}.slope;
         if (section == "terrain.coast") terrain.coast.beach_slope = ShorelineSettings{}.beach_slope;
     }
 
-    bool read_base_table(Terrain& terrain, std::string_view section, const TomlEntry& entry) {
+    bool read_base_table(TerrainModel& terrain, std::string_view section, const TomlEntry& entry) {
         const toml::table* table = entry.node->as_table();
         if (section != kTerrainKind || entry.key != kBaseTable || table == nullptr) return false;
         try {
@@ -101,7 +101,7 @@ class TerrainReader {
     }
 
     /// Throws if the file of the base is not the one that the text knows.
-    void require_hash(Terrain& terrain) const {
+    void require_hash(TerrainModel& terrain) const {
         if (base_hash_.empty()) return;
         if (terrain.base_model == nullptr) {
             throw Error(ErrorKind::invalid_value, {.what = "has a hash, but no file",
@@ -121,7 +121,7 @@ class TerrainReader {
                      .allowed = "the model with the hash " + base_hash_});
     }
 
-    bool read_rings_table(Terrain& terrain, std::string_view section,
+    bool read_rings_table(TerrainModel& terrain, std::string_view section,
                           const TomlEntry& entry) const {
         const toml::table* table = entry.node->as_table();
         if (section != kTerrainKind || entry.key != kRingsTable || table == nullptr) return false;
@@ -146,10 +146,10 @@ class TerrainReader {
     const std::string& name_;
     const std::string& base_dir_;
     std::string base_hash_;  // of [terrain.base_heights]
-    TableReader<Terrain> reader_;
+    TableReader<TerrainModel> reader_;
 };
 
-std::string rings_text(const Terrain& terrain) {
+std::string rings_text(const TerrainModel& terrain) {
     if (terrain.rings == nullptr) return "";
     constexpr std::size_t kPerLine = 6;
     return "\n[terrain." + std::string(kRingsTable) + "]\n" + std::string(kWavenumber) + " = " +
@@ -174,7 +174,7 @@ void read_named(const std::string& base_dir, const char* parameter, const std::s
 
 }  // namespace
 
-void resolve_files(Terrain& terrain, const std::string& base_dir) {
+void resolve_files(TerrainModel& terrain, const std::string& base_dir) {
     if (!terrain.measured.empty() && terrain.rings == nullptr) {
         read_named(base_dir, "terrain.measured", terrain.measured, [&](const std::string& path) {
             terrain.rings = std::make_shared<const MeasuredRings>(read_measured_rings(path));
@@ -186,7 +186,7 @@ void resolve_files(Terrain& terrain, const std::string& base_dir) {
     }
 }
 
-std::vector<std::string> named_files(const Terrain& terrain) {
+std::vector<std::string> named_files(const TerrainModel& terrain) {
     std::vector<std::string> files;
     for (const std::string& file : {terrain.measured, terrain.base}) {
         if (!file.empty()) files.push_back(file);
@@ -194,11 +194,12 @@ std::vector<std::string> named_files(const Terrain& terrain) {
     return files;
 }
 
-Terrain parse_terrain(std::string_view toml, const std::string& name, const std::string& base_dir) {
+TerrainModel parse_terrain(std::string_view toml, const std::string& name,
+                           const std::string& base_dir) {
     return TerrainReader(name, base_dir).read(toml);
 }
 
-Terrain read_terrain(const std::string& path) {
+TerrainModel read_terrain(const std::string& path) {
     const std::string content = text::read_file(path, kMaxSeaFileBytes);
     return parse_terrain(content, path, text::to_utf8(utf8_path(path).parent_path()));
 }
@@ -207,7 +208,7 @@ namespace {
 
 /// Returns true if a section has a key of another value than its neutral one: its text then has a
 /// header, which a reader takes as switched on unless its switch says otherwise.
-bool has_other_keys(const Terrain& terrain, const TerrainRow& first) {
+bool has_other_keys(const TerrainModel& terrain, const TerrainRow& first) {
     return std::ranges::any_of(terrain_table().rows, [&](const TerrainRow& row) {
         return row.section == first.section && &row != &first &&
                !row.is_left_out(row.member.get(terrain, 0));
@@ -216,9 +217,9 @@ bool has_other_keys(const Terrain& terrain, const TerrainRow& first) {
 
 }  // namespace
 
-std::string write_terrain(const Terrain& terrain) {
+std::string write_terrain(const TerrainModel& terrain) {
     validate(terrain);
-    const auto line = [&](const RefOf<Terrain>& ref) {
+    const auto line = [&](const RefOf<TerrainModel>& ref) {
         const std::string own = parameter_line(terrain, ref);
         const bool must_say_off =
             own.empty() && switch_of(*ref.info) == ref.info && has_other_keys(terrain, *ref.info);
@@ -230,7 +231,7 @@ std::string write_terrain(const Terrain& terrain) {
                (terrain.base_model != nullptr ? base_text(*terrain.base_model) : "");
     };
     return std::string(kTerrainOpening) +
-           table_text<Terrain>(terrain_table(), terrain, line, rings);
+           table_text<TerrainModel>(terrain_table(), terrain, line, rings);
 }
 
 }  // namespace ocean

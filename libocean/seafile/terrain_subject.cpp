@@ -30,7 +30,7 @@ LandOptions land_options(const MapsOptions& options) {
         .threads = options.threads, .backend = options.backend, .progress = options.build_progress};
 }
 
-Domain repeated_domain(const Terrain& terrain, TerrainTiles tiles, int resolution) {
+Domain repeated_domain(const TerrainModel& terrain, TerrainTiles tiles, int resolution) {
     return {{0.0, 0.0},
             {tiles.x * terrain.patch_size, tiles.y * terrain.patch_size},
             {tiles.x * resolution, tiles.y * resolution},
@@ -65,7 +65,7 @@ struct TerrainExtent {
 
     /// Returns the domain of a map of `resolution` samples along the side of a tile, else along the
     /// longer side.
-    Domain domain(const Terrain& terrain, int resolution) const {
+    Domain domain(const TerrainModel& terrain, int resolution) const {
         if (!region) {
             return terrain.is_placed() ? terrain_domain(terrain, resolution)
                                        : repeated_domain(terrain, tiles, resolution);
@@ -74,7 +74,7 @@ struct TerrainExtent {
         if (resolution == longer) return *region;
         return with_cell(*region, std::max(region->size[0], region->size[1]) / (resolution - 1));
     }
-    int default_resolution(const Terrain& terrain) const {
+    int default_resolution(const TerrainModel& terrain) const {
         const Domain shown = region ? *region : terrain_domain(terrain);
         return std::max(shown.samples[0], shown.samples[1]);
     }
@@ -82,7 +82,8 @@ struct TerrainExtent {
 
 class TerrainMaps final : public SubjectMaps {
   public:
-    TerrainMaps(const Terrain& terrain, const TerrainExtent& extent, const MapsOptions& options)
+    TerrainMaps(const TerrainModel& terrain, const TerrainExtent& extent,
+                const MapsOptions& options)
         : land_(terrain, land_options(options)), extent_(extent) {
         if (extent.region || terrain.is_shaped()) {
             land_.field();
@@ -133,10 +134,10 @@ class TerrainMaps final : public SubjectMaps {
 
 class TerrainSubject final : public Subject {
   public:
-    TerrainSubject(Terrain terrain, TerrainExtent extent)
+    TerrainSubject(TerrainModel terrain, TerrainExtent extent)
         : terrain_(std::move(terrain)), extent_(std::move(extent)) {}
 
-    const Terrain& terrain() const { return terrain_; }
+    const TerrainModel& terrain() const { return terrain_; }
 
     std::string_view kind() const override { return kTerrainKind; }
     std::string text() const override { return write_terrain(terrain_); }
@@ -211,7 +212,7 @@ class TerrainSubject final : public Subject {
         return grid;
     }
 
-    Terrain terrain_;
+    TerrainModel terrain_;
     TerrainExtent extent_;
     mutable std::mutex mutex_;
     mutable std::unique_ptr<const TerrainMaps> built_;  // null until it is first needed
@@ -219,16 +220,16 @@ class TerrainSubject final : public Subject {
 
 }  // namespace
 
-std::unique_ptr<Subject> make_subject(Terrain terrain, TerrainTiles tiles) {
+std::unique_ptr<Subject> make_subject(TerrainModel terrain, TerrainTiles tiles) {
     return std::make_unique<TerrainSubject>(std::move(terrain), TerrainExtent{tiles, {}});
 }
 
-std::unique_ptr<Subject> make_region_subject(Terrain terrain, const Region& region) {
+std::unique_ptr<Subject> make_region_subject(TerrainModel terrain, const Region& region) {
     const Domain domain = domain_of(terrain, region);
     return std::make_unique<TerrainSubject>(std::move(terrain), TerrainExtent{{}, domain});
 }
 
-Domain domain_of(const Terrain& terrain, const Region& region) {
+Domain domain_of(const TerrainModel& terrain, const Region& region) {
     const Domain domain = domain_of(region);
     if (!terrain.is_placed()) return domain;
     const Domain land = terrain_domain(terrain);
@@ -250,7 +251,7 @@ std::unique_ptr<Subject> parse_terrain_subject(std::string_view text, const std:
     return make_subject(parse_terrain(text, name, ""));
 }
 
-const Terrain* find_terrain(const Subject& subject) {
+const TerrainModel* find_terrain(const Subject& subject) {
     const auto* terrain = dynamic_cast<const TerrainSubject*>(&subject);
     return terrain == nullptr ? nullptr : &terrain->terrain();
 }

@@ -22,7 +22,7 @@ namespace {
 void shape_island(benchmark::State& state) {
     const int side = static_cast<int>(state.range(0));
     ocean::ThreadPool pool(static_cast<int>(state.range(1)));
-    ocean::Terrain terrain;
+    ocean::TerrainModel terrain;
     terrain.resolution = 512;
     terrain.patch_size = 8.0 * side;
     terrain.beta = 2.2;

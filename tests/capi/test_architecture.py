@@ -331,7 +331,7 @@ HEADER_FOLDER = {
     "table": "base",
     "table_member": "base",
     "take": "waves/state",
-    "terrain": "land/model",
+    "terrain_model": "land/model",
     "timeline": "base",
     "version": "base",
     "world_heights": "",

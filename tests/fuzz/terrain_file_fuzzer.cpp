@@ -18,7 +18,7 @@ using ocean::fuzz::require;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
-    ocean::Terrain terrain;
+    ocean::TerrainModel terrain;
     try {
         terrain = ocean::parse_terrain(text, "fuzz.toml", "/nonexistent");
     } catch (const ocean::Error& error) {
@@ -26,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     const std::string written = ocean::write_terrain(terrain);
-    const ocean::Terrain again = ocean::parse_terrain(written, "written.toml", "/nonexistent");
+    const ocean::TerrainModel again = ocean::parse_terrain(written, "written.toml", "/nonexistent");
     require(ocean::write_terrain(again) == written);
     if (terrain.resolution > 64) return 0;
     ocean::Land land(terrain, {.threads = 1});

@@ -58,7 +58,7 @@ HeightSampler sampler_of(const LandField& field, ThreadPool& pool) {
 }
 
 TEST_F(LandPatchesTest, ShownVerticesAreThoseOfTheQuadtreeWithTheHeightsOfTheField) {
-    for (const Terrain& terrain : {hills(), gullied(), island()}) {
+    for (const TerrainModel& terrain : {hills(), gullied(), island()}) {
         Land land(terrain, {.threads = 1});
         const DrawnLand shown = maps_.show(land, 128);
         Renderer renderer({.land_threads = 1});
@@ -212,7 +212,7 @@ TEST_F(LandPatchesTest, TrianglesAndTexturesStayWithinTheirBounds) {
 
 TEST_F(LandPatchesTest, AFrameOfLandTakesAtMostOneAndAHalfOfTheSeas) {
     constexpr int kCells = 64, kShadowSteps = 12;  // of a window without a GPU
-    Terrain terrain = hills();
+    TerrainModel terrain = hills();
     terrain.resolution = 512;
     terrain.patch_size = 8192.0;
     Land land(terrain);
@@ -271,7 +271,7 @@ TEST_F(LandPatchesTest, RowsMakeRoomForNewPatches) {
 }
 
 TEST_F(LandPatchesTest, RangesHoldTheHeightsOfTheirSquares) {
-    for (const Terrain& terrain : {hills(), island()}) {
+    for (const TerrainModel& terrain : {hills(), island()}) {
         Land land(terrain, {.threads = 1});
         const DrawnLand shown = maps_.show(land, 128);
         const HeightRanges ranges(*shown.image, 1.0 + 2.0 * shown.rms_slope * texel_of(shown));

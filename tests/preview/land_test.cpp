@@ -15,8 +15,8 @@
 namespace ocean::preview {
 namespace {
 
-Terrain small_terrain() {
-    Terrain terrain;
+TerrainModel small_terrain() {
+    TerrainModel terrain;
     terrain.resolution = 64;
     terrain.patch_size = 512.0;
     terrain.beta = 2.1;
@@ -156,7 +156,7 @@ TEST_F(LandTest, TheSunThatTheGroundHidesDoesNotLightIt) {
 
 TEST_F(LandTest, TheRampReachesTheColoursOfTheTeachingPrograms) {
     // Without sun, haze and slopes the light is the albedo times that of the sky.
-    Terrain flat = small_terrain();
+    TerrainModel flat = small_terrain();
     flat.rms = 1e-3;
     land_.set_terrain(flat);
     shown_ = maps_.show(land_, 128);

@@ -20,7 +20,7 @@ class LandVertexTest : public PreviewTest {};
 TEST_F(LandVertexTest, EachVertexOfThePictureStandsWhereTheQuadtreeShowsIt) {
     LandMaps maps;
     ThreadPool pool(1);
-    for (const Terrain& terrain : {hills(), island()}) {
+    for (const TerrainModel& terrain : {hills(), island()}) {
         Land land(terrain, {.threads = 1});
         const DrawnLand shown = maps.show(land, 128);
         Renderer renderer({.land_threads = 1});

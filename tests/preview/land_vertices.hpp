@@ -10,28 +10,28 @@
 #include "ground.hpp"
 #include "ocean/preview/canvas.hpp"
 #include "ocean/preview/renderer.hpp"
-#include "ocean/terrain.hpp"
+#include "ocean/terrain_model.hpp"
 #include "shader_text.hpp"
 
 namespace ocean::preview {
 
-inline Terrain hills() {
-    Terrain terrain;
+inline TerrainModel hills() {
+    TerrainModel terrain;
     terrain.resolution = 128;
     terrain.patch_size = 4096.0;
     terrain.rms = 120.0;
     return terrain;
 }
 
-inline Terrain gullied() {
-    Terrain terrain = hills();
+inline TerrainModel gullied() {
+    TerrainModel terrain = hills();
     terrain.gullies.depth = 0.05;
     terrain.gullies.longest = 900.0;
     return terrain;
 }
 
-inline Terrain island() {
-    Terrain terrain = hills();
+inline TerrainModel island() {
+    TerrainModel terrain = hills();
     terrain.kind = TerrainKind::placed;
     terrain.patch_size = 4000.0;  // not a whole number of patches
     terrain.mean = 150.0;

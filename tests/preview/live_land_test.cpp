@@ -19,8 +19,8 @@
 namespace ocean::app {
 namespace {
 
-Terrain hills() {
-    Terrain terrain;
+TerrainModel hills() {
+    TerrainModel terrain;
     terrain.resolution = 64;
     terrain.patch_size = 640.0;
     terrain.rms = 40.0;
@@ -86,7 +86,7 @@ TEST_F(LiveLandTest, ASeaAndATerrainTakeEachOthersPlace) {
     EXPECT_EQ(text_of(scene.opened()), write_terrain(hills()));
     EXPECT_TRUE(std::holds_alternative<preview::DrawnLand>(scene.shown()));
     // A terrain that is refused leaves the scene as it is.
-    Terrain wrong = hills();
+    TerrainModel wrong = hills();
     wrong.beta = -1.0;
     wrong.rms = 2.0;
     wrong.range = {0.0, 1.0};

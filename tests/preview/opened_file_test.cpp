@@ -55,14 +55,14 @@ TEST_F(OpenedFileTest, ATerrainFileIsATerrain) {
         file("hills.toml", "libocean = 1\n[terrain]\nkind = \"tile\"\nbeta = 2.25\n"), Sea{});
     ASSERT_TRUE(std::holds_alternative<OpenedModel>(opened));
     const OpenedScene& scene = std::get<OpenedModel>(opened).scene;
-    ASSERT_TRUE(std::holds_alternative<Terrain>(scene));
-    EXPECT_EQ(std::get<Terrain>(scene).beta, 2.25);
+    ASSERT_TRUE(std::holds_alternative<TerrainModel>(scene));
+    EXPECT_EQ(std::get<TerrainModel>(scene).beta, 2.25);
 }
 
 TEST_F(OpenedFileTest, ATerrainHasNoTake) {
     const std::string path = file("storm.txt", "1.5 wind_speed 12\n");
     try {
-        read_opened_file(path, Terrain{});
+        read_opened_file(path, TerrainModel{});
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.what(), path + ": is a take, and a terrain has none; open its sea first");

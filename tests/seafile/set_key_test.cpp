@@ -257,12 +257,12 @@ class SeaHandle {
 /// A land that is open.
 class LandHandle {
   public:
-    static const Table<Terrain>& table() { return terrain_table(); }
+    static const Table<TerrainModel>& table() { return terrain_table(); }
 
     LandHandle(const std::string& text, const std::string& folder)
         : folder_(folder), land_(parse_terrain(text, "terrain", folder), {.threads = 1}) {}
 
-    const Terrain& model() const { return land_.terrain(); }
+    const TerrainModel& model() const { return land_.terrain(); }
     std::string text_with(const std::string& key, const std::string& value) const {
         return write_terrain(changed(key, value));
     }
@@ -286,8 +286,8 @@ class LandHandle {
     }
 
   private:
-    Terrain changed(const std::string& key, const std::string& value) const {
-        Terrain terrain = land_.terrain();
+    TerrainModel changed(const std::string& key, const std::string& value) const {
+        TerrainModel terrain = land_.terrain();
         set_parameter(terrain, key, value);
         resolve_files(terrain, folder_);
         validate(terrain);

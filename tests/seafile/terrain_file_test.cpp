@@ -20,7 +20,7 @@ namespace ocean::test {
 namespace {
 
 /// Parses `body` under the lines "libocean = 1" and "[terrain]": it begins on line 3.
-Terrain parse_body(const std::string& body) {
+TerrainModel parse_body(const std::string& body) {
     return parse_terrain("libocean = 1\n[terrain]\n" + body, "test.toml", "");
 }
 
@@ -97,7 +97,7 @@ TEST(TerrainFile, AWrittenTerrainReadsBackToTheSameText) {
         "breaks = [[300, 2.5], [20.5, 1.9]]\nridge_wavelength = 100\nridge_direction = 30\n"
         "outer_scale = 900\nanisotropy = 1.5\ndirection = -20\n"
         "[[terrain.layer]]\nperiod = 400\ngain = 0.5\n[[terrain.layer]]\nperiod = 1200\nseed = 9\n";
-    const Terrain terrain = parse_body(body);
+    const TerrainModel terrain = parse_body(body);
     EXPECT_EQ(terrain.breaks[1][0], 20.5);
     EXPECT_EQ(terrain.layers.size(), 2u);
     const std::string written = write_terrain(terrain);
@@ -111,14 +111,14 @@ TEST(TerrainFile, MeasuredRingsAreInlined) {
         << "wavenumber,density,count\n0.01,5,4\n0.1,0.5,40\n1,0.001,400\n";
     std::ofstream(folder.path() + "/land.toml")
         << "libocean = 1\n[terrain]\nresolution = 64\nmeasured = \"rings.csv\"\n";
-    const Terrain terrain = read_terrain(folder.path() + "/land.toml");
+    const TerrainModel terrain = read_terrain(folder.path() + "/land.toml");
     EXPECT_EQ(named_files(terrain), std::vector<std::string>{"rings.csv"});
-    const Terrain again = parse_terrain(write_terrain(terrain), "written.toml", "/nowhere");
+    const TerrainModel again = parse_terrain(write_terrain(terrain), "written.toml", "/nowhere");
     EXPECT_EQ(*again.rings, *terrain.rings);
     Land a(terrain), b(again);
     const Surface one = a.surface({Channel::height}), two = b.surface({Channel::height});
     EXPECT_TRUE(std::ranges::equal(one.channel(Channel::height), two.channel(Channel::height)));
-    Terrain other = again;
+    TerrainModel other = again;
     set_parameter(other, "measured", "else.csv");
     EXPECT_EQ(other.rings, nullptr);  // they belong to the other name
 }
@@ -141,7 +141,7 @@ TEST(TerrainFile, AnElevationModelIsMeasuredWhenItIsNamed) {
         model << '\n';
     }
     model.close();
-    const Terrain terrain =
+    const TerrainModel terrain =
         parse_terrain("libocean = 1\n[terrain]\nresolution = 32\nmeasured = \"bed.asc\"\n",
                       "land.toml", folder.path());
     ASSERT_NE(terrain.rings, nullptr);
@@ -152,7 +152,7 @@ TEST(TerrainFile, AnElevationModelIsMeasuredWhenItIsNamed) {
 TEST(TerrainPresets, AreWholeFilesWithTheirSource) {
     ASSERT_GE(terrain_presets().size(), 6u);
     for (const Preset& preset : terrain_presets()) {
-        const Terrain terrain = parse_terrain(preset.toml, preset.name, "");
+        const TerrainModel terrain = parse_terrain(preset.toml, preset.name, "");
         EXPECT_TRUE(preset.toml.starts_with("# " + preset.name + ": " + preset.description));
         Land land(terrain);
         const TerrainState state = land.state();
@@ -179,7 +179,7 @@ TEST(TerrainPresets, HaveTheSlopesOfTheirLand) {
 
 // ---- Lands with a place, gullies, streams and a shore
 
-Terrain read_text(const std::string& keys) {
+TerrainModel read_text(const std::string& keys) {
     return parse_terrain("libocean = 1\n[terrain]\n" + keys, "land.toml", "");
 }
 
@@ -188,13 +188,13 @@ TEST(LandFile, ASectionAloneSwitchesOnAndItsOwnKeysOverrule) {
     EXPECT_EQ(read_text("patch_size = 8000\n[terrain.gullies]\n").gullies.depth, 0.055);
     EXPECT_EQ(read_text("patch_size = 8000\n[terrain.gullies]\ndepth = 0.1\n").gullies.depth, 0.1);
     EXPECT_FALSE(read_text("[terrain.gullies]\ndepth = 0\nlongest = 700\n").has_gullies());
-    const Terrain land = read_text("kind = \"placed\"\n[terrain.stream]\n[terrain.coast]\n");
+    const TerrainModel land = read_text("kind = \"placed\"\n[terrain.stream]\n[terrain.coast]\n");
     EXPECT_EQ(land.stream.slope, 0.62);
     EXPECT_EQ(land.coast.beach_slope, 1.0 / 30.0);
 }
 
 TEST(LandFile, TextsReadBackToTheSameLandSwitchedOffOrOn) {
-    Terrain land = read_text(
+    TerrainModel land = read_text(
         "kind = \"placed\"\norigin = [-500, 20.5]\nsize = [900, 800]\nisland = 30\n"
         "detail_wavelength = 0.5\n[terrain.stream]\nage = 0.25\n[terrain.coast]\nlevel = -3\n");
     const std::string text = write_terrain(land);
@@ -204,8 +204,8 @@ TEST(LandFile, TextsReadBackToTheSameLandSwitchedOffOrOn) {
     const std::string off = write_terrain(land);
     EXPECT_NE(off.find("slope = 0.0\nage = 0.25"), std::string::npos);
     EXPECT_FALSE(parse_terrain(off, "", "").has_streams());
-    EXPECT_EQ(write_terrain(Terrain{}).find("terrain.stream"), std::string::npos);
-    EXPECT_EQ(write_terrain(Terrain{}).find("origin"), std::string::npos);
+    EXPECT_EQ(write_terrain(TerrainModel{}).find("terrain.stream"), std::string::npos);
+    EXPECT_EQ(write_terrain(TerrainModel{}).find("origin"), std::string::npos);
 }
 
 TEST(LandFile, RefusesWhatHasNoPlaceOrNoEffect) {
@@ -238,12 +238,12 @@ TEST(LandFile, ASmallBaseIsInlinedAndALargeOneIsKnownByItsHash) {
     const TemporaryFolder folder;
     const std::string keys = "libocean = 1\n[terrain]\nkind = \"placed\"\nbase = \"bed.asc\"\n";
     write_grid(folder.path() + "/bed.asc", 40);
-    const Terrain small = parse_terrain(keys, "land.toml", folder.path());
+    const TerrainModel small = parse_terrain(keys, "land.toml", folder.path());
     ASSERT_NE(small.base_model, nullptr);
     EXPECT_EQ(terrain_domain(small).samples, (std::array{40, 40}));
     EXPECT_EQ(terrain_domain(small).origin, (std::array{0.0, 0.0}));
     const std::string text = write_terrain(small);
-    const Terrain again = parse_terrain(text, "baked.exr", "/nowhere");
+    const TerrainModel again = parse_terrain(text, "baked.exr", "/nowhere");
     EXPECT_EQ(again.base_model->hash, small.base_model->hash);
     EXPECT_EQ(again.base_model->model.heights, small.base_model->model.heights);
     EXPECT_EQ(write_terrain(again), text);
@@ -253,7 +253,7 @@ TEST(LandFile, ASmallBaseIsInlinedAndALargeOneIsKnownByItsHash) {
         refusal_of([&] { parse_terrain(lied, "", ""); }).says("not the one that it states"));
 
     write_grid(folder.path() + "/bed.asc", 520);
-    const Terrain large = parse_terrain(keys, "land.toml", folder.path());
+    const TerrainModel large = parse_terrain(keys, "land.toml", folder.path());
     const std::string by_hash = write_terrain(large);
     EXPECT_EQ(by_hash.find("heights"), by_hash.find("heights]"));
     EXPECT_EQ(write_terrain(parse_terrain(by_hash, "", folder.path())), by_hash);
@@ -277,7 +277,7 @@ TEST(LandFile, ABaseIsLargeEnoughForItsSpectrumAndHasNoHoles) {
 }
 
 TEST(TerrainSubject, ShowsARegionAtItsCell) {
-    Terrain terrain;
+    TerrainModel terrain;
     terrain.resolution = 64;
     const auto subject = make_region_subject(terrain, {{-100.0, 50.0}, {500.0, 200.0}, 4.0});
     const Domain domain = subject->domain(subject->default_resolution());
@@ -298,7 +298,7 @@ TEST(TerrainSubject, ShowsARegionAtItsCell) {
 }
 
 TEST(TerrainSubject, RepeatsItsTile) {
-    Terrain terrain;
+    TerrainModel terrain;
     terrain.resolution = 64;
     const auto subject = make_subject(terrain, {2, 3});
     EXPECT_EQ(subject->kind(), "terrain");

@@ -154,7 +154,7 @@ struct Mountains {
         : points(static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution)),
           side(resolution),
           step(patch_size / resolution) {
-        Terrain terrain;
+        TerrainModel terrain;
         terrain.resolution = resolution;
         terrain.patch_size = patch_size;
         terrain.beta = 1.8;

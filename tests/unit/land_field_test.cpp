@@ -60,8 +60,8 @@ std::array<double, 3> slope_angles(const Surface& map) {
     return {angle(0.5), angle(0.9), angle(0.99)};
 }
 
-Terrain gullied_tile(int resolution) {
-    Terrain terrain;
+TerrainModel gullied_tile(int resolution) {
+    TerrainModel terrain;
     terrain.resolution = resolution;
     terrain.patch_size = 16.0 * resolution;
     terrain.beta = 1.8;
@@ -73,8 +73,8 @@ Terrain gullied_tile(int resolution) {
     return terrain;
 }
 
-Terrain island(int resolution) {
-    Terrain terrain;
+TerrainModel island(int resolution) {
+    TerrainModel terrain;
     terrain.kind = TerrainKind::placed;
     terrain.resolution = resolution;
     terrain.patch_size = 16384.0;
@@ -92,7 +92,7 @@ Terrain island(int resolution) {
 
 /// Returns a base: every `stride`-th sample of a tile of beta 2.2.
 TerrainBase sampled_base(int side, int stride, double cell) {
-    Terrain tile;
+    TerrainModel tile;
     tile.resolution = 2048;
     tile.patch_size = cell / stride * 2048.0;
     tile.beta = 2.2;
@@ -238,14 +238,14 @@ TEST(FineWaves, DoNotRepeat) {
 
 TEST(BaseDetail, ContinuesTheSpectrumAcrossTheCellWithin15HundredthsOfADecade) {
     constexpr double kCell = 30.0;
-    Terrain terrain;
+    TerrainModel terrain;
     terrain.kind = TerrainKind::placed;
     terrain.base = "made";
     terrain.base_model = std::make_shared<const TerrainBase>(sampled_base(256, 4, kCell));
     terrain.detail_wavelength = 7.5;
     ThreadPool pool;
     // The tile that the base was sampled from is the truth, down to its own cell of 7.5 m.
-    Terrain truth;
+    TerrainModel truth;
     truth.resolution = 2048;
     truth.patch_size = 7.5 * 2048.0;
     truth.beta = 2.2;
@@ -275,7 +275,7 @@ TEST(BaseDetail, ContinuesTheSpectrumAcrossTheCellWithin15HundredthsOfADecade) {
 }
 
 TEST(BaseDetail, MovesTheSamplesByAtMostBaseError) {
-    Terrain terrain;
+    TerrainModel terrain;
     terrain.kind = TerrainKind::placed;
     terrain.base = "made";
     terrain.base_model = std::make_shared<const TerrainBase>(sampled_base(128, 8, 30.0));
@@ -326,13 +326,13 @@ std::size_t differing(const Surface& large, const Surface& small, int i0, int j0
 }
 
 TEST(LandFields, HaveTheSameBitsInEveryRegion) {
-    Terrain with_detail = island(128);
+    TerrainModel with_detail = island(128);
     with_detail.detail_wavelength = 2.0;
-    Terrain model;
+    TerrainModel model;
     model.kind = TerrainKind::placed;
     model.base = "made";
     model.base_model = std::make_shared<const TerrainBase>(sampled_base(64, 8, 30.0));
-    for (const Terrain& terrain : {gullied_tile(256), with_detail, model}) {
+    for (const TerrainModel& terrain : {gullied_tile(256), with_detail, model}) {
         Land land(terrain, {.threads = 2});
         const double cell = 0.7;
         const int columns = 400, rows = 150;
@@ -356,14 +356,14 @@ TEST(LandFields, HaveTheSameBitsInEveryRegion) {
 }
 
 TEST(LandFields, HaveTheSameHeightsWithAndWithoutSlopes) {
-    Terrain tile = gullied_tile(64);
+    TerrainModel tile = gullied_tile(64);
     tile.gullies.depth = 0.0;
     const Domain region{{-70.0, 30.0}, {3.7 * 99, 3.7 * 59}, {100, 60}, false};
     ThreadPool pool(1);
-    Terrain detailed = tile;
+    TerrainModel detailed = tile;
     detailed.kind = TerrainKind::placed;
     detailed.detail_wavelength = 8.0;
-    for (const Terrain& terrain : {tile, gullied_tile(64), detailed}) {
+    for (const TerrainModel& terrain : {tile, gullied_tile(64), detailed}) {
         Land land(terrain, {.threads = 1});
         const std::shared_ptr<const LandField> field = land.field();
         const Surface alone = field->surface(region, {Channel::height}, pool);
@@ -385,7 +385,7 @@ TEST(LandFields, OfTilesRepeatAndJoinTheirOwnMaps) {
     EXPECT_LT(largest_difference(map.channel(Channel::slope_x), copy.channel(Channel::slope_x)),
               1e-4);
     // A plain tile, whose maps are made by transforms.
-    Terrain plain = gullied_tile(256);
+    TerrainModel plain = gullied_tile(256);
     plain.gullies.depth = 0.0;
     Land waves(plain);
     const Domain own{{0.0, 0.0}, {cell * 255, cell * 255}, {256, 256}, false};
@@ -395,7 +395,7 @@ TEST(LandFields, OfTilesRepeatAndJoinTheirOwnMaps) {
 }
 
 TEST(LandFields, AnswerQueriesWithTheirMaps) {
-    for (const Terrain& terrain : {gullied_tile(128), island(128)}) {
+    for (const TerrainModel& terrain : {gullied_tile(128), island(128)}) {
         Land land(terrain);
         const Surface map = land.surface({Channel::height, Channel::nx, Channel::nz});
         std::vector<WorldPoint> places;
@@ -424,7 +424,7 @@ TEST(LandFields, AnswerQueriesWithTheirMaps) {
 }
 
 TEST(Gullies, GiveTheTujungaItsSlopes) {
-    Terrain terrain;
+    TerrainModel terrain;
     terrain.resolution = 1024;
     terrain.patch_size = 16384.0;
     terrain.rms = 300.0;
@@ -533,7 +533,7 @@ bool is_near_water(const Surface& map, int i, int j, int reach) {
 }
 
 TEST(Islands, KeepTheBitsOfLandThatTheShoreDoesNotReach) {
-    Terrain terrain = island(128);
+    TerrainModel terrain = island(128);
     Land shored(terrain);
     terrain.coast.beach_slope = 0.0;
     Land plain(terrain);
@@ -606,7 +606,7 @@ TEST(Lands, HaveTheMasksOfTheirSectionsAndRefuseOthers) {
 }
 
 TEST(Lands, RefuseWhatTheyCannotBe) {
-    const auto message = [](const Terrain& terrain) -> std::string {
+    const auto message = [](const TerrainModel& terrain) -> std::string {
         try {
             validate(terrain);
         } catch (const Error& error) {
@@ -614,10 +614,10 @@ TEST(Lands, RefuseWhatTheyCannotBe) {
         }
         return "";
     };
-    Terrain tile;
+    TerrainModel tile;
     tile.island = 100.0;
     EXPECT_NE(message(tile).find("terrain.kind = \"placed\""), std::string::npos);
-    Terrain placed;
+    TerrainModel placed;
     placed.kind = TerrainKind::placed;
     EXPECT_EQ(message(placed), "");
     placed.size = {2000.0, 500.0};
@@ -632,7 +632,7 @@ TEST(Lands, RefuseWhatTheyCannotBe) {
     placed.gullies.depth = 0.0;
     placed.range = {0.0, 10.0};
     EXPECT_NE(message(placed).find("erosion does not scale"), std::string::npos);
-    Terrain gullied;
+    TerrainModel gullied;
     gullied.gullies.depth = 0.05;
     EXPECT_NE(message(gullied).find("too long for the tile"), std::string::npos);
 }

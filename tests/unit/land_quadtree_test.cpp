@@ -117,7 +117,7 @@ class HeightPyramid {
 
 /// Mountains with a period of 131 km.
 Surface mountains() {
-    Terrain terrain;
+    TerrainModel terrain;
     terrain.resolution = 1024;
     terrain.patch_size = 131072.0;
     terrain.beta = 1.8;
@@ -235,7 +235,7 @@ TEST(LandQuadtree, BelowTheMinRangeBordersOpenAndValidateRefuses) {
 class RoughLand {
   public:
     RoughLand(double slope, double period) : kPeriod(period), kStep(period / kSide) {
-        Terrain terrain;
+        TerrainModel terrain;
         terrain.resolution = kSide;
         terrain.patch_size = kPeriod;
         terrain.beta = 2.0;

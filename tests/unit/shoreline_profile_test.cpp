@@ -64,7 +64,7 @@ Coast made_of(int columns, int rows, double cell, const Height& height) {
 /// An island of 10 km on a tile of 16 km: waves of a terrain of 512 samples on cells of 8 m (or
 /// more), a drop towards the border, and a lake inland that smoothing does not close.
 Coast island(int side = 2048, std::uint32_t seed = 3) {
-    Terrain terrain;
+    TerrainModel terrain;
     terrain.resolution = 512;
     terrain.patch_size = 16384.0;
     terrain.beta = 2.2;

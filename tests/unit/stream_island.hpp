@@ -55,7 +55,7 @@ class StreamIsland {
   private:
     /// Returns noise with the waves of n samples a side, at the centres of `map` / 2 cells a side.
     std::vector<float> noise_of(int n, int map) const {
-        Terrain terrain;
+        TerrainModel terrain;
         terrain.resolution = n;
         terrain.patch_size = kSide;
         terrain.beta = 1.9;

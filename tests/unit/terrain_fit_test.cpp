@@ -24,7 +24,7 @@ namespace ocean {
 namespace {
 
 /// A crop of the land of a terrain, which no period fits into.
-ElevationModel crop_of(const Terrain& terrain, int columns, int rows) {
+ElevationModel crop_of(const TerrainModel& terrain, int columns, int rows) {
     Land land(terrain);
     const Surface surface = land.surface({Channel::height});
     const auto heights = surface.channel(Channel::height);
@@ -44,8 +44,8 @@ ElevationModel crop_of(const Terrain& terrain, int columns, int rows) {
 }
 
 /// Hills of an exponent 1.4 above 600 m and 2.6 below.
-Terrain hills() {
-    Terrain terrain;
+TerrainModel hills() {
+    TerrainModel terrain;
     terrain.resolution = 1024;
     terrain.patch_size = 20000.0;
     terrain.beta = 1.4;
@@ -72,7 +72,7 @@ TEST(TerrainFit, TheTableLawOfABrokenLandHasItsDensity) {
 }
 
 TEST(TerrainFit, TheTableLawOfRidgesHasTheirDensity) {
-    Terrain ridges = hills();
+    TerrainModel ridges = hills();
     ridges.ridge_wavelength = 900.0;
     ridges.ridge_gain = 6.0;
     ridges.ridge_width = 0.4;
@@ -80,7 +80,7 @@ TEST(TerrainFit, TheTableLawOfRidgesHasTheirDensity) {
 }
 
 TEST(TerrainFit, TheTableLawOfASmoothLandHasItsDensity) {
-    Terrain smooth = hills();
+    TerrainModel smooth = hills();
     smooth.breaks.clear();
     smooth.beta = 2.4;
     expect_good_table(crop_of(smooth, 300, 500));
@@ -90,7 +90,7 @@ TEST(TerrainFit, ABrokenLawGivesBackTheLawThatMadeTheLand) {
     double beta = 0.0, length = 0.0, short_beta = 0.0;
     constexpr int kSeeds = 12;
     for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
-        Terrain terrain = hills();
+        TerrainModel terrain = hills();
         terrain.patch_size = 60000.0;  // many waves on either side of the break
         terrain.seed = 500 + seed;
         const TerrainFit fit =
@@ -109,7 +109,7 @@ TEST(TerrainFit, ABrokenLawGivesBackTheLawThatMadeTheLand) {
 }
 
 TEST(TerrainFit, OneExponentIsFoundAndABrokenLandIsAWarning) {
-    Terrain smooth = hills();
+    TerrainModel smooth = hills();
     smooth.breaks.clear();
     smooth.beta = 2.2;
     const TerrainFit good =
@@ -122,7 +122,7 @@ TEST(TerrainFit, OneExponentIsFoundAndABrokenLandIsAWarning) {
     EXPECT_NE(bad.warnings[0].find("the table law follows the rings"), std::string::npos);
 }
 
-double variance_of_tile(const Terrain& terrain) {
+double variance_of_tile(const TerrainModel& terrain) {
     return std::pow(Land(terrain).state().rms.resolved, 2);
 }
 
@@ -134,7 +134,7 @@ bool is_told(const TerrainFit& fit, const std::string& words) {
 
 /// A whole tile of one exponent, whose rms is known: 60 m.
 ElevationModel known_land(std::uint32_t seed) {
-    Terrain terrain = hills();
+    TerrainModel terrain = hills();
     terrain.breaks.clear();
     terrain.beta = 2.2;
     terrain.rms = 60.0;
@@ -187,7 +187,7 @@ TEST(TerrainFit, WavesLongerThanTheModelAreLeftOut) {
 }
 
 TEST(TerrainFit, AParameterAtItsBoundIsAWarning) {
-    Terrain noise = hills();
+    TerrainModel noise = hills();
     noise.breaks.clear();
     noise.beta = 0.0;
     const TerrainFit fit = fit_terrain(crop_of(noise, 256, 256), {.law = FitLaw::one, .seeds = 4});
@@ -197,7 +197,7 @@ TEST(TerrainFit, AParameterAtItsBoundIsAWarning) {
 }
 
 TEST(TerrainFit, ReliefOfTheModelAndOfTheTerrainAreBothTold) {
-    Terrain terrain = hills();
+    TerrainModel terrain = hills();
     terrain.anisotropy = 2.0;
     terrain.direction = 30.0;
     const TerrainFit fit = fit_terrain(crop_of(terrain, 400, 400), {.seeds = 4});

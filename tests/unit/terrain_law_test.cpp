@@ -17,8 +17,8 @@
 namespace ocean {
 namespace {
 
-Terrain power_law(double beta) {
-    Terrain terrain;
+TerrainModel power_law(double beta) {
+    TerrainModel terrain;
     terrain.beta = beta;
     return terrain;
 }
@@ -38,7 +38,7 @@ TEST(TerrainLaw, TheDensityFallsAsTwiceBeta) {
 }
 
 TEST(TerrainLaw, EachBreakChangesTheExponentOfShorterWaves) {
-    Terrain terrain = power_law(1.1);
+    TerrainModel terrain = power_law(1.1);
     terrain.breaks = {{300.0, 2.7}, {10.0, 1.9}};
     const TerrainLaw law(terrain);
     EXPECT_NEAR(log_slope(law, kTwoPi / 9000.0), -2.2, 1e-3);
@@ -49,7 +49,7 @@ TEST(TerrainLaw, EachBreakChangesTheExponentOfShorterWaves) {
 }
 
 TEST(TerrainLaw, TheOuterScaleFlattensLongWaves) {
-    Terrain terrain = power_law(2.0);
+    TerrainModel terrain = power_law(2.0);
     terrain.outer_scale = 1000.0;
     const TerrainLaw law(terrain);
     const double ko = kTwoPi / 1000.0;
@@ -59,7 +59,7 @@ TEST(TerrainLaw, TheOuterScaleFlattensLongWaves) {
 }
 
 TEST(TerrainLaw, ARidgeRaisesItsBandInItsDirection) {
-    Terrain terrain = power_law(2.0);
+    TerrainModel terrain = power_law(2.0);
     const TerrainLaw plain(terrain);
     terrain.ridge_wavelength = 100.0;
     terrain.ridge_gain = 3.0;
@@ -77,7 +77,7 @@ TEST(TerrainLaw, ARidgeRaisesItsBandInItsDirection) {
 }
 
 TEST(TerrainLaw, AnisotropyIsTheRatioOfWavelengthsOfEqualDensity) {
-    Terrain terrain = power_law(2.0);
+    TerrainModel terrain = power_law(2.0);
     terrain.anisotropy = 3.0;
     terrain.direction = 30.0;
     const TerrainLaw law(terrain);
@@ -87,7 +87,7 @@ TEST(TerrainLaw, AnisotropyIsTheRatioOfWavelengthsOfEqualDensity) {
 }
 
 TEST(TerrainLaw, AWaveOfALimitsLengthStays) {
-    Terrain terrain = power_law(2.0);
+    TerrainModel terrain = power_law(2.0);
     terrain.shortest_wavelength = 10.0;
     terrain.longest_wavelength = 100.0;
     const TerrainLaw law(terrain);
@@ -100,7 +100,7 @@ TEST(TerrainLaw, AWaveOfALimitsLengthStays) {
 }
 
 TEST(TerrainLaw, RingsAreMetAndContinueWithTheirSlope) {
-    Terrain terrain;
+    TerrainModel terrain;
     MeasuredRings rings;
     for (int i = 0; i < 12; ++i) {
         rings.wavenumber.push_back(0.01 * std::pow(2.0, 0.25 * i));
@@ -119,7 +119,7 @@ TEST(TerrainLaw, RingsAreMetAndContinueWithTheirSlope) {
 }
 
 TEST(TerrainLaw, TheTableOfAmplitudesIsThatOfTheLaw) {
-    Terrain terrain = power_law(2.3);
+    TerrainModel terrain = power_law(2.3);
     terrain.breaks = {{40.0, 1.2}};
     terrain.ridge_wavelength = 70.0;
     terrain.ridge_direction = 20.0;
@@ -135,49 +135,49 @@ TEST(TerrainLaw, TheTableOfAmplitudesIsThatOfTheLaw) {
 }
 
 struct Refused {
-    void (*change)(Terrain&);
+    void (*change)(TerrainModel&);
     const char* parameter;
     const char* says;
 };
 
 TEST(TerrainRules, ContradictionsAreRefusedWithTheirParameter) {
     const Refused kCases[] = {
-        {[](Terrain& t) {
+        {[](TerrainModel& t) {
              t.range = {3.0, 1.0};
          },
          "terrain.range", "LOWEST"},
-        {[](Terrain& t) { t.range = {3.0}; }, "terrain.range", "LOWEST"},
-        {[](Terrain& t) {
+        {[](TerrainModel& t) { t.range = {3.0}; }, "terrain.range", "LOWEST"},
+        {[](TerrainModel& t) {
              t.range = {1.0, 3.0};
              t.rms = 4.0;
          },
          "terrain.range", "terrain.rms"},
-        {[](Terrain& t) {
+        {[](TerrainModel& t) {
              t.range = {1.0, 3.0};
              t.mean = 4.0;
          },
          "terrain.range", "terrain.mean"},
-        {[](Terrain& t) {
+        {[](TerrainModel& t) {
              t.longest_wavelength = 5.0;
              t.shortest_wavelength = 6.0;
          },
          "terrain.longest_wavelength", "shortest_wavelength"},
-        {[](Terrain& t) {
+        {[](TerrainModel& t) {
              t.breaks = {{10.0, 2.0}, {20.0, 1.0}};
          },
          "terrain.breaks", "longest"},
-        {[](Terrain& t) { t.measured = "rings.csv"; }, "terrain.measured", "read"},
-        {[](Terrain& t) {
+        {[](TerrainModel& t) { t.measured = "rings.csv"; }, "terrain.measured", "read"},
+        {[](TerrainModel& t) {
              t.layers = {{300.0, 1.0, 2}};
          },
          "terrain.layer.0.period", "333.3"},
-        {[](Terrain& t) {
+        {[](TerrainModel& t) {
              t.layers = {{500.0, 1.0, 2}, {2000.0, 1.0, 2}};
          },
          "terrain.layer.1.period", "1000 or 500"},
     };
     for (const Refused& refused : kCases) {
-        Terrain terrain;
+        TerrainModel terrain;
         refused.change(terrain);
         try {
             validate(terrain);
@@ -191,7 +191,7 @@ TEST(TerrainRules, ContradictionsAreRefusedWithTheirParameter) {
 }
 
 TEST(TerrainTable, ListsOfNumbersAndPairsPassThroughText) {
-    Terrain terrain;
+    TerrainModel terrain;
     set_parameter(terrain, "breaks", "[[500, 2.5], [20, 1.9]]");
     EXPECT_EQ(get_parameter(terrain, "terrain.breaks"), "[[500, 2.5], [20, 1.9]]");
     set_parameter(terrain, "range", "-3, 4.5");
@@ -204,9 +204,9 @@ TEST(TerrainTable, ListsOfNumbersAndPairsPassThroughText) {
 }
 
 TEST(TerrainTable, AChangeDirtiesTheFirstStageThatReadsIt) {
-    const Terrain before;
+    const TerrainModel before;
     const auto stage = [&](const char* name, const char* value) {
-        Terrain after;
+        TerrainModel after;
         set_parameter(after, name, value);
         return first_dirty_stage(before, after);
     };

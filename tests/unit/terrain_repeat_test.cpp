@@ -13,8 +13,8 @@
 namespace ocean {
 namespace {
 
-Terrain tile() {
-    Terrain terrain;
+TerrainModel tile() {
+    TerrainModel terrain;
     terrain.resolution = 512;
     terrain.patch_size = 8192.0;
     terrain.beta = 1.8;
@@ -23,7 +23,7 @@ Terrain tile() {
 }
 
 TEST(TerrainRepeat, ALayerShowsAtItsPeriodWithItsShareOfTheEnergy) {
-    Terrain terrain = tile();
+    TerrainModel terrain = tile();
     Land plain(terrain);
     EXPECT_LT(find_repeat(plain.modes()).slope.correlation, 0.1);
     EXPECT_LT(find_repeat(plain.modes()).height.correlation, 0.35);  // few long waves
@@ -39,7 +39,7 @@ TEST(TerrainRepeat, ALayerShowsAtItsPeriodWithItsShareOfTheEnergy) {
 }
 
 TEST(TerrainRepeat, AFlatTerrainHasNone) {
-    Terrain terrain = tile();
+    TerrainModel terrain = tile();
     terrain.rms = 0.0;
     Land land(terrain);
     EXPECT_EQ(find_repeat(land.modes()).height.correlation, 0.0);

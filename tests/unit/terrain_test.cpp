@@ -27,8 +27,8 @@
 namespace ocean {
 namespace {
 
-Terrain tile(int resolution, double beta = 2.0) {
-    Terrain terrain;
+TerrainModel tile(int resolution, double beta = 2.0) {
+    TerrainModel terrain;
     terrain.resolution = resolution;
     terrain.patch_size = 2000.0;
     terrain.beta = beta;
@@ -131,7 +131,7 @@ TEST_P(Exponent, IsWhatWasAskedForOverTwoDecades) {
     const double top = kTwoPi / 2000.0 * (size / 2);
     std::vector<double> sums(4), worst(4);
     for (std::uint32_t seed = 1; seed <= 4; ++seed) {
-        Terrain terrain = tile(size);
+        TerrainModel terrain = tile(size);
         terrain.seed = seed;
         Land land(terrain);
         const auto map = [&](double beta) {
@@ -156,7 +156,7 @@ TEST_P(Exponent, IsWhatWasAskedForOverTwoDecades) {
 }
 
 TEST(Terrain, ABrokenLawHasBothExponentsAndItsBreak) {
-    Terrain terrain = tile(1024, 1.1);
+    TerrainModel terrain = tile(1024, 1.1);
     terrain.patch_size = 10000.0;
     terrain.breaks = {{300.0, 2.7}};
     double low = 0.0, high = 0.0, crossing = 0.0;
@@ -191,7 +191,7 @@ TEST(Terrain, ABrokenLawHasBothExponentsAndItsBreak) {
 
 TEST(Terrain, TheModesHaveTheRmsThatWasAskedFor) {
     for (const int size : {256, 512, 1024, 2048, 4096}) {
-        const Terrain terrain = tile(size, 1.7);
+        const TerrainModel terrain = tile(size, 1.7);
         ThreadPool pool;
         const TerrainNoise noise(terrain, pool);
         Modes modes = empty_terrain_modes(terrain);
@@ -213,7 +213,7 @@ TEST(Terrain, TheModesHaveTheRmsThatWasAskedFor) {
 }
 
 TEST(Terrain, MapsHaveTheRmsTheMeanAndTheRange) {
-    Terrain terrain = tile(512);
+    TerrainModel terrain = tile(512);
     Land land(terrain);
     EXPECT_NEAR(rms(heights(land)) / 25.0, 1.0, 1e-6);
     land.set("mean", "300");
@@ -233,7 +233,7 @@ TEST(Terrain, MapsHaveTheRmsTheMeanAndTheRange) {
 }
 
 TEST(Terrain, MeasuredRingsKeepTheirOwnRms) {
-    Terrain terrain = tile(256);
+    TerrainModel terrain = tile(256);
     terrain.rms.reset();
     MeasuredRings rings;
     for (int i = 0; i < 24; ++i) {
@@ -259,7 +259,7 @@ TEST(Terrain, MeasuredRingsKeepTheirOwnRms) {
 
 TEST(Terrain, AFinerGridKeepsTheNoiseOfSharedWavesBitForBit) {
     ThreadPool pool;
-    Terrain terrain = tile(256);
+    TerrainModel terrain = tile(256);
     terrain.layers = {{500.0, 0.5, 9}};
     const TerrainNoise coarse(terrain, pool);
     terrain.resolution = 1024;
@@ -272,7 +272,7 @@ TEST(Terrain, AFinerGridKeepsTheNoiseOfSharedWavesBitForBit) {
 
 TEST(Terrain, TheNoiseIsThatOfTheFormula) {
     ThreadPool pool;
-    const Terrain terrain = tile(64);
+    const TerrainModel terrain = tile(64);
     const TerrainNoise noise(terrain, pool);
     for (const auto& [n, m] : {std::pair{1, 0}, {0, 5}, {7, -3}, {31, 31}, {20, -31}}) {
         const auto xi =
@@ -287,7 +287,7 @@ TEST(Terrain, TheNoiseIsThatOfTheFormula) {
 }
 
 TEST(Terrain, WithAShortestWaveEveryGridHasTheSameHeights) {
-    Terrain terrain = tile(256);
+    TerrainModel terrain = tile(256);
     terrain.shortest_wavelength = 20.0;
     Land coarse(terrain);
     const auto few = heights(coarse);
@@ -302,7 +302,7 @@ TEST(Terrain, WithAShortestWaveEveryGridHasTheSameHeights) {
 }
 
 TEST(Terrain, AnyNumberOfThreadsAndAnyBackendGiveTheSameHeights) {
-    const Terrain terrain = tile(256);
+    const TerrainModel terrain = tile(256);
     Land one(terrain, {.threads = 1});
     const auto expected = heights(one);
     for (const int threads : {2, 3, 7}) {
@@ -330,7 +330,7 @@ TEST(Terrain, AChangedLandLeavesItsCopiesAlone) {
 }
 
 TEST(Terrain, LayersRepeatWithTheirOwnPeriod) {
-    Terrain terrain = tile(256);
+    TerrainModel terrain = tile(256);
     terrain.layers = {{500.0, 1.0, 5}};
     Land both(terrain);
     terrain.layers.clear();
@@ -356,7 +356,7 @@ TEST(Terrain, LayersRepeatWithTheirOwnPeriod) {
 
 TEST(Terrain, TheLandIsSteepestInTheDirectionOfTheFile) {
     for (const double direction : {0.0, 25.0, 70.0}) {
-        Terrain terrain = tile(512, 1.8);
+        TerrainModel terrain = tile(512, 1.8);
         // A round limit: the corners of the lattice would pull the slopes to the diagonals.
         terrain.shortest_wavelength = 8.0;
         terrain.anisotropy = 3.0;
@@ -382,7 +382,7 @@ TEST(Terrain, TheLandIsSteepestInTheDirectionOfTheFile) {
 // ---- Slopes, normals, queries
 
 TEST(Terrain, SlopesAndNormalsAreThoseOfTheHeights) {
-    Terrain terrain = tile(256, 2.4);
+    TerrainModel terrain = tile(256, 2.4);
     terrain.shortest_wavelength = 60.0;
     terrain.mean = 1234.0;
     Land land(terrain);
@@ -409,7 +409,7 @@ TEST(Terrain, SlopesAndNormalsAreThoseOfTheHeights) {
 }
 
 TEST(Terrain, QueriesMeetTheMapAndTheExactSum) {
-    Terrain terrain = tile(256);
+    TerrainModel terrain = tile(256);
     terrain.mean = 300.0;
     Land land(terrain);
     const Surface map = land.surface({Channel::height, Channel::nx});
@@ -453,7 +453,7 @@ TEST(Terrain, ChannelsOfASeaAreRefused) {
 // ---- The classic way, and its faults put back
 
 TEST(TerrainStages, EndInTheTerrainsOwnHeight) {
-    Terrain terrain = tile(128);
+    TerrainModel terrain = tile(128);
     terrain.mean = 40.0;
     terrain.layers = {{500.0, 0.7, 3}};
     Land land(terrain);
@@ -470,7 +470,7 @@ TEST(TerrainStages, EndInTheTerrainsOwnHeight) {
 }
 
 TEST(TerrainStages, BeginWithWhiteNoiseOfUnitVariance) {
-    Terrain terrain = tile(256);
+    TerrainModel terrain = tile(256);
     Land land(terrain);
     const TerrainStages stages = terrain_stages(land);
     EXPECT_NEAR(rms(stages.noise), 1.0, 0.02);
@@ -550,7 +550,7 @@ TEST(ClassicFaults, TheNoisesOwnMeanLiftsEachTerrainByChance) {
     }
     EXPECT_GT(spread(means), 0.2 * 25.0);
     for (std::uint32_t seed = 1; seed <= 4; ++seed) {
-        Terrain terrain = tile(64);
+        TerrainModel terrain = tile(64);
         terrain.seed = seed;
         Land land(terrain);
         const auto ours = heights(land);
@@ -578,7 +578,7 @@ TEST(ClassicFaults, ARampThatAddsItsSecondColourOverflows) {
 }
 
 TEST(TerrainState, SaysWhatWasAskedForAndWhatTheTileHolds) {
-    Terrain terrain = tile(512, 1.8);
+    TerrainModel terrain = tile(512, 1.8);
     Land land(terrain);
     const TerrainState state = land.state();
     EXPECT_NEAR(state.rms.asked, 25.0, 1e-9);

@@ -28,7 +28,7 @@ bool is_preset_of(std::span<const Preset> list, std::string_view name) {
     return std::ranges::find(list, name, &Preset::name) != list.end();
 }
 
-Terrain read_source(const std::string& source) {
+TerrainModel read_source(const std::string& source) {
     if (source.starts_with(kPresetPrefix)) {
         const std::string name = source.substr(kPresetPrefix.size());
         if (is_preset_of(presets(), name) && !is_preset_of(terrain_presets(), name)) {
@@ -40,10 +40,10 @@ Terrain read_source(const std::string& source) {
     return parse_terrain(found.text, found.name, found.base_dir);
 }
 
-void assign(Terrain& terrain, const std::string& name, std::string value) {
+void assign(TerrainModel& terrain, const std::string& name, std::string value) {
     const auto ref = find_parameter(terrain_table(), name);
     const bool names_file =
-        ref.info->holds<&Terrain::measured>() || ref.info->holds<&Terrain::base>();
+        ref.info->holds<&TerrainModel::measured>() || ref.info->holds<&TerrainModel::base>();
     if (names_file && !value.empty()) {
         value = text::to_utf8(std::filesystem::absolute(utf8_path(value)));
     }
@@ -51,7 +51,7 @@ void assign(Terrain& terrain, const std::string& name, std::string value) {
 }
 
 /// Throws for a parameter of a section that is switched off: setting it would do nothing.
-void require_effect(const Terrain& terrain, const std::string& name) {
+void require_effect(const TerrainModel& terrain, const std::string& name) {
     const auto ref = find_parameter(terrain_table(), name);
     const TerrainRow* const first = switch_of(*ref.info);
     if (first == ref.info || !is_switched_off(terrain, *ref.info)) return;
@@ -71,8 +71,8 @@ OptionGroup terrain_options(TerrainArgument& argument, bool required) {
           "Change a parameter, such as beta=2.2 or terrain.layer.0.gain=0.5; may be repeated"}}};
 }
 
-Terrain open_terrain(const TerrainArgument& argument) {
-    Terrain terrain = read_source(argument.source);
+TerrainModel open_terrain(const TerrainArgument& argument) {
+    TerrainModel terrain = read_source(argument.source);
     for (const std::string& text : argument.assignments) {
         const Assignment set = parse_assignment(text, "beta=2.2");
         assign(terrain, set.name, set.value);

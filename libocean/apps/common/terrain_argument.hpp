@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "command.hpp"
-#include "ocean/terrain.hpp"
+#include "ocean/terrain_model.hpp"
 
 namespace ocean::app {
 
@@ -22,7 +22,7 @@ struct TerrainArgument {
 OptionGroup terrain_options(TerrainArgument& argument, bool required = kRequired);
 
 /// Returns the terrain. Throws Error.
-Terrain open_terrain(const TerrainArgument& argument);
+TerrainModel open_terrain(const TerrainArgument& argument);
 
 /// Returns true if a source names a terrain: a preset of one, a baked file of one, or a file with
 /// [terrain]. False for everything else, also for what cannot be read. Standard input and pipes are

@@ -9,8 +9,8 @@
 
 namespace ocean::app {
 
-LiveLand::LiveLand(Terrain terrain, int threads,
-                   std::function<LandComputing(const Terrain&)> computing)
+LiveLand::LiveLand(TerrainModel terrain, int threads,
+                   std::function<LandComputing(const TerrainModel&)> computing)
     : threads_(threads),
       choose_(std::move(computing)),
       computing_(choose_(terrain)),
@@ -22,13 +22,13 @@ preview::DrawnLand LiveLand::show() {
 }
 
 void LiveLand::set(const std::string& name, const std::string& value) {
-    Terrain changed = terrain();
+    TerrainModel changed = terrain();
     set_parameter(changed, name, value);
     resolve_files(changed, "");
     change(std::move(changed));
 }
 
-void LiveLand::open(Terrain terrain) {
+void LiveLand::open(TerrainModel terrain) {
     change(std::move(terrain));
 }
 
@@ -36,7 +36,7 @@ void LiveLand::compute_anew() {
     change(terrain());
 }
 
-void LiveLand::change(Terrain terrain) {
+void LiveLand::change(TerrainModel terrain) {
     validate(terrain);
     const LandComputing computing = choose_(terrain);
     if (!(computing.backend == computing_.backend)) {

@@ -27,7 +27,8 @@ struct LandComputing {
 class LiveLand {
   public:
     /// computing: returns how to compute a terrain; throws Error if it cannot be computed.
-    LiveLand(Terrain terrain, int threads, std::function<LandComputing(const Terrain&)> computing);
+    LiveLand(TerrainModel terrain, int threads,
+             std::function<LandComputing(const TerrainModel&)> computing);
 
     /// Returns the land with all changes. Redoes only the stages that they dirty. Throws Error.
     preview::DrawnLand show();
@@ -36,21 +37,21 @@ class LiveLand {
     /// Error.
     void set(const std::string& name, const std::string& value);
     /// Shows another terrain. Throws Error.
-    void open(Terrain terrain);
+    void open(TerrainModel terrain);
     /// Computes the land anew if `computing` has another answer. Throws Error.
     void compute_anew();
 
-    const Terrain& terrain() const { return land_->terrain(); }
+    const TerrainModel& terrain() const { return land_->terrain(); }
     Land& land() { return *land_; }
     const LandComputing& computing() const { return computing_; }
     /// Returns warnings about the land, a sentence each, or none while it changes.
     const std::vector<std::string>& warnings();
 
   private:
-    void change(Terrain terrain);
+    void change(TerrainModel terrain);
 
     int threads_;
-    std::function<LandComputing(const Terrain&)> choose_;
+    std::function<LandComputing(const TerrainModel&)> choose_;
     LandComputing computing_;
     std::unique_ptr<Land> land_;
     preview::LandMaps maps_;

@@ -110,7 +110,7 @@ void LiveScene::open(const OpenedScene& scene) {
         land_.reset();
         shown_ = preview::DrawnSea{};
     } else {
-        const Terrain& terrain = std::get<Terrain>(scene);
+        const TerrainModel& terrain = std::get<TerrainModel>(scene);
         if (land_) return land_->open(terrain);
         auto made = make_land(terrain);
         shown_ = made->show();  // the textures of the sea go with it
@@ -164,8 +164,8 @@ std::unique_ptr<LiveSea> LiveScene::make_sea(const Sea& sea) {
     return made;
 }
 
-std::unique_ptr<LiveLand> LiveScene::make_land(const Terrain& terrain) {
-    return std::make_unique<LiveLand>(terrain, options_.threads, [this](const Terrain& of) {
+std::unique_ptr<LiveLand> LiveScene::make_land(const TerrainModel& terrain) {
+    return std::make_unique<LiveLand>(terrain, options_.threads, [this](const TerrainModel& of) {
         constexpr bool kLive = true;
         return LandComputing{fitting_backend(of),
                              land_map_for(options_.preview, of, options_.info, kLive)};
@@ -174,7 +174,7 @@ std::unique_ptr<LiveLand> LiveScene::make_land(const Terrain& terrain) {
 
 std::string text_of(const OpenedScene& scene) {
     if (const auto* const sea = std::get_if<Sea>(&scene)) return write_sea(*sea);
-    return write_terrain(std::get<Terrain>(scene));
+    return write_terrain(std::get<TerrainModel>(scene));
 }
 
 }  // namespace ocean::app

@@ -80,7 +80,7 @@ class LiveScene {
     template <typename Model>
     const Backend& fitting_backend(const Model& model);
     std::unique_ptr<LiveSea> make_sea(const Sea& sea);
-    std::unique_ptr<LiveLand> make_land(const Terrain& terrain);
+    std::unique_ptr<LiveLand> make_land(const TerrainModel& terrain);
 
     LiveSceneOptions options_;
     Backend backend_;  // the chosen one

@@ -204,8 +204,8 @@ ShowFrame frames_of(const Sea& sea, const Computing& computing, const Context& c
 }
 
 /// Returns the frames of a land, which stands still.
-ShowFrame frames_of(const Terrain& terrain, const PreviewOptions& options, const Device& device,
-                    const Context& context) {
+ShowFrame frames_of(const TerrainModel& terrain, const PreviewOptions& options,
+                    const Device& device, const Context& context) {
     const auto land = std::make_shared<Land>(
         terrain, LandOptions{.threads = context.options.threads, .backend = device.backend});
     const auto maps = std::make_shared<preview::LandMaps>();
@@ -248,7 +248,7 @@ void print_budget(const PreviewOptions& options, const OpenedScene& scene, const
             place_on_coast(options, *std::get<preview::DrawnSea>(first).coast, camera);
         }
     } else {
-        show = frames_of(std::get<Terrain>(scene), options, device, context);
+        show = frames_of(std::get<TerrainModel>(scene), options, device, context);
         place_on_land(options, std::get<preview::DrawnLand>(show(0)), camera);
     }
     const bool flies = kind_of(scene) == preview::SceneKind::land;

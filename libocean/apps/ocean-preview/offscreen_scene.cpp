@@ -91,8 +91,8 @@ class OffscreenSea : public OffscreenScene {
 
 class OffscreenLand : public OffscreenScene {
   public:
-    OffscreenLand(const Terrain& terrain, const PreviewOptions& options, const Backend& backend,
-                  const gl::ContextInfo& info, const Context& context)
+    OffscreenLand(const TerrainModel& terrain, const PreviewOptions& options,
+                  const Backend& backend, const gl::ContextInfo& info, const Context& context)
         : land_(terrain, {.threads = context.options.threads, .backend = backend}),
           resolution_(land_map_for(options, terrain, info, false)) {
         if (const std::string reason = why_not(backend, terrain, info); !reason.empty()) {
@@ -158,7 +158,7 @@ std::unique_ptr<OffscreenScene> make_offscreen_scene(const OpenedScene& scene,
                                                      const Backend& backend,
                                                      const gl::ContextInfo& info,
                                                      const Context& context) {
-    if (const auto* const terrain = std::get_if<Terrain>(&scene)) {
+    if (const auto* const terrain = std::get_if<TerrainModel>(&scene)) {
         return std::make_unique<OffscreenLand>(*terrain, options, backend, info, context);
     }
     return std::make_unique<OffscreenSea>(std::get<Sea>(scene), options, backend, info, context);

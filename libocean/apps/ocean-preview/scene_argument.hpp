@@ -8,13 +8,13 @@
 
 #include "ocean/preview/picture.hpp"
 #include "ocean/sea.hpp"
-#include "ocean/terrain.hpp"
+#include "ocean/terrain_model.hpp"
 #include "sea_argument.hpp"
 
 namespace ocean::app {
 
 /// A resolved and validated sea or terrain.
-using OpenedScene = std::variant<Sea, Terrain>;
+using OpenedScene = std::variant<Sea, TerrainModel>;
 
 preview::SceneKind kind_of(const OpenedScene& scene);
 /// Returns the argument and --set as options.

@@ -80,7 +80,7 @@ std::string why_not(const Backend& backend, const Sea& sea, const gl::ContextInf
     return why_not(backend, {"seas", "grid", sea.parameters.grid.resolution}, context);
 }
 
-std::string why_not(const Backend& backend, const Terrain& terrain,
+std::string why_not(const Backend& backend, const TerrainModel& terrain,
                     const gl::ContextInfo& context) {
     return why_not(backend, {"terrains", "terrain", terrain.resolution}, context);
 }
@@ -115,7 +115,7 @@ Computing computing_for(const Backend& backend, const PreviewOptions& options, c
     return computing;
 }
 
-int land_map_for(const PreviewOptions& options, const Terrain& terrain,
+int land_map_for(const PreviewOptions& options, const TerrainModel& terrain,
                  const gl::ContextInfo& context, bool live) {
     return options.map.value_or(preview::land_map_resolution(terrain, live && context.software));
 }

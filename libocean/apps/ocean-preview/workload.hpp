@@ -32,10 +32,11 @@ Computing computing_for(const Backend& backend, const PreviewOptions& options, c
                         const gl::ContextInfo& context);
 /// Returns the samples along a side of a terrain's map: the requested ones, or as many as the
 /// machine can make within a tenth of a second. live: the map follows a slider.
-int land_map_for(const PreviewOptions& options, const Terrain& terrain,
+int land_map_for(const PreviewOptions& options, const TerrainModel& terrain,
                  const gl::ContextInfo& context, bool live);
 /// Returns why a backend cannot compute a terrain in a context, or "" if it can.
-std::string why_not(const Backend& backend, const Terrain& terrain, const gl::ContextInfo& context);
+std::string why_not(const Backend& backend, const TerrainModel& terrain,
+                    const gl::ContextInfo& context);
 /// live: pictures follow each other in a window.
 preview::RendererOptions renderer_for(const PreviewOptions& options, const gl::ContextInfo& context,
                                       bool live);

@@ -56,7 +56,7 @@ BakedFrame baked_frame_of(const std::string& source) {
 }
 
 void run_for_terrain(const InfoOptions& info, const Context& context) {
-    const Terrain terrain = open_terrain({info.sea.source, info.sea.assignments});
+    const TerrainModel terrain = open_terrain({info.sea.source, info.sea.assignments});
     if (info.sea_file) return context.console.data(write_terrain(terrain));
     Land land(terrain, {.threads = context.options.threads});
     const TerrainState state = land.state();

@@ -46,7 +46,7 @@ std::vector<BakePlan> make_plans(const PovrayTerrainRequest& request, const Cont
     // A region has the samples of its cell.
     if (region) options.max_resolution = 0;
     options.open_subject = [&request, &region](const std::string& source) {
-        Terrain terrain = open_terrain({source, request.assignments});
+        TerrainModel terrain = open_terrain({source, request.assignments});
         if (region) return make_region_subject(std::move(terrain), *region);
         return make_subject(std::move(terrain));
     };
@@ -109,7 +109,7 @@ void report_cost(const PovrayTerrainRequest& request, const BakePlan& plan, Cons
 void write_povray_terrain(const PovrayTerrainRequest& request, const Context& context) {
     const std::vector<BakePlan> plans = make_plans(request, context);
     const BakePlan& plan = plans.front();
-    const Terrain& terrain = *find_terrain(*plan.subject);
+    const TerrainModel& terrain = *find_terrain(*plan.subject);
     Land land(terrain, {.threads = plan.threads});
     const std::vector<FolderFile> files = povray_terrain_files(plan, land.state(), request.format);
     const InputFiles inputs(request.bake.source, plan.subject->named_files());

@@ -86,7 +86,7 @@ void run_for_terrain(const SpectrumOptions& options, const Context& context) {
         throw Error(ErrorKind::unsupported,
                     "--directional: only a sea has it; a terrain is printed in rings");
     }
-    const Terrain terrain = open_terrain({options.sea.source, options.sea.assignments});
+    const TerrainModel terrain = open_terrain({options.sea.source, options.sea.assignments});
     check_outputs(options, named_files(terrain));
     const int seeds = options.seeds.empty()
                           ? kDefaultSeeds

@@ -113,7 +113,7 @@ void refuse_lod_of_maps(const Typed& typed, const BakeOptions& options) {
 }
 
 /// Returns the part of the terrain that a baked file shows: tiles, a whole placed land or a region.
-std::unique_ptr<Subject> subject_of_file(const std::string& path, Terrain terrain) {
+std::unique_ptr<Subject> subject_of_file(const std::string& path, TerrainModel terrain) {
     const auto provenance = io::read_provenance(path);
     if (!provenance || !provenance->domain) return make_subject(std::move(terrain));
     const Domain& shown = *provenance->domain;
@@ -150,7 +150,7 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
     const TerrainTiles tiles = parse_tiles(typed.tiles);
     const std::optional<Region> region = region_of(typed);
     options.open_subject = [&](const std::string& source) {
-        Terrain terrain = open_terrain({source, typed.terrain.assignments});
+        TerrainModel terrain = open_terrain({source, typed.terrain.assignments});
         if (region) return make_region_subject(std::move(terrain), *region);
         const bool from_file = !options.from.empty() && typed.tiles.empty();
         if (from_file) return subject_of_file(source, std::move(terrain));

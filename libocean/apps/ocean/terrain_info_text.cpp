@@ -25,7 +25,7 @@ std::string asked_resolved(const std::string& label, const AskedResolved& value,
                        cell(value.resolved).c_str());
 }
 
-std::string law_text(const Terrain& terrain) {
+std::string law_text(const TerrainModel& terrain) {
     if (terrain.rings != nullptr) {
         return row("Law", format_text("measured, %zu rings: %s", terrain.rings->wavenumber.size(),
                                       terrain.measured.c_str()));
@@ -40,7 +40,7 @@ std::string law_text(const Terrain& terrain) {
 }
 
 /// Returns the lines about the place of a land, its base and what shapes it.
-std::string shape_text(const Terrain& terrain, const TerrainState& state) {
+std::string shape_text(const TerrainModel& terrain, const TerrainState& state) {
     std::string text;
     if (terrain.is_placed()) {
         text += row("Placed land", format_text("%.6g x %.6g m, a cell of %.4g m", state.size[0],
@@ -89,7 +89,7 @@ std::string octaves_text(const TerrainState& state) {
 
 }  // namespace
 
-std::string terrain_info_text(const Terrain& terrain, const std::string& name,
+std::string terrain_info_text(const TerrainModel& terrain, const std::string& name,
                               const TerrainState& state) {
     std::string text = row("Terrain", name);
     text += shape_text(terrain, state);

@@ -6,13 +6,13 @@
 
 #include <string>
 
-#include "ocean/terrain.hpp"
+#include "ocean/terrain_model.hpp"
 #include "ocean/terrain_state.hpp"
 
 namespace ocean::app {
 
 /// Returns the statistics of a terrain; `name` is its file or preset.
-std::string terrain_info_text(const Terrain& terrain, const std::string& name,
+std::string terrain_info_text(const TerrainModel& terrain, const std::string& name,
                               const TerrainState& state);
 
 }  // namespace ocean::app

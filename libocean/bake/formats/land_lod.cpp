@@ -152,7 +152,7 @@ std::optional<LandLod> read_land_lod(const BakeOptions& options) {
 }
 
 LandLod resolve_land_lod(const BakePlan& draft, const LandLod& requested) {
-    const Terrain* const terrain = find_terrain(*draft.subject);
+    const TerrainModel* const terrain = find_terrain(*draft.subject);
     if (terrain == nullptr) throw Error(ErrorKind::unsupported, "--lod: only a terrain has it");
     LandLod lod = requested;
     QuadtreeSettings& quadtree = lod.quadtree;

@@ -40,7 +40,7 @@ NoSettings read(const BakeOptions&) {
 
 MadePlan<NoSettings> resolve(const BakePlan& draft, const NoSettings&,
                              const std::vector<const Product*>& products) {
-    const Terrain* terrain = find_terrain(*draft.subject);
+    const TerrainModel* terrain = find_terrain(*draft.subject);
     if (terrain == nullptr) {
         throw Error(ErrorKind::unsupported, "only a terrain has the steps of its synthesis");
     }

@@ -67,7 +67,7 @@ void add_to(const MapOutput& output, std::size_t component, float height, int re
 }  // namespace
 
 struct Land::Impl {
-    Impl(Terrain its_terrain, const LandOptions& options)
+    Impl(TerrainModel its_terrain, const LandOptions& options)
         : terrain(std::move(its_terrain)),
           pool(options.threads, options.run_jobs),
           writer(options.backend) {
@@ -91,7 +91,7 @@ struct Land::Impl {
     }
 
     /// Forgets what a change from the present terrain makes stale.
-    void go_to(Terrain next) {
+    void go_to(TerrainModel next) {
         const auto dirty = first_dirty_stage(terrain, next);
         terrain = std::move(next);
         if (!dirty) return;
@@ -181,7 +181,7 @@ struct Land::Impl {
         return query->query;
     }
 
-    Terrain terrain;
+    TerrainModel terrain;
     ThreadPool pool;
     MapWriter writer;
     std::shared_ptr<const TerrainNoise> noise;
@@ -201,7 +201,7 @@ struct Land::Impl {
     std::optional<CachedQuery> query;
 };
 
-Land::Land(Terrain terrain, const LandOptions& options) {
+Land::Land(TerrainModel terrain, const LandOptions& options) {
     validate(terrain);
     impl_ = std::make_unique<Impl>(std::move(terrain), options);
 }
@@ -211,17 +211,17 @@ Land::Land(const Land& shared, const LandOptions& options)
 
 Land::~Land() = default;
 
-const Terrain& Land::terrain() const {
+const TerrainModel& Land::terrain() const {
     return impl_->terrain;
 }
 
-void Land::set_terrain(Terrain terrain) {
+void Land::set_terrain(TerrainModel terrain) {
     validate(terrain);
     impl_->go_to(std::move(terrain));
 }
 
 void Land::set(std::string_view name, std::string_view value) {
-    Terrain next = impl_->terrain;
+    TerrainModel next = impl_->terrain;
     set_parameter(next, name, value);
     set_terrain(std::move(next));
 }
@@ -364,7 +364,7 @@ ThreadPool& Land::pool() {
     return impl_->pool;
 }
 
-ChannelSet terrain_channels(const Terrain& terrain) {
+ChannelSet terrain_channels(const TerrainModel& terrain) {
     ChannelSet channels = kTerrainChannels;
     const auto add = [&](std::initializer_list<LandMask> masks) {
         for (const LandMask mask : masks) channels = channels | channel_of(mask);
@@ -376,7 +376,7 @@ ChannelSet terrain_channels(const Terrain& terrain) {
     return channels;
 }
 
-Domain terrain_domain(const Terrain& terrain, int resolution) {
+Domain terrain_domain(const TerrainModel& terrain, int resolution) {
     if (!terrain.is_placed()) {
         return Domain::tile(terrain.patch_size, resolution == 0 ? terrain.resolution : resolution);
     }
@@ -385,7 +385,7 @@ Domain terrain_domain(const Terrain& terrain, int resolution) {
     return with_cell(own, std::max(own.size[0], own.size[1]) / (resolution - 1));
 }
 
-std::uint64_t Land::bytes(const Terrain& terrain) {
+std::uint64_t Land::bytes(const TerrainModel& terrain) {
     if (terrain.is_shaped()) return field_bytes(terrain);
     Grid grid;
     grid.resolution = terrain.resolution;

@@ -61,7 +61,7 @@ std::vector<float> real_parts(const ComplexPlane& plane, double factor, double a
 }
 
 /// Returns the filter of each wave, gain sqrt(S) dk [m], in FFT order; 0 where no wave is.
-ComplexPlane filter_plane(const Terrain& terrain, double gain) {
+ComplexPlane filter_plane(const TerrainModel& terrain, double gain) {
     const int size = terrain.resolution;
     const double dk = kTwoPi / terrain.patch_size;
     const TerrainAmplitudes amplitude(TerrainLaw(terrain), dk, dk * size);
@@ -77,7 +77,7 @@ ComplexPlane filter_plane(const Terrain& terrain, double gain) {
 }  // namespace
 
 TerrainStages terrain_stages(Land& land) {
-    const Terrain& terrain = land.terrain();
+    const TerrainModel& terrain = land.terrain();
     const int size = terrain.resolution;
     constexpr std::uint64_t kBytesPerSample = 2 * sizeof(std::complex<double>) + 5 * sizeof(float);
     require_memory(lattice_of(terrain).size() * kBytesPerSample, "the stages of the terrain");

@@ -38,7 +38,7 @@ struct RingSum {
 };
 
 /// Returns the rings of a tile, kStateRingsPerOctave to an octave of the wave index from 1 on.
-std::vector<RingSum> ring_sums(const Terrain& terrain, const Modes& modes,
+std::vector<RingSum> ring_sums(const TerrainModel& terrain, const Modes& modes,
                                const TerrainScale& scale) {
     const int size = modes.lattice.resolution;
     const double dk = modes.lattice.wavenumber_step();
@@ -114,7 +114,7 @@ double ring_exponent(std::span<const RingSum> rings) {
     return -0.5 * xy / xx;
 }
 
-std::vector<TerrainOctave> octaves_of(const Terrain& terrain, std::span<const RingSum> rings) {
+std::vector<TerrainOctave> octaves_of(const TerrainModel& terrain, std::span<const RingSum> rings) {
     const TerrainLaw law(terrain);
     const int octaves = std::bit_width(static_cast<unsigned>(terrain.resolution)) - 2;
     std::vector<TerrainOctave> result;
@@ -141,7 +141,7 @@ double slope_angle(double mean_square, double share) {
     return std::atan(std::sqrt(-mean_square * std::log1p(-share))) / kRadians;
 }
 
-void add_warnings(const Terrain& terrain, TerrainState& state) {
+void add_warnings(const TerrainModel& terrain, TerrainState& state) {
     const auto warn = [&](std::string text) { state.warnings.push_back(std::move(text)); };
     if (terrain.base_model != nullptr) {
         for (const std::string& note : terrain.base_model->model.notes) warn("base: " + note);
@@ -173,8 +173,8 @@ void add_warnings(const Terrain& terrain, TerrainState& state) {
 
 }  // namespace
 
-TerrainState terrain_state(const Terrain& terrain, const Modes& modes, const TerrainScale& scale,
-                           double offset) {
+TerrainState terrain_state(const TerrainModel& terrain, const Modes& modes,
+                           const TerrainScale& scale, double offset) {
     std::vector<RingSum> rings = ring_sums(terrain, modes, scale);
     RingSum sum = total(rings);
     if (!terrain.has_measured_rms() && sum.asked > 0.0) {

@@ -17,7 +17,7 @@
 #include "ocean/domain.hpp"
 #include "ocean/query.hpp"
 #include "ocean/surface.hpp"
-#include "ocean/terrain.hpp"
+#include "ocean/terrain_model.hpp"
 #include "ocean/terrain_modes.hpp"
 #include "ocean/terrain_state.hpp"
 #include "ocean/thread_pool.hpp"
@@ -54,14 +54,14 @@ class Land {
   public:
     /// Validates the terrain; nothing is computed before it is requested. Throws Error
     /// invalid_value.
-    explicit Land(Terrain terrain, const LandOptions& options = {});
+    explicit Land(TerrainModel terrain, const LandOptions& options = {});
     /// Makes the land of another thread, which shares what this one has computed.
     Land(const Land& shared, const LandOptions& options);
     ~Land();
 
-    const Terrain& terrain() const;
+    const TerrainModel& terrain() const;
     /// Replaces the terrain. Throws Error invalid_value and changes nothing if it is not valid.
-    void set_terrain(Terrain terrain);
+    void set_terrain(TerrainModel terrain);
     /// Sets one parameter from text. Throws as set_parameter and validate, and changes nothing
     /// then.
     void set(std::string_view name, std::string_view value);
@@ -106,7 +106,7 @@ class Land {
     ThreadPool& pool();
 
     /// Returns the bytes of noise and modes.
-    static std::uint64_t bytes(const Terrain& terrain);
+    static std::uint64_t bytes(const TerrainModel& terrain);
 
   private:
     void shaped_into(std::span<const MapOutput> outputs, int resolution);
@@ -116,8 +116,8 @@ class Land {
 };
 
 /// Returns the channels that a terrain's sections give it: see Land::channels.
-ChannelSet terrain_channels(const Terrain& terrain);
+ChannelSet terrain_channels(const TerrainModel& terrain);
 /// Returns the domain of its maps: see Land::domain. A base must have been read.
-Domain terrain_domain(const Terrain& terrain, int resolution = 0);
+Domain terrain_domain(const TerrainModel& terrain, int resolution = 0);
 
 }  // namespace ocean

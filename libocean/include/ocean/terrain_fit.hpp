@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "ocean/elevation.hpp"
-#include "ocean/terrain.hpp"
+#include "ocean/terrain_model.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {
@@ -75,7 +75,7 @@ struct Relief {
 };
 
 struct TerrainFit {
-    Terrain terrain;
+    TerrainModel terrain;
     double cell = 0.0;  // of the terrain [m]
     std::vector<FittedRing> rings;
     std::vector<FittedOctave> octaves;  // from the longest waves

@@ -21,7 +21,7 @@
 #include <span>
 #include <vector>
 
-#include "ocean/terrain.hpp"
+#include "ocean/terrain_model.hpp"
 
 namespace ocean {
 
@@ -37,7 +37,7 @@ enum class LawPart { whole, smooth, fine };
 class TerrainLaw {
   public:
     /// Needs a validated terrain.
-    explicit TerrainLaw(const Terrain& terrain, LawPart part = LawPart::whole);
+    explicit TerrainLaw(const TerrainModel& terrain, LawPart part = LawPart::whole);
 
     /// Returns S at (kx, ky) [rad/m]; 0 at k = 0.
     double density(double kx, double ky) const;

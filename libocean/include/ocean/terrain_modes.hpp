@@ -15,8 +15,8 @@
 
 #include "ocean/modes.hpp"
 #include "ocean/page_vector.hpp"
-#include "ocean/terrain.hpp"
 #include "ocean/terrain_law.hpp"
+#include "ocean/terrain_model.hpp"
 
 namespace ocean {
 
@@ -28,7 +28,7 @@ class ThreadPool;
 /// patch_size / d adds d gain g_layer(n / d, m / d) where d divides n and m.
 class TerrainNoise {
   public:
-    TerrainNoise(const Terrain& terrain, ThreadPool& pool);
+    TerrainNoise(const TerrainModel& terrain, ThreadPool& pool);
 
     int resolution() const { return resolution_; }
     /// Returns g(0 .. N/2 - 1, m) for a signed m; 0 at the mean, the mirrored half of n = 0 and the
@@ -57,9 +57,9 @@ class TerrainNoise {
 };
 
 /// Returns the lattice of a terrain: its resolution and patch_size.
-Lattice lattice_of(const Terrain& terrain);
+Lattice lattice_of(const TerrainModel& terrain);
 /// Returns still modes of amplitude 0 on the lattice of the terrain.
-Modes empty_terrain_modes(const Terrain& terrain);
+Modes empty_terrain_modes(const TerrainModel& terrain);
 
 /// The scale of a terrain's modes.
 struct TerrainScale {
@@ -74,7 +74,7 @@ struct TerrainScale {
 /// leaves them as the law has them if it is not given; of a land with gullies only a part of the
 /// waves may be written, with the scale of the whole. `modes` are of empty_terrain_modes. The bits
 /// are the same for any number of threads.
-TerrainScale set_terrain_modes(const Terrain& terrain, const TerrainNoise& noise,
+TerrainScale set_terrain_modes(const TerrainModel& terrain, const TerrainNoise& noise,
                                std::optional<double> rms, ThreadPool& pool, Modes& modes,
                                LawPart part = LawPart::whole);
 

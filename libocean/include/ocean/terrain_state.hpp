@@ -12,7 +12,7 @@
 
 #include "ocean/sea_state.hpp"
 #include "ocean/surface.hpp"
-#include "ocean/terrain.hpp"
+#include "ocean/terrain_model.hpp"
 #include "ocean/terrain_modes.hpp"
 #include "ocean/terrain_repeat.hpp"
 
@@ -55,8 +55,8 @@ struct TerrainState {
 };
 
 /// Returns the statistics of a terrain with these modes; offset is the height added to them.
-TerrainState terrain_state(const Terrain& terrain, const Modes& modes, const TerrainScale& scale,
-                           double offset);
+TerrainState terrain_state(const TerrainModel& terrain, const Modes& modes,
+                           const TerrainScale& scale, double offset);
 /// Replaces what a shaped land changes by what its map has. `map` has heights and slopes.
 void measure_shaped(const Surface& map, TerrainState& state);
 /// Returns the JSON object of `ocean info --json`.

@@ -13,7 +13,7 @@
 #include "ocean/region.hpp"
 #include "ocean/subject.hpp"
 #include "ocean/subject_kind.hpp"
-#include "ocean/terrain.hpp"
+#include "ocean/terrain_model.hpp"
 
 namespace ocean {
 
@@ -28,19 +28,19 @@ inline constexpr int kMaxTerrainTiles = 64;
 
 /// Returns the samples of a region. Throws Error invalid_value as domain_of(region), and for a
 /// region that does not lie within a placed land.
-Domain domain_of(const Terrain& terrain, const Region& region);
+Domain domain_of(const TerrainModel& terrain, const Region& region);
 
 /// Returns a region of a valid, resolved terrain as a subject.
-std::unique_ptr<Subject> make_region_subject(Terrain terrain, const Region& region);
+std::unique_ptr<Subject> make_region_subject(TerrainModel terrain, const Region& region);
 /// Returns a valid, resolved terrain as a subject. The domain of its maps has the tile that often;
 /// a resolution is that of one tile.
-std::unique_ptr<Subject> make_subject(Terrain terrain, TerrainTiles tiles = {});
+std::unique_ptr<Subject> make_subject(TerrainModel terrain, TerrainTiles tiles = {});
 /// Returns the subject that text() of such a subject describes. `name` stands for a path in
 /// messages. Throws Error as parse_terrain.
 std::unique_ptr<Subject> parse_terrain_subject(std::string_view text, const std::string& name);
 
 /// Returns the terrain of a subject, or null for a subject of another kind.
-const Terrain* find_terrain(const Subject& subject);
+const TerrainModel* find_terrain(const Subject& subject);
 /// Returns the Land that makes a terrain's maps. Throws Error unsupported for maps of another kind.
 Land& land_of(SubjectMaps& maps);
 

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "ocean/table.hpp"
-#include "ocean/terrain.hpp"
+#include "ocean/terrain_model.hpp"
 
 namespace ocean {
 
@@ -20,35 +20,36 @@ namespace ocean {
 /// give it, or the height added to all samples.
 enum class TerrainStage { noise, filter, shape, offset };
 template <>
-struct StagesOf<Terrain> {
+struct StagesOf<TerrainModel> {
     using type = TerrainStage;
 };
 
-using TerrainRow = TableRow<Terrain>;
+using TerrainRow = TableRow<TerrainModel>;
 
 /// Returns the table of a terrain.
-const Table<Terrain>& terrain_table();
+const Table<TerrainModel>& terrain_table();
 
 /// Sets a parameter from text. Rules between parameters are not checked, so that several can be set
 /// in any order; call validate afterwards. A new `measured` or `base` drops what was read for the
 /// old one. Throws Error invalid_value and changes nothing if the name or the value is refused.
-void set_parameter(Terrain& terrain, std::string_view name, std::string_view text);
+void set_parameter(TerrainModel& terrain, std::string_view name, std::string_view text);
 /// Returns a parameter as text: numbers in the shortest form that reads back to the same bits, ""
 /// for an unset one. Throws Error invalid_value for an unknown name.
-std::string get_parameter(const Terrain& terrain, std::string_view name);
+std::string get_parameter(const TerrainModel& terrain, std::string_view name);
 
 /// Returns the row that switches the row's section on, the first of [terrain.gullies],
 /// [terrain.stream] or [terrain.coast]: 0 is off. Null for a row of another section.
 const TerrainRow* switch_of(const TerrainRow& row);
 /// Returns true if the row's section is off, so that the parameter has no effect.
-bool is_switched_off(const Terrain& terrain, const TerrainRow& row);
+bool is_switched_off(const TerrainModel& terrain, const TerrainRow& row);
 
 /// Returns the first stage that a change from `before` to `after` dirties; none if they are equal.
-std::optional<TerrainStage> first_dirty_stage(const Terrain& before, const Terrain& after);
+std::optional<TerrainStage> first_dirty_stage(const TerrainModel& before,
+                                              const TerrainModel& after);
 
 /// Checks the rules between parameters (limits of wavelengths in order, layers that fit the patch,
 /// either rms or range ...). Throws Error invalid_value. Every stage may rely on validated
 /// parameters.
-void validate(const Terrain& terrain);
+void validate(const TerrainModel& terrain);
 
 }  // namespace ocean

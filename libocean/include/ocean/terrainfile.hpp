@@ -10,26 +10,27 @@
 #include <vector>
 
 #include "ocean/seafile.hpp"
-#include "ocean/terrain.hpp"
+#include "ocean/terrain_model.hpp"
 
 namespace ocean {
 
 /// Reads a terrain file. A relative `measured` in it is relative to the terrain file. Throws Error
 /// with "PATH:LINE: terrain.key = VALUE: FAULT; allowed: RANGE".
-Terrain read_terrain(const std::string& path);
+TerrainModel read_terrain(const std::string& path);
 /// Reads the text of a terrain file. `name` stands for the path in messages; a relative `measured`
 /// is relative to base_dir (empty: the current directory). Throws as read_terrain.
-Terrain parse_terrain(std::string_view toml, const std::string& name, const std::string& base_dir);
+TerrainModel parse_terrain(std::string_view toml, const std::string& name,
+                           const std::string& base_dir);
 /// Reads the rings that `measured` names and the elevation model that `base` names, if the terrain
 /// has not read them yet. Throws Error of the parameter that names the file.
-void resolve_files(Terrain& terrain, const std::string& base_dir);
+void resolve_files(TerrainModel& terrain, const std::string& base_dir);
 /// Returns the files that a terrain names, as its own file spells them.
-std::vector<std::string> named_files(const Terrain& terrain);
+std::vector<std::string> named_files(const TerrainModel& terrain);
 /// Returns the resolved terrain as text, with the rings of `measured` inlined as
 /// [terrain.measured_rings] and a base of at most 1 MB as [terrain.base_heights], which a reader
 /// prefers to the files; of a larger base the text has the hash. parse_terrain(write_terrain(t))
 /// gives the same terrain bit by bit. Throws Error invalid_value for a terrain that is not valid.
-std::string write_terrain(const Terrain& terrain);
+std::string write_terrain(const TerrainModel& terrain);
 
 /// Returns the terrain presets, in the order in which they are listed.
 std::span<const Preset> terrain_presets();

@@ -277,7 +277,7 @@ std::string povray_coast_declarations(const Domain& domain, const Domain& bed,
 }
 
 std::string povray_declarations(const PovrayTerrain& folder) {
-    const Terrain& terrain = folder.terrain;
+    const TerrainModel& terrain = folder.terrain;
     std::string text =
         "//   Persistence of Vision Ray Tracer Include File\n"
         "//   File: terrain_parameters.inc\n"

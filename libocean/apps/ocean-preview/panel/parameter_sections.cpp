@@ -34,7 +34,7 @@ bool is_used(const Table<Model>& table, const RefOf<Model>& ref, const Model& mo
 }
 
 /// Returns the number of items of a section that is a list.
-std::size_t items_of(const TableSection& section, const Terrain& terrain) {
+std::size_t items_of(const TableSection& section, const TerrainModel& terrain) {
     for (const TerrainRow& row : terrain_table().rows) {
         if (row.section == section.name) return row.member.items(terrain);
     }
@@ -126,8 +126,8 @@ void draw_sea_sections(LiveSea& sea, LiveScene& scene, PanelState& state) {
 
 /// Draws all sections of the table, under their own names.
 void draw_land_sections(LiveLand& land, LiveScene& scene, PanelState& state) {
-    const Terrain shown = land.terrain();  // a change replaces it
-    Rows<Terrain> rows(terrain_table(), shown, scene, state);
+    const TerrainModel shown = land.terrain();  // a change replaces it
+    Rows<TerrainModel> rows(terrain_table(), shown, scene, state);
     for (const TableSection& section : terrain_table().sections) {
         std::string title(section.item.empty() ? section.name : section.item);
         title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));

@@ -19,14 +19,14 @@ namespace {
 
 constexpr int kLongWaves = 32;  // samples of a tile that has the waves which differ between seeds
 
-TerrainAmplitudes amplitudes_of(const Terrain& terrain) {
+TerrainAmplitudes amplitudes_of(const TerrainModel& terrain) {
     const double dk = kTwoPi / terrain.patch_size;
     return {TerrainLaw(terrain), dk, dk * terrain.resolution};
 }
 
 /// Calls visit(n, m, S dk^2) for the half plane of the waves of the tile.
 template <typename Visit>
-void each_wave(const Terrain& terrain, const Visit& visit) {
+void each_wave(const TerrainModel& terrain, const Visit& visit) {
     const TerrainAmplitudes amplitude = amplitudes_of(terrain);
     const double dk = kTwoPi / terrain.patch_size;
     const int half = terrain.resolution / 2;
@@ -67,20 +67,20 @@ std::vector<LineShares> line_shares(int samples, double phase_step, int half) {
 
 }  // namespace
 
-double law_variance(const Terrain& terrain) {
+double law_variance(const TerrainModel& terrain) {
     double sum = 0.0;
     each_wave(terrain, [&](int, int, double energy) { sum += 2.0 * energy; });
     return sum;
 }
 
-double seed_variance(const Terrain& terrain, ThreadPool& pool) {
+double seed_variance(const TerrainModel& terrain, ThreadPool& pool) {
     const double dk = kTwoPi / terrain.patch_size;
     return dk * dk * TerrainNoise(terrain, pool).energy(amplitudes_of(terrain), pool);
 }
 
-std::vector<std::uint32_t> seeds_of_variance(const Terrain& terrain, double variance, int count,
-                                             ThreadPool& pool) {
-    Terrain longest = terrain;
+std::vector<std::uint32_t> seeds_of_variance(const TerrainModel& terrain, double variance,
+                                             int count, ThreadPool& pool) {
+    TerrainModel longest = terrain;
     longest.resolution = std::min(terrain.resolution, kLongWaves);
     // The many waves that are shorter have their mean in every seed.
     const double shorter = law_variance(terrain) - law_variance(longest);
@@ -95,7 +95,7 @@ std::vector<std::uint32_t> seeds_of_variance(const Terrain& terrain, double vari
     return closest;
 }
 
-double expected_tilt(const Terrain& terrain, const std::array<int, 2>& samples) {
+double expected_tilt(const TerrainModel& terrain, const std::array<int, 2>& samples) {
     const int half = terrain.resolution / 2;
     const double phase_step = kTwoPi / terrain.resolution;
     const std::vector<LineShares> x = line_shares(samples[0], phase_step, half);

@@ -10,26 +10,26 @@
 #include <cstdint>
 #include <vector>
 
-#include "ocean/terrain.hpp"
+#include "ocean/terrain_model.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {
 
 /// Returns the sum of S dkx dky over the waves of the tile, the mean variance of all seeds; [m^2]
 /// where the law is absolute (see TerrainLaw::is_absolute), else relative.
-double law_variance(const Terrain& terrain);
+double law_variance(const TerrainModel& terrain);
 
 /// Returns the variance of the tile of terrain.seed, in the unit of law_variance.
-double seed_variance(const Terrain& terrain, ThreadPool& pool);
+double seed_variance(const TerrainModel& terrain, ThreadPool& pool);
 
 /// Returns the `count` seeds of the first kSeedsTried whose tiles are closest to a variance, the
 /// closest first. `variance` has the unit of law_variance.
-std::vector<std::uint32_t> seeds_of_variance(const Terrain& terrain, double variance, int count,
-                                             ThreadPool& pool);
+std::vector<std::uint32_t> seeds_of_variance(const TerrainModel& terrain, double variance,
+                                             int count, ThreadPool& pool);
 inline constexpr std::uint32_t kSeedsTried = 512;
 
 /// Returns the variance that the least-squares plane of a part of `samples` samples of the tile
 /// has, over the variance about that plane: the ratio of their means over all seeds.
-double expected_tilt(const Terrain& terrain, const std::array<int, 2>& samples);
+double expected_tilt(const TerrainModel& terrain, const std::array<int, 2>& samples);
 
 }  // namespace ocean

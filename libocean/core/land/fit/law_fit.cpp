@@ -36,32 +36,32 @@ struct FitParameter {
     const char* name;
     Bounds bounds;
     bool is_logarithmic;
-    void (*set)(Terrain&, double);
+    void (*set)(TerrainModel&, double);
     std::optional<double> start = {};  // unset: spread over the bounds
 };
 
 std::vector<FitParameter> parameters_of(FitLaw law, bool ridge, const Bounds& wavelengths) {
     std::vector<FitParameter> all = {
-        {"beta", kExponents, false, [](Terrain& t, double value) { t.beta = value; }, 1.5}};
+        {"beta", kExponents, false, [](TerrainModel& t, double value) { t.beta = value; }, 1.5}};
     if (law == FitLaw::broken) {
         all.push_back({"break_wavelength", wavelengths, true,
-                       [](Terrain& t, double value) { t.breaks[0][0] = value; }});
+                       [](TerrainModel& t, double value) { t.breaks[0][0] = value; }});
         all.push_back({"break_beta", kExponents, false,
-                       [](Terrain& t, double value) { t.breaks[0][1] = value; }, 2.6});
+                       [](TerrainModel& t, double value) { t.breaks[0][1] = value; }, 2.6});
     }
     if (!ridge) return all;
     all.push_back({"ridge_wavelength", wavelengths, true,
-                   [](Terrain& t, double value) { t.ridge_wavelength = value; }});
-    all.push_back(
-        {"ridge_gain", kRidgeGain, true, [](Terrain& t, double value) { t.ridge_gain = value; }});
+                   [](TerrainModel& t, double value) { t.ridge_wavelength = value; }});
+    all.push_back({"ridge_gain", kRidgeGain, true,
+                   [](TerrainModel& t, double value) { t.ridge_gain = value; }});
     all.push_back({"ridge_width", kRidgeWidth, true,
-                   [](Terrain& t, double value) { t.ridge_width = value; }});
+                   [](TerrainModel& t, double value) { t.ridge_width = value; }});
     return all;
 }
 
 class RingResiduals {
   public:
-    RingResiduals(std::span<const Ring> rings, const Terrain& terrain,
+    RingResiduals(std::span<const Ring> rings, const TerrainModel& terrain,
                   const std::vector<FitParameter>& parameters)
         : terrain_(terrain), parameters_(parameters) {
         for (const Ring& ring : rings) {
@@ -69,7 +69,7 @@ class RingResiduals {
         }
     }
 
-    void set(Terrain& terrain, std::span<const double> place) const {
+    void set(TerrainModel& terrain, std::span<const double> place) const {
         for (std::size_t i = 0; i < parameters_.size(); ++i) {
             const double value = parameters_[i].is_logarithmic ? std::exp(place[i]) : place[i];
             parameters_[i].set(terrain, value);
@@ -104,7 +104,7 @@ class RingResiduals {
         return std::log(ring.density) - std::log(law.density(ring.wavenumber, 0.0));
     }
 
-    Terrain terrain_;
+    TerrainModel terrain_;
     const std::vector<FitParameter>& parameters_;
     std::vector<Ring> rings_;
 };
@@ -128,12 +128,13 @@ std::vector<double> start_of(const std::vector<FitParameter>& parameters, int st
 /// A law whose parameters have their best values.
 struct Candidate {
     std::vector<FittedParameter> parameters;
-    Terrain terrain;
+    TerrainModel terrain;
     double misfit = 0.0;  // sum of the weighted squares of the residuals
     double level = 0.0;
 };
 
-Candidate best_law(std::span<const Ring> rings, FitLaw law, bool ridge, const Terrain& terrain) {
+Candidate best_law(std::span<const Ring> rings, FitLaw law, bool ridge,
+                   const TerrainModel& terrain) {
     constexpr double kAtBound = 1e-3;  // of the distance between the bounds
     const Bounds wavelengths{kTwoPi / rings.back().wavenumber, kTwoPi / rings.front().wavenumber};
     const std::vector<FitParameter> parameters = parameters_of(law, ridge, wavelengths);
@@ -171,7 +172,7 @@ Candidate best_law(std::span<const Ring> rings, FitLaw law, bool ridge, const Te
 
 }  // namespace
 
-LawFit fit_law(std::span<const Ring> rings, FitLaw law, bool ridge, Terrain& terrain) {
+LawFit fit_law(std::span<const Ring> rings, FitLaw law, bool ridge, TerrainModel& terrain) {
     Candidate best = best_law(rings, law, ridge, terrain);
     bool has_break = law == FitLaw::broken;
     if (has_break) {

@@ -20,6 +20,6 @@ struct LawFit {
 
 /// Sets the exponents, break and ridge of the terrain: the best of five starts. A broken law that
 /// describes the rings no better than chance would becomes a law of one exponent.
-LawFit fit_law(std::span<const Ring> rings, FitLaw law, bool ridge, Terrain& terrain);
+LawFit fit_law(std::span<const Ring> rings, FitLaw law, bool ridge, TerrainModel& terrain);
 
 }  // namespace ocean

@@ -45,13 +45,13 @@ class Judge {
         bed_rings_ = measure_rings(bed.domain, bed.heights, land_.pool(), rings);
     }
 
-    const Terrain& tile() const { return land_.terrain(); }
+    const TerrainModel& tile() const { return land_.terrain(); }
     const std::vector<Ring>& bed_rings() const { return bed_rings_; }
 
     /// Measures the terrain with each of the seeds. `use` gets the rings of each, and the heights
     /// of the part.
     template <typename Use>
-    void measure(Terrain terrain, std::span<const std::uint32_t> seeds, const Use& use) {
+    void measure(TerrainModel terrain, std::span<const std::uint32_t> seeds, const Use& use) {
         int done = 0;
         for (const std::uint32_t seed : seeds) {
             terrain.seed = seed;
@@ -68,14 +68,14 @@ class Judge {
     }
 
     /// Returns the mean of all seeds in each ring: see expected_rings.
-    std::vector<double> expected(const Terrain& terrain) {
+    std::vector<double> expected(const TerrainModel& terrain) {
         return expected_rings(terrain, domain_.samples, ring_options_, land_.pool());
     }
     const Domain& domain() const { return domain_; }
     ThreadPool& pool() { return land_.pool(); }
 
   private:
-    static Terrain tile_for(const ElevationModel& bed) {
+    static TerrainModel tile_for(const ElevationModel& bed) {
         const double cell = std::max(bed.domain.step(0), bed.domain.step(1));
         int samples = kMinFittedSide;
         for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -83,7 +83,7 @@ class Judge {
             const auto held = static_cast<unsigned>(std::ceil(cells - 1e-9));
             samples = std::max(samples, static_cast<int>(std::bit_ceil(held)));
         }
-        Terrain terrain;
+        TerrainModel terrain;
         terrain.resolution = std::min(samples, kMaxSide);
         terrain.patch_size = cell * terrain.resolution;
         // The model has no waves that are much longer than itself.
@@ -95,7 +95,7 @@ class Judge {
     }
 
     /// Returns the part of a tile that has the size of the model, or of its windows.
-    static Domain part_for(const ElevationModel& bed, const Terrain& terrain) {
+    static Domain part_for(const ElevationModel& bed, const TerrainModel& terrain) {
         const double cell = terrain.patch_size / terrain.resolution;
         Domain part{.origin = {}, .size = {}, .samples = {}, .wraps = false};
         for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -163,7 +163,7 @@ class RingTable {
         return change;
     }
     /// Gives the longest waves what the variance of the tile lacks [m^2].
-    void correct_variance(double variance, Terrain& terrain) {
+    void correct_variance(double variance, TerrainModel& terrain) {
         constexpr double kLargestFactor = 1000.0;
         constexpr int kHalvings = 24;
         const double first = rings_.front().density;
@@ -184,12 +184,12 @@ class RingTable {
 };
 
 /// Returns the longest wave of a tile [m].
-double longest_wave(const Terrain& terrain) {
+double longest_wave(const TerrainModel& terrain) {
     return terrain.longest_wavelength > 0.0 ? terrain.longest_wavelength : terrain.patch_size;
 }
 
 /// Fits the table law, with a variance of the tile [m^2].
-void fit_table(Judge& judge, double variance, Terrain& terrain) {
+void fit_table(Judge& judge, double variance, TerrainModel& terrain) {
     constexpr double kBelow = 1.0 - 1e-9;  // the wave itself lies within the table
     RingTable table(kBelow * kTwoPi / longest_wave(terrain), judge.bed_rings());
     const auto fit_rings = [&] {
@@ -210,7 +210,7 @@ void fit_table(Judge& judge, double variance, Terrain& terrain) {
 }
 
 /// Fits a law of parameters, and returns them with its level.
-LawFit fit_parameters(Judge& judge, FitLaw law_kind, bool ridge, Terrain& terrain) {
+LawFit fit_parameters(Judge& judge, FitLaw law_kind, bool ridge, TerrainModel& terrain) {
     std::vector<Ring> rings = judge.bed_rings();
     LawFit fit = fit_law(rings, law_kind, ridge, terrain);
     for (int round = 0; round < kLawRounds; ++round) {
@@ -236,7 +236,7 @@ double kept_rms(Judge& judge, const Relief& bed) {
     // A plane and what is left of one wave of the tile, a sine from border to border, have
     // variances of at most 6 / pi^2 and 1 - 6 / pi^2.
     constexpr double kTiltOfASine = 6.0 / (kPi * kPi - 6.0);
-    Terrain one = judge.tile();
+    TerrainModel one = judge.tile();
     fit_law(judge.bed_rings(), FitLaw::one, false, one);
     const double largest =
         std::min(kLargestTilt * expected_tilt(one, judge.domain().samples), kTiltOfASine);
@@ -402,7 +402,7 @@ TerrainFit fit_terrain(const ElevationModel& model, const TerrainFitOptions& opt
     if (options.law == FitLaw::table) {
         fit_table(judge, variance, fit.terrain);
         // A table has no exponent; this one is that of its land, should the table be taken away.
-        Terrain one = judge.tile();
+        TerrainModel one = judge.tile();
         fit_parameters(judge, FitLaw::one, false, one);
         fit.terrain.beta = one.beta;
     } else {

@@ -55,7 +55,7 @@ std::vector<double> densities_of(const Modes& modes, const std::vector<TerrainRi
 }
 
 /// Returns the rings with the law's densities, scaled to the rms that the terrain asks for.
-std::vector<TerrainRing> asked_rings(const Terrain& terrain, const TerrainState& state) {
+std::vector<TerrainRing> asked_rings(const TerrainModel& terrain, const TerrainState& state) {
     const int size = terrain.resolution;
     const double dk = kTwoPi / terrain.patch_size;
     const TerrainAmplitudes amplitude(TerrainLaw(terrain), dk, dk * size);
@@ -88,7 +88,7 @@ std::vector<TerrainRing> asked_rings(const Terrain& terrain, const TerrainState&
 std::vector<TerrainRing> terrain_rings(const Land& land, int seeds,
                                        const std::function<void(int done, int of)>& progress) {
     Land made(land, {});
-    Terrain terrain = made.terrain();
+    TerrainModel terrain = made.terrain();
     std::vector<TerrainRing> rings = asked_rings(terrain, made.state());
     std::vector<double> sums(rings.size()), squares(rings.size());
     for (int i = 0; i < seeds; ++i) {

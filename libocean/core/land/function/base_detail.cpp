@@ -132,7 +132,7 @@ double default_base_error(const TerrainBase& base) {
     return 0.1 * slope * std::max(domain.step(0), domain.step(1));
 }
 
-RadialDensity waves_below_lattice(const Terrain& terrain, double gain, double shortest) {
+RadialDensity waves_below_lattice(const TerrainModel& terrain, double gain, double shortest) {
     const TerrainLaw law(terrain);
     const double nyquist = kPi / (terrain.patch_size / terrain.resolution);
     const auto density = [&](double k) {

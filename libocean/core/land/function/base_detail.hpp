@@ -13,7 +13,7 @@
 #pragma once
 
 #include "land/function/fine_waves.hpp"
-#include "ocean/terrain.hpp"
+#include "ocean/terrain_model.hpp"
 
 namespace ocean {
 
@@ -45,6 +45,6 @@ double default_base_error(const TerrainBase& base);
 
 /// Returns the density of the waves down to `shortest` [m] that a terrain's law has and its lattice
 /// does not: beyond the square of its Nyquist lines, the mean of all directions.
-RadialDensity waves_below_lattice(const Terrain& terrain, double gain, double shortest);
+RadialDensity waves_below_lattice(const TerrainModel& terrain, double gain, double shortest);
 
 }  // namespace ocean

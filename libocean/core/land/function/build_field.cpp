@@ -33,7 +33,7 @@ int fine_side(int resolution) {
 }
 
 /// Returns the height of waves, without the mean, on a terrain's tile at `origin`.
-std::shared_ptr<const SplinePyramid> wave_pyramid(const Terrain& terrain, const Modes& modes,
+std::shared_ptr<const SplinePyramid> wave_pyramid(const TerrainModel& terrain, const Modes& modes,
                                                   int side, std::array<double, 2> origin,
                                                   ThreadPool& pool) {
     SurfaceSettings flat;
@@ -47,8 +47,8 @@ std::shared_ptr<const SplinePyramid> wave_pyramid(const Terrain& terrain, const 
 }
 
 /// Returns the height of a part of a terrain's waves.
-std::shared_ptr<const SplinePyramid> part_pyramid(const Terrain& terrain, const LandWaves& waves,
-                                                  LawPart part, int side,
+std::shared_ptr<const SplinePyramid> part_pyramid(const TerrainModel& terrain,
+                                                  const LandWaves& waves, LawPart part, int side,
                                                   std::array<double, 2> origin, ThreadPool& pool) {
     Modes modes = empty_terrain_modes(terrain);
     set_terrain_modes(terrain, *waves.noise, waves.rms, pool, modes, part);
@@ -56,12 +56,12 @@ std::shared_ptr<const SplinePyramid> part_pyramid(const Terrain& terrain, const 
 }
 
 /// Returns true if waves finer than the smallest gullies fit on the terrain's grid.
-bool has_fine_waves(const Terrain& terrain) {
+bool has_fine_waves(const TerrainModel& terrain) {
     const double smallest = terrain.gullies.longest * std::exp2(1 - terrain.gullies.octaves);
     return terrain.has_gullies() && smallest > lattice_of(terrain).shortest_wavelength();
 }
 
-std::array<double, 2> origin_of(const Terrain& terrain) {
+std::array<double, 2> origin_of(const TerrainModel& terrain) {
     if (terrain.origin.size() != 2) return {};
     return {terrain.origin[0], terrain.origin[1]};
 }
@@ -92,8 +92,8 @@ std::vector<float> sampled(const Domain& domain, ThreadPool& pool, const Height&
 /// Builds a shaped land; each member function is a step.
 class Builder {
   public:
-    Builder(const Terrain& terrain, const LandWaves& waves, ThreadPool& pool, CarvedLand& carved,
-            const LandProgress& progress)
+    Builder(const TerrainModel& terrain, const LandWaves& waves, ThreadPool& pool,
+            CarvedLand& carved, const LandProgress& progress)
         : terrain_(terrain), waves_(waves), pool_(pool), carved_(carved), progress_(progress) {
         parts_.domain = terrain.is_placed() ? placed_domain(terrain)
                                             : Domain::tile(terrain.patch_size, terrain.resolution);
@@ -298,7 +298,7 @@ class Builder {
                                               longest, shortest, terrain_.seed, pool_);
     }
 
-    const Terrain& terrain_;
+    const TerrainModel& terrain_;
     const LandWaves& waves_;
     ThreadPool& pool_;
     CarvedLand& carved_;
@@ -308,12 +308,12 @@ class Builder {
 
 }  // namespace
 
-LandField build_field(const Terrain& terrain, const LandWaves& waves, ThreadPool& pool,
+LandField build_field(const TerrainModel& terrain, const LandWaves& waves, ThreadPool& pool,
                       CarvedLand& carved, const LandProgress& progress) {
     return Builder(terrain, waves, pool, carved, progress).build();
 }
 
-LandField build_tile_field(const Terrain& terrain, const Modes& modes, double offset,
+LandField build_tile_field(const TerrainModel& terrain, const Modes& modes, double offset,
                            ThreadPool& pool) {
     LandFieldParts parts;
     parts.domain = Domain::tile(terrain.patch_size, terrain.resolution);
@@ -322,7 +322,7 @@ LandField build_tile_field(const Terrain& terrain, const Modes& modes, double of
     return LandField(std::move(parts));
 }
 
-Domain placed_domain(const Terrain& terrain) {
+Domain placed_domain(const TerrainModel& terrain) {
     Domain domain{origin_of(terrain), {}, {}, false};
     if (terrain.base_model != nullptr) {
         domain.size = terrain.base_model->model.domain.size;
@@ -336,7 +336,7 @@ Domain placed_domain(const Terrain& terrain) {
     return with_cell(domain, std::max(sides[0], sides[1]) / (terrain.resolution - 1));
 }
 
-double detail_wavelength(const Terrain& terrain) {
+double detail_wavelength(const TerrainModel& terrain) {
     if (terrain.detail_wavelength) return *terrain.detail_wavelength;
     if (terrain.base_model == nullptr) return 0.0;
     constexpr double kPartOfCell = 1.0 / 30.0;
@@ -344,7 +344,7 @@ double detail_wavelength(const Terrain& terrain) {
     return kPartOfCell * std::max(domain.step(0), domain.step(1));
 }
 
-std::uint64_t field_bytes(const Terrain& terrain) {
+std::uint64_t field_bytes(const TerrainModel& terrain) {
     std::uint64_t bytes = 0;
     const Domain domain = terrain.is_placed()
                               ? placed_domain(terrain)

@@ -11,7 +11,7 @@
 
 #include "ocean/land_field.hpp"
 #include "ocean/stream_power.hpp"
-#include "ocean/terrain.hpp"
+#include "ocean/terrain_model.hpp"
 #include "ocean/terrain_modes.hpp"
 
 namespace ocean {
@@ -21,7 +21,7 @@ using LandProgress = std::function<void(std::string_view work, double share)>;
 
 /// The land that streams have carved, kept for terrains that differ in later steps alone.
 struct CarvedLand {
-    Terrain of;
+    TerrainModel of;
     std::shared_ptr<const StreamLand> land;
 };
 
@@ -33,18 +33,18 @@ struct LandWaves {
 };
 
 /// Returns the function of a shaped terrain. `carved` is used if it fits, and replaced if not.
-LandField build_field(const Terrain& terrain, const LandWaves& waves, ThreadPool& pool,
+LandField build_field(const TerrainModel& terrain, const LandWaves& waves, ThreadPool& pool,
                       CarvedLand& carved, const LandProgress& progress);
 /// Returns the function of a tile without gullies, whose maps are made by transforms of these
 /// modes: for regions.
-LandField build_tile_field(const Terrain& terrain, const Modes& modes, double offset,
+LandField build_tile_field(const TerrainModel& terrain, const Modes& modes, double offset,
                            ThreadPool& pool);
 
 /// Returns the samples of a placed land: its rectangle at its own cell.
-Domain placed_domain(const Terrain& terrain);
+Domain placed_domain(const TerrainModel& terrain);
 /// Returns the shortest wave of the detail [m]; 0 for a land without.
-double detail_wavelength(const Terrain& terrain);
+double detail_wavelength(const TerrainModel& terrain);
 /// Returns the bytes that the function needs while it is built.
-std::uint64_t field_bytes(const Terrain& terrain);
+std::uint64_t field_bytes(const TerrainModel& terrain);
 
 }  // namespace ocean

@@ -89,7 +89,7 @@ void for_each_wave(const TerrainNoise& noise, const Wave& wave) {
 /// Returns the heights of a tile with the energy of the density in each ring.
 std::vector<float> tile_heights(const RadialDensity& density, const Band& band, std::uint32_t seed,
                                 ThreadPool& pool) {
-    Terrain square;
+    TerrainModel square;
     square.resolution = band.resolution();
     square.patch_size = band.period();
     square.seed = seed;

@@ -132,7 +132,7 @@ Outlets outlets_of(const Cells& cells, double level) {
 
 }  // namespace
 
-StreamSource stream_source(const Terrain& terrain, const SplinePyramid& base, double offset,
+StreamSource stream_source(const TerrainModel& terrain, const SplinePyramid& base, double offset,
                            const Domain& domain, double level, ThreadPool& pool) {
     const double side = std::min(domain.size[0], domain.size[1]);
     const double summit = kStartRelief * terrain.stream.slope * 0.5 * side;
@@ -177,13 +177,13 @@ std::vector<float> with_sea_bed(const StreamLand& land, const SplinePyramid& bas
     return heights;
 }
 
-bool same_streams(const Terrain& a, const Terrain& b) {
+bool same_streams(const TerrainModel& a, const TerrainModel& b) {
     if (a.rings != b.rings || a.base_model != b.base_model) return false;
     if (a.layers.size() != b.layers.size()) return false;
     for (const TerrainRow& row : terrain_table().rows) {
         // Detail moves the samples of a base, but nothing else that streams begin with.
         const bool comes_later =
-            (row.holds<&Terrain::detail_wavelength>() && a.base_model == nullptr) ||
+            (row.holds<&TerrainModel::detail_wavelength>() && a.base_model == nullptr) ||
             (row.section == "terrain.coast" && row.key != "level");
         if (comes_later) continue;
         for (std::size_t item = 0; item < row.member.items(a); ++item) {

@@ -9,7 +9,7 @@
 
 #include "field/spline_grid.hpp"
 #include "ocean/stream_power.hpp"
-#include "ocean/terrain.hpp"
+#include "ocean/terrain_model.hpp"
 
 namespace ocean {
 
@@ -18,7 +18,7 @@ namespace ocean {
 /// reach the border; a land without such a sea drains over its border, at the height of its lowest
 /// place. The shore and the uplift follow waves of at least a 64th of the land, so that all levels
 /// agree on them. `base` and `pool` must outlive the source.
-StreamSource stream_source(const Terrain& terrain, const SplinePyramid& base, double offset,
+StreamSource stream_source(const TerrainModel& terrain, const SplinePyramid& base, double offset,
                            const Domain& domain, double level, ThreadPool& pool);
 
 /// Returns the carved heights with the bed of the sea, the uncarved land below `level`, in its
@@ -28,6 +28,6 @@ std::vector<float> with_sea_bed(const StreamLand& land, const SplinePyramid& bas
 
 /// Returns true if streams of one terrain are those of the other: they differ only in what comes
 /// after streams.
-bool same_streams(const Terrain& a, const Terrain& b);
+bool same_streams(const TerrainModel& a, const TerrainModel& b);
 
 }  // namespace ocean

@@ -58,7 +58,7 @@ struct ComplexGrid {
 };
 
 /// Returns C(r) of the terrain's tile.
-ComplexGrid covariance_of(const Terrain& terrain, ThreadPool& pool) {
+ComplexGrid covariance_of(const TerrainModel& terrain, ThreadPool& pool) {
     const int n = terrain.resolution;
     const double dk = kTwoPi / terrain.patch_size;
     const TerrainLaw law(terrain);
@@ -111,7 +111,7 @@ ComplexGrid folded_covariance(ComplexGrid& covariance, const std::array<int, 2>&
 
 }  // namespace
 
-std::vector<double> expected_rings(const Terrain& terrain, const std::array<int, 2>& samples,
+std::vector<double> expected_rings(const TerrainModel& terrain, const std::array<int, 2>& samples,
                                    const RingOptions& options, ThreadPool& pool) {
     const double cell = terrain.patch_size / terrain.resolution;
     const std::vector<double> window_x = autocorrelation(taper_weights(samples[0], true));

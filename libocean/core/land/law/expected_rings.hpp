@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ocean/ring_spectrum.hpp"
-#include "ocean/terrain.hpp"
+#include "ocean/terrain_model.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {
@@ -17,7 +17,7 @@ namespace ocean {
 /// of `samples` samples of the terrain's tile, relative where the terrain's law is (see
 /// TerrainLaw::is_absolute). Rings without waves are left out. The removal of the plane is not
 /// counted: it takes from the lowest rings alone. `options` has limits.
-std::vector<double> expected_rings(const Terrain& terrain, const std::array<int, 2>& samples,
+std::vector<double> expected_rings(const TerrainModel& terrain, const std::array<int, 2>& samples,
                                    const RingOptions& options, ThreadPool& pool);
 
 }  // namespace ocean

@@ -48,7 +48,7 @@ double fitted_slope(std::vector<double>::const_iterator x, std::vector<double>::
 
 }  // namespace
 
-TerrainLaw::TerrainLaw(const Terrain& terrain, LawPart part)
+TerrainLaw::TerrainLaw(const TerrainModel& terrain, LawPart part)
     : exponent_(terrain.beta),
       min_k_(terrain.longest_wavelength > 0.0 ? kTwoPi / terrain.longest_wavelength : 0.0),
       max_k_(terrain.shortest_wavelength > 0.0 ? kTwoPi / terrain.shortest_wavelength : kEndless),

@@ -24,7 +24,7 @@ struct NoiseSource {
     double gain;
 };
 
-std::vector<NoiseSource> noise_sources(const Terrain& terrain) {
+std::vector<NoiseSource> noise_sources(const TerrainModel& terrain) {
     std::vector<NoiseSource> sources = {{terrain.seed, noise_stream(NoiseStream::terrain), 1, 1.0}};
     for (const TerrainLayer& layer : terrain.layers) {
         sources.push_back({layer.seed, noise_stream(NoiseStream::terrain, 1),
@@ -47,7 +47,7 @@ void add_noise(const NoiseSource& source, int m, std::span<std::complex<float>> 
 
 }  // namespace
 
-TerrainNoise::TerrainNoise(const Terrain& terrain, ThreadPool& pool)
+TerrainNoise::TerrainNoise(const TerrainModel& terrain, ThreadPool& pool)
     : resolution_(terrain.resolution),
       wavenumber_step_(lattice_of(terrain).wavenumber_step()),
       values_(lattice_of(terrain).size() / 2) {
@@ -130,11 +130,11 @@ std::span<const std::complex<float>> TerrainNoise::row(int m) const {
     return {values_.data() + static_cast<std::size_t>(fft_index(m, resolution_)) * half, half};
 }
 
-Lattice lattice_of(const Terrain& terrain) {
+Lattice lattice_of(const TerrainModel& terrain) {
     return {terrain.resolution, terrain.patch_size};
 }
 
-Modes empty_terrain_modes(const Terrain& terrain) {
+Modes empty_terrain_modes(const TerrainModel& terrain) {
     const Lattice lattice = lattice_of(terrain);
     Modes modes{lattice, 0.0, 0.0, {}, {}, Revision::begin()};
     CascadeModes& tile = modes.cascades.emplace_back();
@@ -204,7 +204,7 @@ class RowWriter {
 
 }  // namespace
 
-TerrainScale set_terrain_modes(const Terrain& terrain, const TerrainNoise& noise,
+TerrainScale set_terrain_modes(const TerrainModel& terrain, const TerrainNoise& noise,
                                std::optional<double> rms, ThreadPool& pool, Modes& modes,
                                LawPart part) {
     const int size = noise.resolution();

@@ -21,7 +21,7 @@ namespace {
         {.what = what, .parameter = parameter, .value = quoted_text(value), .allowed = allowed});
 }
 
-void validate_range(const Terrain& terrain) {
+void validate_range(const TerrainModel& terrain) {
     const std::vector<double>& range = terrain.range;
     if (range.empty()) return;
     if (range.size() != 2 || !(range[0] < range[1])) {
@@ -36,7 +36,7 @@ void validate_range(const Terrain& terrain) {
     }
 }
 
-void validate_band(const Terrain& terrain) {
+void validate_band(const TerrainModel& terrain) {
     const double longest = terrain.longest_wavelength;
     if (longest > 0.0 && longest <= terrain.shortest_wavelength) {
         refuse("terrain.longest_wavelength", longest, "leaves no wave",
@@ -45,7 +45,7 @@ void validate_band(const Terrain& terrain) {
     }
 }
 
-void validate_breaks(const Terrain& terrain) {
+void validate_breaks(const TerrainModel& terrain) {
     const auto& breaks = terrain.breaks;
     for (std::size_t i = 1; i < breaks.size(); ++i) {
         if (breaks[i][0] < breaks[i - 1][0]) continue;
@@ -54,7 +54,7 @@ void validate_breaks(const Terrain& terrain) {
     }
 }
 
-void validate_measured(const Terrain& terrain) {
+void validate_measured(const TerrainModel& terrain) {
     if (terrain.measured.empty() && terrain.rings == nullptr) return;
     if (!terrain.breaks.empty()) {
         refuse("terrain.breaks", terrain.breaks, "has no effect beside terrain.measured",
@@ -70,7 +70,7 @@ void validate_measured(const Terrain& terrain) {
 }
 
 /// Throws unless the layer repeats a whole number of times in the patch.
-void validate_layer(const Terrain& terrain, std::size_t item) {
+void validate_layer(const TerrainModel& terrain, std::size_t item) {
     const double period = terrain.layers[item].period;
     const double parts = terrain.patch_size / period;
     const double whole = std::round(parts);
@@ -89,7 +89,7 @@ void validate_pair(const char* parameter, const std::vector<double>& pair) {
 }
 
 /// Throws if a parameter has a value that only a placed land uses.
-void require_placed(const Terrain& terrain) {
+void require_placed(const TerrainModel& terrain) {
     const auto require = [](bool unused, const char* parameter, const ParameterValue& value) {
         if (unused) return;
         refuse(parameter, value, "needs a land that exists once", "terrain.kind = \"placed\"");
@@ -104,7 +104,7 @@ void require_placed(const Terrain& terrain) {
     require(!terrain.has_coast(), "terrain.coast.slope", terrain.coast.beach_slope);
 }
 
-void validate_base(const Terrain& terrain) {
+void validate_base(const TerrainModel& terrain) {
     if (terrain.base.empty() && terrain.base_model == nullptr) {
         if (!terrain.base_error) return;
         refuse("terrain.base_error", *terrain.base_error, "has no effect without terrain.base",
@@ -126,7 +126,7 @@ void validate_base(const Terrain& terrain) {
                 static_cast<std::int64_t>(terrain.layers.size()));
 }
 
-void validate_placed(const Terrain& terrain) {
+void validate_placed(const TerrainModel& terrain) {
     if (!terrain.is_placed()) return require_placed(terrain);
     validate_pair("terrain.origin", terrain.origin);
     validate_pair("terrain.size", terrain.size);
@@ -141,7 +141,7 @@ void validate_placed(const Terrain& terrain) {
     }
 }
 
-void validate_gullies(const Terrain& terrain) {
+void validate_gullies(const TerrainModel& terrain) {
     if (!terrain.has_gullies() || terrain.is_placed()) return;
     const double most = 0.25 * terrain.patch_size;
     if (terrain.gullies.longest <= most) return;
@@ -150,7 +150,7 @@ void validate_gullies(const Terrain& terrain) {
 }
 
 /// Throws for a range of a land that is more than waves, which alone could be scaled to it.
-void validate_shaped_range(const Terrain& terrain) {
+void validate_shaped_range(const TerrainModel& terrain) {
     if (terrain.range.empty() || !terrain.is_shaped()) return;
     refuse("terrain.range", terrain.range,
            "is for a tile without gullies: erosion does not scale with the height", "rms and mean");
@@ -158,7 +158,7 @@ void validate_shaped_range(const Terrain& terrain) {
 
 }  // namespace
 
-void validate(const Terrain& terrain) {
+void validate(const TerrainModel& terrain) {
     validate_placed(terrain);
     validate_base(terrain);
     validate_gullies(terrain);

@@ -50,7 +50,7 @@ inline constexpr int kPovrayTerrainVersion = 2;
 
 /// A folder of a terrain for POV-Ray. References must outlive it.
 struct PovrayTerrain {
-    const Terrain& terrain;
+    const TerrainModel& terrain;
     const TerrainState& state;
     std::string_view format;  // "df3", "mesh2" or "height_field"
     const Domain& domain;     // of its map

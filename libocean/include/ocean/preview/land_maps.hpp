@@ -74,7 +74,7 @@ CoverLines cover_lines(const DrawnLand& land, std::optional<double> snow_line);
 /// Returns the default samples along a side of a terrain's map: twice its own, so that cubic
 /// patches follow its shortest waves, up to 4096; of a land with erosion, a shore or a place its
 /// own, up to 2048. `quick`: its own, up to 1024, for machines that draw without a GPU.
-int land_map_resolution(const Terrain& terrain, bool quick);
+int land_map_resolution(const TerrainModel& terrain, bool quick);
 
 /// Needs the context that was current when it was made to be current in every call, the destructor
 /// too. OpenGL 4.1 core.

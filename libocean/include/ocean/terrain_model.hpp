@@ -47,7 +47,7 @@ struct TerrainLayer {
 /// A fractional Brownian surface: a sum of waves whose amplitudes fall as k^-beta, so that the
 /// density over (kx, ky) falls as k^-2beta. Hurst exponent H = beta - 1, fractal dimension of the
 /// surface D = 4 - beta, both for 1 < beta < 2.
-struct Terrain {
+struct TerrainModel {
     TerrainKind kind = TerrainKind::tile;
     int resolution = 512;
     double patch_size = 1000.0;
