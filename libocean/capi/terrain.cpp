@@ -15,8 +15,8 @@
 #include "guard.hpp"
 #include "handle.hpp"
 #include "ocean/internal/json.hpp"
-#include "ocean/land.hpp"
 #include "ocean/provenance.hpp"
+#include "ocean/terrain.hpp"
 #include "ocean/terrain_stages.hpp"
 #include "ocean/terrain_subject.hpp"
 #include "ocean/terrain_table.hpp"
@@ -32,7 +32,7 @@ using namespace ocean::capi;
 
 namespace {
 
-LandOptions land_options(const ocean_options* given) {
+TerrainOptions terrain_options(const ocean_options* given) {
     OceanOptions options = read_options(given);
     return {.threads = options.threads,
             .run_jobs = std::move(options.run_jobs),
@@ -43,11 +43,11 @@ LandOptions land_options(const ocean_options* given) {
 
 /// Makes another terrain of the handle: whole, or, where `edit` throws, not at all.
 void change_terrain(ocean_terrain& handle, const std::function<void(TerrainModel&)>& edit) {
-    TerrainModel changed = handle.land->terrain();
+    TerrainModel changed = handle.land->model();
     edit(changed);
     resolve_files(changed, handle.base_dir);
     handle.mesh.reset();
-    handle.land->set_terrain(std::move(changed));
+    handle.land->set_model(std::move(changed));
 }
 
 std::string terrain_preset_names_json() {
@@ -74,7 +74,7 @@ ocean_result ocean_terrain_open(const char* path, const ocean_options* options,
     return guarded([&] {
         require(path, "path");
         require(out, "out");
-        LandOptions opened_with = land_options(options);
+        TerrainOptions opened_with = terrain_options(options);
         *out = std::make_unique<ocean_terrain>(read_terrain(path), std::move(opened_with),
                                                folder_of(path))
                    .release();
@@ -86,7 +86,7 @@ ocean_result ocean_terrain_parse(const char* toml, size_t length, const char* ba
     return guarded([&] {
         require(toml, "toml");
         require(out, "out");
-        LandOptions opened_with = land_options(options);
+        TerrainOptions opened_with = terrain_options(options);
         const std::string folder = base_dir != nullptr ? base_dir : "";
         TerrainModel terrain = parse_terrain({toml, length}, "text", folder);
         *out = std::make_unique<ocean_terrain>(std::move(terrain), std::move(opened_with),
@@ -100,7 +100,8 @@ ocean_result ocean_terrain_clone(const ocean_terrain* terrain, const ocean_optio
     return guarded([&] {
         const Visit visit(terrain, kTerrainHandle);
         require(out, "out");
-        LandOptions opened_with = options != nullptr ? land_options(options) : terrain->options;
+        TerrainOptions opened_with =
+            options != nullptr ? terrain_options(options) : terrain->options;
         *out = std::make_unique<ocean_terrain>(*terrain, std::move(opened_with)).release();
     });
 }
@@ -145,14 +146,14 @@ ocean_result ocean_terrain_get(const ocean_terrain* terrain, const char* name, c
         const Visit visit(terrain, kTerrainHandle);
         require(name, "name");
         require(out, "out");
-        copy_text(get_parameter(terrain->land->terrain(), name), out, &size);
+        copy_text(get_parameter(terrain->land->model(), name), out, &size);
     });
 }
 
 ocean_result ocean_terrain_text(const ocean_terrain* terrain, char* out, size_t* size) {
     return guarded([&] {
         const Visit visit(terrain, kTerrainHandle);
-        copy_text(write_terrain(terrain->land->terrain()), out, size);
+        copy_text(write_terrain(terrain->land->model()), out, size);
     });
 }
 
@@ -179,7 +180,7 @@ ocean_result ocean_terrain_provenance_json(const ocean_terrain* terrain, const c
                                            int32_t axes, char* out, size_t* size) {
     return guarded([&] {
         const Visit visit(terrain, kTerrainHandle);
-        const TerrainModel& open = terrain->land->terrain();
+        const TerrainModel& open = terrain->land->model();
         auto strings = provenance_strings({.kind = std::string(kTerrainKind),
                                            .text = write_terrain(open),
                                            .frame = 1,
@@ -273,7 +274,7 @@ ocean_result ocean_terrain_stage(ocean_terrain* terrain, const char* step, float
         require(step, "step");
         require(data, "data");
         const TerrainStep wanted = step_named(step);
-        const auto side = static_cast<std::size_t>(terrain->land->terrain().resolution);
+        const auto side = static_cast<std::size_t>(terrain->land->model().resolution);
         if (count < side * side) {
             refuse("count = " + std::to_string(count) + "; a step of " + std::to_string(side) +
                    " x " + std::to_string(side) + " samples needs " + std::to_string(side * side));

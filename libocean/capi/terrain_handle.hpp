@@ -13,9 +13,9 @@
 
 #include "handle.hpp"
 #include "libocean.h"
-#include "ocean/land.hpp"
 #include "ocean/land_mesh.hpp"
 #include "ocean/map_output.hpp"
+#include "ocean/terrain.hpp"
 
 namespace ocean::capi {
 
@@ -33,18 +33,19 @@ struct CountedMesh {
 }  // namespace ocean::capi
 
 struct ocean_terrain : ocean::capi::Handle {
-    ocean_terrain(ocean::TerrainModel terrain, ocean::LandOptions opened_with, std::string folder)
+    ocean_terrain(ocean::TerrainModel terrain, ocean::TerrainOptions opened_with,
+                  std::string folder)
         : options(std::move(opened_with)),
           base_dir(std::move(folder)),
-          land(std::make_unique<ocean::Land>(std::move(terrain), options)) {}
-    ocean_terrain(const ocean_terrain& built, ocean::LandOptions opened_with)
+          land(std::make_unique<ocean::Terrain>(std::move(terrain), options)) {}
+    ocean_terrain(const ocean_terrain& built, ocean::TerrainOptions opened_with)
         : options(std::move(opened_with)),
           base_dir(built.base_dir),
-          land(std::make_unique<ocean::Land>(*built.land, options)) {}
+          land(std::make_unique<ocean::Terrain>(*built.land, options)) {}
 
-    ocean::LandOptions options;
-    std::string base_dir;               // where a relative `measured` starts
-    std::unique_ptr<ocean::Land> land;  // readers may make it build what they ask for
+    ocean::TerrainOptions options;
+    std::string base_dir;                  // where a relative `measured` starts
+    std::unique_ptr<ocean::Terrain> land;  // readers may make it build what they ask for
     std::vector<ocean::MapOutput> map_outputs;
     /// That of the last call for counts, until it is copied.
     std::optional<ocean::capi::CountedMesh> mesh;

@@ -13,7 +13,7 @@
 
 #include "guard.hpp"
 #include "ocean/internal/memory.hpp"
-#include "ocean/land_field.hpp"
+#include "ocean/land_function.hpp"
 #include "ocean/land_mesh.hpp"
 #include "ocean/text.hpp"
 #include "terrain_handle.hpp"
@@ -43,16 +43,16 @@ bool has_counts(const std::optional<CountedMesh>& kept, const QuadtreeSettings& 
            of.farthest == settings.farthest && of.edge == settings.edge;
 }
 
-LandMesh make_mesh(Land& land, const QuadtreeSettings& settings, const LandView& view) {
+LandMesh make_mesh(Terrain& land, const QuadtreeSettings& settings, const LandView& view) {
     const std::vector<LandPatch> patches = select(settings, view, {});
     require_memory(land_mesh_bytes(settings, patches), "the mesh",
                    "choose a smaller distance or a larger spacing");
-    const auto field = land.field();
+    const auto function = land.function();
     std::vector<QuerySample> answers;
     const auto sampler = [&](std::span<const WorldPoint> points, double spacing,
                              std::span<float> heights) {
         answers.resize(points.size());
-        field->query(points, answers, spacing, land.pool());
+        function->query(points, answers, spacing, land.pool());
         std::ranges::transform(answers, heights.begin(), [](const QuerySample& answer) {
             return static_cast<float>(answer.height);
         });

@@ -70,7 +70,7 @@ Summary complete(std::vector<float>& texels, double level) {
 
 /// Returns the square of a placed land's map, along its longer side: beyond the shorter one it
 /// holds the edge.
-Domain map_of_placed(const Land& land, int resolution) {
+Domain map_of_placed(const Terrain& land, int resolution) {
     const Domain own = land.domain();
     const double side = std::max(own.size[0], own.size[1]);
     return {own.origin, {side, side}, {resolution, resolution}, false};
@@ -79,7 +79,7 @@ Domain map_of_placed(const Land& land, int resolution) {
 /// Values of masks beside each other, as DrawnLand::masks holds them.
 class MaskTexels {
   public:
-    /// Returns the outputs that a field writes the available masks to.
+    /// Returns the outputs that a function writes the available masks to.
     std::vector<MapOutput> outputs(ChannelSet available, std::size_t samples) {
         using enum LandMask;
         std::vector<MapOutput> made;
@@ -154,7 +154,7 @@ double DrawnLand::ground_at(double x, double y) const {
     ThreadPool caller(1);
     const WorldPoint point{x, y};
     QuerySample sample{};
-    field->query({&point, 1}, {&sample, 1}, QuadtreeSettings{}.spacing, caller);
+    function->query({&point, 1}, {&sample, 1}, QuadtreeSettings{}.spacing, caller);
     return sample.height;
 }
 
@@ -202,12 +202,12 @@ struct LandMaps::Impl {
     std::shared_ptr<LandImage> image;
     DrawnLand shown;
 
-    void make(Land& land, int resolution) {
+    void make(Terrain& land, int resolution) {
         // A caller may still read the image before.
         if (!image || image.use_count() > 2) image = std::make_shared<LandImage>();
         const bool fits = texture && image->resolution == resolution;
-        const TerrainModel& terrain = land.terrain();
-        const std::shared_ptr<const LandField> field = land.field();
+        const TerrainModel& terrain = land.model();
+        const std::shared_ptr<const LandFunction> function = land.function();
         image->resolution = resolution;
         image->texels.resize(kComponents * Lattice{resolution, 1.0}.size());
         MapOutput output{image->texels.data(), kComponents, {}};
@@ -231,19 +231,19 @@ struct LandMaps::Impl {
                  .masks = masks.name(),
                  .has_masks = land.channels().intersects(kEveryMask),
                  .image = image,
-                 .field = field,
+                 .function = function,
                  .mean = terrain.is_shaped() ? summary.mean : land.offset(),
                  .rms = terrain.is_shaped() ? summary.rms : land.scale().rms,
                  .rms_slope = std::sqrt(summary.mean_square_slope),
-                 .cell = field->cell(),
+                 .cell = function->cell(),
                  .heights = {summary.lowest, summary.highest},
                  .water_level = water};
     }
 
-    void make_shaped(Land& land, const MapOutput& ground) {
+    void make_shaped(Terrain& land, const MapOutput& ground) {
         const int resolution = image->resolution;
         const Domain domain =
-            land.terrain().is_placed() ? map_of_placed(land, resolution) : land.domain(resolution);
+            land.model().is_placed() ? map_of_placed(land, resolution) : land.domain(resolution);
         image->period = domain.step(0) * resolution;
         image->origin = domain.origin;
         image->wraps = domain.wraps;
@@ -279,9 +279,10 @@ struct LandMaps::Impl {
 LandMaps::LandMaps() : impl_(std::make_unique<Impl>()) {}
 LandMaps::~LandMaps() = default;
 
-DrawnLand LandMaps::show(Land& land, int resolution) {
-    // The land that is shown keeps its field, so that no other one has the same address.
-    const bool known = impl_->shown.field != nullptr && land.field() == impl_->shown.field &&
+DrawnLand LandMaps::show(Terrain& land, int resolution) {
+    // The land that is shown keeps its function, so that no other one has the same address.
+    const bool known = impl_->shown.function != nullptr &&
+                       land.function() == impl_->shown.function &&
                        resolution == impl_->image->resolution;
     if (!known) impl_->make(land, resolution);
     return impl_->shown;

@@ -39,11 +39,11 @@ double calm_ground(const DrawnLand& land, double x, double y) {
     ThreadPool caller(1);
     const WorldPoint point{x, y};
     QuerySample sample{};
-    land.field->query({&point, 1}, {&sample, 1}, kCalmCell, caller);
+    land.function->query({&point, 1}, {&sample, 1}, kCalmCell, caller);
     return sample.height;
 }
 
-/// Returns true if the field has slopes that the map of a land lacks.
+/// Returns true if the function has slopes that the map of a land lacks.
 bool has_finer_waves(const DrawnLand& land) {
     constexpr int kPlaces = 256;
     constexpr double kSlope = 2e-3;  // rms
@@ -57,8 +57,8 @@ bool has_finer_waves(const DrawnLand& land) {
     }
     ThreadPool caller(1);
     std::vector<QuerySample> fine(points.size()), coarse(points.size());
-    land.field->query(points, fine, QuadtreeSettings{}.spacing, caller);
-    land.field->query(points, coarse, texel_of(land), caller);
+    land.function->query(points, fine, QuadtreeSettings{}.spacing, caller);
+    land.function->query(points, coarse, texel_of(land), caller);
     double sum = 0.0;
     for (std::size_t n = 0; n < points.size(); ++n) {
         for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -140,19 +140,19 @@ void LandPatches::make_grid() {
 
 void LandPatches::show(const DrawnLand& land) {
     land_ = &land;
-    if (land.field == field_) return;
-    field_ = land.field;
+    if (land.function == function_) return;
+    function_ = land.function;
     eye_before_.reset();
     const LandImage& image = *land.image;
     ranges_.emplace(image, 1.0 + 2.0 * land.rms_slope * texel_of(land));
     settings_ = {};
-    const Domain& domain = field_->domain();
+    const Domain& domain = function_->domain();
     if (!domain.wraps) {
         settings_.edge = LandEdge{
             domain.origin, {domain.origin[0] + domain.size[0], domain.origin[1] + domain.size[1]}};
     }
-    maker_.begin({field_, land.mean, settings_});
-    detail_maker_.begin({field_, land.mean, settings_});
+    maker_.begin({function_, land.mean, settings_});
+    detail_maker_.begin({function_, land.mean, settings_});
     layers_.slots.clear();
     const bool detailed = shows_detail_ && has_finer_waves(land);
     detail_cell_ = detailed ? kDetailOfTexel * texel_of(land) : 0.0;

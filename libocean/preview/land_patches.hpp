@@ -77,7 +77,7 @@ class LandPatches {
     bool live_, shows_detail_;
     std::chrono::duration<double> patience_;
     const DrawnLand* land_ = nullptr;
-    std::shared_ptr<const LandField> field_;  // of the resident patches
+    std::shared_ptr<const LandFunction> function_;  // of the resident patches
     std::optional<HeightRanges> ranges_;
     QuadtreeSettings settings_;
     PatchMaker maker_, detail_maker_;

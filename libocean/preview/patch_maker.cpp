@@ -17,7 +17,7 @@ void write_heights(const PatchSource& source, double x, double y, double spacing
     heights.resize(side * side);
     // Vertices with few of them in a period would show single points of it.
     constexpr double kMinVertices = 8.0;
-    const Domain& land = source.field->domain();
+    const Domain& land = source.function->domain();
     if (land.wraps && spacing * kMinVertices > std::min(land.size[0], land.size[1])) {
         std::ranges::fill(heights, static_cast<float>(source.mean));
         return;
@@ -26,7 +26,7 @@ void write_heights(const PatchSource& source, double x, double y, double spacing
     const Domain region{{x, y}, {length, length}, {quads + 1, quads + 1}, false};
     MapOutput output{heights.data(), 1, {}};
     output.component[0].quantity = Channel::height;
-    source.field->write(region, {&output, 1}, pool);
+    source.function->write(region, {&output, 1}, pool);
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ PatchValues make_patch_slopes(const PatchSource& source, const PatchKey& key, Th
     MapOutput output{values.data(), kComponents, {}};
     output.component[0].quantity = Channel::slope_x;
     output.component[1].quantity = Channel::slope_y;
-    source.field->write(region, {&output, 1}, pool);
+    source.function->write(region, {&output, 1}, pool);
     for (std::size_t i = 0; i < values.size(); i += kComponents) {
         values[i + 2] = values[i] * values[i] + values[i + 1] * values[i + 1];
     }

@@ -19,7 +19,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "ocean/land_field.hpp"
+#include "ocean/land_function.hpp"
 #include "ocean/land_quadtree.hpp"
 #include "ocean/thread_pool.hpp"
 
@@ -49,7 +49,7 @@ PatchKey node_of(const LandPatch& patch);
 
 /// The land that patches are made of.
 struct PatchSource {
-    std::shared_ptr<const LandField> field;
+    std::shared_ptr<const LandFunction> function;
     double mean = 0.0;  // of land that repeats [m]: what vertices show that lie a period apart
     QuadtreeSettings settings = {};
 };

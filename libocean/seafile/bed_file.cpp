@@ -13,8 +13,8 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/land.hpp"
 #include "ocean/sea_bed.hpp"
+#include "ocean/terrain.hpp"
 #include "ocean/terrainfile.hpp"
 #include "ocean/text.hpp"
 #include "toml_text.hpp"
@@ -36,7 +36,7 @@ bool is_terrain_file(std::string path) {
 
 /// Returns the heights of a land on its own grid. A tile exists once: the samples of one period.
 GivenBed bed_of_terrain(const TerrainModel& terrain) {
-    Land land(terrain);
+    Terrain land(terrain);
     GivenBed bed{.grid = land.domain()};
     for (std::size_t axis = 0; axis < 2; ++axis) {
         bed.grid.size[axis] = land.domain().step(axis) * (bed.grid.samples[axis] - 1);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A terrain as a subject; see terrain_subject.hpp. Everything here hands over to Land and the
+// A terrain as a subject; see terrain_subject.hpp. Everything here hands over to Terrain and the
 // terrain file: no formula of its own.
 #include "ocean/terrain_subject.hpp"
 
@@ -15,7 +15,7 @@
 #include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/sea_bytes.hpp"
-#include "ocean/land_field.hpp"
+#include "ocean/land_function.hpp"
 #include "ocean/region.hpp"
 #include "ocean/surface_query.hpp"
 #include "ocean/terrain_table.hpp"
@@ -25,7 +25,7 @@
 namespace ocean {
 namespace {
 
-LandOptions land_options(const MapsOptions& options) {
+TerrainOptions terrain_options(const MapsOptions& options) {
     return {
         .threads = options.threads, .backend = options.backend, .progress = options.build_progress};
 }
@@ -84,17 +84,17 @@ class TerrainMaps final : public SubjectMaps {
   public:
     TerrainMaps(const TerrainModel& terrain, const TerrainExtent& extent,
                 const MapsOptions& options)
-        : land_(terrain, land_options(options)), extent_(extent) {
+        : land_(terrain, terrain_options(options)), extent_(extent) {
         if (extent.region || terrain.is_shaped()) {
-            land_.field();
+            land_.function();
         } else {
             land_.modes();
         }
     }
     TerrainMaps(const TerrainMaps& built, const MapsOptions& options)
-        : land_(built.land_, land_options(options)), extent_(built.extent_) {}
+        : land_(built.land_, terrain_options(options)), extent_(built.extent_) {}
 
-    Land& land() { return land_; }
+    Terrain& land() { return land_; }
 
     std::unique_ptr<SubjectMaps> share(const MapsOptions& options) const override {
         return std::make_unique<TerrainMaps>(*this, options);
@@ -113,7 +113,7 @@ class TerrainMaps final : public SubjectMaps {
     void query(double, std::span<const WorldPoint> points, std::span<QuerySample> samples,
                const QueryOptions& options) override {
         if (extent_.region) {
-            return land_.field()->query(points, samples, extent_.region->step(0), land_.pool());
+            return land_.function()->query(points, samples, extent_.region->step(0), land_.pool());
         }
         land_.query(points, samples, options);
     }
@@ -121,14 +121,14 @@ class TerrainMaps final : public SubjectMaps {
 
   private:
     Surface map(ChannelSet channels, int resolution) {
-        const Domain domain = extent_.domain(land_.terrain(), resolution);
+        const Domain domain = extent_.domain(land_.model(), resolution);
         if (!domain.wraps) return land_.region(domain, channels);
         Surface tile = land_.surface(channels, resolution);
         if (extent_.tiles == TerrainTiles{}) return tile;
         return repeated(tile, domain);
     }
 
-    Land land_;
+    Terrain land_;
     TerrainExtent extent_;
 };
 
@@ -161,7 +161,7 @@ class TerrainSubject final : public Subject {
     }
     HeightRange height_range(const MapsOptions& options) const override {
         const std::unique_ptr<TerrainMaps> maps = built(options);
-        Land& land = maps->land();
+        Terrain& land = maps->land();
         if (!has_lattice()) {
             constexpr int kCoarse = 512;
             const Domain own = domain(std::min(default_resolution(), kCoarse));
@@ -179,7 +179,7 @@ class TerrainSubject final : public Subject {
         return built(options);
     }
     Costs costs() const override {
-        Costs costs{.shared = Land::bytes(terrain_)};
+        Costs costs{.shared = Terrain::bytes(terrain_)};
         if (has_lattice()) {
             costs.map = [this](const MapsOptions& options, ChannelSet channels, int resolution) {
                 return work_bytes(grid(), options.backend, channels, resolution, options.channels);
@@ -256,7 +256,7 @@ const TerrainModel* find_terrain(const Subject& subject) {
     return terrain == nullptr ? nullptr : &terrain->terrain();
 }
 
-Land& land_of(SubjectMaps& maps) {
+Terrain& terrain_of(SubjectMaps& maps) {
     if (auto* terrain = dynamic_cast<TerrainMaps*>(&maps)) return terrain->land();
     throw Error(ErrorKind::unsupported, "this needs the maps of a terrain");
 }

@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "ocean/land.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/sea_bed.hpp"
 #include "ocean/shoreline_profile.hpp"
+#include "ocean/terrain.hpp"
 
 namespace {
 
@@ -29,7 +29,7 @@ void shape_island(benchmark::State& state) {
     terrain.outer_scale = 6000.0;
     terrain.rms = 160.0;
     terrain.seed = 3;
-    ocean::Land land(terrain);
+    ocean::Terrain land(terrain);
     const ocean::Surface waves = land.surface({ocean::Channel::height}, side);
     const auto heights = waves.channel(ocean::Channel::height);
     std::vector<float> island(heights.begin(), heights.end());

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "ocean/error.hpp"
-#include "ocean/land.hpp"
+#include "ocean/terrain.hpp"
 #include "ocean/terrainfile.hpp"
 #include "require.hpp"
 
@@ -29,7 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const ocean::TerrainModel again = ocean::parse_terrain(written, "written.toml", "/nonexistent");
     require(ocean::write_terrain(again) == written);
     if (terrain.resolution > 64) return 0;
-    ocean::Land land(terrain, {.threads = 1});
+    ocean::Terrain land(terrain, {.threads = 1});
     const ocean::Surface map = land.surface({ocean::Channel::height});
     for (const float height : map.channel(ocean::Channel::height)) require(std::isfinite(height));
     land.state();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Claims: the vertices that the GPU shows are those of land_vertex(), with the heights of the
-// field; they meet bit by bit; a live picture without its patches is coarser and has no holes;
+// function; they meet bit by bit; a live picture without its patches is coarser and has no holes;
 // textures and triangles stay within their bounds; land that exists once ends at its edge, in water
 // if it has a coast.
 #include <algorithm>
@@ -46,11 +46,11 @@ class LandPatchesTest : public PreviewTest {
     ThreadPool pool_{1};
 };
 
-/// Returns the heights of a field at single points.
-HeightSampler sampler_of(const LandField& field, ThreadPool& pool) {
+/// Returns the heights of a function at single points.
+HeightSampler sampler_of(const LandFunction& function, ThreadPool& pool) {
     return [&](std::span<const WorldPoint> points, double spacing, std::span<float> heights) {
         std::vector<QuerySample> samples(points.size());
-        field.query(points, samples, spacing, pool);
+        function.query(points, samples, spacing, pool);
         for (std::size_t i = 0; i < points.size(); ++i) {
             heights[i] = static_cast<float>(samples[i].height);
         }
@@ -59,7 +59,7 @@ HeightSampler sampler_of(const LandField& field, ThreadPool& pool) {
 
 TEST_F(LandPatchesTest, ShownVerticesAreThoseOfTheQuadtreeWithTheHeightsOfTheField) {
     for (const TerrainModel& terrain : {hills(), gullied(), island()}) {
-        Land land(terrain, {.threads = 1});
+        Terrain land(terrain, {.threads = 1});
         const DrawnLand shown = maps_.show(land, 128);
         Renderer renderer({.land_threads = 1});
         VertexReader reader;
@@ -74,7 +74,7 @@ TEST_F(LandPatchesTest, ShownVerticesAreThoseOfTheQuadtreeWithTheHeightsOfTheFie
         // The same view on the CPU, all round to a distance that most vertices are within.
         QuadtreeSettings settings;
         settings.farthest = 3000.0;
-        const Domain& domain = shown.field->domain();
+        const Domain& domain = shown.function->domain();
         if (!domain.wraps) {
             settings.edge =
                 LandEdge{domain.origin,
@@ -82,7 +82,7 @@ TEST_F(LandPatchesTest, ShownVerticesAreThoseOfTheQuadtreeWithTheHeightsOfTheFie
         }
         QuerySample calm{};
         const WorldPoint place{camera.eye[0], camera.eye[1]};
-        shown.field->query({&place, 1}, {&calm, 1}, 32.0, pool_);
+        shown.function->query({&place, 1}, {&calm, 1}, 32.0, pool_);
         const LandView view{camera.eye, calm.height};
         const std::vector<LandPatch> patches = select(settings, view, {});
         std::map<std::pair<long, long>, double> heights;  // by the place in 1/16 m
@@ -93,7 +93,7 @@ TEST_F(LandPatchesTest, ShownVerticesAreThoseOfTheQuadtreeWithTheHeightsOfTheFie
         for (const LandPatch& patch : patches) {
             const double spacing = settings.spacing_of(patch.level);
             if (domain.wraps && spacing * 16.0 > domain.size[0]) continue;  // they show the mean
-            place_patch(settings, view, patch, sampler_of(*shown.field, pool_), positions);
+            place_patch(settings, view, patch, sampler_of(*shown.function, pool_), positions);
             for (const auto& p : positions) heights[key(p[0], p[1])] = p[2];
         }
         std::size_t compared = 0;
@@ -124,7 +124,7 @@ TEST_F(LandPatchesTest, ShownVerticesAreThoseOfTheQuadtreeWithTheHeightsOfTheFie
 TEST_F(LandPatchesTest, TrianglesShareTheirEdgesBitByBit) {
     // Each edge inside the picture's mesh belongs to two triangles. Open edges lie on the border of
     // the selection: there the frustum has left out the neighbour.
-    Land land(gullied(), {.threads = 1});
+    Terrain land(gullied(), {.threads = 1});
     const DrawnLand shown = maps_.show(land, 128);
     Renderer renderer({.land_threads = 1});
     VertexReader reader;
@@ -169,7 +169,7 @@ TEST_F(LandPatchesTest, TrianglesShareTheirEdgesBitByBit) {
 }
 
 TEST_F(LandPatchesTest, APictureWithoutItsPatchesIsCoarserAndHasNoHoles) {
-    Land land(gullied(), {.threads = 1});
+    Terrain land(gullied(), {.threads = 1});
     const DrawnLand shown = maps_.show(land, 128);
     Renderer live({.land_threads = 1, .land_patience = 0.0, .live = true});
     Renderer waiting({.land_threads = 1});
@@ -191,7 +191,7 @@ TEST_F(LandPatchesTest, APictureWithoutItsPatchesIsCoarserAndHasNoHoles) {
 }
 
 TEST_F(LandPatchesTest, TrianglesAndTexturesStayWithinTheirBounds) {
-    Land land(hills(), {.threads = 1});
+    Terrain land(hills(), {.threads = 1});
     const DrawnLand shown = maps_.show(land, 128);
     Renderer renderer({.land_threads = 2});
     std::size_t most = 0;
@@ -215,7 +215,7 @@ TEST_F(LandPatchesTest, AFrameOfLandTakesAtMostOneAndAHalfOfTheSeas) {
     TerrainModel terrain = hills();
     terrain.resolution = 512;
     terrain.patch_size = 8192.0;
-    Land land(terrain);
+    Terrain land(terrain);
     const DrawnLand shown_land = maps_.show(land, 512);
     Parameters parameters = two_cascades();
     parameters.grid.cascades = 3;
@@ -272,7 +272,7 @@ TEST_F(LandPatchesTest, RowsMakeRoomForNewPatches) {
 
 TEST_F(LandPatchesTest, RangesHoldTheHeightsOfTheirSquares) {
     for (const TerrainModel& terrain : {hills(), island()}) {
-        Land land(terrain, {.threads = 1});
+        Terrain land(terrain, {.threads = 1});
         const DrawnLand shown = maps_.show(land, 128);
         const HeightRanges ranges(*shown.image, 1.0 + 2.0 * shown.rms_slope * texel_of(shown));
         for (int n = 0; n < 200; ++n) {
@@ -290,7 +290,7 @@ TEST_F(LandPatchesTest, RangesHoldTheHeightsOfTheirSquares) {
 }
 
 TEST_F(LandPatchesTest, AnIslandStandsInWaterAndEndsAtItsEdge) {
-    Land land(island(), {.threads = 1});
+    Terrain land(island(), {.threads = 1});
     const DrawnLand shown = maps_.show(land, 128);
     ASSERT_TRUE(shown.water_level);
     Renderer renderer({.land_threads = 1});

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "ocean/error.hpp"
-#include "ocean/land.hpp"
 #include "ocean/preview/land_maps.hpp"
 #include "ocean/preview/probe.hpp"
+#include "ocean/terrain.hpp"
 #include "preview_fixture.hpp"
 
 namespace ocean::preview {
@@ -41,7 +41,7 @@ class LandTest : public PreviewTest {
         return canvas.rgba();
     }
 
-    Land land_{small_terrain(), {.threads = 1}};
+    Terrain land_{small_terrain(), {.threads = 1}};
     LandMaps maps_;
     Renderer renderer_{{.land_threads = 2}};
     DrawnLand shown_ = maps_.show(land_, 128);
@@ -158,7 +158,7 @@ TEST_F(LandTest, TheRampReachesTheColoursOfTheTeachingPrograms) {
     // Without sun, haze and slopes the light is the albedo times that of the sky.
     TerrainModel flat = small_terrain();
     flat.rms = 1e-3;
-    land_.set_terrain(flat);
+    land_.set_model(flat);
     shown_ = maps_.show(land_, 128);
     constexpr int kSide = 256;
     const Canvas canvas(kSide, kSide, GL_RGBA32F);

@@ -7,9 +7,9 @@
 #include <cstdint>
 
 #include "land_vertices.hpp"
-#include "ocean/land.hpp"
 #include "ocean/land_quadtree.hpp"
 #include "ocean/preview/land_maps.hpp"
+#include "ocean/terrain.hpp"
 #include "preview_fixture.hpp"
 
 namespace ocean::preview {
@@ -21,7 +21,7 @@ TEST_F(LandVertexTest, EachVertexOfThePictureStandsWhereTheQuadtreeShowsIt) {
     LandMaps maps;
     ThreadPool pool(1);
     for (const TerrainModel& terrain : {hills(), island()}) {
-        Land land(terrain, {.threads = 1});
+        Terrain land(terrain, {.threads = 1});
         const DrawnLand shown = maps.show(land, 128);
         Renderer renderer({.land_threads = 1});
         Camera camera;
@@ -35,7 +35,7 @@ TEST_F(LandVertexTest, EachVertexOfThePictureStandsWhereTheQuadtreeShowsIt) {
             reader.read(renderer.land_statistics(), kHeightsUnit);
 
         QuadtreeSettings settings;
-        const Domain& domain = shown.field->domain();
+        const Domain& domain = shown.function->domain();
         if (!domain.wraps) {
             settings.edge =
                 LandEdge{domain.origin,
@@ -43,7 +43,7 @@ TEST_F(LandVertexTest, EachVertexOfThePictureStandsWhereTheQuadtreeShowsIt) {
         }
         QuerySample calm{};
         const WorldPoint place{camera.eye[0], camera.eye[1]};
-        shown.field->query({&place, 1}, {&calm, 1}, 32.0, pool);
+        shown.function->query({&place, 1}, {&calm, 1}, 32.0, pool);
         const LandView view{camera.eye, calm.height};
         int partial = 0, diagonal = 0, straight = 0;
         for (const GpuVertex& vertex : vertices) {

@@ -48,11 +48,11 @@ TEST_F(LiveLandTest, ASliderRedoesTheStagesThatItDirties) {
     LiveScene scene(hills(), options());
     ASSERT_NE(scene.land(), nullptr);
     const auto runs_of = [&](const char* name, const char* value) {
-        const TerrainRuns before = scene.land()->land().runs();
+        const TerrainRuns before = scene.land()->terrain().runs();
         scene.set(name, value);
         scene.show({});
         scene.show({});
-        const TerrainRuns after = scene.land()->land().runs();
+        const TerrainRuns after = scene.land()->terrain().runs();
         return TerrainRuns{after.noise - before.noise, after.filter - before.filter,
                            after.maps - before.maps, after.shape - before.shape};
     };
@@ -69,10 +69,10 @@ TEST_F(LiveLandTest, ASliderRedoesTheStagesThatItDirties) {
     EXPECT_EQ(runs_of("seed", "9"), (TerrainRuns{1, 1, 1, 1}));
     EXPECT_EQ(runs_of("seed", "9"), (TerrainRuns{0, 0, 0}));
     EXPECT_THROW(scene.set("beta", "99"), Error);
-    EXPECT_EQ(scene.land()->terrain().beta, 2.4);
+    EXPECT_EQ(scene.land()->model().beta, 2.4);
     // Undo unsets a number that was unset.
     scene.set("rms", "");
-    EXPECT_FALSE(scene.land()->terrain().rms);
+    EXPECT_FALSE(scene.land()->model().rms);
 }
 
 TEST_F(LiveLandTest, ASeaAndATerrainTakeEachOthersPlace) {
@@ -91,7 +91,7 @@ TEST_F(LiveLandTest, ASeaAndATerrainTakeEachOthersPlace) {
     wrong.rms = 2.0;
     wrong.range = {0.0, 1.0};
     EXPECT_THROW(scene.open(wrong), Error);
-    EXPECT_EQ(scene.land()->terrain().beta, 2.0);
+    EXPECT_EQ(scene.land()->model().beta, 2.0);
     scene.open(Sea{parameters, {}});
     EXPECT_EQ(scene.kind(), preview::SceneKind::sea);
     scene.show({});
@@ -155,7 +155,7 @@ std::vector<double> greys(const StagePicture& picture) {
 }
 
 TEST_F(LiveLandTest, TheStagesAreWhiteNoiseItsTransformAndTheFilter) {
-    Land land(hills());
+    Terrain land(hills());
     const TerrainStages stages = terrain_stages(land);
     const int side = 64;
     const std::vector<double> noise = greys(make_stage_picture(stages, "noise"));

@@ -20,13 +20,13 @@
 #include <vector>
 
 #include "ocean/error.hpp"
-#include "ocean/land.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/sea_bed.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/seafile.hpp"
+#include "ocean/terrain.hpp"
 #include "ocean/terrain_table.hpp"
 #include "ocean/terrainfile.hpp"
 #include "paths.hpp"
@@ -262,20 +262,20 @@ class LandHandle {
     LandHandle(const std::string& text, const std::string& folder)
         : folder_(folder), land_(parse_terrain(text, "terrain", folder), {.threads = 1}) {}
 
-    const TerrainModel& model() const { return land_.terrain(); }
+    const TerrainModel& model() const { return land_.model(); }
     std::string text_with(const std::string& key, const std::string& value) const {
         return write_terrain(changed(key, value));
     }
     void set(const std::string& key, const std::string& value) {
-        land_.set_terrain(changed(key, value));
+        land_.set_model(changed(key, value));
     }
 
     Shown shown() {
         Shown shown;
         const Domain whole = land_.domain();
         add_map(shown, "map",
-                land_.terrain().is_placed() ? land_.region(whole, land_.channels())
-                                            : land_.surface(land_.channels()));
+                land_.model().is_placed() ? land_.region(whole, land_.channels())
+                                          : land_.surface(land_.channels()));
         Domain part = kPart;
         part.origin = {whole.origin[0] + kPart.origin[0], whole.origin[1] + kPart.origin[1]};
         add_map(shown, "region", land_.region(part, land_.channels()));
@@ -287,7 +287,7 @@ class LandHandle {
 
   private:
     TerrainModel changed(const std::string& key, const std::string& value) const {
-        TerrainModel terrain = land_.terrain();
+        TerrainModel terrain = land_.model();
         set_parameter(terrain, key, value);
         resolve_files(terrain, folder_);
         validate(terrain);
@@ -295,7 +295,7 @@ class LandHandle {
     }
 
     std::string folder_;
-    Land land_;
+    Terrain land_;
 };
 
 // ---- The walk over the keys

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "helpers.hpp"
-#include "ocean/land.hpp"
+#include "ocean/terrain.hpp"
 #include "ocean/terrain_subject.hpp"
 #include "ocean/terrain_table.hpp"
 #include "temporary_folder.hpp"
@@ -115,7 +115,7 @@ TEST(TerrainFile, MeasuredRingsAreInlined) {
     EXPECT_EQ(named_files(terrain), std::vector<std::string>{"rings.csv"});
     const TerrainModel again = parse_terrain(write_terrain(terrain), "written.toml", "/nowhere");
     EXPECT_EQ(*again.rings, *terrain.rings);
-    Land a(terrain), b(again);
+    Terrain a(terrain), b(again);
     const Surface one = a.surface({Channel::height}), two = b.surface({Channel::height});
     EXPECT_TRUE(std::ranges::equal(one.channel(Channel::height), two.channel(Channel::height)));
     TerrainModel other = again;
@@ -146,7 +146,7 @@ TEST(TerrainFile, AnElevationModelIsMeasuredWhenItIsNamed) {
                       "land.toml", folder.path());
     ASSERT_NE(terrain.rings, nullptr);
     EXPECT_GE(terrain.rings->wavenumber.size(), 4u);
-    EXPECT_GT(Land(terrain).state().rms.resolved, 1.0);
+    EXPECT_GT(Terrain(terrain).state().rms.resolved, 1.0);
 }
 
 TEST(TerrainPresets, AreWholeFilesWithTheirSource) {
@@ -154,7 +154,7 @@ TEST(TerrainPresets, AreWholeFilesWithTheirSource) {
     for (const Preset& preset : terrain_presets()) {
         const TerrainModel terrain = parse_terrain(preset.toml, preset.name, "");
         EXPECT_TRUE(preset.toml.starts_with("# " + preset.name + ": " + preset.description));
-        Land land(terrain);
+        Terrain land(terrain);
         const TerrainState state = land.state();
         EXPECT_EQ(state.warnings, std::vector<std::string>{}) << preset.name;
         if (terrain.is_shaped()) {
@@ -170,7 +170,7 @@ TEST(TerrainPresets, AreWholeFilesWithTheirSource) {
 
 TEST(TerrainPresets, HaveTheSlopesOfTheirLand) {
     const auto median = [](const char* name) {
-        Land land(parse_terrain(find_terrain_preset(name).toml, name, ""));
+        Terrain land(parse_terrain(find_terrain_preset(name).toml, name, ""));
         return land.state().slope_angles[0].asked;
     };
     EXPECT_NEAR(median("tujunga"), 22.1, 0.5);    // of its elevation model, cells of 30 m

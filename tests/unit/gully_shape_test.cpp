@@ -15,7 +15,7 @@
 
 #include "gully_points.hpp"
 #include "ocean/grid.hpp"
-#include "ocean/land.hpp"
+#include "ocean/terrain.hpp"
 
 namespace ocean {
 namespace {
@@ -162,7 +162,7 @@ struct Mountains {
         terrain.breaks = {{3500.0, 3.6}, {60.0, 2.0}};
         terrain.rms = 560.0;
         const Surface map =
-            Land(terrain).surface({Channel::height, Channel::slope_x, Channel::slope_y});
+            Terrain(terrain).surface({Channel::height, Channel::slope_x, Channel::slope_y});
         const Channel channels[] = {Channel::height, Channel::slope_x, Channel::slope_y};
         for (std::size_t a = 0; a < 3; ++a) {
             const auto values = map.channel(channels[a]);

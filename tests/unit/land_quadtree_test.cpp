@@ -16,7 +16,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
-#include "ocean/land.hpp"
+#include "ocean/terrain.hpp"
 #include "quadtree_probe.hpp"
 
 namespace ocean {
@@ -124,7 +124,7 @@ Surface mountains() {
     terrain.outer_scale = 22000.0;
     terrain.rms = 500.0;
     terrain.seed = 3;
-    Land land(terrain);
+    Terrain land(terrain);
     return land.surface({Channel::height});
 }
 
@@ -240,7 +240,7 @@ class RoughLand {
         terrain.patch_size = kPeriod;
         terrain.beta = 2.0;
         terrain.shortest_wavelength = 2.0;
-        Land land(terrain);
+        Terrain land(terrain);
         for (int side = kSide; side >= 32; side /= 2) {
             const Surface map = land.surface({Channel::height}, side);
             const auto values = map.channel(Channel::height);

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "ocean/land.hpp"
+#include "ocean/terrain.hpp"
 
 namespace ocean {
 namespace {
@@ -71,7 +71,7 @@ Coast island(int side = 2048, std::uint32_t seed = 3) {
     terrain.outer_scale = 6000.0;
     terrain.rms = 160.0;
     terrain.seed = seed;
-    Land land(terrain);
+    Terrain land(terrain);
     const Surface waves = land.surface({Channel::height}, side);
     const auto heights = waves.channel(Channel::height);
     std::size_t at = 0;

@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "ocean/land.hpp"
 #include "ocean/stream_power.hpp"
+#include "ocean/terrain.hpp"
 
 namespace ocean::test {
 
@@ -62,7 +62,7 @@ class StreamIsland {
         terrain.outer_scale = 9000.0;
         terrain.rms = 1.0;
         terrain.seed = seed_;
-        const Surface surface = Land(terrain).surface({Channel::height}, map);
+        const Surface surface = Terrain(terrain).surface({Channel::height}, map);
         const auto heights = surface.channel(Channel::height);
         std::vector<float> centres;
         for (int j = 1; j < map; j += 2) {

@@ -16,7 +16,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
-#include "ocean/land.hpp"
+#include "ocean/terrain.hpp"
 #include "ocean/terrain_table.hpp"
 #include "ocean/text.hpp"
 
@@ -25,7 +25,7 @@ namespace {
 
 /// A crop of the land of a terrain, which no period fits into.
 ElevationModel crop_of(const TerrainModel& terrain, int columns, int rows) {
-    Land land(terrain);
+    Terrain land(terrain);
     const Surface surface = land.surface({Channel::height});
     const auto heights = surface.channel(Channel::height);
     const double cell = terrain.patch_size / terrain.resolution;
@@ -123,7 +123,7 @@ TEST(TerrainFit, OneExponentIsFoundAndABrokenLandIsAWarning) {
 }
 
 double variance_of_tile(const TerrainModel& terrain) {
-    return std::pow(Land(terrain).state().rms.resolved, 2);
+    return std::pow(Terrain(terrain).state().rms.resolved, 2);
 }
 
 bool is_told(const TerrainFit& fit, const std::string& words) {
@@ -141,7 +141,7 @@ ElevationModel known_land(std::uint32_t seed) {
     terrain.resolution = 128;
     terrain.patch_size = 1280.0;
     terrain.seed = seed;
-    Land land(terrain);
+    Terrain land(terrain);
     const Surface surface = land.surface({Channel::height});
     const auto heights = surface.channel(Channel::height);
     ElevationModel model;

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include "ocean/land.hpp"
+#include "ocean/terrain.hpp"
 
 namespace ocean {
 namespace {
@@ -24,11 +24,11 @@ TerrainModel tile() {
 
 TEST(TerrainRepeat, ALayerShowsAtItsPeriodWithItsShareOfTheEnergy) {
     TerrainModel terrain = tile();
-    Land plain(terrain);
+    Terrain plain(terrain);
     EXPECT_LT(find_repeat(plain.modes()).slope.correlation, 0.1);
     EXPECT_LT(find_repeat(plain.modes()).height.correlation, 0.35);  // few long waves
     terrain.layers = {{.period = 2048.0, .gain = 1.0, .seed = 5}};
-    Land layered(terrain);
+    Terrain layered(terrain);
     const TerrainRepeat repeat = find_repeat(layered.modes());
     // Half of the energy is the layer's.
     EXPECT_NEAR(repeat.slope.correlation, 0.5, 0.06);
@@ -41,7 +41,7 @@ TEST(TerrainRepeat, ALayerShowsAtItsPeriodWithItsShareOfTheEnergy) {
 TEST(TerrainRepeat, AFlatTerrainHasNone) {
     TerrainModel terrain = tile();
     terrain.rms = 0.0;
-    Land land(terrain);
+    Terrain land(terrain);
     EXPECT_EQ(find_repeat(land.modes()).height.correlation, 0.0);
     EXPECT_EQ(find_repeat(land.modes()).slope.distance, 0.0);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Terrains by numbers: what the file asks for is what the tile holds.
-#include "ocean/land.hpp"
+#include "ocean/terrain.hpp"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ double rms_of_difference(std::span<const float> a, std::span<const float> b) {
     return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-std::vector<float> heights(Land& land, int resolution = 0) {
+std::vector<float> heights(Terrain& land, int resolution = 0) {
     const Surface map = land.surface({Channel::height}, resolution);
     const auto values = map.channel(Channel::height);
     return {values.begin(), values.end()};
@@ -133,7 +133,7 @@ TEST_P(Exponent, IsWhatWasAskedForOverTwoDecades) {
     for (std::uint32_t seed = 1; seed <= 4; ++seed) {
         TerrainModel terrain = tile(size);
         terrain.seed = seed;
-        Land land(terrain);
+        Terrain land(terrain);
         const auto map = [&](double beta) {
             land.set("beta", std::to_string(beta));
             return heights(land);
@@ -162,7 +162,7 @@ TEST(Terrain, ABrokenLawHasBothExponentsAndItsBreak) {
     double low = 0.0, high = 0.0, crossing = 0.0;
     for (std::uint32_t seed = 1; seed <= 4; ++seed) {
         terrain.seed = seed;
-        Land land(terrain);
+        Terrain land(terrain);
         const auto map = heights(land);
         const auto rings = rings_of(map, map, 1024, 10000.0)[0];
         const double kb = kTwoPi / 300.0;
@@ -214,7 +214,7 @@ TEST(Terrain, TheModesHaveTheRmsThatWasAskedFor) {
 
 TEST(Terrain, MapsHaveTheRmsTheMeanAndTheRange) {
     TerrainModel terrain = tile(512);
-    Land land(terrain);
+    Terrain land(terrain);
     EXPECT_NEAR(rms(heights(land)) / 25.0, 1.0, 1e-6);
     land.set("mean", "300");
     const std::vector<float> raised = heights(land);
@@ -222,13 +222,13 @@ TEST(Terrain, MapsHaveTheRmsTheMeanAndTheRange) {
     EXPECT_EQ(land.runs().filter, 1);  // the mean costs no filter
     terrain.rms.reset();
     terrain.range = {-20.0, 180.0};
-    land.set_terrain(terrain);
+    land.set_model(terrain);
     const auto fitted = heights(land);
     const auto [low, high] = std::ranges::minmax(fitted);
     EXPECT_NEAR(low, -20.0, 1e-4);
     EXPECT_NEAR(high, 180.0, 1e-4);
     terrain.range.clear();
-    land.set_terrain(terrain);
+    land.set_model(terrain);
     EXPECT_NEAR(rms(heights(land)) / kDefaultTerrainRms, 1.0, 1e-6);
 }
 
@@ -246,7 +246,7 @@ TEST(Terrain, MeasuredRingsKeepTheirOwnRms) {
     constexpr int kSeeds = 24;
     for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
         terrain.seed = seed;
-        Land land(terrain);
+        Terrain land(terrain);
         const double found = rms(heights(land));
         EXPECT_NEAR(found / land.scale().rms, 1.0, 1e-6);
         mean_square += found * found / kSeeds;
@@ -289,10 +289,10 @@ TEST(Terrain, TheNoiseIsThatOfTheFormula) {
 TEST(Terrain, WithAShortestWaveEveryGridHasTheSameHeights) {
     TerrainModel terrain = tile(256);
     terrain.shortest_wavelength = 20.0;
-    Land coarse(terrain);
+    Terrain coarse(terrain);
     const auto few = heights(coarse);
     terrain.resolution = 2048;
-    Land fine(terrain);
+    Terrain fine(terrain);
     const auto many = heights(fine);
     std::vector<float> shared;
     for (std::size_t j = 0; j < 256; ++j) {
@@ -303,25 +303,25 @@ TEST(Terrain, WithAShortestWaveEveryGridHasTheSameHeights) {
 
 TEST(Terrain, AnyNumberOfThreadsAndAnyBackendGiveTheSameHeights) {
     const TerrainModel terrain = tile(256);
-    Land one(terrain, {.threads = 1});
+    Terrain one(terrain, {.threads = 1});
     const auto expected = heights(one);
     for (const int threads : {2, 3, 7}) {
-        Land land(terrain, {.threads = threads});
+        Terrain land(terrain, {.threads = threads});
         EXPECT_EQ(heights(land), expected) << threads;
-        Land shared(land, {.threads = 2});
+        Terrain shared(land, {.threads = 2});
         EXPECT_EQ(heights(shared), expected);
         EXPECT_EQ(shared.runs().noise, 0);
     }
     for (const Backend& backend : core_backends()) {
-        Land land(terrain, {.backend = backend});
+        Terrain land(terrain, {.backend = backend});
         EXPECT_LT(rms_of_difference(heights(land), expected) / 25.0, 2e-6) << backend.name;
     }
 }
 
 TEST(Terrain, AChangedLandLeavesItsCopiesAlone) {
-    Land land(tile(128));
+    Terrain land(tile(128));
     const auto before = heights(land);
-    Land copy(land, {});
+    Terrain copy(land, {});
     land.set("beta", "2.6");
     EXPECT_NE(heights(land), before);
     EXPECT_EQ(heights(copy), before);
@@ -332,9 +332,9 @@ TEST(Terrain, AChangedLandLeavesItsCopiesAlone) {
 TEST(Terrain, LayersRepeatWithTheirOwnPeriod) {
     TerrainModel terrain = tile(256);
     terrain.layers = {{500.0, 1.0, 5}};
-    Land both(terrain);
+    Terrain both(terrain);
     terrain.layers.clear();
-    Land alone(terrain);
+    Terrain alone(terrain);
     // The difference of the unscaled sums is the layer.
     const auto with = heights(both), without = heights(alone);
     const double a = 1.0 / both.scale().gain, b = 1.0 / alone.scale().gain;
@@ -364,7 +364,7 @@ TEST(Terrain, TheLandIsSteepestInTheDirectionOfTheFile) {
         double xx = 0.0, yy = 0.0, xy = 0.0;
         for (std::uint32_t seed = 1; seed <= 2; ++seed) {
             terrain.seed = seed;
-            Land land(terrain);
+            Terrain land(terrain);
             const Surface map = land.surface({Channel::slope_x, Channel::slope_y});
             const auto x = map.channel(Channel::slope_x), y = map.channel(Channel::slope_y);
             for (std::size_t i = 0; i < x.size(); ++i) {
@@ -385,7 +385,7 @@ TEST(Terrain, SlopesAndNormalsAreThoseOfTheHeights) {
     TerrainModel terrain = tile(256, 2.4);
     terrain.shortest_wavelength = 60.0;
     terrain.mean = 1234.0;
-    Land land(terrain);
+    Terrain land(terrain);
     using enum Channel;
     const Surface map = land.surface({height, slope_x, nx, ny, nz}, 512);
     const auto h = map.channel(height), s = map.channel(slope_x);
@@ -411,7 +411,7 @@ TEST(Terrain, SlopesAndNormalsAreThoseOfTheHeights) {
 TEST(Terrain, QueriesMeetTheMapAndTheExactSum) {
     TerrainModel terrain = tile(256);
     terrain.mean = 300.0;
-    Land land(terrain);
+    Terrain land(terrain);
     const Surface map = land.surface({Channel::height, Channel::nx});
     std::vector<WorldPoint> points;
     for (int i = 0; i < 50; ++i) {
@@ -444,7 +444,7 @@ TEST(Terrain, QueriesMeetTheMapAndTheExactSum) {
 }
 
 TEST(Terrain, ChannelsOfASeaAreRefused) {
-    Land land(tile(64));
+    Terrain land(tile(64));
     EXPECT_THROW(land.surface({Channel::foam}), Error);
     EXPECT_THROW(land.surface({Channel::height, Channel::dx}), Error);
     EXPECT_THROW(land.surface({Channel::height}, 100), Error);
@@ -456,7 +456,7 @@ TEST(TerrainStages, EndInTheTerrainsOwnHeight) {
     TerrainModel terrain = tile(128);
     terrain.mean = 40.0;
     terrain.layers = {{500.0, 0.7, 3}};
-    Land land(terrain);
+    Terrain land(terrain);
     const TerrainStages stages = terrain_stages(land);
     EXPECT_LT(rms_of_difference(stages.height, heights(land)) / 25.0, 2e-6);
     double transform = 0.0, filtered = 0.0;
@@ -471,7 +471,7 @@ TEST(TerrainStages, EndInTheTerrainsOwnHeight) {
 
 TEST(TerrainStages, BeginWithWhiteNoiseOfUnitVariance) {
     TerrainModel terrain = tile(256);
-    Land land(terrain);
+    Terrain land(terrain);
     const TerrainStages stages = terrain_stages(land);
     EXPECT_NEAR(rms(stages.noise), 1.0, 0.02);
     double neighbours = 0.0;
@@ -537,7 +537,7 @@ double spread(const std::vector<double>& heights) {
 TEST(ClassicFaults, AnUnshiftedFilterMakesACheckerboard) {
     EXPECT_GT(neighbour_correlation(Classic{}.heights(64, 2.0, 1)), 0.9);
     EXPECT_LT(neighbour_correlation(Classic{.centred_filter = true}.heights(64, 2.0, 1)), -0.9);
-    Land land(tile(64));
+    Terrain land(tile(64));
     const auto ours = heights(land);
     EXPECT_GT(neighbour_correlation({ours.begin(), ours.end()}), 0.9);
 }
@@ -552,7 +552,7 @@ TEST(ClassicFaults, TheNoisesOwnMeanLiftsEachTerrainByChance) {
     for (std::uint32_t seed = 1; seed <= 4; ++seed) {
         TerrainModel terrain = tile(64);
         terrain.seed = seed;
-        Land land(terrain);
+        Terrain land(terrain);
         const auto ours = heights(land);
         EXPECT_NEAR(std::accumulate(ours.begin(), ours.end(), 0.0) / (64.0 * 64.0), 0.0, 1e-4);
     }
@@ -563,7 +563,7 @@ TEST(ClassicFaults, UnscaledHeightsGrowWithTheResolution) {
     const double large = spread(Classic{.unscaled = true}.heights(256, 2.0, 1));
     // A filter in samples: the same waves in 16 times the samples have a quarter of the height.
     EXPECT_GT(std::max(small / large, large / small), 2.0);
-    Land coarse(tile(64)), fine(tile(256));
+    Terrain coarse(tile(64)), fine(tile(256));
     EXPECT_NEAR(rms(heights(coarse)) / rms(heights(fine)), 1.0, 1e-5);
 }
 
@@ -579,7 +579,7 @@ TEST(ClassicFaults, ARampThatAddsItsSecondColourOverflows) {
 
 TEST(TerrainState, SaysWhatWasAskedForAndWhatTheTileHolds) {
     TerrainModel terrain = tile(512, 1.8);
-    Land land(terrain);
+    Terrain land(terrain);
     const TerrainState state = land.state();
     EXPECT_NEAR(state.rms.asked, 25.0, 1e-9);
     EXPECT_NEAR(state.rms.resolved, 25.0, 1e-5);
@@ -595,7 +595,7 @@ TEST(TerrainState, SaysWhatWasAskedForAndWhatTheTileHolds) {
     EXPECT_NEAR(std::sqrt(octaves) / 25.0, 1.0, 1e-3);  // without the corners
     EXPECT_NEAR(state.octaves.back().exponent.resolved, 1.8, 0.05);
     terrain.rms = 0.0;
-    land.set_terrain(terrain);
+    land.set_model(terrain);
     ASSERT_EQ(land.state().warnings.size(), 1u);
     EXPECT_NE(land.state().warnings[0].find("flat"), std::string::npos);
 }

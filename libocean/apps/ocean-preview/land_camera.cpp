@@ -55,7 +55,7 @@ std::string place_on(const PreviewOptions& options, const Shown& shown, const Do
 
 std::string place_on_land(const PreviewOptions& options, const preview::DrawnLand& land,
                           preview::Camera& camera) {
-    return place_on(options, land, land.field->domain(), kEyeHeight + 0.25 * land.rms, camera);
+    return place_on(options, land, land.function->domain(), kEyeHeight + 0.25 * land.rms, camera);
 }
 
 std::string place_on_coast(const PreviewOptions& options, const preview::DrawnCoast& coast,

@@ -9,51 +9,51 @@
 
 namespace ocean::app {
 
-LiveLand::LiveLand(TerrainModel terrain, int threads,
+LiveLand::LiveLand(TerrainModel model, int threads,
                    std::function<LandComputing(const TerrainModel&)> computing)
     : threads_(threads),
       choose_(std::move(computing)),
-      computing_(choose_(terrain)),
-      land_(std::make_unique<Land>(
-          std::move(terrain), LandOptions{.threads = threads, .backend = computing_.backend})) {}
+      computing_(choose_(model)),
+      terrain_(std::make_unique<Terrain>(
+          std::move(model), TerrainOptions{.threads = threads, .backend = computing_.backend})) {}
 
 preview::DrawnLand LiveLand::show() {
-    return maps_.show(*land_, computing_.resolution);
+    return maps_.show(*terrain_, computing_.resolution);
 }
 
 void LiveLand::set(const std::string& name, const std::string& value) {
-    TerrainModel changed = terrain();
+    TerrainModel changed = model();
     set_parameter(changed, name, value);
     resolve_files(changed, "");
     change(std::move(changed));
 }
 
-void LiveLand::open(TerrainModel terrain) {
-    change(std::move(terrain));
+void LiveLand::open(TerrainModel model) {
+    change(std::move(model));
 }
 
 void LiveLand::compute_anew() {
-    change(terrain());
+    change(model());
 }
 
-void LiveLand::change(TerrainModel terrain) {
-    validate(terrain);
-    const LandComputing computing = choose_(terrain);
+void LiveLand::change(TerrainModel model) {
+    validate(model);
+    const LandComputing computing = choose_(model);
     if (!(computing.backend == computing_.backend)) {
-        land_ = std::make_unique<Land>(
-            *land_, LandOptions{.threads = threads_, .backend = computing.backend});
+        terrain_ = std::make_unique<Terrain>(
+            *terrain_, TerrainOptions{.threads = threads_, .backend = computing.backend});
     }
-    land_->set_terrain(std::move(terrain));
+    terrain_->set_model(std::move(model));
     computing_ = computing;
 }
 
 const std::vector<std::string>& LiveLand::warnings() {
-    const std::shared_ptr<const LandField> now = land_->field();
+    const std::shared_ptr<const LandFunction> now = terrain_->function();
     const bool moves = std::exchange(seen_, now) != now;
     if (now == warned_) return warnings_;
     warnings_.clear();
     if (moves) return warnings_;  // statistics take longer than a frame of a drag
-    warnings_ = land_->state().warnings;
+    warnings_ = terrain_->state().warnings;
     warned_ = now;
     return warnings_;
 }

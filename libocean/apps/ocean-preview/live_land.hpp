@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "ocean/land.hpp"
 #include "ocean/preview/land_maps.hpp"
+#include "ocean/terrain.hpp"
 
 namespace ocean::app {
 
@@ -27,7 +27,7 @@ struct LandComputing {
 class LiveLand {
   public:
     /// computing: returns how to compute a terrain; throws Error if it cannot be computed.
-    LiveLand(TerrainModel terrain, int threads,
+    LiveLand(TerrainModel model, int threads,
              std::function<LandComputing(const TerrainModel&)> computing);
 
     /// Returns the land with all changes. Redoes only the stages that they dirty. Throws Error.
@@ -37,26 +37,26 @@ class LiveLand {
     /// Error.
     void set(const std::string& name, const std::string& value);
     /// Shows another terrain. Throws Error.
-    void open(TerrainModel terrain);
+    void open(TerrainModel model);
     /// Computes the land anew if `computing` has another answer. Throws Error.
     void compute_anew();
 
-    const TerrainModel& terrain() const { return land_->terrain(); }
-    Land& land() { return *land_; }
+    const TerrainModel& model() const { return terrain_->model(); }
+    Terrain& terrain() { return *terrain_; }
     const LandComputing& computing() const { return computing_; }
     /// Returns warnings about the land, a sentence each, or none while it changes.
     const std::vector<std::string>& warnings();
 
   private:
-    void change(TerrainModel terrain);
+    void change(TerrainModel model);
 
     int threads_;
     std::function<LandComputing(const TerrainModel&)> choose_;
     LandComputing computing_;
-    std::unique_ptr<Land> land_;
+    std::unique_ptr<Terrain> terrain_;
     preview::LandMaps maps_;
     std::vector<std::string> warnings_;
-    std::shared_ptr<const LandField> warned_, seen_;  // of the warnings, and of the call before
+    std::shared_ptr<const LandFunction> warned_, seen_;  // of the warnings, and of the call before
 };
 
 }  // namespace ocean::app

@@ -122,7 +122,7 @@ void LiveScene::open(const OpenedScene& scene) {
 
 OpenedScene LiveScene::opened() const {
     if (sea_) return sea_->sea();
-    return land_->terrain();
+    return land_->model();
 }
 
 const Backend& LiveScene::backend() const {
@@ -131,7 +131,7 @@ const Backend& LiveScene::backend() const {
 
 std::string LiveScene::why_not(const Backend& backend) const {
     return sea_ ? app::why_not(backend, sea_->sea(), options_.info)
-                : app::why_not(backend, land_->terrain(), options_.info);
+                : app::why_not(backend, land_->model(), options_.info);
 }
 
 void LiveScene::choose_backend(const std::string& name) {

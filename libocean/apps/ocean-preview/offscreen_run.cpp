@@ -206,8 +206,8 @@ ShowFrame frames_of(const Sea& sea, const Computing& computing, const Context& c
 /// Returns the frames of a land, which stands still.
 ShowFrame frames_of(const TerrainModel& terrain, const PreviewOptions& options,
                     const Device& device, const Context& context) {
-    const auto land = std::make_shared<Land>(
-        terrain, LandOptions{.threads = context.options.threads, .backend = device.backend});
+    const auto land = std::make_shared<Terrain>(
+        terrain, TerrainOptions{.threads = context.options.threads, .backend = device.backend});
     const auto maps = std::make_shared<preview::LandMaps>();
     const int resolution = land_map_for(options, terrain, device.context->info(), true);
     return [land, maps, resolution](int) { return maps->show(*land, resolution); };

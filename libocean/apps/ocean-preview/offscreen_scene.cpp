@@ -8,9 +8,9 @@
 #include "console.hpp"
 #include "land_camera.hpp"
 #include "ocean/error.hpp"
-#include "ocean/land.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/preview/probe.hpp"
+#include "ocean/terrain.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::app {
@@ -135,7 +135,7 @@ class OffscreenLand : public OffscreenScene {
     }
 
   private:
-    Land land_;
+    Terrain land_;
     int resolution_;
     preview::LandMaps maps_;
     std::optional<preview::DrawnScene> shown_;

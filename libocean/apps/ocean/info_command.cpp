@@ -12,9 +12,9 @@
 #include "info_text.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/io/read_provenance.hpp"
-#include "ocean/land.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/seafile.hpp"
+#include "ocean/terrain.hpp"
 #include "ocean/terrainfile.hpp"
 #include "ocean/text.hpp"
 #include "sea_argument.hpp"
@@ -58,7 +58,7 @@ BakedFrame baked_frame_of(const std::string& source) {
 void run_for_terrain(const InfoOptions& info, const Context& context) {
     const TerrainModel terrain = open_terrain({info.sea.source, info.sea.assignments});
     if (info.sea_file) return context.console.data(write_terrain(terrain));
-    Land land(terrain, {.threads = context.options.threads});
+    Terrain land(terrain, {.threads = context.options.threads});
     const TerrainState state = land.state();
     const BakedFrame baked = baked_frame_of(info.sea.source);
     if (context.options.json) {

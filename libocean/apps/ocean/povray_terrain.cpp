@@ -15,7 +15,7 @@
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/mesh.hpp"
 #include "ocean/io/output_file.hpp"
-#include "ocean/land.hpp"
+#include "ocean/terrain.hpp"
 #include "ocean/terrain_subject.hpp"
 #include "ocean/text.hpp"
 #include "povray_files.hpp"
@@ -110,7 +110,7 @@ void write_povray_terrain(const PovrayTerrainRequest& request, const Context& co
     const std::vector<BakePlan> plans = make_plans(request, context);
     const BakePlan& plan = plans.front();
     const TerrainModel& terrain = *find_terrain(*plan.subject);
-    Land land(terrain, {.threads = plan.threads});
+    Terrain land(terrain, {.threads = plan.threads});
     const std::vector<FolderFile> files = povray_terrain_files(plan, land.state(), request.format);
     const InputFiles inputs(request.bake.source, plan.subject->named_files());
     refuse_folder_of_a_sea(request.folder);

@@ -102,7 +102,7 @@ void run_for_terrain(const SpectrumOptions& options, const Context& context) {
         context.console.warning(
             "the spectrum is that of the waves, before gullies, streams and shore shape them");
     }
-    Land land(terrain, {.threads = context.options.threads});
+    Terrain land(terrain, {.threads = context.options.threads});
     const auto report = progress_on(context.console, "tiles", static_cast<std::size_t>(seeds));
     const std::vector<TerrainRing> rings =
         terrain_rings(land, seeds, [&](int done, int) { report(static_cast<std::size_t>(done)); });

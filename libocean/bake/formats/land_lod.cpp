@@ -14,10 +14,10 @@
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/land.hpp"
-#include "ocean/land_field.hpp"
+#include "ocean/land_function.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/land_mesh.hpp"
+#include "ocean/terrain.hpp"
 #include "ocean/terrain_subject.hpp"
 #include "ocean/text.hpp"
 
@@ -31,7 +31,7 @@ constexpr double kMaxEye = 1e7;  // [m]
 constexpr int kNormalValues = 3;
 
 /// Returns the maps of a patch's masks, at its vertices.
-Surface masks_of(const LandField& field, const LandLod& lod, const LandPatch& patch,
+Surface masks_of(const LandFunction& function, const LandLod& lod, const LandPatch& patch,
                  ChannelSet masks, ThreadPool& pool) {
     const double spacing = lod.quadtree.spacing_of(patch.level);
     const int quads = patch.quads(lod.quadtree);
@@ -40,16 +40,16 @@ Surface masks_of(const LandField& field, const LandLod& lod, const LandPatch& pa
                         {side, side},
                         {quads + 1, quads + 1},
                         false};
-    return field.surface(region, masks, pool);
+    return function.surface(region, masks, pool);
 }
 
 /// Returns the sampler of a land's heights, with the normal behind each if there is one wanted.
-HeightSampler sampler_of(const LandField& field, ThreadPool& pool, bool has_normals) {
+HeightSampler sampler_of(const LandFunction& function, ThreadPool& pool, bool has_normals) {
     return
-        [&field, &pool, has_normals, samples = std::vector<QuerySample>()](
+        [&function, &pool, has_normals, samples = std::vector<QuerySample>()](
             std::span<const WorldPoint> points, double spacing, std::span<float> values) mutable {
             samples.resize(points.size());
-            field.query(points, samples, spacing, pool);
+            function.query(points, samples, spacing, pool);
             float* to = values.data();
             for (const QuerySample& sample : samples) {
                 *to++ = static_cast<float>(sample.height);
@@ -70,7 +70,7 @@ std::vector<float> unit_normals(std::vector<float> normals) {
 }
 
 /// Adds the products that are masks, each vertex with the value of its level.
-void add_masks(const LandField& field, const LandLod& lod, std::span<const LandPatch> patches,
+void add_masks(const LandFunction& function, const LandLod& lod, std::span<const LandPatch> patches,
                const LandMesh& land, std::span<const Product* const> products, ThreadPool& pool,
                io::Mesh& mesh) {
     ChannelSet masks;
@@ -90,7 +90,7 @@ void add_masks(const LandField& field, const LandLod& lod, std::span<const LandP
     Surface maps;
     for (const std::size_t v : by_patch) {
         const LandPlace place = land.places[v];
-        if (shown != place.patch) maps = masks_of(field, lod, patches[place.patch], masks, pool);
+        if (shown != place.patch) maps = masks_of(function, lod, patches[place.patch], masks, pool);
         shown = place.patch;
         for (const auto& [channel, column] : columns) {
             mesh.attributes[column].values[v] = maps.channel(channel)[place.vertex];
@@ -166,7 +166,7 @@ LandLod resolve_land_lod(const BakePlan& draft, const LandLod& requested) {
     constexpr double kCalm = 16.0;  // [m]: shorter waves do not count in the eye's height
     const std::array<WorldPoint, 1> below = {{{lod.eye[0], lod.eye[1]}}};
     std::array<QuerySample, 1> ground{};
-    land_of(*maps).field()->query(below, ground, kCalm, maps->pool());
+    terrain_of(*maps).function()->query(below, ground, kCalm, maps->pool());
     lod.ground = ground[0].height;
     const std::vector<LandPatch> patches = select(quadtree, lod.view(), {});
     if (patches.empty()) {
@@ -198,13 +198,13 @@ std::vector<io::HeaderString> land_lod_strings(const LandLod& lod) {
 
 io::Mesh make_land_lod_mesh(SubjectMaps& source, const LandLod& lod,
                             std::span<const Product* const> products, io::Faces faces) {
-    const std::shared_ptr<const LandField> field = land_of(source).field();
+    const std::shared_ptr<const LandFunction> function = terrain_of(source).function();
     ThreadPool& pool = source.pool();
     const std::vector<LandPatch> patches = select(lod.quadtree, lod.view(), {});
     const bool has_normals =
         std::ranges::find(products, "normal", &Product::name) != products.end();
     const LandMesh land =
-        make_land_mesh(lod.quadtree, patches, lod.view(), sampler_of(*field, pool, has_normals),
+        make_land_mesh(lod.quadtree, patches, lod.view(), sampler_of(*function, pool, has_normals),
                        has_normals ? kNormalValues : 0);
     io::Mesh mesh;
     for (const Position& position : land.positions) {
@@ -215,7 +215,7 @@ io::Mesh make_land_lod_mesh(SubjectMaps& source, const LandLod& lod,
             for (const std::uint32_t v : triangle) mesh.triangles.push_back(static_cast<int>(v));
         }
         io::Attribute uv{.name = std::string(io::kUv), .components = 2};
-        const Domain& domain = field->domain();
+        const Domain& domain = function->domain();
         for (const Position& position : land.positions) {
             for (std::size_t axis = 0; axis < 2; ++axis) {
                 uv.values.push_back(
@@ -225,7 +225,7 @@ io::Mesh make_land_lod_mesh(SubjectMaps& source, const LandLod& lod,
         mesh.attributes.push_back(std::move(uv));
     }
     if (has_normals) mesh.normals = unit_normals(land.values);
-    add_masks(*field, lod, patches, land, products, pool, mesh);
+    add_masks(*function, lod, patches, land, products, pool, mesh);
     return mesh;
 }
 

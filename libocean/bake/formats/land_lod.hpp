@@ -47,8 +47,8 @@ std::vector<io::HeaderString> land_lod_strings(const LandLod& lod);
 
 /// Returns the mesh, with normals, the products and, with its triangles, the uv: a place in sides
 /// of the land, so that maps of the whole land lie on the mesh; beyond 0 .. 1 where a tile repeats.
-/// A height is that of LandField at the vertex for the spacing of its level, and between levels a
-/// mean of both; its normal too. A mask is that of the vertex's level.
+/// A height is that of LandFunction at the vertex for the spacing of its level, and between levels
+/// a mean of both; its normal too. A mask is that of the vertex's level.
 io::Mesh make_land_lod_mesh(SubjectMaps& source, const LandLod& lod,
                             std::span<const Product* const> products, io::Faces faces);
 

@@ -60,7 +60,7 @@ std::uint64_t frame_bytes(const BakePlan& plan, const NoSettings&) {
 }
 
 MadeFrame make(const FrameWork& work, const NoSettings&) {
-    auto stages = std::make_shared<const TerrainStages>(terrain_stages(land_of(work.source)));
+    auto stages = std::make_shared<const TerrainStages>(terrain_stages(terrain_of(work.source)));
     return [stages = std::move(stages)](const Product& product) {
         for (std::size_t step = 0; step < kStages.size(); ++step) {
             if (kStages[step].name != product.name) continue;

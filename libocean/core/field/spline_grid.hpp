@@ -9,7 +9,7 @@
 // The coefficients c are the samples filtered by the inverse of (1 4 1)/6 along both axes, by a
 // causal and an anticausal recursion with the pole sqrt(3) - 2 [Unser 1999]. A grid that wraps
 // continues on its other side; one that exists once is mirrored about its outermost samples, and a
-// place beyond them has the height of the nearest place on the edge. Test: land_field_test.cpp.
+// place beyond them has the height of the nearest place on the edge. Test: land_function_test.cpp.
 #pragma once
 
 #include <cstddef>

@@ -76,8 +76,8 @@ ComplexPlane filter_plane(const TerrainModel& terrain, double gain) {
 
 }  // namespace
 
-TerrainStages terrain_stages(Land& land) {
-    const TerrainModel& terrain = land.terrain();
+TerrainStages terrain_stages(Terrain& land) {
+    const TerrainModel& terrain = land.model();
     const int size = terrain.resolution;
     constexpr std::uint64_t kBytesPerSample = 2 * sizeof(std::complex<double>) + 5 * sizeof(float);
     require_memory(lattice_of(terrain).size() * kBytesPerSample, "the stages of the terrain");

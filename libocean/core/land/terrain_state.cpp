@@ -15,7 +15,7 @@
 #include "ocean/grid.hpp"
 #include "ocean/internal/json.hpp"
 #include "ocean/internal/sea_bytes.hpp"
-#include "ocean/land.hpp"
+#include "ocean/terrain.hpp"
 #include "ocean/terrain_law.hpp"
 #include "ocean/text.hpp"
 
@@ -200,7 +200,7 @@ TerrainState terrain_state(const TerrainModel& terrain, const Modes& modes,
                              : terrain.patch_size;
     state.octaves = octaves_of(terrain, rings);
     if (!terrain.is_placed()) state.repeat = find_repeat(modes);
-    state.memory_bytes = Land::bytes(terrain) + maps_bytes(terrain.resolution, 3);
+    state.memory_bytes = Terrain::bytes(terrain) + maps_bytes(terrain.resolution, 3);
     add_warnings(terrain, state);
     return state;
 }

@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "ocean/land.hpp"
+#include "ocean/terrain.hpp"
 
 namespace ocean {
 
@@ -29,7 +29,7 @@ inline constexpr int kMaxSpectrumSeeds = 256;
 /// waves, those without energy left out. `seeds` (1 .. kMaxSpectrumSeeds) tiles are made: that of
 /// the terrain, and those of the seeds after it. `progress` is called after each; if it throws, the
 /// call ends.
-std::vector<TerrainRing> terrain_rings(const Land& land, int seeds,
+std::vector<TerrainRing> terrain_rings(const Terrain& land, int seeds,
                                        const std::function<void(int done, int of)>& progress = {});
 
 }  // namespace ocean

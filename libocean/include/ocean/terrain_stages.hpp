@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ocean/enum_words.hpp"
-#include "ocean/land.hpp"
+#include "ocean/terrain.hpp"
 
 namespace ocean {
 
@@ -28,8 +28,8 @@ struct TerrainStages {
 };
 
 /// Returns all steps of the land's terrain at its own resolution. The height differs from that of
-/// Land::surface by rounding alone, 2e-6 of rms. Throws Error out_of_memory.
-TerrainStages terrain_stages(Land& land);
+/// Terrain::surface by rounding alone, 2e-6 of rms. Throws Error out_of_memory.
+TerrainStages terrain_stages(Terrain& land);
 /// Returns the plane of a step.
 const std::vector<float>& plane_of(const TerrainStages& stages, TerrainStep step);
 

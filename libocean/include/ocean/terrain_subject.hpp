@@ -9,10 +9,10 @@
 #include <string_view>
 
 #include "ocean/domain.hpp"
-#include "ocean/land.hpp"
 #include "ocean/region.hpp"
 #include "ocean/subject.hpp"
 #include "ocean/subject_kind.hpp"
+#include "ocean/terrain.hpp"
 #include "ocean/terrain_model.hpp"
 
 namespace ocean {
@@ -41,7 +41,7 @@ std::unique_ptr<Subject> parse_terrain_subject(std::string_view text, const std:
 
 /// Returns the terrain of a subject, or null for a subject of another kind.
 const TerrainModel* find_terrain(const Subject& subject);
-/// Returns the Land that makes a terrain's maps. Throws Error unsupported for maps of another kind.
-Land& land_of(SubjectMaps& maps);
+/// Returns the Terrain that makes these maps. Throws Error unsupported for maps of another kind.
+Terrain& terrain_of(SubjectMaps& maps);
 
 }  // namespace ocean

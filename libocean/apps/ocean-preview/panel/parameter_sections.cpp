@@ -126,7 +126,7 @@ void draw_sea_sections(LiveSea& sea, LiveScene& scene, PanelState& state) {
 
 /// Draws all sections of the table, under their own names.
 void draw_land_sections(LiveLand& land, LiveScene& scene, PanelState& state) {
-    const TerrainModel shown = land.terrain();  // a change replaces it
+    const TerrainModel shown = land.model();  // a change replaces it
     Rows<TerrainModel> rows(terrain_table(), shown, scene, state);
     for (const TableSection& section : terrain_table().sections) {
         std::string title(section.item.empty() ? section.name : section.item);

@@ -66,7 +66,8 @@ std::string describe(const WorldPoint& point, LiveLand& land) {
     QuerySample sample{};
     // The sum of all waves of a larger grid takes longer than a frame.
     constexpr int kMaxExact = 1024;
-    land.land().query({&point, 1}, {&sample, 1}, {.exact = land.terrain().resolution <= kMaxExact});
+    land.terrain().query({&point, 1}, {&sample, 1},
+                         {.exact = land.model().resolution <= kMaxExact});
     const double slope = std::acos(std::clamp(sample.normal[2], -1.0, 1.0)) * 360.0 / kTwoPi;
     return format_text("x %.2f  y %.2f  height %.2f m\nslope %.1f deg  normal %.2f %.2f %.2f",
                        point.x, point.y, sample.height, slope, sample.normal[0], sample.normal[1],

@@ -62,15 +62,15 @@ preview::DrawOptions Viewport::draw_options(const PanelState& state,
 }
 
 StagePicture Viewport::make_stage(LiveScene& scene, const PanelState& state) {
-    if (scene.land() != nullptr) return make_land_stage(scene.land()->land(), state.view);
+    if (scene.land() != nullptr) return make_land_stage(scene.land()->terrain(), state.view);
     LiveSea& sea = *scene.sea();
     const auto cascade = static_cast<std::size_t>(std::max(0, state.cascade));
     return make_stage_picture(stages_, sea.ocean(), sea.time(), cascade, state.view);
 }
 
-const StagePicture& Viewport::make_land_stage(Land& land, const std::string& view) {
+const StagePicture& Viewport::make_land_stage(Terrain& land, const std::string& view) {
     constexpr int kMaxResolution = 2048;  // a few seconds
-    const int resolution = land.terrain().resolution;
+    const int resolution = land.model().resolution;
     if (resolution > kMaxResolution) {
         throw Error(ErrorKind::invalid_value,
                     "view " + view + ": a window shows stages of at most " +

@@ -44,7 +44,7 @@ class Viewport {
   private:
     preview::DrawOptions draw_options(const PanelState& state, preview::SceneKind kind) const;
     StagePicture make_stage(LiveScene& scene, const PanelState& state);
-    const StagePicture& make_land_stage(Land& land, const std::string& view);
+    const StagePicture& make_land_stage(Terrain& land, const std::string& view);
     void draw_stage(LiveScene& scene, const PanelState& state);
 
     const PreviewOptions& options_;

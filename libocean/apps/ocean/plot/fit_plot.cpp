@@ -10,7 +10,7 @@
 #include <span>
 
 #include "land_panels.hpp"
-#include "ocean/land.hpp"
+#include "ocean/terrain.hpp"
 #include "spectrum_panels.hpp"
 #include "text.hpp"
 
@@ -106,7 +106,7 @@ void draw_reliefs(Figure& figure, const ElevationModel& bed, const TerrainFit& f
     const Domain& domain = bed.domain;
     const Heights land{bed.heights,       domain.samples[0], domain.samples[1],
                        domain.samples[0], domain.step(0),    domain.step(1)};
-    Land made(fit.terrain, {.threads = threads});
+    Terrain made(fit.terrain, {.threads = threads});
     const Surface surface = made.surface({Channel::height});
     const int n = fit.terrain.resolution;
     const auto cells = [&](double points) {

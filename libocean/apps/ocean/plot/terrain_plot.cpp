@@ -109,20 +109,20 @@ void draw_errors(Figure& figure, std::span<const TerrainRing> rings, const LogAx
                 Anchor::center, true);
 }
 
-void draw_tile(Figure& figure, Land& land, const Box& box) {
+void draw_tile(Figure& figure, Terrain& land, const Box& box) {
     const Surface surface = land.surface({Channel::height});
     const int side = surface.resolution();
     const double cell = surface.period() / side;
     const double scale = (box.right - box.left) / surface.period();
     const Heights heights{surface.channel(Channel::height), side, side, side, cell, cell};
     draw_relief(figure, heights, {box.left, box.bottom}, scale,
-                "the tile, seed " + std::to_string(land.terrain().seed));
+                "the tile, seed " + std::to_string(land.model().seed));
     draw_scale_bar(figure, {box.left, box.bottom + 16.0}, scale, surface.period());
 }
 
 }  // namespace
 
-std::string plot_terrain(Land& land, std::span<const TerrainRing> rings, int seeds,
+std::string plot_terrain(Terrain& land, std::span<const TerrainRing> rings, int seeds,
                          const std::string& name) {
     const TerrainState state = land.state();
     Figure figure(1150.0, 660.0, 1.5);
@@ -132,7 +132,7 @@ std::string plot_terrain(Land& land, std::span<const TerrainRing> rings, int see
                             "%.1f\u00b0     seed %u",
                             state.cell, state.rms.resolved, state.slope_angles[0].resolved,
                             state.slope_angles[1].resolved, state.slope_angles[2].resolved,
-                            land.terrain().seed),
+                            land.model().seed),
                 13.5, kInk, Anchor::left);
     if (rings.empty()) {
         figure.text({390, 280}, "flat: no waves", kText, kInk);

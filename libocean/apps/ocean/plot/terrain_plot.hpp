@@ -8,13 +8,13 @@
 #include <span>
 #include <string>
 
-#include "ocean/land.hpp"
+#include "ocean/terrain.hpp"
 #include "ocean/terrain_rings.hpp"
 
 namespace ocean::app {
 
 /// Returns the bytes of a PNG file; `name` is part of its title, `seeds` the number of those made.
-std::string plot_terrain(Land& land, std::span<const TerrainRing> rings, int seeds,
+std::string plot_terrain(Terrain& land, std::span<const TerrainRing> rings, int seeds,
                          const std::string& name);
 
 }  // namespace ocean::app

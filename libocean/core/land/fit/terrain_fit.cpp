@@ -16,8 +16,8 @@
 #include "law_fit.hpp"
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
-#include "ocean/land.hpp"
 #include "ocean/ring_spectrum.hpp"
+#include "ocean/terrain.hpp"
 #include "ocean/terrain_law.hpp"
 #include "ocean/text.hpp"
 #include "relief.hpp"
@@ -38,14 +38,14 @@ class Judge {
     Judge(const ElevationModel& bed, const TerrainFitOptions& options)
         : options_(options),
           land_(tile_for(bed), {.threads = options.threads}),
-          domain_(part_for(bed, land_.terrain())) {
+          domain_(part_for(bed, land_.model())) {
         RingOptions rings{.rings_per_octave = kFitRingsPerOctave, .max_side = kMaxSide};
         rings.limits = ring_limits(bed.domain, rings);
         ring_options_ = rings;
         bed_rings_ = measure_rings(bed.domain, bed.heights, land_.pool(), rings);
     }
 
-    const TerrainModel& tile() const { return land_.terrain(); }
+    const TerrainModel& tile() const { return land_.model(); }
     const std::vector<Ring>& bed_rings() const { return bed_rings_; }
 
     /// Measures the terrain with each of the seeds. `use` gets the rings of each, and the heights
@@ -55,7 +55,7 @@ class Judge {
         int done = 0;
         for (const std::uint32_t seed : seeds) {
             terrain.seed = seed;
-            land_.set_terrain(terrain);
+            land_.set_model(terrain);
             const std::vector<float> heights = part();
             const auto rings = measure_rings(domain_, heights, land_.pool(), ring_options_);
             if (rings.size() != bed_rings_.size()) {
@@ -111,7 +111,7 @@ class Judge {
     std::vector<float> part() {
         const Surface surface = land_.surface({Channel::height});
         const std::span<const float> tile = surface.channel(Channel::height);
-        const std::size_t stride = static_cast<std::size_t>(land_.terrain().resolution);
+        const std::size_t stride = static_cast<std::size_t>(land_.model().resolution);
         const std::size_t columns = static_cast<std::size_t>(domain_.samples[0]);
         std::vector<float> heights;
         heights.reserve(domain_.count());
@@ -124,7 +124,7 @@ class Judge {
     }
 
     const TerrainFitOptions& options_;
-    Land land_;
+    Terrain land_;
     Domain domain_;
     RingOptions ring_options_;
     std::vector<Ring> bed_rings_;

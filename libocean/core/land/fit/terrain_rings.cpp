@@ -85,16 +85,16 @@ std::vector<TerrainRing> asked_rings(const TerrainModel& terrain, const TerrainS
 
 }  // namespace
 
-std::vector<TerrainRing> terrain_rings(const Land& land, int seeds,
+std::vector<TerrainRing> terrain_rings(const Terrain& land, int seeds,
                                        const std::function<void(int done, int of)>& progress) {
-    Land made(land, {});
-    TerrainModel terrain = made.terrain();
+    Terrain made(land, {});
+    TerrainModel terrain = made.model();
     std::vector<TerrainRing> rings = asked_rings(terrain, made.state());
     std::vector<double> sums(rings.size()), squares(rings.size());
     for (int i = 0; i < seeds; ++i) {
         if (i > 0) {
             ++terrain.seed;
-            made.set_terrain(terrain);
+            made.set_model(terrain);
         }
         const std::vector<double> densities = densities_of(made.modes(), rings);
         for (std::size_t ring = 0; ring < rings.size(); ++ring) {

@@ -9,7 +9,7 @@
 // has the density
 //   S_base(k) = S_measured(k') H(kx)^2 H(ky)^2,   H = sinc^4(t/2) / ((2 + cos t) / 3), t = k cell,
 // k' the wave below kN that k looks like on the grid [Unser 1999]. The detail is what is left,
-// S_law - S_base, so that both together have S_law. Test: land_field_test.cpp.
+// S_law - S_base, so that both together have S_law. Test: land_function_test.cpp.
 #pragma once
 
 #include "land/function/fine_waves.hpp"

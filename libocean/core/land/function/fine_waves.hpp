@@ -11,7 +11,7 @@
 // read at a place are independent, so that the variance is that of the tile everywhere [Heitz and
 // Neyret 2018]; the weights are C2. A tile has the energy of its density exactly in each third of
 // an octave, because one tile's own chance would show everywhere. Extra variance of slopes by the
-// weights: 0.2 %. Test: land_field_test.cpp.
+// weights: 0.2 %. Test: land_function_test.cpp.
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,7 @@ void add(const GroundJet& jet, double share, std::size_t i, LandRow& row) {
     row.slope_y[i] += share * jet.slope_y;
 }
 
-void set_base(const LandFieldParts& parts, double cell, bool with_slopes, LandRow& row) {
+void set_base(const LandFunctionParts& parts, double cell, bool with_slopes, LandRow& row) {
     const SplineGrid& base = parts.base->level(cell);
     if (with_slopes) {
         for (std::size_t i = 0; i < row.size(); ++i) {
@@ -65,7 +65,7 @@ void set_shore(const ShoreGround& shore, double cell, bool with_slopes, LandRow&
 
 }  // namespace
 
-void compute(const LandFieldParts& parts, double cell, ChannelSet wanted, LandRow& row) {
+void compute(const LandFunctionParts& parts, double cell, ChannelSet wanted, LandRow& row) {
     // Slopes of the base lead its gullies.
     const bool is_base_alone = !parts.gullies && !parts.fine && !parts.detail;
     const bool with_slopes = !is_base_alone || wanted.intersects(kSlopes);

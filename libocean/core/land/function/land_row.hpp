@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "land/function/land_field_parts.hpp"
+#include "land/function/land_function_parts.hpp"
 #include "ocean/surface.hpp"
 
 namespace ocean {
@@ -34,6 +34,6 @@ struct LandRow {
 /// Computes the heights at the places of a row, for maps whose samples lie `cell` apart [m]; if any
 /// channels of `wanted` need them, masks of gullies, and exact slopes unless there are gullies.
 /// Heights have the same bits with and without the others.
-void compute(const LandFieldParts& parts, double cell, ChannelSet wanted, LandRow& row);
+void compute(const LandFunctionParts& parts, double cell, ChannelSet wanted, LandRow& row);
 
 }  // namespace ocean

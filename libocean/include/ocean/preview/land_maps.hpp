@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
-#include "ocean/land.hpp"
-#include "ocean/land_field.hpp"
+#include "ocean/land_function.hpp"
+#include "ocean/terrain.hpp"
 
 namespace ocean::preview {
 
@@ -38,7 +38,7 @@ struct DrawnLand {
     unsigned masks = 0;
     bool has_masks = false;
     std::shared_ptr<const LandImage> image;
-    std::shared_ptr<const LandField> field;
+    std::shared_ptr<const LandFunction> function;
     double mean = 0.0;                       // [m], of land with a coast above the water
     double rms = 0.0;                        // of the heights about the mean [m]
     double rms_slope = 0.0;                  // of the map
@@ -87,7 +87,7 @@ class LandMaps {
 
     /// Returns the land by a map of `resolution` samples along a side; makes the map anew only if
     /// the land or the resolution has changed. Throws Error.
-    DrawnLand show(Land& land, int resolution);
+    DrawnLand show(Terrain& land, int resolution);
 
   private:
     struct Impl;

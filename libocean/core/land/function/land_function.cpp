@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A land as a function of the place; see land_field.hpp. Maps are written row by row, each row from
-// the places of its samples alone.
-#include "ocean/land_field.hpp"
+// A land as a function of the place; see land_function.hpp. Maps are written row by row, each row
+// from the places of its samples alone.
+#include "ocean/land_function.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "land/function/land_field_parts.hpp"
+#include "land/function/land_function_parts.hpp"
 #include "land/function/land_row.hpp"
 #include "ocean/error.hpp"
 #include "ocean/land_mask.hpp"
@@ -51,14 +51,14 @@ class Steps {
 
 }  // namespace
 
-struct LandField::Impl {
-    explicit Impl(LandFieldParts its) : parts(std::move(its)) {
+struct LandFunction::Impl {
+    explicit Impl(LandFunctionParts its) : parts(std::move(its)) {
         for (const auto& [mask, grid] : parts.masks) channels = channels | channel_of(mask);
         if (!parts.gullies) return;
         for (const LandMask mask : kGullyMasks) channels = channels | channel_of(mask);
     }
 
-    LandFieldParts parts;
+    LandFunctionParts parts;
     ChannelSet channels = kTerrainChannels;
 };
 
@@ -81,19 +81,20 @@ Channel channel_of_quantity(Quantity quantity) {
 
 }  // namespace
 
-LandField::LandField(LandFieldParts parts) : impl_(std::make_unique<Impl>(std::move(parts))) {}
-LandField::~LandField() = default;
-LandField::LandField(LandField&&) noexcept = default;
+LandFunction::LandFunction(LandFunctionParts parts)
+    : impl_(std::make_unique<Impl>(std::move(parts))) {}
+LandFunction::~LandFunction() = default;
+LandFunction::LandFunction(LandFunction&&) noexcept = default;
 
-const Domain& LandField::domain() const {
+const Domain& LandFunction::domain() const {
     return impl_->parts.domain;
 }
 
-double LandField::cell() const {
+double LandFunction::cell() const {
     return std::max(domain().step(0), domain().step(1));
 }
 
-ChannelSet LandField::channels() const {
+ChannelSet LandFunction::channels() const {
     return impl_->channels;
 }
 
@@ -102,8 +103,8 @@ namespace {
 /// The three rows that a row's slopes need, and the writing of its outputs.
 class RowWriter {
   public:
-    RowWriter(const Domain& region, std::span<const MapOutput> outputs, const LandFieldParts& parts,
-              ChannelSet wanted)
+    RowWriter(const Domain& region, std::span<const MapOutput> outputs,
+              const LandFunctionParts& parts, ChannelSet wanted)
         : region_(region),
           outputs_(outputs),
           parts_(parts),
@@ -206,7 +207,7 @@ class RowWriter {
 
     const Domain& region_;
     std::span<const MapOutput> outputs_;
-    const LandFieldParts& parts_;
+    const LandFunctionParts& parts_;
     bool by_difference_;
     int margin_;
     Steps x_, y_;
@@ -236,8 +237,8 @@ void require_available(ChannelSet wanted, ChannelSet available) {
 
 }  // namespace
 
-void LandField::write(const Domain& region, std::span<const MapOutput> outputs,
-                      ThreadPool& pool) const {
+void LandFunction::write(const Domain& region, std::span<const MapOutput> outputs,
+                         ThreadPool& pool) const {
     const ChannelSet wanted = wanted_of(outputs);
     require_available(wanted, channels());
     const double cell = rounded_step(std::max(region.step(0), region.step(1)));
@@ -267,14 +268,14 @@ void LandField::write(const Domain& region, std::span<const MapOutput> outputs,
     writer.close();
 }
 
-Surface LandField::surface(const Domain& region, ChannelSet channels, ThreadPool& pool) const {
+Surface LandFunction::surface(const Domain& region, ChannelSet channels, ThreadPool& pool) const {
     Surface surface(region, 0.0, channels);
     write(region, outputs_of(surface), pool);
     return surface;
 }
 
-void LandField::query(std::span<const WorldPoint> points, std::span<QuerySample> samples,
-                      double cell, ThreadPool& pool) const {
+void LandFunction::query(std::span<const WorldPoint> points, std::span<QuerySample> samples,
+                         double cell, ThreadPool& pool) const {
     for (const WorldPoint& point : points) {
         if (std::isfinite(point.x) && std::isfinite(point.y)) continue;
         throw Error(ErrorKind::invalid_value, "a point of the query is not finite");
@@ -316,8 +317,8 @@ void LandField::query(std::span<const WorldPoint> points, std::span<QuerySample>
     });
 }
 
-std::uint64_t LandField::bytes() const {
-    const LandFieldParts& parts = impl_->parts;
+std::uint64_t LandFunction::bytes() const {
+    const LandFunctionParts& parts = impl_->parts;
     std::uint64_t sum = SplinePyramid::bytes(parts.base->finest().domain());
     if (parts.fine) sum += SplinePyramid::bytes(parts.fine->finest().domain());
     if (parts.shore) sum += parts.shore->bytes();

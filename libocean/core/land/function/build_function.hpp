@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// From a terrain and its noise to its LandField: waves or elevation model, gullies, streams, shore,
-// detail, in this order.
+// From a terrain and its noise to its LandFunction: waves or elevation model, gullies, streams,
+// shore, detail, in this order.
 #pragma once
 
 #include <functional>
 #include <memory>
 #include <string_view>
 
-#include "ocean/land_field.hpp"
+#include "ocean/land_function.hpp"
 #include "ocean/stream_power.hpp"
 #include "ocean/terrain_model.hpp"
 #include "ocean/terrain_modes.hpp"
@@ -33,18 +33,18 @@ struct LandWaves {
 };
 
 /// Returns the function of a shaped terrain. `carved` is used if it fits, and replaced if not.
-LandField build_field(const TerrainModel& terrain, const LandWaves& waves, ThreadPool& pool,
-                      CarvedLand& carved, const LandProgress& progress);
+LandFunction build_function(const TerrainModel& terrain, const LandWaves& waves, ThreadPool& pool,
+                            CarvedLand& carved, const LandProgress& progress);
 /// Returns the function of a tile without gullies, whose maps are made by transforms of these
 /// modes: for regions.
-LandField build_tile_field(const TerrainModel& terrain, const Modes& modes, double offset,
-                           ThreadPool& pool);
+LandFunction build_tile_function(const TerrainModel& terrain, const Modes& modes, double offset,
+                                 ThreadPool& pool);
 
 /// Returns the samples of a placed land: its rectangle at its own cell.
 Domain placed_domain(const TerrainModel& terrain);
 /// Returns the shortest wave of the detail [m]; 0 for a land without.
 double detail_wavelength(const TerrainModel& terrain);
 /// Returns the bytes that the function needs while it is built.
-std::uint64_t field_bytes(const TerrainModel& terrain);
+std::uint64_t function_bytes(const TerrainModel& terrain);
 
 }  // namespace ocean

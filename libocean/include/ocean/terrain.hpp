@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Land: the facade of a terrain, as Ocean is of a sea. It keeps noise, modes and what backends
-// derive from them, and the function of a land that erosion and shore have shaped; it redoes only
-// the stages that a changed parameter dirties.
+// Terrain: the maps of a terrain file's values, as Ocean has those of a sea's. It keeps noise,
+// modes and what backends derive from them, and the function of a land that erosion and shore have
+// shaped; it redoes only the stages that a changed parameter dirties.
 #pragma once
 
 #include <cstdint>
@@ -24,14 +24,14 @@
 
 namespace ocean {
 
-class LandField;
+class LandFunction;
 
-struct LandOptions {
+struct TerrainOptions {
     int threads = 0;                    // 0 = the cores this process may use
     ThreadPool::RunJobs run_jobs = {};  // runs jobs on a host's own threads
     Backend backend = Backend::cpu;
     /// Called by the calling thread about 100 times a second during a computation; may throw to
-    /// stop it. The Land can still be used.
+    /// stop it. The Terrain can still be used.
     std::function<void()> interrupt = {};
     /// Is called by the calling thread while a shaped land is built, with what is being computed
     /// and the share of it that is done, 0 .. 1; may throw to stop, as interrupt.
@@ -50,18 +50,18 @@ struct TerrainRuns {
 };
 
 /// One thread at a time per object; several objects run in parallel.
-class Land {
+class Terrain {
   public:
-    /// Validates the terrain; nothing is computed before it is requested. Throws Error
+    /// Validates the values; nothing is computed before it is requested. Throws Error
     /// invalid_value.
-    explicit Land(TerrainModel terrain, const LandOptions& options = {});
-    /// Makes the land of another thread, which shares what this one has computed.
-    Land(const Land& shared, const LandOptions& options);
-    ~Land();
+    explicit Terrain(TerrainModel model, const TerrainOptions& options = {});
+    /// Makes the terrain of another thread, which shares what this one has computed.
+    Terrain(const Terrain& shared, const TerrainOptions& options);
+    ~Terrain();
 
-    const TerrainModel& terrain() const;
-    /// Replaces the terrain. Throws Error invalid_value and changes nothing if it is not valid.
-    void set_terrain(TerrainModel terrain);
+    const TerrainModel& model() const;
+    /// Replaces the values. Throws Error invalid_value and changes nothing if one is not valid.
+    void set_model(TerrainModel model);
     /// Sets one parameter from text. Throws as set_parameter and validate, and changes nothing
     /// then.
     void set(std::string_view name, std::string_view value);
@@ -75,7 +75,7 @@ class Land {
 
     /// Returns the land as a function of the place; of a tile without gullies too, whose own maps
     /// are made by transforms. It is built by the first call, and stays valid after changes.
-    std::shared_ptr<const LandField> field();
+    std::shared_ptr<const LandFunction> function();
     /// Returns the channels of its maps: kTerrainChannels, and the masks of a shaped land.
     ChannelSet channels() const;
     /// Returns the domain of a map of `resolution` samples (0 = the terrain's own): a tile has that
@@ -106,7 +106,7 @@ class Land {
     ThreadPool& pool();
 
     /// Returns the bytes of noise and modes.
-    static std::uint64_t bytes(const TerrainModel& terrain);
+    static std::uint64_t bytes(const TerrainModel& model);
 
   private:
     void shaped_into(std::span<const MapOutput> outputs, int resolution);
@@ -115,9 +115,9 @@ class Land {
     std::unique_ptr<Impl> impl_;
 };
 
-/// Returns the channels that a terrain's sections give it: see Land::channels.
-ChannelSet terrain_channels(const TerrainModel& terrain);
-/// Returns the domain of its maps: see Land::domain. A base must have been read.
-Domain terrain_domain(const TerrainModel& terrain, int resolution = 0);
+/// Returns the channels that a terrain's sections give it: see Terrain::channels.
+ChannelSet terrain_channels(const TerrainModel& model);
+/// Returns the domain of its maps: see Terrain::domain. A base must have been read.
+Domain terrain_domain(const TerrainModel& model, int resolution = 0);
 
 }  // namespace ocean

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The function of a land, step by step; see build_field.hpp.
-#include "land/function/build_field.hpp"
+// The function of a land, step by step; see build_function.hpp.
+#include "land/function/build_function.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "land/function/base_detail.hpp"
-#include "land/function/land_field_parts.hpp"
+#include "land/function/land_function_parts.hpp"
 #include "land/function/stream_source.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/land_mask.hpp"
@@ -99,7 +99,7 @@ class Builder {
                                             : Domain::tile(terrain.patch_size, terrain.resolution);
     }
 
-    LandField build() {
+    LandFunction build() {
         report("waves", 0.0);
         if (terrain_.base_model != nullptr) {
             start_from_base();
@@ -112,7 +112,7 @@ class Builder {
         if (terrain_.has_coast()) shape_shore();
         add_detail();
         report("waves", 1.0);
-        return LandField(std::move(parts_));
+        return LandFunction(std::move(parts_));
     }
 
   private:
@@ -182,9 +182,10 @@ class Builder {
 
     /// Returns the heights of the land so far, gullies and finer waves with it but no detail.
     std::vector<float> heights_on(const Domain& domain) const {
-        LandFieldParts so_far = parts_;
+        LandFunctionParts so_far = parts_;
         so_far.detail = nullptr;
-        const Surface map = LandField(std::move(so_far)).surface(domain, {Channel::height}, pool_);
+        const Surface map =
+            LandFunction(std::move(so_far)).surface(domain, {Channel::height}, pool_);
         const auto heights = map.channel(Channel::height);
         return {heights.begin(), heights.end()};
     }
@@ -303,23 +304,23 @@ class Builder {
     ThreadPool& pool_;
     CarvedLand& carved_;
     const LandProgress& progress_;
-    LandFieldParts parts_;
+    LandFunctionParts parts_;
 };
 
 }  // namespace
 
-LandField build_field(const TerrainModel& terrain, const LandWaves& waves, ThreadPool& pool,
-                      CarvedLand& carved, const LandProgress& progress) {
+LandFunction build_function(const TerrainModel& terrain, const LandWaves& waves, ThreadPool& pool,
+                            CarvedLand& carved, const LandProgress& progress) {
     return Builder(terrain, waves, pool, carved, progress).build();
 }
 
-LandField build_tile_field(const TerrainModel& terrain, const Modes& modes, double offset,
-                           ThreadPool& pool) {
-    LandFieldParts parts;
+LandFunction build_tile_function(const TerrainModel& terrain, const Modes& modes, double offset,
+                                 ThreadPool& pool) {
+    LandFunctionParts parts;
     parts.domain = Domain::tile(terrain.patch_size, terrain.resolution);
     parts.base = wave_pyramid(terrain, modes, fine_side(terrain.resolution), {}, pool);
     parts.offset = offset;
-    return LandField(std::move(parts));
+    return LandFunction(std::move(parts));
 }
 
 Domain placed_domain(const TerrainModel& terrain) {
@@ -344,7 +345,7 @@ double detail_wavelength(const TerrainModel& terrain) {
     return kPartOfCell * std::max(domain.step(0), domain.step(1));
 }
 
-std::uint64_t field_bytes(const TerrainModel& terrain) {
+std::uint64_t function_bytes(const TerrainModel& terrain) {
     std::uint64_t bytes = 0;
     const Domain domain = terrain.is_placed()
                               ? placed_domain(terrain)

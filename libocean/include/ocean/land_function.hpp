@@ -30,14 +30,14 @@
 
 namespace ocean {
 
-struct LandFieldParts;
+struct LandFunctionParts;
 
 /// Immutable; several threads may read it at once.
-class LandField {
+class LandFunction {
   public:
-    explicit LandField(LandFieldParts parts);
-    ~LandField();
-    LandField(LandField&&) noexcept;
+    explicit LandFunction(LandFunctionParts parts);
+    ~LandFunction();
+    LandFunction(LandFunction&&) noexcept;
 
     /// Returns the tile after which the land repeats, or the rectangle that it is; the samples are
     /// those of its own grid.

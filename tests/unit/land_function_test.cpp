@@ -3,7 +3,7 @@
 //
 // Lands as functions of the place: splines, fine waves, elevation models with detail, gullies,
 // streams and shores together.
-#include "ocean/land_field.hpp"
+#include "ocean/land_function.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,8 +22,8 @@
 #include "land/function/place_hash.hpp"
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
-#include "ocean/land.hpp"
 #include "ocean/ring_spectrum.hpp"
+#include "ocean/terrain.hpp"
 #include "ocean/terrain_table.hpp"
 
 namespace ocean {
@@ -98,7 +98,7 @@ TerrainBase sampled_base(int side, int stride, double cell) {
     tile.beta = 2.2;
     tile.rms = 150.0;
     tile.outer_scale = 0.5 * tile.patch_size;
-    Land land(tile);
+    Terrain land(tile);
     const Surface map = land.surface({Channel::height});
     TerrainBase base;
     Domain& domain = base.model.domain;
@@ -251,7 +251,7 @@ TEST(BaseDetail, ContinuesTheSpectrumAcrossTheCellWithin15HundredthsOfADecade) {
     truth.beta = 2.2;
     truth.rms = 150.0;
     truth.outer_scale = 0.5 * truth.patch_size;
-    Land true_land(truth);
+    Terrain true_land(truth);
     const Domain window{{100.0, 100.0}, {3.75 * 1535, 3.75 * 1535}, {1536, 1536}, false};
     const Surface real = true_land.region(window, {Channel::height});
     const auto wanted = measure_rings(window, real.channel(Channel::height), pool);
@@ -259,7 +259,7 @@ TEST(BaseDetail, ContinuesTheSpectrumAcrossTheCellWithin15HundredthsOfADecade) {
     // Where the samples are held, they take long waves out of any detail; free ones do not.
     for (const double error : {default_base_error(*terrain.base_model), 1000.0}) {
         terrain.base_error = error;
-        const Surface shown = Land(terrain).region(window, {Channel::height});
+        const Surface shown = Terrain(terrain).region(window, {Channel::height});
         const auto rings = measure_rings(window, shown.channel(Channel::height), pool);
         ASSERT_EQ(rings.size(), wanted.size());
         int compared = 0;
@@ -284,14 +284,14 @@ TEST(BaseDetail, MovesTheSamplesByAtMostBaseError) {
     EXPECT_GT(default_error, 0.0);
     for (const double asked : {-1.0, 0.5, 0.0}) {
         if (asked >= 0.0) terrain.base_error = asked;
-        Land land(terrain);
+        Terrain land(terrain);
         std::vector<WorldPoint> places;
         for (int j = 0; j < 128; ++j) {
             for (int i = 0; i < 128; ++i) places.push_back({30.0 * i, 30.0 * j});
         }
         std::vector<QuerySample> samples(places.size());
         // The land itself, with all its waves.
-        land.field()->query(places, samples, 0.01, land.pool());
+        land.function()->query(places, samples, 0.01, land.pool());
         double sum = 0.0;
         for (std::size_t i = 0; i < samples.size(); ++i) {
             const double moved =
@@ -325,7 +325,7 @@ std::size_t differing(const Surface& large, const Surface& small, int i0, int j0
     return count;
 }
 
-TEST(LandFields, HaveTheSameBitsInEveryRegion) {
+TEST(LandFunctions, HaveTheSameBitsInEveryRegion) {
     TerrainModel with_detail = island(128);
     with_detail.detail_wavelength = 2.0;
     TerrainModel model;
@@ -333,7 +333,7 @@ TEST(LandFields, HaveTheSameBitsInEveryRegion) {
     model.base = "made";
     model.base_model = std::make_shared<const TerrainBase>(sampled_base(64, 8, 30.0));
     for (const TerrainModel& terrain : {gullied_tile(256), with_detail, model}) {
-        Land land(terrain, {.threads = 2});
+        Terrain land(terrain, {.threads = 2});
         const double cell = 0.7;
         const int columns = 400, rows = 150;
         const double x0 = cell * 1500, y0 = cell * 900;
@@ -341,7 +341,7 @@ TEST(LandFields, HaveTheSameBitsInEveryRegion) {
             {x0, y0}, {cell * (columns - 1), cell * (rows - 1)}, {columns, rows}, false};
         const ChannelSet channels = land.channels();
         const Surface large = land.region(whole, channels);
-        Land other(terrain, {.threads = 1});
+        Terrain other(terrain, {.threads = 1});
         for (std::uint32_t n = 0; n < 70; ++n) {
             const int i0 = static_cast<int>(place_hash(n, 0, 1) % (columns - 2));
             const int j0 = static_cast<int>(place_hash(n, 0, 2) % (rows - 2));
@@ -355,7 +355,7 @@ TEST(LandFields, HaveTheSameBitsInEveryRegion) {
     }
 }
 
-TEST(LandFields, HaveTheSameHeightsWithAndWithoutSlopes) {
+TEST(LandFunctions, HaveTheSameHeightsWithAndWithoutSlopes) {
     TerrainModel tile = gullied_tile(64);
     tile.gullies.depth = 0.0;
     const Domain region{{-70.0, 30.0}, {3.7 * 99, 3.7 * 59}, {100, 60}, false};
@@ -364,19 +364,19 @@ TEST(LandFields, HaveTheSameHeightsWithAndWithoutSlopes) {
     detailed.kind = TerrainKind::placed;
     detailed.detail_wavelength = 8.0;
     for (const TerrainModel& terrain : {tile, gullied_tile(64), detailed}) {
-        Land land(terrain, {.threads = 1});
-        const std::shared_ptr<const LandField> field = land.field();
-        const Surface alone = field->surface(region, {Channel::height}, pool);
-        const Surface both = field->surface(region, {Channel::height, Channel::slope_x}, pool);
+        Terrain land(terrain, {.threads = 1});
+        const std::shared_ptr<const LandFunction> function = land.function();
+        const Surface alone = function->surface(region, {Channel::height}, pool);
+        const Surface both = function->surface(region, {Channel::height, Channel::slope_x}, pool);
         EXPECT_TRUE(
             std::ranges::equal(alone.channel(Channel::height), both.channel(Channel::height)));
     }
 }
 
-TEST(LandFields, OfTilesRepeatAndJoinTheirOwnMaps) {
-    Land land(gullied_tile(256));
+TEST(LandFunctions, OfTilesRepeatAndJoinTheirOwnMaps) {
+    Terrain land(gullied_tile(256));
     const Surface map = land.surface({Channel::height, Channel::slope_x});
-    const double cell = 16.0, period = land.terrain().patch_size;
+    const double cell = 16.0, period = land.model().patch_size;
     const Domain beyond{{-period, 2.0 * period}, {cell * 255, cell * 255}, {256, 256}, false};
     const Surface copy = land.region(beyond, {Channel::height, Channel::slope_x});
     const double rms = rms_of(map.channel(Channel::height));
@@ -387,16 +387,16 @@ TEST(LandFields, OfTilesRepeatAndJoinTheirOwnMaps) {
     // A plain tile, whose maps are made by transforms.
     TerrainModel plain = gullied_tile(256);
     plain.gullies.depth = 0.0;
-    Land waves(plain);
+    Terrain waves(plain);
     const Domain own{{0.0, 0.0}, {cell * 255, cell * 255}, {256, 256}, false};
     EXPECT_LT(largest_difference(waves.surface({Channel::height}).channel(Channel::height),
                                  waves.region(own, {Channel::height}).channel(Channel::height)),
               1e-5 * 200.0);
 }
 
-TEST(LandFields, AnswerQueriesWithTheirMaps) {
+TEST(LandFunctions, AnswerQueriesWithTheirMaps) {
     for (const TerrainModel& terrain : {gullied_tile(128), island(128)}) {
-        Land land(terrain);
+        Terrain land(terrain);
         const Surface map = land.surface({Channel::height, Channel::nx, Channel::nz});
         std::vector<WorldPoint> places;
         for (int j = 1; j < 127; j += 7) {
@@ -438,7 +438,7 @@ TEST(Gullies, GiveTheTujungaItsSlopes) {
     constexpr int kSeeds = 3;
     for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
         terrain.seed = seed;
-        Land land(terrain);
+        Terrain land(terrain);
         const Domain cells{{0.0, 0.0}, {30.0 * 545, 30.0 * 545}, {546, 546}, false};
         const auto angles = slope_angles(land.region(cells, {Channel::slope_x, Channel::slope_y}));
         for (std::size_t i = 0; i < 3; ++i) mean[i] += angles[i] / kSeeds;
@@ -447,7 +447,7 @@ TEST(Gullies, GiveTheTujungaItsSlopes) {
 }
 
 TEST(Islands, HaveOneSeaWithBeachesOfOneInThirty) {
-    Land land(island(512));
+    Terrain land(island(512));
     const Domain own = land.domain();
     const Surface map =
         land.region(own, {Channel::height, channel_of(LandMask::shelter),
@@ -511,7 +511,7 @@ int pits_in(std::span<const float> height, int side) {
 struct ShoredMaps {
     Surface with, without;
 
-    ShoredMaps(Land& shored, Land& plain, const Domain& region)
+    ShoredMaps(Terrain& shored, Terrain& plain, const Domain& region)
         : with(shored.region(region, {Channel::height})),
           without(plain.region(region, {Channel::height})) {}
     float after(std::size_t at) const { return with.channel(Channel::height)[at]; }
@@ -534,9 +534,9 @@ bool is_near_water(const Surface& map, int i, int j, int reach) {
 
 TEST(Islands, KeepTheBitsOfLandThatTheShoreDoesNotReach) {
     TerrainModel terrain = island(128);
-    Land shored(terrain);
+    Terrain shored(terrain);
     terrain.coast.beach_slope = 0.0;
-    Land plain(terrain);
+    Terrain plain(terrain);
     const Domain own = plain.domain();
     const ShoredMaps maps(shored, plain, own);
     const int side = own.samples[0];
@@ -570,33 +570,33 @@ TEST(Islands, KeepTheBitsOfLandThatTheShoreDoesNotReach) {
 }
 
 TEST(Islands, KeepTheirStreamsWhileTheShoreChanges) {
-    Land land(island(256));
-    land.field();
+    Terrain land(island(256));
+    land.function();
     EXPECT_EQ(land.runs().streams, 1);
     land.set("terrain.coast.berm", "3");
-    const auto field = land.field();
+    const auto function = land.function();
     EXPECT_EQ(land.runs().streams, 1);
     EXPECT_EQ(land.runs().shape, 2);
     land.set("terrain.stream.age", "0.5");
-    land.field();
+    land.function();
     EXPECT_EQ(land.runs().streams, 2);
-    EXPECT_TRUE(field->channels().contains(channel_of(LandMask::beach)));
+    EXPECT_TRUE(function->channels().contains(channel_of(LandMask::beach)));
 }
 
 TEST(Islands, ReportProgressAndStop) {
     struct Stop {};
     int calls = 0;
-    Land land(island(256), {.progress = [&](std::string_view work, double share) {
-                  EXPECT_TRUE(share >= 0.0 && share <= 1.0);
-                  if (work == "streams" && ++calls == 2) throw Stop();
-              }});
-    EXPECT_THROW(land.field(), Stop);
-    EXPECT_NO_THROW(land.field());
+    Terrain land(island(256), {.progress = [&](std::string_view work, double share) {
+                     EXPECT_TRUE(share >= 0.0 && share <= 1.0);
+                     if (work == "streams" && ++calls == 2) throw Stop();
+                 }});
+    EXPECT_THROW(land.function(), Stop);
+    EXPECT_NO_THROW(land.function());
     EXPECT_GE(calls, 3);
 }
 
 TEST(Lands, HaveTheMasksOfTheirSectionsAndRefuseOthers) {
-    Land tile(gullied_tile(64));
+    Terrain tile(gullied_tile(64));
     EXPECT_TRUE(tile.channels().contains(channel_of(LandMask::wear)));
     EXPECT_FALSE(tile.channels().contains(channel_of(LandMask::beach)));
     EXPECT_THROW(tile.surface({channel_of(LandMask::flow)}), Error);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The facade of a terrain; see land.hpp.
-#include "ocean/land.hpp"
+// The facade of a terrain; see terrain.hpp.
+#include "ocean/terrain.hpp"
 #include "ocean/make_surface.hpp"
 #include "ocean/map_request.hpp"
 #include "ocean/region.hpp"
@@ -13,11 +13,11 @@
 #include <limits>
 #include <utility>
 
-#include "land/function/build_field.hpp"
+#include "land/function/build_function.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/sea_bytes.hpp"
-#include "ocean/land_field.hpp"
+#include "ocean/land_function.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/surface_query.hpp"
 #include "ocean/terrain_table.hpp"
@@ -66,16 +66,16 @@ void add_to(const MapOutput& output, std::size_t component, float height, int re
 
 }  // namespace
 
-struct Land::Impl {
-    Impl(TerrainModel its_terrain, const LandOptions& options)
-        : terrain(std::move(its_terrain)),
+struct Terrain::Impl {
+    Impl(TerrainModel its_model, const TerrainOptions& options)
+        : model(std::move(its_model)),
           pool(options.threads, options.run_jobs),
           writer(options.backend) {
         pool.set_interrupt(options.interrupt);
         progress = options.progress;
     }
-    Impl(const Impl& other, const LandOptions& options)
-        : terrain(other.terrain),
+    Impl(const Impl& other, const TerrainOptions& options)
+        : model(other.model),
           pool(options.threads, options.run_jobs),
           writer(other.writer, {}),
           noise(other.noise),
@@ -83,7 +83,7 @@ struct Land::Impl {
           is_filtered(other.is_filtered),
           scale(other.scale),
           offset(other.offset),
-          field(other.field),
+          function(other.function),
           carved(other.carved) {
         pool.set_interrupt(options.interrupt);
         progress = options.progress;
@@ -92,43 +92,43 @@ struct Land::Impl {
 
     /// Forgets what a change from the present terrain makes stale.
     void go_to(TerrainModel next) {
-        const auto dirty = first_dirty_stage(terrain, next);
-        terrain = std::move(next);
+        const auto dirty = first_dirty_stage(model, next);
+        model = std::move(next);
         if (!dirty) return;
         if (*dirty == TerrainStage::noise) noise = nullptr;
-        field = nullptr;
+        function = nullptr;
         if (*dirty <= TerrainStage::filter) {
             is_filtered = false;
             query.reset();
-        } else if (terrain.range.empty()) {
-            offset = terrain.mean;  // else the offset fits the range
+        } else if (model.range.empty()) {
+            offset = model.mean;  // else the offset fits the range
         }
     }
 
     void make_noise() {
         if (noise != nullptr) return;
-        if (terrain.base_model != nullptr) {
+        if (model.base_model != nullptr) {
             throw Error(ErrorKind::unsupported,
                         "the land of an elevation model has no waves of a law: terrain.base");
         }
-        require_memory(Land::bytes(terrain), "the terrain");
-        noise = std::make_shared<const TerrainNoise>(terrain, pool);
+        require_memory(Terrain::bytes(model), "the terrain");
+        noise = std::make_shared<const TerrainNoise>(model, pool);
         ++runs.noise;
     }
 
     void filter() {
         if (is_filtered) return;
         make_noise();
-        // Modes that another Land shows stay as they are.
-        const Lattice lattice = lattice_of(terrain);
+        // Modes that another Terrain shows stay as they are.
+        const Lattice lattice = lattice_of(model);
         const bool reusable = modes != nullptr && modes.use_count() == 1 &&
                               modes->lattice.resolution == lattice.resolution &&
                               modes->lattice.period == lattice.period;
-        if (!reusable) modes = std::make_shared<Modes>(empty_terrain_modes(terrain));
+        if (!reusable) modes = std::make_shared<Modes>(empty_terrain_modes(model));
         ++runs.filter;
-        offset = terrain.mean;
-        scale = set_terrain_modes(terrain, *noise, asked_rms(), pool, *modes);
-        if (!terrain.range.empty()) fit_range();
+        offset = model.mean;
+        scale = set_terrain_modes(model, *noise, asked_rms(), pool, *modes);
+        if (!model.range.empty()) fit_range();
         is_filtered = true;
     }
 
@@ -136,36 +136,36 @@ struct Land::Impl {
     /// range to the other.
     void fit_range() {
         const Surface map = make_surface(*modes, flat_settings(), 0.0, {Channel::height},
-                                         Backend::cpu, pool, terrain.resolution);
+                                         Backend::cpu, pool, model.resolution);
         const auto [low, high] = std::ranges::minmax(map.channel(Channel::height));
         const double spread = static_cast<double>(high) - static_cast<double>(low);
-        const double gain = spread > 0.0 ? (terrain.range[1] - terrain.range[0]) / spread : 0.0;
-        offset = terrain.range[0] - gain * static_cast<double>(low);
-        scale = set_terrain_modes(terrain, *noise, gain * scale.rms, pool, *modes);
+        const double gain = spread > 0.0 ? (model.range[1] - model.range[0]) / spread : 0.0;
+        offset = model.range[0] - gain * static_cast<double>(low);
+        scale = set_terrain_modes(model, *noise, gain * scale.rms, pool, *modes);
     }
 
     std::optional<double> asked_rms() const {
-        if (terrain.rms || terrain.has_measured_rms()) return terrain.rms;
+        if (model.rms || model.has_measured_rms()) return model.rms;
         return kDefaultTerrainRms;
     }
 
-    const LandField& shape() {
-        if (field != nullptr) return *field;
-        require_memory(field_bytes(terrain), "the terrain");
-        if (terrain.base_model == nullptr) filter();
-        if (terrain.is_shaped()) {
+    const LandFunction& shape() {
+        if (function != nullptr) return *function;
+        require_memory(function_bytes(model), "the terrain");
+        if (model.base_model == nullptr) filter();
+        if (model.is_shaped()) {
             LandWaves waves;
-            if (terrain.base_model == nullptr) waves = {noise.get(), asked_rms(), scale.gain};
+            if (model.base_model == nullptr) waves = {noise.get(), asked_rms(), scale.gain};
             const auto before = carved.land;
-            field = std::make_shared<const LandField>(
-                build_field(terrain, waves, pool, carved, progress));
+            function = std::make_shared<const LandFunction>(
+                build_function(model, waves, pool, carved, progress));
             if (carved.land != before) ++runs.streams;
         } else {
-            field =
-                std::make_shared<const LandField>(build_tile_field(terrain, *modes, offset, pool));
+            function = std::make_shared<const LandFunction>(
+                build_tile_function(model, *modes, offset, pool));
         }
         ++runs.shape;
-        return *field;
+        return *function;
     }
 
     /// Returns the query with these options; keeps it for the next call.
@@ -181,7 +181,7 @@ struct Land::Impl {
         return query->query;
     }
 
-    TerrainModel terrain;
+    TerrainModel model;
     ThreadPool pool;
     MapWriter writer;
     std::shared_ptr<const TerrainNoise> noise;
@@ -190,7 +190,7 @@ struct Land::Impl {
     TerrainScale scale;
     double offset = 0.0;
     TerrainRuns runs;
-    std::shared_ptr<const LandField> field;
+    std::shared_ptr<const LandFunction> function;
     CarvedLand carved;
     LandProgress progress;
 
@@ -201,59 +201,59 @@ struct Land::Impl {
     std::optional<CachedQuery> query;
 };
 
-Land::Land(TerrainModel terrain, const LandOptions& options) {
-    validate(terrain);
-    impl_ = std::make_unique<Impl>(std::move(terrain), options);
+Terrain::Terrain(TerrainModel model, const TerrainOptions& options) {
+    validate(model);
+    impl_ = std::make_unique<Impl>(std::move(model), options);
 }
 
-Land::Land(const Land& shared, const LandOptions& options)
+Terrain::Terrain(const Terrain& shared, const TerrainOptions& options)
     : impl_(std::make_unique<Impl>(*shared.impl_, options)) {}
 
-Land::~Land() = default;
+Terrain::~Terrain() = default;
 
-const TerrainModel& Land::terrain() const {
-    return impl_->terrain;
+const TerrainModel& Terrain::model() const {
+    return impl_->model;
 }
 
-void Land::set_terrain(TerrainModel terrain) {
-    validate(terrain);
-    impl_->go_to(std::move(terrain));
+void Terrain::set_model(TerrainModel model) {
+    validate(model);
+    impl_->go_to(std::move(model));
 }
 
-void Land::set(std::string_view name, std::string_view value) {
-    TerrainModel next = impl_->terrain;
+void Terrain::set(std::string_view name, std::string_view value) {
+    TerrainModel next = impl_->model;
     set_parameter(next, name, value);
-    set_terrain(std::move(next));
+    set_model(std::move(next));
 }
 
-const Modes& Land::modes() {
+const Modes& Terrain::modes() {
     impl_->filter();
     return *impl_->modes;
 }
 
-double Land::offset() {
+double Terrain::offset() {
     impl_->filter();
     return impl_->offset;
 }
 
-TerrainScale Land::scale() {
+TerrainScale Terrain::scale() {
     impl_->filter();
     return impl_->scale;
 }
 
-TerrainState Land::state() {
+TerrainState Terrain::state() {
     TerrainState state;
-    if (impl_->terrain.base_model == nullptr) {
+    if (impl_->model.base_model == nullptr) {
         impl_->filter();
-        state = terrain_state(impl_->terrain, *impl_->modes, impl_->scale, impl_->offset);
+        state = terrain_state(impl_->model, *impl_->modes, impl_->scale, impl_->offset);
     } else {
         constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
         state.rms.asked = state.rms_slope.asked = kUnknown;
         const Domain land = domain();
         state.longest_wave = std::max(land.size[0], land.size[1]);
-        state.memory_bytes = bytes(impl_->terrain);
+        state.memory_bytes = bytes(impl_->model);
     }
-    if (!impl_->terrain.is_shaped()) return state;
+    if (!impl_->model.is_shaped()) return state;
     constexpr int kMaxMeasured = 1024;  // samples: as fine as the land's own grid up to here
     const Domain own = domain();
     const int longer = std::max(own.samples[0], own.samples[1]);
@@ -264,47 +264,47 @@ TerrainState Land::state() {
     return state;
 }
 
-std::shared_ptr<const LandField> Land::field() {
+std::shared_ptr<const LandFunction> Terrain::function() {
     impl_->shape();
-    return impl_->field;
+    return impl_->function;
 }
 
-ChannelSet Land::channels() const {
-    return terrain_channels(impl_->terrain);
+ChannelSet Terrain::channels() const {
+    return terrain_channels(impl_->model);
 }
 
-Domain Land::domain(int resolution) const {
-    return terrain_domain(impl_->terrain, resolution);
+Domain Terrain::domain(int resolution) const {
+    return terrain_domain(impl_->model, resolution);
 }
 
-Surface Land::surface(ChannelSet channels, int resolution) {
+Surface Terrain::surface(ChannelSet channels, int resolution) {
     require_terrain_channels(channels, this->channels());
     const Domain domain = this->domain(resolution);
-    if (impl_->terrain.is_shaped()) return region(domain, channels);
+    if (impl_->model.is_shaped()) return region(domain, channels);
     require_resolution(domain.samples[0]);
     Surface surface(domain, 0.0, channels);
     surface_into(outputs_of(surface), domain.samples[0]);
     return surface;
 }
 
-Surface Land::region(const Domain& region, ChannelSet channels) {
+Surface Terrain::region(const Domain& region, ChannelSet channels) {
     require_terrain_channels(channels, this->channels());
-    const LandField& field = impl_->shape();
+    const LandFunction& function = impl_->shape();
     ++impl_->runs.maps;
-    return field.surface(region, channels, impl_->pool);
+    return function.surface(region, channels, impl_->pool);
 }
 
-void Land::region_into(const Domain& region, std::span<const MapOutput> outputs) {
+void Terrain::region_into(const Domain& region, std::span<const MapOutput> outputs) {
     require_terrain_channels(channels_of(outputs), channels());
-    const LandField& field = impl_->shape();
+    const LandFunction& function = impl_->shape();
     ++impl_->runs.maps;
-    field.write(region, outputs, impl_->pool);
+    function.write(region, outputs, impl_->pool);
 }
 
-void Land::surface_into(std::span<const MapOutput> outputs, int resolution) {
+void Terrain::surface_into(std::span<const MapOutput> outputs, int resolution) {
     require_terrain_channels(channels_of(outputs), channels());
-    if (impl_->terrain.is_shaped()) return shaped_into(outputs, resolution);
-    if (resolution == 0) resolution = impl_->terrain.resolution;
+    if (impl_->model.is_shaped()) return shaped_into(outputs, resolution);
+    if (resolution == 0) resolution = impl_->model.resolution;
     require_resolution(resolution);
     const Modes& modes = this->modes();
     impl_->writer.write({map_modes(modes, 0.0, resolution), flat_settings(), outputs, {}},
@@ -322,7 +322,7 @@ void Land::surface_into(std::span<const MapOutput> outputs, int resolution) {
     }
 }
 
-void Land::shaped_into(std::span<const MapOutput> outputs, int resolution) {
+void Terrain::shaped_into(std::span<const MapOutput> outputs, int resolution) {
     const Domain domain = this->domain(resolution);
     if (domain.samples[0] != domain.samples[1]) {
         throw Error(ErrorKind::unsupported, "this land is not a square: its maps have " +
@@ -334,62 +334,62 @@ void Land::shaped_into(std::span<const MapOutput> outputs, int resolution) {
         if (!output.seam || domain.wraps) continue;
         throw Error(ErrorKind::unsupported, "a land that exists once has no seam");
     }
-    const LandField& field = impl_->shape();
+    const LandFunction& function = impl_->shape();
     ++impl_->runs.maps;
-    field.write(domain, outputs, impl_->pool);
+    function.write(domain, outputs, impl_->pool);
 }
 
-void Land::query(std::span<const WorldPoint> points, std::span<QuerySample> samples,
-                 const QueryOptions& options) {
-    if (impl_->terrain.is_shaped()) {
-        const LandField& field = impl_->shape();
+void Terrain::query(std::span<const WorldPoint> points, std::span<QuerySample> samples,
+                    const QueryOptions& options) {
+    if (impl_->model.is_shaped()) {
+        const LandFunction& function = impl_->shape();
         const double cell =
             options.resolution > 0 ? domain(options.resolution).step(0) : domain().step(0);
-        return field.query(points, samples, cell, impl_->pool);
+        return function.query(points, samples, cell, impl_->pool);
     }
     impl_->surface_query(options).sample(points, samples, impl_->pool);
     for (QuerySample& sample : samples.first(points.size())) sample.height += impl_->offset;
 }
 
-double Land::query_height_error(const QueryOptions& options) {
-    if (impl_->terrain.is_shaped()) return 0.0;  // the function itself is the land
+double Terrain::query_height_error(const QueryOptions& options) {
+    if (impl_->model.is_shaped()) return 0.0;  // the function itself is the land
     return impl_->surface_query(options).height_error();
 }
 
-const TerrainRuns& Land::runs() const {
+const TerrainRuns& Terrain::runs() const {
     return impl_->runs;
 }
 
-ThreadPool& Land::pool() {
+ThreadPool& Terrain::pool() {
     return impl_->pool;
 }
 
-ChannelSet terrain_channels(const TerrainModel& terrain) {
+ChannelSet terrain_channels(const TerrainModel& model) {
     ChannelSet channels = kTerrainChannels;
     const auto add = [&](std::initializer_list<LandMask> masks) {
         for (const LandMask mask : masks) channels = channels | channel_of(mask);
     };
     using enum LandMask;
-    if (terrain.has_gullies()) add({wear, gully, ridge});
-    if (terrain.has_streams()) add({flow, deposit, streambed, wetness});
-    if (terrain.has_coast()) add({beach, cliff, shelter});
+    if (model.has_gullies()) add({wear, gully, ridge});
+    if (model.has_streams()) add({flow, deposit, streambed, wetness});
+    if (model.has_coast()) add({beach, cliff, shelter});
     return channels;
 }
 
-Domain terrain_domain(const TerrainModel& terrain, int resolution) {
-    if (!terrain.is_placed()) {
-        return Domain::tile(terrain.patch_size, resolution == 0 ? terrain.resolution : resolution);
+Domain terrain_domain(const TerrainModel& model, int resolution) {
+    if (!model.is_placed()) {
+        return Domain::tile(model.patch_size, resolution == 0 ? model.resolution : resolution);
     }
-    const Domain own = placed_domain(terrain);
+    const Domain own = placed_domain(model);
     if (resolution == 0) return own;
     return with_cell(own, std::max(own.size[0], own.size[1]) / (resolution - 1));
 }
 
-std::uint64_t Land::bytes(const TerrainModel& terrain) {
-    if (terrain.is_shaped()) return field_bytes(terrain);
+std::uint64_t Terrain::bytes(const TerrainModel& model) {
+    if (model.is_shaped()) return function_bytes(model);
     Grid grid;
-    grid.resolution = terrain.resolution;
-    return modes_bytes(grid) + lattice_of(terrain).size() / 2 * sizeof(std::complex<float>);
+    grid.resolution = model.resolution;
+    return modes_bytes(grid) + lattice_of(model).size() / 2 * sizeof(std::complex<float>);
 }
 
 }  // namespace ocean

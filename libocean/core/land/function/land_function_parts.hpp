@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The parts that a LandField is the sum of.
+// The parts that a LandFunction is the sum of.
 #pragma once
 
 #include <memory>
@@ -17,8 +17,8 @@
 
 namespace ocean {
 
-struct LandFieldParts {
-    Domain domain;        // see LandField::domain()
+struct LandFunctionParts {
+    Domain domain;        // see LandFunction::domain()
     double offset = 0.0;  // added to all heights [m]
     std::shared_ptr<const SplinePyramid> base;
     std::shared_ptr<const SplinePyramid> fine = nullptr;  // waves finer than gullies
