@@ -1,335 +1,130 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The facade: parameters -> spectrum -> modes -> surface -> foam, each kept until something dirties
-// it.
+// The facade: an open sea, and the coast that it has over a bed.
 #include "ocean/ocean.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <string>
 #include <utility>
-#include <vector>
 
-#include "chain.hpp"
-#include "coast/surface/coast.hpp"
-#include "coast/surface/region_channels.hpp"
-#include "coast/surface/shore_motion.hpp"
-#include "coast/surface/surf_reader.hpp"
+#include "coast.hpp"
 #include "ocean/error.hpp"
-#include "ocean/internal/memory.hpp"
-#include "ocean/internal/sea_bytes.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/open_sea.hpp"
 #include "ocean/parameter_table.hpp"
-#include "waves/detail/detail_maps.hpp"
-#include "waves/kernel/map_kernel.hpp"
 #include "waves/spray/spray_follower.hpp"
-#include "waves/state/performer.hpp"
-#include "waves/surface/map_writer.hpp"
 
 namespace ocean {
 
 Ocean::Ocean(Sea sea, OceanOptions options)
-    : sea_(std::move(sea)),
-      options_(std::move(options)),
-      pool_(options_.threads, options_.run_jobs),
-      chain_(std::make_unique<Chain>()),
-      maps_(std::make_unique<MapWriter>(options_.backend, options_.channels)),
-      coast_(std::make_unique<Coast>()) {
-    pool_.set_interrupt(options_.interrupt);
-    go_to(sea_.parameters.time.start);
-}
+    : open_(std::make_unique<OpenSea>(std::move(sea), std::move(options))),
+      coast_(std::make_unique<Coast>(*open_)) {}
 
 Ocean::Ocean(Parameters parameters, OceanOptions options)
     : Ocean(Sea{std::move(parameters), {}}, std::move(options)) {}
 
-namespace {
-
-std::unique_ptr<MapWriter> writer_like(const MapWriter& other, const OceanOptions& options) {
-    if (other.backend() == options.backend) {
-        return std::make_unique<MapWriter>(other, options.channels);
-    }
-    return std::make_unique<MapWriter>(options.backend, options.channels);
-}
-
-}  // namespace
-
 Ocean::Ocean(const Ocean& built, OceanOptions options)
-    : sea_(built.sea_),
-      revision_(built.revision_),
-      checked_(built.checked_),
-      options_(std::move(options)),
-      pool_(options_.threads, options_.run_jobs),
-      chain_(std::make_unique<Chain>(*built.chain_)),
-      maps_(writer_like(*built.maps_, options_)),
-      coast_(std::make_unique<Coast>(*built.coast_)) {
-    pool_.set_interrupt(options_.interrupt);
-}
+    : open_(std::make_unique<OpenSea>(*built.open_, std::move(options))),
+      coast_(std::make_unique<Coast>(*built.coast_, *open_)) {}
 
 Ocean::~Ocean() = default;
 
+const Sea& Ocean::sea() const {
+    return open_->sea();
+}
+
+const Parameters& Ocean::parameters() const {
+    return open_->parameters();
+}
+
+std::uint64_t Ocean::revision() const {
+    return open_->revision();
+}
+
 void Ocean::set(std::string_view name, std::string_view value) {
-    Sea changed = sea_;
+    Sea changed = sea();
     set_parameter(changed.parameters, name, value);
     change(std::move(changed));
 }
 
-void Ocean::change(Sea sea) {
-    // A take's past may have changed anything.
-    const bool performed = !sea_.take.empty() || !sea.take.empty();
-    const auto first = first_dirty_stage(sea_.parameters, sea.parameters);
-    if (performed || (first && *first != Stage::clock)) {
-        foam_.clear();
-        region_traces_.reset();
-        spray_.reset();
-    }
-    if (sea_.parameters.grid != sea.parameters.grid) {
-        surface_query_.reset();
-        orbital_motion_.reset();
-        shore_motion_.reset();
-        detail_.clear();
-    }
-    sea_ = std::move(sea);
-    ++revision_;
-    performer_.reset();
-}
-
 void Ocean::perform(double time, std::string_view name, std::string_view value) {
-    const bool checked = checked_ == revision_;
-    if (!checked) validate(sea_);
-    require_takes(sea_.parameters);
-    if (!performer_) performer_ = std::make_unique<Performer>(sea_);
-    const double from = performer_->perform(sea_, time, name, value);
-    if (from > kLatestTime) return;
-    ++revision_;
-    // The performer has checked the event, so a long take need not be checked as a whole each time.
-    if (checked) checked_ = revision_;
-    for (auto& [resolution, foam] : foam_) foam.forget_from(from);
-    if (spray_) spray_->forget_from(from);
+    open_->perform(time, name, value);
 }
 
-void Ocean::go_to(double time) {
-    const bool changed = checked_ != revision_;
-    if (!changed && sea_.take.empty()) return;
-    if (changed) validate(sea_);
-    chain_->set_parameters(sea_.at(time),
-                           sea_.take.empty() ? Chain::Reuse::static_sea : Chain::Reuse::animated);
-    checked_ = revision_;
+void Ocean::change(Sea sea) {
+    coast_->drop(open_->change(std::move(sea)));
 }
 
-const Parameters& Ocean::now() const {
-    return chain_->parameters();
+bool Ocean::has_bed() const {
+    return parameters().water.bed != nullptr;
+}
+
+OpenSea& Ocean::without_bed(std::string_view what) {
+    if (!has_bed()) return *open_;
+    throw Error(ErrorKind::unsupported,
+                std::string(what) +
+                    " repeats or knows no depth, and this sea has a bed (water.seabed), over which "
+                    "it does not repeat; request a region");
+}
+
+Coast& Ocean::coast() {
+    if (has_bed()) return *coast_;
+    throw Error(ErrorKind::unsupported,
+                "this sea has no bed (water.seabed): it repeats, and its maps are those of one "
+                "period");
 }
 
 const DirectionalSpectrum& Ocean::spectrum(double time) {
-    require_time(time);
-    go_to(time);
-    return chain_->spectrum(pool_, runs_);
+    return open_->spectrum(time);
 }
 
 const Modes& Ocean::modes(double time) {
-    require_time(time);
-    go_to(time);
-    return current_modes();
-}
-
-const Modes& Ocean::current_modes() {
-    return chain_->modes(pool_, runs_);
+    return open_->modes(time);
 }
 
 SeaState Ocean::state() {
-    const DirectionalSpectrum& spectrum = this->spectrum();
-    SeaState state = sea_state(spectrum, now(), pool_);
-    add_whitecaps(current_modes(), now().surface, state);
-    return state;
-}
-
-void Ocean::write_maps(double time, std::span<const MapOutput> outputs, int resolution,
-                       const FoamLayer& foam) {
-    const FoamUse use = foam_use(channels_of(outputs), options_.channels);
-    const SurfaceSettings& settings =
-        use == FoamUse::none ? now().surface : chain_->shown_settings(resolution, pool_, runs_);
-    FoamLayer layer = foam;
-    if (use == FoamUse::cover) {
-        const ShownFoam map = foam_of_map(sea_.parameters, resolution);
-        layer.cover_power = static_cast<float>(chain_->shown_cover_power(map, pool_, runs_));
-    }
-    const MapModes modes = map_modes(current_modes(), time, resolution);
-    if (maps_->write({modes, settings, outputs, layer}, pool_)) ++runs_.packing;
-    ChannelSet& made = made_[resolution];
-    made = made | channels_of(outputs);
+    return open_->state();
 }
 
 Surface Ocean::evaluate(double time, ChannelSet channels, int resolution) {
-    require_open_sea("a map of one period");
-    require_time(time);
-    resolution = map_resolution(resolution);
-    go_to(time);
-    require_map_memory(resolution, channels.size(), channels);
-    Surface surface(Lattice{resolution, now().grid.patch_size}, time, channels);
-    evaluate_into(time, outputs_of(surface), resolution);
-    return surface;
+    return without_bed("a map of one period").evaluate(time, channels, resolution);
 }
 
 void Ocean::evaluate_into(double time, std::span<const MapOutput> outputs, int resolution) {
-    require_open_sea("a map of one period");
-    write_open(time, outputs, resolution);
-}
-
-void Ocean::write_open(double time, std::span<const MapOutput> outputs, int resolution) {
-    require_time(time);
-    resolution = map_resolution(resolution);
-    go_to(time);
-    const ChannelSet channels = channels_of(outputs);
-    require_map_memory(resolution, 0, channels);
-    ++runs_.surface;
-    FoamLayer foam;
-    if (has_foam(channels)) {
-        const FoamLattice lattice = foam_lattice(sea_.parameters, resolution);
-        foam = foam_layer(time, lattice);
-        go_to(time);  // foam has been in the past
-        if (lattice.is_spread()) {
-            foam = spread_layer(time, foam, lattice, resolution);
-        }
-    }
-    write_maps(time, outputs, resolution, foam);
+    without_bed("a map of one period").evaluate_into(time, outputs, resolution);
 }
 
 void Ocean::evaluate_cascade_into(std::size_t cascade, double time,
                                   std::span<const MapOutput> outputs, int resolution) {
-    require_open_sea("a map of a cascade");
-    const Modes& modes = this->modes(time);
-    if (cascade >= modes.cascades.size()) {
-        throw Error(ErrorKind::invalid_value,
-                    "cascade " + std::to_string(cascade) + ": the sea has " +
-                        std::to_string(modes.cascades.size()) + ", numbered from 0");
-    }
-    for (const MapOutput& output : outputs) {
-        for (const auto& [quantity, factor] : output.used()) {
-            if (!quantity.is_channel()) continue;
-            const ChannelInfo& info = channel_info(quantity.channel(), options_.channels);
-            if (info.is_multiple()) continue;
-            throw Error(
-                ErrorKind::invalid_value,
-                std::string(info.name) +
-                    ": is not a sum over the cascades; allowed: displacement, height, slopes, "
-                    "velocity and derivatives");
-        }
-    }
-    if (resolution == 0) resolution = modes.cascades[cascade].lattice.resolution;
-    require_resolution(resolution);
-    if (cascade_maps_.size() <= cascade) cascade_maps_.resize(cascade + 1);
-    std::unique_ptr<MapWriter>& maps = cascade_maps_[cascade];
-    if (!maps) {
-        require_memory(work_bytes(now().grid, options_.backend, channels_of(outputs), resolution),
-                       "a map of a cascade");
-        maps = std::make_unique<MapWriter>(options_.backend, options_.channels);
-    }
-    const MapModes part = cascade_modes(modes, cascade, time, resolution);
-    if (maps->write({part, now().surface, outputs, {}}, pool_)) ++runs_.packing;
+    without_bed("a map of a cascade").evaluate_cascade_into(cascade, time, outputs, resolution);
 }
 
-DetailMaps& Ocean::detail_at(double time, const DetailSettings& settings) {
-    require_open_sea("a slope tile");
-    require_time(time);
-    go_to(time);
-    DetailSettings shown = settings;
-    shown.resolution = map_resolution(settings.resolution);
-    std::unique_ptr<DetailMaps>& maps = detail_[shown];
-    if (!maps) {
-        require_memory(detail_bytes(now(), shown, options_.backend), "slope tiles");
-        maps = std::make_unique<DetailMaps>(shown, options_.backend);
-    }
-    const DirectionalSpectrum& spectrum = chain_->spectrum(pool_, runs_);
-    maps->set_parameters(now(), spectrum, chain_->spectrum_revision(), pool_);
-    return *maps;
+Surface Ocean::region(double time, const Domain& domain, ChannelSet channels) {
+    return coast().region(time, domain, channels);
+}
+
+void Ocean::region_into(double time, const Domain& domain, std::span<const MapOutput> outputs) {
+    coast().region_into(time, domain, outputs);
+}
+
+void Ocean::prepare_coast() {
+    coast().prepare();
+}
+
+double Ocean::cover_power(double time, int resolution) {
+    return open_->cover_power(time, resolution);
 }
 
 DetailBudget Ocean::detail_budget(double time, const DetailSettings& settings) {
-    return detail_at(time, settings).budget();
+    return without_bed("a slope tile").detail_budget(time, settings);
 }
 
 Detail Ocean::detail(double time, const DetailSettings& settings) {
-    Detail detail(time, settings.samples, detail_budget(time, settings));
-    std::vector<MapOutput> outputs;
-    for (std::size_t i = 0; i < detail.bands().size(); ++i) {
-        outputs.push_back(
-            {detail.slopes(i).data(), 2, {{{Channel::slope_x, 1.0f}, {Channel::slope_y, 1.0f}}}});
-    }
-    detail_into(time, outputs, settings);
-    return detail;
+    return without_bed("a slope tile").detail(time, settings);
 }
 
 void Ocean::detail_into(double time, std::span<const MapOutput> outputs,
                         const DetailSettings& settings) {
-    constexpr ChannelSet kSlopes = {Channel::slope_x, Channel::slope_y};
-    if (!fields_of(outputs).empty() || !kSlopes.contains(channels_of(outputs))) {
-        throw Error(ErrorKind::invalid_value,
-                    "detail: a tile has slopes only; allowed: slope_x and slope_y");
-    }
-    DetailMaps& maps = detail_at(time, settings);
-    if (outputs.size() > maps.budget().bands.size()) {
-        throw Error(ErrorKind::invalid_value,
-                    "detail: " + std::to_string(outputs.size()) + " maps requested; the sea has " +
-                        std::to_string(maps.budget().bands.size()) + " bands beyond this map");
-    }
-    maps.write(time, chain_->spectrum(pool_, runs_), outputs, pool_);
-}
-
-int Ocean::map_resolution(int requested) const {
-    if (requested == 0) return default_map_resolution(sea_.parameters.grid);
-    require_resolution(requested);
-    return requested;
-}
-
-void Ocean::require_map_memory(int resolution, int maps, ChannelSet channels) const {
-    const FoamLattice lattice = foam_lattice(sea_.parameters, resolution);
-    const bool follows = has_foam(channels) && !foam_.contains(lattice);
-    const bool spreads = has_foam(channels) && lattice.is_spread();
-    const auto made = made_.find(resolution);
-    const bool has_work_space = made != made_.end() && channels.without(made->second).empty();
-    const std::uint64_t work = has_work_space ? 0
-                                              : work_bytes(now().grid, options_.backend, channels,
-                                                           resolution, options_.channels);
-    require_memory(
-        (chain_->has_modes() ? 0 : modes_bytes(now().grid)) + work +
-            maps_bytes(resolution, maps + (spreads ? 1 : 0)) +
-            maps_bytes(lattice.resolution, follows ? kFoamMaps : 0),
-        "a map of " + std::to_string(resolution) + " x " + std::to_string(resolution) + " samples");
-}
-
-bool Ocean::has_foam(ChannelSet channels) const {
-    return has_past(foam_use(channels, options_.channels));
-}
-
-SprayFollower& Ocean::spray_at(double time, const SpraySettings& settings) {
-    require_time(time);
-    validate(settings);
-    go_to(time);
-    const bool has_bed = now().water.bed != nullptr;
-    if (!spray_ || spray_->settings() != settings) {
-        spray_.reset();
-        const Domain domain = spray_domain(now());
-        if (has_bed) {
-            require_memory(2 * domain.count() * kSprayChannels.size() * sizeof(float), "spray");
-        } else {
-            require_map_memory(domain.samples[0], kSprayChannels.size(), kSprayChannels);
-        }
-        spray_ = std::make_unique<SprayFollower>(
-            settings, foam_clock(sea_.parameters.surface, sea_.parameters.time.loop_period), domain,
-            sea_.parameters.seed);
-    }
-    spray_->go_to(time, {[&](double t, Surface& map) {
-                      go_to(t);
-                      ++runs_.spray_ticks;
-                      if (has_bed) {
-                          map = region(t, map.domain(), kSprayChannels);
-                          leave_out_swash(*now().water.bed, map);
-                      } else {
-                          write_maps(t, outputs_of(map), map.resolution(), {});
-                      }
-                      return spray_air(now());
-                  }});
-    return *spray_;
+    without_bed("a slope tile").detail_into(time, outputs, settings);
 }
 
 std::vector<SprayParticle> Ocean::spray(double time, const SpraySettings& settings) {
@@ -338,6 +133,49 @@ std::vector<SprayParticle> Ocean::spray(double time, const SpraySettings& settin
 
 std::vector<MistPuff> Ocean::mist(double time, const SpraySettings& settings) {
     return spray_at(time, settings).mist();
+}
+
+const SprayFollower& Ocean::spray_at(double time, const SpraySettings& settings) {
+    return has_bed() ? coast_->spray(time, settings) : open_->spray(time, settings);
+}
+
+std::int64_t Ocean::foam_settling_ticks() const {
+    return open_->foam_settling_ticks();
+}
+
+FrameCost Ocean::measure_frame_cost() {
+    return without_bed("a map of one period").measure_frame_cost();
+}
+
+const StageRuns& Ocean::stage_runs() const {
+    return open_->stage_runs();
+}
+
+ThreadPool& Ocean::pool() {
+    return open_->pool();
+}
+
+void Ocean::query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
+                  const QueryOptions& options) {
+    if (has_bed()) return coast_->query(time, points, samples, options);
+    open_->query(time, points, samples, options);
+}
+
+double Ocean::query_height_error(double time, const QueryOptions& options) {
+    return has_bed() ? coast_->query_height_error(time, options)
+                     : open_->query_height_error(time, options);
+}
+
+void Ocean::water_motion(double time, std::span<const WaterPoint> points,
+                         std::span<WaterMotion> motions, const QueryOptions& options) {
+    if (has_bed()) return coast_->water_motion(time, points, motions, options);
+    open_->water_motion(time, points, motions, options);
+}
+
+void Ocean::float_poses(double time, std::span<const FloatBody> bodies,
+                        std::span<FloatPose> poses) {
+    if (has_bed()) return coast_->float_poses(time, bodies, poses);
+    open_->float_poses(time, bodies, poses);
 }
 
 }  // namespace ocean

@@ -12,8 +12,8 @@
 #include "ocean/foam.hpp"
 #include "ocean/foam_follower.hpp"
 #include "ocean/gl/context.hpp"
+#include "ocean/internal/open_sea.hpp"
 #include "ocean/map_request.hpp"
-#include "ocean/ocean.hpp"
 
 namespace ocean::gl {
 
@@ -115,7 +115,7 @@ struct SeaTextures::Impl {
     Revision shown_revision;
     int shown_for = 0;
 
-    void make_cascades(Ocean& sea, double time) {
+    void make_cascades(OpenSea& sea, double time) {
         const Modes& modes = sea.modes(time);
         const std::size_t count = modes.cascades.size();
         // All cascades have the resolution of the sea's grid.
@@ -141,7 +141,7 @@ struct SeaTextures::Impl {
 
     /// Returns the settings with the whitecaps' threshold, which is computed again when something
     /// has changed.
-    SurfaceSettings shown_settings(const Ocean& sea, const Modes& modes, double time) {
+    SurfaceSettings shown_settings(const OpenSea& sea, const Modes& modes, double time) {
         const Parameters now = sea.sea().at(time);
         const SurfaceSettings& settings = now.surface;
         if (modes.revision != shown_revision || settings != given || foam_map != shown_for) {
@@ -155,7 +155,7 @@ struct SeaTextures::Impl {
     }
 
     /// Makes the foam of a tick from that of the tick before.
-    void make_tick(Ocean& sea, double time, const Follower::Layer& before, Texture& tick) {
+    void make_tick(OpenSea& sea, double time, const Follower::Layer& before, Texture& tick) {
         const Modes& modes = sea.modes(time);
         if (!tick) tick = make_texture(GL_R32F, lattice.resolution, Mipmaps::no, Filter::linear);
         shown_settings(sea, modes, time);
@@ -167,7 +167,7 @@ struct SeaTextures::Impl {
         foam_frame->exchange_map(0, GL_R32F, tick);
     }
 
-    void make_foam(Ocean& sea, double time) {
+    void make_foam(OpenSea& sea, double time) {
         const Parameters& parameters = sea.parameters();
         foam_map = options.foam_resolution > 0 ? options.foam_resolution
                                                : default_map_resolution(parameters.grid);
@@ -209,7 +209,7 @@ SeaTextures::SeaTextures(SeaTextureOptions options) : impl_(std::make_unique<Imp
 
 SeaTextures::~SeaTextures() = default;
 
-void SeaTextures::show(Ocean& sea, double time) {
+void SeaTextures::show(OpenSea& sea, double time) {
     require_time(time);
     const auto done = [&](std::string_view stage) {
         if (impl_->options.after_stage) impl_->options.after_stage(stage);

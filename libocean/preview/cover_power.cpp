@@ -43,7 +43,7 @@ struct CoverPower::Job {
 CoverPower::CoverPower() = default;
 CoverPower::~CoverPower() = default;
 
-double CoverPower::of(Ocean& sea, double time, const ShownFoam& foam) {
+double CoverPower::of(OpenSea& sea, double time, const ShownFoam& foam) {
     if (job_ && job_->done()) power_ = std::exchange(job_, nullptr)->power.get();
     if (job_) return power_;
     const Modes& modes = sea.modes(time);

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-#include "ocean/ocean.hpp"
+#include "ocean/internal/open_sea.hpp"
 #include "ocean/preview/sea_maps.hpp"
 
 namespace ocean::preview {
@@ -20,11 +20,12 @@ class CoverPower {
     CoverPower(const CoverPower&) = delete;
     CoverPower& operator=(const CoverPower&) = delete;
 
-    /// Returns Ocean::cover_power of a sea at a time [s], or the previous value until it is solved.
+    /// Returns OpenSea::cover_power of a sea at a time [s], or the previous value until it is
+    /// solved.
     /// A
     /// call while a solution is in work returns that value too; the first one after it begins the
     /// next solution. Throws Error.
-    double of(Ocean& sea, double time, const ShownFoam& foam);
+    double of(OpenSea& sea, double time, const ShownFoam& foam);
     /// Returns whether a solution is in work, or ready for the next call of of().
     Pending pending() const;
 

@@ -94,7 +94,7 @@ std::array<double, kTileLevels> read_shares(const std::vector<float>& slopes) {
 
 }  // namespace
 
-void DetailTiles::set_sea(Ocean& sea, const DrawnCascade& finest) {
+void DetailTiles::set_sea(OpenSea& sea, const DrawnCascade& finest) {
     const Grid grid{finest.maps.resolution, finest.period, 1, {}};
     const bool same_grid = sea_ && sea_->parameters().grid == grid;
     if (same_grid && revision_ == sea.revision()) return;
@@ -103,7 +103,7 @@ void DetailTiles::set_sea(Ocean& sea, const DrawnCascade& finest) {
     if (sea_) {
         sea_->change(std::move(of));
     } else {
-        sea_ = std::make_unique<Ocean>(std::move(of), OceanOptions{.threads = sea.pool().size()});
+        sea_ = std::make_unique<OpenSea>(std::move(of), OceanOptions{.threads = sea.pool().size()});
     }
     revision_ = sea.revision();
     if (same_grid) return;
@@ -118,7 +118,7 @@ void DetailTiles::set_sea(Ocean& sea, const DrawnCascade& finest) {
     read_.clear();
 }
 
-const std::vector<DrawnTile>& DetailTiles::make(Ocean& sea, double time,
+const std::vector<DrawnTile>& DetailTiles::make(OpenSea& sea, double time,
                                                 const std::vector<DrawnCascade>& cascades) {
     const DrawnCascade& finest = *std::ranges::min_element(
         cascades, {}, [](const DrawnCascade& c) { return c.period / c.maps.resolution; });

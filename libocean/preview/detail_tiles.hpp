@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ocean/gl/objects.hpp"
-#include "ocean/ocean.hpp"
+#include "ocean/internal/open_sea.hpp"
 #include "ocean/preview/sea_maps.hpp"
 
 namespace ocean::preview {
@@ -18,14 +18,14 @@ class DetailTiles {
   public:
     /// Returns the tiles of a sea at a time [s], which its cascades' maps lack. They are valid
     /// until the next call. Throws Error.
-    const std::vector<DrawnTile>& make(Ocean& sea, double time,
+    const std::vector<DrawnTile>& make(OpenSea& sea, double time,
                                        const std::vector<DrawnCascade>& cascades);
 
   private:
-    void set_sea(Ocean& sea, const DrawnCascade& finest);
+    void set_sea(OpenSea& sea, const DrawnCascade& finest);
 
     /// The sea on the grid of its finest map: the detail begins where the waves of that grid end.
-    std::unique_ptr<Ocean> sea_;
+    std::unique_ptr<OpenSea> sea_;
     std::uint64_t revision_ = 0;  // of the shown sea
     gl::Texture maps_;            // a layer for each band
     std::vector<std::vector<float>> images_;

@@ -15,6 +15,7 @@
 #include "ocean/gl/context.hpp"
 #include "ocean/gl/shader_program.hpp"
 #include "ocean/gl/textures.hpp"
+#include "ocean/internal/open_sea.hpp"
 #include "ocean/ocean.hpp"
 
 namespace ocean::preview {
@@ -39,7 +40,7 @@ class UploadedCascades {
         return resolution == resolution_ && cascades == cascades_;
     }
 
-    void make(Ocean& sea, double time) {
+    void make(OpenSea& sea, double time) {
         for (std::size_t c = 0; c < cascades_; ++c) make_layer(sea, time, c);
         for (const Texture* texture : {&displacement_, &gradients_, &moments_}) {
             glBindTexture(GL_TEXTURE_2D_ARRAY, texture->name());
@@ -52,7 +53,7 @@ class UploadedCascades {
     }
 
   private:
-    void make_layer(Ocean& sea, double time, std::size_t cascade) {
+    void make_layer(OpenSea& sea, double time, std::size_t cascade) {
         using enum Linear;
         MapOutput outputs[2] = {{displacement_image_.data(), 4, {}},
                                 {gradients_image_.data(), 4, {}}};
@@ -94,13 +95,6 @@ class UploadedCascades {
 
 }  // namespace
 
-/// Returns the sea without its bed, which surrounds a coast.
-Sea without_bed(Sea sea) {
-    sea.parameters.water.bed = nullptr;
-    sea.parameters.water.seabed.clear();
-    return sea;
-}
-
 class SeaMaps::Impl {
   public:
     Impl(const SeaMapsOptions& options, gl::AfterStage after_stage)
@@ -120,7 +114,7 @@ class SeaMaps::Impl {
     }
 
     DrawnSea show(Ocean& of, double time, const std::optional<std::array<double, 3>>& eye) {
-        Ocean& sea = open_sea(of);
+        OpenSea& sea = of.open_sea();
         if (computed_) {
             compute(sea, time);
         } else {
@@ -159,19 +153,7 @@ class SeaMaps::Impl {
     }
 
   private:
-    Ocean& open_sea(Ocean& sea) {
-        if (!sea.parameters().water.bed) return sea;
-        if (!open_) {
-            open_.emplace(without_bed(sea.sea()), OceanOptions{.threads = sea.pool().size(),
-                                                               .foam_start = options_.foam_start});
-        } else if (open_of_ != sea.revision()) {
-            open_->change(without_bed(sea.sea()));
-        }
-        open_of_ = sea.revision();
-        return *open_;
-    }
-
-    void compute(Ocean& sea, double time) {
+    void compute(OpenSea& sea, double time) {
         computed_->show(sea, time);
         show_cascades(sea.modes(time), computed_->arrays(), sea.parameters().grid.patch_size);
         const gl::FoamTexture& foam = computed_->foam();
@@ -182,7 +164,7 @@ class SeaMaps::Impl {
     }
 
     /// Returns the power of the foam that is its cover.
-    double power_of(Ocean& sea, double time, const ShownFoam& foam) {
+    double power_of(OpenSea& sea, double time, const ShownFoam& foam) {
         return options_.live ? cover_power_.of(sea, time, foam) : sea.cover_power(time, foam);
     }
 
@@ -223,7 +205,7 @@ class SeaMaps::Impl {
         if (after_stage_) after_stage_(stage);
     }
 
-    void upload(Ocean& sea, double time) {
+    void upload(OpenSea& sea, double time) {
         glActiveTexture(GL_TEXTURE0);
         const Modes& modes = sea.modes(time);
         const Revision revision = modes.revision;
@@ -274,7 +256,7 @@ class SeaMaps::Impl {
         }
     }
 
-    void describe(Ocean& sea, double time) {
+    void describe(OpenSea& sea, double time) {
         shown_.time = time;
         shown_.period = sea.parameters().grid.patch_size;
         describe_pattern(sea.parameters(), sea.pool());
@@ -332,10 +314,7 @@ class SeaMaps::Impl {
     gl::VertexArray no_vertices_;
     gl::Framebuffer framebuffer_;
 
-    // A sea over a bed has these beside its maps.
-    CoastMaps coast_;
-    std::optional<Ocean> open_;  // the sea around it
-    std::uint64_t open_of_ = 0;  // revision of the sea that it is of
+    CoastMaps coast_;  // of a sea over a bed, beside its maps
 
     // Computed by shaders.
     std::optional<gl::SeaTextures> computed_;

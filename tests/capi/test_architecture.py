@@ -317,6 +317,7 @@ HEADER_FOLDER = {
     "map_output": "field",
     "map_request": "waves/modes",
     "measured_rings": "land/model",
+    "ocean_options": "",
     "page_vector": "base",
     "parameters": "waves/parameters",
     "query": "field",

@@ -55,7 +55,7 @@ TEST_F(SeaTextures, CascadesAreThoseOfTheCpu) {
     parameters.grid.cascades = 3;
     Ocean sea(parameters);
     gl::SeaTextures textures({.cascade_resolution = 128});
-    textures.show(sea, 7.5);
+    textures.show(sea.open_sea(), 7.5);
     ASSERT_EQ(textures.cascades().size(), 3u);
     for (std::size_t c = 0; c < 3; ++c) {
         const gl::CascadeTextures& cascade = textures.cascades()[c];
@@ -83,7 +83,7 @@ TEST_F(SeaTextures, CascadesAreLayersOfOneArray) {
     parameters.grid.cascades = 3;
     Ocean sea(parameters);
     gl::SeaTextures textures;
-    textures.show(sea, 7.5);
+    textures.show(sea.open_sea(), 7.5);
     const gl::CascadeArrays arrays = textures.arrays();
     ASSERT_EQ(arrays.resolution, 64);
     constexpr int kLevel = 2;
@@ -109,7 +109,7 @@ TEST_F(SeaTextures, OfAnotherSeaAreThatSeas) {
         Parameters parameters = wind_sea(64, 100.0);
         parameters.waves.front().wind_speed = wind;
         Ocean sea(parameters);
-        textures.show(sea, 3.0);
+        textures.show(sea.open_sea(), 3.0);
         const Surface map = sea.evaluate(3.0, {Channel::height});
         const Image image = read(textures.cascades()[0].displacement, 0);
         EXPECT_LE(relative_error(image.component(2), map.channel(Channel::height)), 1e-6) << wind;
@@ -119,7 +119,7 @@ TEST_F(SeaTextures, OfAnotherSeaAreThatSeas) {
 TEST_F(SeaTextures, MipmapsAreMeansAndMomentsGiveTheVarianceInATexel) {
     Ocean sea(wind_sea(64, 100.0));
     gl::SeaTextures textures;
-    textures.show(sea, 3.0);
+    textures.show(sea.open_sea(), 3.0);
     const gl::CascadeTextures& cascade = textures.cascades()[0];
     const Image fine = read(cascade.gradients, 0);
     const Image coarse = read(cascade.gradients, 3);
@@ -184,7 +184,7 @@ TEST_F(SeaTextures, FoamIsThatOfTheCpuOnTheGpu) {
     Ocean sea(foaming_sea());
     gl::SeaTextures textures({.foam_start = FoamStart::settled});
     for (const double time : {1.0, 1.02, 2.0, 11.0, 11.26}) {
-        textures.show(sea, time);
+        textures.show(sea.open_sea(), time);
         expect_foam(textures.foam(), cpu, time);
     }
 }
@@ -198,7 +198,7 @@ TEST_F(SeaTextures, FoamHasThePastOfACoarserLattice) {
     Ocean sea(parameters);
     gl::SeaTextures textures({.foam_start = FoamStart::settled});
     for (const double time : {1.0, 1.26}) {
-        textures.show(sea, time);
+        textures.show(sea.open_sea(), time);
         EXPECT_EQ(textures.foam().lattice.resolution, 64);
         EXPECT_EQ(textures.foam().map_resolution, 256);
         expect_foam(textures.foam(), cpu, time);
@@ -209,20 +209,20 @@ TEST_F(SeaTextures, FoamThatBeganEmptySettles) {
     Ocean cpu(foaming_sea());
     Ocean sea(foaming_sea());
     gl::SeaTextures textures;
-    textures.show(sea, 0.0);
+    textures.show(sea.open_sea(), 0.0);
     const std::int64_t settling = textures.foam_settling_ticks();
     EXPECT_GT(settling, 100);
     double time = 0.0;
     for (int frame = 0; textures.foam_settling_ticks() > 0; ++frame) {
         ASSERT_LT(frame, 1000);
-        textures.show(sea, time += 1.0);
+        textures.show(sea.open_sea(), time += 1.0);
     }
     expect_foam(textures.foam(), cpu, time);
     textures.foam_changed(time);
-    textures.show(sea, time);
+    textures.show(sea.open_sea(), time);
     expect_foam(textures.foam(), cpu, time);
     textures.foam_changed();
-    textures.show(sea, time);
+    textures.show(sea.open_sea(), time);
     EXPECT_EQ(textures.foam_settling_ticks(), settling);
 }
 

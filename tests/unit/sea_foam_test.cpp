@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "ocean/foam.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {

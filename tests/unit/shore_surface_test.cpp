@@ -15,6 +15,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/gauge_series.hpp"
+#include "ocean/internal/open_sea.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/sea_bed.hpp"
@@ -285,6 +286,22 @@ TEST(ShoreSurface, GaugesReadWhatQueriesFind) {
     EXPECT_EQ(series.reading(1, 0)[GaugeSeries::kElevation], sample.height);
 }
 
+TEST(ShoreSurface, SeaAroundACoastIsTheSeaWithoutABedAndHasItsModesOnce) {
+    Parameters parameters = beach_sea();
+    Ocean coast(parameters);
+    parameters.water.bed = nullptr;
+    Ocean sea(parameters);
+    constexpr ChannelSet kMaps = {Channel::dx, Channel::height, Channel::foam};
+    coast.region(2.0, square(700.0, 100.0, 8, 4.0), Channel::height);
+    const Surface around = coast.open_sea().evaluate(2.0, kMaps, 256);
+    const Surface open = sea.evaluate(2.0, kMaps, 256);
+    for (const Channel channel : {Channel::dx, Channel::height, Channel::foam}) {
+        EXPECT_TRUE(std::ranges::equal(around.channel(channel), open.channel(channel)));
+    }
+    EXPECT_EQ(coast.stage_runs().modes, 1);
+    EXPECT_EQ(coast.stage_runs().spectrum, 1);
+}
+
 TEST(ShoreSurface, WhatDoesNotKnowTheBedIsRefused) {
     Ocean ocean(beach_sea());
     const auto refuses = [](const char* sentence, auto&& call) {
@@ -304,7 +321,6 @@ TEST(ShoreSurface, WhatDoesNotKnowTheBedIsRefused) {
     refuses("a map of one period", [&] { ocean.evaluate_into(0.0, height, 256); });
     refuses("a map of a cascade", [&] { ocean.evaluate_cascade_into(0, 0.0, height, 256); });
     refuses("a slope tile", [&] { ocean.detail_budget(0.0); });
-    refuses("a lattice of foam", [&] { ocean.lattice_foam_into(0.0, {256, 256}, map); });
     refuses("no linear fields", [&] { ocean.region_into(0.0, square(500, 100, 8, 1.0), linear); });
     refuses("plays no take", [&] { ocean.perform(1.0, "wind_speed", "12"); });
     const WorldPoint point{500.0, 100.0};

@@ -30,11 +30,6 @@ std::vector<WorldPoint> labels_of(const Domain& domain) {
 
 RegionTraces::RegionTraces(const Domain& of) : domain(of), reader([of] { return labels_of(of); }) {}
 
-void SurfReader::forget() {
-    pieces_.reset();
-    read_time_.reset();
-}
-
 void SurfReader::read(const ShoreSurface& surface, ThreadPool& pool) {
     if (!pieces_) {
         std::vector<Piece> pieces;

@@ -38,8 +38,6 @@ class SurfReader {
     FoamSource source(SurfTrace trace, double lifetime,
                       std::function<const ShoreSurface&(double time)> surface_at, ThreadPool& pool,
                       std::function<void(std::int64_t, std::int64_t)> progress);
-    /// Forgets the labels that waves reach. Required before a sea whose waves have changed is read.
-    void forget();
 
   private:
     /// A piece of the labels, with its reads of one time.

@@ -8,8 +8,10 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "ocean/error.hpp"
 #include "ocean/query.hpp"
@@ -75,6 +77,34 @@ inline void require_finite(std::span<const WorldPoint> points) {
         throw Error(ErrorKind::invalid_value,
                     "point " + std::to_string(i) + " = (" + plain_text(points[i].x) + ", " +
                         plain_text(points[i].y) + "); allowed: finite coordinates in metres");
+    }
+}
+
+/// Calls sample(z, places, motions) for each height z of the points, with the places at that
+/// height, and writes each motion where its point stands. Throws Error invalid_value, before any
+/// call, for a point that is not finite.
+template <typename Sample>
+void for_each_height(std::span<const WaterPoint> points, std::span<WaterMotion> motions,
+                     const Sample& sample) {
+    for (const WaterPoint& point : points) {
+        if (std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)) continue;
+        throw Error(ErrorKind::invalid_value,
+                    "the coordinates of a point must be finite numbers of metres");
+    }
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return points[i].z; });
+    std::vector<WorldPoint> level;
+    std::vector<WaterMotion> found;
+    for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
+        const double z = points[order[first]].z;
+        level.clear();
+        for (; last < order.size() && points[order[last]].z == z; ++last) {
+            level.push_back({points[order[last]].x, points[order[last]].y});
+        }
+        found.resize(level.size());
+        sample(z, std::span<const WorldPoint>(level), std::span<WaterMotion>(found));
+        for (std::size_t i = first; i < last; ++i) motions[order[i]] = found[i - first];
     }
 }
 

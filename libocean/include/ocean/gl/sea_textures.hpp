@@ -15,7 +15,7 @@
 #include "ocean/parameters.hpp"
 
 namespace ocean {
-class Ocean;
+class OpenSea;
 }
 
 namespace ocean::gl {
@@ -87,7 +87,7 @@ class SeaTextures {
     /// the foam's clock. After a change or performance of the sea, foam begins again or continues,
     /// as foam_changed() was called. Throws Error; after no_gpu, also when the context was lost,
     /// only the destructor may be called.
-    void show(Ocean& sea, double time);
+    void show(OpenSea& sea, double time);
     /// Drops the foam that was followed, from a time [s] on, because the sea has changed there.
     void foam_changed(double from);
     /// Drops all foam that was followed.

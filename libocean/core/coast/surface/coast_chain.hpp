@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The coast of an Ocean: keeps its statics and its surface, and makes again only what a change of
-// the sea dirties.
+// The chain of a coast: statics -> surface -> sums. Each stage is computed when it is first needed
+// and kept until a change of the sea dirties it.
 #pragma once
 
 #include <cstdint>
@@ -36,16 +36,16 @@ struct CoastSea {
     int shown;  // samples of the map whose waves count
 };
 
-class Coast {
+class CoastChain {
   public:
-    Coast() = default;
+    CoastChain() = default;
     /// Makes the coast of another thread, which shares the statics.
-    Coast(const Coast& built)
+    CoastChain(const CoastChain& built)
         : statics_(built.statics_),
           made_of_(built.made_of_),
           known_(built.known_),
           known_over_(built.known_over_) {}
-    Coast& operator=(const Coast&) = delete;
+    CoastChain& operator=(const CoastChain&) = delete;
 
     /// Max bytes of the delays that are kept of the seas before, those of the last one included.
     static constexpr std::uint64_t kKnownBytes = std::uint64_t{256} << 20;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "coast/surface/coast.hpp"
+#include "coast/surface/coast_chain.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -23,7 +23,7 @@ Water without_shore(const Water& water) {
 }  // namespace
 
 /// Puts pairs before the known ones, of which those that were used first go.
-void Coast::keep(const std::vector<PairDelays>& pairs) {
+void CoastChain::keep(const std::vector<PairDelays>& pairs) {
     std::vector<PairDelays> kept = pairs;
     std::uint64_t bytes = 0;
     for (const PairDelays& pair : kept) bytes += pair.maps->bytes();
@@ -37,8 +37,8 @@ void Coast::keep(const std::vector<PairDelays>& pairs) {
     known_ = std::move(kept);
 }
 
-const ShoreStatics& Coast::statics(const CoastSea& sea, ThreadPool& pool,
-                                   const BuildProgress& progress) {
+const ShoreStatics& CoastChain::statics(const CoastSea& sea, ThreadPool& pool,
+                                        const BuildProgress& progress) {
     const Water& water = sea.parameters.water;
     const SurfaceSettings& limits = sea.parameters.surface;
     const Source source{water, sea.parameters.grid, limits.shortest_wavelength,
@@ -74,8 +74,8 @@ const ShoreStatics& Coast::statics(const CoastSea& sea, ThreadPool& pool,
 }
 
 /// Returns the surface of the sea, at any time.
-ShoreSurface& Coast::current_surface(const CoastSea& sea, ShoreSurface::Rates rates,
-                                     ThreadPool& pool, const BuildProgress& progress) {
+ShoreSurface& CoastChain::current_surface(const CoastSea& sea, ShoreSurface::Rates rates,
+                                          ThreadPool& pool, const BuildProgress& progress) {
     const ShoreStatics& made = statics(sea, pool, progress);
     const double choppiness = sea.parameters.surface.choppiness;
     const bool has_rates = surface_ && (surface_->rates() == ShoreSurface::Rates::with ||
@@ -94,8 +94,8 @@ ShoreSurface& Coast::current_surface(const CoastSea& sea, ShoreSurface::Rates ra
     return *surface_;
 }
 
-ShoreSurface& Coast::surface(const CoastSea& sea, double time, ShoreSurface::Rates rates,
-                             ThreadPool& pool, const BuildProgress& progress) {
+ShoreSurface& CoastChain::surface(const CoastSea& sea, double time, ShoreSurface::Rates rates,
+                                  ThreadPool& pool, const BuildProgress& progress) {
     ShoreSurface& surface = current_surface(sea, rates, pool, progress);
     if (!moved_ || surface.time() != time) {
         moved_ = false;
@@ -105,8 +105,8 @@ ShoreSurface& Coast::surface(const CoastSea& sea, double time, ShoreSurface::Rat
     return surface;
 }
 
-Coast::Exact Coast::exact(const CoastSea& sea, double time, ThreadPool& pool,
-                          const BuildProgress& progress) {
+CoastChain::Exact CoastChain::exact(const CoastSea& sea, double time, ThreadPool& pool,
+                                    const BuildProgress& progress) {
     ShoreSurface& surface = current_surface(sea, ShoreSurface::Rates::with, pool, progress);
     if (!sums_) {
         require_memory(2 * WaveSum::bytes(sea.modes, 1), "an exact query of this sea");

@@ -1,32 +1,31 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The facade's foam: lattices that are followed over time, what finer maps read of them, and what a
-// frame with foam costs.
+// The open sea's foam: lattices that are followed over time, what finer maps read of them, and what
+// a frame with foam costs.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <functional>
 
 #include "chain.hpp"
+#include "ocean/internal/open_sea.hpp"
 #include "ocean/map_request.hpp"
-#include "ocean/ocean.hpp"
 #include "waves/surface/map_writer.hpp"
 
 namespace ocean {
 
-double Ocean::cover_power(double time, int resolution) {
+double OpenSea::cover_power(double time, int resolution) {
     return cover_power(time, foam_of_map(sea_.parameters, map_resolution(resolution)));
 }
 
-double Ocean::cover_power(double time, const ShownFoam& foam) {
+double OpenSea::cover_power(double time, const ShownFoam& foam) {
     require_time(time);
     go_to(time);
     return chain_->shown_cover_power(foam, pool_, runs_);
 }
 
-void Ocean::lattice_foam_into(double time, const FoamLattice& lattice, std::span<float> foam) {
-    require_open_sea("a lattice of foam");
+void OpenSea::lattice_foam_into(double time, const FoamLattice& lattice, std::span<float> foam) {
     require_time(time);
     require_resolution(lattice.resolution);
     go_to(time);
@@ -37,13 +36,13 @@ void Ocean::lattice_foam_into(double time, const FoamLattice& lattice, std::span
     write_lattice_foam(time, lattice, layer, foam);
 }
 
-std::int64_t Ocean::foam_settling_ticks() const {
+std::int64_t OpenSea::foam_settling_ticks() const {
     std::int64_t ticks = 0;
     for (const auto& [lattice, foam] : foam_) ticks = std::max(ticks, foam.settling_ticks());
     return ticks;
 }
 
-FoamLayer Ocean::foam_layer(double time, const FoamLattice& lattice) {
+FoamLayer OpenSea::foam_layer(double time, const FoamLattice& lattice) {
     const auto [place, is_new] = foam_.try_emplace(
         lattice, foam_clock(sea_.parameters.surface, sea_.parameters.time.loop_period),
         Lattice{lattice.resolution, 1.0}.size(), options_.foam_start);
@@ -57,8 +56,8 @@ FoamLayer Ocean::foam_layer(double time, const FoamLattice& lattice) {
     return place->second.layer(time, source);
 }
 
-void Ocean::write_lattice_foam(double time, const FoamLattice& lattice, const FoamLayer& before,
-                               std::span<float> foam) {
+void OpenSea::write_lattice_foam(double time, const FoamLattice& lattice, const FoamLayer& before,
+                                 std::span<float> foam) {
     const MapOutput output{foam.data(), 1, {{{Channel::foam, 1.0f}}}};
     if (!lattice.is_spread()) {
         write_maps(time, {&output, 1}, lattice.resolution, before);
@@ -72,8 +71,8 @@ void Ocean::write_lattice_foam(double time, const FoamLattice& lattice, const Fo
     if (foam_maps_->write({modes, settings, {&output, 1}, before}, pool_)) ++runs_.packing;
 }
 
-FoamLayer Ocean::spread_layer(double time, const FoamLayer& layer, const FoamLattice& lattice,
-                              int resolution) {
+FoamLayer OpenSea::spread_layer(double time, const FoamLayer& layer, const FoamLattice& lattice,
+                                int resolution) {
     if (layer.map == nullptr || layer.fade == 0.0f) return {};
     // The lattice's own whitecaps of this moment belong to it: between ticks foam goes on growing.
     lattice_foam_.resize(Lattice{lattice.resolution, 1.0}.size());
@@ -104,7 +103,7 @@ double seconds_of_map(int resolution, int measured, const std::function<void()>&
 
 }  // namespace
 
-FrameCost Ocean::measure_frame_cost() {
+FrameCost OpenSea::measure_frame_cost() {
     constexpr int kLargest = 1024;
     const double start = sea_.parameters.time.start;
     const int map = default_map_resolution(sea_.parameters.grid);
