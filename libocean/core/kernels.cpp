@@ -12,7 +12,7 @@
 #include <cpuid.h>
 #endif
 
-#include "coast/loops/pair_task.hpp"
+#include "coast/loops/band_sector_task.hpp"
 #include "coast/loops/signal_task.hpp"
 #include "land/gullies/gullies_task.hpp"
 #include "ocean/error.hpp"
@@ -21,12 +21,12 @@
 namespace ocean {
 
 /// Declares the code of one kernel, which is defined in the namespace of its name.
-#define OCEAN_DECLARE_KERNEL(name)       \
-    namespace name {                     \
-    extern const KernelCode kCode;       \
-    extern const PairLoop kPairLoop;     \
-    extern const SignalLoop kSignalLoop; \
-    extern const GullyLoop kGullyLoop;   \
+#define OCEAN_DECLARE_KERNEL(name)               \
+    namespace name {                             \
+    extern const KernelCode kCode;               \
+    extern const BandSectorLoop kBandSectorLoop; \
+    extern const SignalLoop kSignalLoop;         \
+    extern const GullyLoop kGullyLoop;           \
     }
 OCEAN_DECLARE_KERNEL(avx512)
 OCEAN_DECLARE_KERNEL(avx2)
@@ -39,7 +39,7 @@ namespace {
 struct Kernel {
     SimdLevel level;
     const KernelCode* code;
-    const PairLoop* pair_loop;
+    const BandSectorLoop* band_sector_loop;
     const SignalLoop* signal_loop;
     const GullyLoop* gully_loop;
     unsigned leaf_1, leaf_7, saved_states;
@@ -53,7 +53,7 @@ struct Kernel {
 #endif
 
 #define OCEAN_KERNEL_ENTRY(name) \
-    SimdLevel::name, &name::kCode, &name::kPairLoop, &name::kSignalLoop, &name::kGullyLoop
+    SimdLevel::name, &name::kCode, &name::kBandSectorLoop, &name::kSignalLoop, &name::kGullyLoop
 /// The best first. A build may leave out any: OCEAN_KERNELS and OCEAN_PORTABLE_KERNEL in CMake.
 constexpr Kernel kKernels[] = {
 #if defined(OCEAN_KERNEL_AVX512)
@@ -160,8 +160,8 @@ SimdLevel simd_level() {
 const KernelCode& kernel_code(SimdLevel level) {
     return *find_kernel(level).code;
 }
-PairLoop pair_loop(SimdLevel level) {
-    return *find_kernel(level).pair_loop;
+BandSectorLoop band_sector_loop(SimdLevel level) {
+    return *find_kernel(level).band_sector_loop;
 }
 SignalLoop signal_loop(SimdLevel level) {
     return *find_kernel(level).signal_loop;

@@ -93,7 +93,7 @@ void CoastSums::load_signals(const CoastWaves& waves, bool rates) {
         floats += piece.size();
         return static_cast<std::uint32_t>(first);
     };
-    for (const CoastPair& of : waves.pairs) {
+    for (const CoastBandSector& of : waves.pairs) {
         PairBlock& pair = pairs.emplace_back();
         for (std::size_t axis = 0; axis < 2; ++axis) {
             pair.cells_per_metre[axis] = of.cells_per_metre[axis];

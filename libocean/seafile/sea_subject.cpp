@@ -183,7 +183,7 @@ class SeaSubject final : public Subject {
             costs.map = [this](const MapsOptions&, ChannelSet channels, int resolution) {
                 return region_work_bytes(sea_.parameters, domain(resolution), channels);
             };
-            costs.by_place = [this](int resolution) {
+            costs.eulerian_heights = [this](int resolution) {
                 return region_heights_bytes(domain(resolution));
             };
             return costs;  // queries read the coast
@@ -191,7 +191,9 @@ class SeaSubject final : public Subject {
         costs.map = [this](const MapsOptions& options, ChannelSet channels, int resolution) {
             return work_bytes(grid(), options.backend, channels, resolution, options.channels);
         };
-        costs.by_place = [this](int resolution) { return world_heights_bytes(sea_, resolution); };
+        costs.eulerian_heights = [this](int resolution) {
+            return world_heights_bytes(sea_, resolution);
+        };
         costs.query = [this](const QueryOptions& options) {
             return SurfaceQuery::map_bytes(grid().resolution, options);
         };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The sums over the waves of a coast, a label for each invocation. Core's processor code is
-// coast/loops/signal_code.hpp and coast/loops/pair_code.hpp; it finishes the surface from these
+// coast/loops/signal_code.hpp and coast/loops/band_sector_code.hpp; it finishes the surface from these
 // sums. Places and phases are double until their whole turns and cells have gone: a carrier turns
 // some thousand times between the label and the world's origin, and single precision would lose
 // 1e-4 of it.
@@ -189,7 +189,7 @@ Signal read_signal(Pair of, dvec2 place) {
     return Signal(vec4(value.x, by_x.x, by_y.x, rate.x), vec4(value.y, by_x.y, by_y.y, rate.y));
 }
 
-// ---- the sums: coast/loops/pair_code.hpp
+// ---- the sums: coast/loops/band_sector_code.hpp
 
 struct WaveSums {
     vec4 z_re, z_im, squares, along_x, along_y, left_x, left_y;
@@ -202,7 +202,7 @@ vec4 by_label(vec4 at_place, vec3 shift_x, vec3 shift_y) {
     return jet;
 }
 
-void add_pair(Pair of, dvec2 place, Quads delay, vec3 amplitude, vec3 displacement,
+void add_band_sector(Pair of, dvec2 place, Quads delay, vec3 amplitude, vec3 displacement,
               inout WaveSums sums) {
     vec3 shift_x = field(delay, 0);
     vec3 shift_y = field(delay, 1);
@@ -269,7 +269,7 @@ WaveSums sum_waves(dvec2 place) {
         Pair of = pair[p];
         if (p % 4 == 0) amplitudes = read_quads(energy_maps, p / 4, in_energy);
         Quads delay = read_quads(delay_maps, p, in_delays);
-        add_pair(of, place, delay, field(amplitudes, p % 4), displacement[of.band], sums);
+        add_band_sector(of, place, delay, field(amplitudes, p % 4), displacement[of.band], sums);
         if (is_partly) add_left(of, place, sums);
     }
     return sums;

@@ -541,7 +541,7 @@ TEST(EnergyMarch, RefusesSettingsOutOfRangeAndLeavesFlatSeasFlat) {
     const DirectionalSpectrum sea = make_sea({{}});
     EXPECT_THROW(march(bed, sea, {}, {.cell = 0.0}), Error);
     EXPECT_THROW(march(bed, sea, {}, {.direction_bin = 0.5}), Error);
-    EXPECT_THROW(march(bed, sea, {}, {.least_depth = 0.0}), Error);
+    EXPECT_THROW(march(bed, sea, {}, {.min_depth = 0.0}), Error);
     ThreadPool pool(1);
     const EnergyMaps maps = march_energy(bed, {}, {}, {}, {}, pool);
     EXPECT_TRUE(maps.amplitude.empty());

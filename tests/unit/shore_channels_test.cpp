@@ -316,7 +316,7 @@ TEST(ShoreStatics, AreAsLargeAsToldAndAtMost5500KilobytesForASquareKilometreAndS
     const auto energy = make_shore_energy(bed, *delays, spectrum, parameters.water, pool);
     std::size_t bytes = delays->ground.bytes() + energy->breaking.bytes() +
                         energy->remainder.bytes() + energy->lee.bytes();
-    for (const PairDelays& waves : delays->waves) bytes += waves.maps->bytes();
+    for (const BandSectorDelays& waves : delays->waves) bytes += waves.maps->bytes();
     for (const QuadGrid& amplitudes : energy->amplitudes) bytes += amplitudes.bytes();
     std::set<int> sectors;
     for (const ShoreWaves& waves : bands.waves) sectors.insert(waves.sector);

@@ -74,7 +74,8 @@ bool is_baked(const BakeFile& file) {
 }
 
 std::uint64_t frame_bytes(const BakePlan& plan, const NoSettings&) {
-    return is_displaced(*plan.subject) ? plan.subject->costs().by_place(plan.resolution) : 0;
+    return is_displaced(*plan.subject) ? plan.subject->costs().eulerian_heights(plan.resolution)
+                                       : 0;
 }
 
 std::uint64_t max_bytes(const BakePlan& plan, const NoSettings&, const BakeFile& file) {

@@ -31,7 +31,7 @@ struct QuadMaps {
 
 /// The waves of one band and sector. Their analytic signal at a place is the cubic B-spline through
 /// its coefficients times e^(i pi (half_turns . place)); the sea's period wraps.
-struct CoastPair {
+struct CoastBandSector {
     int band = 0;                    // 0 .. 3
     float centre = 0.0f;             // direction of the middle of the sector [rad]
     float open_displacement = 0.0f;  // coth(k d) of the band in the open sea
@@ -45,7 +45,7 @@ struct CoastPair {
 };
 
 struct CoastWaves {
-    std::vector<CoastPair> pairs;
+    std::vector<CoastBandSector> pairs;
     /// A map of each pair: shift x, shift y [m], phase, turn [rad]; then the ground: height of the
     /// bed, depth that waves feel [m], slope, how much the waves feel of the bed.
     QuadMaps delays;

@@ -84,8 +84,8 @@ struct Costs {
     /// Returns the bytes that making a map of these channels needs beside the map.
     std::function<std::uint64_t(const MapsOptions& options, ChannelSet channels, int resolution)>
         map = NoCost{};
-    /// Returns the bytes that making heights by place needs beside their map.
-    std::function<std::uint64_t(int resolution)> by_place = NoCost{};
+    /// Returns the bytes that eulerian_heights needs beside their map.
+    std::function<std::uint64_t(int resolution)> eulerian_heights = NoCost{};
     /// Returns the bytes of a query of these options.
     std::function<std::uint64_t(const QueryOptions& options)> query = NoCost{};
 };

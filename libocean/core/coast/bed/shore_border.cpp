@@ -36,7 +36,7 @@ struct PlaneSums {
 
 /// Returns the vector uphill of the plane that fits the depth beside sample k of a side best.
 /// Samples of the least depth do not count: there the depth is a limit and not the bed's.
-PlaneVector fitted_upslope(const BedGrid& depth, float least_depth, const BorderSide& side, int k) {
+PlaneVector fitted_upslope(const BedGrid& depth, float min_depth, const BorderSide& side, int k) {
     const int first = std::max(k - kReach, 0), last = std::min(k + kReach, side.length - 1);
     const int across = depth.domain.samples[side.di != 0 ? 1 : 0];
     const int rows = std::min(kReach + 1, across);
@@ -45,7 +45,7 @@ PlaneVector fitted_upslope(const BedGrid& depth, float least_depth, const Border
     for (int n = 0; n < rows; ++n) {
         for (int t = first; t <= last; ++t) {
             const float d = depth.at(side.i + t * side.di + n * ni, side.j + t * side.dj + n * nj);
-            if (d > least_depth) sums.add(t - k, n, double{d});
+            if (d > min_depth) sums.add(t - k, n, double{d});
         }
     }
     const PlaneVector slopes = sums.slopes();

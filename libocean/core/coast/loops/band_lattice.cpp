@@ -39,7 +39,8 @@ void for_each_mode(const Modes& modes, const ShoreBands& bands, const Body& body
             for (int n = -size / 2; n < size / 2; ++n) {
                 const std::size_t at = mode_index(n, m, size);
                 if (cascade.h0[at] == 0.0f) continue;
-                const int pair = pair_of(bands, step, n * cascade.divisor, m * cascade.divisor);
+                const int pair =
+                    band_sector_of(bands, step, n * cascade.divisor, m * cascade.divisor);
                 if (pair >= 0) {
                     body(static_cast<std::size_t>(pair), n * cascade.divisor, m * cascade.divisor,
                          cascade, at);
@@ -131,7 +132,7 @@ void make_coarse(BandLattice& band) {
 
 }  // namespace
 
-int pair_of(const ShoreBands& bands, double step, int n, int m) {
+int band_sector_of(const ShoreBands& bands, double step, int n, int m) {
     const double x = n;
     const double y = m;
     const int band = bands.band_of(step * std::sqrt(x * x + y * y));

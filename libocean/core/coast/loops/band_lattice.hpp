@@ -18,7 +18,7 @@ namespace ocean {
 
 /// Returns the index of the pair in `bands.waves` to which the mode (n, m) of the patch's own
 /// lattice belongs, or -1. `step` is that lattice's Lattice::wavenumber_step().
-int pair_of(const ShoreBands& bands, double step, int n, int m);
+int band_sector_of(const ShoreBands& bands, double step, int n, int m);
 
 /// A wave of a pair: 2 h0 e^(i (k.x - omega t)).
 struct BandMode {

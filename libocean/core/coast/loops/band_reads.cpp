@@ -13,7 +13,7 @@ void BandSignals::read(std::size_t index, std::size_t n, const double* x, const 
     if (out.has_rate() && !rates_) {
         throw Error(ErrorKind::invalid_value, "the signals were made without their rates");
     }
-    CoastPair pair;
+    CoastBandSector pair;
     describe(index, pair);
     SignalTask task{};
     task.count = n;
@@ -30,8 +30,8 @@ void BandSignals::read(std::size_t index, std::size_t n, const double* x, const 
     loop_(task);
 }
 
-void BandSignals::describe(std::size_t index, CoastPair& pair) const {
-    const Pair& of = pairs_[index];
+void BandSignals::describe(std::size_t index, CoastBandSector& pair) const {
+    const BandSector& of = band_sectors_[index];
     const double period = of.lattice.period;
     for (std::size_t axis = 0; axis < 2; ++axis) {
         pair.cells_per_metre[axis] = of.side[axis] / period;

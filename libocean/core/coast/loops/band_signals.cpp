@@ -35,19 +35,19 @@ BandSignals::BandSignals(const Modes& modes, const ShoreBands& bands, double spl
     clock_.loop_period = modes.loop_period;
     std::vector<BandLattice> lattices = gather_bands(modes, bands);
     const std::vector<std::array<int, 2>> sides = choose_sides(lattices, spline_tolerance);
-    pairs_.resize(lattices.size());
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        pairs_[i].lattice = std::move(lattices[i]);
-        prepare(pairs_[i], sides[i]);
+    band_sectors_.resize(lattices.size());
+    for (std::size_t i = 0; i < band_sectors_.size(); ++i) {
+        band_sectors_[i].lattice = std::move(lattices[i]);
+        prepare(band_sectors_[i], sides[i]);
         for (std::size_t map = 0; map < (rates ? 2u : 1u); ++map) {
-            const int rows = 2 * pairs_[i].lattice.reach[1] + 1;
+            const int rows = 2 * band_sectors_[i].lattice.reach[1] + 1;
             for (int m = 0; m < rows; m += kFftBatch) row_batches_.push_back({i, map, m});
             for (int c = 0; c < sides[i][0]; c += kFftBatch) column_batches_.push_back({i, map, c});
         }
     }
 }
 
-void BandSignals::prepare(Pair& pair, std::array<int, 2> side) const {
+void BandSignals::prepare(BandSector& pair, std::array<int, 2> side) const {
     const BandLattice& lattice = pair.lattice;
     pair.side = side;
     for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
@@ -87,7 +87,7 @@ void BandSignals::move_to(double time, ThreadPool& pool) {
 
 /// Propagates the modes of kFftBatch rows, transforms them along x and stores them row by row.
 void BandSignals::transform_rows(const Batch& batch, double tau, Work& work) {
-    Pair& pair = pairs_[batch.pair];
+    BandSector& pair = band_sectors_[batch.pair];
     const BandLattice& lattice = pair.lattice;
     const auto first = static_cast<std::size_t>(batch.first);
     const std::size_t last = std::min(first + kBatch, pair.gain[1].size());
@@ -121,7 +121,7 @@ void BandSignals::transform_rows(const Batch& batch, double tau, Work& work) {
 
 /// Transforms kFftBatch columns along y and stores them as coefficients.
 void BandSignals::transform_columns(const Batch& batch, Work& work) {
-    Pair& pair = pairs_[batch.pair];
+    BandSector& pair = band_sectors_[batch.pair];
     SplineRows& map = pair.map[batch.map];
     const auto width = static_cast<std::size_t>(pair.side[0]);
     const auto height = static_cast<std::size_t>(pair.side[1]);
@@ -152,7 +152,7 @@ void BandSignals::transform_columns(const Batch& batch, Work& work) {
 }
 
 ExactSignal BandSignals::exact(std::size_t index, double time, double x, double y) const {
-    const BandLattice& lattice = pairs_[index].lattice;
+    const BandLattice& lattice = band_sectors_[index].lattice;
     const double tau = clock_.tau(time);
     const double turns_x = x / lattice.period - std::floor(x / lattice.period);
     const double turns_y = y / lattice.period - std::floor(y / lattice.period);
@@ -176,7 +176,7 @@ ExactSignal BandSignals::exact(std::size_t index, double time, double x, double 
 
 std::uint64_t BandSignals::samples() const {
     std::uint64_t sum = 0;
-    for (const Pair& pair : pairs_) {
+    for (const BandSector& pair : band_sectors_) {
         sum += static_cast<std::uint64_t>(pair.side[0]) * static_cast<std::uint64_t>(pair.side[1]);
     }
     return sum;
@@ -184,7 +184,7 @@ std::uint64_t BandSignals::samples() const {
 
 std::uint64_t BandSignals::bytes() const {
     std::uint64_t sum = 0;
-    for (const Pair& pair : pairs_) {
+    for (const BandSector& pair : band_sectors_) {
         sum += pair.lattice.modes.size() * sizeof(BandMode);
         for (const BatchFft& fft : pair.fft) sum += fft.bytes();
         for (const std::vector<BatchRow>& rows : pair.rows) sum += rows.size() * sizeof(BatchRow);

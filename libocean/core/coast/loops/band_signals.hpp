@@ -48,13 +48,13 @@ class BandSignals {
     /// Makes the maps of a time [s]. The bits are the same for any number of threads.
     void move_to(double time, ThreadPool& pool);
     /// Returns the number of pairs: ShoreBands::waves.size().
-    std::size_t count() const { return pairs_.size(); }
+    std::size_t count() const { return band_sectors_.size(); }
     /// Writes the signals of pair `index` at n finite places [m]; the sea's period wraps. Throws
     /// Error invalid_value for a rate of signals that were made without rates.
     void read(std::size_t index, std::size_t n, const double* x, const double* y,
               const SignalOutputs& out) const;
     /// Writes the maps of pair `index` and where places lie in them. Valid until the next move_to.
-    void describe(std::size_t index, CoastPair& pair) const;
+    void describe(std::size_t index, CoastBandSector& pair) const;
     /// Returns the signal of pair `index` at a time and a place, in double, from its modes: slow,
     /// and independent of move_to.
     ExactSignal exact(std::size_t index, double time, double x, double y) const;
@@ -68,7 +68,7 @@ class BandSignals {
         std::size_t pitch = 0;
         PageVector<float> values;
     };
-    struct Pair {
+    struct BandSector {
         BandLattice lattice;
         std::array<int, 2> side{};
         std::vector<BatchFft> fft;                  // along x and y
@@ -87,14 +87,14 @@ class BandSignals {
         std::vector<BatchRow> spectrum;
         std::vector<BatchRow> samples;
     };
-    void prepare(Pair& pair, std::array<int, 2> side) const;
+    void prepare(BandSector& pair, std::array<int, 2> side) const;
     void transform_rows(const Batch& batch, double tau, Work& work);
     void transform_columns(const Batch& batch, Work& work);
 
     Modes clock_;  // without arrays: converts time to tau
     bool rates_;
     SignalLoop loop_ = signal_loop(simd_level());
-    std::vector<Pair> pairs_;
+    std::vector<BandSector> band_sectors_;
     std::vector<Batch> row_batches_;
     std::vector<Batch> column_batches_;
 };

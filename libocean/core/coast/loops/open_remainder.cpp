@@ -19,7 +19,7 @@ struct ShellGradients {
     double remaining = 0.0;
 };
 
-void remove_pairs(const ShoreBands& bands, double patch_step, CascadeModes& cascade) {
+void remove_band_sectors(const ShoreBands& bands, double patch_step, CascadeModes& cascade) {
     const int size = cascade.lattice.resolution;
     const double step = cascade.lattice.wavenumber_step();
     std::vector<ShellGradients> shells(cascade.shell_covariance.size());
@@ -32,7 +32,7 @@ void remove_pairs(const ShoreBands& bands, double patch_step, CascadeModes& casc
             const double factor = k2 * cascade.displacement[mode_index(n, m, size)];
             const double gradient = std::norm(std::complex<double>(h0)) * factor * factor;
             const bool in_pair =
-                pair_of(bands, patch_step, n * cascade.divisor, m * cascade.divisor) >= 0;
+                band_sector_of(bands, patch_step, n * cascade.divisor, m * cascade.divisor) >= 0;
             const auto shell = static_cast<std::size_t>(std::max(std::abs(n), std::abs(m)));
             if (shell < shells.size()) {
                 shells[shell].all += gradient;
@@ -53,7 +53,7 @@ void remove_pairs(const ShoreBands& bands, double patch_step, CascadeModes& casc
 Modes open_remainder(const Modes& modes, const ShoreBands& bands) {
     Modes remainder = modes;
     for (CascadeModes& cascade : remainder.cascades) {
-        remove_pairs(bands, modes.lattice.wavenumber_step(), cascade);
+        remove_band_sectors(bands, modes.lattice.wavenumber_step(), cascade);
     }
     remainder.revision = Revision::begin();
     return remainder;

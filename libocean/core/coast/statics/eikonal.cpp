@@ -75,11 +75,11 @@ void EikonalSolver::enter(std::span<const float> slowness) {
         if (s < 0) continue;
         const BorderSide& side = border_.side(s);
         for (int k = 0; k < side.length; ++k) {
-            const double here = slowness_at(slowness, side, k);
+            const double local = slowness_at(slowness, side, k);
             const double phase =
                 direction_.x * (side.i + k * side.di) + direction_.y * (side.j + k * side.dj);
-            if (deepest_side < 0 || here < least || (here == least && phase < first)) {
-                deepest_side = s, deepest_k = k, least = here, first = phase;
+            if (deepest_side < 0 || local < least || (local == least && phase < first)) {
+                deepest_side = s, deepest_k = k, least = local, first = phase;
             }
         }
     }
@@ -95,17 +95,17 @@ void EikonalSolver::enter(std::span<const float> slowness) {
 void EikonalSolver::enter_side(std::span<const float> slowness, int s, int from, double delay) {
     const BorderSide& side = border_.side(s);
     const PlaneVector tangent{1.0 * side.di, 1.0 * side.dj};
-    const auto rate = [&](int k, double here) {
-        return refracted(direction_, here, border_.upslope(s, k)).dot(tangent) -
+    const auto rate = [&](int k, double local) {
+        return refracted(direction_, local, border_.upslope(s, k)).dot(tangent) -
                direction_.dot(tangent);
     };
     for (const int sense : {1, -1}) {
         double tau = delay, before = rate(from, slowness_at(slowness, side, from));
         for (int k = from; k >= 0 && k < side.length; k += sense) {
-            const double here = slowness_at(slowness, side, k);
-            const double next = rate(k, here);
+            const double local = slowness_at(slowness, side, k);
+            const double next = rate(k, local);
             if (k != from) tau += sense * 0.5 * (before + next);
-            if (here == 1.0) tau = 0.0;
+            if (local == 1.0) tau = 0.0;
             before = next;
             double& value = delays_[padded(side.i + k * side.di, side.j + k * side.dj)];
             value = std::min(value, tau);
@@ -123,12 +123,12 @@ void EikonalSolver::note_slant(std::span<const float> slowness, int s) {
     bool any = false;
     std::vector<float> along(static_cast<std::size_t>(side.length));
     for (int k = 0; k < side.length; ++k) {
-        const double here = slowness_at(slowness, side, k);
+        const double local = slowness_at(slowness, side, k);
         const double inward =
-            std::max(refracted(direction_, here, border_.upslope(s, k)).dot(side.inward), 0.0);
+            std::max(refracted(direction_, local, border_.upslope(s, k)).dot(side.inward), 0.0);
         any = any || inward > kInward;
         along[static_cast<std::size_t>(k)] =
-            static_cast<float>(std::sqrt(std::max(here * here - inward * inward, 0.0)));
+            static_cast<float>(std::sqrt(std::max(local * local - inward * inward, 0.0)));
     }
     if (any) slant.swap(along);
 }

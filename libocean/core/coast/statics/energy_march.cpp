@@ -36,8 +36,8 @@ void require_settings(const MarchSettings& settings) {
     require(settings.cell >= 4.0 && settings.cell <= 64.0, "cell", settings.cell, "4 .. 64 m");
     require(settings.direction_bin >= 0.999 * kDegree && settings.direction_bin <= 15.001 * kDegree,
             "direction_bin", settings.direction_bin, "1 .. 15 degrees");
-    require(settings.least_depth > 0.0 && settings.least_depth <= 10.0, "least_depth",
-            settings.least_depth, "0 .. 10 m, not 0");
+    require(settings.min_depth > 0.0 && settings.min_depth <= 10.0, "min_depth", settings.min_depth,
+            "0 .. 10 m, not 0");
 }
 
 /// Returns the domain of cells that covers another from its origin on.
@@ -269,8 +269,8 @@ void write_sums(const BedGrid& bed_height, const ShoreBands& bands, const MarchI
             squares += v * v;
         }
         const double height = std::sqrt(8.0 * variance);
-        const double depth = std::clamp(-bed_at(bed_height, place), inputs.depths.least_depth(),
-                                        inputs.depths.greatest_depth());
+        const double depth = std::clamp(-bed_at(bed_height, place), inputs.depths.min_depth(),
+                                        inputs.depths.max_depth());
         maps.rms_height[n] = static_cast<float>(height);
         maps.breaking_share[n] = static_cast<float>(share_that_breaks(height, depth));
         maps.group_width[n] =
@@ -295,7 +295,7 @@ EnergyMaps march_energy(const BedGrid& bed_height, const ShoreBands& bands,
     if (bands.waves.empty()) return maps;
 
     const DirectionBins bins = DirectionBins::of_width(settings.direction_bin);
-    const DepthTables depths(bands, spectrum, water, settings.least_depth);
+    const DepthTables depths(bands, spectrum, water, settings.min_depth);
     double open_variance = 0.0;
     for (const ShoreWaves& waves : bands.waves) open_variance += waves.variance;
     const MarchInputs inputs{bins, depths, maps.domain, open_variance, pool};

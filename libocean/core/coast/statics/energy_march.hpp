@@ -28,12 +28,12 @@ struct MarchSettings {
     /// The width of a bin of directions [rad], 1 .. 15 degrees.
     double direction_bin = kTwoPi / 72.0;  // 5 degrees
     /// The least depth that waves feel [m].
-    double least_depth = 0.6;
+    double min_depth = 0.6;
 };
 
 /// Maps over coarse cells that cover the bed's domain, row-major [j][i]. Depths are those of the
-/// bed as it is, at least least_depth and at most the open sea's. Land swallows waves; the maps
-/// continue into it over the first cell, as if it were least_depth below the water, and reach 0
+/// bed as it is, at least min_depth and at most the open sea's. Land swallows waves; the maps
+/// continue into it over the first cell, as if it were min_depth below the water, and reach 0
 /// beyond. Water behind land has the energy of the cells that no land parts from it.
 struct EnergyMaps {
     Domain domain{.wraps = false};

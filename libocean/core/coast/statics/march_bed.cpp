@@ -169,7 +169,7 @@ MarchBed make_march_bed(const BedGrid& bed_height, const MarchLand& land, const 
     bed.position.resize(grid.size());
     bed.depth.resize(grid.size());
     const auto felt_depth = [&](double height) {
-        return std::clamp(-height, depths.least_depth(), depths.greatest_depth());
+        return std::clamp(-height, depths.min_depth(), depths.max_depth());
     };
     pool.for_each_range(grid.columns, [&](int first, int end) {
         for (int i = first; i < end; ++i) {

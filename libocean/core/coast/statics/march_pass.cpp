@@ -300,8 +300,8 @@ MarchField march_group(const MarchGroup& group, const DirectionBins& bins, const
     double open_variance = 0.0;
     for (const MarchWave& wave : group.waves) open_variance += wave.variance;
     const double open_dissipation =
-        kMadeGood * breaking_dissipation(std::sqrt(8.0 * loss.open_variance),
-                                         depths.greatest_depth(), depths.peak_frequency());
+        kMadeGood * breaking_dissipation(std::sqrt(8.0 * loss.open_variance), depths.max_depth(),
+                                         depths.peak_frequency());
     for (int i = 0; i < grid.columns; ++i) {
         const std::vector<RowWays> beside_land = rows_beside_land(bed, i);
         pool.for_each_item(tags, [&](int tag, int) { advance(march, tag, i, beside_land); });

@@ -167,7 +167,7 @@ std::vector<float> bin_shares(const Slices& energy, double march_direction,
 
 /// Returns a relative change with those too small to matter at exactly 0, so that waves over deep
 /// water are those of the open sea.
-double felt(double change) {
+double change_by_bed(double change) {
     return change * breaking_step((std::abs(change) - kFeelsBottom) / (2.0 * kFeelsBottom));
 }
 
@@ -200,9 +200,10 @@ BandDepths band_depths(const ShoreBands& bands, int b, const DirectionalSpectrum
     }
     BandDepths result{.open_group_speed = flux / variance};
     for (std::size_t n = 0; n < local.size(); ++n) {
-        result.log_speed.push_back(static_cast<float>(felt(log_speeds[n] - log_speeds.back())));
+        result.log_speed.push_back(
+            static_cast<float>(change_by_bed(log_speeds[n] - log_speeds.back())));
         result.shoaling.push_back(
-            static_cast<float>(1.0 + felt(shoaled[n] / shoaled.back() - 1.0)));
+            static_cast<float>(1.0 + change_by_bed(shoaled[n] / shoaled.back() - 1.0)));
     }
     return result;
 }
@@ -222,11 +223,11 @@ std::vector<double> incoming_directions(const Slices& energy) {
     const double all = std::accumulate(energy.begin(), energy.end(), 0.0);
     std::vector<double> result;
     for (int s = 0; s < kSlices; ++s) {
-        const double here = windows[slice(s)];
-        if (!(here > kSystem * all)) continue;
+        const double window = windows[slice(s)];
+        if (!(window > kSystem * all)) continue;
         bool highest = true;
         for (int off = -kHalfWindow; off <= kHalfWindow && highest; ++off) {
-            highest = here >= kAsHigh * windows[slice(s + off)];
+            highest = window >= kAsHigh * windows[slice(s + off)];
         }
         for (int side = -2; side <= 2 && highest; ++side) {
             result.push_back(slice_centre(s) + 15.0 * kDegree * side);
@@ -314,8 +315,8 @@ MarchGroup without_sectors(const MarchGroup& group) {
 }
 
 DepthTables::DepthTables(const ShoreBands& bands, const DirectionalSpectrum& spectrum,
-                         const Water& water, double least_depth)
-    : least_(std::min(least_depth, 0.5 * water.depth)),
+                         const Water& water, double min_depth)
+    : least_(std::min(min_depth, 0.5 * water.depth)),
       greatest_(std::max(std::min(water.depth, kDeepWater / bands.edges[0]), 1.01 * least_)),
       per_log_((kDepths - 1) / std::log(greatest_ / least_)) {
     double highest = 0.0;

@@ -65,14 +65,14 @@ struct BandDepths {
 class DepthTables {
   public:
     DepthTables(const ShoreBands& bands, const DirectionalSpectrum& spectrum, const Water& water,
-                double least_depth);
+                double min_depth);
 
     /// Returns the position of a depth [m] in the tables, within their ends.
     float position(double depth) const;
     const BandDepths& band(int b) const { return bands_[static_cast<std::size_t>(b)]; }
     double peak_frequency() const { return peak_frequency_; }  // of the sea [Hz]
-    double least_depth() const { return least_; }              // shallower feels like it [m]
-    double greatest_depth() const { return greatest_; }        // deeper is the open sea [m]
+    double min_depth() const { return least_; }                // shallower feels like it [m]
+    double max_depth() const { return greatest_; }             // deeper is the open sea [m]
 
   private:
     double least_ = 0.0;

@@ -36,19 +36,20 @@ Scalar held_in_unit(const Scalar& t) {
 /// Returns how much the waves at a label feel of the bed, from ShoreDelays::ground and
 /// ShoreEnergy::remainder: exactly 0 in the open sea, exactly 1 where they do wholly.
 template <typename Scalar>
-Scalar felt_at(const QuadBlock& ground, const QuadBlock& remainder, std::size_t label) {
-    const Scalar not_felt = (Scalar(1.0f) - held_in_unit(field_at<Scalar>(ground, 3, label))) *
-                            (Scalar(1.0f) - held_in_unit(field_at<Scalar>(remainder, 2, label)));
-    return Scalar(1.0f) - not_felt;
+Scalar bed_influence_at(const QuadBlock& ground, const QuadBlock& remainder, std::size_t label) {
+    const Scalar uninfluenced =
+        (Scalar(1.0f) - held_in_unit(field_at<Scalar>(ground, 3, label))) *
+        (Scalar(1.0f) - held_in_unit(field_at<Scalar>(remainder, 2, label)));
+    return Scalar(1.0f) - uninfluenced;
 }
 
 /// Returns how much the waves at a label feel of the bed where walls make them lower by a factor.
 template <typename Scalar>
-Scalar felt_in_lee(const Scalar& felt, const Scalar& lower) {
+Scalar bed_influence_in_lee(const Scalar& bed_influence, const Scalar& lower) {
     constexpr float kFully = 0.05f;
-    if (lower.value() >= 1.0f) return felt;
+    if (lower.value() >= 1.0f) return bed_influence;
     const Scalar calmed = shore_step((1.0f / kFully) * (Scalar(1.0f) - lower));
-    return Scalar(1.0f) - (Scalar(1.0f) - felt) * (Scalar(1.0f) - calmed);
+    return Scalar(1.0f) - (Scalar(1.0f) - bed_influence) * (Scalar(1.0f) - calmed);
 }
 
 /// Returns the width of the strip along the border of the bed where the open sea fades in [m].

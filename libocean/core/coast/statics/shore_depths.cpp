@@ -43,10 +43,10 @@ ShoreDepths::ShoreDepths(const ShoreBands& bands, double peak_omega, const Water
     per_log_ = static_cast<float>(1.0 / step);
     const Dispersion open(water);
     for (int i = 0; i < kEntries; ++i) {
-        Water here = water;
+        Water local = water;
         // The last entry is the open sea, however deep.
-        here.depth = i + 1 < kEntries ? std::exp(first + i * step) : water.depth;
-        const Dispersion dispersion(here);
+        local.depth = i + 1 < kEntries ? std::exp(first + i * step) : water.depth;
+        const Dispersion dispersion(local);
         wavenumber_.push_back(static_cast<float>(std::log(dispersion.wavenumber(peak_omega))));
         Quad displacement{};
         Quad wavenumber{};

@@ -60,10 +60,10 @@ std::vector<float> breaking_slope(const BedGrid& bed, ThreadPool& pool) {
 
 /// Returns for each sample how much the waves feel of the bed: by the most phase that the waves of
 /// a pair have gained on the open sea's [rad].
-std::vector<float> felt_by_delays(const ShoreDelays& delays, std::size_t samples,
-                                  ThreadPool& pool) {
+std::vector<float> bed_influence_by_delays(const ShoreDelays& delays, std::size_t samples,
+                                           ThreadPool& pool) {
     constexpr float kFully = 0.3f;  // [rad]
-    std::vector<float> felt(samples, 0.0f);
+    std::vector<float> bed_influence(samples, 0.0f);
     pool.for_each_range(static_cast<int>(samples), [&](int first, int last) {
         for (std::size_t w = 0; w < delays.waves.size(); ++w) {
             const std::span<const Quad> quads = delays.waves[w].maps->quads();
@@ -72,11 +72,12 @@ std::vector<float> felt_by_delays(const ShoreDelays& delays, std::size_t samples
                  ++i) {
                 const Quad at = quads[i];
                 const float gained = std::abs(at[2]) + k * std::hypot(at[0], at[1]);
-                felt[i] = std::max(felt[i], shore_step(Plain(gained / kFully)).value());
+                bed_influence[i] =
+                    std::max(bed_influence[i], shore_step(Plain(gained / kFully)).value());
             }
         }
     });
-    return felt;
+    return bed_influence;
 }
 
 QuadGrid packed(const Domain& domain, const DelayMaps& maps, double sector) {
@@ -89,12 +90,13 @@ QuadGrid packed(const Domain& domain, const DelayMaps& maps, double sector) {
 }
 
 /// Returns the pairs of a division, with the maps of those that are known.
-std::vector<PairDelays> pairs_of(const ShoreBands& bands, std::span<const PairDelays> known) {
-    std::vector<PairDelays> pairs;
+std::vector<BandSectorDelays> pairs_of(const ShoreBands& bands,
+                                       std::span<const BandSectorDelays> known) {
+    std::vector<BandSectorDelays> pairs;
     for (const ShoreWaves& waves : bands.waves) {
         const auto b = static_cast<std::size_t>(waves.band);
-        PairDelays pair{bands.edges[b], bands.edges[b + 1], waves.sector, nullptr};
-        const auto same = std::ranges::find_if(known, [&](const PairDelays& other) {
+        BandSectorDelays pair{bands.edges[b], bands.edges[b + 1], waves.sector, nullptr};
+        const auto same = std::ranges::find_if(known, [&](const BandSectorDelays& other) {
             return other.low == pair.low && other.high == pair.high && other.sector == pair.sector;
         });
         if (same != known.end()) pair.maps = same->maps;
@@ -118,7 +120,7 @@ void add_missing(const BedGrid& bed, const BedGrid& depth, const Water& water, T
     const std::vector<std::uint32_t> nearest = nearest_water(bed, pool);
     pool.for_each_item(static_cast<int>(at.size()), [&](int item, int) {
         const auto i = static_cast<std::size_t>(item);
-        PairDelays& pair = delays.waves[at[i]];
+        BandSectorDelays& pair = delays.waves[at[i]];
         continue_onto_land(maps[i], bed, nearest);
         pair.maps = std::make_shared<const QuadGrid>(
             packed(bed.domain, maps[i], sector_centre(pair.sector)));
@@ -131,15 +133,16 @@ void add_missing(const BedGrid& bed, const BedGrid& depth, const Water& water, T
 std::shared_ptr<const ShoreDelays> make_shore_delays(const BedGrid& bed, const ShoreBands& bands,
                                                      const Water& water, ThreadPool& pool,
                                                      const ShoreProgress& progress,
-                                                     std::span<const PairDelays> known) {
+                                                     std::span<const BandSectorDelays> known) {
     auto delays = std::make_shared<ShoreDelays>();
     delays->bands = bands;
     delays->waves = pairs_of(bands, known);
     const BedGrid depth = felt_depth(bed, water.depth);
     add_missing(bed, depth, water, pool, progress, *delays);
     const std::vector<float> slope = breaking_slope(bed, pool);
-    const std::vector<float> felt = felt_by_delays(*delays, bed.values.size(), pool);
-    delays->ground = QuadGrid(bed.domain, {bed.values, depth.values, slope, felt});
+    const std::vector<float> bed_influence =
+        bed_influence_by_delays(*delays, bed.values.size(), pool);
+    delays->ground = QuadGrid(bed.domain, {bed.values, depth.values, slope, bed_influence});
     return delays;
 }
 
@@ -169,18 +172,19 @@ std::vector<float> short_amplitude(const EnergyMaps& maps, const ShoreBands& ban
 
 /// Returns for each cell how much the waves feel of the bed by what they have lost or won: 0 where
 /// all amplitudes are those of the open sea, 1 where the energy of one is a tenth off.
-std::vector<float> felt_by_energy(const EnergyMaps& maps) {
+std::vector<float> bed_influence_by_energy(const EnergyMaps& maps) {
     constexpr float kFully = 0.05f;
-    // Rounding of the march, which is not felt.
+    // Rounding of the march is no influence of the bed.
     constexpr float kNothing = 1e-5f;
-    std::vector<float> felt(maps.domain.count(), 0.0f);
+    std::vector<float> bed_influence(maps.domain.count(), 0.0f);
     for (const std::vector<float>& amplitude : maps.amplitude) {
-        for (std::size_t i = 0; i < felt.size(); ++i) {
+        for (std::size_t i = 0; i < bed_influence.size(); ++i) {
             const float change = std::abs(amplitude[i] - 1.0f) - kNothing;
-            felt[i] = std::max(felt[i], shore_step(Plain(change / kFully)).value());
+            bed_influence[i] =
+                std::max(bed_influence[i], shore_step(Plain(change / kFully)).value());
         }
     }
-    return felt;
+    return bed_influence;
 }
 
 /// Returns for each cell the correlation of the coast's surface with the open sea's at the same
@@ -197,7 +201,7 @@ std::vector<float> correlation(const EnergyMaps& maps, const ShoreDelays& delays
             const auto [x, y] = domain.place(i, j);
             double shared = 0.0;
             double open = 0.0;
-            double here = 0.0;
+            double arrived = 0.0;
             for (std::size_t w = 0; w < bands.waves.size(); ++w) {
                 const ShoreWaves& waves = bands.waves[w];
                 const double centre = sector_centre(waves.sector);
@@ -209,9 +213,9 @@ std::vector<float> correlation(const EnergyMaps& maps, const ShoreDelays& delays
                 const auto amplitude = static_cast<double>(maps.amplitude[w][at]);
                 shared += waves.variance * amplitude * std::cos(gained);
                 open += waves.variance;
-                here += waves.variance * amplitude * amplitude;
+                arrived += waves.variance * amplitude * amplitude;
             }
-            const double norm = std::sqrt(open * here);
+            const double norm = std::sqrt(open * arrived);
             result[at] = static_cast<float>(norm > 0.0 ? std::max(shared / norm, 0.0) : 0.0);
         }
     }
@@ -242,10 +246,10 @@ std::shared_ptr<const ShoreEnergy> make_shore_energy(const BedGrid& bed, const S
     energy->breaking = QuadGrid(
         maps.domain, {maps.rms_height, maps.breaking_share, maps.arrival, maps.group_width});
     energy->lee = make_lee_map(bed, maps, energy->breaking, border_margin(bed.domain));
-    const std::vector<float> calm = short_amplitude(maps, bands);
+    const std::vector<float> short_waves = short_amplitude(maps, bands);
     const std::vector<float> correlated = correlation(maps, delays);
-    const std::vector<float> felt = felt_by_energy(maps);
-    energy->remainder = QuadGrid(maps.domain, {calm, correlated, felt});
+    const std::vector<float> bed_influence = bed_influence_by_energy(maps);
+    energy->remainder = QuadGrid(maps.domain, {short_waves, correlated, bed_influence});
     return energy;
 }
 

@@ -27,7 +27,7 @@ class ThreadPool;
 /// The delays of the waves of one band and sector: shift_x, shift_y [m], phase [rad], and the angle
 /// by which they have turned from the centre of their sector [rad]. They depend on the bed, its
 /// level, the edges of the band and the sector alone, so that seas share them.
-struct PairDelays {
+struct BandSectorDelays {
     double low = 0.0;  // edges of the band [rad/m]
     double high = 0.0;
     int sector = 0;
@@ -38,7 +38,7 @@ struct PairDelays {
 /// sea, not on heights of waves.
 struct ShoreDelays {
     ShoreBands bands;
-    std::vector<PairDelays> waves;  // one for each of bands.waves
+    std::vector<BandSectorDelays> waves;  // one for each of bands.waves
     /// Height of the bed [m], depth that waves feel [m], slope of the bed where waves break, and
     /// how much the waves feel of the bed: 0 where they are those of the open sea, 1 at the coast.
     QuadGrid ground;
@@ -77,7 +77,7 @@ struct ShoreStatics {
 std::shared_ptr<const ShoreDelays> make_shore_delays(const BedGrid& bed, const ShoreBands& bands,
                                                      const Water& water, ThreadPool& pool,
                                                      const ShoreProgress& progress = {},
-                                                     std::span<const PairDelays> known = {});
+                                                     std::span<const BandSectorDelays> known = {});
 /// Returns the energy over the same bed.
 std::shared_ptr<const ShoreEnergy> make_shore_energy(const BedGrid& bed, const ShoreDelays& delays,
                                                      const DirectionalSpectrum& spectrum,

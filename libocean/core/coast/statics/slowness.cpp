@@ -29,10 +29,10 @@ double threshold(double e) {
 
 }  // namespace
 
-Slowness::Slowness(double k, const Water& water, double least_depth)
+Slowness::Slowness(double k, const Water& water, double min_depth)
     : deepest_(std::min(water.depth, kDeep / k)) {
     const double omega = Dispersion(water).angular_frequency(k);
-    first_ = std::sqrt(std::min(least_depth, deepest_));
+    first_ = std::sqrt(std::min(min_depth, deepest_));
     const double step = (std::sqrt(deepest_) - first_) / kSlownessEntries;
     scale_ = step > 0.0 ? 1.0 / step : 0.0;
     table_.reserve(kSlownessEntries + 1);

@@ -14,8 +14,8 @@ namespace ocean {
 /// waves of one frequency, in a table over the root of the depth. Immutable.
 class Slowness {
   public:
-    /// k: wavenumber in the open sea [rad/m]. least_depth: the table begins there, > 0 [m].
-    Slowness(double k, const Water& water, double least_depth);
+    /// k: wavenumber in the open sea [rad/m]. min_depth: the table begins there, > 0 [m].
+    Slowness(double k, const Water& water, double min_depth);
 
     /// Returns the slowness at a depth [m]. It is 1 exactly in the open sea's own depth and where
     /// k d > 5, because a change below 1e-4 counts as none.

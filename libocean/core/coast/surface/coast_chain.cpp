@@ -23,12 +23,12 @@ Water without_shore(const Water& water) {
 }  // namespace
 
 /// Puts pairs before the known ones, of which those that were used first go.
-void CoastChain::keep(const std::vector<PairDelays>& pairs) {
-    std::vector<PairDelays> kept = pairs;
+void CoastChain::keep(const std::vector<BandSectorDelays>& pairs) {
+    std::vector<BandSectorDelays> kept = pairs;
     std::uint64_t bytes = 0;
-    for (const PairDelays& pair : kept) bytes += pair.maps->bytes();
-    for (PairDelays& pair : known_) {
-        const auto same = [&](const PairDelays& other) { return other.maps == pair.maps; };
+    for (const BandSectorDelays& pair : kept) bytes += pair.maps->bytes();
+    for (BandSectorDelays& pair : known_) {
+        const auto same = [&](const BandSectorDelays& other) { return other.maps == pair.maps; };
         if (std::ranges::any_of(pairs, same)) continue;
         bytes += pair.maps->bytes();
         if (bytes > kKnownBytes) break;

@@ -87,12 +87,12 @@ class CoastChain {
         Revision spectrum;
         bool operator==(const Source&) const = default;
     };
-    void keep(const std::vector<PairDelays>& pairs);
+    void keep(const std::vector<BandSectorDelays>& pairs);
 
     ShoreStatics statics_;
     Source made_of_;
-    std::vector<PairDelays> known_;  // the last used ones first
-    Water known_over_;               // without what delays do not depend on
+    std::vector<BandSectorDelays> known_;  // the last used ones first
+    Water known_over_;                     // without what delays do not depend on
     std::optional<ShoreSurface> surface_;
     std::optional<ShoreSums> sums_;  // of surface_
     Revision surface_modes_;

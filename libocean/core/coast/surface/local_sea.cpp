@@ -13,30 +13,31 @@ namespace ocean {
 LocalSea ShoreSurface::local_sea(WorldPoint place, std::vector<LocalWave>& waves,
                                  const ShoreSums* exact) const {
     waves.clear();
-    LocalSea here;
+    LocalSea local;
     const Jet share = statics_.share_of_coast(place.x, place.y);
-    if (share.value() <= 0.0f) return here;
+    if (share.value() <= 0.0f) return local;
     const ShoreEnergy& energy = *statics_.energy;
     const QuadSample ground = statics_.delays->ground.read(place.x, place.y);
     const QuadSample remainder = energy.remainder.read(place.x, place.y);
     const auto border = border_weights(share, held_in_unit(Jet(remainder.value[1])));
-    here.is_over_bed = true;
-    here.bed = static_cast<double>(ground.value[0]);
-    here.coast = static_cast<double>(border.coast.value());
-    here.open = static_cast<double>(border.open.value());
-    const float not_felt = (1.0f - held_in_unit(Plain(ground.value[3])).value()) *
-                           (1.0f - held_in_unit(Plain(remainder.value[2])).value());
+    local.is_over_bed = true;
+    local.bed = static_cast<double>(ground.value[0]);
+    local.coast = static_cast<double>(border.coast.value());
+    local.open = static_cast<double>(border.open.value());
+    const float uninfluenced = (1.0f - held_in_unit(Plain(ground.value[3])).value()) *
+                               (1.0f - held_in_unit(Plain(remainder.value[2])).value());
     const float lee = energy.lee.at(place.x, place.y).height.value();
-    here.felt = static_cast<double>(felt_in_lee(Plain(1.0f - not_felt), Plain(lee)).value());
-    if (here.felt <= 0.0) {
+    local.bed_influence =
+        static_cast<double>(bed_influence_in_lee(Plain(1.0f - uninfluenced), Plain(lee)).value());
+    if (local.bed_influence <= 0.0) {
         // Both surfaces are the open sea.
-        here.coast = 1.0;
-        here.open = 0.0;
-        return here;
+        local.coast = 1.0;
+        local.open = 0.0;
+        return local;
     }
     const float depth = ground.value[1];
-    here.depth = static_cast<double>(depth);
-    here.calm =
+    local.depth = static_cast<double>(depth);
+    local.short_wave_gain =
         static_cast<double>(short_waves_left(Jet(depth)).value() * lee * remainder.value[0]);
     const Quad wavenumbers = energy.depths.band_wavenumbers(depth);
     BlockSignal signal;
@@ -66,9 +67,9 @@ LocalSea ShoreSurface::local_sea(WorldPoint place, std::vector<LocalWave>& waves
     const Jet rms_height(lee * broken.value[0]);
     const Jet gain =
         limiter_gain_(rms_height / highest, typical_shape_root(rms_height, k, Jet(depth)));
-    here.limited = static_cast<double>(
+    local.limited = static_cast<double>(
         broken_wave(real, imaginary, highest, gain, k, Jet(depth)).share.value());
-    return here;
+    return local;
 }
 
 }  // namespace ocean

@@ -31,10 +31,12 @@ void add_block(const ShoreStatics& statics, const Domain& labels, int j, int fir
     for (std::size_t i = 0; i < count; ++i) {
         const float share = statics.share_of_coast(x[i], y[i]).value();
         const Plain lee(statics.energy->lee.at(x[i], y[i]).height.value());
-        const float felt =
-            share > 0.0f ? felt_in_lee(felt_at<Plain>(ground, remainder, i), lee).value() : 0.0f;
-        if (share < 1.0f || felt < 1.0f) spans.open.add(x[i]);
-        if (felt > 0.0f) spans.remainder.add(x[i]);
+        const float bed_influence =
+            share > 0.0f
+                ? bed_influence_in_lee(bed_influence_at<Plain>(ground, remainder, i), lee).value()
+                : 0.0f;
+        if (share < 1.0f || bed_influence < 1.0f) spans.open.add(x[i]);
+        if (bed_influence > 0.0f) spans.remainder.add(x[i]);
     }
 }
 

@@ -8,8 +8,8 @@
 #include <array>
 #include <cstddef>
 
+#include "coast/loops/band_sector_task.hpp"
 #include "coast/loops/band_signals.hpp"
-#include "coast/loops/pair_task.hpp"
 #include "coast/statics/shore_bands.hpp"
 #include "coast/statics/shore_depths.hpp"
 #include "coast/surface/open_surface.hpp"
@@ -90,7 +90,7 @@ struct BlockSignal {
 };
 
 /// The labels that feel the bed, and what the loop over the waves needs of them.
-struct WavyBlock {
+struct ShoalingBlock {
     BlockPlaces places;
     std::array<std::size_t, kShoreBlock> label;       // in the block
     std::array<BlockJets, kShoreBands> displacement;  // coth(k d) of the bands' middles

@@ -65,18 +65,19 @@ void ShoreMotion::sample(const ShoreSurface& surface, const Modes& modes, const 
     is_exact_ = is_exact;
     const double time = is_exact ? exact->time : surface.time();
     std::vector<WaterMotion> open(places.size());
-    std::vector<WaterMotion> rest(places.size());
+    std::vector<WaterMotion> unbanded(places.size());
     moved(open_, modes, water, time, z, is_exact, pool).sample(places, open, pool);
     moved(remainder_, surface.remainder_modes(), water, time, z, is_exact, pool)
-        .sample(places, rest, pool);
+        .sample(places, unbanded, pool);
     std::vector<LocalWave> waves;
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const LocalSea here = surface.local_sea(places[i], waves, exact);
-        const WaterMotion coast =
-            mixed(motion_of(waves, z, here.depth, water), here.limited, rest[i], here.calm);
-        const WaterMotion felt = mixed(coast, here.felt, open[i], 1.0 - here.felt);
-        motions[i] = mixed(felt, here.coast, open[i], here.open);
-        if (here.is_over_bed && z <= here.bed) motions[i] = {};
+        const LocalSea local = surface.local_sea(places[i], waves, exact);
+        const WaterMotion coast = mixed(motion_of(waves, z, local.depth, water), local.limited,
+                                        unbanded[i], local.short_wave_gain);
+        const WaterMotion influenced =
+            mixed(coast, local.bed_influence, open[i], 1.0 - local.bed_influence);
+        motions[i] = mixed(influenced, local.coast, open[i], local.open);
+        if (local.is_over_bed && z <= local.bed) motions[i] = {};
     }
 }
 

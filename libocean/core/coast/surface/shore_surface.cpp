@@ -55,13 +55,13 @@ struct ShoreSurface::Block {
     JetParts parts;
     const ShoreSums* exact;
     BlockPlaces places;
-    std::array<Scalar, kShoreBlock> share;  // of the coast, by the border alone
-    std::array<Scalar, kShoreBlock> felt;   // 0: the open sea, exactly
-    std::array<Scalar, kShoreBlock> lee;    // by which waves are lower behind narrow walls
+    std::array<Scalar, kShoreBlock> share;          // of the coast, by the border alone
+    std::array<Scalar, kShoreBlock> bed_influence;  // 0: the open sea, exactly
+    std::array<Scalar, kShoreBlock> lee;            // by which waves are lower behind narrow walls
     QuadBlock ground, remainder;
     std::array<LinearWaves<Scalar>, kShoreBlock> open;
     // Labels where the waves feel the bed.
-    WavyBlock wavy;
+    ShoalingBlock shoaling;
     QuadBlock breaking;
     std::array<Scalar, kShoreBlock> wavenumber;
 };
@@ -80,7 +80,7 @@ ShoreSurface::ShoreSurface(const Modes& modes, const Parameters& parameters,
       remainder_(remainder_modes_, shown, kOpenTolerance * statics.energy->open_height, pool),
       signals_(modes, statics.bands(), kSignalTolerance, rates == Rates::with),
       rates_(rates),
-      pair_loop_(pair_loop(simd_level())) {
+      band_sector_loop_(band_sector_loop(simd_level())) {
     // Shallow water lengthens the displacement by coth(k d), and breaking limits its height.
     constexpr double kShallow = 2.0;
     reach_ = kShallow * choppiness_ * query_bounds(modes, shown, 2 * shown, true, pool).farthest;
@@ -149,9 +149,9 @@ void ShoreSurface::read(std::span<const WorldPoint> labels, JetParts parts,
 template <typename Scalar>
 void ShoreSurface::read_block(Block<Scalar>& block, const ReadySums& ready,
                               std::span<ShorePoint> points) const {
-    find_wavy(block);
+    find_shoaling(block);
     for (std::size_t i = 0; i < block.places.count; ++i) {
-        const bool whole = block.share[i].value() >= 1.0f && block.felt[i].value() >= 1.0f;
+        const bool whole = block.share[i].value() >= 1.0f && block.bed_influence[i].value() >= 1.0f;
         if (whole) {
             block.open[i] = {};
         } else {
@@ -160,11 +160,11 @@ void ShoreSurface::read_block(Block<Scalar>& block, const ReadySums& ready,
                                                    : open_.read<Scalar>(x, y);
         }
     }
-    if (block.wavy.places.count > 0) {
+    if (block.shoaling.places.count > 0) {
         if (ready.sums.empty()) {
-            add_waves(block.parts, true, block.exact, block.wavy);
+            add_waves(block.parts, true, block.exact, block.shoaling);
         } else {
-            take_sums(block.parts, ready, block.wavy);
+            take_sums(block.parts, ready, block.shoaling);
         }
         lower_in_lee(block);
     }
@@ -173,10 +173,10 @@ void ShoreSurface::read_block(Block<Scalar>& block, const ReadySums& ready,
 
 /// Finds the labels that feel the bed, and reads what they need of the statics.
 template <typename Scalar>
-void ShoreSurface::find_wavy(Block<Scalar>& block) const {
+void ShoreSurface::find_shoaling(Block<Scalar>& block) const {
     const BlockPlaces& places = block.places;
-    BlockPlaces& wavy = block.wavy.places;
-    wavy.count = 0;
+    BlockPlaces& shoaling = block.shoaling.places;
+    shoaling.count = 0;
     bool is_inside = false;
     for (std::size_t i = 0; i < places.count; ++i) {
         const Jet share = statics_.share_of_coast(places.x[i], places.y[i]);
@@ -185,7 +185,7 @@ void ShoreSurface::find_wavy(Block<Scalar>& block) const {
         } else {
             block.share[i] = share.value();
         }
-        block.felt[i] = {0.0f};
+        block.bed_influence[i] = {0.0f};
         is_inside = is_inside || share.value() > 0.0f;
     }
     if (!is_inside) return;
@@ -196,27 +196,27 @@ void ShoreSurface::find_wavy(Block<Scalar>& block) const {
     energy.remainder.read(places.energy, slopes, block.remainder);
     for (std::size_t i = 0; i < places.count; ++i) {
         if (block.share[i].value() <= 0.0f) continue;
-        block.felt[i] = felt_at<Scalar>(block.ground, block.remainder, i);
+        block.bed_influence[i] = bed_influence_at<Scalar>(block.ground, block.remainder, i);
         if (!energy.lee.is_empty()) find_lee(block, i);
-        if (block.felt[i].value() <= 0.0f) continue;
-        const std::size_t n = wavy.count++;
-        wavy.x[n] = places.x[i];
-        wavy.y[n] = places.y[i];
-        block.wavy.label[n] = i;
-        block.wavy.partly[n] = block.felt[i].value() < 1.0f;
+        if (block.bed_influence[i].value() <= 0.0f) continue;
+        const std::size_t n = shoaling.count++;
+        shoaling.x[n] = places.x[i];
+        shoaling.y[n] = places.y[i];
+        block.shoaling.label[n] = i;
+        block.shoaling.partly[n] = block.bed_influence[i].value() < 1.0f;
         const auto values = energy.depths.at(field_at<Scalar>(block.ground, 1, i));
         block.wavenumber[n] = values.wavenumber;
         for (std::size_t band = 0; band < kShoreBands; ++band) {
-            block.wavy.displacement[band].set(n, values.displacement[band]);
+            block.shoaling.displacement[band].set(n, values.displacement[band]);
         }
     }
-    if (wavy.count == 0) return;
-    if (wavy.count == places.count) {
-        wavy = places;
+    if (shoaling.count == 0) return;
+    if (shoaling.count == places.count) {
+        shoaling = places;
     } else {
-        find_places(wavy);
+        find_places(shoaling);
     }
-    energy.breaking.read(wavy.energy, slopes, block.breaking);
+    energy.breaking.read(shoaling.energy, slopes, block.breaking);
 }
 
 /// Reads how much of the waves is left behind a narrow wall, where they are those of the coast.
@@ -228,25 +228,25 @@ void ShoreSurface::find_lee(Block<Scalar>& block, std::size_t i) const {
     } else {
         block.lee[i] = height.value();
     }
-    block.felt[i] = felt_in_lee(block.felt[i], block.lee[i]);
+    block.bed_influence[i] = bed_influence_in_lee(block.bed_influence[i], block.lee[i]);
 }
 
 /// Lowers the waves behind narrow walls, and all that is told of them.
 template <typename Scalar>
 void ShoreSurface::lower_in_lee(Block<Scalar>& block) const {
     if (statics_.energy->lee.is_empty()) return;
-    WavyBlock& wavy = block.wavy;
-    for (std::size_t n = 0; n < wavy.places.count; ++n) {
-        const std::size_t i = wavy.label[n];
+    ShoalingBlock& shoaling = block.shoaling;
+    for (std::size_t n = 0; n < shoaling.places.count; ++n) {
+        const std::size_t i = shoaling.label[n];
         const Scalar lee = block.lee[i];
         const auto lower = [](BlockJets& sum, std::size_t at, const Scalar& by) {
             sum.set(at, by * sum.at<Scalar>(at));
         };
-        for (BlockJets* const sum :
-             {&wavy.sums.real, &wavy.sums.imaginary, &wavy.sums.along_x, &wavy.sums.along_y}) {
+        for (BlockJets* const sum : {&shoaling.sums.real, &shoaling.sums.imaginary,
+                                     &shoaling.sums.along_x, &shoaling.sums.along_y}) {
             lower(*sum, n, lee);
         }
-        lower(wavy.sums.squares, n, lee * lee);
+        lower(shoaling.sums.squares, n, lee * lee);
         scale_field(block.breaking, 0, n, lee);
         scale_field(block.breaking, 2, n, lee * lee);
         scale_field(block.remainder, 0, i, lee);
@@ -254,12 +254,12 @@ void ShoreSurface::lower_in_lee(Block<Scalar>& block) const {
 }
 
 template <typename Scalar>
-void ShoreSurface::end_in_swash(const SwashPlace<Scalar>& place, const SwashWaves<Scalar>& waves,
-                                const Scalar& felt, LinearWaves<Scalar>& surface,
-                                ShorePoint& point) const {
+void ShoreSurface::apply_swash(const SwashPlace<Scalar>& place, const SwashWaves<Scalar>& waves,
+                               const Scalar& bed_influence, LinearWaves<Scalar>& surface,
+                               ShorePoint& point) const {
     const SwashSurface<Scalar> swash = swash_surface(run_up_, place, waves, surface.height);
-    surface.height = surface.height + felt * (swash.height - surface.height);
-    const Scalar displaced = Scalar(1.0f) + felt * (swash.displaced - Scalar(1.0f));
+    surface.height = surface.height + bed_influence * (swash.height - surface.height);
+    const Scalar displaced = Scalar(1.0f) + bed_influence * (swash.displaced - Scalar(1.0f));
     surface.displacement_x = displaced * surface.displacement_x;
     surface.displacement_y = displaced * surface.displacement_y;
 
@@ -278,41 +278,45 @@ void ShoreSurface::end_in_swash(const SwashPlace<Scalar>& place, const SwashWave
 template <typename Scalar>
 void ShoreSurface::finish(Block<Scalar>& block, std::span<ShorePoint> points) const {
     const auto chop = static_cast<float>(choppiness_);
-    const WavyBlock& wavy = block.wavy;
+    const ShoalingBlock& shoaling = block.shoaling;
     std::array<LinearWaves<Scalar>, kShoreBlock> coast;
     for (ShorePoint& point : points) point = {};
-    for (std::size_t n = 0; n < wavy.places.count; ++n) {
-        const std::size_t i = wavy.label[n];
-        const Scalar felt = block.felt[i];
+    for (std::size_t n = 0; n < shoaling.places.count; ++n) {
+        const std::size_t i = shoaling.label[n];
+        const Scalar bed_influence = block.bed_influence[i];
         const Scalar depth = field_at<Scalar>(block.ground, 1, i);
         const Scalar rms_height = field_at<Scalar>(block.breaking, 0, n);
         const Scalar k = block.wavenumber[n];
-        const Scalar real = wavy.sums.real.at<Scalar>(n);
-        const Scalar imaginary = wavy.sums.imaginary.at<Scalar>(n);
+        const Scalar real = shoaling.sums.real.at<Scalar>(n);
+        const Scalar imaginary = shoaling.sums.imaginary.at<Scalar>(n);
         const Scalar highest =
             highest_wave(k, depth, breaker_index(field_at<Scalar>(block.ground, 2, i)));
         const Scalar gain =
             limiter_gain_(rms_height / highest, typical_shape_root(rms_height, k, depth));
         const BrokenWave<Scalar> broken = broken_wave(real, imaginary, highest, gain, k, depth);
         // Waves that are in no band go with the shortest that are.
-        const double x = wavy.places.x[n], y = wavy.places.y[n];
-        const auto rest = block.exact != nullptr ? exact_waves<Scalar>(block.exact->remainder, x, y)
-                                                 : remainder_.read<Scalar>(x, y);
-        const Scalar calm =
+        const double x = shoaling.places.x[n], y = shoaling.places.y[n];
+        const auto unbanded = block.exact != nullptr
+                                  ? exact_waves<Scalar>(block.exact->remainder, x, y)
+                                  : remainder_.read<Scalar>(x, y);
+        const Scalar short_wave_gain =
             Scalar(1.0f) +
-            felt *
+            bed_influence *
                 (short_waves_left(depth) * field_at<Scalar>(block.remainder, 0, i) - Scalar(1.0f));
         // Limiter and shape come with the bed, and the rest of the open sea's displacement goes.
-        const Scalar share = Scalar(1.0f) + felt * (broken.share - Scalar(1.0f));
-        const Scalar open = Scalar(1.0f) - felt;
+        const Scalar share = Scalar(1.0f) + bed_influence * (broken.share - Scalar(1.0f));
+        const Scalar open = Scalar(1.0f) - bed_influence;
         const LinearWaves<Scalar>& sea = block.open[i];
-        coast[n].height = real + felt * (broken.height - real) + calm * rest.height;
-        coast[n].displacement_x =
-            share * wavy.sums.along_x.at<Scalar>(n) + calm * rest.displacement_x +
-            open * (sea.displacement_x - rest.displacement_x - wavy.sums.left_x.at<Scalar>(n));
-        coast[n].displacement_y =
-            share * wavy.sums.along_y.at<Scalar>(n) + calm * rest.displacement_y +
-            open * (sea.displacement_y - rest.displacement_y - wavy.sums.left_y.at<Scalar>(n));
+        coast[n].height =
+            real + bed_influence * (broken.height - real) + short_wave_gain * unbanded.height;
+        coast[n].displacement_x = share * shoaling.sums.along_x.at<Scalar>(n) +
+                                  short_wave_gain * unbanded.displacement_x +
+                                  open * (sea.displacement_x - unbanded.displacement_x -
+                                          shoaling.sums.left_x.at<Scalar>(n));
+        coast[n].displacement_y = share * shoaling.sums.along_y.at<Scalar>(n) +
+                                  short_wave_gain * unbanded.displacement_y +
+                                  open * (sea.displacement_y - unbanded.displacement_y -
+                                          shoaling.sums.left_y.at<Scalar>(n));
         // The waves in no band, which break by the wind, end before the water does.
         // Where few waves arrive, few are steep enough to break by it.
         points[i].surf = std::max({surf_weight(rms_height.value(), depth.value()),
@@ -320,19 +324,19 @@ void ShoreSurface::finish(Block<Scalar>& block, std::span<ShorePoint> points) co
                                    1.0f - shore_step(Plain(block.breaking.value[2][n])).value()});
         points[i].breaking = breaking_source(real.value(), imaginary.value(), rms_height.value(),
                                              depth.value(), block.breaking.value[1][n]);
-        end_in_swash<Scalar>(swash_place<Scalar>(block.ground, i, block.breaking, n),
-                             {real, imaginary, wavy.sums.squares.at<Scalar>(n)}, felt, coast[n],
-                             points[i]);
+        apply_swash<Scalar>(swash_place<Scalar>(block.ground, i, block.breaking, n),
+                            {real, imaginary, shoaling.sums.squares.at<Scalar>(n)}, bed_influence,
+                            coast[n], points[i]);
     }
     for (std::size_t i = 0, n = 0; i < block.places.count; ++i) {
-        const bool is_wavy = n < wavy.places.count && wavy.label[n] == i;
-        const LinearWaves<Scalar>& here = is_wavy ? coast[n] : block.open[i];
-        n += is_wavy ? 1 : 0;
+        const bool is_shoaling = n < shoaling.places.count && shoaling.label[n] == i;
+        const LinearWaves<Scalar>& local = is_shoaling ? coast[n] : block.open[i];
+        n += is_shoaling ? 1 : 0;
         ShorePoint& point = points[i];
         point.on_bed = block.share[i].value();
         if (point.on_bed > 0.0f) point.bed = block.ground.value[0][i];
         BorderWeights<Scalar> weights;
-        const bool mixed = point.on_bed < 1.0f && is_wavy;
+        const bool mixed = point.on_bed < 1.0f && is_shoaling;
         if (mixed) {
             weights = border_weights(block.share[i],
                                      held_in_unit(field_at<Scalar>(block.remainder, 1, i)));
@@ -340,9 +344,9 @@ void ShoreSurface::finish(Block<Scalar>& block, std::span<ShorePoint> points) co
         const auto mix = [&](const Scalar& coast_part, const Scalar& open_part) {
             return mixed ? weights.coast * coast_part + weights.open * open_part : coast_part;
         };
-        point.height = Jet(mix(here.height, block.open[i].height));
-        point.dx = Jet(-chop * mix(here.displacement_x, block.open[i].displacement_x));
-        point.dy = Jet(-chop * mix(here.displacement_y, block.open[i].displacement_y));
+        point.height = Jet(mix(local.height, block.open[i].height));
+        point.dx = Jet(-chop * mix(local.displacement_x, block.open[i].displacement_x));
+        point.dy = Jet(-chop * mix(local.displacement_y, block.open[i].displacement_y));
         point.breaking *= point.on_bed;
         point.surf *= point.on_bed;
     }

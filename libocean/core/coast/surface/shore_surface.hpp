@@ -14,8 +14,8 @@
 #include <span>
 #include <vector>
 
+#include "coast/loops/band_sector_task.hpp"
 #include "coast/loops/band_signals.hpp"
-#include "coast/loops/pair_task.hpp"
 #include "coast/statics/breaking.hpp"
 #include "coast/statics/shore_statics.hpp"
 #include "coast/surface/open_spans.hpp"
@@ -34,7 +34,7 @@ namespace ocean {
 class ThreadPool;
 struct BlockPlaces;
 struct BlockSignal;
-struct WavyBlock;
+struct ShoalingBlock;
 
 /// The surface at one label. A point is displayed at its label plus (dx, dy).
 struct ShorePoint {
@@ -66,12 +66,12 @@ struct LocalWave {
 /// The weights of the waves of a place.
 struct LocalSea {
     bool is_over_bed = false;
-    double bed = 0.0;      // its height [m]
-    double depth = 0.0;    // that the waves feel [m]
-    double felt = 0.0;     // weight of the waves of bands and sectors against the open sea's
-    double limited = 1.0;  // factor of the limiter
-    double calm = 1.0;     // factor of the waves in no band
-    double coast = 0.0;    // weights at the border of the bed
+    double bed = 0.0;            // its height [m]
+    double depth = 0.0;          // that the waves feel [m]
+    double bed_influence = 0.0;  // weight of the waves of bands and sectors against the open sea's
+    double limited = 1.0;        // factor of the limiter
+    double short_wave_gain = 1.0;  // factor of the waves in no band
+    double coast = 0.0;            // weights at the border of the bed
     double open = 1.0;
 };
 
@@ -145,7 +145,7 @@ class ShoreSurface {
     void read_block(Block<Scalar>& block, const ReadySums& ready,
                     std::span<ShorePoint> points) const;
     template <typename Scalar>
-    void find_wavy(Block<Scalar>& block) const;
+    void find_shoaling(Block<Scalar>& block) const;
     template <typename Scalar>
     void find_lee(Block<Scalar>& block, std::size_t i) const;
     template <typename Scalar>
@@ -155,19 +155,21 @@ class ShoreSurface {
     /// Returns the depth of the water at a label in the swash [m], by the waves in bands alone.
     float swash_depth(const SurfLabels& labels, std::size_t at,
                       const SwashWaves<float>& waves) const;
-    /// Ends a surface whose breaking waves reach a place in its swash. felt: see Block.
+    /// Ends a surface whose breaking waves reach a place in its swash. bed_influence: see Block.
     template <typename Scalar>
-    void end_in_swash(const SwashPlace<Scalar>& place, const SwashWaves<Scalar>& waves,
-                      const Scalar& felt, LinearWaves<Scalar>& surface, ShorePoint& point) const;
+    void apply_swash(const SwashPlace<Scalar>& place, const SwashWaves<Scalar>& waves,
+                     const Scalar& bed_influence, LinearWaves<Scalar>& surface,
+                     ShorePoint& point) const;
     void prepare(const Modes& modes, const OpenSpans& spans, ThreadPool& pool);
     /// Writes where labels lie in the maps of the coast.
     void find_places(BlockPlaces& places) const;
     /// Adds all waves at labels that feel the bed, without `displaces` the values of Z alone.
-    void add_waves(JetParts parts, bool displaces, const ShoreSums* exact, WavyBlock& block) const;
+    void add_waves(JetParts parts, bool displaces, const ShoreSums* exact,
+                   ShoalingBlock& block) const;
     /// Takes them from a backend's instead.
-    static void take_sums(JetParts parts, const ReadySums& ready, WavyBlock& block);
+    static void take_sums(JetParts parts, const ReadySums& ready, ShoalingBlock& block);
     void add_left(std::size_t waves, JetParts parts, const ShoreSums* exact,
-                  WavyBlock& block) const;
+                  ShoalingBlock& block) const;
     /// Writes the signal of one of the waves at `count` places.
     void read_signal(std::size_t waves, std::size_t count, const double* x, const double* y,
                      JetParts parts, const ShoreSums* exact, BlockSignal& signal) const;
@@ -184,7 +186,7 @@ class ShoreSurface {
     LimiterGain limiter_gain_;
     double time_ = 0.0;
     Rates rates_;
-    PairLoop pair_loop_;
+    BandSectorLoop band_sector_loop_;
     std::optional<Domain> region_;
     OpenSpans region_spans_;  // of region_
 };

@@ -21,9 +21,9 @@ void point_at(Pointers& to, Jets& jets) {
 }
 
 /// Returns the task of a pair without what differs between pairs.
-PairTask common_task(JetParts parts, WavyBlock& block, const BlockSignal& signal,
-                     const QuadBlock& delay) {
-    PairTask task{};
+BandSectorTask common_task(JetParts parts, ShoalingBlock& block, const BlockSignal& signal,
+                           const QuadBlock& delay) {
+    BandSectorTask task{};
     task.count = block.places.count;
     task.parts = parts;
     for (std::size_t field = 0; field < 4; ++field) {
@@ -51,13 +51,13 @@ void ShoreSurface::find_places(BlockPlaces& places) const {
 }
 
 void ShoreSurface::add_waves(JetParts parts, bool displaces, const ShoreSums* exact,
-                             WavyBlock& block) const {
+                             ShoalingBlock& block) const {
     const std::size_t count = block.places.count;
     const bool slopes = parts != JetParts::value;
     QuadBlock delay, amplitudes;
     BlockSignal signal;
     std::array<double, kShoreBlock> place_x, place_y;
-    PairTask task = common_task(parts, block, signal, delay);
+    BandSectorTask task = common_task(parts, block, signal, delay);
     task.displaces = displaces;
     for (BlockJets* const sum : block.sums.all()) sum->clear(parts);
     for (std::size_t waves = 0; waves < statics_.bands().waves.size(); ++waves) {
@@ -77,7 +77,7 @@ void ShoreSurface::add_waves(JetParts parts, bool displaces, const ShoreSums* ex
         task.amplitude[2] = amplitudes.by_y[waves % 4].data();
         const BlockJets& displacement = block.displacement[static_cast<std::size_t>(of.band)];
         for (std::size_t p = 0; p < 3; ++p) task.displacement[p] = displacement.part[p].data();
-        pair_loop_(task);
+        band_sector_loop_(task);
         if (displaces) add_left(waves, parts, exact, block);
     }
 }
@@ -99,7 +99,7 @@ void ShoreSurface::read_signal(std::size_t waves, std::size_t count, const doubl
     }
 }
 
-void ShoreSurface::take_sums(JetParts parts, const ReadySums& ready, WavyBlock& block) {
+void ShoreSurface::take_sums(JetParts parts, const ReadySums& ready, ShoalingBlock& block) {
     const float* from = ready.sums.data() + ready.first;
     for (BlockJets* const sum : block.sums.all()) {
         for (std::size_t p = 0; p < static_cast<std::size_t>(parts); ++p, from += ready.labels) {
@@ -119,7 +119,7 @@ CoastWaves ShoreSurface::waves() const {
     CoastWaves all;
     for (std::size_t i = 0; i < delays.bands.waves.size(); ++i) {
         const ShoreWaves& of = delays.bands.waves[i];
-        CoastPair& pair = all.pairs.emplace_back();
+        CoastBandSector& pair = all.pairs.emplace_back();
         pair.band = of.band;
         pair.centre = static_cast<float>(sector_centre(of.sector));
         pair.open_displacement = energy.depths.open_displacement(of.band);
@@ -129,7 +129,7 @@ CoastWaves ShoreSurface::waves() const {
         to.domain = grid.domain();
         to.maps.push_back(floats(grid.quads()));
     };
-    for (const PairDelays& pair : delays.waves) add(all.delays, *pair.maps);
+    for (const BandSectorDelays& pair : delays.waves) add(all.delays, *pair.maps);
     add(all.delays, delays.ground);
     all.delays.owner = statics_.delays;
     for (const QuadGrid& amplitudes : energy.amplitudes) add(all.energy, amplitudes);
@@ -144,15 +144,15 @@ CoastWaves ShoreSurface::waves() const {
 
 /// Where the open sea fades in, what it displaces beside the sectors' middles fades in too.
 void ShoreSurface::add_left(std::size_t waves, JetParts parts, const ShoreSums* exact,
-                            WavyBlock& block) const {
+                            ShoalingBlock& block) const {
     std::size_t count = 0;
-    std::array<std::size_t, kShoreBlock> wavy;
+    std::array<std::size_t, kShoreBlock> index;
     std::array<double, kShoreBlock> x, y;
     for (std::size_t n = 0; n < block.places.count; ++n) {
         if (!block.partly[n]) continue;
         x[count] = block.places.x[n];
         y[count] = block.places.y[n];
-        wavy[count++] = n;
+        index[count++] = n;
     }
     if (count == 0) return;
     BlockSignal signal;
@@ -165,8 +165,8 @@ void ShoreSurface::add_left(std::size_t waves, JetParts parts, const ShoreSums* 
     for (std::size_t p = 0; p < static_cast<std::size_t>(parts); ++p) {
         for (std::size_t l = 0; l < count; ++l) {
             const float displacement = open_ratio * signal.im.part[p][l];
-            block.sums.left_x.part[p][wavy[l]] += along_x * displacement;
-            block.sums.left_y.part[p][wavy[l]] += along_y * displacement;
+            block.sums.left_x.part[p][index[l]] += along_x * displacement;
+            block.sums.left_y.part[p][index[l]] += along_y * displacement;
         }
     }
 }

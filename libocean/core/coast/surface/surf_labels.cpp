@@ -90,7 +90,7 @@ std::vector<SurfLabels> find_surf(const ShoreStatics& statics, const RunUpSea& s
 
 void ShoreSurface::read_surf(const SurfLabels& labels, std::span<float> breaking,
                              std::span<float> depths) const {
-    WavyBlock block;
+    ShoalingBlock block;
     for (std::size_t first = 0; first < labels.size(); first += kShoreBlock) {
         BlockPlaces& places = block.places;
         places.count = std::min(kShoreBlock, labels.size() - first);

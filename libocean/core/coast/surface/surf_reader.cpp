@@ -65,8 +65,8 @@ FoamSource SurfReader::source(SurfTrace trace, double lifetime,
                 const float past = before.map == nullptr ? 0.0f : before.fade * before.map[i];
                 const float now =
                     trace == SurfTrace::foam ? piece.breaking[n] : covered_by(piece.depths[n]);
-                const float here = std::max(now, past);
-                left[i] = here < before.cutoff ? 0.0f : here;
+                const float value = std::max(now, past);
+                left[i] = value < before.cutoff ? 0.0f : value;
             }
         });
     };

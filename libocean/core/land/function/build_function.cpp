@@ -146,15 +146,15 @@ class Builder {
         if (detail.has_waves()) {
             parts_.detail = std::make_shared<const FineWaves>(detail.density(), detail.longest(),
                                                               shortest, terrain_.seed, pool_);
-            hold_samples(domain, moved);
+            limit_base_shift(domain, moved);
         }
         parts_.base = std::make_shared<const SplinePyramid>(domain, moved, pool_);
         parts_.offset = terrain_.mean;
     }
 
-    /// Takes so much of the detail from the samples of the base that both together move them by at
-    /// most base_error.
-    void hold_samples(const Domain& domain, std::vector<float>& heights) const {
+    /// Subtracts a share of the detail from the samples of the base, so that both together move the
+    /// samples by at most base_error [m rms].
+    void limit_base_shift(const Domain& domain, std::vector<float>& heights) const {
         const double error = terrain_.base_error.value_or(default_base_error(*terrain_.base_model));
         const double rms = std::sqrt(parts_.detail->variance());
         const double taken = std::max(0.0, 1.0 - error / rms);
@@ -174,14 +174,14 @@ class Builder {
     }
 
     /// Replaces what the land is made of so far by its heights on its grid.
-    void rest_on_grid(const Domain& domain, std::span<const float> heights) {
+    void replace_by_grid(const Domain& domain, std::span<const float> heights) {
         parts_.base = std::make_shared<const SplinePyramid>(domain, heights, pool_);
         parts_.offset = 0.0;
         parts_.domain = domain;
     }
 
     /// Returns the heights of the land so far, gullies and finer waves with it but no detail.
-    std::vector<float> heights_on(const Domain& domain) const {
+    std::vector<float> current_heights(const Domain& domain) const {
         LandFunctionParts so_far = parts_;
         so_far.detail = nullptr;
         const Surface map =
@@ -215,7 +215,7 @@ class Builder {
             return parts_.base->level(cell).value_at(x, y) + offset -
                    terrain_.island * std::hypot(u, v);
         });
-        rest_on_grid(domain, heights);
+        replace_by_grid(domain, heights);
     }
 
     double level() const { return terrain_.coast_level.value_or(0.0); }
@@ -233,7 +233,7 @@ class Builder {
         const StreamLand& land = *carved_.land;
         const std::vector<float> heights =
             with_sea_bed(land, *parts_.base, parts_.offset, domain, level(), pool_);
-        rest_on_grid(domain, heights);
+        replace_by_grid(domain, heights);
         add_stream_mask(LandMask::flow, domain, land.area);
         add_stream_mask(LandMask::deposit, domain, land.deposit);
         add_stream_mask(LandMask::streambed, domain, land.channel);
@@ -245,7 +245,7 @@ class Builder {
         settings.level = level();
         const int levels = shore_levels(settings);
         const Domain domain = square_domain(1 << levels);
-        const std::vector<float> before = heights_on(domain);
+        const std::vector<float> before = current_heights(domain);
         std::vector<float> heights = before;
         const ShorelineMaps maps =
             shape_shoreline(heights, domain, settings, pool_, reporter("shore"));

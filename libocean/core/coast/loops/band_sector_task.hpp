@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The input of the loop that adds the waves of one pair to the labels of a block: plain data, so
-// that the files compiled for one instruction set need nothing of the standard library.
+// The input of the loop that adds the waves of one band and sector to the labels of a block: plain
+// data, so that the files compiled for one instruction set need nothing of the standard library.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ enum class JetParts { value = 1, gradient = 3, all = 4 };
 
 /// Arrays of one float for each label, whole vectors of 64 bytes long. Their first index is the
 /// part: value, by x, by y, by t.
-struct PairTask {
+struct BandSectorTask {
     std::size_t count;
     JetParts parts;
     bool displaces;             // whether along_x and along_y are written; if not, values alone
@@ -27,18 +27,18 @@ struct PairTask {
     const float* re[4];         // the signal at the shifted place, by that place [m]
     const float* im[4];
     const float* displacement[3];  // coth(k d)
-    // Sums over pairs, by the label: the waves [m], their squares, and their displacement at
-    // choppiness 1 [m].
+    // Sums over bands and sectors, by the label: the waves [m], their squares, and their
+    // displacement at choppiness 1 [m].
     float* real[4];
     float* imaginary[4];
-    float* squares[4];  // of |Z| of each pair [m^2]
+    float* squares[4];  // of |Z| of each band and sector [m^2]
     float* along_x[4];
     float* along_y[4];
 };
 
-using PairLoop = void (*)(const PairTask&);
+using BandSectorLoop = void (*)(const BandSectorTask&);
 
 /// Returns the loop of an instruction set that is compiled in.
-PairLoop pair_loop(SimdLevel level);
+BandSectorLoop band_sector_loop(SimdLevel level);
 
 }  // namespace ocean

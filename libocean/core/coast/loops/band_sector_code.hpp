@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The loop over labels that adds the waves of one pair, for one instruction set; the build compiles
-// it once for each (core/CMakeLists.txt).
+// The loop over labels that adds the waves of one band and sector, for one instruction set; the
+// build compiles it once for each (core/CMakeLists.txt).
 #pragma once
 
 #include "base/simd/simd.hpp"
-#include "coast/loops/pair_task.hpp"
+#include "coast/loops/band_sector_task.hpp"
 
 namespace ocean::OCEAN_KERNEL {
 
@@ -94,7 +94,7 @@ OCEAN_INLINE LaneJet<kParts> by_label(const LaneJet<kParts>& at_place,
 }
 
 template <int kParts, bool kDisplaces>
-OCEAN_INLINE void add_pair(const PairTask& task) {
+OCEAN_INLINE void add_band_sector(const BandSectorTask& task) {
     constexpr int kStatic = kParts < 3 ? kParts : 3;
     for (std::size_t label = 0; label < task.count; label += kLanes) {
         const auto delay = [&](int field) OCEAN_INLINE_LAMBDA {
@@ -128,18 +128,19 @@ OCEAN_INLINE void add_pair(const PairTask& task) {
     }
 }
 
-static void run_pair_loop(const PairTask& task) {
+static void run_band_sector_loop(const BandSectorTask& task) {
     switch (task.parts) {
         case JetParts::value:
-            return task.displaces ? add_pair<1, true>(task) : add_pair<1, false>(task);
+            return task.displaces ? add_band_sector<1, true>(task)
+                                  : add_band_sector<1, false>(task);
         case JetParts::gradient:
-            return add_pair<3, true>(task);
+            return add_band_sector<3, true>(task);
         case JetParts::all:
-            return add_pair<4, true>(task);
+            return add_band_sector<4, true>(task);
     }
 }
 
-extern const PairLoop kPairLoop;
-constexpr PairLoop kPairLoop = run_pair_loop;
+extern const BandSectorLoop kBandSectorLoop;
+constexpr BandSectorLoop kBandSectorLoop = run_band_sector_loop;
 
 }  // namespace ocean::OCEAN_KERNEL
