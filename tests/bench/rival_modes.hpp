@@ -16,6 +16,11 @@
 
 namespace ocean::bench {
 
+/// Returns the FFT index of -k, at which h0(-k) is read from the same array.
+constexpr int mirror_index(int index, int n) {
+    return index == 0 ? 0 : n - index;
+}
+
 /// One row of modes. h(k, t) = p cos + q sin of 2 pi rate tau, with p = h0(k) + conj(h0(-k)) and
 /// q = i (conj(h0(-k)) - h0(k)).
 struct SpectralRow {

@@ -89,12 +89,12 @@ TEST_F(LandPatchesTest, ShownVerticesAreThoseOfTheQuadtreeWithTheHeightsOfTheFie
         const auto key = [](double x, double y) {
             return std::pair{std::lround(16.0 * x), std::lround(16.0 * y)};
         };
-        std::vector<std::array<double, 3>> positions;
         for (const LandPatch& patch : patches) {
             const double spacing = settings.spacing_of(patch.level);
             if (domain.wraps && spacing * 16.0 > domain.size[0]) continue;  // they show the mean
-            place_patch(settings, view, patch, sampler_of(*shown.function, pool_), positions);
-            for (const auto& p : positions) heights[key(p[0], p[1])] = p[2];
+            const LandMesh mesh =
+                make_land_mesh(settings, {&patch, 1}, view, sampler_of(*shown.function, pool_));
+            for (const auto& p : mesh.positions) heights[key(p[0], p[1])] = p[2];
         }
         std::size_t compared = 0;
         double worst = 0.0;

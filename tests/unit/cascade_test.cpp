@@ -19,6 +19,7 @@
 #include "ocean/map_request.hpp"
 #include "test_seas.hpp"
 #include "wave/wave.hpp"
+#include "waves/surface/plane_channels.hpp"
 
 namespace ocean {
 namespace {
@@ -208,8 +209,11 @@ TEST(Cascades, TheMapIsTheSumOfTheSmallMaps) {
         }
     }
     const SurfaceSettings settings = with_threshold(parameters.surface, sea.modes(), kSize);
-    const Surface sum =
-        combine_planes(sums, {kSize, 700.0}, kTime, settings, test::kAllChannels, pool);
+    Surface sum(Lattice{kSize, 700.0}, kTime, test::kAllChannels);
+    const std::vector<MapOutput> outputs = outputs_of(sum);
+    MapRequest request{{}, settings, outputs, {}};
+    request.modes.resolution = kSize;
+    write_channels(sums, request, {}, pool);
     const double hs = sea.state().significant_wave_height.resolved;
     for (int c = 0; c < kChannelCount; ++c) {
         const auto channel = static_cast<Channel>(c);

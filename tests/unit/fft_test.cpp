@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <random>
 
+#include "direct_dft.hpp"
 #include "ocean/grid.hpp"
 
 namespace ocean {
@@ -49,7 +50,7 @@ TEST(Fft, AgreesWithTheDirectSumForEverySizeAndDirection) {
         for (const FftDirection direction : {FftDirection::forward, FftDirection::inverse}) {
             std::vector<Complex> data = input;
             Radix2Fft<double>(n).transform(data.data(), 1, direction);
-            EXPECT_LT(largest_difference(data, direct_dft(input, direction)), 1e-11 * n);
+            EXPECT_LT(largest_difference(data, test::direct_dft(input, direction)), 1e-11 * n);
         }
     }
 }
@@ -84,7 +85,7 @@ TEST(Fft, ColumnsAreReadWithAStride) {
     Radix2Fft<double>(kSize).transform(data.data() + 1, 3, FftDirection::forward);
     std::vector<Complex> column;
     for (int i = 0; i < kSize; ++i) column.push_back(input[static_cast<std::size_t>(3 * i + 1)]);
-    const std::vector<Complex> expected = direct_dft(column, FftDirection::forward);
+    const std::vector<Complex> expected = test::direct_dft(column, FftDirection::forward);
     for (int i = 0; i < kSize; ++i) {
         const auto at = static_cast<std::size_t>(i);
         EXPECT_NEAR(std::abs(data[3 * at + 1] - expected[at]), 0.0, 1e-12);

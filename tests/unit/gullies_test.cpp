@@ -28,8 +28,10 @@
 namespace ocean {
 namespace {
 
+using test::GullyLatticePoint;
 using test::kValues;
 using test::levels;
+using test::nearest_lattice_point;
 using test::Points;
 using test::random_hills;
 using test::set_hills;

@@ -48,6 +48,25 @@ struct Points {
     }
 };
 
+/// The lattice point of an octave next to a place along one axis, GullyCell of the shader.
+struct GullyLatticePoint {
+    std::uint32_t index = 0;  // 0 .. count - 1, or modulo 2^32
+    double offset = 0.0;      // from the lattice point to the place [wavelengths], -1/2 .. 1/2
+};
+/// Returns the point for one place, as the loop over points finds it for several.
+inline GullyLatticePoint nearest_lattice_point(const GullyOctave& octave, double place) {
+    const double at = place * (1.0 / octave.wavelength);
+    double whole = (at + kRoundDouble) - kRoundDouble;
+    const double offset = at - whole;
+    if (octave.count > 0) {
+        const double count = octave.count;
+        whole -= ((whole * (1.0 / count) + kRoundDouble) - kRoundDouble) * count;
+        if (whole < 0.0) whole += count;
+    }
+    const auto bits = std::bit_cast<std::uint64_t>(whole + kRoundDouble);
+    return {static_cast<std::uint32_t>(bits), offset};
+}
+
 /// Sets a smooth base of hills, 200 m high and kilometres apart, which repeats after 6100 m.
 inline void set_hills(Points& points, std::size_t p) {
     const double kx = kTwoPi / 6100.0;

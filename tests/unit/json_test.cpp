@@ -29,8 +29,8 @@ TEST(Json, EscapesText) {
     EXPECT_EQ(ocean::json_string("\xc3\xbc \xe2\x82\xac"), "\"\xc3\xbc \xe2\x82\xac\"");
     EXPECT_EQ(ocean::json_string("\xff|\xc3|\xed\xa0\x80|\xc0\xaf"), R"("?|?|???|??")");
     const std::vector<std::string> files = {"a", "b\"c"};
-    EXPECT_EQ(ocean::json_list(files), R"(["a", "b\"c"])");
-    EXPECT_EQ(ocean::json_list({}), "[]");
+    EXPECT_EQ(ocean::json_array(files).text(), R"(["a", "b\"c"])");
+    EXPECT_EQ(JsonArray().text(), "[]");
     EXPECT_EQ(JsonObject().add("a\"b", "c\"d").text(), R"({"a\"b": "c\"d"})");
 }
 

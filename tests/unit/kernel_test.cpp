@@ -8,6 +8,7 @@
 #include <cstring>
 #include <random>
 
+#include "direct_dft.hpp"
 #include "ocean/map_request.hpp"
 #include "simd_levels.hpp"
 #include "test_seas.hpp"
@@ -58,7 +59,7 @@ TEST(Kernel, EveryCodeletIsTheDirectSumInEveryLane) {
                 for (std::size_t j = 0; j < n; ++j) {
                     line.emplace_back(in[2 * j * lanes + lane], in[(2 * j + 1) * lanes + lane]);
                 }
-                const auto expected = direct_dft(line, FftDirection::inverse);
+                const auto expected = test::direct_dft(line, FftDirection::inverse);
                 for (std::size_t k = 0; k < n; ++k) {
                     EXPECT_NEAR(out[2 * k * lanes + lane], expected[k].real(), 3e-7 * points);
                     EXPECT_NEAR(out[(2 * k + 1) * lanes + lane], expected[k].imag(), 3e-7 * points);

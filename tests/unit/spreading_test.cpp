@@ -43,6 +43,13 @@ WaveSystem with(SpreadingKind kind) {
     return system;
 }
 
+/// Returns the factor that normalises |cos(theta/2)|^(2s) over the full circle.
+double cosine_2s_normalisation(double s) {
+    // ln Q = (2s-1) ln 2 - ln pi + 2 ln Gamma(s+1) - ln Gamma(2s+1): tgamma overflows from s = 86.
+    return std::exp((2.0 * s - 1.0) * std::log(2.0) - std::log(kPi) + 2.0 * std::lgamma(s + 1.0) -
+                    std::lgamma(2.0 * s + 1.0));
+}
+
 TEST(Spreading, CosinePowerNormalisationHoldsToS200) {
     for (double s = 0.5; s <= 200.0; s += 0.5) {
         constexpr int kSteps = 4096;

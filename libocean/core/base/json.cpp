@@ -37,10 +37,6 @@ std::string json_string(std::string_view text) {
     return out + '"';
 }
 
-std::string json_list(std::span<const std::string> texts) {
-    return json_array(texts).text();
-}
-
 Json::Json(const JsonItems& items) : text_(items.text()) {}
 
 Json::Json(double value, std::string (*spelling)(double)) : text_(spelling(value)) {

@@ -142,11 +142,6 @@ PlacedPatch placed(const QuadtreeSettings& settings, const LandView& view, const
 
 }  // namespace
 
-void place_patch(const QuadtreeSettings& settings, const LandView& view, const LandPatch& patch,
-                 const HeightSampler& sampler, std::vector<Position>& positions) {
-    positions = placed(settings, view, patch, sampler, 0).positions;
-}
-
 std::uint64_t land_mesh_bytes(const QuadtreeSettings& settings, std::span<const LandPatch> patches,
                               int further_values) {
     const std::uint64_t vertices = vertices_of(settings, patches);

@@ -38,9 +38,4 @@ class Radix2Fft {
 extern template class Radix2Fft<float>;
 extern template class Radix2Fft<double>;
 
-/// Returns the transform by its defining sum in double: N^2 operations, any N. The reference for
-/// all others.
-std::vector<std::complex<double>> direct_dft(std::span<const std::complex<double>> data,
-                                             FftDirection direction);
-
 }  // namespace ocean

@@ -38,10 +38,6 @@ constexpr int signed_wavenumber(int index, int n) {
 constexpr int fft_index(int wavenumber, int n) {
     return wavenumber < 0 ? wavenumber + n : wavenumber;
 }
-/// Returns the FFT index of -k, at which h0(-k) is read from the same array.
-constexpr int mirror_index(int index, int n) {
-    return index == 0 ? 0 : n - index;
-}
 /// Returns the index of the mode (n, m), signed, in an array of size x size modes.
 constexpr std::size_t mode_index(int n, int m, int size) {
     return static_cast<std::size_t>(fft_index(m, size)) * static_cast<std::size_t>(size) +

@@ -38,13 +38,6 @@ struct GullyOctave {
     double weight = 0.0;      // in the masks: 0.6 of that of the octave before
 };
 
-/// The lattice point of an octave next to a place along one axis, GullyCell of the shader.
-struct GullyLatticePoint {
-    std::uint32_t index = 0;  // 0 .. count - 1, or modulo 2^32
-    double offset = 0.0;      // from the lattice point to the place [wavelengths], -1/2 .. 1/2
-};
-GullyLatticePoint nearest_lattice_point(const GullyOctave& octave, double place);
-
 /// Places and the values there. All spans but empty masks have one size.
 struct GullyPoints {
     std::span<const double> x, y;  // [m], within 1e9

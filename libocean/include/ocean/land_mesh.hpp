@@ -40,11 +40,6 @@ struct LandMesh {
     std::vector<float> values;
 };
 
-/// Writes the (quads + 1)^2 vertices of a patch as the view shows them, row by row from its lower
-/// left corner [m].
-void place_patch(const QuadtreeSettings& settings, const LandView& view, const LandPatch& patch,
-                 const HeightSampler& sampler, std::vector<std::array<double, 3>>& positions);
-
 /// Returns an upper bound of the bytes that make_land_mesh needs, its result included.
 std::uint64_t land_mesh_bytes(const QuadtreeSettings& settings, std::span<const LandPatch> patches,
                               int further_values = 0);

@@ -33,13 +33,4 @@ Surface make_surface(const Modes& modes, const SurfaceSettings& settings, double
                      ChannelSet channels, const Backend& backend, ThreadPool& pool,
                      int resolution = 0);
 
-/// Returns the channels computed from planes of their linear fields (fields_of), such as sums over
-/// the small maps of cascades. `settings` as from with_threshold.
-Surface combine_planes(const LinearPlanes<float>& planes, const Lattice& lattice, double time,
-                       const SurfaceSettings& settings, ChannelSet channels, ThreadPool& pool);
-
-/// Returns the largest |imaginary part| of the height field over its rms, by a full complex
-/// transform: 0 to rounding if the modes are Hermitian. For tests and verification.
-double imaginary_residue(const Modes& modes, double time);
-
 }  // namespace ocean

@@ -55,8 +55,4 @@ struct Ring {
 std::vector<Ring> measure_rings(const Domain& domain, std::span<const float> heights,
                                 ThreadPool& pool, const RingOptions& options = {});
 
-/// Returns beta of the law S ~ k^-2beta by least squares of log S over log k, weighted by count,
-/// over the rings with k in [lowest, highest]. Throws Error invalid_value for fewer than 2 rings.
-double amplitude_exponent(std::span<const Ring> rings, double lowest, double highest);
-
 }  // namespace ocean

@@ -34,10 +34,6 @@ double swell_exponent(double x, double swell);
 /// length r1 (0 .. 1): sqrt(2 (1 - r1)) [Kuik 1988]; sqrt(2) without a preferred direction.
 double circular_spread(double r1);
 
-/// Returns the factor that normalises |cos(theta/2)|^(2s) over the full circle, by lgamma: finite
-/// for any s.
-double cosine_2s_normalisation(double s);
-
 /// Writes one row D(theta_j), theta_j = 2 pi j / row.size(), around mean_direction [rad], so that
 /// sum(row) * 2 pi / row.size() == 1 to rounding. x = omega / omega_p. Uses the parameters
 /// spreading, swell, opposing and alignment (Phillips) of `system`.

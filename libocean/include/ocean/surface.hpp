@@ -17,8 +17,6 @@
 
 namespace ocean {
 
-class ThreadPool;
-
 /// Planar maps, row-major [j][i], sample (i, j) at domain().place(i, j).
 class Surface {
   public:
@@ -50,9 +48,5 @@ class Surface {
 
 /// Returns an output for each channel of a surface, which writes into its planes.
 std::vector<MapOutput> outputs_of(Surface& surface);
-
-/// Writes the channels of a map of any domain into outputs without a seam, which hold no linear
-/// fields.
-void copy_channels(const Surface& map, std::span<const MapOutput> outputs, ThreadPool& pool);
 
 }  // namespace ocean

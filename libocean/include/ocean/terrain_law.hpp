@@ -41,8 +41,6 @@ class TerrainLaw {
 
     /// Returns S at (kx, ky) [rad/m]; 0 at k = 0.
     double density(double kx, double ky) const;
-    /// Returns S in the direction theta [rad] of a wavenumber k [rad/m].
-    double density_along(double theta, double k) const;
     /// Returns true if S is in [m^4]; else it is relative, and rms or range scale the terrain.
     bool is_absolute() const { return absolute_; }
 

@@ -4,7 +4,6 @@
 // The octaves of the gullies and the choice of the loop over points; see gullies.hpp.
 #include "ocean/gullies.hpp"
 
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -115,19 +114,6 @@ GullyTask make_gully_task(const GullyFilter& filter, double cell) {
     }
     task.wear_scale = static_cast<float>(1.0 / weights);
     return task;
-}
-
-GullyLatticePoint nearest_lattice_point(const GullyOctave& octave, double place) {
-    const double at = place * (1.0 / octave.wavelength);
-    double whole = (at + kRoundDouble) - kRoundDouble;
-    const double offset = at - whole;
-    if (octave.count > 0) {
-        const double count = octave.count;
-        whole -= ((whole * (1.0 / count) + kRoundDouble) - kRoundDouble) * count;
-        if (whole < 0.0) whole += count;
-    }
-    const auto bits = std::bit_cast<std::uint64_t>(whole + kRoundDouble);
-    return {static_cast<std::uint32_t>(bits), offset};
 }
 
 double gully_share(double wavelength, double cell) {

@@ -95,8 +95,7 @@ struct LatticeLanes {
     Vec offset;
 };
 
-/// Returns the lattice point next to each of kLanes places along one axis, as nearest_lattice_point
-/// does for one.
+/// Returns the lattice point next to each of kLanes places along one axis.
 OCEAN_INLINE LatticeLanes nearest_points(const double* places, const GullyOctaveTask& octave) {
     DoubleLanes at;
     __builtin_memcpy(&at, places, sizeof(at));

@@ -278,35 +278,4 @@ std::vector<Ring> measure_rings(const Domain& domain, std::span<const float> hei
     return rings;
 }
 
-double amplitude_exponent(std::span<const Ring> rings, double lowest, double highest) {
-    double weight = 0.0, mean_x = 0.0, mean_y = 0.0;
-    int used = 0;
-    const auto for_each = [&](auto&& use) {
-        for (const Ring& ring : rings) {
-            if (ring.wavenumber < lowest || ring.wavenumber > highest || ring.density <= 0.0) {
-                continue;
-            }
-            use(std::log(ring.wavenumber), std::log(ring.density), ring.count);
-        }
-    };
-    for_each([&](double x, double y, double w) {
-        weight += w;
-        mean_x += w * x;
-        mean_y += w * y;
-        ++used;
-    });
-    if (used < 2) {
-        throw Error(ErrorKind::invalid_value,
-                    "an exponent needs 2 rings with a density, not " + std::to_string(used));
-    }
-    mean_x /= weight;
-    mean_y /= weight;
-    double xx = 0.0, xy = 0.0;
-    for_each([&](double x, double y, double w) {
-        xx += w * (x - mean_x) * (x - mean_x);
-        xy += w * (x - mean_x) * (y - mean_y);
-    });
-    return -0.5 * xy / xx;
-}
-
 }  // namespace ocean

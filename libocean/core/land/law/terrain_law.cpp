@@ -165,10 +165,6 @@ double TerrainLaw::density(double kx, double ky) const {
     return density * (1.0 + ridge(k) * turning(std::atan2(ky, kx)));
 }
 
-double TerrainLaw::density_along(double theta, double k) const {
-    return density(k * std::cos(theta), k * std::sin(theta));
-}
-
 double TerrainLaw::exponent(double k) const {
     constexpr int kDirections = 32;
     const double factor = std::pow(2.0, 0.25);

@@ -40,12 +40,6 @@ double circular_spread(double r1) {
     return std::sqrt(2.0 * std::clamp(1.0 - r1, 0.0, 1.0));
 }
 
-double cosine_2s_normalisation(double s) {
-    // ln Q = (2s-1) ln 2 - ln pi + 2 ln Gamma(s+1) - ln Gamma(2s+1): tgamma overflows from s = 86.
-    return std::exp((2.0 * s - 1.0) * std::log(2.0) - std::log(kPi) + 2.0 * std::lgamma(s + 1.0) -
-                    std::lgamma(2.0 * s + 1.0));
-}
-
 namespace {
 
 bool is_aligned(const WaveSystem& system) {

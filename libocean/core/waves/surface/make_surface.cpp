@@ -8,9 +8,7 @@
 #include "ocean/foam.hpp"
 #include "ocean/map_request.hpp"
 #include "ocean/thread_pool.hpp"
-#include "waves/kernel/cpu_backend.hpp"
 #include "waves/surface/map_writer.hpp"
-#include "waves/surface/plane_channels.hpp"
 
 namespace ocean {
 
@@ -34,28 +32,6 @@ Surface make_surface(const Modes& modes, const SurfaceSettings& settings, double
          outputs,
          {}},
         pool);
-    return surface;
-}
-
-Surface combine_planes(const LinearPlanes<float>& planes, const Lattice& lattice, double time,
-                       const SurfaceSettings& settings, ChannelSet channels, ThreadPool& pool) {
-    require_channels(channels);
-    Surface surface(lattice, time, channels);
-    std::vector<MapOutput> fast, others;
-    for (const MapOutput& output : outputs_of(surface)) {
-        const bool has_code = kCpuChannels.contains(output.component[0].quantity.channel());
-        (has_code ? fast : others).push_back(output);
-    }
-    PlanarFields fields{{}, static_cast<std::size_t>(lattice.resolution)};
-    for (const Linear field : kLinears) {
-        fields.plane[static_cast<std::size_t>(field)] = planes[field].data();
-    }
-    pool.for_each_range(lattice.resolution, [&](int first, int last) {
-        write_rows(fields, lattice.resolution, first, last, {0.0, settings, fast, {}});
-    });
-    MapRequest request{{}, settings, others, {}};
-    request.modes.resolution = lattice.resolution;
-    write_channels(planes, request, {}, pool);
     return surface;
 }
 

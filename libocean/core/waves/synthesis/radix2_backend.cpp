@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The `radix2` backend: one full complex transform per field, as in the textbook. Its imaginary
-// parts must vanish, which shows that the modes are those of a real sea.
-#include <cmath>
-
+// The `radix2` backend: one full complex transform per field, as in the textbook.
 #include "ocean/fft.hpp"
 #include "ocean/make_surface.hpp"
 #include "ocean/map_request.hpp"
@@ -26,19 +23,6 @@ LinearPlanes<float> synthesize_radix2(const MapModes& modes, LinearSet fields, T
         for (std::size_t i = 0; i < grid.size(); ++i) planes[field][i] = grid[i].real();
     });
     return planes;
-}
-
-double imaginary_residue(const Modes& modes, double time) {
-    const MapModes all = map_modes(modes, time, modes.lattice.resolution);
-    auto grid = coefficient_grid<double>(all, Linear::height);
-    Radix2Fft<double>(all.resolution).transform_2d(grid, FftDirection::inverse);
-    double largest = 0.0;
-    double sum = 0.0;
-    for (const std::complex<double>& value : grid) {
-        largest = std::max(largest, std::abs(value.imag()));
-        sum += value.real() * value.real();
-    }
-    return sum > 0.0 ? largest / std::sqrt(sum / static_cast<double>(grid.size())) : 0.0;
 }
 
 }  // namespace ocean

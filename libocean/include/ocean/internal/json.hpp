@@ -8,7 +8,6 @@
 #include <concepts>
 #include <cstddef>
 #include <ranges>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -19,8 +18,6 @@ namespace ocean {
 /// Returns the text in quotes, with quotation marks, backslashes and control characters escaped and
 /// bytes that are not UTF-8 replaced by '?'.
 std::string json_string(std::string_view text);
-/// Returns an array of strings.
-std::string json_list(std::span<const std::string> texts);
 
 class JsonItems;
 
