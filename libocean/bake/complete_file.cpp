@@ -35,7 +35,7 @@ void hash_file(const BakeFile& file, ManifestEntry& entry) {
     entry.sha256 = hash.hex();
 }
 
-/// Returns "" for a file that is not an image.
+/// Returns the hash of a file's pixels, "" for a file that is not an image.
 std::string hash_pixels(const BakePlan& plan, const BakeFile& file, int threads) {
     Sha256 hash;
     const bool image = plan.format->read_pixels(

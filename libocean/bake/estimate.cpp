@@ -23,7 +23,7 @@
 namespace ocean {
 namespace {
 
-/// The program and its libraries without a sea [bytes], measured.
+/// Memory of the program and its libraries without a sea [bytes], measured.
 constexpr std::uint64_t kProgramBytes = 30 << 20;
 
 /// Returns the memory of a frame: its maps, the work of making them, and the format's part [bytes].
@@ -54,7 +54,7 @@ std::uint64_t max_bytes_of_a_frame(const BakePlan& plan) {
     return bytes;
 }
 
-/// Adds the files of all frames, of which those of the ascending `kept` are complete.
+/// Adds the files of all frames. The frames in `kept`, which ascends, are complete.
 void list_frames(const BakePlan& plan, const std::vector<int>& kept, BakeForecast& forecast) {
     if (plan.frames.empty()) return;
     std::vector<BakeFile> first = plan.format->files(plan, plan.frames.front());
@@ -89,7 +89,7 @@ WorkShare share_work(const BakePlan& plan) {
     const int all = plan.threads > 0 ? plan.threads : available_cores();
     const int frames = static_cast<int>(plan.frames.size());
     int at_a_time = plan.is_sequential() ? 1 : std::clamp(frames, 1, all);
-    // Uses half of the available memory: the disk's cache and other programs need some too.
+    // Uses half of the available memory, because the disk's cache and other programs need some too.
     while (at_a_time > 1 && bake_memory_bytes(plan, at_a_time) > available_memory() / 2) {
         --at_a_time;
     }

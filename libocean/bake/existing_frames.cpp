@@ -16,8 +16,8 @@
 namespace ocean {
 namespace {
 
-/// Returns the frames, of the ascending `frames`, whose numbers stand in a name: each run of its
-/// digits, and each part of a run, since a name may have digits beside its token.
+/// Returns the frames, of the ascending `frames`, whose numbers appear in a name, as a run of
+/// digits or a part of a run, since a name may have digits beside its token.
 std::vector<int> frames_in_name(std::string_view name, std::span<const int> frames) {
     constexpr long long kMaxSize = 1LL << 31;
     const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
@@ -53,7 +53,7 @@ std::vector<int> frames_that_may_exist(const BakePlan& plan) {
         std::ranges::copy(frames_in_name(text::to_utf8(entry->path().filename()), frames),
                           std::back_inserter(found));
     }
-    if (error) return frames;  // a folder that may be written to, but not read
+    if (error) return frames;  // the folder is perhaps writable but not readable
     std::ranges::sort(found);
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// See frame_baker.hpp. A file is read back as soon as it is written, so that its hashes are those
-// of the disk's content and a faulty disk is detected.
+// See frame_baker.hpp. A file is read back as soon as it is written, so that the hashes are of the
+// disk's content and a faulty disk is detected.
 #include "frame_baker.hpp"
 
 #include <array>
@@ -69,8 +69,8 @@ std::vector<Surface> FrameBaker::make_maps(double time) {
     return surfaces;
 }
 
-/// Removes a symbolic link in the place of a frame to a file of the same folder, which may be
-/// another frame. Links to elsewhere are written through, as by every output.
+/// Removes a symbolic link at a frame's path that points to a file of the same folder, which may be
+/// another frame. Links to other folders are written through, as for every output.
 static void remove_link_to_frame(const BakeFile& file) {
     std::error_code code;
     const std::filesystem::path path = utf8_path(file.path);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Bakes one frame after the other: computes, writes and reads it back.
+// Bakes one frame after the other: computes it, writes it and reads it back.
 #pragma once
 
 #include <memory>
@@ -23,12 +23,12 @@ struct Bake {
 };
 
 /// Runs `write` with interrupts deferred, then reads the file back, verifies it and enters its
-/// hashes into the manifest. Throws Error output if it does not read back.
+/// hashes into the manifest. Throws Error output if the file does not read back.
 void write_and_verify(const Bake& bake, const BakeFile& file, int threads,
                       const std::function<void()>& write);
 
-/// The part of write_and_verify() without deferring interrupts, for callers that are inside the
-/// host's run_uninterrupted() already: calls of it do not nest.
+/// Does the same as write_and_verify() without deferring interrupts. For callers inside the host's
+/// run_uninterrupted(), whose calls do not nest.
 void write_and_verify_uninterrupted(const Bake& bake, const BakeFile& file, int threads,
                                     const std::function<void()>& write);
 
@@ -37,7 +37,7 @@ class FrameBaker {
   public:
     FrameBaker(const Bake& bake, int threads);
 
-    /// Enters the files into the manifest and returns true, if all of them are complete.
+    /// Enters the files into the manifest if all of them are complete. Returns true if they are.
     bool keep(const std::vector<BakeFile>& files);
     /// Computes the frame, writes its files, and reads them back for the manifest.
     void make(const std::vector<BakeFile>& files, int frame);

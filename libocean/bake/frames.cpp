@@ -24,7 +24,7 @@ constexpr std::size_t kMaxFrames = 1000000;
            "; allowed are FIRST, FIRST-LAST and FIRST-LASTxSTEP in comma lists, such as 1-250x2");
 }
 
-/// Removes an integer from the front of `rest`; returns false if it has none or it does not fit.
+/// Removes an integer from the front of `rest`; returns false if there is none or it does not fit.
 bool read_int(std::string_view& rest, int& value) {
     const auto [stop, code] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
     if (code != std::errc()) return false;
@@ -38,7 +38,8 @@ bool read_char(std::string_view& rest, char c) {
     return true;
 }
 
-/// The place of a frame number in a name: #, %d or $F. The last two may have digits for its width.
+/// The place of a frame number in a name: #, %d or $F. The last two may contain digits that state a
+/// width.
 struct FrameToken {
     std::size_t start;
     std::string_view text;
@@ -93,7 +94,7 @@ FrameRange parse_range(std::string_view part) {
             refuse_frames(part, "the step must be a whole number, at least 1");
         }
     }
-    // y, : and fractions have other meanings in other tools: refused, lest they are misread.
+    // y, : and fractions have other meanings in other tools and are refused, lest they be misread.
     if (!rest.empty()) refuse_frames(part, "'" + std::string(rest) + "' is not supported");
     if (range.last < range.first) refuse_frames(part, "the last frame comes before the first");
     return range;
@@ -244,7 +245,8 @@ std::optional<int> OutputPattern::number_in(std::string_view name) const {
     return number;
 }
 
-/// Returns the ending of a manifest beside frames whose names file systems take, 255 bytes.
+/// Returns an ending for the manifest beside frames, such that file systems accept the name (255
+/// bytes).
 static std::string_view manifest_ending(const std::string& stem) {
     constexpr std::string_view kEnding = ".manifest.json", kShort = ".man";
     return stem.size() + kEnding.size() <= 255 ? kEnding : kShort;

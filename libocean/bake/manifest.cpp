@@ -108,7 +108,7 @@ void Manifest::save(const std::function<void()>& before_merge) {
         before = read_text(utf8_path(path_));
         if (!before.empty()) merged.merge(parse_manifest(before));
     } catch (const Error&) {
-        // It is replaced; the run has warned of that at its start.
+        // The manifest is replaced; the run has warned of this at its start.
     }
     merged.merge(saved);  // the file may have been lost since
     drop_missing_files(merged, folder);
@@ -121,7 +121,7 @@ void Manifest::note_saved(ManifestEntries& fresh) {
     const std::lock_guard guard(mutex_);
     for (auto& [name, entry] : fresh) {
         const auto now = added_.find(name);
-        if (now->second == entry) added_.erase(now);  // not added again meanwhile
+        if (now->second == entry) added_.erase(now);  // unless added again meanwhile
         saved_.insert_or_assign(name, std::move(entry));
     }
 }

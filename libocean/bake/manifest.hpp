@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The manifest beside baked files: an entry with hashes for each of them. Runs of one bake on many
-// machines share one manifest, so that writing it means merging into it. Its content is the same
-// for every run.
+// The manifest beside baked files: an entry with hashes for each file. Runs of one bake on many
+// machines share one manifest, so that each write merges into the file. Its content is the same for
+// every run.
 #pragma once
 
 #include <cstdint>
@@ -19,13 +19,13 @@
 namespace ocean {
 
 struct ManifestEntry {
-    std::string name;  // of the file, without a folder
+    std::string name;  // name of the file, without a folder
     int frame = 0;
     double time = 0.0;    // [s]
     std::string product;  // its products, separated by commas
     std::uint64_t bytes = 0;
-    std::string sha256;         // of the file
-    std::string pixels_sha256;  // of the decoded samples; "" for a file that is not an image
+    std::string sha256;         // hash of the file
+    std::string pixels_sha256;  // hash of the samples; "" for a file that is not an image
     std::string recipe;         // SHA-256 of everything that decides the file's content
 
     bool operator==(const ManifestEntry&) const = default;
@@ -49,12 +49,12 @@ class Manifest {
     /// user's.
     explicit Manifest(std::string path);
 
-    /// Returns the reason why the file was not read; "" if it was, or does not exist.
+    /// Returns the reason why the file was not read; "" if it was read or does not exist.
     const std::string& load_error() const { return load_error_; }
-    /// Returns the entry of `name` in the file when this object was made; null if it had none.
+    /// Returns the entry of `name` in the file at the time of construction; null if there was none.
     const ManifestEntry* find(const std::string& name) const;
 
-    /// Adds or replaces the entry of its file. Any thread.
+    /// Adds or replaces the entry of a file. Any thread.
     void add(ManifestEntry entry);
     /// Returns the entry of `name` that was added last. Any thread.
     std::optional<ManifestEntry> added(const std::string& name);
@@ -73,7 +73,7 @@ class Manifest {
     std::string load_error_;
     ManifestEntries found_;
     std::mutex mutex_;
-    ManifestEntries added_;  // since the last save
+    ManifestEntries added_;  // entries added since the last save
     ManifestEntries saved_;
     std::vector<int> missing_;
 };

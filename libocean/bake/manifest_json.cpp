@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The manifest as JSON, one line for each file. The reader accepts only the form that the writer
-// writes and stops at the first deviation, so that no text makes it allocate more than the text's
-// own size.
+// The manifest as JSON, one line for each file. The reader accepts only the writer's form and stops
+// at the first deviation, so that it never allocates more than the size of the text.
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -99,7 +98,7 @@ class ManifestReader final : public nlohmann::json_sax<json> {
 
     template <typename Whole>
     bool number(Whole value) {
-        if (place_ == Place::missing) return true;  // each run determines them anew
+        if (place_ == Place::missing) return true;  // each run determines the missing frames anew
         if (place_ == Place::top && key_ == kManifestKey) {
             version_known = value == static_cast<Whole>(kManifestVersion);
             return version_known || refuse("it is of another version");

@@ -25,7 +25,7 @@
 namespace ocean {
 namespace {
 
-/// Returns "24000/1001", the rate of film on television, as a decimal number.
+/// Returns "24000/1001", film's rate on television, as a decimal number.
 std::string decimal_rate(const std::string& text) {
     const std::size_t slash = text.find('/');
     if (slash == std::string::npos) return text;
@@ -44,8 +44,8 @@ std::string decimal_rate(const std::string& text) {
                     " is installed" + allowed);
 }
 
-/// Returns ".exr, .df3 and .png (height_field)", with the name of a format where it is another
-/// word.
+/// Returns ".exr, .df3 and .png (height_field)", with the name of a format if it differs from the
+/// extension.
 std::string extensions_of(std::span<const BakeFormat* const> formats) {
     std::vector<std::string> words;
     for (const BakeFormat* format : formats) {
@@ -56,7 +56,7 @@ std::string extensions_of(std::span<const BakeFormat* const> formats) {
     return listing(words, "and");
 }
 
-/// Returns the formats that can hold the subject, all of them if it cannot be opened.
+/// Returns the formats that can hold the subject; all formats if the subject cannot be opened.
 std::vector<const BakeFormat*> formats_of_subject(const BakeOptions& options,
                                                   const Catalogue& catalogue) {
     std::vector<const BakeFormat*> formats(catalogue.formats.begin(), catalogue.formats.end());
@@ -65,7 +65,7 @@ std::vector<const BakeFormat*> formats_of_subject(const BakeOptions& options,
             std::erase_if(formats, [](const BakeFormat* one) { return !one->holds_displaced; });
         }
     } catch (const Error&) {
-        // The extension is wrong for any subject, and is reported first.
+        // An extension that is wrong for any subject is reported first.
     }
     return formats;
 }
@@ -104,7 +104,7 @@ std::string homes_of(const std::string& option, const Catalogue& catalogue) {
 }
 
 /// Refuses options that only other formats have, options whose companion is missing, and options of
-/// a format that this program was built without.
+/// a format that this program lacks.
 void refuse_foreign_options(const BakeOptions& options, const BakeFormat& format,
                             const Catalogue& catalogue) {
     const std::vector<FormatOption> known = options_of(format, catalogue);
@@ -171,8 +171,8 @@ void refuse_foreign_subject(const BakeOptions& options, const Catalogue& catalog
     }
 }
 
-/// Refuses maps of channels that the subject does not have. Channels of hosts are computed from
-/// those of the library.
+/// Refuses maps of channels that the subject does not have. Hosts' channels are computed from the
+/// library's channels.
 void require_channels(const BakePlan& plan) {
     const ChannelSet available = plan.subject->channels();
     for (int c = 0; c < kChannelCount; ++c) {
@@ -220,8 +220,8 @@ void choose_fast_backend(const Catalogue& catalogue, int resolution, BakePlan& p
     }
 }
 
-/// Sets the backend for the largest of the plan's maps. Throws Error no_gpu for one that does not
-/// run on this machine.
+/// Sets the backend for the largest of the plan's maps. Throws Error no_gpu for a backend that does
+/// not run on this machine.
 void resolve_backend(const Catalogue& catalogue, const std::string& name, BakePlan& plan) {
     const int resolution = std::max(plan.maps.finer, std::ranges::max(plan.maps.resolutions));
     if (name == kAutoBackend) return choose_fast_backend(catalogue, resolution, plan);
@@ -299,9 +299,9 @@ std::vector<int> halving_resolutions(int resolution) {
 
 namespace {
 
-/// Returns the domain of a plan as text: a terrain may be repeated, and of a sea over a bed a
-/// region may be shown. The domain of an open sea follows from its own text, and its recipes began
-/// without.
+/// Returns the domain of a plan as text: a terrain may be repeated, and a sea over a bed may be
+/// shown in part. An open sea has no such lines: its text implies its domain, and older recipes had
+/// none.
 std::string domain_lines(const BakePlan& plan) {
     const Domain domain = plan.domain();
     if (plan.subject->kind() == kSeaKind && domain.is_tile()) return "";

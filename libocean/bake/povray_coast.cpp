@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The folder of a sea over a bed for POV-Ray; see povray_folder.hpp. It is the folder of the open
-// sea, which lies beside the coast, with a map of the coast for each frame, the bed as a land, and
-// the macros of both.
+// sea beside the coast, with a map of the coast for each frame, the bed as a land, and the macros
+// of both.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,11 +41,13 @@ float smooth_step(float from, float to, float value) {
     return t * t * (3.0f - 2.0f * t);
 }
 
-/// Returns the share of sand: up to 2 .. 3.5 m over still water, where the ground is flat. By eye.
+/// Returns the share of sand: up to 2 .. 3.5 m over still water, on flat ground. The limits are
+/// chosen by eye.
 float beach_share(float height, float slope) {
     return smooth_step(3.5f, 2.0f, height) * smooth_step(0.45f, 0.25f, slope);
 }
-/// Returns the share of bare rock: steep ground up to 6 .. 14 m over still water. By eye.
+/// Returns the share of bare rock: steep ground up to 6 .. 14 m over still water. The limits are
+/// chosen by eye.
 float cliff_share(float height, float slope) {
     return smooth_step(14.0f, 6.0f, height) * smooth_step(0.35f, 0.6f, slope);
 }

@@ -35,13 +35,13 @@ std::string frame_settings(const Sea& sea, const std::vector<int>& frames) {
     const auto shown = std::ranges::lower_bound(frames, 0);
     const auto count = frames.end() - shown;
     if (frames.size() == 1 && frames.front() <= 1) {
-        // No animation: the picture has no number.
+        // Without an animation the picture has no number.
         return (frames.front() == 1 ? "Initial_Frame=1\nFinal_Frame=1\n" : "") +
                format_text("Clock=%.9g\n", sea.time_of(frames.front()));
     }
     if (count == 0) return "";
     const int first = *shown, last = frames.back();
-    if (count == 1) {  // in an animation of one frame the clock is not a number
+    if (count == 1) {  // with one frame POV-Ray's clock is not a number
         return lines("Initial_Frame=%d\nFinal_Frame=%d\nInitial_Clock=%.9g\nFinal_Clock=%.9g\n",
                      first, first + 1) +
                format_text("Subset_End_Frame=%d\n", first);
@@ -74,8 +74,8 @@ std::string animation_settings(const Sea& sea, const std::vector<int>& frames) {
     return text + frame_settings(sea, frames);
 }
 
-/// Returns the words in the header of a texture's file. `ocean foam-texture` has others: it does
-/// not replace these files.
+/// Returns the words in the header of a texture's file. They differ from the words that `ocean
+/// foam-texture` writes, which does not replace these files.
 HeaderString foam_words(const FoamTextureSettings& settings) {
     return {"ocean:povray_foam",
             format_text("%s, %d texels, seed %u, edition %d",
@@ -87,8 +87,8 @@ std::string name_of(FoamTextureKind kind) {
     return "foam_" + std::string(foam_texture_info(kind).name) + ".png";
 }
 
-/// Returns the bytes of a file with those words in its header; "" if the path has no such file or
-/// one that was cut off.
+/// Returns the bytes of the file with these words in its header; "" if the path has no such file or
+/// an incomplete one.
 std::string read_foam_image(const std::string& path, const HeaderString& words) {
     constexpr std::size_t kLimit = std::size_t{16} << 20;
     constexpr std::string_view kLastChunk("\0\0\0\0IEND\xae\x42\x60\x82", 12);  // [PNG 1.2] 4.1.4
@@ -99,13 +99,14 @@ std::string read_foam_image(const std::string& path, const HeaderString& words) 
         if (std::ranges::none_of(io::read_png_header(path), is_same)) return "";
         std::string bytes = text::read_file(path, kLimit);
         return bytes.ends_with(kLastChunk) ? bytes : "";
-    } catch (const Error&) {  // no such file, or another one, which is refused when it is replaced
+    } catch (const Error&) {  // no such file, or a foreign one, refused when replaced
         return "";
     }
 }
 
-/// Returns the same PNG for all folders and frames: 3 MB together. A texel of lace measures 12 mm.
-/// They take a second to make, so those that the folder or the cache has serve again.
+/// Returns a PNG that is equal for all folders and frames: 3 MB together. A texel of lace measures
+/// 12 mm. The textures take a second to make, so that textures in the folder or the cache are used
+/// again.
 std::string foam_image(FoamTextureKind kind, const FoamImages& places, ThreadPool& pool) {
     const FoamTextureSettings settings{kind, kind == FoamTextureKind::lace ? 1024 : 512};
     const HeaderString words = foam_words(settings);
@@ -126,7 +127,7 @@ std::string foam_image(FoamTextureKind kind, const FoamImages& places, ThreadPoo
     try {
         if (!cached.empty()) io::write_output(cached, made);
     } catch (const Error&) {
-        return made;  // a disk that refuses costs the next folder a second
+        return made;  // if the disk refuses, the next folder takes a second longer
     }
     return made;
 }
@@ -134,8 +135,8 @@ std::string foam_image(FoamTextureKind kind, const FoamImages& places, ThreadPoo
 }  // namespace
 
 std::string FolderFile::opening() const {
-    // Signature, size, depth and colour of an image; the first line of a text, up to its first
-    // number.
+    // Compares signature, size, depth and colour of an image; or the first line of a text, up to
+    // its first number.
     if (name.ends_with(".png")) return text.substr(0, 33);
     if (name.ends_with(".df3")) return "";  // of any size; the text beside it is ours
     return text.substr(0, text.find_first_of("\n0123456789"));
@@ -166,7 +167,7 @@ std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const SeaState
     files.push_back(
         {"sea.toml", "# The sea of this folder, by `ocean povray`.\n" + plan.subject_text});
     files.push_back({"scene.pov", std::string(kScenePov), true});
-    // The macros make the faces of larger maps: the text would be 220 MB at 2048 samples.
+    // The macros make the faces of larger maps, because the text would be 220 MB at 2048 samples.
     if (plan.format->name == "df3" && plan.resolution <= 1024) {
         files.push_back({"faces.inc", io::povray_faces(io::patch_triangles(plan.resolution))});
     }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The files of povray_macros/ that go into the folders of seas, terrains and coasts for POV-Ray;
-// the build puts them here.
+// The files of povray_macros/ for the POV-Ray folders of seas, terrains and coasts. The build fills
+// them in.
 #pragma once
 
 #include <string_view>

@@ -36,7 +36,8 @@ std::vector<FolderFile> povray_terrain_files(const BakePlan& plan, const Terrain
         {"terrain.ini", std::string(kSettings)},
         {"terrain.toml", "# The terrain of this folder, by `ocean povray`.\n" + plan.subject_text},
         {"scene.pov", std::string(kTerrainScenePov), true}};
-    // The text of more would be 220 MB: the macros make them. terrain.inc has the same limit.
+    // The text of more faces would be 220 MB; for these, the macros make them. terrain.inc has the
+    // same limit.
     constexpr std::size_t kMaxFaces = 1024 * 1024;
     if (format == "df3" && domain.count() <= kMaxFaces) {
         files.push_back({"faces.inc", io::povray_faces(io::patch_triangles(domain))});

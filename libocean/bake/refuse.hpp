@@ -8,7 +8,7 @@
 
 namespace ocean {
 
-/// Throws Error: an option has a value that is not allowed.
+/// Throws Error for an option with a value that is not allowed.
 [[noreturn]] inline void refuse(const std::string& message) {
     throw Error(ErrorKind::invalid_value, message);
 }

@@ -69,7 +69,8 @@ class ManifestSaver {
     void save_if_due() {
         if (Clock::now() - saved_ > pause_) save();
     }
-    /// Saves while another error is on its way to the user, which an error of saving must not hide.
+    /// Saves while another error is on its way to the user; an error of saving must not hide that
+    /// error.
     void try_save() noexcept {
         try {
             save();
@@ -83,7 +84,7 @@ class ManifestSaver {
     Clock::duration pause_ = std::chrono::seconds(5);
 };
 
-/// Reports the frames to the host, in their order; end() throws the error that ends the run.
+/// Reports the frames to the host in order. end() throws the error that ends the run.
 class FrameReporter {
   public:
     FrameReporter(const BakePlan& plan, BakeHost& host) : plan_(plan), host_(host) {}
@@ -121,7 +122,7 @@ class FrameReporter {
     }
 
   private:
-    /// The error of a bake of one frame ends it, and needs no count of frames.
+    /// With one frame, an error ends the bake and needs no count of frames.
     bool continues() const { return plan_.keep_going && plan_.frames.size() > 1; }
 
     const BakePlan& plan_;
@@ -165,8 +166,8 @@ void bake_shared(const Bake& bake) {
     }
 }
 
-/// Warns of the frames between the first and the last listed one that are missing or of another
-/// subject, for a format whose readers silently interpolate them.
+/// For a format whose readers silently interpolate missing frames, warns of the frames between the
+/// first and the last listed frame that are missing or show another subject.
 void warn_of_gaps(const Bake& bake, const std::vector<int>& listed,
                   const std::vector<int>& existing) {
     std::vector<int> missing;
@@ -183,19 +184,19 @@ void warn_of_gaps(const Bake& bake, const std::vector<int>& listed,
 }
 
 /// Updates the frame in the entry of a shared file: the file is the same for all chunks, but each
-/// of them entered it with the first frame that it knew of.
+/// chunk entered it with the first frame that it knew.
 void update_entry(const Bake& bake, const BakePlan& plan, const BakeFile& file) {
     ManifestEntry entry;
     describe(plan, file, entry);
     const std::optional<ManifestEntry> known = bake.manifest.added(entry.name);
-    if (!known) return;  // a device has no entry
+    if (!known) return;  // devices have no entries
     entry.bytes = known->bytes;
     entry.sha256 = known->sha256;
     entry.pixels_sha256 = known->pixels_sha256;
     bake.manifest.add(std::move(entry));
 }
 
-/// Writes the lists of frames again: another chunk may have baked some meanwhile.
+/// Writes the lists of frames again, because another chunk may have baked some frames meanwhile.
 void update_frame_lists(const Bake& bake) {
     BakePlan plan = bake.plan;
     const ExistingFrames existing = existing_frames(plan);
@@ -233,7 +234,7 @@ void bake_frames(const Bake& bake, const WorkShare& share, ManifestSaver& saver)
     report.end();
 }
 
-/// Makes an interrupt save the manifest before the process ends, as long as this object lives.
+/// While this object lives, an interrupt saves the manifest before the process ends.
 class ManifestOnInterrupt {
   public:
     ManifestOnInterrupt(Manifest& manifest, BakeHost& host) : host_(host) {
@@ -275,7 +276,7 @@ void run_bake(const BakePlan& plan, BakeHost& host) {
     for (const std::string& warning : bake_warnings(plan, plan.frames.size())) {
         host.warning(warning);
     }
-    // Once, for all workers.
+    // All workers share one source.
     const auto source =
         plan.subject->open({.threads = plan.threads, .build_progress = host.build_progress()});
     const Bake bake{plan, *source, manifest, host};

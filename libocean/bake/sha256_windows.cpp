@@ -5,7 +5,7 @@
 #define WIN32_LEAN_AND_MEAN
 #define NOMINMAX
 #include <windows.h>
-// It needs the types of the header above.
+// The header below needs the types of the header above.
 #include <bcrypt.h>
 
 #include <algorithm>

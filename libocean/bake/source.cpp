@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// See source.hpp. Values of the header become the texts of options that were not given, so that
-// they are checked as if they had been typed.
+// See source.hpp. Values of the header become the texts of options that were not given, and are
+// checked as if they had been typed.
 #include "source.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ void set_default(std::string& option, std::string_view value) {
     if (option.empty()) option = value;
 }
 
-/// Refuses a file whose time is not that of its frame: it was not baked, and could not be baked
+/// Refuses a file whose time differs from its frame's: it was not baked, and could not be baked
 /// again.
 void check_time(const Subject& subject, const BakedHeader& header, const std::string& path) {
     if (subject.timeline().time_of(header.whole_number("frame")) == header.number("time")) return;
@@ -36,7 +36,7 @@ void refuse_source(const std::string& path, const std::string& reason) {
 
 BakedHeader::BakedHeader(const std::string& path, const Catalogue& catalogue) : path_(path) {
     const BakeFormat* format = catalogue.find_format_of_frame(OutputPattern(path).extension());
-    if (format == nullptr) format = &kExrFormat;  // its reader explains what is wrong
+    if (format == nullptr) format = &kExrFormat;  // its reader explains the fault
     if (format->read_header == nullptr) {
         refuse_source(path, "a file of type " + std::string(format->extension) +
                                 " does not name its subject");
@@ -57,9 +57,9 @@ std::unique_ptr<Subject> BakedHeader::subject(const Catalogue& catalogue) const 
 }
 
 int BakedHeader::resolution() const {
-    // The map beside a slope tile has a resolution of its own.
+    // The map beside a slope tile has its own resolution.
     if (has("map_resolution")) return whole_number("map_resolution");
-    // An image of several tiles has more samples than the tile that its resolution counts.
+    // An image of several tiles has more samples than its resolution, which counts one tile.
     if (!layout_ || has("resolution")) return whole_number("resolution");
     const auto [width, height] = layout_->samples;
     if (width == height && width <= kMaxResolution) return width;
@@ -102,8 +102,8 @@ BakeOptions with_source(BakeOptions options, const Catalogue& catalogue, const B
     const auto subject = header.subject(catalogue);
     check_time(*subject, header, options.from);
     set_default(options.frames, std::to_string(header.whole_number("frame")));
-    // The subject's own resolution stays a default, which a changed subject may change. That of a
-    // region follows from its domain, and is any number.
+    // The subject's own resolution stays a default, which a changed subject may change. A region's
+    // resolution follows from its domain, and may be any number.
     const int resolution = header.resolution();
     if (resolution != subject->default_resolution() && is_resolution(resolution)) {
         set_default(options.resolution, std::to_string(resolution));

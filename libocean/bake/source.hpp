@@ -47,9 +47,9 @@ class BakedHeader {
 };
 
 /// Returns the options with a source. With --from, options that were not given get the values of
-/// the file's header, so that the same bytes are baked again. `format` is that of the output, null
+/// the file's header, so that the same bytes are baked again. `format` is the output's format, null
 /// if it is unknown. Throws Error invalid_value unless exactly one of SEA and --from is given, and
-/// bad_file or unsupported for a file whose header lacks something.
+/// bad_file or unsupported for a file with an incomplete header.
 BakeOptions with_source(BakeOptions options, const Catalogue& catalogue, const BakeFormat* format);
 
 }  // namespace ocean

@@ -94,7 +94,7 @@ struct Processor {
     }
 };
 
-/// Throws the error of a build none of whose kernels can be chosen. reason: "... excludes".
+/// Throws the error of a build that has no kernel to choose. reason: "... excludes".
 [[noreturn]] void throw_no_kernel(const std::string& reason) {
     std::string names;
     for (const Kernel& kernel : kKernels) {

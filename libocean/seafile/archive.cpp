@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Reads tar: headers of 512 bytes, each followed by its file in blocks of the same size
-// [POSIX.1-2017, pax, ustar interchange format]. A long name precedes its file in a file of its own
+// [POSIX.1-2017, pax, ustar interchange format]. A long name precedes its file in a separate file
 // (GNU's L, pax' x).
 #include "archive.hpp"
 

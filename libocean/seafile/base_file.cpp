@@ -18,7 +18,7 @@
 namespace ocean {
 namespace {
 
-constexpr int kMinBaseSide = 16;  // of a spectrum
+constexpr int kMinBaseSide = 16;  // min side for a spectrum
 
 /// Returns the base of a model without holes.
 std::shared_ptr<const TerrainBase> base_of(ElevationModel model) {

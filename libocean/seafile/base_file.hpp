@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The elevation model that is a terrain's base: its file, and its text in a resolved terrain file,
-// [terrain.base_heights]. A model of at most 1 MB stands there whole; a larger one is known by its
-// hash, and its file must lie where `base` says.
+// [terrain.base_heights]. The table contains a model of at most 1 MB; for a larger model it has the
+// hash, and the file must lie where `base` says.
 #pragma once
 
 #include <memory>
@@ -22,15 +22,15 @@ std::shared_ptr<const TerrainBase> read_base(const std::string& path);
 /// Returns the lines of [terrain.base_heights].
 std::string base_text(const TerrainBase& base);
 
-/// [terrain.base_heights] as read: a model, or only the hash of one.
+/// The contents of [terrain.base_heights]: a model, or only its hash.
 struct BaseHeights {
     std::shared_ptr<const TerrainBase> model;
     std::string hash;
 };
 /// Reads the table. Throws Error invalid_value.
 BaseHeights read_base_table(const toml::table& table);
-/// Returns the model if that is its hash, with a note where earlier versions made it under a locale
-/// with decimal commas; nothing if the hash is another one's.
+/// Returns the model if `hash` is its hash, with a note if earlier versions made the hash under a
+/// locale with decimal commas; else nothing.
 std::shared_ptr<const TerrainBase> base_with_hash(const std::shared_ptr<const TerrainBase>& base,
                                                   const std::string& stated);
 

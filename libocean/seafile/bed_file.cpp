@@ -34,7 +34,8 @@ bool is_terrain_file(std::string path) {
     return path.ends_with(".toml");
 }
 
-/// Returns the heights of a land on its own grid. A tile exists once: the samples of one period.
+/// Returns the heights of a land on its own grid. A tile becomes the samples of one period, which
+/// exists once.
 GivenBed bed_of_terrain(const TerrainModel& terrain) {
     Terrain land(terrain);
     GivenBed bed{.grid = land.domain()};
@@ -52,15 +53,15 @@ GivenBed bed_of_terrain(const TerrainModel& terrain) {
 
 GivenBed read_bed_file(const std::string& path, BedUnit unit) {
     if (is_terrain_file(path)) return bed_of_terrain(read_terrain(path));
-    ElevationOptions options{.holes = HolePolicy::keep};  // make_sea_bed says where they are
-    // The sea scales heights of another unit itself, so that these stay as the file has them.
+    ElevationOptions options{.holes = HolePolicy::keep};  // make_sea_bed reports the holes
+    // The sea itself scales heights of another unit, so that these heights stay as in the file.
     if (unit != BedUnit::m) options.unit = HeightUnit::metre;
     ElevationModel model = read_elevation(path, options);
     return {
         .grid = model.domain, .heights = std::move(model.heights), .notes = std::move(model.notes)};
 }
 
-/// Returns the heights of the text or the file; none if there are neither.
+/// Returns the heights of the text or the file; nothing if there are neither.
 std::optional<GivenBed> given_bed(const Water& water, const std::string& base_dir,
                                   InlinedBed& inlined) {
     const auto path = utf8_path(base_dir) / utf8_path(water.seabed);
@@ -80,7 +81,7 @@ std::optional<GivenBed> given_bed(const Water& water, const std::string& base_di
                  .allowed = "the path of the bed with the hash " + inlined.heights.hash});
 }
 
-/// Returns the error of a bed that a hash names, with that hash.
+/// Returns the error for a bed that is named by a hash, with that hash.
 Error with_hash(const Error& error, const std::string& hash) {
     if (hash.empty() || error.kind() != ErrorKind::bad_file) return error;
     return Error(error.kind(), error.what() + ("; allowed: the bed with the hash " + hash),

@@ -23,7 +23,7 @@ bool is_separator(char c, char separator) {
 }
 
 /// Returns the end of the quoted text at the front of `text`; npos if it is not closed. "" within a
-/// text ends and begins it.
+/// text ends it and begins it again.
 std::size_t quoted_end(std::string_view text) {
     std::size_t end = 0;
     while (end < text.size() && text[end] == '"') {
@@ -40,7 +40,7 @@ std::optional<std::string_view> unquoted(std::string_view cell) {
     return cell.substr(1, cell.size() - 2);
 }
 
-/// Splits a line as split() does, into `fields`; false if a quote is not closed.
+/// Splits a line into `fields`, as split() does; returns false if a quote is not closed.
 bool split_into(std::vector<std::string_view>& fields, std::string_view line, char separator,
                 std::size_t limit) {
     fields.clear();
@@ -64,8 +64,8 @@ bool split_into(std::vector<std::string_view>& fields, std::string_view line, ch
     return true;
 }
 
-/// Returns the position of the bracket that closes the one at `open`, which may enclose others;
-/// npos without one.
+/// Returns the position of the bracket that closes the bracket at `open`, across nested brackets;
+/// npos if there is none.
 std::size_t closing_bracket(std::string_view line, std::size_t open) {
     int depth = 0;
     for (std::size_t i = open; i < line.size(); ++i) {
@@ -75,13 +75,13 @@ std::size_t closing_bracket(std::string_view line, std::size_t open) {
     return std::string_view::npos;
 }
 
-/// Splits a header line, where brackets hold a unit: separators within them do not count, and after
-/// a blank they belong to the title before them. Nothing if a quote is not closed.
+/// Splits a header line, where brackets hold a unit. Separators within brackets do not count, and
+/// brackets after a blank belong to the preceding title. Returns nothing if a quote is not closed.
 std::optional<std::vector<std::string_view>> split_header(std::string_view line, char separator) {
     std::vector<std::string_view> titles;
     line = separator == ' ' ? trimmed(line) : line;
     const std::string_view blanks = separator == ' ' ? kBlanks : " ";
-    bool closed = true;  // false once a bracket had no end: then none is looked for again
+    bool closed = true;  // false once a bracket had no end; then none is searched
     while (titles.size() <= TableReader::kMaxColumns) {
         const std::size_t start = std::min(line.find_first_not_of(blanks), line.size());
         std::size_t end = start;
@@ -114,11 +114,12 @@ std::optional<std::vector<std::string_view>> split_header(std::string_view line,
 
 struct Separators {
     char chosen = ',';
-    char rival = '\0';  // suits as well
+    char rival = '\0';  // another separator that suits as well
 };
 
-/// Chooses from those in the header line the one that gives the first row as many cells as the
-/// header line has titles; without such a row the first of tab, semicolon, comma, else blanks.
+/// Chooses, among the separators in the header line, the one that gives the first row as many cells
+/// as the header line has titles; if there is no such row, the first of tab, semicolon, comma, else
+/// blanks.
 Separators separators_of(std::string_view header, std::string_view row) {
     const auto suits = [&](char c, std::size_t titles) {
         const auto cells = split(row, c, TableReader::kMaxColumns);
@@ -129,7 +130,7 @@ Separators separators_of(std::string_view header, std::string_view row) {
     for (const char c : {'\t', ';', ','}) {
         if (header.find(c) == std::string_view::npos) continue;
         const auto titles = split_header(header, c);
-        if (titles && titles->size() == 1) continue;  // it appears only within brackets or quotes
+        if (titles && titles->size() == 1) continue;  // appears only within brackets or quotes
         present.push_back(c);
         if (titles && suits(c, titles->size())) suitable.push_back(c);
     }
@@ -220,7 +221,7 @@ Title parse_title(std::string_view cell) {
     for (const char c : trimmed(cell.substr(0, open))) title.name += lower_case(c);
     if (open == std::string_view::npos) return title;
     const std::string_view unit = cell.substr(open + 1);
-    const std::size_t close = closing_bracket(cell, open);  // "m2/(rad/s)" has brackets itself
+    const std::size_t close = closing_bracket(cell, open);  // "m2/(rad/s)" contains brackets
     title.unit = unit.substr(0, close == std::string_view::npos ? close : close - open - 1);
     if (title.unit.empty()) title.unit = "()";
     return title;
@@ -251,8 +252,8 @@ TableReader::TableReader(std::string_view content, std::string_view name)
 }
 
 /// Recognises a column of row names without a title, as R and pandas write it: the row has one cell
-/// more than the header line, and begins with a quote as that does, or without the blank that
-/// begins it.
+/// more than the header line, and both begin with a quote, or the header line begins with a blank
+/// and the row does not.
 bool TableReader::has_row_names(std::string_view header, std::string_view row) const {
     if (header.empty() || row.empty()) return false;
     const bool quotes = header.front() == '"' && row.front() == '"';
@@ -327,7 +328,7 @@ void TableReader::check_marks(std::string_view word) const {
                       (comma ? "point" : "comma"));
 }
 
-/// Checks the commas. A list with numbers between semicolons comes from a program that writes
+/// Checks the commas. A table with numbers between semicolons comes from a program that writes
 /// decimal commas.
 void TableReader::check_commas() const {
     if (separator_ == ';' || comma_line_ == 0 || !only_thousands_) return;

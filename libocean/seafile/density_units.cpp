@@ -27,11 +27,11 @@ using namespace std::string_view_literals;
 
 constexpr std::size_t kMaxUnitBytes = 100;
 constexpr int kMaxPower = 9;
-/// Energy per area of a variance, J/m^4: rho g with the defaults of SWAN.
+/// Energy per area and variance, J/m^4: rho g with the defaults of SWAN.
 constexpr double kEnergyOfVariance = 1025.0 * 9.81;
 
-/// Powers of the base units. Angles are dimensions of their own, and so is the hertz, which is no
-/// angular frequency.
+/// Powers of the base units. Angles are dimensions of their own; so is the hertz, because it is not
+/// an angular frequency.
 struct Unit {
     double factor = 1.0;
     int metre = 0, second = 0, kilogram = 0, radian = 0, degree = 0, hertz = 0;
@@ -106,8 +106,8 @@ std::optional<Unit> named(std::string_view name) {
     return plural ? singular(name.substr(0, name.size() - 1)) : std::nullopt;
 }
 
-/// Returns the text in ASCII and lower case, with parentheses for all brackets. Signs of Latin-1
-/// come last: they are parts of UTF-8 too.
+/// Returns the text in ASCII and lower case, with parentheses for all brackets. Latin-1 characters
+/// are replaced last, because their bytes are parts of UTF-8 too.
 std::string plain_text(std::string_view text) {
     constexpr std::array kSpellings = {
         std::pair{"\u00b2"sv, "2"sv},   std::pair{"\u00b3"sv, "3"sv},
@@ -151,7 +151,7 @@ struct UnitFault : std::runtime_error {
 
 class UnitParser {
   public:
-    /// Takes the text. `divide_all`: a division holds for all factors up to the next one.
+    /// Takes the text. `divide_all`: a division applies to all factors up to the next division.
     UnitParser(std::string_view plain, bool divide_all) : left_(plain), divide_all_(divide_all) {}
 
     Unit parse() {
@@ -183,7 +183,7 @@ class UnitParser {
         for (;;) {
             skip_blanks();
             if (left_.empty() || next() == ')') break;
-            bool may_be_number = first;  // "m 2" and "m^2.5" are no products
+            bool may_be_number = first;  // "m 2" and "m^2.5" are not products
             if (accept("/") || accept_word("per")) {
                 divides = may_be_number = true;
             } else {
@@ -239,7 +239,7 @@ class UnitParser {
         return value;
     }
 
-    /// Returns the exponent that follows; 1 without one.
+    /// Returns the exponent that follows; 1 if there is none.
     int exponent() {
         if (accept("^") || accept("**")) return integer();
         const std::string_view before = left_;

@@ -15,10 +15,10 @@
 namespace ocean {
 namespace {
 
-/// Bins closer than this are one: 0 and 360, or radians printed with three digits.
+/// Bins closer than this count as one: 0 and 360, or radians printed with three digits.
 constexpr double kSameDirection = 0.01;
 /// A gap counts as the outside of a sector if it is wider than this and than a multiple of the
-/// widest bin: uneven bins of a full circle are narrower.
+/// widest bin: gaps between uneven bins of a full circle are narrower.
 constexpr double kSectorGap = 60.0;
 constexpr double kSectorBins = 3.0;
 
@@ -141,7 +141,7 @@ void DirectionAxis::fill(SpectrumRecord& record, std::span<const double> values,
 
 void append_mean_and_spread(SpectrumRecord& record, double mean, double spread) {
     const double sigma = spread * kDegree;
-    // A spread beyond 81 degrees belongs to no distribution around a mean.
+    // A spread beyond 81 degrees is impossible for a distribution around a mean.
     const double r1 = std::clamp(1.0 - 0.5 * sigma * sigma, 0.0, 1.0);
     const bool known = !std::isnan(mean) && !std::isnan(spread);
     record.a1.push_back(known ? r1 * std::cos(mean * kDegree) : kMissing);

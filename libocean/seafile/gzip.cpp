@@ -38,7 +38,7 @@ class Inflater {
     bool good_ = false;
 };
 
-/// Unpacks all members, a block after the other.
+/// Unpacks all members, block by block.
 template <typename Visit>
 void inflate_all(std::string_view packed, const std::string& name, const Visit& visit) {
     const auto fail = [&](const std::string& why) {
@@ -46,10 +46,10 @@ void inflate_all(std::string_view packed, const std::string& name, const Visit& 
     };
     std::vector<char> block(std::size_t{1} << 16);
     while (!packed.empty()) {
-        Inflater inflater;  // files may be several members in a row
+        Inflater inflater;  // a file may consist of several members
         if (!inflater.good()) throw Error(ErrorKind::out_of_memory, "zlib has not enough memory");
         z_stream& stream = inflater.stream();
-        // zlib reads from next_in only, in spite of its type; sizes are below the reader's limit.
+        // zlib only reads from next_in, in spite of its type; sizes are below the reader's limit.
         stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
         stream.avail_in = static_cast<uInt>(packed.size());
         int state = Z_OK;
@@ -62,7 +62,7 @@ void inflate_all(std::string_view packed, const std::string& name, const Visit& 
         if (state == Z_BUF_ERROR) throw fail("the file is cut off");
         if (state != Z_STREAM_END) throw fail("the file is damaged");
         packed.remove_prefix(packed.size() - stream.avail_in);
-        // Zeros that pad a block of a tape or a download are no member.
+        // Zeros that pad a block of a tape or a download are not a member.
         packed.remove_prefix(std::min(packed.find_first_not_of('\0'), packed.size()));
     }
 }
@@ -70,7 +70,7 @@ void inflate_all(std::string_view packed, const std::string& name, const Visit& 
 }  // namespace
 
 std::string gunzip(std::string_view packed, const std::string& name, std::size_t limit) {
-    // The size is measured before anything is stored, so a refused file costs no memory.
+    // The size is measured before anything is stored, so that a refused file needs no memory.
     std::size_t size = 0;
     inflate_all(packed, name, [&](std::string_view block) {
         size += block.size();

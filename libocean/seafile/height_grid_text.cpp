@@ -43,7 +43,7 @@ std::vector<std::string> encoded(std::span<const float> heights) {
     return lines;
 }
 
-/// Returns the floats of such lines; nothing if they are not `count` finite heights.
+/// Returns the floats of lines of base 64; nothing if the lines are not `count` finite heights.
 std::optional<PageVector<float>> decoded(const toml::array& lines, std::size_t count) {
     PageVector<float> heights(count);
     std::size_t filled = 0;

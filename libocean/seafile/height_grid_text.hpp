@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A grid of heights inside a file of parameters, for the base of a terrain and the bed of a sea: at
-// most 1 MB stands there whole, in base 64; a larger grid is known by its hash, and its file must
-// lie where the parameters say.
+// A grid of heights inside a file of parameters, for the base of a terrain and the bed of a sea: a
+// grid of at most 1 MB stands there in base 64; for a larger grid the table has the hash, and the
+// file must lie where the parameters say.
 #pragma once
 
 #include <cstddef>
@@ -27,15 +27,15 @@ struct HeightGridView {
 /// samples, cell and heights.
 std::string height_grid_text(const HeightGridView& grid);
 
-/// Such a table as read.
+/// The contents of the table of a height grid.
 struct HeightGridText {
     Domain grid{.origin = {}, .size = {}, .samples = {}, .wraps = false};
     PageVector<float> heights;  // empty: only the hash is known
     std::string hash;
 };
-/// Reads the table `name`, which messages mention. Throws Error invalid_value.
+/// Reads the table; messages call it `name`. Throws Error invalid_value.
 HeightGridText read_height_grid(const toml::table& table, const std::string& name, int max_side);
-/// Throws Error invalid_value if the heights of the table have another hash than it states.
+/// Throws Error invalid_value if the table's heights have another hash than the table states.
 void require_stated_hash(const std::string& hash, const std::string& stated,
                          const std::string& name);
 

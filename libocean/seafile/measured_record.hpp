@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The record of a measured sea inside a sea file, [waves.measured_record]: one table of its keys,
-// from which it is read and written. It makes a saved sea independent of the buoy's file.
+// The record of a measured sea inside a sea file, [waves.measured_record]. One table of its keys
+// serves reader and writer. The record makes a saved sea independent of the buoy's file.
 #pragma once
 
 #include <array>
@@ -23,8 +23,8 @@ struct RecordKey {
     std::variant<std::string SpectrumRecord::*, double SpectrumRecord::*,
                  std::vector<double> SpectrumRecord::*, std::vector<std::string> SpectrumRecord::*>
         member;
-    bool may_be_nan = false;             // elements of a list
-    std::size_t most = kMaxFrequencies;  // elements of a list
+    bool may_be_nan = false;             // whether elements of a list may be NaN
+    std::size_t most = kMaxFrequencies;  // max elements of a list
 };
 
 inline constexpr std::array<RecordKey, 14> kRecordKeys = {{

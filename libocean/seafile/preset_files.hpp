@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The texts of the files in presets/, in the order of CMakeLists.txt; the build puts them here.
+// The texts of the files in presets/, in the order of CMakeLists.txt. The build fills them in.
 #pragma once
 
 #include <span>

@@ -3,15 +3,16 @@
 //
 // Seas and terrains by name: the files of presets/, which the build puts into the library.
 //
-// beaufort  JONSWAP of the mean wind, with the fetch that gives the probable wave height. Forces 1
-//           to 3 raise less, even fully developed [Pierson and Moskowitz 1964]: height and period
-//           are given, and the fetch is that of full development or the min of its range.
+// beaufort  JONSWAP of the mean wind, with the fetch that gives the probable wave height. The
+//           winds of forces 1 to 3 raise lower waves, even when the sea is fully developed [Pierson
+//           and Moskowitz 1964]: their files state height and period, and a fetch that suffices
+//           for full development or is the min of its range.
 // douglas   the middle of each degree's heights with the period of a wind sea of steepness 0.036,
-//           height over peak wavelength; wind and fetch give about both by themselves.
+//           height over peak wavelength; wind and fetch alone would give about both.
 // seed      the programs that this project continues, in corrected physics.
 //
-// A file has the keys that differ from their defaults, and those that a reader looks for first:
-// spectrum and resolution, of a terrain resolution, patch_size and beta.
+// A file has the keys that differ from their defaults, and the keys that users look for first:
+// spectrum and resolution; in a terrain resolution, patch_size and beta.
 #include <cstddef>
 #include <span>
 #include <string>
@@ -60,7 +61,8 @@ std::string names_of(std::span<const Preset> presets) {
     return names;
 }
 
-/// Returns the preset of that name. `noun` is the word for one in messages. Throws Error not_found.
+/// Returns the preset of that name. `noun` is the word for a preset in messages. Throws Error
+/// not_found.
 const Preset& find_preset_in(std::span<const Preset> presets, std::string_view name,
                              std::string_view noun) {
     std::vector<std::string_view> names;

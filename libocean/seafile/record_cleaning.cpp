@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Removal of artefacts that estimators leave in spectra and that no sea has: see clean_record in
-// record_rules.hpp.
+// Removes artefacts of estimators that no sea has: see clean_record in record_rules.hpp.
 #include <algorithm>
 #include <span>
 #include <string>
@@ -34,7 +33,7 @@ void clip(std::span<double> values) {
 }
 
 /// Clips directions so that each frequency keeps its density, the integral over its directions, if
-/// that is above 0.
+/// that integral is above 0.
 void clip_directions(SpectrumRecord& record) {
     const std::vector<double>& d = record.direction;
     const std::size_t width = d.size();
@@ -72,7 +71,7 @@ void clean_record(SpectrumRecord& record) {
     const std::size_t count = record.frequency.size();
     const bool parallel = count >= 2 && record.density.size() == count &&
                           record.directional_density.size() == count * record.direction.size();
-    if (!parallel) return;  // record_fault says so
+    if (!parallel) return;  // record_fault reports it
     if (record.frequency.front() == 0.0) leave_out_first_bin(record);
 
     const std::vector<double>& values =

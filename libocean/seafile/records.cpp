@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Operations on the records of a spectrum file: choose one by time and place, sum one up, list all.
+// Operations on the records of a spectrum file: chooses a record by time and place, summarises it,
+// lists all.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -145,7 +146,7 @@ const SpectrumRecord& at_time(const Candidates& records, const std::string& time
                                                  : std::string("; its records have no time")));
 }
 
-/// Returns the width that the trapezoid rule gives to one of the listed frequencies [Hz].
+/// Returns the width of a listed frequency in the trapezoid rule [Hz].
 double trapezoid_weight(const SpectrumRecord& record, std::size_t i) {
     const std::vector<double>& f = record.frequency;
     const double below = i > 0 ? f[i] - f[i - 1] : 0.0;
@@ -188,7 +189,7 @@ const SpectrumRecord& choose_record(std::span<const SpectrumRecord> records,
     const auto other =
         std::find_if(candidates.begin(), candidates.end(),
                      [](const SpectrumRecord* record) { return record->fault.empty(); });
-    // Without a time, the first that can be used.
+    // Without a requested time, the first usable record is chosen.
     if (choice.time.empty() && other != candidates.end()) return **other;
     const SpectrumRecord& chosen =
         choice.time.empty() ? *candidates.front() : at_time(candidates, choice.time, file);
@@ -221,7 +222,7 @@ RecordSummary summarize(const SpectrumRecord& record) {
         mean += energy * c1;
         directed += energy;
     }
-    // An energy of 1e-320 m^2 is above 0, its first moment may not be.
+    // An energy of 1e-320 m^2 is above 0, but its first moment may be 0.
     if (summary.m0 > 0.0 && m1 > 0.0) {
         summary.energy_period = m_minus1 / summary.m0;
         summary.mean_period = summary.m0 / m1;

@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<std::string_view, 2> kColumns = {"wavenumber", "density"};
 constexpr std::array<std::string_view, 2> kUnits = {"rad/m", "m^4"};
 
-/// Returns the places of the two columns. Throws for a unit other than that of the format.
+/// Returns the indices of the two columns. Throws for a unit that differs from the format's.
 std::array<std::size_t, 2> find_columns(const csv::TableReader& table) {
     std::array<std::optional<std::size_t>, 2> places;
     std::string titles;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Reads sea files, strictly: from text to a validated Sea through the parameter table, its records
-// and its take inside.
+// Reads sea files, strictly: from text to a validated Sea through the parameter table, including
+// its records and its take.
 #include <algorithm>
 #include <memory>
 #include <span>
@@ -22,7 +22,7 @@ namespace {
 
 RecordChoice choice_of(const WaveSystem& system);
 /// Reads `file` of waves.`wave` and stores the requested record. Throws errors of the parameter
-/// that names the file, or of the one that needs it.
+/// that names or needs the file.
 void load_record(WaveSystem& system, std::size_t wave, const std::string& base_dir,
                  const SpectrumReader& reader);
 
@@ -50,12 +50,12 @@ class SeaReader {
     const std::string& base_dir_;
     const SpectrumReader& spectra_;
     TableReader<Parameters> reader_;
-    const toml::node* take_ = nullptr;  // inlined
+    const toml::node* take_ = nullptr;  // the inlined take
     InlinedBed bed_;
 };
 
-/// Returns the model's own parts of the file. The take is read last: it names parameters that may
-/// follow it in the file.
+/// Returns the model's own parts of the file. The take is read last, because it names parameters
+/// that may follow it in the file.
 OwnParts<Parameters> SeaReader::parts() {
     return {.roots = {kTakeSection},
             .read_root = [this](const TomlEntry& entry) { take_ = entry.node; },
@@ -109,15 +109,16 @@ void SeaReader::resolve_bed(Water& water) {
     }
 }
 
-/// Returns the error of a file that a parameter names, with its line, the parameter and the value
-/// in front.
+/// Returns the error of a file that a parameter names, preceded by the line, the parameter and the
+/// value.
 Error SeaReader::in_line_of_parameter(const Error& error) const {
     const ErrorFields& fields = error.fields();
     return file().in_front(error, file().line_of_parameter(fields.parameter),
                            fields.parameter + " = " + fields.value + ": ");
 }
 
-/// Checks the wave system before its record is searched: errors of the sea file itself come first.
+/// Checks the wave system before its record is searched, so that errors of the sea file itself come
+/// first.
 void SeaReader::resolve_record(WaveSystem& system, std::size_t wave) const {
     if (system.measured != nullptr) return check_inlined(system, wave);
     if (system.spectrum != SpectrumKind::measured) return;
@@ -128,8 +129,7 @@ void SeaReader::resolve_record(WaveSystem& system, std::size_t wave) const {
     }
 }
 
-/// Throws unless the inlined record is the one that `record` and `place` request: after an edit it
-/// may be stale.
+/// Throws unless `record` and `place` request the inlined record, which may be stale after an edit.
 void SeaReader::check_inlined(const WaveSystem& system, std::size_t wave) const {
     const std::string path = "waves." + std::to_string(wave) + ".";
     try {
@@ -145,8 +145,8 @@ void SeaReader::check_inlined(const WaveSystem& system, std::size_t wave) const 
     }
 }
 
-/// Reads the take. Its lines give errors of their own; that of an unreadable file belongs to the
-/// line that names it.
+/// Reads the take. Errors of its lines name these lines; the error of an unreadable file names the
+/// line of the sea file.
 void SeaReader::read_take(Sea& sea) const {
     if (take_ != nullptr) return read_take_lines(sea);
     try {
@@ -217,8 +217,8 @@ void load_record(WaveSystem& system, std::size_t wave, const std::string& base_d
     }
 }
 
-/// Reads the bed of a sea whose text has been read before. Throws Error, of a file that cannot be
-/// read with the reason why it is needed although the text may hold heights.
+/// Reads the bed of a sea whose text has been read before. If its file cannot be read, throws an
+/// Error that also states why the file is needed although the text may hold heights.
 void read_bed_again(Water& water, const std::string& base_dir) {
     try {
         resolve_bed(water, base_dir);

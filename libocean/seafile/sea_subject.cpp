@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A sea as a subject; see sea_subject.hpp. Everything here hands over to Sea, Ocean and the sea
-// file: no formula of its own.
+// A sea as a subject; see sea_subject.hpp. This file only calls Sea, Ocean and the sea file, and
+// has no formula of its own.
 #include "ocean/sea_subject.hpp"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ OceanOptions ocean_options(const MapsOptions& options) {
             .build_progress = options.build_progress};
 }
 
-/// The part of a sea that a subject shows: one period, or a part of its bed.
+/// The part of a sea that a subject shows: one period, or the whole or a part of its bed.
 class SeaExtent {
   public:
     SeaExtent(const Sea& sea, std::optional<Domain> region) : region_(region) {
@@ -52,8 +52,8 @@ class SeaExtent {
         return region_ ? std::max(region_->samples[0], region_->samples[1])
                        : default_map_resolution(grid);
     }
-    /// Returns the domain of a map of `resolution` samples along the side of a period, else along
-    /// the longer side.
+    /// Returns the domain of a map of `resolution` samples along the side of a period, or along the
+    /// longer side of any other part.
     Domain domain(const Grid& grid, int resolution) const {
         if (!region_) return Domain::tile(grid.patch_size, resolution);
         if (resolution == default_resolution(grid)) return *region_;
@@ -152,7 +152,7 @@ class SeaSubject final : public Subject {
     Domain domain(int resolution) const override { return extent_.domain(grid(), resolution); }
     std::optional<int> backend_resolution(const Backend& backend, int resolution) const override {
         if (!extent_.is_region()) return resolution;
-        // The foam of the open sea is followed on maps of its own.
+        // The foam of the open sea is followed on separate maps.
         const bool knows_coasts = backend == Backend::cpu || backend.start_coast != nullptr;
         return knows_coasts ? std::optional(default_map_resolution(grid())) : std::nullopt;
     }
@@ -175,11 +175,11 @@ class SeaSubject final : public Subject {
     }
     Costs costs() const override {
         Costs costs{.shared = modes_bytes(grid())};
-        // With a take each SubjectMaps is at a time of its own.
+        // With a take, each SubjectMaps has its own time.
         if (timeline().plays_take) costs.each = modes_bytes(grid());
         if (extent_.is_region()) {
             costs.shared += coast_bytes(sea_.parameters);
-            // Foam is followed on maps of its own, over one period and over the region.
+            // Foam is followed on separate maps, over one period and over the region.
             costs.map = [this](const MapsOptions&, ChannelSet channels, int resolution) {
                 return region_work_bytes(sea_.parameters, domain(resolution), channels);
             };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A sea file as names and values, and back. Hosts that keep a sea in properties of their own, as
-// Blender does, read and write it by these two and know nothing of TOML.
+// A sea file as names and values, and back. Hosts that keep a sea in their own properties, as
+// Blender does, read and write it with these two functions, without TOML.
 #include <algorithm>
 #include <map>
 
@@ -26,7 +26,7 @@ std::string take_name() {
     return "[" + std::string(kTakeSection) + "]";
 }
 
-/// Returns "[water.bed_heights]" and its neighbour.
+/// Returns "[water.bed_heights]" for the table "bed_heights".
 std::string bed_name(std::string_view table) {
     return "[water." + std::string(table) + "]";
 }
@@ -111,7 +111,7 @@ class ValueList {
         return spec.type() == "enum" || spec.type() == "text";
     }
 
-    /// Returns true for the neutral value of a row, of a number in any spelling.
+    /// Returns true for the neutral value of a row; a number may have any spelling.
     static bool is_neutral(const ParameterInfo& row, std::string_view value) {
         if (!row.neutral || value == *row.neutral) return row.neutral.has_value();
         const auto number = text::parse_number(*row.neutral);

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Writes sea files that read back to the same parameters bit by bit. They are saved, baked into
-// image headers and sent to farms, so they must not depend on other files: the record of a measured
-// system is inlined as [waves.measured_record]. `file` and `record` are kept beside it as its
-// source: a reader that finds the table opens no file, and refuses the sea if `record` was edited
-// to request another time. To choose again, delete the table. A take is inlined too, as [take], and
-// a bed as bed_file.hpp says.
+// Writes sea files that read back to the same parameters bit by bit. The files are saved, baked
+// into image headers and sent to farms, so that they must not depend on other files: the record of
+// a measured system is inlined as [waves.measured_record]. `file` and `record` are kept beside it
+// as its source: a reader that finds the table opens no file, and refuses the sea if `record` was
+// edited to request another time. To choose again, delete the table. A take is inlined too, as
+// [take], and a bed as bed_file.hpp says.
 #include "bed_file.hpp"
 #include "measured_record.hpp"
 #include "ocean/parameter_table.hpp"
@@ -48,7 +48,7 @@ std::string measured_record_text(const WaveSystem& system) {
     return out;
 }
 
-/// Returns the take of a sea that names one, even one without events.
+/// Returns the take of a sea that names a take, even one without events.
 std::string take_text(const Sea& sea) {
     if (sea.take.empty() && sea.parameters.time.take.empty()) return "";
     std::string out =

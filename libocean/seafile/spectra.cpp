@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Reading spectrum files of any format: recognise by content, read, check. Between a file of a buoy
-// or a wave model and the record that a wave system takes.
+// Reading spectrum files of any format: recognise by content, read, check. This is the stage
+// between a file of a buoy or a wave model and the record of a wave system.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,9 +31,10 @@ constexpr std::array kFormats = {&kNdbcRealtime, &kNdbcHistorical, &kNdbcFiveDay
                                  &kObscape,      &kOctopus,        &kWavewatch,   &kSwan,
                                  &kCsv};
 
-/// Far beyond any sea (the highest storms reach 10^3), near enough that sums stay finite.
+/// The limit is far beyond any sea (the highest storms reach 10^3), but low enough to keep sums
+/// finite.
 constexpr double kMaxDensity = 1e6;
-/// Moments are printed with two digits or more: 1 plus the max that rounding may add.
+/// Moments are printed with two digits or more: the limit is 1 plus the max rounding error.
 constexpr double kMaxMoment = 1.005;
 
 std::string bin(std::size_t i) {
@@ -195,7 +196,7 @@ namespace {
 
 /// Returns the first format that recognises the text; none if its format is unknown.
 const SpectrumFormat* format_of(std::string_view content) {
-    // Blank lines before the first word would be gone through for every format.
+    // Skips blank lines before the first word, so that not every format has to.
     const std::size_t first = content.find_first_not_of(" \t\r\n");
     const std::string_view words = content.substr(std::min(first, content.size()));
     for (const SpectrumFormat* format : kFormats) {
@@ -218,8 +219,8 @@ std::vector<SpectrumRecord> read_member(
     return {record};
 }
 
-/// Reads all spectra of an archive that have the format of its first. Tables that belong to another
-/// (see SpectrumSource::companion) are read with that one.
+/// Reads all spectra of an archive that have the format of its first spectrum. A table that belongs
+/// to another one (see SpectrumSource::companion) is read together with it.
 std::vector<SpectrumRecord> read_archive(const SpectrumSource& source) {
     std::string cut_off;
     const auto members = tar_members(source.content, std::string(source.name), cut_off);

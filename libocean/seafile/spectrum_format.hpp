@@ -17,10 +17,10 @@
 
 namespace ocean {
 
-/// No format reads more than this: hostile files end in a sentence, not in swap.
+/// No format reads more than this, so that a hostile file ends in an error instead of swap.
 inline constexpr std::size_t kMaxSpectrumFileBytes = std::size_t{512} << 20;
 
-/// Content to read, and where more of it may lie.
+/// Content to read, and access to further files that belong to it.
 struct SpectrumSource {
     std::string_view content;
     std::string name;  // the path, for messages and for the names of companions
@@ -32,8 +32,8 @@ struct SpectrumSource {
 struct SpectrumFormat {
     std::string_view name;
     bool (*recognises)(std::string_view content);
-    /// Returns the records. One that cannot be read has its `fault` set and does not affect the
-    /// others. Throws Error bad_file "NAME:LINE: ..." for a fault of the whole file.
+    /// Returns the records. A record that cannot be read has its `fault` set and does not affect
+    /// the others. Throws Error bad_file "NAME:LINE: ..." for a fault of the whole file.
     std::vector<SpectrumRecord> (*read)(const SpectrumSource& source);
 };
 
@@ -63,8 +63,7 @@ void catch_fault(std::string& fault, const Read& read) {
     }
 }
 
-/// Reads by one format. The file must hold a spectrum without a fault; others have theirs in
-/// `fault`.
+/// Reads with one format. At least one spectrum must have no fault; faulty ones have `fault` set.
 std::vector<SpectrumRecord> read_format(const SpectrumFormat& format, const SpectrumSource& source);
 /// Reads spectra as read_spectra does, from content in memory.
 std::vector<SpectrumRecord> read_spectra_from(const SpectrumSource& source);

@@ -21,12 +21,12 @@ std::string brackets(const ParameterSpec& spec) {
     return spec.in_list() ? "[[" + name + "]]" : "[" + name + "]";
 }
 
-/// Returns "system" of "wave system".
+/// Returns "system" for "wave system".
 std::string last_word(std::string_view words) {
     return std::string(words.substr(words.rfind(' ') + 1));
 }
 
-/// Returns the numbers of an array of TOML; none if it is not an array of numbers alone.
+/// Returns the numbers of a TOML array; nothing if it contains anything else.
 std::optional<std::vector<double>> numbers_of(const toml::node& node) {
     const toml::array* list = node.as_array();
     if (list == nullptr) return std::nullopt;
@@ -39,7 +39,7 @@ std::optional<std::vector<double>> numbers_of(const toml::node& node) {
     return numbers;
 }
 
-/// Returns the pairs of [[a, b], [c, d]]; none if it is not an array of pairs alone.
+/// Returns the pairs of [[a, b], [c, d]]; nothing if the array contains anything else.
 std::optional<NumberPairs> pairs_of(const toml::node& node) {
     const toml::array* list = node.as_array();
     if (list == nullptr) return std::nullopt;
@@ -75,7 +75,7 @@ std::string kind_of_file_text(std::string_view toml) {
             }
         }
     } catch (const Error&) {
-        // Its reader says what is wrong.
+        // The reader of the value reports the fault.
     }
     return "";
 }

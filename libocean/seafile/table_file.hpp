@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A file of parameters while it is read, for any model: its name, the lines of its values, and the
-// errors that begin with both. TableReader is the loop over a table.
+// errors that begin with both. TableReader loops over a table.
 #pragma once
 
 #include <functional>
@@ -41,7 +41,7 @@ class TableFile {
                ErrorKind kind = ErrorKind::invalid_value) const;
     /// Returns the error with name, line and `prefix` in front of its sentence.
     Error in_front(const Error& error, std::size_t line, const std::string& prefix = "") const;
-    /// Returns the error with name and line of the parameter that it is about in front.
+    /// Returns the error preceded by name and line of its parameter.
     Error in_front(const Error& error) const;
 
     void set_line(const std::string& path, std::size_t line) { lines_[path] = line; }
@@ -50,13 +50,14 @@ class TableFile {
 
     /// Throws Error bad_file for a file without the line "libocean = 1".
     void require_version(const toml::table& root, std::string_view kind) const;
-    /// Returns the value as the type of the row. A whole number is accepted for a float; no other
-    /// type is converted. Throws Error invalid_value.
+    /// Returns the value as the type of the row. A float accepts a whole number; no other type is
+    /// converted. Throws Error invalid_value.
     ParameterValue value_for(const ParameterSpec& spec, std::size_t item,
                              const toml::node& node) const;
     /// Throws Error bad_file if the entry is a section of another kind of file.
     void require_kind(const TomlEntry& entry, std::string_view kind) const;
-    /// Throws Error invalid_value: an entry of the root that is no section; `roots` are allowed.
+    /// Throws Error invalid_value for an entry of the root that is not a section; `roots` are
+    /// allowed.
     [[noreturn]] void refuse_root(const TomlEntry& entry,
                                   std::span<const ParameterSpec* const> specs,
                                   std::span<const std::string_view> sections,
@@ -68,7 +69,7 @@ class TableFile {
 
   private:
     std::string name_;
-    std::map<std::string, std::size_t, std::less<>> lines_;  // of the paths that were given
+    std::map<std::string, std::size_t, std::less<>> lines_;  // lines of the paths in the file
 };
 
 }  // namespace ocean

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Reads a model from a file through its table, strictly and in the order of the file: a key without
-// effect is an error, never ignored. The table covers sections, lists of sections and sections
-// inside sections; a model's own reader reads all other contents of its files.
+// effect is an error, never ignored. The table covers sections, lists of sections and nested
+// sections; a model's own reader reads all other contents of its files.
 #pragma once
 
 #include <algorithm>
@@ -17,15 +17,16 @@
 
 namespace ocean {
 
-/// Parts of a model's files that are no parameters.
+/// The parts of a model's files that are not parameters.
 template <typename Model>
 struct OwnParts {
     std::vector<std::string_view> roots = {};  // names of root entries, "take"
     std::function<void(const TomlEntry&)> read_root = nullptr;
-    /// Reads a key of a section that is no parameter; false if the model does not know it either.
+    /// Reads a key of a section that is not a parameter; returns false if the model does not know
+    /// it either.
     std::function<bool(Model&, std::string_view section, std::size_t item, const TomlEntry&)>
         read_key = nullptr;
-    /// Is called for each section of the table before its keys are read, but not for lists.
+    /// Called for each section of the table, but not for lists, before the section's keys are read.
     std::function<void(Model&, std::string_view section)> begin_section = nullptr;
 };
 
@@ -35,8 +36,8 @@ class TableReader {
     TableReader(const Table<Model>& table, std::string name, OwnParts<Model> own = {})
         : table_(table), own_(std::move(own)), file_(std::move(name)) {}
 
-    /// Returns the model of the file, not yet held against rules between its parameters. Throws
-    /// Error "NAME:LINE: ...".
+    /// Returns the model of the file, without checks of rules between its parameters. Throws Error
+    /// "NAME:LINE: ...".
     Model read(const toml::table& root) {
         file_.require_version(root, table_.kind);
         const std::vector<std::string_view> sections = root_names(table_.sections);

@@ -17,10 +17,11 @@ namespace ocean {
 /// Returns a chosen parameter's line, "resolution = 512\n"; empty to leave it out.
 template <typename Model>
 using LineOfParameter = std::function<std::string(const RefOf<Model>&)>;
-/// Returns the text after the keys of a section or of a list's item.
+/// Returns the text after the keys of a section or of a list item.
 using TextAfterKeys = std::function<std::string(std::string_view section, std::size_t item)>;
 
-/// Returns "key = value\n"; empty for a value that the row leaves out, unset or neutral.
+/// Returns "key = value\n"; empty for a value that the row leaves out because it is unset or
+/// neutral.
 template <typename Model>
 std::string parameter_line(const Model& model, const RefOf<Model>& ref) {
     const ParameterValue value = value_of(model, ref);
@@ -47,8 +48,7 @@ std::size_t items_of(const Table<Model>& table, std::string_view section, const 
     return 0;
 }
 
-/// Returns "libocean = 1", then each section of the table that has a line, each item of a list in
-/// turn.
+/// Returns "libocean = 1", then each section of the table that has a line, and each item of a list.
 template <typename Model>
 std::string table_text(const Table<Model>& table, const Model& model,
                        const LineOfParameter<Model>& line, const TextAfterKeys& after = nullptr) {
@@ -68,7 +68,8 @@ std::string table_text(const Table<Model>& table, const Model& model,
     return out;
 }
 
-/// Returns every key that is set and not neutral; TableReader reads it back to the same bits.
+/// Returns the lines of every key that is set and not neutral; TableReader reads them back to the
+/// same bits.
 template <typename Model>
 std::string table_text(const Table<Model>& table, const Model& model) {
     return table_text<Model>(table, model,

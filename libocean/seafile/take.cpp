@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Takes as text: see take.hpp. Written by people and by live tools, so every line is checked as a
-// sea file's would be.
+// Takes as text: see take.hpp. People and live tools write them, so that every line is checked as
+// in a sea file.
 #include "take.hpp"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lines of a take, checked one by one. Shared by the file of a take and the [take] of a sea file,
-// which holds the same lines.
+// Lines of a take, checked one by one. The file of a take and the [take] of a sea file hold the
+// same lines.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace ocean {
 inline constexpr std::string_view kTakeSection = "take";
 inline constexpr std::string_view kTakeLines = "lines";
 
-/// Turns lines into the events of a sea whose parameters are known.
+/// Converts lines to the events of a sea whose parameters are known.
 class TakeReader {
   public:
     TakeReader(const Parameters& parameters, std::string name)

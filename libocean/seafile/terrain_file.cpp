@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Reads and writes terrain files through the table of a terrain. A resolved file needs no other
-// one: the rings of a measured spectrum stand in [terrain.measured_rings], a base of at most 1 MB
+// file: the rings of a measured spectrum stand in [terrain.measured_rings], a base of at most 1 MB
 // in [terrain.base_heights].
 #include "ocean/terrainfile.hpp"
 
@@ -80,7 +80,7 @@ class TerrainReader {
     }
 
     /// Gives the first key of a section of erosion or shore a typical value, which the section's
-    /// own keys may replace: the section alone switches it on.
+    /// own keys may replace: the section's presence switches it on.
     static void switch_on(TerrainModel& terrain, std::string_view section) {
         if (section == "terrain.gullies") terrain.gullies.depth = GullySettings{}.depth;
         if (section == "terrain.stream") terrain.stream.slope = StreamSettings{}.slope;
@@ -100,7 +100,7 @@ class TerrainReader {
         return true;
     }
 
-    /// Throws if the file of the base is not the one that the text knows.
+    /// Throws if the base's file does not match the text's hash.
     void require_hash(TerrainModel& terrain) const {
         if (base_hash_.empty()) return;
         if (terrain.base_model == nullptr) {
@@ -145,7 +145,7 @@ class TerrainReader {
 
     const std::string& name_;
     const std::string& base_dir_;
-    std::string base_hash_;  // of [terrain.base_heights]
+    std::string base_hash_;  // hash in [terrain.base_heights]
     TableReader<TerrainModel> reader_;
 };
 
@@ -206,8 +206,8 @@ TerrainModel read_terrain(const std::string& path) {
 
 namespace {
 
-/// Returns true if a section has a key of another value than its neutral one: its text then has a
-/// header, which a reader takes as switched on unless its switch says otherwise.
+/// Returns true if a key of a section differs from its neutral value. The text then has the
+/// section's header, which a reader takes as switched on unless the switch says otherwise.
 bool has_other_keys(const TerrainModel& terrain, const TerrainRow& first) {
     return std::ranges::any_of(terrain_table().rows, [&](const TerrainRow& row) {
         return row.section == first.section && &row != &first &&

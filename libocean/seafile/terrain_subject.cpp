@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A terrain as a subject; see terrain_subject.hpp. Everything here hands over to Terrain and the
-// terrain file: no formula of its own.
+// A terrain as a subject; see terrain_subject.hpp. This file only calls Terrain and the terrain
+// file, and has no formula of its own.
 #include "ocean/terrain_subject.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ Domain repeated_domain(const TerrainModel& terrain, TerrainTiles tiles, int reso
             true};
 }
 
-/// Returns the map of one tile repeated.
+/// Returns the map of repeated tiles, from the map of one.
 Surface repeated(const Surface& tile, const Domain& domain) {
     Surface all(domain, tile.time(), tile.channels());
     const auto side = static_cast<std::size_t>(tile.resolution());
@@ -63,8 +63,8 @@ struct TerrainExtent {
     TerrainTiles tiles;
     std::optional<Domain> region;
 
-    /// Returns the domain of a map of `resolution` samples along the side of a tile, else along the
-    /// longer side.
+    /// Returns the domain of a map of `resolution` samples along the side of a tile, or along the
+    /// longer side of any other part.
     Domain domain(const TerrainModel& terrain, int resolution) const {
         if (!region) {
             return terrain.is_placed() ? terrain_domain(terrain, resolution)
@@ -170,7 +170,7 @@ class TerrainSubject final : public Subject {
             const double margin = 0.1 * static_cast<double>(high - low) + own.step(0);
             return {static_cast<double>(low) - margin, static_cast<double>(high) + margin};
         }
-        constexpr double kMaxSigmas = 5.0;  // beyond the highest of 8192^2 samples
+        constexpr double kMaxSigmas = 5.0;  // higher than the highest of 8192^2 samples
         const double reach = kMaxSigmas * land.scale().rms;
         return {land.offset() - reach, land.offset() + reach};
     }
@@ -194,7 +194,8 @@ class TerrainSubject final : public Subject {
     }
 
   private:
-    /// Returns maps of the land, which is computed once: streams take as long as all frames.
+    /// Returns maps of the land, which is computed once, because streams take as long as all
+    /// frames.
     std::unique_ptr<TerrainMaps> built(const MapsOptions& options) const {
         const std::lock_guard lock(mutex_);
         if (built_ != nullptr) return std::make_unique<TerrainMaps>(*built_, options);
@@ -202,8 +203,8 @@ class TerrainSubject final : public Subject {
         built_ = std::make_unique<const TerrainMaps>(*maps, MapsOptions{.threads = 1});
         return maps;
     }
-    /// Returns true if it is a sum of waves over one period, false if it is a function of the
-    /// place.
+    /// Returns true if the terrain is a sum of waves over one period, false if it is a function of
+    /// the place.
     bool has_lattice() const { return !extent_.region && !terrain_.is_shaped(); }
     Grid grid() const {
         Grid grid;
@@ -215,7 +216,7 @@ class TerrainSubject final : public Subject {
     TerrainModel terrain_;
     TerrainExtent extent_;
     mutable std::mutex mutex_;
-    mutable std::unique_ptr<const TerrainMaps> built_;  // null until it is first needed
+    mutable std::unique_ptr<const TerrainMaps> built_;  // null until first needed
 };
 
 }  // namespace

@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::size_t kMaxKeyParts = 16;
 
-/// Finds keys of absurdly many parts, a.b.c.d...: each part is a table inside the one before, and
+/// Finds keys of absurdly many parts, a.b.c.d...: each part is a table inside the previous one, and
 /// toml++ destroys nested tables by recursion, which overflows the stack. Dots are counted outside
-/// strings and comments since the last separator; floats have one each.
+/// strings and comments since the last separator; a float has one dot.
 class KeyDepth {
   public:
     explicit KeyDepth(std::string_view text) : text_(text) {}

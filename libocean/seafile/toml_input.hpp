@@ -5,7 +5,7 @@
 // sections and records. The only header here that includes toml++.
 #pragma once
 
-// Debian builds toml++ as a shared library; compiled in, libocean.so depends on nothing.
+// Debian builds toml++ as a shared library; compiled in, it adds no dependency to libocean.so.
 #define TOML_HEADER_ONLY 1
 #define TOML_MAX_NESTED_VALUES 16
 #define TOML_ENABLE_FORMATTERS 0
@@ -13,8 +13,8 @@
 #include <toml++/impl/preprocessor.h>
 
 // toml++ 3.3 asserts, or lets the compiler assume, conditions that hostile text can violate (a key
-// that begins with '#' after a value that was cut off); the code behind each assertion reports the
-// error. And its tests for blanks declare letters from U+00A1 to U+0499 unreachable: they are not
+// that begins with '#' after a truncated value); the code behind each assertion reports the error.
+// Its tests for blanks declare letters from U+00A1 to U+0499 unreachable, although these are not
 // blanks.
 #undef TOML_ASSERT
 #undef TOML_ASSUME
@@ -36,8 +36,8 @@
 
 namespace ocean {
 
-/// Parses after the bounds are checked: 4 MiB, no NUL, keys of at most 16 parts. Throws Error
-/// bad_file "NAME:LINE: ...".
+/// Parses after checking limits: 4 MiB, no NUL, keys of at most 16 parts. Throws Error bad_file
+/// "NAME:LINE: ...".
 toml::table parse_toml(std::string_view text, const std::string& name);
 
 struct TomlEntry {
@@ -45,14 +45,14 @@ struct TomlEntry {
     std::size_t line;
     const toml::node* node;
 };
-/// Returns the entries of a table in the order of the file, so that the first fault is reported
-/// first.
+/// Returns the entries of a table in the order of the file, so that the first fault in the file is
+/// reported first.
 std::vector<TomlEntry> in_file_order(const toml::table& table);
 
 std::size_t line_of(const toml::node& node);
-/// Returns the number of a float, or of an integer in its place; nothing for any other node.
+/// Returns the number of a float or an integer; nothing for any other node.
 std::optional<double> number_of(const toml::node& node);
-/// Returns a value as a message shows it: 300, "text", a table, an array of 3.
+/// Returns a value for a message: 300, "text", a table, an array of 3.
 std::string shown(const toml::node& node);
 
 }  // namespace ocean

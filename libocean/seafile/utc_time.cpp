@@ -22,7 +22,7 @@ void append_padded(std::string& out, int value, std::size_t width) {
     out += digits;
 }
 
-/// Removes `width` digits from the front and returns them; -1 if they are missing.
+/// Removes `width` digits from the front and returns their number; -1 if they are missing.
 int next_digits(std::string_view& text, std::size_t width) {
     if (text.size() < width) return -1;
     int value = 0;
@@ -40,7 +40,7 @@ bool accept(std::string_view& text, std::string_view any_of) {
     return true;
 }
 
-/// Skips one or more digits; false if there are none.
+/// Skips one or more digits; returns false if there are none.
 bool skip_fraction(std::string_view& text) {
     const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
     text.remove_prefix(count);

@@ -51,9 +51,9 @@ struct Df3Settings {
     bool detail_map = false;
     bool mask_map = false;
     DetailSettings detail = {};
-    int detail_bands = 0;             // in the file; 0: no file
-    io::Df3Slices slices = {};        // of the subject's maps
-    std::vector<Channel> masks = {};  // in the file; empty: no file
+    int detail_bands = 0;             // bands in the file; 0: no file
+    io::Df3Slices slices = {};        // slices of the subject's maps
+    std::vector<Channel> masks = {};  // masks in the file; empty: no file
 };
 
 Df3Settings read_options(const BakeOptions& options, const Catalogue&) {
@@ -81,7 +81,7 @@ FormatPlan<Df3Settings> resolve(const BakePlan& draft, const Df3Settings& reques
         maps.finer_channels = io::df3_channels(io::df3_position_slices());
     }
     if (settings.detail_map) {
-        // As many samples as the map has, so that both files grow alike.
+        // The tiles have as many samples as the map, so that both files grow in proportion.
         settings.detail = {draft.resolution, std::clamp(draft.resolution, kMinDetailSamples,
                                                         DetailSettings{}.samples)};
         settings.detail_bands = static_cast<int>(
@@ -148,16 +148,16 @@ bool is_our_text(const std::string& path) {
     return text::first_bytes(path, kOpening.size()) == kOpening;
 }
 
-/// Returns true if our text lies beside a map, also one whose name is that of the frame's map and
-/// an ending, such as land_far1.df3.
+/// Returns true if a text of ours lies beside a map, also if the map's name is a frame's with an
+/// ending, such as land_far1.df3.
 bool has_our_text(const std::string& path) {
     const std::size_t ending = path.rfind('_'), dot = path.rfind('.');
     if (is_our_text(path + ".inc")) return true;
     return ending < dot && is_our_text(path.substr(0, ending) + path.substr(dot) + ".inc");
 }
 
-/// Recognises a square of a map's resolution with the slices of a map, of a position, or two for
-/// each slope tile; any map of a land beside its text; and texts with our opening.
+/// Recognises a square map with the slices of a map, of a position, or two for each slope tile; any
+/// map of a land beside its text; and texts with our opening.
 bool is_baked(const BakeFile& file) {
     if (file.path.ends_with(".inc")) {
         return is_our_text(file.path);
@@ -222,7 +222,8 @@ std::string height_codes(const Surface& map, io::Df3Slices slices, const std::st
            shortest_text(0.5 * heights.quantum()) + " m\n";
 }
 
-/// Returns the declarations of how many masks a map has, and of the slice of each, -1 without.
+/// Returns the declarations of the number of masks of a map, and of the slice of each mask, -1 for
+/// a missing one.
 std::string mask_slices(std::span<const Channel> masks, const std::string& prefix) {
     std::string text = "#declare " + prefix + "Masks_ = " + std::to_string(masks.size()) + ";\n";
     for (const Product& mask : kMaskProducts) {
@@ -236,7 +237,7 @@ std::string mask_slices(std::span<const Channel> masks, const std::string& prefi
 }
 
 /// Returns the declarations of a land's maps: their levels, the codes of their heights, and the
-/// slice of each mask, -1 without.
+/// slice of each mask, -1 for a missing one.
 std::string land_maps(const FrameWork& work, const Df3Settings& settings,
                       const std::string& prefix) {
     const auto levels = work.maps.first(work.plan.maps.resolutions.size());

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // OpenEXR images: a file for each product, or one layered file of all of them. The header of a file
-// is a function of the plan alone, so that it proves whether a file is the one that the plan would
-// write.
+// is a function of the plan alone, so that it proves whether the plan would write the same file.
 #include <algorithm>
 #include <initializer_list>
 #include <iterator>
@@ -32,7 +31,7 @@ struct ExrSettings {
     bool is_default = false;  // --products was not given
     io::ProductLayout layout;
     std::optional<io::ExrCompression> compression;  // absent: chosen for each file
-    std::vector<RequestedFamily> families;          // that make some of the products
+    std::vector<RequestedFamily> families;          // families that make some of the products
 
     std::size_t files() const { return layout.layered ? 1 : products.size(); }
     /// Returns the products of one file of a frame.
@@ -44,8 +43,8 @@ struct ExrSettings {
     }
 };
 
-/// Returns the names of the library's products that have that value in that column: "slope, foam
-/// and cover"; "masks" for all masks of lands.
+/// Returns the names of the library's products with that value in that column: "slope, foam and
+/// cover"; "masks" for all masks of lands.
 template <typename Value>
 std::string names_of(Value Product::*column, Value value) {
     std::vector<std::string> names;
@@ -79,7 +78,8 @@ std::vector<FormatOption> list_options(const Catalogue& catalogue) {
     return options;
 }
 
-/// Returns run lengths if they save space for all products of a file, else none.
+/// Returns run-length compression if it saves space for all products of a file, else no
+/// compression.
 io::ExrCompression default_compression(std::span<const Product* const> products,
                                        io::PixelType type) {
     const auto saves = [type](const Product* product) {
@@ -161,8 +161,8 @@ FormatPlan<ExrSettings> resolve(const BakePlan& draft, const ExrSettings& reques
     return result;
 }
 
-/// Returns the image with the header strings of the families that make its products, and the
-/// resolution of a map that is no tile.
+/// Returns the image with the header strings of the families that make its products, and with the
+/// map's resolution unless it is a tile.
 io::Image with_more_strings(io::Image image, const BakePlan& plan, const ExrSettings& settings,
                             const BakeFile& file) {
     if (!plan.domain().is_tile()) {
@@ -276,8 +276,8 @@ bool read_pixels(const BakePlan& plan, const ExrSettings& settings, const BakeFi
 
 // ---- --from ----
 
-/// Sets the layout and the type that make the file's channels; leaves out the type if it is the
-/// default.
+/// Sets the layout and the type with which `ocean bake` writes these channels; leaves out the type
+/// if it is the default.
 void adopt_channels(const io::ExrLayout& stored, bool full_heights,
                     std::span<const Product* const> products, BakeOptions& options) {
     for (const bool layered : {false, true}) {
@@ -298,8 +298,8 @@ void adopt_channels(const io::ExrLayout& stored, bool full_heights,
     refuse_source(options.from, "its channels are not those that `ocean bake` writes");
 }
 
-/// Sets nothing from a file of another format: meshes and volumes have products and axes of their
-/// own.
+/// Sets nothing from a file of another format, because meshes and volumes have products and axes of
+/// their own.
 void adopt(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& options) {
     if (!header.has_layout()) return;
     const io::ExrLayout& stored = header.layout();
@@ -318,7 +318,8 @@ void adopt(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& o
         if (!stored.compression) {
             refuse_source(options.from, "`ocean bake` does not have its compression");
         }
-        // The default of this file is left out: other products may have another one.
+        // Leaves out the default compression of this file, because other products may have another
+        // default.
         if (*stored.compression != default_compression(products, stored.channels.front().type)) {
             options.set_default("compression", io::exr_compression_name(*stored.compression));
         }

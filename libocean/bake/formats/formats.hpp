@@ -42,7 +42,7 @@ struct ChosenProducts {
 /// Returns the products that --products requests. Throws Error invalid_value.
 ChosenProducts choose_products(const BakeOptions& options, const ProductChoice& choice);
 
-/// Returns those products of a default list whose channels the subject has.
+/// Returns the products of a default list whose channels the subject has.
 std::vector<const Product*> available_products(const Subject& subject,
                                                const std::vector<const Product*>& products);
 

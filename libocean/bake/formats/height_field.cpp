@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// POV-Ray's height_field: a 16-bit PNG of the heights by place; beside it the meaning of its codes,
-// for people (.txt) and for scenes (.inc).
+// POV-Ray's height_field: a 16-bit PNG of heights at fixed places, with the meaning of its codes
+// beside it, for people (.txt) and for scenes (.inc).
 #include "ocean/io/height_field.hpp"
 #include "formats/formats.hpp"
 #include "formats/height_image.hpp"
@@ -51,8 +51,8 @@ bool names_its_subject(const std::string& path) {
     }
 }
 
-/// Recognises a grey PNG of 16 bits that repeats its first row and column, names its subject or has
-/// our text beside it, and texts with our opening.
+/// Recognises texts with our opening, and a grey PNG of 16 bits that repeats its first row and
+/// column, names its subject or has our text beside it.
 bool is_baked(const BakeFile& file) {
     constexpr std::size_t kHead = 26;  // signature, length and name of IHDR, its first five values
     const std::string head = text::first_bytes(file.path, kHead);
@@ -100,7 +100,7 @@ void write(const FrameWork& work, const NoSettings&, std::span<const BakeFile> f
     });
 }
 
-/// Returns the strings of a file of a subject that is not a sea: those of seas have none.
+/// Returns the strings of a file whose subject is not a sea; files of seas have no strings.
 std::vector<io::HeaderString> read_header(const std::string& path) {
     if (names_its_subject(path)) return io::read_png_header(path);
     throw Error(ErrorKind::bad_file, path + ": a height field of a sea does not name its sea");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The heights of a frame, for the formats that hold nothing else.
+// The heights of a frame, for the formats that hold only heights.
 #pragma once
 
 #include "ocean/bake/typed_format.hpp"

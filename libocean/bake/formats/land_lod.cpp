@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// See land_lod.hpp. The mesher mixes normals as heights; masks are maps of its patches, read at the
-// places of the mesh's vertices.
+// See land_lod.hpp. The mesher mixes normals in the same way as heights; masks are maps of its
+// patches, read at the places of the mesh's vertices.
 #include "formats/land_lod.hpp"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ Surface masks_of(const LandFunction& function, const LandLod& lod, const LandPat
     return function.surface(region, masks, pool);
 }
 
-/// Returns the sampler of a land's heights, with the normal behind each if there is one wanted.
+/// Returns the sampler of a land's heights, with the normal after each height if `has_normals`.
 HeightSampler sampler_of(const LandFunction& function, ThreadPool& pool, bool has_normals) {
     return
         [&function, &pool, has_normals, samples = std::vector<QuerySample>()](
@@ -69,12 +69,12 @@ std::vector<float> unit_normals(std::vector<float> normals) {
     return normals;
 }
 
-/// Adds the products that are masks, each vertex with the value of its level.
+/// Adds the products that are masks; each vertex has the mask of its level.
 void add_masks(const LandFunction& function, const LandLod& lod, std::span<const LandPatch> patches,
                const LandMesh& land, std::span<const Product* const> products, ThreadPool& pool,
                io::Mesh& mesh) {
     ChannelSet masks;
-    std::vector<std::pair<Channel, std::size_t>> columns;  // a mask, its attribute
+    std::vector<std::pair<Channel, std::size_t>> columns;  // a mask, and the index of its attribute
     for (const Product* product : products) {
         if (product->name == "normal") continue;
         masks = masks | product->set();
@@ -98,8 +98,8 @@ void add_masks(const LandFunction& function, const LandLod& lod, std::span<const
     }
 }
 
-/// Returns the least spacing of vertices that floats tell apart around an eye, which files hold
-/// positions as [m]: 0.5, more from 1e6 m from the origin on.
+/// Returns the min spacing of vertices that files can resolve around an eye, since they hold
+/// positions as floats in [m]: 0.5, and more beyond 1e6 m from the origin.
 double finest_spacing(const std::array<double, 3>& eye) {
     const double reach = std::max({std::abs(eye[0]), std::abs(eye[1]), 1.0});
     const double rounding = std::ldexp(1.0, std::ilogb(reach) - 23);
@@ -163,7 +163,7 @@ LandLod resolve_land_lod(const BakePlan& draft, const LandLod& requested) {
     }
     if (lod.farthest) quadtree.farthest = *lod.farthest;
     const auto maps = draft.subject->open(draft.maps_options());
-    constexpr double kCalm = 16.0;  // [m]: shorter waves do not count in the eye's height
+    constexpr double kCalm = 16.0;  // [m]; shorter waves are ignored in the eye's height
     const std::array<WorldPoint, 1> below = {{{lod.eye[0], lod.eye[1]}}};
     std::array<QuerySample, 1> ground{};
     terrain_of(*maps).function()->query(below, ground, kCalm, maps->pool());
@@ -177,7 +177,7 @@ LandLod resolve_land_lod(const BakePlan& draft, const LandLod& requested) {
         lod.max_vertices += side * side;
     }
     lod.max_triangles = triangles_of(quadtree, patches);
-    // With the vertices in the order of their patches.
+    // The estimate includes the vertices in the order of their patches.
     lod.work_bytes =
         land_mesh_bytes(quadtree, patches, kNormalValues) + lod.max_vertices * sizeof(std::size_t);
     return lod;

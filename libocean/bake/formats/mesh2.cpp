@@ -21,7 +21,7 @@ namespace {
 struct Mesh2Settings {
     std::optional<io::View> view;     // a mesh to the horizon instead of one period
     bool has_slope_variance = false;  // --slope-variance was given
-    bool cover = false;               // as u of each vertex
+    bool cover = false;               // cover as u of each vertex
 };
 
 std::vector<FormatOption> list_options(const Catalogue&) {
@@ -111,7 +111,7 @@ FormatPlan<Mesh2Settings> resolve(const BakePlan& draft, const Mesh2Settings& re
     if (settings.view) {
         maps.channels = maps.channels | ChannelSet{slope_x, slope_y};
         maps.resolutions = halving_resolutions(draft.resolution);
-        // Light also meets the waves that are too short for the map.
+        // Waves too short for the map scatter light too.
         if (!settings.has_slope_variance) {
             settings.view->unresolved_slope_variance = unresolved_slope_variance(draft);
         }
@@ -150,7 +150,7 @@ std::uint64_t frame_bytes(const BakePlan& plan, const Mesh2Settings& settings) {
 
 std::uint64_t max_bytes(const BakePlan& plan, const Mesh2Settings& settings, const BakeFile&) {
     // The longest numbers are "-1.2345678e-05", "-.1234" and "2147483647"; kAround is the
-    // punctuation of three.
+    // punctuation of three numbers.
     constexpr std::uint64_t kFloat = 14, kUnit = 6, kIndex = 10, kAround = 5, kHead = 4096;
     const std::uint64_t cover = settings.cover ? kUnit + 2 + kAround : 0;  // "<.1234,0>"
     return kHead + vertices(plan, settings) *

@@ -11,7 +11,7 @@ namespace ocean {
 namespace {
 
 constexpr std::string_view kProducts = "normal,foam";
-constexpr bool kAll = false;  // unless --products is given
+constexpr bool kAll = false;  // the default without --products
 
 std::vector<FormatOption> list_options(const Catalogue&) {
     return plain_mesh_options(kProducts, kAll);

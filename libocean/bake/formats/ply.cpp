@@ -14,7 +14,7 @@ namespace ocean {
 namespace {
 
 constexpr std::string_view kProducts = "normal,foam,velocity";
-constexpr bool kAll = true;  // unless --products is given
+constexpr bool kAll = true;  // the default without --products
 
 using MeshOrSpray = std::variant<PlainMesh, SprayPoints>;
 

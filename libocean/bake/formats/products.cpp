@@ -26,7 +26,7 @@ bool is_also_allowed(const Product& product, const ProductChoice& choice) {
            choice.also_allowed.end();
 }
 
-/// Returns all words that may stand in a list.
+/// Returns all words that a list may contain.
 std::vector<std::string_view> names_of(const ProductChoice& choice) {
     std::vector<std::string_view> names;
     for (const Product& product : choice.known) {
@@ -64,7 +64,7 @@ std::vector<const Product*> parse_products(const std::string& list,
     return products;
 }
 
-/// Returns true if the list is that product alone. Throws Error if it is one of several.
+/// Returns true if the list is that product alone. Throws Error if the list has further products.
 bool is_alone(const std::string& list, const Product& product) {
     if (list == product.name) return true;
     for (const std::string& part : split(list, ',')) {

@@ -19,7 +19,7 @@ constexpr const char* kLifetime = "spray-lifetime";
 constexpr const char* kDensity = "spray-density";
 constexpr const char* kMaxSpray = "spray-most";
 
-/// A setting as it is typed, and as a header states it.
+/// A setting as typed, and as stated in a header.
 struct Setting {
     const char* option;
     const char* string;
@@ -108,7 +108,7 @@ std::vector<BakeFile> list_spray(const BakePlan& plan, int frame) {
 std::vector<io::HeaderString> spray_strings(const BakePlan& plan, const SprayPoints& spray,
                                             int frame) {
     std::vector<io::HeaderString> strings = io::provenance_strings(provenance_of(plan, frame));
-    // Spray is emitted on the sea's own lattice: it is the same for any --resolution.
+    // Spray is emitted on the sea's own lattice, which does not depend on --resolution.
     const int resolution = plan.subject->default_resolution();
     strings.push_back({"ocean:resolution", std::to_string(resolution)});
     strings.push_back({"ocean:axes", std::string(io::axes_name(spray.axes))});
@@ -126,7 +126,7 @@ std::string spray_recipe(const BakePlan& plan, const SprayPoints& spray, const B
 }
 
 std::string spray_cell_warning(const BakePlan& plan) {
-    constexpr double kLongest = 4.0;  // [m]; fronts of breakers are some metres wide
+    constexpr double kLongest = 4.0;  // [m]; breaker fronts are some metres wide
     const std::vector<BakeFile> files = plan.format->files(plan, plan.frames.front());
     const auto has_spray = [](const BakeFile& file) {
         return file.product == kSprayProduct.name || file.product == "density";
@@ -156,7 +156,7 @@ std::uint64_t spray_map_bytes(const BakePlan& plan) {
     const Parameters& parameters = sea_of(*plan.subject).parameters;
     const Domain domain = spray_domain(parameters);
     const std::uint64_t map = domain.count() * kSprayChannels.size() * sizeof(float);
-    if (parameters.water.bed) return 2 * map;  // one that is computed, and that of before
+    if (parameters.water.bed) return 2 * map;  // the current map and the previous one
     return map + work_bytes(parameters.grid, plan.backend, kSprayChannels, domain.samples[0]);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The spray of a frame as a file of points whose header describes it: the part that the formats of
-// such files share. A file with the product `spray` holds no other product.
+// The spray of a frame as a file of points whose header describes it: the part that all such
+// formats share. A file with the product `spray` holds no other product.
 #pragma once
 
 #include <string>
@@ -31,13 +31,13 @@ struct SprayPoints {
 
 /// Returns --spray-lifetime, --spray-density and --spray-most.
 std::vector<FormatOption> spray_options();
-/// Throws Error invalid_value for an option of spray if the products have none; `products` names
-/// those that would.
+/// Throws Error invalid_value for an option of spray if the products have no spray; `products`
+/// names the products that would.
 void refuse_spray_options(const BakeOptions& options, std::string_view products);
 SpraySettings read_spray_settings(const BakeOptions& options);
 SprayPoints read_spray(const BakeOptions& options);
 
-/// Returns the settings as headers and recipes state them.
+/// Returns the settings in the form of headers and recipes.
 std::vector<io::HeaderString> spray_setting_strings(const SpraySettings& settings);
 
 FrameMaps spray_maps(const BakePlan& draft);
@@ -54,8 +54,8 @@ io::Points make_spray_points(const FrameWork& work, const SprayPoints& spray);
 void adopt_spray_settings(const BakedHeader& header, BakeOptions& options);
 void adopt_spray(const BakedHeader& header, BakeOptions& options);
 
-/// Returns a warning of spray whose cells over a bed are longer than breakers are; "" if there is
-/// none. Beds of more than 4096 m have such cells.
+/// Returns a warning if the spray's cells over a bed are longer than breakers are; else "". Beds of
+/// more than 4096 m have such cells.
 std::string spray_cell_warning(const BakePlan& plan);
 
 }  // namespace ocean

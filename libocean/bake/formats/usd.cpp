@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A USD stage of text, sea.usda; beside it a crate file a frame, sea.0001.usdc, one with the faces,
-// sea.topology.usdc, and the manifest of the frames' attributes, sea.clips.usda.
+// A USD stage of text, sea.usda. Beside it lie a crate file for each frame, sea.0001.usdc, a crate
+// file with the faces, sea.topology.usdc, and the manifest of the frames' attributes,
+// sea.clips.usda.
 #include "ocean/io/usd.hpp"
 
 #include <algorithm>
@@ -50,7 +51,7 @@ std::string file_name(const std::string& path) {
     return path.substr(path.rfind('/') + 1);
 }
 
-/// "out/sea" of "out/sea.####.usda".
+/// Returns "out/sea" for "out/sea.####.usda".
 std::string stem_of(const BakePlan& plan) {
     const std::string path = plan.pattern.manifest(), name = plan.pattern.stem();
     return path.substr(0, path.rfind('/') + 1) + (name.empty() ? "sea" : name);
@@ -98,7 +99,7 @@ bool is_shared(const BakeFile& file) {
     return file.product != "mesh";
 }
 
-/// Returns the name of a frame with # in the place of its digits.
+/// Returns the name of a frame with # in place of its digits.
 std::string frame_template(const BakePlan& plan) {
     std::string name = file_name(frame_path(plan, 0));
     const std::size_t end = name.rfind('0', name.rfind('.'));

@@ -86,8 +86,8 @@ std::uint64_t frame_bytes(const BakePlan& plan, const VolumesOrSpray& settings) 
     return spray_frame_bytes(plan, *spray) + 2 * io::points_bytes(max_spray_points(plan, *spray));
 }
 
-/// Returns the cell of the points' grid [m]: that of the spray's lattice, so that each cell holds a
-/// few points.
+/// Returns the cell of the points' grid [m], which is the cell of the spray's lattice, so that each
+/// cell holds a few points.
 double cell_of(const BakePlan& plan) {
     return spray_domain(sea_of(*plan.subject).parameters).step(0);
 }
@@ -95,7 +95,7 @@ double cell_of(const BakePlan& plan) {
 std::uint64_t max_bytes(const BakePlan& plan, const VolumesOrSpray& settings, const BakeFile&) {
     const SprayPoints* const spray = spray_of(settings);
     if (spray == nullptr) return max_volume_bytes(plan, volumes_of(settings));
-    // Leaves of where spray is born, and of the margin that the wind carries it into, in four
+    // Counts the leaves where spray is born, and the margin into which the wind carries it, in four
     // layers.
     constexpr double kMaxSpeed = 60.0;  // [m/s]
     const Domain born = spray_domain(sea_of(*plan.subject).parameters);
@@ -122,7 +122,7 @@ void adopt(const BakedHeader& header, const Catalogue&, BakeOptions& options) {
     options.set_default("products", header.text("field"));
     options.set_default("axes", header.text("axes"));
     if (header.text("field") == kSprayProduct.name) {
-        adopt_spray(header, options);  // unless another product was given
+        adopt_spray(header, options);  // no other product was given
     } else {
         adopt_volumes(header, options);
     }
@@ -135,7 +135,7 @@ constexpr BakeFormatOf<VolumesOrSpray> kOf = {
     .family = "Volumes VDB",
     .summary = "OpenVDB volumes of water, or points of spray",
     .example = "--products surface,vel --voxel 1",
-    .library_bytes = 28 << 20,  // half of OpenVDB's 56 MB is touched [measured]
+    .library_bytes = 28 << 20,  // half of OpenVDB's 56 MB is used [measured]
     .options = list_options,
     .product_choice = product_choice,
     .read_options = read_options,

@@ -44,7 +44,7 @@ GridCounts max_counts(const BakePlan& plan, const VolumeSettings& settings) {
         counts.columns = std::max(counts.columns, voxels.columns());
     }
     if (settings.density) {
-        constexpr double kUpwards = 5.0;  // [m/s]; mist spreads by as much
+        constexpr double kUpwards = 5.0;  // [m/s]; mist spreads at this speed
         const double reach = 2.0 * kUpwards * settings.spray.lifetime;
         const auto voxels =
             io::voxels_around(settings.world_box(crest + reach), settings.velocity_voxel, kLeaf);
@@ -62,13 +62,13 @@ GridCounts max_counts(const BakePlan& plan, const VolumeSettings& settings) {
     return counts;
 }
 
-/// Returns a query of the waves of the map; over a bed, where no map repeats, of all.
+/// Returns a query of the map's waves, or of all waves over a bed, where maps do not repeat.
 QueryOptions height_query(const BakePlan& plan) {
     return {.foam = false, .resolution = plan.domain().wraps ? plan.resolution : 0};
 }
 
-/// Returns a query of the waves that the velocity's voxels resolve: at least two voxels long; over
-/// a bed of all.
+/// Returns a query of the waves that the velocity's voxels resolve, which are at least two voxels
+/// long; over a bed, of all waves.
 QueryOptions velocity_query(const BakePlan& plan, const VolumeSettings& settings) {
     if (!plan.domain().wraps) return {.foam = false};
     const double voxel = settings.velocity_voxel;
@@ -108,7 +108,7 @@ std::uint64_t max_volume_bytes(const BakePlan& plan, const VolumeSettings& setti
 
 namespace {
 
-/// Calls receive(first, samples) for one piece of the columns after the other.
+/// Calls receive(first, samples) for each piece of the columns in turn.
 template <typename Receive>
 void query_columns(const FrameWork& work, const io::VoxelRange& voxels, const QueryOptions& options,
                    const Receive& receive) {
@@ -186,8 +186,7 @@ io::VdbGrid make_surface(const FrameWork& work, const VolumeSettings& settings,
 
 io::VdbGrid make_velocity(const FrameWork& work, const VolumeSettings& settings,
                           io::VolumeAxes axes) {
-    constexpr int kBeyond =
-        1;  // a reader interpolates at the sides of the box: it needs neighbours
+    constexpr int kBeyond = 1;  // interpolation at the sides of the box needs neighbours
     const double size = settings.velocity_voxel;
     const Columns columns = columns_of(work, range_to(settings, size, kBeyond, 0.0));
     const io::VoxelRange voxels = range_to(settings, size, kBeyond, columns.crest);
@@ -199,8 +198,7 @@ io::VdbGrid make_velocity(const FrameWork& work, const VolumeSettings& settings,
     std::vector<WaterMotion> motions(voxels.columns());
     double motion_depth = -kMaxVolumeCoordinate;  // z of `motions` [m]
     const auto layer = [&](int k, std::span<io::Velocity> out) {
-        const double z =
-            std::min(size * k, 0.0);  // above still water the motion of still water's level
+        const double z = std::min(size * k, 0.0);  // above still water: the motion at its level
         if (z != motion_depth) {
             for (std::size_t at = 0; at < points.size(); ++at) {
                 points[at] = {voxels.place(0, static_cast<int>(at % width)),
@@ -218,7 +216,8 @@ io::VdbGrid make_velocity(const FrameWork& work, const VolumeSettings& settings,
     return io::make_velocity(voxels, heights, layer, axes, work.source.pool());
 }
 
-/// Returns the puffs, of a sea that repeats of all copies of the period, that reach into the box.
+/// Returns the puffs that reach into the box; for a sea that repeats, from all copies of the
+/// period.
 std::vector<io::DensityPuff> puffs_around(const FrameWork& work, const VolumeSettings& settings) {
     const double period = work.plan.domain().size[0];
     const bool wraps = work.plan.domain().wraps;

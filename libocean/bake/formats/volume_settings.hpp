@@ -27,10 +27,10 @@ struct VolumeSettings {
     bool half_floats = false;
     io::Axes axes = io::Axes::zup;
     // Values that were not given are absent or 0 until resolve_volumes().
-    std::optional<std::array<double, 6>> box;  // low and high x, y, z [m]; last NaN: the crest
+    std::optional<std::array<double, 6>> box;  // low and high x, y, z [m]; last NaN: at the crest
     double voxel = 0.0;                        // [m]
     double velocity_voxel = 0.0;               // [m]
-    HeightRange heights;                       // of the subject
+    HeightRange heights;                       // heights of the subject
     /// Cross-section of the mist for each area that turns white [m^2 / m^2]; in a strong gale the
     /// default leaves a visibility of 3 km.
     double mist = 0.05;
@@ -40,7 +40,7 @@ struct VolumeSettings {
     std::vector<const Product*> product_rows() const;
     std::string products() const;
     std::string box_text() const;
-    /// Returns the box, as high as `crest` [m] where it ends at the crests.
+    /// Returns the box; one that ends at the crests has the height `crest` [m].
     io::WorldBox world_box(double crest) const;
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The options of volumes as settings, headers and recipes; see volumes.hpp. Grids are sampled at
-// places of the world and need no maps.
+// positions in the world and need no maps.
 #include "formats/volumes.hpp"
 
 #include <algorithm>
@@ -107,7 +107,7 @@ std::vector<FormatOption> volume_options() {
 
 namespace {
 
-/// Returns the fields of a comma list, none if it has more than `limit`.
+/// Returns the fields of a comma list; none if there are more than `limit`.
 std::vector<std::string_view> fields_of(const std::string& list, std::size_t limit) {
     return csv::split(list, ',', limit).value_or(std::vector<std::string_view>{});
 }

@@ -21,7 +21,7 @@ ProductChoice volume_choice();
 VolumeSettings read_volumes(const BakeOptions& options, const ChosenProducts& chosen);
 std::vector<const Product*> volume_products(const VolumeSettings& settings);
 FrameMaps volume_maps(const BakePlan& draft, const VolumeSettings& settings);
-/// Returns the settings with the box and the voxels that were not given.
+/// Returns the settings, with defaults for a box and voxels that were not given.
 VolumeSettings resolve_volumes(const BakePlan& draft, const VolumeSettings& requested);
 std::vector<BakeFile> list_volumes(const BakePlan& plan, const VolumeSettings& settings, int frame);
 std::vector<io::HeaderString> volume_strings(const BakePlan& plan, const VolumeSettings& settings,

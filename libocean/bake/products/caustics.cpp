@@ -19,13 +19,14 @@
 namespace ocean {
 namespace {
 
-/// [m], for a sea that is deeper: waves of three metres focus light at about this depth.
+/// Default depth of the plane in a deeper sea [m]: waves of three metres focus light at about this
+/// depth.
 constexpr double kDefaultDepth = 10.0;
 constexpr const char* kDefaultSun = "90,0";
 
 struct CausticsRequest {
-    std::optional<double> depth;  // [m], as given
-    CausticsSettings resolved;    // with the depth of the sea
+    std::optional<double> depth;  // as given [m]
+    CausticsSettings resolved;    // settings, with the depth of the sea
 };
 
 std::vector<FormatOption> list_options() {
@@ -60,7 +61,7 @@ CausticsRequest read(const BakeOptions& options) {
     return settings;
 }
 
-/// The plane lies no deeper than the water.
+/// Resolves the settings. The plane lies no deeper than the water.
 MadePlan<CausticsRequest> resolve(const BakePlan& draft, const CausticsRequest& requested,
                                   const std::vector<const Product*>& products) {
     const Water& body = sea_of(*draft.subject).parameters.water;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Slope tiles as products of image files: a file for each band of the waves that the frame's map is
-// too coarse for.
+// Slope tiles as products of image files: a file for each band of the waves too short for the
+// frame's map.
 #include <map>
 #include <memory>
 #include <mutex>
@@ -25,8 +25,9 @@ namespace {
 
 constexpr int kDefaultSamples = DetailSettings{}.samples;
 
-/// Caches the share of the spectrum in each band, for the headers of the bands' files: computed
-/// once for each frame of a sea with a take, once for all frames of any other sea. Any thread.
+/// Caches the share of the spectrum in each band, for the headers of the bands' files. It is
+/// computed once for each frame of a sea with a take, and once for all frames of any other sea. Any
+/// thread.
 class DetailBudgets {
   public:
     DetailBudget of(const BakePlan& plan, int frame, const DetailSettings& settings) {
@@ -68,8 +69,8 @@ TileSettings read(const BakeOptions& options) {
     return settings;
 }
 
-/// Returns the index of the product's band; none for `detail`, which is all bands, and for other
-/// products.
+/// Returns the index of the product's band; nothing for `detail`, which means all bands, and for
+/// other products.
 std::optional<std::size_t> band_of(const Product& product) {
     for (std::size_t i = 1; i < kDetailProducts.size(); ++i) {
         if (kDetailProducts[i].name == product.name) return i - 1;
@@ -77,8 +78,8 @@ std::optional<std::size_t> band_of(const Product& product) {
     return std::nullopt;
 }
 
-/// Returns the list with all bands of the sea in the place of `detail`. Throws Error for a band
-/// that the sea does not have beside maps of that resolution, and for a band that is repeated.
+/// Returns the list with all bands of the sea in place of `detail`. Throws Error for a repeated
+/// band, and for a band that the sea does not have with maps of settings.resolution.
 std::vector<const Product*> with_bands(const std::vector<const Product*>& products,
                                        const Parameters& parameters,
                                        const DetailSettings& settings) {
@@ -135,7 +136,7 @@ std::vector<io::HeaderString> strings(const BakePlan& plan, const TileSettings& 
     return slope_tile_strings(band, budget.residual, plan.resolution);
 }
 
-/// Counts two slopes for each band, and those of one band again for its file.
+/// Returns the bytes of two slopes for each band, and of one band again for its file.
 std::uint64_t frame_bytes(const BakePlan& plan, const TileSettings& settings) {
     return detail_bytes(sea_of(*plan.subject).parameters, settings.detail, plan.backend) +
            maps_bytes(settings.detail.samples, 2 * kMaxDetailBands + 2);

@@ -42,7 +42,7 @@ std::vector<std::filesystem::path> control_groups(const std::filesystem::path& l
     std::vector<std::filesystem::path> groups = {root};
     for (std::string line; std::getline(file, line);) {
         if (!line.starts_with("0::/")) continue;  // version 2 only
-        // In a container the list may name a path outside of it: missing files set no limit.
+        // In a container the list may name a path outside of it. Missing files set no limit.
         for (const auto& part : std::filesystem::path(line.substr(4))) {
             groups.push_back(groups.back() / part);
         }
@@ -68,7 +68,7 @@ std::uint64_t memory_of_cgroups(const std::vector<std::filesystem::path>& groups
     for (const std::filesystem::path& group : groups) {
         const std::filesystem::path stat = group / "memory.stat";
         // The kernel gives up the cache of files on demand. Memory without a file (shmem) is
-        // counted in it but stays.
+        // counted in this cache but stays.
         const std::uint64_t files = value_in(stat, "file");
         const std::uint64_t cache = files == kUnknown ? 0 : left_of(files, value_in(stat, "shmem"));
         const std::uint64_t current = number_in(group / "memory.current");

@@ -24,10 +24,10 @@ inline std::uint64_t left_of(std::uint64_t limit, std::uint64_t used) {
 /// down. A group without a folder sets no limit.
 std::vector<std::filesystem::path> control_groups(const std::filesystem::path& list,
                                                   const std::filesystem::path& root);
-/// Returns the cores that cpu.max allows, rounded up; the largest value without a limit.
+/// Returns the cores that cpu.max allows, rounded up; the largest value if there is no limit.
 int cores_of_cgroups(const std::vector<std::filesystem::path>& groups);
-/// Returns bytes that can still be allocated, the page cache counted as free; the largest value
-/// without a limit.
+/// Returns the bytes that can still be allocated, with the page cache counted as free; the largest
+/// value if there is no limit.
 std::uint64_t memory_of_cgroups(const std::vector<std::filesystem::path>& groups);
 
 }  // namespace ocean

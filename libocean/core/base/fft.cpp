@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The reference transforms: radix-2 in the order of the textbook, and the plain sum.
+// The reference transform: radix-2 in the order of the textbook.
 #include "ocean/fft.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The check that memory is there; see memory.hpp.
+// The check that memory is available; see memory.hpp.
 #include "ocean/internal/memory.hpp"
 
 #include "ocean/error.hpp"

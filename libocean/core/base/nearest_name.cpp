@@ -32,7 +32,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row.back();
 }
 
-/// Returns the word with a to z for A to Z, without its letters beyond the 64th.
+/// Returns the word in lower case (A to Z), cut after 64 letters.
 std::string folded(std::string_view word) {
     std::string lower(word.substr(0, 64));
     for (char& letter : lower) {
@@ -68,7 +68,8 @@ std::vector<std::string_view> nearest_names(std::string_view word,
         const std::size_t shorter = std::min(wanted.size(), known.size());
         if (longer - shorter > fewest) continue;
         const std::size_t edits = edit_distance(wanted, known);
-        // A word with more than a third of its letters changed is another word: x is no mistyped y.
+        // A word with more than a third of its letters changed is a different word: x is not a
+        // mistyped y.
         if (edits > fewest || 3 * edits > longer) continue;
         if (edits < fewest) nearest.clear();
         fewest = edits;

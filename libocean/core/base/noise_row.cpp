@@ -3,8 +3,8 @@
 //
 // shaders/wave/noise.glsl in loops across modes that the compiler turns into vectors: each of its
 // branches becomes a choice between two values, and whole numbers become doubles by their bits,
-// because SSE2 can do no more. Operation for operation the formula's, so that the bits are equal;
-// proved by Noise.ARowHasTheBitsOfTheFormula.
+// because SSE2 can do no more. All operations are the formula's, so that the bits are equal; proved
+// by Noise.ARowHasTheBitsOfTheFormula.
 #include "base/noise_row.hpp"
 
 #include <algorithm>
@@ -48,7 +48,7 @@ void philox(std::uint32_t seed, std::uint32_t cascade, int n, int m, Words& a, W
     }
 }
 
-/// Returns x as a double, exactly: the bits of 2^52 + x are those of 2^52 with x added.
+/// Returns x as a double, exactly: the bits of 2^52 + x are the bits of 2^52 plus x.
 double real_of(std::uint64_t x) {
     constexpr double kTwo52 = 4503599627370496.0;
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(kTwo52) | x) - kTwo52;
@@ -61,7 +61,7 @@ void radius_of(const Words& words, Reals& radius) {
     for (std::size_t i = 0; i < kLanes; ++i) {
         const double t = real_of(words[i]) + 0.5;
         const double gap = (real_of(0xFFFFFFFFu - words[i]) + 0.5) * 2.3283064365386963e-10;
-        // findMSB and ldexp: the exponent of t, and t with the exponent of 1.
+        // These lines stand for findMSB and ldexp: the exponent of t, and t with the exponent of 1.
         const auto bits = std::bit_cast<std::uint64_t>(t);
         const double exponent = real_of(bits >> 52) - 1023.0;
         const double unit = std::bit_cast<double>((bits & kMantissa) | kOne);
@@ -101,7 +101,7 @@ void turned(const Reals& radius, const Words& words, Reals& re, Reals& im) {
         c = c * q + 1.0 / 24.0;
         c = c * q - 0.5;
         c = c * q + 1.0;
-        // Quarter 0 .. 4, without the branches of ||.
+        // Quarters are 0 .. 4. This form avoids the branches of ||.
         const bool swapped = std::abs(quarter - 2.0) == 1.0;
         const double cosine = swapped ? s : c;
         const double sine = swapped ? c : s;

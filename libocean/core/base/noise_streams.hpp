@@ -3,7 +3,7 @@
 //
 // The register of noise streams: the third argument of gaussian_noise (shaders/wave/noise.glsl)
 // identifies the user of a number. No two users share a stream, so an addition for one of them does
-// not change the sea of another. A seed promises the numbers of each stream: they never change.
+// not change the sea of another. The numbers of a seed and stream are promised and never change.
 #pragma once
 
 #include <array>
@@ -48,7 +48,7 @@ static_assert(
     }(),
     "two users of noise would draw the same numbers");
 
-/// Returns how many streams a user has.
+/// Returns the number of streams of a user.
 consteval std::uint32_t streams_of(NoiseStream user) {
     for (const auto& [first, count] : kNoiseStreams) {
         if (first == user) return count;
@@ -56,7 +56,7 @@ consteval std::uint32_t streams_of(NoiseStream user) {
     return 0;
 }
 
-/// Returns the number that gaussian_noise and noise_row take for a user's stream.
+/// Returns the stream number of a user for gaussian_noise and noise_row.
 constexpr std::uint32_t noise_stream(NoiseStream user, std::uint32_t index = 0) {
     return static_cast<std::uint32_t>(user) + index;
 }

@@ -51,7 +51,7 @@ PlainFloats::PlainFloats() {
     std::fegetenv(&host_);
     std::fesetenv(FE_DFL_ENV);
 #if defined(__SSE2__)
-    // MinGW's FE_DFL_ENV leaves MXCSR, by which the compiler's code rounds, as it is.
+    // MinGW's FE_DFL_ENV does not change MXCSR, which controls the rounding of the compiler's code.
     constexpr unsigned kDefaultSse = 0x1f80;
     host_sse_ = _mm_getcsr();
     _mm_setcsr(kDefaultSse);
@@ -92,7 +92,7 @@ PointNumbers::~PointNumbers() {
 ThreadUsage usage_of_this_thread() {
 #if defined(__linux__)
     rusage usage{};
-    timespec time{};  // getrusage's is that of the last tick
+    timespec time{};  // getrusage returns the time at the last tick
     if (getrusage(RUSAGE_THREAD, &usage) == 0 &&
         clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) == 0) {
         return {usage.ru_nivcsw,
@@ -139,7 +139,8 @@ namespace {
 CacheSizes read_cache_sizes() {
     CacheSizes sizes;
 #if defined(__linux__)
-    // sysconf() gives the last cache of the whole machine for that of a core's neighbours on AMD.
+    // On AMD, sysconf() returns the whole machine's last-level cache instead of the one that a core
+    // shares.
     for (int index = 0; index < 8; ++index) {
         const std::string folder =
             "/sys/devices/system/cpu/cpu0/cache/index" + std::to_string(index) + '/';
@@ -201,7 +202,7 @@ void* allocate_pages(std::size_t bytes) {
     if (bytes == 0) return nullptr;
     void* const pages = ::operator new(bytes, page_alignment(bytes));
 #if defined(__linux__)
-    // A wish: without it the array works, somewhat more slowly.
+    // This is a hint: without it the array works, somewhat more slowly.
     if (bytes >= kHugePage) static_cast<void>(madvise(pages, bytes, MADV_HUGEPAGE));
 #endif
     return pages;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Memory behind a large map before it is written.
+// Provides the memory of a large map before it is written.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 
 namespace ocean {
 
-/// Makes the system clear the huge pages of a vector now, on all threads and interruptibly. Else
-/// the first thread that writes a column of a map of 8192 x 8192 waits for all of them: a tenth of
-/// a second [measured]. Loses the values.
+/// Makes the system clear the huge pages of a vector now, on all threads and interruptibly.
+/// Otherwise the first thread that writes a column of a map of 8192 x 8192 waits for all pages: a
+/// tenth of a second [measured]. Loses the values.
 template <typename T>
 void prefault_pages(PageVector<T>& values, ThreadPool& pool) {
     constexpr std::size_t kHugePage = std::size_t{2} << 20;

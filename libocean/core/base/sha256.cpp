@@ -64,7 +64,7 @@ std::string sha256_hex(std::span<const std::byte> bytes) {
                                          0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
     std::size_t at = 0;
     for (; at + 64 <= bytes.size(); at += 64) add_block(hash, Block(bytes.subspan(at).first<64>()));
-    // The rest, a bit 1, zeros, and the length in bits: one block or two.
+    // The end consists of the rest, a bit 1, zeros, and the length in bits: one block or two.
     std::array<std::byte, 128> end{};
     const auto rest = bytes.subspan(at);
     std::ranges::copy(rest, end.begin());

@@ -26,8 +26,9 @@ class SharedValue {
 
     const T* get() const { return value_.get(); }
     std::shared_ptr<const T> share() const { return value_; }
-    /// Returns the value to be modified; null if there is none or a copy has shared it. Counting
-    /// the owners would not suffice: a thread that has just released it may still be reading.
+    /// Returns the value for modification; null if there is no value or a copy has shared it.
+    /// Counting the owners would not suffice, because a thread that has just released the value may
+    /// still be reading it.
     T* own() { return lent_ ? nullptr : value_.get(); }
 
   private:

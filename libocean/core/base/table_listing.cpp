@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Names of a table's rows, and its rows as Markdown and JSON. Nothing here knows a model.
+// Names of a table's rows, and its rows as Markdown and JSON. This code knows no model.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace ocean {
 
 namespace {
 
-/// Returns the number of an item, which must be all of `digits`.
+/// Returns the number of an item if all of `digits` spells it.
 std::optional<std::size_t> item_number(std::string_view digits) {
     std::size_t number = 0;
     const char* end = digits.data() + digits.size();
@@ -79,7 +79,7 @@ std::optional<std::size_t> item_named(const ParameterSpec& spec, std::string_vie
 }
 
 void refuse_name(std::string_view name, std::span<const ParameterSpec* const> specs) {
-    std::deque<std::string> texts;  // its elements stay where they are
+    std::deque<std::string> texts;  // its elements never move
     std::vector<KnownName> known;
     for (const ParameterSpec* spec : specs) {
         const std::string_view path = texts.emplace_back(spec->path());

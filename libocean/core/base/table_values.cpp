@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Values of a table's rows: the one place where types, ranges and rules are checked, and values as
-// text, without regard to the locale. Nothing here knows a model.
+// Values of a table's rows: all checks of types, ranges and rules, and values as text, without
+// regard to the locale. This code knows no model.
 #include <algorithm>
 #include <bit>
 #include <charconv>
@@ -17,7 +17,7 @@ namespace ocean {
 
 namespace {
 
-/// A row, and the item that a message is about.
+/// A row, and the item to which a message refers.
 struct Place {
     const ParameterSpec& spec;
     std::size_t item;
@@ -157,7 +157,7 @@ std::vector<std::int64_t> parse_list(const Place& place, std::string_view text) 
     return numbers;
 }
 
-/// Returns the numbers of "[[500, 2.5], [20, 1.9]]", also without the brackets.
+/// Returns the numbers of "[[500, 2.5], [20, 1.9]]", with or without the brackets.
 std::vector<double> parse_numbers(const Place& place, std::string_view text,
                                   const std::string& fault) {
     std::vector<double> numbers;

@@ -49,8 +49,8 @@ class ItemRange {
     alignas(64) std::atomic<std::uint64_t> range_{};
 };
 
-/// Shares of a range between which a call can be stopped: each takes at most a few hundredths of a
-/// second.
+/// A call can be stopped between this many shares of a range: each takes at most a few hundredths
+/// of a second.
 constexpr int kSharesToStopBetween = 128;
 
 /// Returns the beginning of share i of `shares`.
@@ -66,10 +66,10 @@ struct ThreadPool::Impl {
 
     int size = 1;
     RunJobs run_jobs;
-    std::uint64_t process = process_number();  // whose threads these are
+    std::uint64_t process = process_number();  // process that owns the threads
     std::vector<std::thread> workers;
     std::vector<ItemRange> ranges;  // one for each thread
-    // The caller's:
+    // State of the calling thread:
     ThreadThrottle throttle{1};
     std::function<void()> interrupt;
     std::atomic_flag looking;
@@ -77,13 +77,13 @@ struct ThreadPool::Impl {
     std::mutex mutex;
     std::condition_variable start;
     std::condition_variable done;
-    // Guarded by mutex:
+    // State guarded by the mutex:
     const std::function<void(int, int)>* body = nullptr;  // of the current call, if any
     std::uint64_t call = 0;                               // its number
     int crew = 1;                                         // threads that may take part
     bool measured = false;                                // the threads' usage is measured
-    ThreadUsage used;                                     // by all in this call
-    int taking_part = 0;                                  // workers
+    ThreadUsage used;                                     // usage of all threads in this call
+    int taking_part = 0;                                  // workers in the current call
     bool stopping = false;
     std::exception_ptr failure;
 
@@ -95,8 +95,8 @@ struct ThreadPool::Impl {
             try {
                 workers.emplace_back([this, thread] { work(thread); });
             } catch (const std::exception&) {
-                // The system refuses another thread: the present ones do the same work with the
-                // same bits.
+                // If the system refuses another thread, the present threads do the same work with
+                // the same bits.
                 size = thread;
                 break;
             }
@@ -114,8 +114,8 @@ struct ThreadPool::Impl {
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
 
-    /// Runs the items of the thread's own range, which are neighbours, then those of the other
-    /// threads from the far end of their ranges. Returns the usage of the thread.
+    /// Runs the items of the thread's own range, which are neighbours, then items of other threads
+    /// from the far end of their ranges. Returns the usage of the thread.
     ThreadUsage run_items(const std::function<void(int, int)>& run, int thread) {
         const ThreadUsage before = measured ? usage_of_this_thread() : ThreadUsage{};
         for (int other = 0; other < crew; ++other) {
@@ -144,7 +144,7 @@ struct ThreadPool::Impl {
             share_out(count, std::min(size, count));
         }
         run_jobs(crew, [&](int job) { run_items(run, job); });
-        run_items(run, 0);  // those of jobs that the host has left out
+        run_items(run, 0);  // items of jobs that the host has left out
     }
 
     /// Adds the usage of a thread. Requires the mutex.
@@ -166,8 +166,8 @@ struct ThreadPool::Impl {
         if (failure) std::rethrow_exception(std::exchange(failure, nullptr));
     }
 
-    /// Checks for an interrupt. Called by the calling thread, or by one job at a time of a host,
-    /// which may leave out any of them.
+    /// Checks for an interrupt. The calling thread calls it; with a host's jobs one job at a time
+    /// does, and the host may leave out any job.
     void look_for_interrupt() {
         if (!interrupt || looking.test_and_set(std::memory_order_acquire)) return;
         look();
@@ -198,7 +198,7 @@ struct ThreadPool::Impl {
     }
 
     void work(int thread) {
-        const PlainFloats plain;  // instead of the modes inherited from the host's thread
+        const PlainFloats plain;  // replaces modes inherited from the host's thread
         std::uint64_t seen = 0;
         std::unique_lock lock(mutex);
         for (;;) {
@@ -260,7 +260,7 @@ void ThreadPool::for_each_item(int count, const std::function<void(int item, int
     {
         const std::lock_guard lock(state.mutex);
         state.share_out(count, crew);
-        // Threads without an item would look as if they had waited for a core.
+        // Threads without an item would seem to have waited for a core.
         state.measured = crew == chosen && state.throttle.wants_usage();
         state.used = {};
         state.body = &body;
@@ -269,7 +269,8 @@ void ThreadPool::for_each_item(int count, const std::function<void(int item, int
     if (crew > 1) state.start.notify_all();
     const ThreadUsage usage = state.run_items(body, 0);
     std::unique_lock lock(state.mutex);
-    // No item is left: threads that wake up now find no call, and those that take part are awaited.
+    // No item is left: threads that wake up now find no call, and this thread awaits the active
+    // ones.
     state.body = nullptr;
     state.wait_for_workers(lock);
     state.add(usage);

@@ -3,8 +3,8 @@
 //
 // The number of a pool's threads that is worth using. Beside other busy processes, threads wait for
 // each other's cores in time slices as long as a frame, so two of them may take longer than one. If
-// the threads of a call get less than a core more than they would without the last of them, that
-// one pauses. After the pause it is tried again; each failure doubles the pause.
+// the threads of a call get less than kMinGain of a core more than they would without the last of
+// them, the last one pauses. After the pause it is tried again; each failure doubles the pause.
 #pragma once
 
 #include <algorithm>
@@ -47,7 +47,7 @@ class ThreadThrottle {
             retry_ = now + pause_;
             pause_ = std::min(2 * pause_, kLongestPause);
         } else if (now - crowded_ > 2 * pause_) {
-            pause_ = kShortestPause;  // a retry, half of that ago, went well since
+            pause_ = kShortestPause;  // reset: a retry has succeeded since
         }
     }
 
@@ -56,7 +56,7 @@ class ThreadThrottle {
 
     int max_, threads_;
     Clock::duration last_{};                  // duration of the last call
-    Clock::duration pause_ = kShortestPause;  // after the next crowded call
+    Clock::duration pause_ = kShortestPause;  // pause after the next crowded call
     Clock::time_point retry_{}, crowded_{};
 };
 

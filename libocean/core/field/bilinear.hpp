@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The bilinear value within a cell, which all maps read that keep the range of their samples.
+// Bilinear values within a cell, for all maps that must keep the range of their samples.
 #pragma once
 
 namespace ocean {
 
 /// Returns the bilinear value at the shares u and v, 0 .. 1, of the two sides of a cell. `origin`
-/// is its value at (0, 0), `along` at (1, 0), `across` at (0, 1), `opposite` at (1, 1).
+/// is the cell's value at (0, 0), `along` at (1, 0), `across` at (0, 1), `opposite` at (1, 1).
 template <typename Value, typename Share>
 auto bilinear(Value origin, Value along, Value across, Value opposite, Share u, Share v) {
     const auto first = origin + u * (along - origin);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The formulas of channels that are made of several linear fields: those of shaders/wave/, in the
-// precision of the point.
+// The formulas of channels of several linear fields, as in shaders/wave/, in the precision of the
+// point.
 #include <algorithm>
 #include <type_traits>
 
@@ -66,7 +66,7 @@ Real whitecap_of(const SurfacePoint<Real>& p) {
     }
 }
 
-/// Lays a whitecap over the earlier foam, which is in floats.
+/// Lays a whitecap over the earlier foam, which is stored in floats.
 template <typename Real>
 Real foam_of(const SurfacePoint<Real>& p) {
     const float foam = wave::single_precision::foam_with_whitecap(

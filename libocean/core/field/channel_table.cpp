@@ -49,7 +49,7 @@ const ChannelInfo& channel_info(Channel channel, std::span<const ChannelInfo> ho
 
 namespace {
 
-/// Calls visit(row) for each channel of the set that is no mask. Throws for those without a row.
+/// Calls visit(row) for each channel of the set except masks. Throws for channels without a row.
 template <typename Visit>
 void for_each_channel(ChannelSet channels, std::span<const ChannelInfo> host_channels,
                       const Visit& visit) {

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The two cubic kernels that maps are read by between their samples. A place lies t of the way, 0
-// <= t <= 1, from the second to the third of four neighbours; each function returns the weights of
-// the four, or the derivatives of the weights by t. The weights sum to 1, their derivatives to 0.
+// The two cubic kernels for reading maps between their samples. A place lies t of the way, 0 <= t
+// <= 1, from the second to the third of four neighbours; each function returns the weights of the
+// four, or the derivatives of the weights by t. The weights sum to 1, their derivatives to 0.
 //   B-spline     sums coefficients and does not pass through them; two continuous derivatives
 //                [Unser 1999]
 //   Catmull-Rom  passes through the samples; one continuous derivative [Catmull and Rom 1974]
-// Floats and doubles have formulas of their own: another order of operations would change the last
-// bits of all that is read. Proved in cubic_test.cpp.
+// Floats and doubles have formulas of their own, because another order of operations would change
+// the last bits of every read. Proved in cubic_test.cpp.
 #pragma once
 
 #include <array>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Polynomials that rise from 0 at t = 0 to 1 at t = 1. Real is a float, a double, or a number that
-// carries derivatives (jet.hpp). They do not limit t.
+// carries derivatives (jet.hpp). The polynomials do not clamp t.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ inline double ease(double a, double b, double x) {
     return ease_quintic(std::clamp((x - a) / (b - a), 0.0, 1.0));
 }
 
-/// Returns the integral of ease(0, 1, t) from 0 on.
+/// Returns the integral of ease(0, 1, t) from 0 to t.
 inline double ease_integral(double t) {
     if (t <= 0.0) return 0.0;
     if (t >= 1.0) return t - 0.5;

@@ -66,7 +66,7 @@ float interpolated(const HeightGrid& coarse, int i, int j) {
     return 0.75f * along(y) + 0.25f * along(y1);
 }
 
-/// Fills holes with the heights of coarser and coarser means, a first guess of the smooth surface.
+/// Fills holes with the means of coarser and coarser heights, a first guess of the smooth surface.
 void guess_holes(const HeightGrid& grid) {
     if (!has_holes(grid.heights)) return;
     const int columns = (grid.columns + 1) / 2, rows = (grid.rows + 1) / 2;
@@ -116,7 +116,7 @@ void relax(const HeightGrid& grid, std::span<const std::uint64_t> holes) {
     }
 }
 
-/// The samples that one sample of another grid is a mean of, along a side.
+/// The samples whose weighted mean is one sample of another grid, along a side.
 struct Taps {
     std::size_t first = 0;
     std::vector<double> weights;  // their sum is 1
@@ -130,7 +130,7 @@ double hat_integral(double t) {
 }
 
 /// Returns the taps of each sample of `to` along a side: the mean of the linear interpolant over
-/// the sample's cell, which is cut at the borders of `from` equally on both sides.
+/// the sample's cell, which the borders of `from` cut equally on both sides.
 std::vector<Taps> mean_taps(const Domain& from, const Domain& to, int side) {
     const auto axis = static_cast<std::size_t>(side);
     const int last = from.samples[axis] - 1;
@@ -138,7 +138,7 @@ std::vector<Taps> mean_taps(const Domain& from, const Domain& to, int side) {
     std::vector<Taps> taps(static_cast<std::size_t>(to.samples[axis]));
     for (std::size_t i = 0; i < taps.size(); ++i) {
         const double place = std::min(static_cast<double>(i) * cell, static_cast<double>(last));
-        // An interval of no length is a point: so short a one changes no float.
+        // An interval without length counts as a point: one as short as this changes no float.
         const double half = std::max(1e-6, std::min({0.5 * cell, place, last - place}));
         const int begin = std::clamp(static_cast<int>(std::floor(place - half)), 0, last);
         const int end = std::clamp(static_cast<int>(std::ceil(place + half)), begin, last);

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The blur: see grid_blur.hpp. Along each axis four boxes follow each other, whose convolution is
-// a Gaussian but for 4 % of its peak. A box of whole samples would have only some deviations; this
-// one has its two outermost samples at a smaller weight, so that the variance is exact
-// [Gwosdek 2011]. There is no exponential in it, so all machines get the same bits.
+// The blur: see grid_blur.hpp. Along each axis four boxes follow each other, whose convolution is a
+// Gaussian but for 4 % of its peak. Boxes of whole samples have only certain deviations; these
+// boxes give their two outermost samples a smaller weight, so that the variance is exact [Gwosdek
+// 2011]. The blur uses no exponential, so that all machines get the same bits.
 #include "grid_blur.hpp"
 
 #include <algorithm>
@@ -15,7 +15,8 @@ namespace {
 
 constexpr int kBoxes = 4;
 
-/// Weights of a box: `inner` for the samples within `radius`, `outer` for the next one at each end.
+/// Weights of a box: `inner` for the samples within `radius`, `outer` for the next sample at each
+/// end.
 struct Box {
     int radius;
     double inner;

@@ -10,7 +10,7 @@
 
 namespace ocean {
 
-/// The passes that a blur runs.
+/// The number of passes that a blur runs.
 inline constexpr int kBlurPasses = 2;
 
 /// Blurs a map in place by a Gaussian of the given deviation [samples], at most twice the longer

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lines of a grid: what is separable (blurs, distances) works along rows and along columns by the
+// Lines of a grid. Separable operations (blurs, distances) work along rows and along columns by the
 // same code, on blocks of neighbouring lines that are copied into a buffer.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace ocean {
 
-/// Samples of a row-major grid.
+/// The samples of a row-major grid along x and y.
 struct SampleGrid {
     int columns;
     int rows;
@@ -47,7 +47,7 @@ struct GridLines {
     }
 };
 
-/// Lines of a block: their floats fill a cache line.
+/// Lines of a block: one float of each fills a cache line.
 inline constexpr int kGridLanes = 16;
 
 /// Copies lines first .. first + lanes - 1 one after the other: sample k of the line first + l goes
@@ -60,7 +60,7 @@ void load_lines(const T* map, const GridLines& lines, int first, int lanes, T* b
         }
     }
 }
-/// Copies a buffer of load_lines back.
+/// Copies a buffer back to the lines of load_lines.
 template <typename T>
 void store_lines(const T* buffer, const GridLines& lines, int first, int lanes, T* map) {
     for (int k = 0; k < lines.length; ++k) {
@@ -70,7 +70,7 @@ void store_lines(const T* buffer, const GridLines& lines, int first, int lanes, 
     }
 }
 
-/// A buffer for each thread of a pool. It keeps the largest size that was requested.
+/// A buffer for each thread of a pool. It keeps the largest requested size.
 template <typename T>
 class LineBuffers {
   public:

@@ -29,7 +29,7 @@ namespace {
 std::string head_of(const Domain& grid) {
     std::string head;
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        // Nine digits: a cell that went through its text is the same to the last bit but one.
+        // Nine digits, because a cell read back from text may differ in its last bits.
         head += format_text("%d %.9g\n", grid.samples[axis], grid.step(axis));
     }
     return head;

@@ -3,8 +3,8 @@
 //
 // A jet: a value with its derivatives along x and y [1/m] and in time [1/s]. Arithmetic with jets
 // differentiates a formula while it evaluates it, so that slopes and velocities of the surface
-// follow from its height by the chain rule and from no formula of their own. A Plain is a value
-// alone: the same formula gives it the bits that the value of a jet has, in less time.
+// follow from its height by the chain rule, without formulas of their own. A Plain is a value
+// alone: the same formula gives it the same bits as a jet's value, in less time.
 #pragma once
 
 #include <cmath>
@@ -14,8 +14,8 @@ namespace ocean {
 /// Four floats that are added and multiplied together.
 using Quad = float __attribute__((vector_size(16)));
 
-/// Returns tanh(x) to 3e-7 relative, in half the time of std::tanh: by its series below 0.3, whose
-/// next term is below 2e-8 there, beyond by an exponential.
+/// Returns tanh(x) to 3e-7 relative, in half the time of std::tanh: below 0.3 by its series, whose
+/// next term is below 2e-8 there, above 0.3 by an exponential.
 inline float quick_tanh(float x) {
     const float size = std::abs(x);
     if (size < 0.3f) {
@@ -128,7 +128,7 @@ inline Jet max(const Jet& a, const Jet& b) {
     return b.value() > a.value() ? b : a;
 }
 
-/// A value without derivatives. Its arithmetic is that of a jet's value, bit for bit.
+/// A value without derivatives. Its arithmetic has the same bits as a jet's value.
 struct Plain {
     float number = 0.0f;
 

@@ -31,8 +31,8 @@ struct PatchLattice {
     std::size_t side() const { return static_cast<std::size_t>(quads) + 1; }
     std::size_t count() const { return side() * side(); }
     LandIndex index(int i, int j) const { return {i0 + i, j0 + j}; }
-    /// Returns the place of a vertex of the next level, by an index of this one, among those of the
-    /// patch.
+    /// Returns the index, in the patch, of a vertex of the next level that is given by an index of
+    /// this level.
     std::size_t parent(LandIndex v) const {
         const auto i = static_cast<std::size_t>((v.i - i0) / 2);
         const auto j = static_cast<std::size_t>((v.j - j0) / 2);
@@ -63,7 +63,7 @@ class Welder {
     std::uint32_t find(const Position& position) { return slot_of(position); }
 
   private:
-    /// Returns the slot of a position, or the free one where it belongs.
+    /// Returns the slot of a position, or the free slot where it belongs.
     std::uint32_t& slot_of(const Position& position) {
         for (std::uint64_t at = hash(position);; ++at) {
             std::uint32_t& slot = slots_[at & (slots_.size() - 1)];
@@ -113,7 +113,7 @@ PlacedPatch placed(const QuadtreeSettings& settings, const LandView& view, const
             has_coarse |= vertex.share > 0.0;
             vertices.push_back(vertex);
             labels.push_back(vertex.label);
-            // The label of an even vertex is that of a vertex of the next level.
+            // Even vertices share their labels with vertices of the next level.
             if (i % 2 == 0 && j % 2 == 0) coarse_labels.push_back(vertex.label);
         }
     }
@@ -165,8 +165,8 @@ LandMesh make_land_mesh(const QuadtreeSettings& settings, std::span<const LandPa
     LandMesh mesh;
     Welder welder(max_vertices, mesh.positions);
     PlacedPatch shown;
-    std::vector<std::uint32_t> welded;  // the mesh's vertices of the patch's
-    std::vector<bool> is_at_label;      // of `places`
+    std::vector<std::uint32_t> welded;  // vertex of the mesh for each of the patch
+    std::vector<bool> is_at_label;      // for each of `places`
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
         const Position &p = shown.positions[a], &q = shown.positions[b], &r = shown.positions[c];
         if (p == q || q == r || r == p) return;
@@ -175,7 +175,7 @@ LandMesh make_land_mesh(const QuadtreeSettings& settings, std::span<const LandPa
         }
         mesh.triangles.push_back({welded[a], welded[b], welded[c]});
     };
-    // A vertex that others have snapped to may be in no triangle of its own.
+    // A vertex to which others have snapped may itself be in no triangle.
     const auto enter = [&](std::uint32_t patch, std::size_t v) {
         const std::uint32_t at =
             welded[v] != kNoVertex ? welded[v] : welder.find(shown.positions[v]);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A mask on a grid, read between its samples by straight lines, so that it keeps its range.
+// A mask on a grid, read linearly between its samples, so that it keeps its range.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ class MaskGrid {
     /// values: row-major, one for each sample of a domain that exists once.
     MaskGrid(const Domain& domain, Values values) : domain_(domain), values_(std::move(values)) {}
 
-    /// Returns the value at a place; beyond the domain that of its edge.
+    /// Returns the value at a place; beyond the domain, the value of its edge.
     float at(double x, double y) const {
         const auto [i, u] = place(x, 0);
         const auto [j, v] = place(y, 1);
@@ -35,7 +35,7 @@ class MaskGrid {
     std::size_t bytes() const { return sizeof(float) * values_->size(); }
 
   private:
-    /// Returns the sample before a coordinate and the part of the step to the next one.
+    /// Returns the sample before a coordinate, and the share of the step to the next sample.
     std::pair<std::size_t, double> place(double at, std::size_t axis) const {
         const double last = domain_.samples[axis] - 1;
         const double u = std::clamp((at - domain_.origin[axis]) / domain_.step(axis), 0.0, last);

@@ -8,7 +8,7 @@
 namespace ocean {
 namespace {
 
-/// The cell of a domain that a place lies in, along one axis.
+/// The cell of a domain that contains a place, along one axis.
 struct Cell {
     int first;  // the sample before the place
     float fraction;
@@ -24,13 +24,13 @@ Quad four_times(float x) {
     return Quad{x, x, x, x};
 }
 
-/// Returns the index of the first sample of a row, beyond the border that of the last row.
+/// Returns the index of the first sample of a row; beyond the border, of the border row.
 std::size_t row_index(const Domain& domain, int row) {
     return static_cast<std::size_t>(std::clamp(row, 0, domain.samples[1] - 1)) *
            static_cast<std::size_t>(domain.samples[0]);
 }
 
-/// Returns the sum of four quads by their weights, numbers or quads.
+/// Returns the sum of four quads with weights, which are numbers or quads.
 template <typename Weights>
 Quad weighed(const Weights& w, const Quad* quads) {
     return w[0] * quads[0] + w[1] * quads[1] + w[2] * quads[2] + w[3] * quads[3];
@@ -64,7 +64,7 @@ void GridPlaces::find(const Domain& domain, std::size_t n, const double* x, cons
     int before = 0;
     for (std::size_t l = 0; l < n; ++l) {
         const Cell column((x[l] - domain.origin[0]) * per_metre, domain.samples[0]);
-        // A gap of more than the four samples of a label is not worth filling.
+        // A gap longer than the four samples of a label ends the run.
         Run* run = runs_ > 0 ? &run_[runs_ - 1] : nullptr;
         const bool goes_on = run != nullptr && y[l] == y[l - 1] && column.first >= before &&
                              column.first <= before + 4 &&
@@ -131,7 +131,7 @@ void QuadGrid::read(const GridPlaces& places, bool slopes, QuadBlock& out) const
 
 template <bool kSlopes>
 void QuadGrid::read_places(const GridPlaces& places, QuadBlock& out) const {
-    // The sums along y of the columns of a run.
+    // The sums along y for the columns of a run.
     std::array<Quad, GridPlaces::kColumns> sum, slope;
     std::array<Quad, kShoreBlock> value, by_x, by_y;
     const auto per_metre = static_cast<float>(per_metre_);
@@ -159,7 +159,7 @@ void QuadGrid::read_places(const GridPlaces& places, QuadBlock& out) const {
             }
         }
     }
-    // The last vector of labels is completed.
+    // Completes the last vector of labels.
     for (; l % 4 != 0; ++l) value[l] = by_x[l] = by_y[l] = Quad{};
     transpose(value, l, out.value);
     if constexpr (kSlopes) {

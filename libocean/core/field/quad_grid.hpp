@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Four scalar maps of a coast side by side, read between their samples by Catmull and Rom's cubic,
-// which passes through the samples and has continuous derivatives: surfaces that are made of such
-// maps have continuous normals. Labels are read in blocks: where they lie is found once for all
-// maps of a domain, and labels of one row share the sums along y.
+// which passes through the samples and has continuous derivatives: surfaces made of such maps have
+// continuous normals. Labels are read in blocks: their positions are found once for all maps of a
+// domain, and labels of one row share the sums along y.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace ocean {
 
-/// The labels that are read at once.
+/// The number of labels that are read together.
 inline constexpr std::size_t kShoreBlock = 64;
 /// A number for each label of a block. Loops over it may run to a whole vector of 64 bytes.
 using BlockFloats = std::array<float, kShoreBlock>;
@@ -68,7 +68,7 @@ struct CubicWeights {
     explicit CubicWeights(float t) : value(catmull_rom(t)), slope(catmull_rom_slopes(t)) {}
 };
 
-/// Where up to kShoreBlock labels lie among the samples of a domain.
+/// The positions of up to kShoreBlock labels among the samples of a domain.
 class GridPlaces {
   public:
     /// Finds n labels [m]. The domain must not wrap.
@@ -79,8 +79,8 @@ class GridPlaces {
     static constexpr int kColumns = 80;
     /// Consecutive labels of one row of labels, from west to east.
     struct Run {
-        std::size_t last;  // label after it
-        int column;        // the first sample that it is read from; may be beyond the border
+        std::size_t last;  // label after the run
+        int column;        // first column of its samples; may be beyond the border
         int columns;
         std::array<std::size_t, 4> row;  // index of the first sample of each row
         CubicWeights along_y;
@@ -88,7 +88,7 @@ class GridPlaces {
     struct Label {
         std::array<Quad, 4> weight;  // along x, each four times
         std::array<Quad, 4> slope;
-        std::size_t column;  // in the run
+        std::size_t column;  // column in the run
     };
 
     std::size_t count_ = 0;
@@ -97,8 +97,8 @@ class GridPlaces {
     std::array<Label, kShoreBlock> label_;
 };
 
-/// Row-major samples over a domain that does not wrap; beyond its border the values of its edge
-/// continue. Immutable; any thread may read it.
+/// Row-major samples over a domain that does not wrap. Beyond its border the edge values continue.
+/// Immutable; any thread may read it.
 class QuadGrid {
   public:
     QuadGrid() = default;
@@ -112,7 +112,7 @@ class QuadGrid {
     /// Returns the fields at a place [m].
     QuadSample read(double x, double y) const;
     /// Writes the fields at places that were found in this domain, and with `slopes` their
-    /// derivatives. The values have the same bits whether or not.
+    /// derivatives. The values have the same bits with and without slopes.
     void read(const GridPlaces& places, bool slopes, QuadBlock& out) const;
 
   private:

@@ -11,8 +11,8 @@
 namespace ocean {
 namespace {
 
-/// A square of the plane [m]. Its corners are labels of vertices, bit by bit, so that no vertex of
-/// a square is nearer to the eye than its nearest point, rounding included.
+/// A square of the plane [m]. Its corners are labels of vertices, bit by bit, so that even with
+/// rounding all vertices of a square are at least as far from the eye as its nearest point.
 struct Square {
     double x0, y0, x1, y1;
 };
@@ -89,7 +89,7 @@ class Walk {
             patches_.push_back({level, i, j, false});
             return;
         }
-        // The child under the eye comes first, the one opposite last.
+        // The child under the eye comes first, the opposite child last.
         const Square first = node_square(level - 1, 2 * i, 2 * j);
         const int near = (view_.eye[0] < first.x1 ? 0 : 1) | (view_.eye[1] < first.y1 ? 0 : 2);
         for (int turn = 0; turn < 4; ++turn) {

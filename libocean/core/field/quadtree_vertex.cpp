@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where the vertices of a quadtree of land are shown: ocean/land_quadtree.hpp has the argument.
+// The shown positions of the vertices of a quadtree of land. ocean/land_quadtree.hpp has the
+// argument.
 #include <algorithm>
 #include <cmath>
 
@@ -10,8 +11,9 @@
 namespace ocean {
 namespace {
 
-// Before the range, in spacings. Triangles around a snapped vertex end sqrt(2) from it and must lie
-// on the parent's planes: kFlat > kSnap + sqrt(2). kSnap leaves room for distances in float.
+// Distances before the range, in spacings. Triangles around a snapped vertex end sqrt(2) from it
+// and must lie on the parent's planes: kFlat > kSnap + sqrt(2). kSnap leaves room for distances in
+// float.
 constexpr double kSnap = 0.25;
 constexpr double kFlat = 1.75;
 
@@ -23,8 +25,8 @@ bool is_odd(std::int64_t index) {
     return (index & 1) != 0;
 }
 
-/// Returns the ends of the parent's edge that a vertex halves; the vertex itself, twice, if it is
-/// one of the parent's.
+/// Returns the ends of the parent's edge that a vertex halves; for a vertex of the parent, the
+/// vertex itself twice.
 std::array<LandIndex, 2> parents_of(LandIndex v) {
     const std::int64_t i = v.i & 1, j = v.j & 1;
     return {LandIndex{v.i - i, v.j - j}, LandIndex{v.i + i, v.j + j}};

@@ -29,7 +29,7 @@ Domain domain_of(const Region& region) {
 }
 
 Domain with_cell(Domain domain, double cell) {
-    constexpr double kRounding = 1e-6;  // of a cell
+    constexpr double kRounding = 1e-6;  // share of a cell
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const int steps =
             std::max(1, static_cast<int>(std::floor(domain.size[axis] / cell + kRounding)));

@@ -13,7 +13,7 @@
 namespace ocean {
 namespace {
 
-/// Coefficients that a place needs beyond its own: one before and two after it.
+/// Coefficients that a place needs beside its own: one before and two after it.
 constexpr int kBefore = 1, kAfter = 2;
 constexpr int kMinHalvedSide = 32;
 
@@ -21,7 +21,8 @@ constexpr double kPole = -0.26794919243112270647;  // sqrt(3) - 2
 /// After this many samples the pole's power is 1e-18.
 constexpr int kReach = 32;
 
-/// Returns the index of a sample at or beyond the ends of a line of n samples.
+/// Returns the sample, on a line of n samples, of an index that may lie beyond the ends: wrapped or
+/// mirrored.
 int inside(int i, int n, bool wraps) {
     if (wraps) return ((i % n) + n) % n;
     const int period = 2 * (n - 1);
@@ -29,8 +30,8 @@ int inside(int i, int n, bool wraps) {
     return folded < n ? folded : period - folded;
 }
 
-/// The same sample of neighbouring lines, which are filtered together: each in its own order, so
-/// that its bits do not depend on the others.
+/// The number of neighbouring lines that are filtered together: each in its own order, so that its
+/// bits do not depend on the others.
 constexpr int kSplineLanes = 8;
 using Lanes = std::array<double, kSplineLanes>;
 
@@ -47,7 +48,7 @@ Lanes tail_of(std::span<const Lanes> line, int first, int step, bool wraps) {
     return sum;
 }
 
-/// Replaces samples of lines by the coefficients of the splines through them.
+/// Replaces samples of lines by the coefficients of the splines through the samples.
 void filter_lines(std::span<Lanes> line, bool wraps) {
     Lanes last = tail_of(line, 0, -1, wraps);
     for (double& value : last) value *= 6.0;
@@ -84,7 +85,7 @@ std::size_t padded(int samples) {
     return static_cast<std::size_t>(samples + kBefore + kAfter);
 }
 
-/// Returns coefficients of a row, in whole lanes.
+/// Returns the length of a row of coefficients, in whole lanes.
 std::size_t pitch_of(const Domain& domain) {
     return (padded(domain.samples[0]) + kSplineLanes - 1) / kSplineLanes * kSplineLanes;
 }
@@ -100,7 +101,7 @@ SplineGrid::SplineGrid(const Domain& domain, std::span<const float> samples, Thr
     filter_columns(pool);
 }
 
-/// Writes the rows of the samples, filtered, with the coefficients beyond both ends.
+/// Writes the filtered rows of the samples, with the coefficients beyond both ends.
 void SplineGrid::filter_rows(std::span<const float> samples, ThreadPool& pool) {
     const int columns = domain_.samples[0], rows = domain_.samples[1];
     const auto width = static_cast<std::size_t>(columns);
@@ -237,7 +238,7 @@ namespace {
 constexpr std::array<double, 7> kFilter = {-1.0 / 32.0, 0.0, 9.0 / 32.0, 16.0 / 32.0,
                                            9.0 / 32.0,  0.0, -1.0 / 32.0};
 
-/// Returns the sum of kFilter and the samples 0 .. 6 of a function.
+/// Returns the sum of kFilter times the samples 0 .. 6 of a function.
 template <typename Sample>
 double filtered(const Sample& sample) {
     double sum = 0.0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Heights at any place of a grid: the cubic B-spline through its samples, with its gradient, and
-// the pyramid of such grids that coarser maps are read from.
+// the pyramid of such grids for coarser maps.
 //
 //   s(u, v) = sum c_ij B(u - i) B(v - j),   u, v in samples
 //
@@ -35,11 +35,11 @@ class SplineGrid {
     SplineGrid(const Domain& domain, std::span<const float> samples, ThreadPool& pool);
 
     const Domain& domain() const { return domain_; }
-    /// Returns the value and its derivatives at a finite place [m]. A pure function of the place.
+    /// Returns the value and its derivatives at a finite place [m], a function of the place alone.
     GroundJet at(double x, double y) const;
     /// Returns the value alone, with the bits of at().
     double value_at(double x, double y) const;
-    /// Writes the values at places, with the bits of at(): sooner if neighbours have the same y.
+    /// Writes the values at places, with the bits of at(). Faster if neighbours have the same y.
     void values_at(std::span<const double> x, std::span<const double> y,
                    std::span<double> heights) const;
     static std::size_t bytes(const Domain& domain);
@@ -48,8 +48,8 @@ class SplineGrid {
         std::size_t cell;  // whose lower end is at or below the coordinate
         double share;      // the coordinate in its cell, 0 .. 1
     };
-    /// Returns the cell of a coordinate along an axis; beyond the ends of a domain that exists once
-    /// that of the end.
+    /// Returns the cell of a coordinate along an axis; beyond the ends of a domain that exists
+    /// once, the end cell.
     InCell in_cell(double at, std::size_t axis) const;
 
   private:
@@ -59,33 +59,34 @@ class SplineGrid {
 
     Domain domain_;
     std::array<double, 2> per_metre_;
-    std::size_t pitch_;  // of a row with the coefficients beyond both ends
+    std::size_t pitch_;  // length of a row, coefficients beyond both ends included
     PageVector<float> coefficients_;
 };
 
 /// Returns every other sample of a grid, from the first on, after the half-band filter (-1 0 9 16 9
-/// 0 -1) / 32, which keeps waves of four new samples to 2 % [Deslauriers and Dubuc 1989]. A domain
-/// that wraps needs even counts of samples; one that exists once ends at its last even sample.
+/// 0 -1) / 32, which keeps waves of four new samples to within 2 % [Deslauriers and Dubuc 1989]. A
+/// domain that wraps needs even counts of samples; one that exists once ends at its last even
+/// sample.
 std::vector<float> halved(const Domain& domain, std::span<const float> samples, ThreadPool& pool);
-/// The filter's samples to each side.
+/// The reach of the filter on each side [samples].
 inline constexpr int kHalvingReach = 3;
-/// Returns every other sample as it is.
+/// Returns every other sample unfiltered.
 std::vector<float> decimated(const Domain& domain, std::span<const float> samples);
-/// Returns the domain of these samples.
+/// Returns the domain of every other sample.
 Domain halved(const Domain& domain);
 
 /// Splines of a grid and of its halved versions.
 class SplinePyramid {
   public:
     /// Makes the levels down to about 16 samples along the shorter side. A map whose shortest wave
-    /// has 2^(n + 1) samples is `oversampled` n times: so many levels keep its samples unfiltered.
+    /// has 2^(n + 1) samples is `oversampled` n times: n levels keep its samples unfiltered.
     SplinePyramid(const Domain& domain, std::span<const float> samples, ThreadPool& pool,
                   int oversampled = 0);
 
     /// Returns the level for maps whose samples lie `cell` apart [m]: the coarsest whose samples
     /// are no farther apart.
     const SplineGrid& level(double cell) const { return levels_[index(cell)]; }
-    /// Returns the number of that level, from 0 for the finest.
+    /// Returns the number of level(cell), from 0 for the finest.
     std::size_t index(double cell) const;
     const SplineGrid& at(std::size_t index) const { return levels_[index]; }
     std::size_t size() const { return levels_.size(); }

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Distances: see zero_line.hpp. The line crosses edges of the grid between two rows and
-// between two columns. Crossings of the first kind lie on columns, so their distance transform is
-// separable though they do not lie on samples: the nearest one in each column, then the lower
-// envelope of parabolas along each row [Felzenszwalb and Huttenlocher 2012]. Those of the second
-// kind take the axes in the other order. The line's parts at the nearest crossing finish it.
+// Distances: see zero_line.hpp. The line crosses edges of the grid between two rows and between two
+// columns. Crossings of the first kind lie on columns, so that their distance transform is
+// separable although they do not lie on samples: the nearest crossing in each column, then the
+// lower envelope of parabolas along each row [Felzenszwalb and Huttenlocher 2012]. Crossings of the
+// second kind take the axes in the other order. The exact distance then follows from the line's
+// parts at the nearest crossing.
 #include "zero_line.hpp"
 
 #include <algorithm>
@@ -16,9 +17,9 @@ namespace ocean {
 namespace {
 
 constexpr float kNoCrossing = std::numeric_limits<float>::infinity();
-constexpr float kLeast = 1e-6f;  // of land, so that the sign says it [samples]
+constexpr float kLeast = 1e-6f;  // min distance of land, to keep its sign [samples]
 constexpr double kExact = 2.5;   // [samples]
-constexpr int kExactReach = 3;   // squares to each side that contain all lines so near
+constexpr int kExactReach = 3;   // squares to each side that contain all lines within kExact
 
 struct Point {
     double x, y;
@@ -28,7 +29,7 @@ bool is_land(float value) {
     return value > 0.0f;
 }
 
-/// Returns the place of the zero between two samples of different sides, 0 .. 1.
+/// Returns the position of the zero between two samples of different sides, 0 .. 1.
 double crossing(float from, float to) {
     return double{from} / (double{from} - double{to});
 }
@@ -59,7 +60,7 @@ class Envelope {
     explicit Envelope(int length)
         : sites_(static_cast<std::size_t>(length)), begins_(static_cast<std::size_t>(length)) {}
 
-    /// Calls use(k, site) for each sample of a line with the parabola that is lowest there.
+    /// Calls use(k, site) for each sample of a line with the parabola that is lowest at k.
     template <typename Use>
     void visit(const float* offsets, int length, const Use& use) {
         int count = 0;
@@ -91,7 +92,7 @@ class Envelope {
     std::vector<double> begins_;
 };
 
-/// Finds the nearest of all crossings between samples of the lines `along` which they lie.
+/// Finds the nearest of all crossings that lie between samples along the lines `along`.
 class CrossingSearch {
   public:
     CrossingSearch(std::span<const float> map, std::span<float> offsets, GridPasses& passes)
@@ -102,8 +103,8 @@ class CrossingSearch {
           squares_(passes.pool()),
           indices_(passes.pool()) {}
 
-    /// Lowers squared distances, and replaces `nearest` where it does. `on` are the lines on which
-    /// the crossings lie, `other` those of the other axis. The first search overwrites all.
+    /// Lowers squared distances, and updates `nearest` with them. `on` are the lines on which the
+    /// crossings lie, `other` the lines of the other axis. The first search overwrites all values.
     void search(const GridLines& on, const GridLines& other, bool first_search,
                 std::span<float> squares, std::span<std::uint32_t> nearest) {
         passes_.run(on.count, [&](int first, int lanes, int thread) {
@@ -172,7 +173,7 @@ class LineParts {
   public:
     LineParts(std::span<const float> map, const SampleGrid& grid) : map_(map), grid_(grid) {}
 
-    /// Returns the lesser of `least` and the squared distance of the point (0, 0) to the line in
+    /// Returns the smaller of `least` and the squared distance of the point (0, 0) to the line in
     /// the square (i, j) .. (i + 1, j + 1), whose first sample lies at `at`.
     double nearer(int i, int j, Point at, double least) const {
         if (i < 0 || j < 0 || i + 1 >= grid_.columns || j + 1 >= grid_.rows) return least;
@@ -196,7 +197,7 @@ class LineParts {
                 std::min(least, squared_distance({0.0, 0.0}, crossing_of(from), crossing_of(to)));
         };
         if (sum == 2 && land[0] == land[2]) {
-            const int sea = land[0] != 0 ? 1 : 0;  // cut off, as is the opposite corner
+            const int sea = land[0] != 0 ? 1 : 0;  // corner to cut off, with the opposite one
             part((sea + 3) % 4, sea);
             part(sea + 1, sea + 2);
             return least;

@@ -90,7 +90,7 @@ struct Terrain::Impl {
         if (!(options.backend == other.writer.backend())) writer = MapWriter(options.backend);
     }
 
-    /// Forgets what a change from the present terrain makes stale.
+    /// Discards the results that a change from the present terrain makes stale.
     void go_to(TerrainModel next) {
         const auto dirty = first_dirty_stage(model, next);
         model = std::move(next);
@@ -101,7 +101,7 @@ struct Terrain::Impl {
             is_filtered = false;
             query.reset();
         } else if (model.range.empty()) {
-            offset = model.mean;  // else the offset fits the range
+            offset = model.mean;  // with a range, the offset fits it
         }
     }
 
@@ -119,7 +119,7 @@ struct Terrain::Impl {
     void filter() {
         if (is_filtered) return;
         make_noise();
-        // Modes that another Terrain shows stay as they are.
+        // Modes that another Terrain shares must not change.
         const Lattice lattice = lattice_of(model);
         const bool reusable = modes != nullptr && modes.use_count() == 1 &&
                               modes->lattice.resolution == lattice.resolution &&
@@ -254,7 +254,7 @@ TerrainState Terrain::state() {
         state.memory_bytes = bytes(impl_->model);
     }
     if (!impl_->model.is_shaped()) return state;
-    constexpr int kMaxMeasured = 1024;  // samples: as fine as the land's own grid up to here
+    constexpr int kMaxMeasured = 1024;  // samples; up to here as fine as the land's own grid
     const Domain own = domain();
     const int longer = std::max(own.samples[0], own.samples[1]);
     const Domain measured = longer > kMaxMeasured ? domain(kMaxMeasured) : own;

@@ -60,7 +60,7 @@ std::vector<float> real_parts(const ComplexPlane& plane, double factor, double a
     return result;
 }
 
-/// Returns the filter of each wave, gain sqrt(S) dk [m], in FFT order; 0 where no wave is.
+/// Returns the filter of each wave, gain sqrt(S) dk [m], in FFT order; 0 where there is no wave.
 ComplexPlane filter_plane(const TerrainModel& terrain, double gain) {
     const int size = terrain.resolution;
     const double dk = kTwoPi / terrain.patch_size;
@@ -88,7 +88,7 @@ TerrainStages terrain_stages(Terrain& land) {
     stages.resolution = size;
     ComplexPlane waves = mirrored(TerrainNoise(terrain, land.pool()));
     fft.transform_2d(waves, FftDirection::inverse);
-    // |g|^2 is 2 in the mean, and N^2 waves add up.
+    // The mean of |g|^2 is 2, and N^2 waves add up.
     const double unit = per_side / std::sqrt(2.0);
     stages.noise = real_parts(waves, unit, 0.0);
     for (std::size_t i = 0; i < waves.size(); ++i) waves[i] = unit * waves[i].real();

@@ -178,7 +178,7 @@ TerrainState terrain_state(const TerrainModel& terrain, const Modes& modes,
     std::vector<RingSum> rings = ring_sums(terrain, modes, scale);
     RingSum sum = total(rings);
     if (!terrain.has_measured_rms() && sum.asked > 0.0) {
-        // The gain gives this tile its rms; the law asks for the same one.
+        // The gain gives this tile its rms, and the law requests the same rms.
         scale_asked(rings, scale.rms * scale.rms / sum.asked);
         sum = total(rings);
     }

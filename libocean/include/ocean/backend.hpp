@@ -44,11 +44,12 @@ struct Backend {
     ChannelSet makes;
     /// Returns an independent function with nothing kept yet.
     MapFunction (*start)() = nullptr;
-    /// Returns the bytes it needs for maps of such fields, beside modes and outputs; null: few.
+    /// Returns the bytes that maps of such fields need beside modes and outputs; null: few.
     std::uint64_t (*work_bytes)(const Grid& grid, LinearSet fields, int resolution) = nullptr;
-    /// Returns how well it suits this machine for maps of that resolution; null: it runs on all.
+    /// Returns how well the backend suits this machine for maps of that resolution; null: it runs
+    /// on all machines.
     BackendFitness (*fitness)(int resolution) = nullptr;
-    /// True if it is faster than cpu on some machines: `auto` then calls `fitness`.
+    /// True if the backend is faster than cpu on some machines: `auto` then calls `fitness`.
     bool may_be_fast = false;
     /// Returns an independent function for coasts; null: the processor sums their waves.
     CoastFunction (*start_coast)() = nullptr;

@@ -19,13 +19,13 @@ namespace ocean {
 /// thread at a time; several objects run in parallel.
 class CascadeMap {
   public:
-    /// Makes the maps of `cascade`. resolution: a power of two, 32 .. 8192; 0 = that of the
-    /// cascade's lattice.
+    /// Makes the maps of `cascade`. resolution: a power of two, 32 .. 8192; 0 = the resolution of
+    /// the cascade's lattice.
     explicit CascadeMap(std::size_t cascade, int resolution = 0,
                         const Backend& backend = Backend::cpu);
 
-    /// Returns the fields at a time [s], valid until the next call. `modes` must always be those of
-    /// one sea, as Ocean::modes returns them.
+    /// Returns the fields at a time [s], valid until the next call. All calls need `modes` of the
+    /// same sea, as Ocean::modes returns them.
     const LinearPlanes<float>& planes(const Modes& modes, double time, LinearSet fields,
                                       ThreadPool& pool);
 

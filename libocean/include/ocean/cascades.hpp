@@ -14,7 +14,7 @@
 namespace ocean {
 
 /// A ring of wavenumbers, half-open: inner <= |k| < outer in steps of the patch's lattice. A
-/// cascade reaches from the end of the one before it to its own Nyquist line; the last one also
+/// cascade reaches from the end of the previous cascade to its own Nyquist line; the last one also
 /// keeps the corners of its square, beyond that line.
 struct CascadeBand {
     int divisor = 1;  // m_c

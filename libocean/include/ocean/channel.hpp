@@ -49,7 +49,7 @@ inline constexpr auto kLinears = [] {
     return all;
 }();
 
-/// One scalar map. The order is that of the channels in libocean.h.
+/// One scalar map. libocean.h lists channels in the same order.
 enum class Channel : int {
     dx,
     dy,
@@ -73,11 +73,11 @@ enum class Channel : int {
 /// The number of channels. The table below has a row for each, or it does not compile.
 inline constexpr int kChannelCount = static_cast<int>(enum_count<Channel>());
 
-/// The max of channels with those of a host (OceanOptions::channels): Channel(kChannelCount + i) is
-/// row i of these.
+/// The max number of channels, a host's included (OceanOptions::channels): Channel(kChannelCount +
+/// i) is row i of the host's.
 inline constexpr int kMaxChannels = 32;
-/// Numbers of channels are below this. From kFirstMask on they are the masks of land_mask.hpp,
-/// which no sea has: the gap keeps a host's first excess channel an error.
+/// Channels of waves have numbers below this. Numbers from kFirstMask on are the masks of
+/// land_mask.hpp, which no sea has; the gap makes a host's first excess channel an error.
 inline constexpr int kFirstMask = 40;
 inline constexpr int kChannelNumbers = 56;
 
@@ -115,7 +115,7 @@ class SetOf {
 using ChannelSet = SetOf<Channel>;
 using LinearSet = SetOf<Linear>;
 
-/// All channels of the table; not those of a host.
+/// All channels of the table, without a host's.
 inline constexpr ChannelSet kEveryChannel = [] {
     ChannelSet all;
     for (int c = 0; c < kChannelCount; ++c) all = all | static_cast<Channel>(c);
@@ -126,7 +126,7 @@ inline constexpr ChannelSet kEveryChannel = [] {
 /// not numbers.
 template <typename Real>
 struct SurfacePoint {
-    std::array<Real, kLinearCount> field{};  // 0 for those that a flat surface does not need
+    std::array<Real, kLinearCount> field{};  // 0 if a flat surface does not need the field
     Real choppiness{};
     Real foam_threshold{};       // Jacobian below which whitecaps begin
     Real foam_width{};           // how far below that they are complete
@@ -163,8 +163,8 @@ struct ChannelFormula {
     }
 };
 
-/// The inputs that a formula reads of the foam: none; threshold and width of the whitecaps; these
-/// and the faded earlier foam; these and the power that turns foam into cover.
+/// The inputs that a formula reads of the foam. past: threshold, width and the faded earlier foam;
+/// cover: all these, and the power that turns foam into cover.
 enum class FoamUse { none, threshold, past, cover };
 /// Returns true if the formula reads earlier foam, so that its map needs the maps before it.
 constexpr bool has_past(FoamUse use) {
@@ -206,7 +206,8 @@ struct ChannelInfo {
     }
 };
 
-/// The formulas of shaders/wave/surface.glsl, and for cover that of shaders/wave/foam_cover.glsl.
+/// The formulas of shaders/wave/surface.glsl; the formula of cover is in
+/// shaders/wave/foam_cover.glsl.
 namespace channel_formula {
 template <typename Real>
 Real normal_x(const SurfacePoint<Real>& point);
@@ -280,7 +281,7 @@ static_assert(std::ranges::none_of(kChannels, &std::string_view::empty, &Channel
               "a channel without a row");
 static_assert(kChannelCount <= kMaxChannels);
 
-/// Returns the channel's row, also that of a mask; `host_channels` are the rows that a host adds.
+/// Returns the channel's row, also for a mask; `host_channels` are the rows that a host adds.
 /// Throws Error invalid_value for a channel without a row.
 const ChannelInfo& channel_info(Channel channel, std::span<const ChannelInfo> host_channels = {});
 /// Throws Error invalid_value if one of the channels has no row, and unsupported for a mask of a
@@ -299,10 +300,10 @@ enum class Precision {
     full,  // for products that move geometry: a half is too coarse, 2 mm at 4 m
 };
 
-/// When a product's image file is written with run lengths (RLE): where they leave less than 0.9 of
-/// the bytes and the frame, computed and written, needs at most 1.4 times the CPU. They leave 0.14
-/// of whitecaps, 0.68 of slopes, whose B is empty, 0.86 of halves of normals. ZIP leaves 0.97 of
-/// float displacement for 5.5 times the CPU, 0.72 of normals for 4.4 [measured, N = 1024].
+/// When a product's image file is written with run lengths (RLE). They pay if they leave less than
+/// 0.9 of the bytes and the frame, computed and written, needs at most 1.4 times the CPU. They
+/// leave 0.14 of whitecaps, 0.68 of slopes, whose B is empty, 0.86 of halves of normals. ZIP leaves
+/// 0.97 of float displacement for 5.5 times the CPU, 0.72 of normals for 4.4 [measured, N = 1024].
 enum class RunLengths { never, of_halves, always };
 
 /// A map that users request by name: a channel, or the components of a vector.
@@ -380,7 +381,7 @@ inline constexpr auto kProducts = [] {
 namespace detail {
 
 /// Returns true if every channel is in a product, a product of one channel has the channel's name,
-/// and its unit is that of all its components.
+/// and all components of a product have its unit.
 constexpr bool products_fit_channels() {
     ChannelSet all;
     for (const Product& product : kProducts) {
@@ -403,8 +404,8 @@ std::span<const Product> product_table();
 /// Returns the product of that name. Throws Error invalid_value for an unknown name, with a list of
 /// the known ones.
 const Product& find_product(std::string_view name);
-/// Returns the one of `products` with that name. Throws Error invalid_value for an unknown name,
-/// with a list of the known ones.
+/// Returns the product of that name among `products`. Throws Error invalid_value for an unknown
+/// name, with a list of the known ones.
 const Product& find_product(std::string_view name, std::span<const Product> products);
 
 }  // namespace ocean

@@ -39,18 +39,18 @@ struct CoastBandSector {
     std::array<double, 2> half_turns{};   // [1/m]
     std::array<std::uint32_t, 2> mask{};  // the columns and rows, powers of two, less 1
     std::size_t pitch = 0;                // complex numbers of a row
-    /// Rows of coefficients: the one before the first column, all columns, the three after.
+    /// Rows of coefficients: one before the first column, all columns, three after the last.
     std::span<const float> values;
-    std::span<const float> rates;  // of the derivative in time; empty: not made
+    std::span<const float> rates;  // the same for the derivative in time; empty: not made
 };
 
 struct CoastWaves {
     std::vector<CoastBandSector> pairs;
     /// A map of each pair: shift x, shift y [m], phase, turn [rad]; then the ground: height of the
-    /// bed, depth that waves feel [m], slope, how much the waves feel of the bed.
+    /// bed, depth that waves feel [m], slope, influence of the bed on the waves' phases.
     QuadMaps delays;
     /// The amplitudes of pairs 4 i .. 4 i + 3, relative to the open sea; then the remainder, whose
-    /// third component is how much the waves feel of the bed by their energy.
+    /// third component is the influence of the bed on the waves' energy.
     QuadMaps energy;
     /// coth(k d) of the four bands at depths that are equal ratios apart, and where log(depth) lies
     /// among them: (log(depth) - first_log) * per_log.
@@ -60,16 +60,16 @@ struct CoastWaves {
 };
 
 /// The sums at a label, in this order: Re Z, Im Z [m]; the sum of |Z|^2 of each pair [m^2]; the
-/// displacement at choppiness 1 along x and y [m]; and that of the open sea's waves along the
-/// middles of their sectors, where the open sea is a part of the surface.
+/// displacement at choppiness 1 along x and y [m]; and the displacement of the open sea's waves
+/// along the middles of their sectors, where the open sea is a part of the surface.
 inline constexpr std::size_t kCoastSums = 7;
 
 /// The input of a CoastFunction. parts: 1, values; 3, and their gradients [1/m]; 4, and their rates
 /// [1/s]. Sum s of part p at label l is written to sums[(s * parts + p) * labels.size() + l]. Where
-/// no wave feels the bed nothing need be written but finite numbers.
+/// no wave feels the bed, any finite numbers may be written.
 struct CoastRequest {
     const CoastWaves& waves;
-    bool begins = true;  // false: the waves are those of the request before
+    bool begins = true;  // false: same waves as in the request before
     std::span<const WorldPoint> labels;
     std::size_t parts = 1;
     std::span<float> sums;

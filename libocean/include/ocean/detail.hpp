@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Detail: the waves too short for the map that a host displays, about half of all slope, as small
-// periodic slope maps of the same sea at the same time. A material adds these slopes to those of
-// the mesh; shaders/wave/slope_tiles.glsl reads them without visible repetition.
+// periodic slope maps of the same sea at the same time. A material adds these slopes to the mesh's
+// slopes; shaders/wave/slope_tiles.glsl reads them without visible repetition.
 #pragma once
 
 #include <array>
@@ -47,7 +47,7 @@ struct SlopeVariance {
 };
 
 /// The waves of one tile. The first band begins at the edge of the square of wavenumbers that the
-/// map holds, each other band where the one before it ends, so that no wave appears twice or is
+/// map holds, each other band where the previous band ends, so that no wave appears twice or is
 /// missing.
 struct DetailBand {
     double shortest_wave = 0.0;  // [m]

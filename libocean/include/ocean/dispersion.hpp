@@ -30,7 +30,8 @@ class Dispersion {
     double wavenumber(double omega) const;
     /// Returns coth(k d), the ratio of horizontal to vertical displacement at the surface.
     double horizontal_displacement(double k) const;
-    /// Returns all three properties for the cost of one; equal to them to rounding.
+    /// Returns all three properties for the cost of one. They equal the single functions to
+    /// rounding.
     DispersionPoint at(double k) const;
 
   private:

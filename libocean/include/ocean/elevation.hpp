@@ -20,7 +20,7 @@ namespace ocean {
 /// Limits of the cells along a side of an elevation model.
 inline constexpr int kMinElevationSide = 2;
 inline constexpr int kMaxElevationSide = 65536;
-/// Limit of a height's magnitude [m]: farther from zero lies no ground of any planet.
+/// Limit of a height's magnitude [m]: no planet has ground farther from zero.
 inline constexpr double kMaxElevation = 1e5;
 
 /// Heights at the centres of cells. The heights are a row-major array [j][i], j from the south, i
@@ -44,7 +44,7 @@ struct ElevationModel {
 
 /// Facts about the heights of a model, for a user.
 struct ElevationSummary {
-    float lowest = 0.0f;  // [m]; 0 in a model of holes alone, as the other three
+    float lowest = 0.0f;  // [m]; this and the next three: 0 if all cells are holes
     float highest = 0.0f;
     double mean = 0.0;
     double rms = 0.0;       // about the mean [m]
@@ -76,9 +76,10 @@ ElevationModel with_square_cells(const ElevationModel& model, double cell);
 std::vector<std::byte> bytes_of_heights(std::span<const float> heights);
 /// Returns the SHA-256 of samples, cell and heights, in hexadecimal; the origin does not count.
 std::string height_hash(const Domain& grid, std::span<const float> heights);
-/// Returns whether a hash is that of earlier versions in a host whose locale has decimal commas.
+/// Returns true for a hash that earlier versions computed in a host whose locale has decimal
+/// commas.
 bool is_comma_hash(const std::string& stated, const Domain& grid, std::span<const float> heights);
-/// The sentence about such a hash.
+/// The sentence about a hash for which is_comma_hash returns true.
 inline constexpr const char* kCommaHashNote =
     "its hash was made in a program with decimal commas; save the file again to mend it";
 

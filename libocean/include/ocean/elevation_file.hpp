@@ -34,13 +34,13 @@ enum class HolePolicy {
     keep,    // NaN
 };
 enum class CellsInDegrees {
-    automatic,  // as the coordinate reference system says, else by the numbers of the header
+    automatic,  // by the coordinate reference system, else by the numbers of the header
     yes,
     no,
 };
 
 struct ElevationOptions {
-    std::optional<HeightUnit> unit = {};  // default: as the file says, else metres
+    std::optional<HeightUnit> unit = {};  // default: the unit that the file states, else metres
     HeightSign sign = HeightSign::up;
     HolePolicy holes = HolePolicy::refuse;
     CellsInDegrees degrees = CellsInDegrees::automatic;

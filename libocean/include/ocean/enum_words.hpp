@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Enumerators as words: the spelling in sea files, command lines and hosts is that of the C++
-// enumerator, so it is typed once, and a new enumerator has its word without further code.
+// Enumerators as words. Sea files, command lines and hosts spell a word as the C++ enumerator, so
+// that it is typed once, and a new enumerator has its word without further code.
 #pragma once
 
 #include <array>

@@ -22,7 +22,7 @@ enum class ErrorKind {
     no_gpu,         // no GPU, an unsuitable one, or one that was lost
 };
 
-/// The parts of a message, for programs; empty where an error has no such part.
+/// The parts of a message, for programs. A part that the error does not have is empty.
 struct ErrorFields {
     std::string what = "";       // the fault: "is out of range"
     std::string parameter = "";  // its path, "waves.0.fetch"; or an argument or member

@@ -34,9 +34,9 @@ struct FloatPose {
 void require_body(const FloatBody& body);
 
 /// Returns the pose on the least-squares plane through the surface over the rectangle. The samples
-/// lie as close as those of the displayed map, but at most 64 along a side, too few for the
-/// shortest waves below a longer body. Along a side shorter than one sample the slope is that of
-/// the surface itself, so that a small body gets the surface's normal. Throws as require_body.
+/// lie as close as the displayed map's, but at most 64 along a side, too few for the shortest waves
+/// below a longer body. Along a side shorter than one sample the slope is the surface's slope at
+/// the point, so that a small body gets the surface's normal. Throws as require_body.
 FloatPose float_pose(const SurfaceQuery& query, const FloatBody& body, ThreadPool& pool);
 
 /// Writes a sample of some surface for each point.

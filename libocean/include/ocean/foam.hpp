@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Foam. Whitecaps form where the displayed surface is compressed: W = clamp((threshold - J) /
-// foam_width, 0, 1) with its Jacobian J. Foam is their trace: their running maximum on a clock of
-// its own, fading with foam_lifetime. A pure function of the sea and the time.
+// foam_width, 0, 1) with the surface's Jacobian J. Foam is the trace of the whitecaps: the running
+// maximum of W on the foam's own clock, fading with foam_lifetime. A pure function of the sea and
+// the time.
 #pragma once
 
 #include <cstdint>
@@ -33,8 +34,8 @@ double mean_whitecap(const GradientCovariance& covariance, double choppiness, do
 double folded_share(const GradientCovariance& covariance, double choppiness);
 
 /// Returns the Jacobian below which whitecaps begin. With FoamCoverage::threshold it is
-/// settings.foam_threshold. With FoamCoverage::monahan it is the one at which mean_whitecap equals
-/// monahan_coverage(wind_speed), but never above 1: water that is not compressed makes no
+/// settings.foam_threshold. With FoamCoverage::monahan it is the Jacobian at which mean_whitecap
+/// equals monahan_coverage(wind_speed), but at most 1: water that is not compressed makes no
 /// whitecaps. Without wind, waves or choppiness it is the lowest float, below every Jacobian, so
 /// that W is exactly 0.
 double whitecap_threshold(const GradientCovariance& covariance, const SurfaceSettings& settings,
@@ -45,11 +46,11 @@ double whitecap_threshold(const GradientCovariance& covariance, const SurfaceSet
 /// threshold is computed once for many surfaces.
 SurfaceSettings with_threshold(const SurfaceSettings& settings, const Modes& modes, int resolution);
 
-/// The lattice on which the foam of a map has its past. That of a finer map has four samples to its
-/// shortest wave, since readers interpolate between them.
+/// The lattice on which the past of a map's foam is followed. A lattice under a finer map has four
+/// samples per shortest wave, since readers interpolate between them.
 struct FoamLattice {
     int resolution;  // samples along a side, at most the map's
-    int held_by;     // the past is of the waves that a map of this resolution holds
+    int held_by;     // resolution of a map that holds the waves of the past
 
     /// Returns true if maps finer than the lattice read this past.
     bool is_spread() const { return held_by < resolution; }
@@ -60,18 +61,18 @@ struct FoamLattice {
 /// coarser; 0 stands for grid.resolution where the sea has cascades, else for the map's own.
 FoamLattice foam_lattice(const Parameters& parameters, int map_resolution);
 
-/// Foam of which hosts show the cover: a past, under the whitecaps of waves that a map of one
+/// Foam whose cover hosts show: a past, and over it the whitecaps of waves that a map of one
 /// resolution holds.
 struct ShownFoam {
     FoamLattice past;
     int whitecaps_held_by;
 
-    /// Returns true if no other whitecaps lie over those of the past.
+    /// Returns true if the whitecaps over the past are the same as the past's.
     bool is_past_alone() const { return whitecaps_held_by == past.held_by; }
     auto operator<=>(const ShownFoam&) const = default;
 };
 
-/// Returns the foam of a map, and that of a lattice without a finer map's whitecaps over it.
+/// Returns the foam of a map; or of a lattice, without the whitecaps of a finer map over it.
 ShownFoam foam_of_map(const Parameters& parameters, int map_resolution);
 ShownFoam foam_of_lattice(const FoamLattice& lattice);
 
@@ -83,39 +84,40 @@ SurfaceSettings lattice_settings(const Modes& modes, const Parameters& parameter
 
 /// Writes a lattice of foam onto a map of a power of two times as many samples along each side.
 /// Between the lattice's samples foam^power, the cover, is a cubic through them, held in [0, 1]:
-/// its mean is the lattice's, up to what is held. A smoothing spline would lower the crests of the
-/// cover, and whitecaps over it would add up to 5 % to its mean.
+/// its mean is the lattice's, but for the values so limited. A smoothing spline would lower the
+/// crests of the cover, and whitecaps over it would add up to 5 % to its mean.
 void spread_foam(std::span<const float> lattice, double power, std::span<float> map,
                  ThreadPool& pool);
 
 /// The whitecaps of the waves that a map of one resolution holds.
 struct Whitecaps {
     int held_by;                    // the resolution
-    GradientCovariance covariance;  // of those waves
-    double threshold;               // Jacobian below which they begin
+    GradientCovariance covariance;  // of these waves
+    double threshold;               // Jacobian below which whitecaps begin
 
     bool operator==(const Whitecaps&) const = default;
 };
 
-/// The whitecaps that make a map's foam: `past` its trace, and `shown` are laid over that. They are
-/// the same unless a coarser lattice is spread.
+/// The whitecaps that make a map's foam: `past` leave the trace, `shown` lie over the trace. Both
+/// are the same unless a coarser lattice is spread.
 struct FoamWhitecaps {
     Whitecaps past;
     Whitecaps shown;
 };
 
-/// Returns the whitecaps of foam. `past`, `shown`: the settings with the threshold of each.
+/// Returns the whitecaps of foam. `past`, `shown`: the settings, with the threshold of these
+/// whitecaps.
 FoamWhitecaps foam_whitecaps(const Modes& modes, const ShownFoam& foam, const SurfaceSettings& past,
                              const SurfaceSettings& shown);
 
-/// A sea whose foam is followed at single labels. `parameters`: of the time.
+/// Input for following foam at single labels. `parameters` are valid at the time of the foam.
 struct FoamSea {
     const DirectionalSpectrum& spectrum;
     const Parameters& parameters;
 };
 
-/// Returns the exponent p of cover = foam^p: the ensemble mean of foam^p equals that of the
-/// whitecaps. 1 where foam leaves no trace. Computed from labels that are followed through some
+/// Returns the exponent p of cover = foam^p: the ensemble means of foam^p and of the whitecaps are
+/// equal. Returns 1 where foam leaves no trace. Computed from labels that are followed through some
 /// hundred foam lifetimes; accurate to about 1 %, the same for any number of threads, and without a
 /// jump where the sea changes.
 double cover_power(const FoamSea& sea, const FoamWhitecaps& whitecaps, ThreadPool& pool);
@@ -129,13 +131,13 @@ struct FoamSource {
     std::function<void(std::int64_t done, std::int64_t total)> progress;
 };
 
-/// The number of maps that a FoamState keeps: three ticks, and one in the making.
+/// The number of maps that a FoamState keeps: three ticks, and one that is being computed.
 inline constexpr int kFoamMaps = 4;
 
 /// A FoamFollower whose maps lie in memory.
 class FoamState {
   public:
-    /// Begins without any map. `samples`: the size of each map.
+    /// Begins without maps. `samples`: the size of each map.
     FoamState(FoamClock clock, std::size_t samples, FoamStart start = FoamStart::settled);
 
     /// Returns the earlier foam at a time [s], see FoamFollower::layer.

@@ -45,7 +45,7 @@ enum class FoamStart {
 
 /// Returns how many ticks before `tick` foam must begin to have the same bits as from any earlier
 /// start: ceil(ln(512) lifetime / step) and a few more for the rounding of floats, at most one
-/// loop. Where the lifetime changes, as many as let foam fade to 1/512.
+/// loop. Where the lifetime changes, the number of ticks in which foam fades to 1/512.
 std::int64_t preroll_ticks(const FoamClock& clock, std::int64_t tick,
                            const std::function<double(double time)>& lifetime);
 

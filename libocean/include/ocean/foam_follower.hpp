@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Foam that is followed tick by tick, whatever holds its maps: memory, or textures of a GPU.
+// Foam that is followed tick by tick, for any storage of its maps: memory, or textures of a GPU.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace ocean {
 template <typename Map>
 class FoamFollower {
   public:
-    /// The earlier foam of a moment: foam = max(W, fade * map), and 0 where that is below `cutoff`.
+    /// The earlier foam of a moment: foam = max(W, fade * map), set to 0 below `cutoff`.
     struct Layer {
         const Map* map = nullptr;  // null: no earlier foam
         float fade = 0.0f;
@@ -34,8 +34,8 @@ class FoamFollower {
         /// Makes the foam of the tick at `time`: W over the layer of the tick before. `foam` is a
         /// map that is no longer needed, or a new one, Map().
         std::function<void(double time, const Layer& before, Map& foam)> tick;
-        /// Called before each tick of a pre-roll. It may throw to stop it, which leaves the state
-        /// as it was. May be empty.
+        /// Called before each tick of a pre-roll; may be empty. If it throws, the pre-roll stops
+        /// and the state stays as it was.
         std::function<void(std::int64_t done, std::int64_t total)> progress;
     };
 
@@ -101,7 +101,7 @@ class FoamFollower {
         std::vector<Tick> kept;
         for (std::int64_t i = preroll; i >= 0; --i) {
             if (source.progress) source.progress(preroll - i, preroll + 1);
-            // Until the last ticks one map is enough.
+            // The first ticks need one map only; the last kKept ticks are kept.
             const bool passing = i >= static_cast<std::int64_t>(kKept);
             step(kept, clock_.before(tick, i), source, passing ? 1 : kKept);
         }

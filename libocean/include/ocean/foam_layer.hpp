@@ -7,8 +7,8 @@
 namespace ocean {
 
 /// The faded earlier foam of a map: foam = foam_with_whitecap(W, fade * map, alone) of
-/// shaders/wave/foam_cover.glsl, and 0 where that is below `cutoff`. The share of the water that it
-/// covers is foam^cover_power.
+/// shaders/wave/foam_cover.glsl, set to 0 below `cutoff`. Foam covers the share foam^cover_power of
+/// the water.
 struct FoamLayer {
     const float* map = nullptr;  // null: no earlier foam
     float fade = 0.0f;

@@ -25,7 +25,7 @@ enum class FoamTextureKind {
 struct FoamTextureInfo {
     FoamTextureKind kind;
     std::string_view name;
-    double period;          // of the tile that it is made for [m]; another one scales its cells
+    double period;          // of the intended tile [m]; another period scales the cells
     double widest_cell;     // across [m]: the `cell` of foam_faded in foam_lace.glsl
     std::string_view help;  // its content
 };
@@ -42,7 +42,7 @@ const FoamTextureInfo& foam_texture_info(FoamTextureKind kind);
 FoamTextureKind find_foam_texture(std::string_view name);
 
 /// Counts up when a texture of the same settings gets other values, so that files of an earlier
-/// version are known.
+/// edition are recognised.
 inline constexpr int kFoamTextureEdition = 1;
 
 inline constexpr int kMinFoamTextureSize = 64;  // texels along a side
@@ -58,10 +58,11 @@ struct FoamTextureSettings {
 void require_foam_texture_size(int size);
 
 /// Returns size^2 values [j][i] in [0, 1], texel (i, j) at (i + 1/2, j + 1/2) * period / size;
-/// periodic. Its bilinear reads are uniform: their share below c is c to 5e-4 for every c, and to 1
-/// % for c = 0.02. Bubbles with 128 texels along a side, four a bubble, keep 1e-3, with 64 texels
-/// 6e-3. A finer texture of the same seed is the same foam with more detail. The bits are the same
-/// for any number of threads. Throws Error invalid_value for a size that is not allowed.
+/// periodic. Bilinear reads are uniform: the share of reads below c is c to 5e-4 for every c, and
+/// to 1 % for c = 0.02. With bubbles the share is c to 1e-3 at 128 texels along a side, which are
+/// four per bubble, and to 6e-3 at 64 texels. A finer texture of the same seed is the same foam
+/// with more detail. The bits are the same for any number of threads. Throws Error invalid_value
+/// for a size that is not allowed.
 std::vector<float> make_foam_texture(const FoamTextureSettings& settings, ThreadPool& pool);
 
 /// Returns an upper bound of the bytes that make_foam_texture needs, its result included.

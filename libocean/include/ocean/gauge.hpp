@@ -44,8 +44,8 @@ struct GaugeSpectrum {
     std::vector<double> density;      // [m^2/Hz]
 
     double frequency(std::size_t i) const { return frequency_step * static_cast<double>(i); }
-    /// Returns the limits of a density of 1, by the chi-squared distribution; those of any other
-    /// density are proportional.
+    /// Returns the limits of a density of 1, by the chi-squared distribution; the limits of another
+    /// density are proportional to it.
     Estimate limits() const;
 };
 
@@ -74,8 +74,8 @@ struct WaveCount {
 /// Returns the waves of a series of elevations [m] sampled at `rate` [Hz].
 WaveCount count_waves(std::span<const double> elevation, double rate);
 
-/// Parameters of the sea estimated from a series. The values are those of the series; the limits
-/// bound the sea's own. The limits are NaN without a spectrum, and equal the value in still water.
+/// Parameters of the sea estimated from a series. The values describe the series; the limits bound
+/// the sea's parameters. The limits are NaN without a spectrum, and equal the value in still water.
 struct SeaEstimate {
     Estimate significant_wave_height;  // 4 sqrt(m0) [m]
     Estimate zero_crossing_period;     // sqrt(m0/m2) [s]

@@ -34,8 +34,8 @@ struct Gauge {
     };
 
     std::string name;
-    std::vector<Fix> track;   // ordered by time, straight between; a single fix is left at:
-    double velocity_x = 0.0;  // [m/s]
+    std::vector<Fix> track;   // ordered by time, straight between fixes
+    double velocity_x = 0.0;  // [m/s]; only for a single fix
     double velocity_y = 0.0;
 
     GaugePlace at(double time) const;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The wavenumber lattice of a periodic square, in FFT order, and the constants that every stage
-// shares. All that is indexed by mode or sample follows the conventions of this header.
+// shares. Every index of a mode or sample follows the conventions of this header.
 #pragma once
 
 #include <cstddef>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Gullies: erosion as a function of place, octave by octave along the fall line of a base that has
-// long waves alone. The equations are in shaders/land/gullies.glsl. Between the base of a terrain
-// and its shortest waves, which are added afterwards: the filter would carve along each of them.
+// long waves alone. The equations are in shaders/land/gullies.glsl. A terrain's shortest waves are
+// added after its gullies, because the filter would carve along each of them.
 //
 // It is not a simulation: no water is routed, valleys do not join to rivers, and closed hollows
 // remain.
@@ -21,21 +21,21 @@ inline constexpr int kMaxGullyOctaves = 12;
 struct GullySettings {
     double longest = 1500.0;  // wavelength of the first octave [m], above 0; each next one has half
     int octaves = 6;          // 1 .. kMaxGullyOctaves
-    double depth = 0.055;     // half of the height between floor and ridge over wavelength, 0 .. 1
+    double depth = 0.055;     // half the height from floor to ridge / wavelength, 0 .. 1
     double crease = 0.7;      // of the ridges: 0 round, 1 sharp
-    double flat = 0.2;        // slope at which gullies have half of their depth, above 0
+    double flat = 0.2;        // slope at which gullies have half their depth, above 0
     std::uint32_t seed = 1;
     double period = 0.0;  // [m], at least 4 longest; 0: does not repeat
 
     bool operator==(const GullySettings&) const = default;
 };
 
-/// One octave of the gullies: for hosts that compute them on a GPU.
+/// One octave of the gullies: for hosts that compute gullies on a GPU.
 struct GullyOctave {
     double wavelength = 0.0;  // spacing of its lattice [m]
     std::uint32_t count = 0;  // lattice points of a period; 0: does not repeat
-    std::uint32_t key = 0;    // of its hashes
-    double weight = 0.0;      // in the masks: 0.6 of that of the octave before
+    std::uint32_t key = 0;    // of the octave's hashes
+    double weight = 0.0;      // in the masks: 0.6 of the previous octave's weight
 };
 
 /// Places and the values there. All spans but empty masks have one size.
@@ -44,8 +44,8 @@ struct GullyPoints {
     /// Before: height [m] and slopes of the base, finite. After: with gullies. The slopes are
     /// approximate, as the turn of the fall line is left out; differences of heights are exact.
     std::span<float> height, slope_x, slope_y;
-    /// Masks, each may be empty; 0 on flats. wear: -1 on floors .. 1 on ridges, the mean over the
-    /// octaves by their weights. gully and ridge: 0 .. 1, floors and ridges of any octave.
+    /// Masks, 0 on flats; each may be empty. wear: -1 on floors .. 1 on ridges, the weighted mean
+    /// over the octaves. gully and ridge: 0 .. 1, floors and ridges of any octave.
     std::span<float> wear, gully, ridge;
 };
 
@@ -57,8 +57,8 @@ class GullyFilter {
     explicit GullyFilter(const GullySettings& settings);
 
     /// Adds gullies to the points. cell [m], 0 or more: the spacing that the values stand for;
-    /// octaves shorter than 4 cells fade out by gully_share. Throws Error invalid_value for such a
-    /// cell or spans of unequal size.
+    /// octaves shorter than 4 cells fade out by gully_share. Throws Error invalid_value for a
+    /// negative cell or spans of unequal size.
     void apply(const GullyPoints& points, double cell) const;
 
     const GullySettings& settings() const { return settings_; }
@@ -73,9 +73,9 @@ class GullyFilter {
 /// up to 2 cells, t^2 (3 - 2t) with t = wavelength / (2 cell) - 1 between them.
 double gully_share(double wavelength, double cell);
 
-/// Returns the mean over a phase of the crease function of ridges, which the filter subtracts so
-/// that gullies move no mean height. crease: 0 .. 1. length: of the pair of stripes, 0 .. 1, below
-/// 1 where they cancel.
+/// Returns the mean over a phase of the crease function of ridges. The filter subtracts it, so that
+/// gullies move no mean height. crease: 0 .. 1. length: length of the stripes' vector, 0 .. 1,
+/// below 1 where stripes cancel.
 double gully_crease_mean(double crease, double length = 1.0);
 
 }  // namespace ocean

@@ -7,11 +7,11 @@
 //   h(x) = g(b(x)) + f(x) + d(x)
 //
 // b is the base: a spline through the waves of a tile, an elevation model, or the grid that streams
-// have shaped. g adds gullies to it, f the waves that are finer than gullies, d those below the
-// cells of a placed land. Where a shore has changed the land, a spline through the grid on which it
-// did is in place of g(b(x)) + f(x); all other land has the bits that it has without it. `cell` is
-// the spacing of a map: what is shorter than two cells fades out, in g and d by their formulas, in
-// b and f by the levels of a pyramid.
+// have shaped. g adds gullies to it, f the waves that are finer than gullies, d the waves below the
+// cells of a placed land. Where a shore has changed the land, a spline through the shore's grid
+// replaces g(b(x)) + f(x); all other land has the same bits as without a shore. `cell` is the
+// spacing of a map: waves shorter than two cells fade out, in g and d by their formulas, in b and f
+// by the levels of a pyramid.
 //
 // Slopes are derivatives of h; with gullies, whose formula has no exact gradient, central
 // differences over one cell.
@@ -39,18 +39,18 @@ class LandFunction {
     ~LandFunction();
     LandFunction(LandFunction&&) noexcept;
 
-    /// Returns the tile after which the land repeats, or the rectangle that it is; the samples are
-    /// those of its own grid.
+    /// Returns the tile after which the land repeats, or the rectangle of land that exists once,
+    /// with the samples of the land's own grid.
     const Domain& domain() const;
-    /// Returns the spacing of its own grid [m].
+    /// Returns the spacing of the land's own grid [m].
     double cell() const;
-    /// Returns height, slopes, normal and the masks that it has.
+    /// Returns height, slopes, normal and the masks of the land.
     ChannelSet channels() const;
 
     /// Writes maps of samples `cell` apart [m], sample (i, j) at region.place(i, j); region.step()
-    /// is `cell`. The region of a land that exists once is clamped to it. A place has the same bits
-    /// in every region whose origin is a whole number of cells from (0, 0) or that begins where the
-    /// land does. Throws Error unsupported for channels that it does not have.
+    /// is `cell`. Places outside a land that exists once are clamped to it. A place has the same
+    /// bits in every region whose origin is a whole number of cells from (0, 0) or that begins
+    /// where the land does. Throws Error unsupported for channels that the land does not have.
     void write(const Domain& region, std::span<const MapOutput> outputs, ThreadPool& pool) const;
     Surface surface(const Domain& region, ChannelSet channels, ThreadPool& pool) const;
 

@@ -21,7 +21,7 @@ namespace ocean {
 inline constexpr ChannelSet kTerrainChannels = {
     Channel::height, Channel::nx, Channel::ny, Channel::nz, Channel::slope_x, Channel::slope_y};
 
-/// The order is that of libocean.h.
+/// The masks, in the order of libocean.h.
 enum class LandMask {
     wear,
     gully,

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The patches of a view as one closed mesh, for files. The argument why it is closed stands in
-// ocean/land_quadtree.hpp.
+// The patches of a view as one closed mesh, for files. ocean/land_quadtree.hpp shows why the mesh
+// is closed.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@
 namespace ocean {
 
 /// Writes the height of land at each point [m], with the waves that vertices `spacing` [m] apart
-/// show, and behind each height the further values of a mesh that has some. A pure function of
-/// point and spacing, whatever the other points are; finite.
+/// show, and behind each height the further values, if the mesh has some. Values are finite and
+/// depend on point and spacing alone.
 using HeightSampler =
     std::function<void(std::span<const WorldPoint> points, double spacing, std::span<float>)>;
 
@@ -33,10 +33,10 @@ struct LandPlace {
 struct LandMesh {
     std::vector<std::array<double, 3>> positions;         // x, y, z of the world [m]
     std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise from above
-    /// One for each vertex: of the patches that show it, the first one where it stands at its own
-    /// label, else the first one.
+    /// For each vertex, one of the patches that show it: the first in which it stands at its own
+    /// label, else the first.
     std::vector<LandPlace> places;
-    /// The further values of each vertex, between levels the mean that its height is.
+    /// The further values of each vertex, averaged between levels as its height is.
     std::vector<float> values;
 };
 
@@ -44,11 +44,11 @@ struct LandMesh {
 std::uint64_t land_mesh_bytes(const QuadtreeSettings& settings, std::span<const LandPatch> patches,
                               int further_values = 0);
 
-/// Returns the mesh of patches that `select` chose for the same settings and view. Each edge
-/// inside has two triangles, in opposite directions; only the outer border of the patches is open.
-/// No two vertices are equal, none is unused, and no triangle has two equal vertices. The sampler
-/// writes 1 + further_values numbers for each point. Throws as validate, and Error invalid_value
-/// for patches of more than 2^32 - 2 vertices.
+/// Returns the mesh of patches that `select` chose for the same settings and view. Each edge inside
+/// has two triangles, in opposite directions; only the outer border of the patches is open. All
+/// vertices differ and are used, and no triangle has two equal vertices. The sampler writes 1 +
+/// further_values numbers for each point. Throws as validate, and Error invalid_value for patches
+/// of more than 2^32 - 2 vertices.
 LandMesh make_land_mesh(const QuadtreeSettings& settings, std::span<const LandPatch> patches,
                         const LandView& view, const HeightSampler& sampler, int further_values = 0);
 

@@ -8,15 +8,15 @@
 // level l is a square of `patch` quads a side. All distances d are to the plane z = ground under
 // the eye, d^2 = (x - eye.x)^2 + (y - eye.y)^2 + (eye.z - ground)^2: one function of the label for
 // selection and morph, free of heights. With R(l) = range s(l), a node is divided if its nearest
-// point is nearer than R(l - 1); a quarter of it that is not is drawn with the node's spacing.
+// point is nearer than R(l - 1); a quarter that is farther away is drawn with the node's spacing.
 //
 // No cracks. Where squares of levels l and l' > l touch, the point that they share is at least
 // R(l' - 1) from the eye, because the coarser square was not divided there, and less than
 // R(l) + sqrt(2) patch s(l), because the finer one lies in a node that begins within R(l). If
 //     range >= sqrt(2) patch / (2 morph_start - 1)
-// then that is at most morph_start R(l + 1) < R(l + 1): so l' = l + 1, the coarser mesh has not
-// begun to morph along the border, and the finer one has ended (share 1, snapped). `validate`
-// refuses other settings.
+// then that distance is at most morph_start R(l + 1) < R(l + 1): so l' = l + 1, the coarser mesh
+// has not begun to morph along the border, and the finer one has ended (share 1, snapped).
+// `validate` refuses other settings.
 //
 // Morph. A vertex of level l shows z = mix(h(l), c, share): h(l) the height sampled for s(l), c the
 // linear surface of level l + 1 at the same label. Both levels cut their quads from (0, 0) to
@@ -71,7 +71,7 @@ struct QuadtreeSettings {
     /// Distance at which a level ends, in its spacings, min_range or more. Over land with an rms
     /// slope of 0.35 and waves down to 2 m, 140 moves no shown point by more than 0.2 pixels a
     /// frame (1280 pixels in 60 degrees, 30 m/s at 24 frames/s). Patches of 32 quads need 150 for
-    /// that, and 1.4 times the triangles.
+    /// the same, and 1.4 times the triangles.
     double range = 140.0;
     double morph_start = 0.585;         // as a share of the range, above 0.5
     double farthest = 150e3;            // squares beyond are not drawn [m]
@@ -85,8 +85,8 @@ struct QuadtreeSettings {
     double range_of(int level) const { return range * spacing_of(level); }
 };
 
-/// Returns the min range for which levels meet without cracks, in spacings; infinite if
-/// morph_start is 0.5 or less.
+/// Returns the min range, in spacings, at which levels meet without cracks; infinite if morph_start
+/// is 0.5 or less.
 double min_range(const QuadtreeSettings& settings);
 
 /// Throws Error invalid_value for settings out of their ranges, for a range below `min_range`, for
@@ -94,8 +94,7 @@ double min_range(const QuadtreeSettings& settings);
 /// coarsest level that are smaller than 1/64 of `farthest`.
 void validate(const QuadtreeSettings& settings);
 
-/// A square that is drawn: `quads` a side, its lower left corner at vertex (i, j) quads of its
-/// level.
+/// A square to draw: `quads` a side, its lower left corner at vertex (i, j) quads of its level.
 struct LandPatch {
     int level;
     std::int64_t i, j;  // its corner, in its sides from the world's origin
@@ -107,8 +106,8 @@ struct LandPatch {
     bool operator==(const LandPatch&) const = default;
 };
 
-/// An eye over land. Any `ground` gives a closed mesh; one without waves of a few metres keeps the
-/// levels calm as the eye moves.
+/// An eye over land. Any `ground` gives a closed mesh; a ground without waves of a few metres keeps
+/// the levels from flickering as the eye moves.
 struct LandView {
     std::array<double, 3> eye{};
     double ground = 0.0;  // height of the ground under the eye [m]
@@ -116,8 +115,8 @@ struct LandView {
     std::span<const std::array<double, 4>> planes = {};
 };
 
-/// Returns bounds of the heights in the square with the lower left corner (x, y), at all spacings
-/// [m].
+/// Returns the lowest and highest height at any spacing [m] in the square with the lower left
+/// corner (x, y).
 using HeightBounds = std::function<std::pair<float, float>(double x, double y, double side)>;
 
 /// Replaces `patches` by the squares to draw, near ones first within each node; allocates only
@@ -160,15 +159,15 @@ WorldPoint land_label(const QuadtreeSettings& settings, int level, LandIndex ind
 struct LandVertex {
     WorldPoint label;                  // where the height of its own level is sampled
     WorldPoint shown;                  // where it stands
-    double share;                      // of the coarser surface in its height, 0 .. 1
-    std::array<LandIndex, 2> parents;  // vertices of the next level, by indices of this one: even
+    double share;                      // share of the coarser surface in its height, 0 .. 1
+    std::array<LandIndex, 2> parents;  // vertices of the next level, by even indices of this level
 
-    /// Returns its height from that of its own level and those of the next level at its parents. A
-    /// height whose share is 0 may be anything.
+    /// Returns the vertex's height from the height of its own level and the next level's heights at
+    /// its parents. A height whose share is 0 may be anything.
     double height(float own, float first, float second) const;
 };
 
-/// Returns where a vertex of a level is shown: the same for all patches that have it.
+/// Returns where a vertex of a level is shown, the same place in all patches that have the vertex.
 LandVertex land_vertex(const QuadtreeSettings& settings, const LandView& view, int level,
                        LandIndex index);
 

@@ -13,12 +13,12 @@
 namespace ocean {
 
 /// Returns a map of each resolution, ordered from the finest. With foam or cover, each resolution
-/// must be half the one before. Throws as Ocean::evaluate.
+/// must be half the previous one. Throws as Ocean::evaluate.
 std::vector<Surface> map_levels(Ocean& ocean, double time, ChannelSet channels,
                                 std::span<const int> resolutions);
 
-/// Fills foam or cover of `coarse` with means of `fine`, which has twice the resolution: of each
-/// sample and, at half its weight, of its neighbours, so that nothing shifts.
+/// Fills foam or cover of `coarse` with means of `fine`, which has twice the resolution: means over
+/// a sample and, at half its weight, its neighbours, so that nothing shifts.
 void average_channel(Channel channel, const Surface& fine, Surface& coarse);
 
 }  // namespace ocean

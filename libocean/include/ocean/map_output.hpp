@@ -30,8 +30,8 @@ struct Quantity {
 };
 
 /// resolution^2 samples of 1 to 4 interleaved components, row-major [j][i]. Each component receives
-/// factor * quantity; one without a quantity stays unchanged. With a seam each row has one more
-/// sample and the map one more row: copies of the first ones, one period on.
+/// factor * quantity; a component without a quantity stays unchanged. With a seam each row has one
+/// more sample and the map one more row: copies of the first sample and row, one period further.
 struct MapOutput {
     struct Component {
         Quantity quantity;

@@ -15,28 +15,28 @@
 namespace ocean {
 
 /// Returns h so that a map of `map_resolution` samples holds the modes -h + 1 .. h - 1 along each
-/// axis, out of a lattice of `modes` of them. `stride` is the distance of neighbouring modes of the
+/// axis, of a lattice of `modes` modes. `stride` is the distance of neighbouring modes of the
 /// lattice, in modes of the map.
 inline int half_of(int modes, int stride, int map_resolution) {
     const int below_nyquist = (map_resolution / 2 - 1) / stride + 1;
     return std::min(modes / 2, below_nyquist);
 }
 
-/// The modes of a map at one time: those of a whole sea, or those of one of its cascades over the
-/// cascade's own period.
+/// The modes of a map at one time: of a whole sea, or of one of its cascades over the cascade's own
+/// period.
 struct MapModes {
     std::span<const CascadeModes> cascades;
     double period = 0.0;     // of the map [m]
     int divisor = 1;         // patch_size / period
     double tau = 0.0;        // Modes::tau of the time
     double rate_unit = 1.0;  // Modes::rate_unit
-    int resolution = 0;      // of the map; may be above or below that of the modes
+    int resolution = 0;      // of the map; may differ from the modes' resolution
     Revision revision;       // Modes::revision
     Revision lattice_revision;
-    int held_by = 0;  // only modes that a map of this resolution holds; 0: of `resolution`
+    int held_by = 0;  // resolution of a map that holds the modes; 0: `resolution`
 
     double wavenumber_step() const { return kTwoPi / period; }
-    /// Returns the factor by which mode (n, m) of a cascade is mode (n, m) * stride of the map.
+    /// Returns the stride by which mode (n, m) of a cascade is mode (n, m) * stride of the map.
     int stride(const CascadeModes& cascade) const { return cascade.divisor / divisor; }
     /// Returns h so that the map holds the modes -h + 1 .. h - 1 of a cascade along each axis.
     int half(const CascadeModes& cascade) const {

@@ -29,7 +29,7 @@ struct MeasuredRings {
 /// has kMinRings .. kMaxRings rows, the wavenumbers are positive and increase, and the densities
 /// are finite, at least 0 and not all 0.
 MeasuredRings read_rings(const std::string& path);
-/// Reads the text of such a file; `name` stands for the path in messages. Throws as read_rings.
+/// Reads the text of a file of rings; `name` stands for the path in messages. Throws as read_rings.
 MeasuredRings parse_rings(std::string_view text, const std::string& name);
 
 }  // namespace ocean

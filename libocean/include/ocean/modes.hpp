@@ -54,7 +54,7 @@ struct Modes {
     double wind_speed = 0.0;   // U10 [m/s]: determines how many whitecaps there are
     std::vector<CascadeModes> cascades;
     /// Changes whenever the owner modifies the modes; caches compare it. Default-constructed, and
-    /// then equal to no other, if nobody tracks revisions.
+    /// then unequal to every other, if the owner does not track revisions.
     Revision revision;
     /// Changes only when more than h0 is modified: caches of phase rates and displacements compare
     /// it. Default-constructed like `revision`.
@@ -66,7 +66,7 @@ struct Modes {
     /// Returns tau, so that a mode has made rate * tau turns at a time [s]: the time itself, or the
     /// fraction of the loop.
     double tau(double time) const;
-    /// Returns the factor in omega = 2 pi rate * rate_unit: 1, or 1 / loop_period.
+    /// Returns the factor f in omega = 2 pi rate f: 1, or 1 / loop_period.
     double rate_unit() const { return loop_period > 0.0 ? 1.0 / loop_period : 1.0; }
 };
 
@@ -87,8 +87,8 @@ double loop_fraction(double time, double loop_period);
 /// integral over the ring. 1 for a sea of one cascade, whose band is its whole lattice.
 double band_gain(const DirectionalSpectrum& spectrum, const Parameters& parameters,
                  const CascadeBand& band, double variance);
-/// Returns true for a mode of the band inside the circle of the lattice's Nyquist line; the last
-/// band also has modes beyond it, in its corners.
+/// Returns true for a mode of the band inside the circle of the lattice's Nyquist line. The last
+/// band also has modes beyond that circle, in its corners.
 bool measures_band(const CascadeBand& band, int resolution, int n, int m);
 
 /// Returns the modes of a sea: h0(k) = 1/2 (xi_r + i xi_i) sqrt(S D c_g/k dkx dky), [Horvath 2015]
@@ -100,11 +100,11 @@ Modes make_modes(const DirectionalSpectrum& spectrum, const Parameters& paramete
 /// Returns the correlation of the heights of two seas, each at its own time [s]: their covariance
 /// over all places, divided by the root of the product of their variances; -1 .. 1. About 0 for two
 /// seeds, about 1 for two winds over the same noise. Waves of both seas are identified where their
-/// cascades have the same period; the share of opposite waves, which oscillates twice a period, is
+/// cascades have the same period; the part of opposite waves, which oscillates twice per period, is
 /// neglected.
 double height_correlation(const Modes& a, double time_a, const Modes& b, double time_b);
 
-/// Returns the whole turns that a mode makes per loop: omega T / 2 pi to the nearest, at least 1.
+/// Returns the whole turns that a mode makes per loop: omega T / 2 pi, rounded, at least 1.
 double turns_per_loop(double omega, double loop_period);
 
 }  // namespace ocean

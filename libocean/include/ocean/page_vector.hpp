@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Vectors for large maps that are walked through with large steps: aligned for huge pages, which
-// are requested from the system, and not filled with zeros before they are filled with values.
+// are requested from the system, and not filled with zeros first.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace ocean {
 
-/// Returns uninitialised memory for large arrays: aligned to 2 MiB, with huge pages requested, from
-/// that size on; to 64 bytes below. Returns nullptr for no bytes. Throws std::bad_alloc.
+/// Returns uninitialised memory for large arrays: from 2 MiB on aligned to 2 MiB, with huge pages
+/// requested; below, aligned to 64 bytes. Returns nullptr for 0 bytes. Throws std::bad_alloc.
 void* allocate_pages(std::size_t bytes);
 /// Frees memory of allocate_pages.
 void free_pages(void* pages, std::size_t bytes);

@@ -16,8 +16,8 @@
 
 namespace ocean {
 
-/// The stages of the chain, in its order. A row names the first one that a change of its parameter
-/// dirties.
+/// The stages of the chain, in its order. A row names the first stage that a change of its
+/// parameter dirties.
 enum class Stage { spectrum, modes, surface, foam, clock };
 template <>
 struct StagesOf<Parameters> {
@@ -39,12 +39,13 @@ ParameterRef find_parameter(std::string_view name);
 
 /// Sets a parameter from text, for command lines, wires and the C API. Numbers are read without
 /// regard to the locale. Rules between parameters are not checked, so that several can be set in
-/// any order; call validate afterwards. A new `file`, `record` or `place` drops the record read for
-/// the old one, and a new `seabed` or `seabed_unit` a bed of a file; other keys of a bed move it.
-/// Throws Error invalid_value and changes nothing if the name or the value is refused.
+/// any order; call validate afterwards. A new `file`, `record` or `place` drops the record that was
+/// read for the old value; a new `seabed` or `seabed_unit` drops a bed read from a file. Other keys
+/// of a bed move the bed. Throws Error invalid_value and changes nothing if the name or the value
+/// is refused.
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view text);
 /// Returns a parameter as text: numbers in the shortest form that reads back to the same bits, ""
-/// for an unset one. Throws Error invalid_value for an unknown name.
+/// for an unset parameter. Throws Error invalid_value for an unknown name.
 std::string get_parameter(const Parameters& parameters, std::string_view name);
 
 /// Returns the names of all parameters that a take may change: "wind_speed, fetch, ...".

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The parameters that define a sea, as one plain value: the end of sea file, panel, knob and take,
-// and the beginning of the mathematics. The table of parameter_table.hpp states the unit, range,
-// label and help of each member; the initialisers here are the defaults.
+// The parameters that define a sea, as one plain value, which sea file, panel, knob and take set
+// and the mathematics reads. The table of parameter_table.hpp states the unit, range, label and
+// help of each member; the initialisers here are the defaults.
 #pragma once
 
 #include <array>
@@ -41,7 +41,7 @@ struct Water {
     double gravity = 9.81;
     double surface_tension = 0.074;
     double density = 1000.0;
-    std::string seabed = {};  // the file of the bed; empty: none, or one that has no file
+    std::string seabed = {};  // file of the bed; empty: no bed, or a bed without a file
     std::vector<double> seabed_origin = {};  // its south-west sample [m]; empty: (0, 0)
     BedUnit seabed_unit = BedUnit::m;
     BedSign seabed_sign = BedSign::up;
@@ -54,12 +54,12 @@ struct Water {
 
     /// Returns s in omega^2 = (g k + s k^3) tanh(k d) [m^3/s^2].
     double kinematic_tension() const { return surface_tension / density; }
-    /// Returns the place of the bed's south-west sample [m].
+    /// Returns the position of the bed's south-west sample [m].
     std::array<double, 2> bed_origin() const {
         if (seabed_origin.size() != 2) return {0.0, 0.0};
         return {seabed_origin[0], seabed_origin[1]};
     }
-    /// Compares beds by what they hold.
+    /// Compares beds by their content.
     bool operator==(const Water& other) const;
 };
 
@@ -77,7 +77,7 @@ struct SurfaceSettings {
     double longest_wavelength = 0.0;
     double foam_lifetime = 4.0;
     double foam_step = 0.05;
-    int foam_resolution = 0;  // 0: that of each map
+    int foam_resolution = 0;  // 0: each map's own
     FoamCoverage foam_coverage = FoamCoverage::monahan;
     double foam_threshold = 0.75;
     double foam_width = 0.2;
@@ -99,8 +99,8 @@ inline constexpr double kDefaultWind = 10.0;  // [m/s]
 /// One wave system: a spectrum with its spreading. The energies of several systems add.
 struct WaveSystem {
     SpectrumKind spectrum = SpectrumKind::phillips;
-    /// Unset means kDefaultWind for a system that its wind makes (is_wind_sea), and an unknown
-    /// wind, which makes no whitecaps, for any other.
+    /// Unset means kDefaultWind for a system that is a wind sea (is_wind_sea), and else an unknown
+    /// wind, which makes no whitecaps.
     std::optional<double> wind_speed;
     /// Unset means 0 for a parametric spectrum, and "as measured" for a record with directions.
     std::optional<double> wind_direction;
@@ -120,11 +120,11 @@ struct WaveSystem {
     Estimator estimator = Estimator::maximum_entropy;
 
     /// Share of this system's energy that counts: 1, except in the copies that Sea::at makes while
-    /// a take glides between spreadings. Not in the table.
+    /// a take glides between spreadings. The table has no row for it.
     double energy_share = 1.0;
 
     /// Share of wind_speed that makes whitecaps: 1, except while a take introduces a wind over
-    /// waves that had none. Not in the table.
+    /// waves that had none. The table has no row for it.
     double wind_onset = 1.0;
 
     /// The chosen record of `file`, read by ocean::seafile. Shared and never modified.
@@ -137,7 +137,7 @@ struct WaveSystem {
     bool is_wind_sea() const {
         return spectrum != SpectrumKind::measured && !(significant_wave_height && peak_period);
     }
-    /// Returns the wind of spectrum and spreading [m/s].
+    /// Returns the wind that spectrum and spreading use [m/s].
     double wind() const { return wind_speed.value_or(kDefaultWind); }
     /// Returns the wind over these waves, which makes whitecaps [m/s]; unset if it is unknown.
     std::optional<double> wind_above() const {
@@ -149,7 +149,7 @@ struct WaveSystem {
 /// Times lie within -kLatestTime .. kLatestTime [s]: 31 years. A double resolves a tenth of a
 /// microsecond there.
 inline constexpr double kLatestTime = 1e9;
-/// Throws Error invalid_value for a time outside these limits, and for NaN.
+/// Throws Error invalid_value for NaN and for a time beyond kLatestTime.
 void require_time(double time);
 
 struct Parameters {

@@ -25,31 +25,32 @@ struct HeaderString {
     std::string text;
 };
 
-/// The words by which a program makes a file again. provenance_strings puts them into a header;
-/// a member that is not set is not in the header.
+/// The words by which a program makes a file again. provenance_strings puts them into a header; a
+/// header leaves out members that are not set.
 struct Provenance {
-    std::string kind = {};  // of the subject, "sea": its text is the header's ocean:sea
-    std::string text = {};  // the subject's own file, resolved: it needs no other
+    std::string kind = {};  // the subject's kind; for "sea" the header has `text` as ocean:sea
+    std::string text = {};  // the subject's own file, resolved: it needs no other file
     std::string id = {};    // a short name of the subject on its map, for hosts; not in the header
     std::optional<int> frame = {};
     std::optional<double> time = {};  // [s]
     std::optional<Domain> domain = {};
-    std::string backend = {};  // which computed it: the last bits differ
+    std::string backend = {};  // the backend that computed the file: last bits differ
 };
 
 inline constexpr std::string_view kHeaderPrefix = "ocean:";
 /// The kinds that headers named before they had ocean:subject.
 inline constexpr std::array kFirstKinds = {kSeaKind, std::string_view("foam_texture")};
 
-/// Returns ocean:KIND, frame, time, period (of a domain that is no tile: origin, size, samples and
-/// wraps), backend and version. A kind outside kFirstKinds adds ocean:subject = KIND.
+/// Returns ocean:KIND, frame, time, period (or, unless the domain is a tile: origin, size, samples
+/// and wraps), backend and version. A kind outside kFirstKinds adds ocean:subject = KIND.
 std::vector<HeaderString> provenance_strings(const Provenance& provenance);
-/// Returns ocean:axes, field and unit of an image of these products; the words of several products
-/// are joined by commas. `axes` is the order of its vectors; an image without a vector has "zup".
+/// Returns ocean:axes, field and unit of an image of these products; commas join the words of
+/// several products. `axes` is the order of the image's vectors; an image without vectors has
+/// "zup".
 std::vector<HeaderString> product_strings(std::span<const Product* const> products,
                                           std::string_view axes);
-/// Returns what the header of a slope tile says beside its product: the resolution of the map that
-/// the band begins at, tile and waves [m], variances. These have eight decimals, on which all
+/// Returns the header strings of a slope tile beside its product: the resolution of the map whose
+/// end begins the band, tile and waves [m], variances. Variances have eight decimals, on which all
 /// machines agree.
 std::vector<HeaderString> slope_tile_strings(const DetailBand& band, double residual,
                                              int map_resolution);

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Regions: rectangles that a user cuts out of something that is a function of the place, a land or
-// a coast.
+// Regions: rectangles that a user cuts out of a land or a coast, which are functions of the place.
 #pragma once
 
 #include <array>
@@ -13,8 +12,8 @@ namespace ocean {
 
 inline constexpr int kMaxRegionSide = 32768;
 
-/// A rectangle at any place, with samples `cell` apart; its far sides lie at the last samples that
-/// are within the size.
+/// A rectangle at any place, with samples `cell` apart; its far sides lie at the last samples
+/// within the size.
 struct Region {
     std::array<double, 2> origin{};  // [m]
     std::array<double, 2> size{};    // [m]
@@ -25,8 +24,8 @@ struct Region {
 /// samples along each side.
 Domain domain_of(const Region& region);
 
-/// Returns the rectangle of a domain that exists once with samples `cell` apart [m] both ways: from
-/// its origin as many as lie within it, at least 2 along each side.
+/// Returns the rectangle of a domain that exists once, with samples `cell` apart [m] both ways:
+/// from its origin as many samples as lie within the domain, at least 2 along each side.
 Domain with_cell(Domain domain, double cell);
 
 }  // namespace ocean

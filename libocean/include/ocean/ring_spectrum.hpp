@@ -33,11 +33,12 @@ struct RingOptions {
     /// two. A larger grid is covered by such squares that overlap by at least half, and their
     /// densities are averaged [Welch 1967].
     int max_side = 4096;
-    /// The lowest and the highest wavenumber of all rings [rad/m]; by default those of the grid.
+    /// The lowest and the highest wavenumber of all rings [rad/m]; unset: ring_limits() of the
+    /// grid.
     std::optional<std::array<double, 2>> limits = {};
 };
 
-/// Returns the limits that measure_rings chooses for a grid [rad/m]: see there.
+/// Returns the limits that measure_rings chooses for a grid [rad/m]; see measure_rings.
 std::array<double, 2> ring_limits(const Domain& domain, const RingOptions& options = {});
 
 /// The mean of S over the waves of a ring.
@@ -47,9 +48,9 @@ struct Ring {
     double count;       // independent waves of the grid in the ring, the weight of the ring
 };
 
-/// Returns the rings of equal ratio, narrowest first, those without waves left out: for a grid that
-/// exists once from 2 waves along its shorter side to 0.8 of the smaller Nyquist wavenumber, for
-/// one that wraps from 1 wave to the Nyquist wavenumber. `heights` are a row-major array of
+/// Returns the rings of equal ratio that have waves, narrowest first. On a grid that exists once
+/// they reach from 2 waves along its shorter side to 0.8 of the smaller Nyquist wavenumber; on a
+/// grid that wraps, from 1 wave to the Nyquist wavenumber. `heights` are a row-major array of
 /// domain.count() heights [m]. Blocks until the pool is done. Throws Error invalid_value for less
 /// than 16 samples along a side and for a height that is not finite, out_of_memory.
 std::vector<Ring> measure_rings(const Domain& domain, std::span<const float> heights,

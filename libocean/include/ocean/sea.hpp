@@ -14,8 +14,8 @@ struct Sea {
     Parameters parameters;
     Take take = {};
 
-    /// Returns the parameters at a time t [s]: those of the file with the take's changes up to t,
-    /// each gliding to its value by a one-pole filter of time.glide seconds:
+    /// Returns the parameters at a time t [s]: the file's, with the take's changes up to t, each
+    /// gliding to its value by a one-pole filter of time.glide seconds:
     ///   y(t) = v + (y(s) - v) exp(-(t - s) / glide) from the time s of an event with the value v.
     /// peak_period glides in its logarithm, fetch in its root, a direction the short way round.
     /// While its spreading glides, a wave system has both spreadings: copies of it, each with its
@@ -34,16 +34,16 @@ struct Sea {
     double time_of(double frame) const;
 };
 
-/// Inserts a wave system with default values at the position that `name` states ("waves.1").
-/// Systems from there on move up by one number, with the take's events of them. Throws Error
+/// Inserts a wave system with default values at the position that `name` states ("waves.1"). The
+/// systems from there on, and their events in the take, move up by one number. Throws Error
 /// invalid_value for a name that leaves a gap, and beyond kMaxWaveSystems.
 void add_wave_system(Sea& sea, std::string_view name);
-/// Removes the wave system `name` and the take's events of it. Throws Error invalid_value for an
+/// Removes the wave system `name` and its events in the take. Throws Error invalid_value for an
 /// unknown name and for the last remaining system.
 void remove_wave_system(Sea& sea, std::string_view name);
 
-/// Throws Error unsupported if a take cannot play over the parameters: they have a bed, on which
-/// the waves are computed for one sea state.
+/// Throws Error unsupported if no take can play over the parameters: over a bed the waves are
+/// computed for one sea state.
 void require_takes(const Parameters& parameters);
 
 /// Checks the rules of the parameters and of the take: it names live parameters of existing wave

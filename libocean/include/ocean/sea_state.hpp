@@ -31,7 +31,7 @@ struct LoopError {
 /// The contents of one cascade, whose waves repeat after a shorter period than the sea.
 struct CascadeShare {
     double period = 0.0;         // [m]
-    double shortest_wave = 0.0;  // of the waves that this cascade holds [m]; 0 = it holds none
+    double shortest_wave = 0.0;  // shortest wave of this cascade [m]; 0 = it holds none
     double longest_wave = 0.0;   // [m]
     double height = 0.0;  // share of the variance of heights that repeats at this period, 0 .. 1
     double slope = 0.0;   // share of the variance of slopes
@@ -58,7 +58,7 @@ struct SeaState {
     double longest_wave = 0.0;         // [m]
     double period = 0.0;               // [m]
     int map_resolution = 0;            // default_map_resolution
-    double map_shortest_wave = 0.0;    // that a map of map_resolution holds [m]
+    double map_shortest_wave = 0.0;    // shortest wave of a map of map_resolution [m]
     std::vector<MapSlope> map_slopes;  // of maps of 1, 2, 4 .. 8192 samples along a side
     /// One for each cascade, ordered from the longest period.
     std::vector<CascadeShare> cascades;
@@ -68,26 +68,28 @@ struct SeaState {
     /// `asked`: the share of the sea that this wind makes white. `resolved`: the mean whitecap of a
     /// map of map_resolution.
     AskedResolved whitecap_coverage;
-    double foam_threshold = 0.0;  // Jacobian below which whitecaps begin there; 1 = undisturbed
-    double folded_share = 0.0;    // of that map's area, by label, where crests have folded over
-    /// In octaves from the longest wave held to the shortest; empty for a sea without a loop.
+    double foam_threshold = 0.0;  // Jacobian below which whitecaps begin; 1 = undisturbed
+    double folded_share = 0.0;    // share of the area, by label, that has folded over
+    /// Errors in octaves from the longest wave held to the shortest; empty for a sea without a
+    /// loop.
     std::vector<LoopError> loop_errors;
-    std::optional<SeaBedSummary> bed;   // none in an open sea
+    std::optional<SeaBedSummary> bed;   // absent in an open sea
     double loop_error = 0.0;            // rms over the modes, weighted by energy
     std::vector<std::string> warnings;  // full sentences, for people
 };
 
-/// Returns the statistics without the whitecaps, which need the modes: see add_whitecaps. Needs
+/// Returns the statistics without the whitecaps, for which add_whitecaps needs the modes. Needs
 /// validated parameters.
 SeaState sea_state(const DirectionalSpectrum& spectrum, const Parameters& parameters,
                    ThreadPool& pool);
 /// Adds whitecap_coverage, foam_threshold and folded_share to a state of the same sea, and a
 /// warning if crests fold.
 void add_whitecaps(const Modes& modes, const SurfaceSettings& settings, SeaState& state);
-/// Returns a sentence for each JONSWAP or TMA system whose fetch makes waves beyond those of a
-/// fully developed sea [Pierson and Moskowitz 1964], with both heights, or both periods where the
-/// height is given, and the fetch of full development. A system whose height and period are both
-/// given has none. Reads the wave systems and the water; sea_state() includes these warnings.
+/// Returns a sentence for each JONSWAP or TMA system whose fetch makes higher or longer waves than
+/// a fully developed sea has [Pierson and Moskowitz 1964], with both heights, or both periods where
+/// the height is given, and the fetch of full development. A system whose height and period are
+/// both given has no warning. Reads the wave systems and the water; sea_state() includes these
+/// warnings.
 std::vector<std::string> full_development_warnings(const Parameters& parameters);
 /// Returns the JSON object of `ocean info --json`.
 std::string sea_state_json(const SeaState& state);

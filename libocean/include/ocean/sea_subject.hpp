@@ -14,13 +14,13 @@
 
 namespace ocean {
 
-/// Returns a valid, resolved sea as a subject: one period of the open sea, or, of a sea over a bed,
-/// all of the bed.
+/// Returns a valid, resolved sea as a subject: one period of an open sea, or the whole bed of a sea
+/// over a bed.
 std::unique_ptr<Subject> make_subject(Sea sea);
 /// Returns a region of a sea over a bed as a subject. Throws Error unsupported for a sea without a
 /// bed, and as domain_of(region).
 std::unique_ptr<Subject> make_region_subject(Sea sea, const Region& region);
-/// Returns the subject that text() of such a subject describes. `name` stands for a path in
+/// Returns the sea or region that the text() of its subject describes. `name` stands for a path in
 /// messages. Throws Error as parse_sea.
 std::unique_ptr<Subject> parse_sea_subject(std::string_view text, const std::string& name);
 

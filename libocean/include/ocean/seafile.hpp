@@ -35,8 +35,8 @@ Sea read_sea(const std::string& path, const SpectrumReader& reader = read_spectr
 Sea parse_sea(std::string_view toml, const std::string& name, const std::string& base_dir,
               const SpectrumReader& reader = read_spectra);
 /// Reads the files that the parameters name and the sea has not read yet, after set_parameter: the
-/// record of each measured system without one, the bed of a sea without one, and a take other than
-/// the present one. Throws as read_spectra, choose_record, read_terrain, read_elevation,
+/// record of each measured system that has none, the bed of a sea that has none, and a take other
+/// than the present one. Throws as read_spectra, choose_record, read_terrain, read_elevation,
 /// make_sea_bed and parse_take, as errors of the parameter that names the file.
 void resolve_files(Sea& sea, const std::string& base_dir,
                    const SpectrumReader& reader = read_spectra);
@@ -44,9 +44,9 @@ void resolve_files(Sea& sea, const std::string& base_dir,
 /// its spectra.
 std::vector<std::string> named_files(const Sea& sea);
 /// Returns the resolved sea as text: every key of the table that is set and not neutral
-/// (OptionalColumns in table.hpp), the chosen records inlined as [waves.measured_record], the
-/// take as [take] and the bed as [water.bed_terrain] or, up to 1 MB, [water.bed_heights], which a
-/// reader prefers to `file`, `take` and `seabed`; of a larger bed the text has the hash.
+/// (OptionalColumns in table.hpp), the chosen records inlined as [waves.measured_record], the take
+/// as [take] and the bed as [water.bed_terrain] or, up to 1 MB, [water.bed_heights], which a reader
+/// prefers to `file`, `take` and `seabed`; for a larger bed the text has the hash alone.
 /// parse_sea(write_sea(s)) gives the same sea bit by bit. Throws Error invalid_value for a text
 /// that is not UTF-8 and for a sea that breaks a rule between parameters, which parse_sea would
 /// refuse.
@@ -66,13 +66,13 @@ struct NamedValue {
 /// Returns every parameter of a sea in the order of the table, "" for one that is not set, then the
 /// tables that its file carries. Throws as write_sea.
 std::vector<NamedText> sea_values(const Sea& sea);
-/// Returns the sea file that says these values, each spelled as it is given: a host keeps the text
-/// as long as its values stay. Leaves out empty and neutral ones. Checks no value; throws Error
+/// Returns the sea file with these values, each spelled as given: a host keeps the text as long as
+/// its values stay. Leaves out empty and neutral values. Checks no value; throws Error
 /// invalid_value for an unknown name, a text that is not UTF-8 and a number of several lines.
 std::string text_of_values(std::span<const NamedValue> values);
 
 /// Returns the kind of subject that the text of a file describes by its sections, "sea" or
-/// "terrain"; "" for text without such a section or that is not TOML.
+/// "terrain"; "" for a text that has no such section or is not TOML.
 std::string kind_of_file_text(std::string_view toml);
 
 /// Parses a take: lines "SECONDS NAME VALUE" ordered by time, names as in the parameter table; '#'

@@ -3,11 +3,11 @@
 //
 // The coast of a land that exists once: a shore line, a beach with a gentle bed where the shore is
 // sheltered, a steep bed and the land's own cliffs where it is exposed, a shelf. It is the last
-// step after all that makes heights, because it decides where water is.
+// step that changes heights, because it decides where water is.
 //
 // The shore line is the zero line of height - level after a Gaussian of deviation `smooth`; seas
-// that this leaves without a connection to the border of the grid become land. Symbols: D signed
-// distance to the shore line [m], + on land; B shelter at the nearest point of it, 0 .. 1.
+// that then have no connection to the border of the grid become land. Symbols: D signed distance to
+// the shore line [m], + on land; B shelter at the nearest point of it, 0 .. 1.
 //   sea   depth = B bed(beach_slope to closure, then 1:90) + (1 - B) bed(0.16 to 7 m, then 1:40),
 //         both flattened to `shelf`; from 900 to 2600 m off the shore the land's own depth takes
 //         over, where it is deeper than 0.8 shelf
@@ -30,7 +30,7 @@
 
 namespace ocean {
 
-/// The distance to the shore of a grid that has none: + on land, - at sea [m].
+/// The distance to the shore in a grid without any shore: + on land, - at sea [m].
 inline constexpr float kNoShore = 1e9f;
 
 /// All numbers but the level must be positive.
@@ -57,19 +57,19 @@ struct ShorelineMaps {
 /// Shapes a row-major array of heights [m] in place and returns the maps. Afterwards a height is
 /// above the level where D > 0 and below it elsewhere, without exception, and every sea reaches the
 /// border. Beyond the border the land continues with the heights of its edge. Gaussians have a
-/// deviation of at least one cell, so a shore of cells larger than `smooth` is smoothed over more
-/// than that.
+/// deviation of at least one cell: with cells larger than `smooth` the shore is smoothed over one
+/// cell.
 ///
 /// A grid without any shore keeps its heights, and has D = +-kNoShore and 0 in the other maps; but
 /// if it has lakes alone, they are filled, and if it has only rocks that are too small to be land,
 /// they are sunk.
 ///
 /// `progress` is called with the share that is done, 0 .. 1, from the calling thread; it may throw
-/// to stop, and then the heights are unchanged. Equal inputs give equal bits for any number of
-/// threads. Blocks until the pool is done. Throws Error invalid_value, before it changes anything,
-/// for a domain that wraps, has less than 2 or more than 65535 samples along a side or cells that
-/// are not square, for another number of heights, for a height that is not finite and for settings
-/// out of range; out_of_memory.
+/// to stop, the heights are then unchanged. Equal inputs give equal bits for any number of threads.
+/// Blocks until the pool is done. Throws Error invalid_value, before it changes anything, for a
+/// domain that wraps, has less than 2 or more than 65535 samples along a side or cells that are not
+/// square, for another number of heights, for a height that is not finite and for settings out of
+/// range; out_of_memory.
 ShorelineMaps shape_shoreline(std::span<float> heights, const Domain& domain,
                               const ShorelineSettings& settings, ThreadPool& pool,
                               const std::function<void(double share)>& progress = {});

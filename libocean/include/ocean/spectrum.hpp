@@ -5,7 +5,7 @@
 //
 // Symbols of all of them:
 // - S: one-sided variance density [m^2 s/rad]. Its integral is the variance m0; Hs = 4 sqrt(m0).
-// - omega: angular frequency [rad/s], > 0; omega_p is that where S is largest.
+// - omega: angular frequency [rad/s], > 0; S is largest at omega_p.
 // - U: wind speed at a height of 10 m [m/s], > 0.
 // - F: fetch [m], the distance over which the wind has blown.
 // - g: acceleration of gravity [m/s^2].
@@ -23,11 +23,10 @@ namespace ocean {
 inline constexpr double kWind195 = 1.026;
 
 /// Returns the spectrum of Pierson and Moskowitz, for a fully developed sea: the wind has blown so
-/// far and
-/// so long that the waves grow no more.
+/// far and so long that the waves grow no more.
 ///     S = alpha g^2 omega^-5 exp(-0.74 (g / (U' omega))^4),   alpha = 8.1e-3,   U' = U(19.5 m)
 /// [Pierson and Moskowitz 1964] eq. 15; the wind of their weather ships was measured at 19.5 m.
-/// Range: winds of 10 to 20 m/s, what they had; the form has no scale but U'^2 / g.
+/// Range: winds of 10 to 20 m/s, as measured; the form has no scale but U'^2 / g.
 /// Limits: omega >> g/U' gives alpha g^2 omega^-5; omega -> 0 gives 0, faster than any power.
 /// The integral is m0 = alpha U'^4 / (4 * 0.74 g^2).
 /// Tests: Spectrum.PiersonMoskowitzAt17MetresPerSecondIs6_1643Metres,
@@ -56,7 +55,7 @@ double pierson_moskowitz_peak(double wind_speed_10, double gravity);
 /// JonswapPeakIsNarrowerBelowThanAbove.
 double jonswap_density(double omega, double wind_speed, double fetch, double peak_enhancement,
                        double gravity);
-/// Returns the omega_p of jonswap_density.
+/// Returns the peak frequency omega_p of jonswap_density.
 double jonswap_peak(double wind_speed, double fetch, double gravity);
 
 /// Returns the factor 0 .. 1 by which shallow water reduces the energy of each frequency:
@@ -69,9 +68,8 @@ double jonswap_peak(double wind_speed, double fetch, double gravity);
 /// TmaIsJonswapTimesTheDepthFactorAndEqualInDeepWater.
 double finite_depth_factor(double omega, double depth, double gravity);
 
-/// Returns phillips' spectrum, as the variance density over the wavenumber's magnitude k, all
-/// directions
-/// together [m^3]:
+/// Returns Phillips' spectrum as the variance density over the magnitude k of the wavenumber, all
+/// directions together [m^3]:
 ///     P = (alpha/2) A k^-3 exp(-1 / (k L)^2) exp(-(k l)^2),   alpha = 8.1e-3
 /// A      amplitude, a pure number: 1 is Phillips' constant
 /// L      U^2 / g, m: about the longest wave of this wind
@@ -86,15 +84,14 @@ double finite_depth_factor(double omega, double depth, double gravity);
 double phillips_wavenumber_density(double k, double wind_speed, double amplitude,
                                    double cutoff_wavelength, double gravity);
 
-/// The parameter that the directions of a kind of spectrum follow where no record has measured
-/// them.
+/// The parameter that sets the directions of a kind of spectrum if no record has measured them.
 enum class DirectionLaw { spreading, alignment };
 DirectionLaw direction_law(SpectrumKind kind);
 
 /// A frequency spectrum with the properties that the other stages read.
 struct FrequencySpectrum {
     std::function<double(double omega)> density;  // [m^2 s/rad]; 0 outside [lowest, highest]
-    double parameter_peak = 0.0;  // omega_p of the formula [rad/s], which spreading refers to
+    double parameter_peak = 0.0;  // omega_p of the formula [rad/s], read by the spreading
     double peak = 0.0;            // where the density is largest [rad/s]; 0 for a flat sea
     double lowest = 0.0;          // support [rad/s]; the tail above `highest` is not represented
     double highest = 0.0;
@@ -104,7 +101,7 @@ struct FrequencySpectrum {
 };
 
 /// Returns the spectrum of a parametric system, before it is scaled to a given height. `highest`
-/// bounds the table [rad/s]. Not for measured systems.
+/// bounds the table [rad/s]. Measured systems have no such spectrum.
 FrequencySpectrum make_frequency_spectrum(const WaveSystem& system, const Water& water,
                                           double highest);
 

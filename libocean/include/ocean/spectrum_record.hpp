@@ -38,8 +38,8 @@ struct SpectrumRecord {
 
     // Assumptions, omissions and corrections of the reader: sentences for people.
     std::vector<std::string> warnings;
-    // Why the record cannot be used, "PATH:LINE: FAULT"; empty for a good one. Of a record with a
-    // fault only time and place are set.
+    // Why the record cannot be used, "PATH:LINE: FAULT"; empty for a good one. A record with a
+    // fault has only time and place set.
     std::string fault;
 
     bool has_moments() const { return !a1.empty(); }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Directional spreading D(omega, theta): the distribution of the energy of one frequency around the
-// mean direction. Each integrates to 1 over the full circle.
+// mean direction. Each distribution integrates to 1 over the full circle.
 #pragma once
 
 #include <span>

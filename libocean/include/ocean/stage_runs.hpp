@@ -9,7 +9,7 @@ namespace ocean {
 struct StageRuns {
     int spectrum = 0;
     int modes = 0;
-    int packing = 0;    // of the modes for a resolution of maps
+    int packing = 0;    // packings of the modes for a resolution of maps
     int threshold = 0;  // of the whitecaps
     int cover_power = 0;
     int surface = 0;      // requested maps

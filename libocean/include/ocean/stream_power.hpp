@@ -7,9 +7,9 @@
 //
 // Its steady state has the slope S = U / (K A^m) along every stream. Slope, outlets and areas
 // belong to a drainage tree, and the tree to the heights: both are found in turn, from a grid of
-// about 64 x 64 cells to the finest one, so that trunk valleys are those of the coarse land at
-// every resolution. Areas are in square metres and never below `hillslope_area`, so that the cell
-// drops out. Soil creep rounds the crests, and at last every cell drains to an outlet. Tests:
+// about 64 x 64 cells to the finest one, so that the trunk valleys are the same at every
+// resolution. Areas are in square metres and never below `hillslope_area`, so that the cell drops
+// out. Soil creep rounds the crests, and at last every cell drains to an outlet. Tests:
 // stream_power_test.cpp, stream_grid_test.cpp.
 //
 // This is no simulation of time: there is one solution for each `age`, found without time steps.
@@ -41,9 +41,10 @@ struct StreamSettings {
 /// The land of one level, row-major from the south-west.
 struct StreamLevel {
     std::vector<float> start;   // heights before erosion [m]
-    std::vector<float> uplift;  // relative, 0 .. 1; less than 0.001 counts as that
-    /// 1: water leaves here, and the height stays `start`. Creep carries soil of the land into
-    /// outlets, down to their own heights: outlets along a coast are at sea level, not at its bed.
+    std::vector<float> uplift;  // relative, 0 .. 1; smaller values than 0.001 count as 0.001
+    /// 1: water leaves here, and the height stays `start`. Creep carries the land's soil into
+    /// outlets, down to the outlets' heights: outlets along a coast are at sea level, not at its
+    /// bed.
     std::vector<std::uint8_t> outlet;
 };
 
@@ -65,16 +66,16 @@ struct StreamLand {
     int columns = 0;
     int rows = 0;
     double cell = 0.0;         // [m]
-    PageVector<float> height;  // [m]; every cell that is no outlet has a lower neighbour
-    PageVector<float> area;    // that drains through the cell, with its own [m2]
+    PageVector<float> height;  // [m]; every cell but an outlet has a lower neighbour
+    PageVector<float> area;    // drained by the cell, its own area included [m2]
     /// 0 .. 1: A^2 / (A^2 + a^2), the drainage area A, a = kChannelArea; 0 in outlets.
     PageVector<float> channel;
     /// 0 .. 1: ln(A / (w S)) [Beven and Kirkby 1979] from kDryIndex to kWetIndex, the width w of a
     /// cell [m], the slope S of the surface, at least 0.001; 1 in outlets.
     PageVector<float> wetness;
     /// 0 .. 1: loose ground, the greater of soil and alluvium; 0 in outlets. Soil is d / (d +
-    /// kSoilDepth), d the thickness by which creep and the last flood cover the carved bed.
-    /// Alluvium is 1 - h / f where that is positive, h the height above the nearest channel
+    /// kSoilDepth), with the thickness d by which creep and the last flood cover the carved bed.
+    /// Alluvium is 1 - h / f where this is positive, h the height above the nearest channel
     /// downstream, of kChannelArea at least [Nobre 2011], and f the depth of its floods,
     /// kFloodDepth (A / 1 km2)^0.4 [Leopold and Maddock 1953].
     PageVector<float> deposit;
@@ -88,29 +89,31 @@ inline constexpr double kWetIndex = 13.0;
 inline constexpr double kFloodDepth = 3.0;  // at 1 km2 [m]
 inline constexpr double kSoilDepth = 4.0;   // [m]
 
-/// Sides of the finest level, and its cells: indices of cells have 31 bits.
+/// Limits of the sides of the finest level, and of its number of cells: indices of cells have 31
+/// bits.
 inline constexpr int kMinStreamSide = 2;
 inline constexpr std::int64_t kMaxStreamCells = std::int64_t{1} << 31;
 
-/// Carves the land of a source. If a level has no outlet, its lowest cell of the border is one, the
-/// first of several. The bits are the same for any number of threads. Throws Error invalid_value
-/// for settings or sides out of range, and for a level of another size or with heights or uplifts
-/// that are no numbers; std::bad_alloc.
+/// Carves the land of a source. If a level has no outlet, the lowest cell of its border, the first
+/// of several, becomes one. The bits are the same for any number of threads. Throws Error
+/// invalid_value for settings or sides out of range, and for a level of another size and for NaN
+/// among its heights or uplifts; std::bad_alloc.
 StreamLand carve(const StreamSettings& settings, int columns, int rows, double cell,
                  const StreamSource& source, ThreadPool& pool, const StreamProgress& progress = {});
 
 /// Changes the age of carved land, 0 .. 1: heights, wetness and deposit, without another solution
-/// of the tree. The result is that of carve with this age, bit by bit. Throws Error invalid_value;
-/// if progress throws, the land is unchanged.
+/// of the tree. The result equals the result of carve with this age, bit by bit. Throws Error
+/// invalid_value; if progress throws, the land is unchanged.
 ///
 /// Young land is flat at the height of its outlet, and rises by U t until the slopes that travel
-/// upstream from the outlet pass: with the time tau that they take from there,
+/// upstream from the outlet pass: with the time tau that they take from the outlet,
 ///   z(p, t) = Z(p) - Z(q) + Z(outlet),   tau(q) = tau(p) - t on the way down from p,
 /// the exact solution for any uplift, Z the steady heights [Royden and Perron 2013].
 void set_age(StreamLand& land, double age, ThreadPool& pool, const StreamProgress& progress = {});
 
-/// Returns the bytes that carve or a later set_age needs at most, with the finest level of the
-/// source and with the land: 54 a cell. The land alone has 30 a cell, and 2 for its stems.
+/// Returns an upper bound of the bytes that carve or a later set_age needs, with the finest level
+/// of the source and the land included: 54 a cell. The land alone has 30 a cell, and 2 for its
+/// stems.
 std::uint64_t stream_bytes(int columns, int rows);
 
 }  // namespace ocean

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A subject is the content of a bake, a mesh or a view: a sea, later a terrain or a coast. Code
-// that needs only its maps, its text and its times uses these two interfaces; code for one kind of
-// subject (spray, slope tiles) asks for that kind (sea_subject.hpp).
+// that needs only the maps, text and times of a subject uses these two interfaces; code for one
+// kind of subject (spray, slope tiles) requests that kind (sea_subject.hpp).
 #pragma once
 
 #include <cstdint>
@@ -29,9 +29,9 @@ struct MapsOptions {
     Backend backend = Backend::cpu;
     /// Called while foam is followed from its beginning; may throw to stop the call.
     std::function<void(std::int64_t done, std::int64_t total)> foam_progress = {};
-    std::span<const ChannelInfo> channels = {};  // beside those of the table
-    /// Called while a subject is built that takes its time, with what is being computed and the
-    /// share of it that is done; may throw to stop the call.
+    std::span<const ChannelInfo> channels = {};  // channels beside the table's
+    /// Called while a subject that takes long is built, with what is being computed and the share
+    /// of it that is done; may throw to stop the call.
     std::function<void(std::string_view work, double share)> build_progress = {};
 };
 
@@ -47,11 +47,11 @@ class SubjectMaps {
   public:
     virtual ~SubjectMaps() = default;
 
-    /// Returns maps for another thread, which share what these have computed.
+    /// Returns maps for another thread. They share what these maps have computed.
     virtual std::unique_ptr<SubjectMaps> share(const MapsOptions& options) const = 0;
     /// Returns a map of each resolution, ordered from the finest. With foam or cover, each
-    /// resolution must be half the one before. Throws Error for channels that the subject does not
-    /// have.
+    /// resolution must be half the previous one. Throws Error for channels that the subject does
+    /// not have.
     virtual std::vector<Surface> levels(double time, ChannelSet channels,
                                         std::span<const int> resolutions) = 0;
     /// Returns the heights on resolution^2 world positions of the domain.
@@ -80,7 +80,7 @@ struct NoCost {
 /// The memory that maps of a subject need [bytes]. The functions may refer to the subject.
 struct Costs {
     std::uint64_t shared = 0;  // for all SubjectMaps together
-    std::uint64_t each = 0;    // for each SubjectMaps beside that, without its maps
+    std::uint64_t each = 0;    // for each SubjectMaps, its maps not included
     /// Returns the bytes that making a map of these channels needs beside the map.
     std::function<std::uint64_t(const MapsOptions& options, ChannelSet channels, int resolution)>
         map = NoCost{};
@@ -94,41 +94,44 @@ class Subject {
   public:
     virtual ~Subject() = default;
 
-    /// Returns its kind, such as "sea". Image headers store text() under the key ocean:KIND.
+    /// Returns the subject's kind, such as "sea". Image headers store text() under the key
+    /// ocean:KIND.
     virtual std::string_view kind() const = 0;
-    /// Returns its own file, resolved: it reads back to the same subject and needs no other file.
+    /// Returns the subject's own file, resolved: it reads back to the same subject and needs no
+    /// other file.
     virtual std::string text() const = 0;
-    /// Returns the files that its own file names, spelled as there.
+    /// Returns the files that the subject's own file names, spelled as there.
     virtual std::vector<std::string> named_files() const = 0;
     /// Sets a parameter, before maps are made. Throws Error invalid_value.
     virtual void set(std::string_view name, std::string_view value) = 0;
 
-    /// Returns the times of its frames; without an override it does not move.
+    /// Returns the times of the subject's frames; without an override the subject does not move.
     virtual Timeline timeline() const { return {}; }
     /// Returns warnings about the subject at a time, a sentence each.
     virtual std::vector<std::string> warnings(double /*time*/) const { return {}; }
 
-    /// Returns the channels of the table that it has.
+    /// Returns the channels of the table that the subject has.
     virtual ChannelSet channels() const = 0;
-    /// Returns the samples along a side of the map that shows all its waves.
+    /// Returns the samples along a side of the map that shows all waves of the subject.
     virtual int default_resolution() const = 0;
     /// Returns the domain of a map of `resolution` samples along its side.
     virtual Domain domain(int resolution) const = 0;
-    /// Returns the shortest wave that such a map holds [m].
+    /// Returns the shortest wave that a map of `resolution` samples holds [m].
     virtual double shortest_wave(int resolution) const = 0;
-    /// Returns the heights of its volumes. A subject that is computed for them keeps what it has
-    /// computed for the maps that open() returns.
+    /// Returns the heights of the subject's volumes. If this computes the subject, the maps of a
+    /// later open() reuse the result.
     virtual HeightRange height_range(const MapsOptions& options) const = 0;
 
     /// Returns the samples along a side of the maps that a backend makes for a map of `resolution`
-    /// samples; nothing if it makes none, because the subject is a function of the place.
+    /// samples; nothing if the backend makes none, because the subject is a function of the place.
     virtual std::optional<int> backend_resolution(const Backend&, int resolution) const {
         return resolution;
     }
 
-    /// Returns maps that have computed what all its copies share. Several threads may call it.
+    /// Returns maps that have already computed what all their copies share. Several threads may
+    /// call it.
     virtual std::unique_ptr<SubjectMaps> open(const MapsOptions& options) const = 0;
-    /// Returns the memory that its maps need. Valid as long as the subject.
+    /// Returns the memory that the subject's maps need. The result is valid as long as the subject.
     virtual Costs costs() const = 0;
 };
 

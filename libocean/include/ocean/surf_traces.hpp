@@ -10,8 +10,8 @@ namespace ocean {
 /// Time in which sand that the swash has wetted dries to 1/e [s].
 inline constexpr double kDryingTime = 25.0;
 
-/// The share of the water that foam of breaking waves hides is foam to this power: its lace opens
-/// as it fades.
+/// Foam of breaking waves hides the share foam^kSurfCoverPower of the water: its lace opens as it
+/// fades.
 inline constexpr float kSurfCoverPower = 1.35f;
 
 /// Returns how wet the ground is under water of this depth [m], 0 .. 1.

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Queries of one time, made from its modes. The displacement is inverted: a sample is that of the
-// label which is displayed at the point.
+// Queries of one time, made from its modes. The displacement is inverted: a sample belongs to the
+// label that is displayed at the point.
 //
 // Fields are interpolated by cubic splines on maps twice as fine as the displayed one. This is
 // exact except for aliases of the shortest waves: a wave of length l has an error of (s / (l -
 // s))^4 of its height, at most 1/81, with the spacing s of the fine samples. For a sea that its
-// grid resolves, the rms error is below 2e-3 of the rms height, and below 1e-4 with refine = 2;
-// slopes have an error of at most 1/27 and 1/343 of those of the shortest waves. Tests:
+// grid resolves, the rms error is below 2e-3 of the rms height, and below 1e-4 with refine = 2; the
+// errors of slopes are at most 1/27 and 1/343 of the slopes of the shortest waves. Tests:
 // query_test.cpp, for the presets preset_query_test.cpp.
 #pragma once
 
@@ -74,7 +74,8 @@ class SurfaceQuery {
 
     /// Returns an upper bound of the bytes that the constructor needs for such modes.
     static std::uint64_t bytes(const Modes& modes, const QueryOptions& options);
-    /// Returns that bound from the resolution of the grid alone, without the bytes of `exact`.
+    /// Returns the bound of bytes() from the resolution of the grid alone, without the bytes of
+    /// `exact`.
     static std::uint64_t map_bytes(int grid_resolution, const QueryOptions& options);
 
   private:
@@ -82,10 +83,10 @@ class SurfaceQuery {
     std::unique_ptr<Impl> impl_;
 };
 
-/// The motion of the water at points fixed in the world, by linear theory, without displacement. At
-/// a depth it decays as cosh k(z + d) / sinh kd; above z = 0 it is that at z = 0, below the bottom
-/// it is 0. [Dean and Dalrymple 1991] sections 4.2, 4.3. Several threads may sample at once. Keeps
-/// no reference to its arguments.
+/// The motion of the water at points fixed in the world, by linear theory, without displacement. It
+/// decays with depth as cosh k(z + d) / sinh kd. Above z = 0 it equals the motion at z = 0; below
+/// the bottom it is 0. [Dean and Dalrymple 1991] sections 4.2, 4.3. Several threads may sample at
+/// once. Keeps no reference to its arguments.
 class OrbitalMotion {
   public:
     /// Packs the modes for the height z [m], up from still water. Throws Error invalid_value if z
@@ -96,7 +97,7 @@ class OrbitalMotion {
     OrbitalMotion(OrbitalMotion&&) noexcept;
     OrbitalMotion& operator=(OrbitalMotion&&) noexcept;
 
-    /// Moves the object to another time or depth, or to other modes. Reuses what they have in
+    /// Moves the object to another time or depth, or to other modes. Reuses what both have in
     /// common. No thread may sample meanwhile.
     void move_to(const Modes& modes, const Water& water, double time, double z, ThreadPool& pool);
 

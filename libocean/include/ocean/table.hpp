@@ -38,26 +38,26 @@ struct TableSection {
 /// Columns that only some rows need.
 struct OptionalColumns {
     /// Words of another parameter of the section, "jonswap, tma": this parameter has an effect only
-    /// while that one has one of these words. Empty: always.
+    /// while the other one has one of these words. Empty: always.
     std::string_view used_by = "";
-    /// The min of values other than 0, where 0 means "none".
+    /// The min of nonzero values, where 0 means "none".
     double min_nonzero = 0.0;
     NumberRule rule = NumberRule::any;
-    /// The max of numbers in a list, and of pairs.
+    /// The max of numbers in a list, or of pairs.
     std::size_t max_length = 64;
-    /// The range of the second numbers of pairs, inclusive; min and max are that of the first.
+    /// The range of the second numbers of pairs, inclusive; min and max bound the first numbers.
     double second_min = 0.0;
     double second_max = 0.0;
     /// The neutral value, as to_text spells it, of a key that was added after the first release of
     /// its table; it is also its default. Writers leave the key out at this value, so that a model
-    /// that does not use it keeps its text, and with it its id and its files.
+    /// without it keeps its text, and so its id and its files.
     std::optional<std::string_view> neutral = std::nullopt;
 };
 
 /// All columns of a row that do not depend on the model's type.
 struct ParameterSpec : OptionalColumns {
     std::string_view section;
-    std::string_view item;  // the section's, see TableSection
+    std::string_view item;  // the section's item, see TableSection
     std::string_view key;
     std::string_view unit;  // "" for a pure number or a word
     std::string_view label;
@@ -74,7 +74,7 @@ struct ParameterSpec : OptionalColumns {
     std::string path(std::size_t item = 0) const;
     /// Returns the allowed words, in enum order; none for other types.
     std::span<const std::string_view> choices() const { return member_type.choices; }
-    /// Returns the word of MemberType: "float", "int", "bool", "enum" ...
+    /// Returns MemberType::word: "float", "int", "bool", "enum" ...
     std::string_view type() const { return member_type.word; }
     /// Returns true if `value` means that an optional number is unset.
     bool is_unset(const ParameterValue& value) const;
@@ -82,7 +82,7 @@ struct ParameterSpec : OptionalColumns {
     bool is_left_out(const ParameterValue& value) const;
 };
 
-/// The stages that are computed from a model: a row names the first one that a change of its
+/// The stages that are computed from a model: a row names the first stage that a change of its
 /// parameter dirties. Models with such a chain specialise this.
 template <typename Model>
 struct StagesOf {
@@ -126,7 +126,7 @@ struct RefOf {
 
 template <typename Model>
 struct Table {
-    std::string_view kind;                   // of the model and its files: "sea"
+    std::string_view kind;                   // kind of the model and its files: "sea"
     std::span<const TableSection> sections;  // in the order of the file
     std::span<const TableRow<Model>> rows;   // section after section
 };
@@ -162,8 +162,8 @@ ParameterValue parse_value(const ParameterSpec& spec, std::size_t item, std::str
 std::string to_text(const ParameterValue& value);
 /// Returns the text of a value for messages, with texts in quotes and shortened.
 std::string quoted_text(const ParameterValue& value);
-/// Returns the reason why a text is no number of a row: "is not a number", or, for "12kn", "is not
-/// a number: write it in m/s, without a unit".
+/// Returns the reason why a text is not a number for a row: "is not a number", or, for "12kn", "is
+/// not a number: write it in m/s, without a unit".
 std::string no_number_reason(const ParameterSpec& spec, std::string_view text);
 /// Returns "0.01 .. inf m", "one of monahan, threshold", "a power of two, 32 .. 8192".
 std::string allowed_values(const ParameterSpec& spec);
@@ -200,7 +200,7 @@ ParameterValue value_of(const Model& model, const RefOf<Model>& ref) {
 /// Returns the item's number if `name` names the parameter: "water.depth", "waves.1.fetch", or the
 /// bare key, which means item 0.
 std::optional<std::size_t> item_named(const ParameterSpec& spec, std::string_view name);
-/// Throws Error invalid_value naming the nearest of the parameters.
+/// Throws Error invalid_value with the nearest of the parameters' names.
 [[noreturn]] void refuse_name(std::string_view name, std::span<const ParameterSpec* const> specs);
 
 template <typename Model>
@@ -222,13 +222,13 @@ RefOf<Model> find_parameter(const Table<Model>& table, std::string_view name) {
 
 // ---- Listings
 
-/// A row for printing, with the value that a new model has.
+/// A row for printing, with its value in a new model.
 struct ListedParameter {
     const ParameterSpec* spec;
     ParameterValue default_value;
 };
 
-/// Returns all rows with their defaults; those of a list are the defaults of a new item.
+/// Returns all rows with their defaults; rows of a list have the defaults of a new item.
 template <typename Model>
 std::vector<ListedParameter> listed(const Table<Model>& table) {
     Model defaults;

@@ -53,7 +53,7 @@ struct Member {
     void (*renew)(Model&, std::size_t items);
 };
 
-/// The address of this identifies a pointer to member of any type.
+/// Its address identifies a pointer to member of any type.
 template <auto Pointer>
 inline constexpr char kMemberId = 0;
 
@@ -64,7 +64,7 @@ inline constexpr bool is_vector = false;
 template <typename Item>
 inline constexpr bool is_vector<std::vector<Item>> = true;
 
-/// Follows pointers to members; a vector on the way is a list, of which `item` is chosen.
+/// Follows pointers to members. A vector on the way is a list, whose item `item` is chosen.
 template <auto Pointer, auto... Rest, typename Owner>
 auto& reach(Owner& owner, std::size_t item) {
     auto& found = owner.*Pointer;

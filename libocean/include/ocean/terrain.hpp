@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Terrain: the maps of a terrain file's values, as Ocean has those of a sea's. It keeps noise,
-// modes and what backends derive from them, and the function of a land that erosion and shore have
-// shaped; it redoes only the stages that a changed parameter dirties.
+// Terrain: the facade of a terrain, as Ocean is the facade of a sea. It keeps noise and modes, the
+// data that backends derive from them, and the function of a land that erosion and shore have
+// shaped. It redoes only the stages that a changed parameter dirties.
 #pragma once
 
 #include <cstdint>
@@ -44,7 +44,7 @@ struct TerrainRuns {
     int filter = 0;
     int maps = 0;
     int shape = 0;    // of the function of a shaped land
-    int streams = 0;  // of these, with streams carved anew
+    int streams = 0;  // runs of `shape` that carved streams anew
 
     bool operator==(const TerrainRuns&) const = default;
 };
@@ -55,12 +55,12 @@ class Terrain {
     /// Validates the values; nothing is computed before it is requested. Throws Error
     /// invalid_value.
     explicit Terrain(TerrainModel model, const TerrainOptions& options = {});
-    /// Makes the terrain of another thread, which shares what this one has computed.
+    /// Makes the land for another thread. It shares what `shared` has computed.
     Terrain(const Terrain& shared, const TerrainOptions& options);
     ~Terrain();
 
     const TerrainModel& model() const;
-    /// Replaces the values. Throws Error invalid_value and changes nothing if one is not valid.
+    /// Replaces the terrain. Throws Error invalid_value and changes nothing if it is not valid.
     void set_model(TerrainModel model);
     /// Sets one parameter from text. Throws as set_parameter and validate, and changes nothing
     /// then.
@@ -68,30 +68,31 @@ class Terrain {
 
     /// Returns the modes, without the mean height.
     const Modes& modes();
-    /// Returns the height that is added to every sample [m]: the mean, or that of `range`.
+    /// Returns the height that is added to every sample [m]: the mean, or the height that moves the
+    /// map into `range`.
     double offset();
     TerrainScale scale();
     TerrainState state();
 
-    /// Returns the land as a function of the place; of a tile without gullies too, whose own maps
-    /// are made by transforms. It is built by the first call, and stays valid after changes.
+    /// Returns the land as a function of the place; also for a tile without gullies, whose own maps
+    /// are made by transforms. The first call builds the function, which stays valid after changes.
     std::shared_ptr<const LandFunction> function();
-    /// Returns the channels of its maps: kTerrainChannels, and the masks of a shaped land.
+    /// Returns the channels of the land's maps: kTerrainChannels, and the masks of a shaped land.
     ChannelSet channels() const;
     /// Returns the domain of a map of `resolution` samples (0 = the terrain's own): a tile has that
     /// many along each side, a placed land along its longer one.
     Domain domain(int resolution = 0) const;
 
-    /// Returns one map of domain(resolution): of a tile all waves below its Nyquist line. Throws
-    /// Error unsupported for channels that the land does not have.
+    /// Returns one map of domain(resolution). A tile's map has all waves below its Nyquist line.
+    /// Throws Error unsupported for channels that the land does not have.
     Surface surface(ChannelSet channels, int resolution = 0);
-    /// Writes such a map into buffers of the caller. Throws as surface(), and Error unsupported for
-    /// a placed land that is not a square.
+    /// Writes the map of domain(resolution) into buffers of the caller. Throws as surface(), and
+    /// Error unsupported for a placed land that is not a square.
     void surface_into(std::span<const MapOutput> outputs, int resolution = 0);
     /// Returns the map of a region at any place, of samples that lie region.step() apart; a tile
     /// repeats, and a placed land is clamped to its rectangle. Throws as surface().
     Surface region(const Domain& region, ChannelSet channels);
-    /// Writes such a map into buffers of the caller, rows of region.samples[0] samples.
+    /// Writes the map of a region into buffers of the caller, rows of region.samples[0] samples.
     void region_into(const Domain& region, std::span<const MapOutput> outputs);
 
     /// Writes height and normal at each point; velocity and foam are 0. Throws Error invalid_value
@@ -99,7 +100,7 @@ class Terrain {
     void query(std::span<const WorldPoint> points, std::span<QuerySample> samples,
                const QueryOptions& options = {});
 
-    /// Returns the rms error of such heights against the exact sum over all waves [m].
+    /// Returns the rms error of query()'s heights against the exact sum over all waves [m].
     double query_height_error(const QueryOptions& options = {});
 
     const TerrainRuns& runs() const;
@@ -117,7 +118,7 @@ class Terrain {
 
 /// Returns the channels that a terrain's sections give it: see Terrain::channels.
 ChannelSet terrain_channels(const TerrainModel& model);
-/// Returns the domain of its maps: see Terrain::domain. A base must have been read.
+/// Returns the domain of a terrain's maps: see Terrain::domain. A base must have been read.
 Domain terrain_domain(const TerrainModel& model, int resolution = 0);
 
 }  // namespace ocean

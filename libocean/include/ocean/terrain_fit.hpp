@@ -6,7 +6,7 @@
 //
 // Model and terrain are judged alike. A terrain is made with several seeds, a part of the model's
 // size is cut out of each, and its rings are measured as the model's are, so that window and edges
-// are the same in both. No seed corrects a law: what the mean of all seeds has is computed.
+// are the same in both. No seed corrects a law: the mean over all seeds is computed.
 #pragma once
 
 #include <array>
@@ -29,9 +29,9 @@ enum class FitLaw {
 struct TerrainFitOptions {
     FitLaw law = FitLaw::table;
     bool ridge = false;  // with FitLaw::broken: a raised band, too
-    int seeds = 16;      // that judge the fit, kMinFitSeeds .. kMaxFitSeeds
+    int seeds = 16;      // seeds that judge the fit, kMinFitSeeds .. kMaxFitSeeds
     int threads = 0;     // 0 = the cores this process may use
-    /// Is called after each terrain that was made, of `of` in all. If it throws, the fit ends.
+    /// Called after each of the `of` terrains. If it throws, the fit ends.
     std::function<void(int done, int of)> progress = {};
 };
 inline constexpr int kMinFitSeeds = 4;
@@ -62,13 +62,13 @@ struct FittedParameter {
     bool is_at_bound = false;  // the best value may lie beyond
 };
 
-/// Shares of the land that have at most the slopes of Relief::slopes.
+/// Shares of the land whose slopes Relief::slopes bounds.
 inline constexpr std::array<double, 3> kReliefShares = {0.5, 0.9, 0.99};
 
 struct Relief {
     double rms = 0.0;                // about the least-squares plane [m]
     double rms_about_mean = 0.0;     // [m]
-    double skewness = 0.0;           // of the heights about that plane; 0 for Gaussian land
+    double skewness = 0.0;           // of the heights about the plane; 0 for Gaussian land
     std::array<double, 3> slopes{};  // [degrees]
     double anisotropy = 1.0;         // ratio of the rms slopes along the steepest and flattest axis
     double direction = 0.0;          // of the steepest axis [degrees counter-clockwise from +x]
@@ -82,7 +82,7 @@ struct TerrainFit {
     std::vector<FittedParameter> parameters;
     Relief bed;
     Relief model;           // means of the seeds that judge
-    double kept_rms = 0.0;  // of the land, that the terrain is to have [m]: see fit_terrain
+    double kept_rms = 0.0;  // rms that the terrain should have [m]: see fit_terrain
     double rms = 0.0;       // of the terrain's tile with its seed, about the mean [m]
     std::vector<std::string> warnings;
 
@@ -90,14 +90,14 @@ struct TerrainFit {
     double error_above_lowest() const;
 };
 
-/// Fits a tile with square cells, the coarser side of the model's, and the smallest power of two of
-/// samples, at most 2048 along a side, that holds the model; a larger model is judged by squares
-/// that overlap. The tile has the variance of the model about its mean; that about its plane, if
-/// the plane is steeper than the waves of a tile make one. Its seed is the one, of 512, whose
-/// longest waves have that variance while the others have the density of the rings; the seeds that
-/// judge are the next ones in this respect. Waves that are longer than the model are left out. A
-/// table law has the exponent of its land as beta. Throws Error invalid_value for fewer than 32
-/// cells along a side, for holes, and for a flat model; out_of_memory.
+/// Fits a tile with square cells, as wide as the coarser side of the model's cells, and with the
+/// smallest power of two of samples, at most 2048 along a side, that holds the model; a larger
+/// model is judged by squares that overlap. The tile has the variance of the model about its mean,
+/// or about its plane if the plane is steeper than the waves of a tile make one. Its seed is the
+/// one of 512 whose longest waves have that variance while the others have the density of the
+/// rings; the next best seeds judge the fit. Waves longer than the model are left out. A table law
+/// has the exponent of its land as beta. Throws Error invalid_value for fewer than 32 cells along a
+/// side, for holes, and for a flat model; out_of_memory.
 TerrainFit fit_terrain(const ElevationModel& model, const TerrainFitOptions& options = {});
 
 }  // namespace ocean

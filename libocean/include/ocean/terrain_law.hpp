@@ -25,9 +25,9 @@
 
 namespace ocean {
 
-/// The waves of a land with gullies in two parts, because gullies take the place of the waves
-/// between them: `smooth` has the waves that are longer and that steer the gullies, `fine` those
-/// that are shorter than the smallest gully. With k1 = 2 pi / (7/3 longest), k2 = 2 pi / smallest:
+/// The waves of a land with gullies in two parts, because gullies replace the waves in between:
+/// `smooth` has the longer waves, which steer the gullies, `fine` the waves shorter than the
+/// smallest gully. With k1 = 2 pi / (7/3 longest), k2 = 2 pi / smallest:
 ///
 ///   S_smooth = S (1 + (k / k1)^4)^-0.9,   S_fine = S / (1 + (k2 / k)^8)
 ///
@@ -82,11 +82,11 @@ class TerrainLaw {
 };
 
 /// Cells of k^2, 1024 to an octave, with straight lines between them: the grid of a table over the
-/// wavenumber that costs no logarithm to read.
+/// wavenumber, which is read without a logarithm.
 struct WavenumberCells {
     static constexpr int kOctaveBits = 10;
 
-    /// The cell of a k^2 [rad^2/m^2], and its part of the cell, 0 .. 1.
+    /// The cell of a k^2 [rad^2/m^2], and the position within the cell, 0 .. 1.
     struct Place {
         std::int64_t cell;
         double part;
@@ -96,8 +96,8 @@ struct WavenumberCells {
     static double begin_of(std::int64_t cell);
 };
 
-/// sqrt(S) of a law, fast: P from a table over WavenumberCells, 3e-7 off the law where it is a
-/// power; the limits of wavelength are exact. A value depends on the law and on k alone, so that
+/// sqrt(S) of a law, fast: P from a table over WavenumberCells, which differs from a power law by
+/// 3e-7; the limits of wavelength are exact. A value depends on the law and on k alone, so that
 /// every grid gets the same bits.
 class TerrainAmplitudes {
   public:

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The parameters that define a terrain, as one plain value: the end of terrain file, panel and
-// slider, and the beginning of the mathematics. The table of terrain_table.hpp states the unit,
-// range, label and help of each member; the initialisers here are the defaults.
+// The parameters that define a terrain, as one plain value, which terrain file, panel and slider
+// set and the mathematics reads. The table of terrain_table.hpp states the unit, range, label and
+// help of each member; the initialisers here are the defaults.
 #pragma once
 
 #include <array>
@@ -29,12 +29,12 @@ inline constexpr double kDefaultTerrainRms = 10.0;  // [m]
 
 /// An elevation model as the base of a land.
 struct TerrainBase {
-    ElevationModel model;  // without holes; its origin is that of its own system
+    ElevationModel model;  // without holes; its origin is in its own coordinate system
     MeasuredRings rings;   // its spectrum
     std::string hash;      // SHA-256 of samples and heights, in hexadecimal
 };
 
-/// A further tile over the first one, with a period and a noise of its own: the same law, so that
+/// A further tile over the first one, with its own period and noise. It has the same law, so that
 /// its waves add energy at the same wavelengths.
 struct TerrainLayer {
     double period = 0.0;  // [m]; a whole part of patch_size
@@ -69,8 +69,8 @@ struct TerrainModel {
     double anisotropy = 1.0;
     double direction = 0.0;
     std::string measured;
-    std::vector<double> origin;        // of a placed land: its south-west corner [m]; empty: (0, 0)
-    std::vector<double> size;          // its sides [m]; empty: patch_size, or those of `base`
+    std::vector<double> origin;        // south-west corner of a placed land [m]; empty: (0, 0)
+    std::vector<double> size;          // its sides [m]; empty: patch_size, or the sides of `base`
     double island = 0.0;               // fall of the heights from the middle to the border [m]
     std::string base;                  // the file of an elevation model that is the land
     std::optional<double> base_error;  // [m]; unset: a tenth of its slope times its cell
@@ -81,17 +81,18 @@ struct TerrainModel {
     ShorelineSettings coast{.beach_slope = 0.0};  // beach_slope 0: none
     std::optional<double> coast_level;            // [m]; unset: 0
 
-    /// The rings of `measured`, read by ocean::seafile. Shared and never modified. Not in the
-    /// table.
+    /// The rings of `measured`, read by ocean::seafile. Shared and never modified. The table has no
+    /// row for them.
     std::shared_ptr<const MeasuredRings> rings;
-    /// The elevation model of `base`, as `rings`, and the rings measured in it. Not in the table.
+    /// The elevation model of `base` and the rings measured in it, read and shared like `rings`.
     std::shared_ptr<const TerrainBase> base_model;
 
     bool has_gullies() const { return gullies.depth > 0.0; }
     bool has_streams() const { return stream.slope > 0.0; }
     bool has_coast() const { return coast.beach_slope > 0.0; }
     bool is_placed() const { return kind == TerrainKind::placed; }
-    /// Returns true if the land is more than a sum of waves that repeats: a function of the place.
+    /// Returns true if the land is a function of the place and not only a sum of waves that
+    /// repeats.
     bool is_shaped() const { return is_placed() || has_gullies(); }
 
     /// Returns true if the heights keep the rms of the measured spectrum.

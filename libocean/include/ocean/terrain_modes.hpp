@@ -43,7 +43,8 @@ class TerrainNoise {
 
   private:
     /// Sums over the waves of a cell of k^2: |g|^2 times 1, part and part^2, where part is the
-    /// place in the cell. S is the square of a straight line there, so they give its energy.
+    /// position in the cell. There S is the square of a straight line, so that the sums give its
+    /// energy.
     struct CellMoments {
         std::array<double, 3> sums{};
     };
@@ -70,10 +71,10 @@ struct TerrainScale {
 };
 
 /// Writes h0 = h / 2 of each mode, with h(k) = gain sqrt(S / 2) dk g and h(-k) = conj h(k), dk = 2
-/// pi / patch_size, so that the height is the sum of h(k) exp(i k x). Scales them to `rms` [m], or
-/// leaves them as the law has them if it is not given; of a land with gullies only a part of the
-/// waves may be written, with the scale of the whole. `modes` are of empty_terrain_modes. The bits
-/// are the same for any number of threads.
+/// pi / patch_size, so that the height is the sum of h(k) exp(i k x). Scales the heights to `rms`
+/// [m], or leaves the law's amplitudes if `rms` is not given. For a land with gullies only a part
+/// of the waves may be written, with the scale of the whole. `modes` come from empty_terrain_modes.
+/// The bits are the same for any number of threads.
 TerrainScale set_terrain_modes(const TerrainModel& terrain, const TerrainNoise& noise,
                                std::optional<double> rms, ThreadPool& pool, Modes& modes,
                                LawPart part = LawPart::whole);

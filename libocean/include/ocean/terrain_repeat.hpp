@@ -15,7 +15,7 @@ namespace ocean {
 /// The highest peak of an autocorrelation away from lag 0.
 struct RepeatPeak {
     double correlation = 0.0;  // 0 .. 1; 0 without any peak
-    double distance = 0.0;     // of its lag [m]
+    double distance = 0.0;     // its lag [m]
 };
 
 /// Peaks of a terrain within its period, where it repeats as a whole.
@@ -25,8 +25,8 @@ struct TerrainRepeat {
 };
 
 /// Returns the highest local maxima of the autocorrelations beyond the distance at which their mean
-/// over all directions first falls to 1/10. `modes` are a terrain's, at most 4096 samples a side
-/// are looked at: longer waves alone on larger grids. Throws Error out_of_memory.
+/// over all directions first falls to 1/10. `modes` belong to a terrain. At most 4096 samples a
+/// side are examined: on larger grids the longer waves alone. Throws Error out_of_memory.
 TerrainRepeat find_repeat(const Modes& modes);
 
 }  // namespace ocean

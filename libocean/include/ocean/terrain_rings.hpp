@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The spectrum of a terrain in rings of wavenumbers, as its law asks for and as its tiles hold it,
-// for plots and tables.
+// The spectrum of a terrain in rings of wavenumbers, as its law requests it and as its tiles hold
+// it, for plots and tables.
 #pragma once
 
 #include <functional>
@@ -25,10 +25,9 @@ struct TerrainRing {
 inline constexpr int kTerrainRingsPerOctave = 4;
 inline constexpr int kMaxSpectrumSeeds = 256;
 
-/// Returns the rings of the terrain inside the circle of its Nyquist wavenumber, from the longest
-/// waves, those without energy left out. `seeds` (1 .. kMaxSpectrumSeeds) tiles are made: that of
-/// the terrain, and those of the seeds after it. `progress` is called after each; if it throws, the
-/// call ends.
+/// Returns the rings of the terrain that have energy, inside the circle of its Nyquist wavenumber,
+/// from the longest waves on. Makes `seeds` (1 .. kMaxSpectrumSeeds) tiles, with the terrain's seed
+/// and the seeds after it. `progress` is called after each; if it throws, the call ends.
 std::vector<TerrainRing> terrain_rings(const Terrain& land, int seeds,
                                        const std::function<void(int done, int of)>& progress = {});
 

@@ -3,7 +3,8 @@
 //
 // The classic way to a fractional surface, step by step, for tests and teaching: white noise in
 // space, its Fourier transform, the filter, and the transform back, by the radix-2 transform in
-// double. The noise is that of the terrain's own waves, so the last step is the terrain's height.
+// double. The noise belongs to the terrain's own waves, so that the last step is the terrain's
+// height.
 #pragma once
 
 #include <vector>
@@ -13,10 +14,10 @@
 
 namespace ocean {
 
-/// A step of the synthesis. The words are those of `ocean terrain --stage`.
+/// A step of the synthesis. The words are the values of `ocean terrain --stage`.
 enum class TerrainStep { noise, transform, filter, filtered, height };
 
-/// Planes of resolution^2 values, row-major [j][i]. Those of waves have k = 0 in the middle, at
+/// Planes of resolution^2 values, row-major [j][i]. Planes of waves have k = 0 in the middle, at
 /// sample (N/2, N/2), with kx to the right and ky up.
 struct TerrainStages {
     int resolution = 0;
@@ -27,7 +28,7 @@ struct TerrainStages {
     std::vector<float> height;     // the sum of the waves and the mean height [m]
 };
 
-/// Returns all steps of the land's terrain at its own resolution. The height differs from that of
+/// Returns all steps of the land's terrain at its own resolution. The height differs from
 /// Terrain::surface by rounding alone, 2e-6 of rms. Throws Error out_of_memory.
 TerrainStages terrain_stages(Terrain& land);
 /// Returns the plane of a step.

@@ -32,11 +32,11 @@ Domain domain_of(const TerrainModel& terrain, const Region& region);
 
 /// Returns a region of a valid, resolved terrain as a subject.
 std::unique_ptr<Subject> make_region_subject(TerrainModel terrain, const Region& region);
-/// Returns a valid, resolved terrain as a subject. The domain of its maps has the tile that often;
-/// a resolution is that of one tile.
+/// Returns a valid, resolved terrain as a subject. The domain of its maps holds `tiles` tiles; a
+/// resolution counts the samples of one tile.
 std::unique_ptr<Subject> make_subject(TerrainModel terrain, TerrainTiles tiles = {});
-/// Returns the subject that text() of such a subject describes. `name` stands for a path in
-/// messages. Throws Error as parse_terrain.
+/// Returns the terrain or region that the text() of its subject describes. `name` stands for a path
+/// in messages. Throws Error as parse_terrain.
 std::unique_ptr<Subject> parse_terrain_subject(std::string_view text, const std::string& name);
 
 /// Returns the terrain of a subject, or null for a subject of another kind.

@@ -15,7 +15,7 @@
 
 namespace ocean {
 
-/// The stages of a terrain, in their order. A row names the first one that a change of its
+/// The stages of a terrain, in their order. A row names the first stage that a change of its
 /// parameter dirties: the noise of its waves, their amplitudes, the shape that erosion and shore
 /// give it, or the height added to all samples.
 enum class TerrainStage { noise, filter, shape, offset };
@@ -30,15 +30,15 @@ using TerrainRow = TableRow<TerrainModel>;
 const Table<TerrainModel>& terrain_table();
 
 /// Sets a parameter from text. Rules between parameters are not checked, so that several can be set
-/// in any order; call validate afterwards. A new `measured` or `base` drops what was read for the
-/// old one. Throws Error invalid_value and changes nothing if the name or the value is refused.
+/// in any order; call validate afterwards. A new `measured` or `base` drops the data read for the
+/// old value. Throws Error invalid_value and changes nothing if the name or the value is refused.
 void set_parameter(TerrainModel& terrain, std::string_view name, std::string_view text);
 /// Returns a parameter as text: numbers in the shortest form that reads back to the same bits, ""
-/// for an unset one. Throws Error invalid_value for an unknown name.
+/// for an unset parameter. Throws Error invalid_value for an unknown name.
 std::string get_parameter(const TerrainModel& terrain, std::string_view name);
 
-/// Returns the row that switches the row's section on, the first of [terrain.gullies],
-/// [terrain.stream] or [terrain.coast]: 0 is off. Null for a row of another section.
+/// Returns the row that switches the row's section on: the first row of [terrain.gullies],
+/// [terrain.stream] or [terrain.coast], where 0 means off. Null for a row of another section.
 const TerrainRow* switch_of(const TerrainRow& row);
 /// Returns true if the row's section is off, so that the parameter has no effect.
 bool is_switched_off(const TerrainModel& terrain, const TerrainRow& row);

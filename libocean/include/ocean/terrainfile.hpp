@@ -28,8 +28,9 @@ void resolve_files(TerrainModel& terrain, const std::string& base_dir);
 std::vector<std::string> named_files(const TerrainModel& terrain);
 /// Returns the resolved terrain as text, with the rings of `measured` inlined as
 /// [terrain.measured_rings] and a base of at most 1 MB as [terrain.base_heights], which a reader
-/// prefers to the files; of a larger base the text has the hash. parse_terrain(write_terrain(t))
-/// gives the same terrain bit by bit. Throws Error invalid_value for a terrain that is not valid.
+/// prefers to the files; for a larger base the text has the hash alone.
+/// parse_terrain(write_terrain(t)) gives the same terrain bit by bit. Throws Error invalid_value
+/// for a terrain that is not valid.
 std::string write_terrain(const TerrainModel& terrain);
 
 /// Returns the terrain presets, in the order in which they are listed.

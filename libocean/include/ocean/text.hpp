@@ -25,7 +25,7 @@ std::string fixed_text(double value, int digits);
 /// Returns the text of "%.*g", in any locale.
 std::string significant_text(double value, int digits);
 
-/// Returns the parts between the separators, empty ones included: one more than separators.
+/// Returns the parts between the separators, empty parts included.
 std::vector<std::string> split(std::string_view text, std::string_view separator);
 inline std::vector<std::string> split(std::string_view text, char separator) {
     return split(text, std::string_view(&separator, 1));

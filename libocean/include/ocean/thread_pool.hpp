@@ -31,8 +31,8 @@ class ThreadPool {
     /// If it throws, the call ends with that exception and skips the items that have not begun.
     /// Empty: none.
     void set_interrupt(std::function<void()> interrupt);
-    /// Calls body(first, last) on shares of [0, count), one for each thread or, if an interrupt is
-    /// set, smaller ones, and waits. Rethrows the first exception of any share.
+    /// Calls body(first, last) on shares of [0, count), one share for each thread or, if an
+    /// interrupt is set, smaller shares, and waits. Rethrows the first exception of any share.
     void for_each_range(int count, const std::function<void(int first, int last)>& body);
     /// Calls body(item, thread) for each item of [0, count), thread < size(), and waits. A thread
     /// processes neighbouring items in order and then helps the others, so that a delayed thread

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The release version, apart from the sea file's format version and the C ABI's.
+// The release version. The sea file's format and the C ABI have versions of their own.
 #pragma once
 
 #define OCEAN_VERSION "0.1.0"

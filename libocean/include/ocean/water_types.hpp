@@ -24,7 +24,7 @@ inline constexpr double kWaterIor = 1.333;
 inline constexpr double kParticleBackscatter = 0.0183;
 inline constexpr double kScatteringAnisotropy = 0.924;
 /// Reflectance of a fresh, thick layer of foam in visible light [Whitlock 1982]; [Koepke 1984] uses
-/// it for new whitecaps and 0.22 for the mean over their life, in which they thin out.
+/// it for new whitecaps, and 0.22 for the mean over their life, during which they thin out.
 inline constexpr double kFoamAlbedo = 0.55;
 
 struct WaterType {
@@ -32,10 +32,11 @@ struct WaterType {
     std::string_view label;
     std::string_view help;
     Rgb absorption;  // a [1/m]
-    Rgb scattering;  // b [1/m], that of the water itself included
+    Rgb scattering;  // b [1/m], the water's own included
 
     /// Returns b_b [1/m]: half the scattering of the water itself plus kParticleBackscatter of the
-    /// rest. The water's own is b_w = 0.005826 (400 nm / lambda)^4.322 [Haltrin 1999] eq. 5.
+    /// rest. The water's own scattering is b_w = 0.005826 (400 nm / lambda)^4.322 [Haltrin 1999]
+    /// eq. 5.
     Rgb backscattering() const;
     /// Returns the upward over the downward irradiance just below the surface of deep water: R =
     /// 0.33 b_b / a [Gordon 1975], [Morel and Prieur 1977], for b_b << a. At most 0.08 here.

@@ -33,7 +33,7 @@ struct DisplacementSample {
     double gradient_xx, gradient_yy, gradient_xy;  // dDx/dx, dDy/dy, dDx/dy
 };
 
-/// The factor by which each mode has decayed at one depth, for a WaveSum and its copies.
+/// The factor by which each mode decays to one depth, for a WaveSum and its copies.
 class WaterLevel {
   private:
     friend class WaveSum;
@@ -51,7 +51,8 @@ class WaveStep {
 };
 
 /// The modes of one time. Immutable except for set_time and advance; several threads may evaluate
-/// it at once. Copies share all that does not change with time, so a copy for each thread is cheap.
+/// one WaveSum at once. Copies share everything that does not change with time, so that a copy for
+/// each thread is cheap.
 class WaveSum {
   public:
     /// Leaves out the modes above the Nyquist line of a map of `resolution` samples; 0 keeps all.
@@ -72,8 +73,9 @@ class WaveSum {
     /// Returns the rms of |D| over all labels and times [m].
     double displacement_rms() const;
 
-    /// Returns the motion at the fixed point (x, y, z) [m], z up from still water. It decays as
-    /// cosh k(z + d) / sinh kd; above z = 0 it is that at z = 0, below the bottom it is 0.
+    /// Returns the motion at the fixed point (x, y, z) [m], z up from still water. It decays with
+    /// depth as cosh k(z + d) / sinh kd. Above z = 0 it equals the motion at z = 0; below the
+    /// bottom it is 0.
     WaterMotion water_motion(double x, double y, double z) const;
     /// Returns the motion at a level, which saves the exponentials for many points or times at one
     /// z.
@@ -81,7 +83,7 @@ class WaveSum {
     /// Returns the level of a height z [m] up from still water.
     WaterLevel water_level(double z) const;
 
-    /// Returns an upper bound of the bytes of so many copies, levels and steps.
+    /// Returns an upper bound of the bytes of that many copies, levels and steps.
     static std::uint64_t bytes(const Modes& modes, std::size_t copies, std::size_t levels = 0,
                                std::size_t steps = 0);
 

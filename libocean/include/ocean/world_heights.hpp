@@ -19,7 +19,7 @@ WorldHeights world_heights(Ocean& ocean, double time, int resolution);
 /// whose choppiness is always 0.
 std::uint64_t world_heights_bytes(const Sea& sea, int resolution);
 
-/// Returns the heights on the positions of a domain that does not wrap, of a sea over a bed. Throws
+/// Returns the heights of a sea over a bed on the positions of a domain that does not wrap. Throws
 /// as Ocean::region.
 WorldHeights region_heights(Ocean& ocean, double time, const Domain& domain);
 /// Returns the bytes that region_heights needs beside the surface.

@@ -3,8 +3,8 @@
 //
 // Reads our own strings and the pixel layout from an EXR header without OpenEXR, whose reader
 // trusts the sizes in a file and would allocate gigabytes for a hostile one. Layout: magic,
-// version, then attributes (name\0 type\0 size value), then an empty name. Multi-part files: the
-// first part only.
+// version, then attributes (name\0 type\0 size value), then an empty name. Of a multi-part file it
+// reads the first part only.
 #include <algorithm>
 #include <array>
 #include <cstdint>

@@ -35,8 +35,8 @@ ExrClaims read_exr_claims(const std::string& path);
 
 Imf::Header make_exr_header(const Image& image, ExrCompression compression);
 
-/// A share of OpenEXR's thread pool, of which a process has one: the pool has as many threads as
-/// all open files request together. A file with one thread uses the caller's and needs no pool.
+/// A share of OpenEXR's thread pool. A process has one pool, with as many threads as all open files
+/// request together. A file with one thread uses the caller's and needs no pool.
 class ImageThreads {
   public:
     /// `threads`: 0 = the cores this process may use.

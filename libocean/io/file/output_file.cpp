@@ -262,7 +262,7 @@ std::string name_of_file(std::string_view stem, std::string_view ending) {
         format_text("~%016llx", static_cast<unsigned long long>(hash)) + std::string(ending);
     std::size_t kept = 0;
     for (;;) {
-        // A byte that is no character counts as one.
+        // A byte outside any character counts as a character.
         const std::size_t next = std::max<std::size_t>(1, utf8_character(stem.substr(kept)));
         if (kept + next + rest.size() > kMaxBytes) break;
         kept += next;

@@ -93,7 +93,7 @@ struct Memory {
     static toff_t size(thandle_t handle) { return of(handle).bytes.size(); }
 };
 
-/// Keeps the first error of a file as its message, and says that it was handled.
+/// Keeps the first error of a file as its message. Returns that it was handled.
 int keep_error(TIFF*, void* message, const char*, const char* format, va_list arguments) {
     std::array<char, 256> text{};
     std::vsnprintf(text.data(), text.size(), format, arguments);

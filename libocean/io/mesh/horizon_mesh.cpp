@@ -23,7 +23,7 @@ using wave::double_precision::earth_drop, wave::double_precision::earth_radius;
 
 constexpr int kMaxVertices = 50'000'000;  // a limit of `int` faces and of practical text files
 
-// The spacings of the fan's rows and columns.
+// The spacings of the rows and columns of the fan.
 struct Fan {
     double nearest, growth, half_angle,
         step;  // growth: ratio of neighbouring distances; angles [rad]
@@ -88,7 +88,7 @@ struct Vertex {
 };
 
 // Returns the normal of the resolved waves, tilted towards the eye by the filtered ones. East and
-// north are those of the eye; the curved Earth leans away from it by distance/R.
+// north are the eye's; the curved Earth leans away from it by distance/R.
 void turn_normal(Vertex& vertex, const PyramidSample& sample, const View& view, double distance) {
     const double to_eye_x = view.x - vertex.x, to_eye_y = view.y - vertex.y;
     const double range = std::max(std::hypot(to_eye_x, to_eye_y), 1e-3);

@@ -78,8 +78,8 @@ SlopeVariance measure(const Surface& surface) {
     return {sum.xx * scale, sum.xy * scale, sum.yy * scale};
 }
 
-// Returns the variance of all waves minus that of a blend of two levels. Waves of the finer level
-// only have the weight w and the variance w^2; waves of both levels are complete.
+// Returns the variance of all waves minus the variance of a blend of two levels. Waves of the finer
+// level only have the weight w and the variance w^2; waves of both levels are complete.
 SlopeVariance left_out(const SlopeVariance& all, const SlopeVariance& fine,
                        const SlopeVariance& coarse, double weight) {
     const double kept = (1.0 - weight) * (1.0 - weight);

@@ -31,8 +31,8 @@ struct PyramidSample {
 /// Immutable; any thread may read. The surfaces must outlive it.
 class MapPyramid {
   public:
-    /// Throws Error invalid_value unless each level has half the resolution of the one before, and
-    /// the same period and time.
+    /// Throws Error invalid_value unless each level has half the resolution of the previous one,
+    /// and the same period and time.
     explicit MapPyramid(std::span<const Surface> levels);
 
     /// Returns the surface of the waves longer than twice `spacing` [m], blended between two

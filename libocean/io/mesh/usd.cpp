@@ -35,7 +35,7 @@ std::string asset(const std::string& name) {
     return mark + "./" + name + mark;
 }
 
-/// The extent, which each frame has: the bounds of a model are those of its only mesh.
+/// The extent, which each frame has: the model has the bounds of its only mesh.
 constexpr std::string_view kExtent = "extent", kHint = "extentsHint", kExtentType = "float3[]";
 
 /// Returns the declarations of all attributes of frames.
@@ -51,8 +51,8 @@ std::string frame_attributes(const UsdSequence& sequence) {
     return text;
 }
 
-/// Returns the declarations of the attributes that the schema of a mesh lacks, and of
-/// interpolations.
+/// Returns the declarations of interpolations, and of the attributes that the schema of a mesh
+/// lacks.
 std::string stage_attributes(const UsdSequence& sequence) {
     std::string text = "    " + std::string(kExtentType) + " " + std::string(kHint) + "\n";
     std::vector<Attribute> attributes = {{.name = std::string(kUv), .components = 2}};

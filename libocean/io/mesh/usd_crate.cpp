@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The numbers of types, fields and sections are those of Pixar's crate format, as usd-core reads
-// it.
+// The numbers of types, fields and sections are from Pixar's crate format, as usd-core reads it.
 #include "usd_crate.hpp"
 
 #include <algorithm>

@@ -16,8 +16,8 @@
 namespace ocean::io {
 namespace {
 
-/// Returns "#declare Terrain_Beach_Slice_ = 0;" for each mask of the table, -1 for one that the map
-/// has not.
+/// Returns "#declare Terrain_Beach_Slice_ = 0;" for each mask of the table, -1 for a mask that the
+/// map lacks.
 std::string mask_slices(std::span<const Channel> masks) {
     std::string text = "#declare Terrain_Masks_ = " + std::to_string(masks.size()) + ";\n";
     for (const Product& mask : kMaskProducts) {

@@ -9,14 +9,14 @@
 // in POV-Ray's axes, x east, y up, z north. Read with `interpolate 1`, sample i of N lies at i/N,
 // slice k of n at k/n, and maps repeat. A length is (code - 2^31) / 2^21 m. A subject that is not
 // displaced has height, p and q; its height is base + scale * code / (2^32 - 1), because land rises
-// above the lengths that those codes hold. The normal is its
-// stereographic projection from below, which has no edge where crests fold over:
+// above the limit of these codes. The normal is its stereographic projection from below, which has
+// no edge where crests fold over:
 //     (p, q) = (x, z) / (1 + y),  (x, y, z) = (2 p, 1 - p^2 - q^2, 2 q) / (1 + p^2 + q^2),
 // each of p and q (code - 2^31) / 2^28. Foam and cover are code / (2^32 - 1). Masks of a land have
 // bytes in a file of their own, because materials need no more of them.
 //
-// Slope tiles have voxels of 16 bits, slice 2 b the slope of band b along x, slice 2 b + 1 that
-// along z, each (code - 2^15) / 2^13.
+// Slope tiles have voxels of 16 bits, slice 2 b the slope of band b along x, slice 2 b + 1 its
+// slope along z, each (code - 2^15) / 2^13.
 #include "ocean/io/df3.hpp"
 
 #include <algorithm>

@@ -262,7 +262,7 @@ std::string povray_coast_declarations(const Domain& domain, const Domain& bed,
     declare(text, "Ocean_Coast_Cell", number(domain.step(0)), "m, between samples");
     declare(text, "Ocean_Coast_Corner", ground_vector(domain.origin), "m, the south-west one");
     declare(text, "Ocean_Coast_Extent", ground_vector(domain.size), "m, its sides");
-    // A side is that of the bed if its last sample is: the bed fades into the open sea by itself.
+    // A side belongs to the bed if its last sample does: the bed fades into the open sea by itself.
     std::array<bool, 4> fades{};
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const double cell = domain.step(axis);

@@ -132,7 +132,7 @@ class LevelSet {
         const double base = voxels_.size * first;
         const auto above = static_cast<float>(base - static_cast<double>(height));
         // Where a crest has folded over, heights jump between columns: the distance is limited to
-        // that of the neighbouring columns, or the level set would have a hole.
+        // the distance to the neighbouring columns, or the level set would have a hole.
         const auto highest = static_cast<float>(column.beside.high - base);
         const auto lowest = static_cast<float>(column.beside.low - base);
         constexpr float kFar = std::numeric_limits<float>::max();

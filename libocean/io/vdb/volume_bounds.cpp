@@ -15,7 +15,7 @@ VoxelRange voxels_around(const WorldBox& box, double size, int beyond) {
     constexpr double kFarthest = 1 << 30;
     VoxelRange range{{}, {}, size};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        // A remainder of rounding is not a voxel.
+        // A remainder by rounding is not a voxel.
         constexpr double kRounding = 1e-9;
         const double low = std::ceil(box.low[axis] / size - kRounding) - beyond;
         const double high = std::floor(box.high[axis] / size + kRounding) + beyond;
@@ -38,7 +38,7 @@ double density_reach(const DensityPuff& puff, double voxel) {
 }
 
 std::uint64_t points_vdb_bytes(std::uint64_t count, std::uint64_t leaves) {
-    // The offsets of 8^3 cells and what each attribute needs besides.
+    // The offsets of 8^3 cells, and the overhead of each attribute.
     constexpr std::uint64_t kLeaf = 4096;
     return points_bytes(count) + std::min(count, leaves) * kLeaf;
 }

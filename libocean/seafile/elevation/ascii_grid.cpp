@@ -3,7 +3,8 @@
 //
 // ESRI ASCII grids (.asc): a header of keys and values, then the heights from the north-west corner
 // on, row by row, separated by blanks and line ends of any kind. Lines that begin with '#' or "//"
-// are comments. The text is read in blocks: beside the heights it needs one block of memory.
+// are comments. The text is read in blocks, so that reading needs one block of memory beside the
+// heights.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -103,7 +104,7 @@ class WordStream {
     std::string word_;
 };
 
-/// Reads the header and the first height, or stands at the end of the text.
+/// Reads the header and the first height, or stops at the end of the text.
 GridHeader read_header(WordStream& words, const std::string& name) {
     GridHeaderReader header(name);
     bool more = words.next();
@@ -142,10 +143,10 @@ class HeightReader {
     const GridHeader& header_;
 };
 
-/// Throws if `bytes` of text cannot hold the grid: checked before its memory is allocated.
+/// Throws if `bytes` of text cannot hold the grid. Called before the grid's memory is allocated.
 void require_text(const WordStream& words, const GridHeader& header, std::size_t bytes) {
     const std::size_t count = static_cast<std::size_t>(header.columns * header.rows);
-    const std::size_t needed = 2 * count - 1;  // a digit and a blank each
+    const std::size_t needed = 2 * count - 1;  // a digit and a blank per height
     const std::size_t left = bytes + words.word().size() - std::min(words.bytes(), bytes);
     if (left >= needed) return;
     throw words.fail("the file is cut off: " + std::to_string(header.columns) + " x " +

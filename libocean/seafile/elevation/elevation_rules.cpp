@@ -36,7 +36,7 @@ Error bad_file(const std::string& name, const std::string& message) {
     return text::error_at(ErrorKind::bad_file, name, 0, message);
 }
 
-/// Returns "row 3 from the north, column 17" of a height.
+/// Returns "row 3 from the north, column 17" for a height.
 std::string place_of(const Domain& domain, std::size_t index) {
     const std::size_t columns = static_cast<std::size_t>(domain.samples[0]);
     const std::size_t row = static_cast<std::size_t>(domain.samples[1]) - index / columns;
@@ -45,7 +45,7 @@ std::string place_of(const Domain& domain, std::size_t index) {
 }
 
 /// Returns true if the numbers of a header look like longitudes and latitudes. A grid that begins
-/// at (0, 0) has an origin of its own.
+/// at (0, 0) has a local origin.
 bool looks_geographic(const Domain& domain) {
     const std::array<double, 2> half = {0.5 * domain.step(0), 0.5 * domain.step(1)};
     const double west = domain.origin[0] - half[0], south = domain.origin[1] - half[1];
@@ -67,7 +67,7 @@ std::string degrees_note(const ElevationModel& model, const std::string& why) {
                       4);
 }
 
-/// Scales a map whose unit is not the metre. Returns false for one in metres.
+/// Scales a map whose unit is not the metre. Returns false for a map in metres.
 bool scale_unit(RawModel& raw) {
     if (raw.metres_per_unit == 1.0) return false;
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -81,7 +81,7 @@ bool scale_unit(RawModel& raw) {
 }
 
 /// Scales the cells of a map that stretches the ground, as Mercator's does: slopes and wavelengths
-/// are those of the ground. Returns false for another map. The origin stays that of the map.
+/// are then the ground's. Returns false for another map. The origin stays the map's.
 bool scale_to_ground(RawModel& raw, const std::string& system) {
     const std::array<double, 2>& scale = raw.ground_scale;
     if (scale == std::array{1.0, 1.0}) return false;
@@ -137,8 +137,8 @@ void scale_domain(RawModel& raw, const std::string& name, CellsInDegrees request
     model.crs_definition.clear();
 }
 
-/// Adds a note for each common mark for missing heights that is a sample of the file. Marks that
-/// the file declares are no heights any more.
+/// Adds a note for each common mark for missing heights that the file contains as a sample. Marks
+/// that the file declares have already been replaced.
 void note_marks(const RawModel& raw, std::vector<std::string>& notes) {
     for (const double mark : {-32768.0, -32767.0, -9999.0, -99999.0, 32767.0}) {
         const auto height = static_cast<float>(raw.sample_scale[0] * mark + raw.sample_scale[1]);
@@ -152,7 +152,7 @@ void note_marks(const RawModel& raw, std::vector<std::string>& notes) {
     }
 }
 
-/// Converts heights to metres, positive upwards. Throws for one beyond kMaxElevation.
+/// Converts heights to metres, positive upwards. Throws for a height beyond kMaxElevation.
 void scale_heights(RawModel& raw, const std::string& name, const ElevationOptions& options) {
     ElevationModel& model = raw.model;
     const double metres = options.unit ? metres_of(*options.unit) : raw.height_unit.value_or(1.0);
@@ -263,9 +263,9 @@ bool MissingMark::matches(double height, std::string_view word) const {
     const double difference = std::abs(height - value);
     constexpr double kMaxRounding = 5e-6;  // half of the last of six digits, relative
     if (!(difference <= 1.001 * kMaxRounding * std::abs(value))) return false;
-    // A header with a whole number means that number.
+    // A whole number in a header is exact.
     const double of_header = value == std::floor(value) ? 0.0 : rounding;
-    constexpr double kSlack = 1e-9;  // a tie may fall on either side
+    constexpr double kSlack = 1e-9;  // allows a tie to fall on either side
     return difference <= (1.0 + kSlack) * std::max(of_header, rounding_of(word));
 }
 

@@ -20,7 +20,7 @@ std::uint32_t swapped(std::uint32_t bits) {
     return bits >> 24 | (bits >> 8 & 0xFF00) | (bits << 8 & 0xFF0000) | bits << 24;
 }
 
-/// Turns floats as the file has them into heights, NaN where one is missing.
+/// Converts floats of the file to heights, with NaN for a missing one.
 void decode(std::span<float> row, const GridHeader& header) {
     const bool swap = header.little_endian != (std::endian::native == std::endian::little);
     for (float& height : row) {

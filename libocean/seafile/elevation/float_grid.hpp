@@ -17,8 +17,8 @@ namespace ocean::elevation {
 /// bad_file.
 GridHeader parse_float_header(std::string_view text, const std::string& name);
 
-/// Reads the floats of a stream that has `bytes` bytes. Throws as read_elevation, and Error
-/// bad_file if the header says another size.
+/// Reads the floats of a stream of `bytes` bytes. Throws as read_elevation, and Error bad_file if
+/// the header states another size.
 ElevationModel read_float_grid(const GridHeader& header, std::istream& floats, std::uint64_t bytes,
                                const std::string& name, const std::string& crs,
                                const ElevationOptions& options);

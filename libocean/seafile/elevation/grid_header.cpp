@@ -28,7 +28,7 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
-/// Returns the one spelling of keys with several.
+/// Returns the one spelling for keys with several spellings.
 std::string key_of(std::string_view word) {
     std::string key = lower_case(word);
     if (key == "xllcentre" || key == "yllcentre") key.replace(4, 5, "enter");
@@ -116,13 +116,13 @@ std::array<double, 2> GridHeaderReader::cell(std::size_t line) const {
     return {*x, *y};
 }
 
-/// Returns a coordinate of the south-west cell's centre.
+/// Returns a coordinate of the centre of the south-west cell.
 double GridHeaderReader::origin(std::size_t axis, const GridHeader& header,
                                 std::size_t line) const {
     const std::string letter(1, axis == 0 ? 'x' : 'y');
     if (const auto centre = number({letter + "llcenter"})) return *centre;
     if (const auto corner = number({letter + "llcorner"})) return *corner + 0.5 * header.cell[axis];
-    // ulxmap and ulymap are the centre of the north-west cell.
+    // ulxmap and ulymap state the centre of the north-west cell.
     if (const auto upper = number({axis == 0 ? "ulxmap" : "ulymap"})) {
         return axis == 0 ? *upper : *upper - header.cell[1] * static_cast<double>(header.rows - 1);
     }
@@ -130,7 +130,7 @@ double GridHeaderReader::origin(std::size_t axis, const GridHeader& header,
                          "the header lacks " + letter + "llcorner or " + letter + "llcenter");
 }
 
-/// Throws for rasters of another type than one band of 32-bit floats.
+/// Throws for rasters that are not one band of 32-bit floats.
 void GridHeaderReader::require_floats(const GridHeader& header) const {
     const auto require = [&](std::string_view key, bool good, const std::string& allowed) {
         const Value* value = find(key);

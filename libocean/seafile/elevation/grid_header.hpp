@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The header of ESRI grids: the keys that .asc files begin with and .hdr files consist of, and
-// those of the raster headers (BIL) that GDAL and ArcGIS write beside .flt files.
+// The header of ESRI grids: the keys at the start of .asc files and in .hdr files, and the keys of
+// the raster headers (BIL) that GDAL and ArcGIS write beside .flt files.
 #pragma once
 
 #include <array>
@@ -39,10 +39,10 @@ class GridHeaderReader {
     /// Returns true for a key of a grid's header, in any case.
     static bool knows(std::string_view key);
     /// Adds a key of `knows` with its value. Throws Error bad_file for a repeated key and for a
-    /// value that is no number or word of the key.
+    /// value that is not a number or word of the key.
     void add(std::string_view key, std::string_view value, std::size_t line);
-    /// Returns the header. Throws Error bad_file, at `line`, for missing keys, and for those of
-    /// rasters that are not one band of 32-bit floats.
+    /// Returns the header. Throws Error bad_file, at `line`, for missing keys, and for rasters that
+    /// are not one band of 32-bit floats.
     GridHeader finish(std::size_t line) const;
 
   private:

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The few facts that a grid needs of a coordinate reference system's text: degrees or lengths, and
-// the length of the unit. It reads WKT 1, as .prj files have it, the LENGTHUNIT of WKT 2, and the
-// lines "Projection UTM", "Units METERS" of ArcInfo.
+// The few facts that a grid needs from the text of a coordinate reference system: degrees or
+// lengths, and the length of the unit. The reader knows WKT 1, as in .prj files, the LENGTHUNIT of
+// WKT 2, and ArcInfo's lines "Projection UTM", "Units METERS".
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -41,7 +41,7 @@ std::string_view word_after(std::string_view text, std::string_view keyword) {
     return text.substr(0, text.find_first_of(" \t;"));
 }
 
-/// Returns the number after the name of a unit: 0.3048 of `UNIT["foot",0.3048]` at `at`.
+/// Returns the number after the name of a unit: 0.3048 for `UNIT["foot",0.3048]` at `at`.
 double factor_at(std::string_view wkt, std::size_t at) {
     const std::size_t open = wkt.find('"', at);
     const std::size_t close = open == wkt.npos ? open : wkt.find('"', open + 1);
@@ -55,7 +55,7 @@ double factor_at(std::string_view wkt, std::size_t at) {
     return factor > 1e-6 && factor < 1e6 ? factor : 1.0;
 }
 
-/// Returns the place of UNIT[ that is a member of the PROJCS or LOCAL_CS itself, not of its parts.
+/// Returns the position of a UNIT[ that belongs to the PROJCS or LOCAL_CS itself, not to its parts.
 std::size_t own_unit(std::string_view wkt) {
     const std::size_t begin = std::min(wkt.find("PROJCS["), wkt.find("LOCAL_CS["));
     if (begin == wkt.npos) return wkt.npos;

@@ -54,7 +54,7 @@ constexpr std::array kForeignFormats = {
 };
 constexpr ForeignFormat kEnvi{"ENVI", {}, {}, ocean_raster};
 
-/// Throws the sentence that names the command for a file of another format.
+/// Throws the sentence that names the command for files of another format.
 [[noreturn]] void refuse(const std::string& path, const ForeignFormat& format) {
     const std::string name = text::printable(path, 200);
     const std::string import = "`ocean terrain import " + name + " -o bed.flt`";
@@ -66,7 +66,7 @@ constexpr ForeignFormat kEnvi{"ENVI", {}, {}, ocean_raster};
                              (format.reader == gdal_translate ? other : import));
 }
 
-/// Returns true if the text's first word that is no comment is a key of a grid's header.
+/// Returns true if the text's first word outside comments is a key of a grid's header.
 bool begins_as_ascii_grid(std::string_view bytes) {
     LineReader lines(bytes, "");
     while (lines.next_filled()) {
@@ -95,7 +95,7 @@ std::ifstream opened(const std::string& path) {
     return stream;
 }
 
-/// Returns the existing file with one of two extensions; nothing without one.
+/// Returns the existing file with one of two extensions; "" if there is none.
 std::string beside(const std::string& path, std::array<const char*, 2> extensions) {
     for (const char* extension : extensions) {
         fs::path file = utf8_path(path);

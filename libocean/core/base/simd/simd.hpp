@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The vector type that the kernel is written in: kLanes floats, with the arithmetic of a float. The
-// parts that depend on the instruction set are in simd_avx512.hpp, simd_avx2.hpp and simd_4.hpp;
-// the compiler flags of the including file select one of them.
+// The vector type of the kernels: kLanes floats, with the arithmetic of a float. The parts that
+// depend on the instruction set are in simd_avx512.hpp, simd_avx2.hpp and simd_4.hpp; the compiler
+// flags of the including file select one of them.
 //
 // Everything is in a namespace named after the instruction set, and everything is inlined: the
 // linker must not share a function compiled for one machine with code for another. Products are
@@ -17,7 +17,7 @@
 #include <immintrin.h>
 #endif
 
-#if defined(OCEAN_KERNEL_OUTLINED)  // by sanitizers, whose checks would fill functions of megabytes
+#if defined(OCEAN_KERNEL_OUTLINED)  // with sanitizers, whose checks would make huge functions
 #define OCEAN_INLINE inline
 #define OCEAN_INLINE_LAMBDA
 #else
@@ -91,7 +91,7 @@ OCEAN_INLINE void store_unaligned(float* p, Vec x) {
 OCEAN_INLINE bool is_aligned(const float* p) {
     return reinterpret_cast<std::uintptr_t>(p) % sizeof(Lanes) == 0;
 }
-/// Stores a few floats past the caches, where the machine can.
+/// Stores a few floats past the caches, if the machine can.
 OCEAN_INLINE void stream_part(float* to, const float* from, int count) {
 #if defined(__SSE2__)
     const auto stream_one = [](float* target, const float* value) OCEAN_INLINE_LAMBDA {
@@ -123,8 +123,8 @@ OCEAN_INLINE void stream_part(float* to, const float* from, int count) {
 namespace ocean::OCEAN_KERNEL {
 
 #if defined(__FMA__)
-/// rate * tau modulo 1, within a few 1e-8 for any tau that double holds to the millisecond: the
-/// rounding error of the high product is found by an fma before its integer part is dropped.
+/// rate * tau modulo 1, within a few 1e-8 for any tau that double holds to the millisecond: an fma
+/// finds the rounding error of the high product before its integer part is dropped.
 struct PhaseClock {
     Vec tau_high;
     Vec tau_low;
@@ -182,9 +182,9 @@ OCEAN_INLINE void store_complex(float* p, Complex x) {
 }
 
 /// Returns 1 / sqrt(x) of a normal x > 0, to 2e-7 relative; a large number for 0. Three steps of
-/// Newton's method from a straight line through the logarithm, which a float's bits are: faster
-/// than a square root and a division and, unlike the machines' own estimates, the same on each of
-/// them.
+/// Newton's method start from a straight line through the logarithm, which a float's bits
+/// approximate. That is faster than a square root and a division and, unlike the machines' own
+/// estimates, gives the same bits on all machines.
 OCEAN_INLINE Vec inversesqrt(Vec x) {
     const IntLanes bits = reinterpret_cast<IntLanes>(x.v);
     Vec y(reinterpret_cast<Lanes>(0x5f375a86 - (bits >> 1)));
@@ -222,7 +222,7 @@ OCEAN_INLINE SinCosLanes sin_cos(Vec turns) {
             Vec(reinterpret_cast<Lanes>(reinterpret_cast<IntLanes>(cosine) ^ cosine_sign))};
 }
 
-/// x^y for 0 <= x <= 1 and 0 < y <= 8, to 2e-6 relative and nothing below 1e-38: 2^(y log2 x), the
+/// x^y for 0 <= x <= 1 and 0 < y <= 8, to 2e-6 relative, and 0 below 1e-38: 2^(y log2 x), with the
 /// logarithm by the odd series of the inverse hyperbolic tangent between sqrt(1/2) and sqrt(2).
 OCEAN_INLINE Vec pow(Vec x, Vec y) {
     const IntLanes bits = reinterpret_cast<IntLanes>(x.v);

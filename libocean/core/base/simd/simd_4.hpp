@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Four lanes for every other machine, by the compiler's own vectors: SSE on x86, NEON on ARM. There
-// need not be a fused multiply-add, so results differ from those of AVX2 by rounding. Included by
+// Four lanes for every other machine, by the compiler's own vectors: SSE on x86, NEON on ARM. They
+// may lack a fused multiply-add, so that results differ from AVX2's by rounding. Included by
 // simd.hpp.
 #pragma once
 
@@ -28,10 +28,10 @@ OCEAN_INLINE Vec max(Vec a, Vec b) {
 }
 /// The nearest integer of |x| < 2^22, ties to even.
 OCEAN_INLINE Vec nearest(Vec x) {
-    constexpr float kRound = 12582912.0f;  // 1.5 * 2^23: its last digit is the integers'
+    constexpr float kRound = 12582912.0f;  // 1.5 * 2^23: its last bit counts integers
     return (x + Vec(kRound)) - Vec(kRound);
 }
-/// Past the caches, to memory, where the machine can.
+/// Stores past the caches, to memory, if the machine can.
 OCEAN_INLINE void stream(float* p, Vec x) {
 #if defined(__SSE2__)
     _mm_stream_ps(p, x.v);
@@ -45,14 +45,14 @@ OCEAN_INLINE void finish_streams() {
 #endif
 }
 
-/// a0 b0 a1 b1; a2 b2 a3 b3.
+/// Interleaves: a0 b0 a1 b1; a2 b2 a3 b3.
 OCEAN_INLINE Vec unpack_low(Vec a, Vec b) {
     return Lanes(__builtin_shufflevector(a.v, b.v, 0, 4, 1, 5));
 }
 OCEAN_INLINE Vec unpack_high(Vec a, Vec b) {
     return Lanes(__builtin_shufflevector(a.v, b.v, 2, 6, 3, 7));
 }
-/// Two chosen floats of a, then two of b.
+/// Returns two chosen floats of a, then two of b.
 template <int k0, int k1, int k2, int k3>
 OCEAN_INLINE Vec pick(Vec a, Vec b) {
     return Lanes(__builtin_shufflevector(a.v, b.v, k0, k1, k2 + 4, k3 + 4));
@@ -60,7 +60,7 @@ OCEAN_INLINE Vec pick(Vec a, Vec b) {
 OCEAN_INLINE Vec load_quads(const float* p, std::size_t) {
     return load(p);
 }
-/// There is one quad.
+/// There is one quad, so that nothing changes.
 template <int n>
 OCEAN_INLINE void interleave_quads(Vec (&)[n]) {}
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Eight lanes by AVX2 and FMA. A "quad" is 128 bits, four neighbouring floats; the unpacking
-// instructions work in each quad by itself. Included by simd.hpp.
+// instructions work within each quad. Included by simd.hpp.
 #pragma once
 
 #include <cstddef>

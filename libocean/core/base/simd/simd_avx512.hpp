@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Sixteen lanes by AVX-512. A "quad" is 128 bits, four neighbouring floats; the unpacking
-// instructions work in each quad by itself. Included by simd.hpp.
+// instructions work within each quad. Included by simd.hpp.
 #pragma once
 
 #include <cstddef>
@@ -57,7 +57,7 @@ OCEAN_INLINE Vec load_quads(const float* p, std::size_t stride) {
     return Lanes(_mm512_insertf32x4(v, _mm_load_ps(p + 12 * stride), 3));
 }
 
-/// For each lane of the result a lane of a (0 .. 15) or of b (16 .. 31).
+/// For each lane of the result, a lane of a (0 .. 15) or of b (16 .. 31).
 struct LaneChoice {
     alignas(64) int lane[16];
 };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which instruction set the kernels use. Each is compiled into the library; the choice is made at
-// run time, once.
+// The instruction set that the kernels use. The library contains code for each; the choice is made
+// at run time, once.
 #pragma once
 
 #include <string_view>

@@ -15,10 +15,10 @@
 namespace ocean {
 namespace {
 
-// Above these a bed has heights that no coast has.
-constexpr double kMostRange = 9000.0;  // from a summit to a plain of the deep sea [m]
+// Limits of a plausible bed: heights beyond them occur on no coast.
+constexpr double kMostRange = 9000.0;  // from a summit to a deep-sea plain [m]
 constexpr double kLeastRange = 0.1;    // [m]
-constexpr double kFarthest = 200.0;    // of a whole bed from still water [m]
+constexpr double kFarthest = 200.0;    // max distance of a whole bed from still water [m]
 /// Below this share of water a coast is more likely upside down.
 constexpr double kNearlyDry = 0.02;
 
@@ -90,24 +90,24 @@ std::vector<std::string> bed_warnings(const SeaBed& bed, const Water& water) {
 
 namespace {
 
-/// Water of this share of a depth counts as deep as that.
+/// Water of at least this share of a depth counts as that deep.
 constexpr double kAsDeep = 0.98;
 
 /// The bed along the sides by which waves come in.
 struct Inflow {
     std::size_t samples = 0;
     std::size_t dry = 0;
-    std::size_t shallow = 0;   // below half a wavelength, but wet
-    double shallowest = 1e30;  // of the wet ones [m]
+    std::size_t shallow = 0;   // wet samples shallower than half a wavelength
+    double shallowest = 1e30;  // of the wet samples [m]
     double deepest = 0.0;      // [m]
-    double depths = 0.0;       // sum over the wet ones [m]
+    double depths = 0.0;       // sum over the wet samples [m]
 
     double mean_depth() const { return dry < samples ? depths / double(samples - dry) : 0.0; }
 };
 
-/// Returns the sides by which waves come in that travel in a direction [rad].
+/// Returns the sides by which waves with a travel direction [rad] come in.
 Inflow inflow_of(const SeaBed& bed, double direction, double enough) {
-    // Waves that run along a side do not come in by it.
+    // Waves that run along a side do not enter by it.
     constexpr double kLeast = 0.2;
     const int columns = bed.domain.samples[0];
     const int rows = bed.domain.samples[1];
@@ -172,14 +172,14 @@ IncomingWaves incoming_waves(const Parameters& parameters) {
 namespace {
 
 /// Returns a sentence if the waves of every system come from land that has more and deeper water
-/// behind it. A mouth of a bay is deeper than what lies behind it, the far side of an island is
-/// land, too, and the sides of a lake are alike.
+/// behind it. This excludes the mouth of a bay, which is deeper than the bay, an island, whose far
+/// side is land too, and a lake, whose sides are alike.
 std::string turned_over_warning(const SeaBed& bed, const IncomingWaves& waves) {
     std::string text;
     for (const IncomingWaves::System& system : waves.systems) {
         const Inflow in = inflow_of(bed, system.direction, 0.0);
         const Inflow out = inflow_of(bed, system.direction + kPi, 0.0);
-        // A quarter of the sides, since waves that come obliquely share two with those behind.
+        // A quarter of the sides, since oblique waves share two sides with the waves from behind.
         const bool is_turned = 2 * in.dry > in.samples && 4 * in.dry > 4 * out.dry + in.samples &&
                                out.mean_depth() > in.mean_depth();
         if (!is_turned) return "";
@@ -193,8 +193,8 @@ std::string turned_over_warning(const SeaBed& bed, const IncomingWaves& waves) {
     return text;
 }
 
-/// Returns a sentence if the sea is as much shallower or deeper than the bed where its waves come
-/// in as a foot is shorter than a metre.
+/// Returns a sentence if the sea and the bed where its waves come in differ in depth as a foot and
+/// a metre do.
 std::string unit_warning(const SeaBed& bed, const IncomingWaves& waves) {
     constexpr double kSame = 0.02;
     const bool is_metres = bed.unit == BedUnit::m;
@@ -233,7 +233,8 @@ std::vector<std::string> coast_warnings(const SeaBed& bed, const IncomingWaves& 
     for (const std::string& text : {turned_over_warning(bed, waves), unit_warning(bed, waves)}) {
         if (!text.empty()) warn(text);
     }
-    // Deeper ground counts as level at water.depth, which waves of twice that length do not feel.
+    // Deeper ground counts as level at water.depth: waves twice as long as that depth do not feel
+    // it.
     const auto is_deeper = [&](float h) { return -kAsDeep * double{h} > waves.depth; };
     const auto deeper = static_cast<std::size_t>(std::ranges::count_if(bed.heights, is_deeper));
     if (deeper > 0 && waves.depth < 0.5 * waves.peak_wavelength) {

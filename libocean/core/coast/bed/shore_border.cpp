@@ -14,7 +14,7 @@ constexpr int kReach = 8;         // of the planes, to both sides and inward [ce
 constexpr double kFlat = 1e-4;    // slope below which contours follow the border
 constexpr double kAgainst = 0.2;  // sine of the angle of 12 degrees
 
-/// Sums over samples at (t, n) of the depth d, from which the plane that fits best follows.
+/// Sums over samples at (t, n) of the depth d, which give the best-fitting plane.
 struct PlaneSums {
     double count = 0.0, t = 0.0, n = 0.0, d = 0.0;
     double tt = 0.0, tn = 0.0, nn = 0.0, dt = 0.0, dn = 0.0;
@@ -34,8 +34,8 @@ struct PlaneSums {
     }
 };
 
-/// Returns the vector uphill of the plane that fits the depth beside sample k of a side best.
-/// Samples of the least depth do not count: there the depth is a limit and not the bed's.
+/// Returns the uphill vector of the plane that best fits the depth beside sample k of a side.
+/// Samples of min_depth do not count: there the depth is a limit and not the bed's.
 PlaneVector fitted_upslope(const BedGrid& depth, float min_depth, const BorderSide& side, int k) {
     const int first = std::max(k - kReach, 0), last = std::min(k + kReach, side.length - 1);
     const int across = depth.domain.samples[side.di != 0 ? 1 : 0];

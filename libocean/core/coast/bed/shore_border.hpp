@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The border of a bed: how waves of the open sea have been refracted when they reach it. The bed is
-// not known outside. It is taken to continue there as a plane beach whose contours have the
-// direction that they have at the border; along such a beach waves obey Snell's law.
+// not known outside. There it is assumed to continue as a plane beach with the contours' direction
+// at the border; on such a beach waves obey Snell's law.
 #pragma once
 
 #include <array>
@@ -14,7 +14,8 @@
 
 namespace ocean {
 
-/// A vector in the plane of the sea: a direction, or a wave vector over that of the open sea.
+/// A vector in the plane of the sea: a direction, or a wave vector divided by the open sea's
+/// wavenumber.
 struct PlaneVector {
     double x = 0.0;
     double y = 0.0;
@@ -53,11 +54,11 @@ class BorderSlopes {
     std::array<std::vector<PlaneVector>, kBorderSides> slopes_;
 };
 
-/// Returns the wave vector over that of the open sea, where a wave of the given direction in the
-/// open sea has come over a plane beach to water of the given slowness >= 1: the component along
-/// the contours is that of the open sea, the other one completes the length (Snell's law).
-/// A wave that runs towards deeper water by more than 12 degrees does not come over such a beach
-/// and keeps the vector of the open sea; between 0 and 12 degrees the two are blended.
+/// Returns the wave vector, divided by the open sea's wavenumber, of a wave that had the given
+/// direction in the open sea and has come over a plane beach to water of the given slowness >= 1.
+/// The component along the contours stays as in the open sea, the other one completes the length
+/// (Snell's law). A wave that runs towards deeper water by more than 12 degrees does not come over
+/// such a beach and keeps its vector; between 0 and 12 degrees both are blended.
 PlaneVector refracted(PlaneVector direction, double slowness, PlaneVector upslope);
 
 }  // namespace ocean

@@ -23,7 +23,7 @@ enum class Shore : std::uint8_t { unknown, land, open, still };
 struct Samples {
     int columns, rows;
     std::vector<Shore> shore;
-    std::vector<std::uint32_t> next;  // whose neighbours have not been seen
+    std::vector<std::uint32_t> next;  // samples whose neighbours are still to be visited
 
     std::size_t index(int i, int j) const {
         return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) +
@@ -49,13 +49,13 @@ struct Samples {
     }
 };
 
-/// Reaches the water along a side by which waves of a direction come in.
+/// Marks the water along a side as reached, if waves of a direction enter by that side.
 void enter(Samples& samples, const BorderSide& side, double cell, PlaneVector direction,
            double beyond) {
     const double inward = direction.dot(side.inward);
     if (inward < kInward) return;
     const double along = direction.x * side.di + direction.y * side.dj;
-    const double shadow = beyond * std::abs(along) / inward / cell;  // of land beyond [samples]
+    const double shadow = beyond * std::abs(along) / inward / cell;  // of outer land [samples]
     double after_land = shadow + 1.0;
     for (int n = 0; n < side.length; ++n) {
         const int k = along >= 0.0 ? n : side.length - 1 - n;
@@ -74,7 +74,7 @@ void flood(Samples& samples) {
     }
 }
 
-/// Returns for each sample whether it, or the water that is nearest to it, is still.
+/// Returns for each sample whether it is still, or, on land, whether the nearest water is.
 std::vector<std::uint8_t> spread_over_land(Samples& samples) {
     std::vector<std::uint32_t> line, further;
     for (std::size_t n = 0; n < samples.shore.size(); ++n) {

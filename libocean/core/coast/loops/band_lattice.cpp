@@ -79,8 +79,8 @@ class PowerAlong {
         return sum;
     }
 
-    /// Returns the carrier about which that error is least, on a side much longer than the waves
-    /// reach: the sum of |n|^8, convex, falls until it and rises after it.
+    /// Returns the carrier about which spline_error is least on a side much longer than the waves
+    /// reach. The sum of |n|^8 is convex: it falls up to that carrier and rises beyond it.
     int best_carrier() const {
         int low = first();
         int high = last();
@@ -118,7 +118,7 @@ void set_carrier(BandLattice& band) {
     }
 }
 
-/// Makes the lattice of modes that all lie on a coarser one the coarser one: those of a cascade.
+/// If all modes lie on a coarser lattice, as a cascade's do, switches to that lattice.
 void make_coarse(BandLattice& band) {
     int divisor = 0;
     for (const BandMode& mode : band.modes) divisor = std::gcd(std::gcd(divisor, mode.n), mode.m);
@@ -171,8 +171,8 @@ namespace {
 struct GrowingSide {
     PowerAlong power;
     int side;
-    double error;       // squared [m^2]
-    double next_error;  // with twice the samples
+    double error;       // squared error [m^2]
+    double next_error;  // squared error with twice the samples
 
     GrowingSide(const BandLattice& band, std::size_t axis)
         : power(band.modes, axis), side(kSmallestSide) {
@@ -207,7 +207,7 @@ std::vector<std::array<int, 2>> choose_sides(std::span<const BandLattice> bands,
         maps.push_back({i, {GrowingSide(bands[i], 0), GrowingSide(bands[i], 1)}});
         error += maps.back().along[0].error + maps.back().along[1].error;
     }
-    // The side is doubled next whose error falls most for the samples that this adds.
+    // The next side to be doubled is the one whose error falls most per added sample.
     while (error > tolerance * tolerance * power) {
         GrowingSide* best = nullptr;
         double best_gain = 0.0;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The modes of one band and sector, gathered from all cascades onto one lattice about a carrier: a
-// wave in their midst, without which they vary slowly enough for a small map. Stands between the
-// modes of the sea and the signals of band_signals.hpp.
+// The modes of one band and sector (a pair), gathered from all cascades onto one lattice about a
+// carrier: a wave in their midst. With the carrier divided out they vary slowly enough for a small
+// map. This is the stage between the modes of the sea and the signals of band_signals.hpp.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 namespace ocean {
 
 /// Returns the index of the pair in `bands.waves` to which the mode (n, m) of the patch's own
-/// lattice belongs, or -1. `step` is that lattice's Lattice::wavenumber_step().
+/// lattice belongs, or -1. `step` is Lattice::wavenumber_step() of the patch's lattice.
 int band_sector_of(const ShoreBands& bands, double step, int n, int m);
 
 /// A wave of a pair: 2 h0 e^(i (k.x - omega t)).
@@ -38,12 +38,13 @@ struct BandLattice {
 std::vector<BandLattice> gather_bands(const Modes& modes, const ShoreBands& bands);
 
 /// Returns 1 / B^, the factor by which the coefficients of a cubic B-spline of `side` samples
-/// exceed a wave of n waves on them. B^(theta) = (sin(theta/2) / (theta/2))^4 [Unser 1999].
+/// exceed a wave of n periods along the side. B^(theta) = (sin(theta/2) / (theta/2))^4 [Unser
+/// 1999].
 double spline_gain(int n, int side);
 
-/// Returns the samples along x and y of the map of each pair, powers of two, at least 6 times its
-/// reach, so that the splines through the maps together err by `tolerance` times the rms of all
-/// pairs together, with the fewest samples. No side is larger than kMaxResolution.
+/// Returns the samples along x and y of the map of each pair: the fewest powers of two, at least 6
+/// times the pair's reach, with which the splines through all maps together err by `tolerance`
+/// times the rms of all pairs together. No side is larger than kMaxResolution.
 std::vector<std::array<int, 2>> choose_sides(std::span<const BandLattice> bands, double tolerance);
 
 }  // namespace ocean

@@ -10,8 +10,8 @@
 
 namespace ocean::OCEAN_KERNEL {
 
-/// A vector of labels' values with their derivatives, kParts of JetParts. What does not change with
-/// time has three parts at most.
+/// A vector of labels' values with their derivatives, kParts of JetParts. Values that do not change
+/// with time have at most three parts.
 template <int kParts>
 struct LaneJet {
     Vec part[kParts];
@@ -78,7 +78,8 @@ OCEAN_INLINE LaneTurn<kParts> turn_by(const LaneJet<kParts>& angle) {
     return turn;
 }
 
-/// Returns a jet by the shifted place as one by the label, which the place follows by its shift.
+/// Converts a jet by the shifted place into a jet by the label, which moves the place through its
+/// shift.
 template <int kParts, int kStatic>
 OCEAN_INLINE LaneJet<kParts> by_label(const LaneJet<kParts>& at_place,
                                       const LaneJet<kStatic>& shift_x,

@@ -11,8 +11,8 @@
 
 namespace ocean {
 
-/// The parts of each number that are computed: its value; and its gradient [1/m]; and its rate
-/// [1/s].
+/// The parts of each number that are computed: `value`; `gradient`, also the gradient [1/m]; `all`,
+/// also the rate [1/s].
 enum class JetParts { value = 1, gradient = 3, all = 4 };
 
 /// Arrays of one float for each label, whole vectors of 64 bytes long. Their first index is the
@@ -20,11 +20,11 @@ enum class JetParts { value = 1, gradient = 3, all = 4 };
 struct BandSectorTask {
     std::size_t count;
     JetParts parts;
-    bool displaces;             // whether along_x and along_y are written; if not, values alone
+    bool displaces;             // along_x and along_y are written; false: values alone
     float centre;               // direction of the middle of the sector [rad]
     const float* delay[3][4];   // shift x and y [m], phase, turn [rad] of ShoreDelays::waves
     const float* amplitude[3];  // relative to the open sea
-    const float* re[4];         // the signal at the shifted place, by that place [m]
+    const float* re[4];         // the signal at the shifted place, derivatives by it [m]
     const float* im[4];
     const float* displacement[3];  // coth(k d)
     // Sums over bands and sectors, by the label: the waves [m], their squares, and their

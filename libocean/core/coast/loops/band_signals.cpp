@@ -17,8 +17,8 @@ namespace formula = wave::double_precision;
 namespace {
 
 constexpr auto kBatch = static_cast<std::size_t>(kFftBatch);
-constexpr std::size_t kColumnsBefore = 1;  // in a row of coefficients: one before the first
-constexpr std::size_t kColumnsBeyond = 4;  // in all: three after the last
+constexpr std::size_t kColumnsBefore = 1;  // coefficients in a row before the first column
+constexpr std::size_t kColumnsBeyond = 4;  // before and after: three after the last
 
 /// Returns e^(-i omega t) of a mode.
 std::complex<double> phase_of(double rate, double tau) {

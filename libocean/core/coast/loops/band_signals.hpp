@@ -7,8 +7,8 @@
 //
 // Its real part is the height that these waves have in the open sea, its modulus their envelope.
 // Each pair is one complex inverse transform about a carrier K near its middle, e^(-i K.x) eta, to
-// the coefficients of a cubic B-spline (waves/query/spline_map.hpp has its theory). Stands between
-// the modes of the sea and the coast, which reads the signals at shifted places.
+// the coefficients of a cubic B-spline (waves/query/spline_map.hpp has its theory). This is the
+// stage between the modes of the sea and the coast, which reads the signals at shifted places.
 #pragma once
 
 #include <array>
@@ -39,10 +39,10 @@ struct ExactSignal {
 /// Copies are independent. Several threads may read one object while none moves it.
 class BandSignals {
   public:
-    /// Takes what it needs of the modes. spline_tolerance: the rms error of a read of all pairs
-    /// together over their rms; of its gradient it is about (error)^(3/4), see spline_map.hpp.
-    /// Single precision limits both to about 2e-7. `rates` doubles the work of move_to and the
-    /// memory. Reads are allowed after the first move_to.
+    /// Copies the needed data from the modes. spline_tolerance: the rms error of a read of all
+    /// pairs together, relative to their rms. The gradient's error is about (error)^(3/4), see
+    /// spline_map.hpp. Single precision limits both to about 2e-7. `rates` doubles the work of
+    /// move_to and the memory. Reads are allowed after the first move_to.
     BandSignals(const Modes& modes, const ShoreBands& bands, double spline_tolerance = 2e-6,
                 bool rates = false);
     /// Makes the maps of a time [s]. The bits are the same for any number of threads.
@@ -53,12 +53,13 @@ class BandSignals {
     /// Error invalid_value for a rate of signals that were made without rates.
     void read(std::size_t index, std::size_t n, const double* x, const double* y,
               const SignalOutputs& out) const;
-    /// Writes the maps of pair `index` and where places lie in them. Valid until the next move_to.
+    /// Writes the maps of pair `index` and the mapping of places into them. Valid until the next
+    /// move_to.
     void describe(std::size_t index, CoastBandSector& pair) const;
     /// Returns the signal of pair `index` at a time and a place, in double, from its modes: slow,
     /// and independent of move_to.
     ExactSignal exact(std::size_t index, double time, double x, double y) const;
-    /// Returns the complex samples of all maps of one time, without those of the rates.
+    /// Returns the number of complex samples of all maps of one time, without the maps of rates.
     std::uint64_t samples() const;
     std::uint64_t bytes() const;
 
@@ -73,7 +74,7 @@ class BandSignals {
         std::array<int, 2> side{};
         std::vector<BatchFft> fft;                  // along x and y
         std::array<std::vector<float>, 2> gain;     // spline_gain of -reach .. reach
-        std::vector<std::size_t> row_begin;         // of the modes of m = -reach, and the end
+        std::vector<std::size_t> row_begin;         // of each row m = -reach .. reach, and the end
         std::array<std::vector<BatchRow>, 2> rows;  // of values and rates, transformed along x
         std::array<SplineRows, 2> map;              // of values and rates
     };
@@ -99,9 +100,9 @@ class BandSignals {
     std::vector<Batch> column_batches_;
 };
 
-/// Returns the modes that are in no pair: those that stay as they are in the open sea. h0 of the
-/// others is 0. Each shell's covariance of gradients is reduced to the share of it that the
-/// remaining modes have in this draw. The lattices, and lattice_revision, are those of `modes`.
+/// Returns the modes that are in no pair, which stay as they are in the open sea; h0 of the other
+/// modes is 0. The covariance of gradients of each shell is reduced to the share that the remaining
+/// modes have in this draw. Lattices and lattice_revision equal those of `modes`.
 Modes open_remainder(const Modes& modes, const ShoreBands& bands);
 
 }  // namespace ocean

@@ -46,8 +46,9 @@ void BatchFft::transform(const BatchRow* spectrum, std::size_t stride, BatchRow*
     if (2 * half <= size_) step(half, work);
 }
 
-// The inputs of a group are every groups-th wave, of which -reach .. reach holds one: k itself, the
-// first of them, or k < 0, the last one. That is one wave of frequency 0 or -1 on the group.
+// The inputs of a group are every groups-th wave. Within -reach .. reach that is one wave: k
+// itself, the first input, or k < 0, the last input. The group therefore has one wave, of frequency
+// 0 or -1.
 void BatchFft::spread(const BatchRow* spectrum, std::size_t stride, BatchRow* work) const {
     for (const int wave : wave_of_group_) {
         if (wave > reach_) {
@@ -60,7 +61,7 @@ void BatchFft::spread(const BatchRow* spectrum, std::size_t stride, BatchRow* wo
                 *work = input;
                 continue;
             }
-            // e^(-2 pi i j / group), beyond half a turn by its negative.
+            // e^(-2 pi i j / group); beyond half a turn, minus the root half a turn before.
             const bool far = 2 * j >= group_;
             const auto at = static_cast<std::size_t>((far ? j - group_ / 2 : j) * (size_ / group_));
             const float c = far ? -cosine_[at] : cosine_[at];
@@ -128,7 +129,7 @@ void BatchFft::double_step(int half, BatchRow* work) const {
                 a.im[p] = p_im + g_im;
                 c.re[p] = p_re - g_re;
                 c.im[p] = p_im - g_im;
-                // The second half of the turn has a further quarter: times i.
+                // In the second half, the root has turned by a further quarter: times i.
                 b.re[p] = q_re - h_im;
                 b.im[p] = q_im + h_re;
                 d.re[p] = q_re + h_im;

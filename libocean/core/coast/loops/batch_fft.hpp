@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Inverse transforms of sixteen columns at once, of spectra that hold few waves: the transform of
-// maps that oversample their waves many times. The reference is Radix2Fft (ocean/fft.hpp), whose
-// sign and scale it has.
+// maps that oversample their waves many times. The reference is Radix2Fft (ocean/fft.hpp), with the
+// same sign and scale.
 #pragma once
 
 #include <cstddef>
@@ -26,12 +26,12 @@ struct BatchRow {
 };
 
 /// Cooley and Tukey's decimation in time, two steps of radix 2 in one. The first steps, at which
-/// each group has only one input that is not zero, are written down without arithmetic on zeros.
+/// each group has only one input that is not zero, are written out without arithmetic on zeros.
 /// Immutable: any thread may use it.
 class BatchFft {
   public:
-    /// Prepares transforms of `size` samples, a power of two, of the waves -reach .. reach; 2 reach
-    /// < size.
+    /// Prepares transforms of `size` samples, a power of two, for the waves -reach .. reach; 2
+    /// reach < size.
     BatchFft(int size, int reach);
     int size() const { return size_; }
     int reach() const { return reach_; }
@@ -49,7 +49,7 @@ class BatchFft {
     int reach_;
     int group_;                       // samples of a group that has one input
     std::vector<int> wave_of_group_;  // index of the group's residue; -1: none
-    std::vector<float> cosine_;       // of 2 pi k / size, k < size / 2
+    std::vector<float> cosine_;       // cosine of 2 pi k / size, k < size / 2
     std::vector<float> sine_;
 };
 

@@ -13,7 +13,7 @@ namespace ocean {
 
 namespace {
 
-/// The sums of |h0|^2 k^4 (coth(kd) / k)^2, the trace of the covariance of gradients, of a shell.
+/// The sums over a shell of |h0|^2 k^4 (coth(kd) / k)^2, the trace of its covariance of gradients.
 struct ShellGradients {
     double all = 0.0;
     double remaining = 0.0;

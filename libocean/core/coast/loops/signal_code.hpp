@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Reads of the signals: cubic B-splines of four by four complex coefficients, turned by the
-// carrier. What every place needs alike is computed in loops over a block of places, the sum of
-// coefficients four floats, two columns, at a time. The build compiles it once for each
+// carrier. Loops over a block of places compute the parts that all places have in common; the sum
+// of coefficients takes four floats, two columns, at a time. The build compiles it once for each
 // instruction set (core/CMakeLists.txt).
 #pragma once
 
@@ -14,7 +14,7 @@
 namespace ocean::OCEAN_KERNEL {
 
 constexpr std::size_t kPlaces = 64;            // of a block
-constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52: a sum with it is rounded to whole
+constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to a whole number
 constexpr double kSignalPi = 3.141592653589793;
 
 using FourFloats = float __attribute__((vector_size(16)));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The input of the loop that reads the signal of one pair at places: plain data, so that the files
-// compiled for one instruction set need nothing of the standard library.
+// The input of the loop that reads the signal of one band and sector at places: plain data, so that
+// the files compiled for one instruction set need nothing of the standard library.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace ocean {
 
-/// Where a read writes, a value for each place. nullptr: not requested.
+/// The outputs of a read, a value for each place. nullptr: not requested.
 struct SignalOutputs {
     float* re = nullptr;  // [m]
     float* im = nullptr;
@@ -30,8 +30,8 @@ struct SignalOutputs {
     bool has_rate() const { return re_t != nullptr || im_t != nullptr; }
 };
 
-/// Coefficients of a spline in rows of `pitch` complex numbers: the one before the first column,
-/// all columns, the three after the last, so that the four beside a place are neighbours.
+/// Coefficients of a spline in rows of `pitch` complex numbers: one before the first column, all
+/// columns, three after the last, so that the four beside a place are neighbours.
 struct SignalMap {
     const float* values;
     std::size_t pitch;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The table of LimiterGain: see breaking.hpp. Heights u = s x, x^2 exponentially distributed with
-// mean 1, have the mean square s^2; after the limiter it is M(s) = E f(s x)^2. The gain C of waves
-// of the ratio rho is s / rho where M(s) = rho^2.
+// mean 1, have the mean square s^2; after the limiter the mean square is M(s) = E f(s x)^2. The
+// gain C for the ratio rho is s / rho with M(s) = rho^2.
 #include "breaking.hpp"
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace ocean {
 namespace {
 
-constexpr double kHighestX = 6.0;  // exp(-36) of the waves are higher
+constexpr double kHighestX = 6.0;  // a share exp(-36) of the waves is higher
 constexpr int kNodes = 192;        // of Simpson's rule, even
 constexpr double kLargestScale = 8.0;
 constexpr double kScaleStep = 1.0 / 128.0;

@@ -3,7 +3,7 @@
 //
 // Breaking waves: how high a wave can be over a bed, how much energy breaking takes, which crests
 // break, and the shape that a crest has in shallow water. The formulas are templates over the
-// scalar: a dual number in place of a double returns their derivatives. Such a type is made from a
+// scalar: a dual number in place of a double returns their derivatives. Such a type converts from
 // double, has the arithmetic operators, and its namespace has sqrt, exp, log, pow, tanh, sin, cos
 // and value_of.
 //
@@ -20,7 +20,7 @@
 
 namespace ocean {
 
-/// Returns the value of a scalar, on which branches are taken; for a dual number, without its
+/// Returns the value of a scalar, which decides branches; for a dual number, without its
 /// derivatives.
 constexpr double value_of(double x) {
     return x;
@@ -32,10 +32,10 @@ constexpr double value_of(float x) {
 /// Hrms / d in saturated surf, and the strength of a breaker [Thornton and Guza 1983].
 inline constexpr double kSurfGamma = 0.42;
 inline constexpr double kBreakerStrength = 1.0;
-/// The ratio of a wave to the highest one up to which the limiter leaves it as it is.
+/// Up to this ratio of a wave to the highest wave, the limiter leaves the wave unchanged.
 inline constexpr double kLimiterKnee = 0.7;
-/// Skewness and asymmetry of crest_shape as a share of the measured nonlinearity: the sum of
-/// shaped waves of different heights has a little more of both than each wave.
+/// Skewness and asymmetry of crest_shape as a share of the measured nonlinearity: a sum of shaped
+/// waves of different heights has slightly more of both than each wave.
 inline constexpr double kShapeShare = 0.8;
 /// Smooths amplitudes about zero, far below any visible wave [m].
 inline constexpr double kLeastAmplitude = 1e-6;
@@ -58,8 +58,8 @@ Real amplitude_of(const Real& re, const Real& im) {
 // ---- heights
 
 /// Returns the ratio of the highest single wave to the depth over a bed of this slope (rise over
-/// run, in any direction): 0.75 min(1 + 15 slope^(4/3), 1.4). The factor of the slope is that of
-/// [Goda 1970]; the level and the limit are ours.
+/// run, in any direction): 0.75 min(1 + 15 slope^(4/3), 1.4). The slope's factor is from [Goda
+/// 1970]; the level and the limit are ours.
 template <typename Real>
 Real breaker_index(const Real& slope) {
     using std::pow;
@@ -88,10 +88,10 @@ Real limited(const Real& u) {
 
 // ---- loss of energy
 
-/// Returns the energy that breaking takes per area and time, over rho g [m^2/s], from waves of
-/// this rms height [m] and peak frequency f [Hz]: (3 sqrt(pi) / 16) B^3 f H^5 / (gamma^2 d^3)
-/// (1 - (1 + (H / (gamma d))^2)^(-5/2)) [Thornton and Guza 1983], with their weight of eq. 21. The
-/// energy of these waves, over rho g, is H^2 / 8.
+/// Returns the energy that breaking takes per area and time, over rho g [m^2/s], from waves of this
+/// rms height [m] and peak frequency f [Hz]: (3 sqrt(pi) / 16) B^3 f H^5 / (gamma^2 d^3) (1 - (1 +
+/// (H / (gamma d))^2)^(-5/2)) [Thornton and Guza 1983], with the weight of their eq. 21. The energy
+/// of such waves, over rho g, is H^2 / 8.
 template <typename Real>
 Real breaking_dissipation(const Real& rms_height, const Real& d, const Real& f) {
     using std::sqrt;
@@ -114,9 +114,9 @@ Real share_that_breaks(const Real& rms_height, const Real& d) {
 }
 
 /// Returns how strongly a crest breaks, 0 .. 1, the source of foam. The highest `share` of the
-/// waves breaks: with heights as Rayleigh distributes them, those of an amplitude above
-/// (Hrms / 2) sqrt(-ln share). Foam comes from their front faces alone, a phase of 0.55 before the
-/// crest, and none where Hrms / d is below 0.12. Z is that before the limiter.
+/// waves breaks: with a Rayleigh distribution of heights, the waves of an amplitude above (Hrms /
+/// 2) sqrt(-ln share). Foam comes from their front faces alone, a phase of 0.55 before the crest;
+/// where Hrms / d is below 0.12 there is none. Z is the signal before the limiter.
 template <typename Real>
 Real breaking_source(const Real& re, const Real& im, const Real& rms_height, const Real& d,
                      const Real& share) {
@@ -178,11 +178,11 @@ Real shape_of_nonlinearity(const Real& nonlinearity) {
            (Real(9.0) + Real(2.0) * s);
 }
 
-/// Returns the height of the surface [m], Abreu's wave of the amplitude and phase of Z:
-/// q (Re Z + c |Z|) / (1 - r (Im Z cos(phi) - Re Z sin(phi)) / |Z|), q = sqrt(1 - r^2),
-/// c = r sin(phi) / (1 + q): [Abreu 2010] eq. 7, whose sin and cos are Re Z and Im Z over |Z|.
-/// From crest to trough it measures 2 |Z| and its mean is 0, for every r and phi; r = 0 returns
-/// Re Z. phi = -psi - pi/2 [Ruessink 2012] eq. 12.
+/// Returns the height of the surface [m], Abreu's wave of the amplitude and phase of Z: q (Re Z + c
+/// |Z|) / (1 - r (Im Z cos(phi) - Re Z sin(phi)) / |Z|), q = sqrt(1 - r^2), c = r sin(phi) / (1 +
+/// q): [Abreu 2010] eq. 7, with Re Z / |Z| for sin and Im Z / |Z| for cos. From crest to trough it
+/// measures 2 |Z| and its mean is 0, for every r and phi; r = 0 returns Re Z. phi = -psi - pi/2
+/// [Ruessink 2012] eq. 12.
 template <typename Real>
 Real crest_shape(const Real& re, const Real& im, const Real& r, const Real& phi) {
     using std::cos;
@@ -204,7 +204,7 @@ Real shape_of_amplitude(const Real& amplitude, const Real& k, const Real& d) {
 /// The waves of one place after breaking.
 template <typename Real>
 struct BrokenWave {
-    Real share;   // by which the limiter multiplied Z and all that is proportional to it
+    Real share;   // the limiter's factor on Z and on all quantities proportional to it
     Real height;  // of the surface [m]
 };
 
@@ -222,15 +222,15 @@ BrokenWave<Real> broken_wave(const Real& re, const Real& im, const Real& highest
     return {share, crest_shape(re * share, im * share, r, phi)};
 }
 
-/// The gain before the limiter that gives back the variance which limiter and shape take from waves
-/// whose heights have a Rayleigh distribution. Immutable; any thread may use it.
+/// The gain before the limiter that restores the variance which limiter and shape take from waves
+/// with a Rayleigh distribution of heights. Immutable; any thread may use it.
 class LimiterGain {
   public:
     LimiterGain();
 
     /// Returns the gain of waves of this rms height in units of the highest wave. q = sqrt(1 - r^2)
-    /// of typical waves: the shape takes all but 2 q / (1 + q) of their variance. Exact for
-    /// rms_ratio sqrt((1 + q) / (2 q)) up to 0.9; higher waves lose variance.
+    /// of typical waves: the shape leaves 2 q / (1 + q) of their variance. Exact for rms_ratio
+    /// sqrt((1 + q) / (2 q)) up to 0.9; higher waves lose variance.
     template <typename Real>
     Real operator()(const Real& rms_ratio, const Real& q) const {
         using std::sqrt;
@@ -255,8 +255,8 @@ class LimiterGain {
     std::vector<double> table_;
 };
 
-/// Returns the q that LimiterGain takes: that of a wave as high as the significant height,
-/// sqrt(2) Hrms.
+/// Returns the q that LimiterGain takes: the q of a wave as high as the significant height, sqrt(2)
+/// Hrms.
 template <typename Real>
 Real typical_shape_root(const Real& rms_height, const Real& k, const Real& d) {
     using std::sqrt;

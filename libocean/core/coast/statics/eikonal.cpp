@@ -15,7 +15,7 @@ namespace {
 constexpr double kUnreached = 1e30;
 constexpr double kInward = 1e-9;  // component of a direction that enters by a side
 
-/// Returns the upwind delay at a sample from those of its neighbours, a along x and b along y, both
+/// Returns the upwind delay at a sample from its neighbours' delays, a along x and b along y, both
 /// against the open sea's wave at the sample itself: the root of (v - a)^2 + (v - b)^2 = s^2, or
 /// the wave along an axis.
 double upwind_root(double a, double b, double s) {
@@ -34,10 +34,10 @@ EikonalSolver::EikonalSolver(const SampleGrid& grid, const BorderSlopes& border)
       stale_(static_cast<std::size_t>(grid.rows)),
       upwind_(grid.count()) {}
 
-/// Writes the slowness that a difference of first order sees. On a plane wave of direction n that
-/// is bent along x by f'', the differences have the square sum s^2 - h f' f'' (nx^3 + ny^3), which
-/// is the square of the slowness at h/2 (nx^2, ny^2) upwind. Directions are those of the delays,
-/// which makes a second solve one of second order where waves are smooth.
+/// Writes the slowness that a first-order difference needs. On a plane wave of direction n that is
+/// bent along x by f'', the differences have the square sum s^2 - h f' f'' (nx^3 + ny^3), which is
+/// the squared slowness at h/2 (nx^2, ny^2) upwind. The directions come from the delays. A second
+/// solve is therefore of second order where waves are smooth.
 void EikonalSolver::refine_slowness(std::span<const float> slowness) {
     const double cx = direction_.x, cy = direction_.y;
     for (int j = 0; j < grid_.rows; ++j) {
@@ -63,9 +63,9 @@ void EikonalSolver::refine_slowness(std::span<const float> slowness) {
     }
 }
 
-/// Writes the delays on the sides by which the waves come in. Along a side the delay changes by
-/// the tangential components of the wave vectors, those of Snell's law less those of the open sea.
-/// It is 0 at the deepest sample, and wherever the water is deep: the open sea reaches there.
+/// Writes the delays on the sides by which the waves come in. Along a side the delay changes by the
+/// tangential component of the wave vector by Snell's law less the open sea's. It is 0 at the
+/// deepest sample and wherever the water is deep, because the open sea reaches these samples.
 void EikonalSolver::enter(std::span<const float> slowness) {
     const int west_or_east = direction_.x > kInward ? 0 : (direction_.x < -kInward ? 1 : -1);
     const int south_or_north = direction_.y > kInward ? 2 : (direction_.y < -kInward ? 3 : -1);
@@ -113,8 +113,8 @@ void EikonalSolver::enter_side(std::span<const float> slowness, int s, int from,
     }
 }
 
-/// Keeps the tangential components along a side by which waves enter only because the bed outside
-/// turns them.
+/// Keeps the tangential components along sides where waves enter only because the bed outside turns
+/// them.
 void EikonalSolver::note_slant(std::span<const float> slowness, int s) {
     const BorderSide& side = border_.side(s);
     std::vector<float>& slant = slant_[static_cast<std::size_t>(s)];
@@ -133,7 +133,8 @@ void EikonalSolver::note_slant(std::span<const float> slowness, int s) {
     if (any) slant.swap(along);
 }
 
-/// Lowers the delays along a side of note_slant, in both senses. Returns true if one changed.
+/// Lowers the delays along a side that note_slant has kept, in both senses. Returns true if one
+/// changed.
 bool EikonalSolver::follow_side(int s) {
     const std::vector<float>& slant = slant_[static_cast<std::size_t>(s)];
     if (slant.empty()) return false;
@@ -159,7 +160,7 @@ bool EikonalSolver::follow_side(int s) {
 }
 
 /// Visits a row in the order +1 or -1. Returns true if a sample changed. Most visits change
-/// nothing; the test for that needs no root and does not wait for the sample before.
+/// nothing; the test needs no root and does not wait for the previous sample.
 template <int kStep>
 bool EikonalSolver::sweep_row(int j) {
     double* const row = &delays_[padded(0, j)];
@@ -181,7 +182,7 @@ bool EikonalSolver::sweep_row(int j) {
     return changed;
 }
 
-/// Notes that a row has changed: it and those beside it want another visit.
+/// Notes that a row has changed: the row and its neighbours need another visit.
 void EikonalSolver::mark_row(int j) {
     for (int k = std::max(j - 1, 0); k <= std::min(j + 1, grid_.rows - 1); ++k) {
         stale_[static_cast<std::size_t>(k)] = 1;
@@ -193,7 +194,7 @@ int EikonalSolver::sweep(std::span<const float> slowness, int max_sweeps) {
     std::fill(delays_.begin(), delays_.end(), kUnreached);
     std::fill(stale_.begin(), stale_.end(), char{1});
     enter(slowness);
-    // The first order is that of the open sea; the next one turns the lesser component.
+    // The first order follows the open sea's direction; the next one flips the lesser component.
     const bool turn_y_first = std::abs(direction_.x) >= std::abs(direction_.y);
     for (int sweep = 0; sweep < max_sweeps; ++sweep) {
         const bool one = ((sweep + 1) & 2) != 0, other = (sweep & 2) != 0;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The phase of refracted waves by the eikonal equation |grad phi| = s, where s is the slowness, the
-// wavenumber over that of the open sea. It is solved for the delay tau = phi - c . x against the
-// wave of the open sea, because the delay is a small difference of large phases.
+// The phase of refracted waves by the eikonal equation |grad phi| = s, where the slowness s is the
+// wavenumber divided by the open sea's. It is solved for the delay tau = phi - c . x against the
+// open sea's wave, because the delay is a small difference of large phases.
 #pragma once
 
 #include <span>
@@ -18,23 +18,23 @@ namespace ocean {
 /// thread at a time. Lengths are in cells.
 class EikonalSolver {
   public:
-    /// Beaches need 2 sweeps, islands 9, the longest waves over a rough bed up to 38; the late ones
+    /// Beaches need 2 sweeps, islands 9, the longest waves over a rough bed up to 38; late sweeps
     /// cost little.
     static constexpr int kMaxSweeps = 40;
-    /// A sample changes only by more than this [cells]. Rounding stays below it by far, and at
-    /// k = 2 rad/m and cells of 4 m it is a phase of 1e-5 rad.
+    /// Changes of a delay up to this are ignored [cells]. Rounding stays far below, and at k = 2
+    /// rad/m and cells of 4 m this is a phase of 1e-5 rad.
     static constexpr double kTolerance = 1e-6;
 
     EikonalSolver(const SampleGrid& grid, const BorderSlopes& border);
 
-    /// Solves for a wave that travels along the unit vector `direction` in the open sea.
-    /// slowness: row-major, >= 1. Solves twice: the directions of the first solve improve the order
-    /// of the second. Each stops after max_sweeps, or after a sweep that changes nothing, since no
-    /// later one could. Returns the number of sweeps of the second solve.
+    /// Solves for a wave that travels along the unit vector `direction` in the open sea. slowness:
+    /// row-major, >= 1. Solves twice: the directions of the first solve improve the order of the
+    /// second. Each solve stops after max_sweeps, or after a sweep that changes nothing. Returns
+    /// the number of sweeps of the second solve.
     int solve(std::span<const float> slowness, PlaneVector direction, int max_sweeps = kMaxSweeps);
 
-    /// Returns the delay of the last wave at a sample [cells]: 0 exactly where the wave is that of
-    /// the open sea.
+    /// Returns the delay of the last wave at a sample [cells]: exactly 0 where the wave is the open
+    /// sea's.
     double delay(int i, int j) const {
         const double tau = delays_[padded(i, j)];
         return tau > kRounding || tau < -kRounding ? tau : 0.0;
@@ -66,10 +66,10 @@ class EikonalSolver {
     std::size_t stride_;
     PlaneVector direction_;
     std::vector<double> delays_;  // with a ring of samples around the grid that no wave reaches
-    /// Per row: false if its last visit changed nothing and no row beside it has changed since, so
-    /// that another visit would change nothing either.
+    /// Per row: false if its last visit changed nothing and no neighbouring row has changed since,
+    /// so that another visit would change nothing.
     std::vector<char> stale_;
-    std::vector<float> upwind_;  // slowness between a sample and those from which waves come
+    std::vector<float> upwind_;  // slowness between a sample and its upwind neighbours
     /// Per side: the tangential component of the wave vector, where waves enter although the
     /// direction of the open sea does not point inward; else empty.
     std::array<std::vector<float>, kBorderSides> slant_;

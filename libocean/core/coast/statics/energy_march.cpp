@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The maps of energy: see energy_march.hpp. Marches run in turned grids (march_pass.hpp); here they
-// are read back into the world.
+// The maps of energy: see energy_march.hpp. Marches run in turned grids (march_pass.hpp); this file
+// reads them back into the world.
 #include "energy_march.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 namespace ocean {
 namespace {
 
-constexpr double kLargestArrival = 2.0;  // where a bed focuses waves
+constexpr double kLargestArrival = 2.0;  // limit where a bed focuses waves
 constexpr int kReportedColumns = 8;
 constexpr float kFloorShare = 1e-6f;
 
@@ -51,8 +51,8 @@ Domain coarse_domain(const Domain& bed, double cell) {
     return domain;
 }
 
-/// How a place beside land reads the four places of a march about it: those that land parts from
-/// it have no weight, the others together 1, or 0 if there are none.
+/// The read of a place beside land from the four places of a march about it: places that land
+/// separates from it have no weight; the others have a total weight of 1, or 0 if there are none.
 struct ReadPastLand {
     std::size_t place;  // index in the world
     std::array<std::size_t, 4> from;
@@ -65,7 +65,7 @@ struct ReadPastLand {
     }
 };
 
-/// One group over the bed.
+/// One group and its march over the bed.
 struct GroupMarch {
     MarchGroup group;
     MarchBed bed;
@@ -81,7 +81,7 @@ struct MarchInputs {
     ThreadPool& pool;
 };
 
-/// Calls a host's progress after every few of a number of columns.
+/// Calls a host's progress after every few columns.
 class ColumnCount {
   public:
     ColumnCount(const ShoreProgress& progress, long columns)
@@ -113,9 +113,9 @@ void for_each_place(const MarchInputs& inputs, const Use& use) {
     });
 }
 
-/// Returns the reads of a march at the places of the world that land parts from some of the
-/// march's places about them. Land in the column before has let nothing through to the place; that
-/// in the column behind has the energy of the water before it.
+/// Returns the reads of a march at those places of the world that land separates from some of the
+/// march's places about them. Land in the column before has let no energy through to the place;
+/// land in the column behind has the energy of the water before it.
 std::vector<ReadPastLand> reads_past_land(const MarchLand& land, const MarchBed& bed,
                                           const Domain& world) {
     std::vector<ReadPastLand> result;
@@ -203,7 +203,7 @@ std::vector<std::vector<float>> march_without_breaking(const std::vector<GroupMa
 }
 
 /// Returns the share of one group in the variance of all, in its grid. Breaking takes the same
-/// share of all waves that meet, so that the shares are those without breaking.
+/// share of all waves that meet, so that the shares are the same as without breaking.
 std::vector<float> share_of(std::size_t own, const std::vector<GroupMarch>& marches,
                             const std::vector<std::vector<float>>& variances, ThreadPool& pool) {
     const MarchGrid& grid = marches[own].bed.grid;
@@ -242,7 +242,7 @@ void march_with_breaking(const std::vector<GroupMarch>& marches,
     }
 }
 
-/// Ends the waves where none reaches the nearest sample of the bed.
+/// Sets the waves to 0 where none reaches the nearest sample of the bed.
 void leave_still(const BedGrid& bed_height, EnergyMaps& maps) {
     if (maps.still.still.empty()) return;
     const Domain& domain = maps.domain;
@@ -257,7 +257,7 @@ void leave_still(const BedGrid& bed_height, EnergyMaps& maps) {
     }
 }
 
-/// Writes what follows from the amplitudes: height, breaking share, width of the groups.
+/// Writes the maps that follow from the amplitudes: height, breaking share, width of the groups.
 void write_sums(const BedGrid& bed_height, const ShoreBands& bands, const MarchInputs& inputs,
                 EnergyMaps& maps) {
     for_each_place(inputs, [&](std::size_t n, const std::array<double, 2>& place) {

@@ -22,22 +22,22 @@ namespace ocean {
 class ThreadPool;
 
 struct MarchSettings {
-    /// The side of a cell of the march and of the maps [m], 4 .. 64. Land of any width stands in
-    /// the way of waves; water narrower than a cell may be missed.
+    /// The side of a cell of the march and of the maps [m], 4 .. 64. Land of any width stops waves;
+    /// water narrower than a cell may be missed.
     double cell = 16.0;
     /// The width of a bin of directions [rad], 1 .. 15 degrees.
     double direction_bin = kTwoPi / 72.0;  // 5 degrees
-    /// The least depth that waves feel [m].
+    /// The min depth that waves feel [m].
     double min_depth = 0.6;
 };
 
-/// Maps over coarse cells that cover the bed's domain, row-major [j][i]. Depths are those of the
-/// bed as it is, at least min_depth and at most the open sea's. Land swallows waves; the maps
-/// continue into it over the first cell, as if it were min_depth below the water, and reach 0
-/// beyond. Water behind land has the energy of the cells that no land parts from it.
+/// Maps over coarse cells that cover the bed's domain, row-major [j][i]. Depths are the unsmoothed
+/// bed's, at least min_depth and at most the open sea's. Land swallows waves; the maps continue
+/// into the first cell of land, as if it were min_depth below the water, and are 0 beyond. Water
+/// behind land has the energy of the cells that no land separates from it.
 struct EnergyMaps {
     Domain domain{.wraps = false};
-    /// Amplitudes over those of the open sea, one map for each of bands.waves. 1 where the bed is
+    /// Amplitudes relative to the open sea, one map for each of bands.waves: 1 where the bed is
     /// nowhere shallower than the open sea.
     std::vector<std::vector<float>> amplitude;
     std::vector<float> rms_height;      // Hrms of all waves together [m]
@@ -45,21 +45,21 @@ struct EnergyMaps {
     std::vector<float>
         arrival;  // share of the open sea's energy that arrives if none breaks, 0 .. 2
     std::vector<float> group_width;  // sqrt(sum over waves of (share of the energy)^2), 0 .. 1
-    /// For each sample that whose values it has: another one on land, once maps are continued
-    /// there. Empty: its own.
+    /// For each sample, the index of the sample whose values it has; on land this is another sample
+    /// once the maps are continued there. Empty: each has its own.
     std::vector<std::uint32_t> source;
     /// The samples of the bed that no wave reaches; amplitudes and arrival are 0 there.
     StillWater still;
 };
 
 /// Returns the maps of one sea over one bed [m, up]. Each system of waves marches along its mean
-/// direction: sectors are joined as long as their centres lie within 60 degrees of the mean of
-/// their energy, into as few marches as possible. Waves more than 60 degrees off march at 60
-/// degrees; those that the bed turns beyond 61 degrees fade out. All march twice: without breaking,
-/// for `arrival`, and with it. Where marches meet, each breaks by the height of all together, whose
-/// shares are those of the first march. Waves outside `bands.waves` do not count. progress is
-/// called after every few columns of a march. Throws Error invalid_value for settings out of range.
-/// The bits are the same for any number of threads.
+/// direction: sectors are joined into as few marches as possible, while their centres lie within 60
+/// degrees of the mean of their energy. Waves more than 60 degrees off march at 60 degrees; waves
+/// that the bed turns beyond 61 degrees fade out. Each group marches twice: without breaking, for
+/// `arrival`, and with breaking. Where marches meet, each breaks by the height of all together,
+/// with the shares of the march without breaking. Waves outside `bands.waves` do not count.
+/// progress is called after every few columns of a march. Throws Error invalid_value for settings
+/// out of range. The bits are the same for any number of threads.
 EnergyMaps march_energy(const BedGrid& bed_height, const ShoreBands& bands,
                         const DirectionalSpectrum& spectrum, const Water& water,
                         const MarchSettings& settings, ThreadPool& pool,

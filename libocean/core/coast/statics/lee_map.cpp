@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kStencil = 4;  // samples along a side from which QuadGrid reads a place
 
-/// One axis of a square: the sample before a place, and the weight of the one behind it.
+/// One axis of a square: the sample before a place, and the weight of the sample behind it.
 struct Axis {
     int first;
     float share, slope;
@@ -32,7 +32,7 @@ struct Axis {
     }
 };
 
-/// The maps of energy as places beside walls see them.
+/// The maps of energy as seen from places beside walls.
 class Surroundings {
   public:
     Surroundings(const MarchLand& land, const EnergyMaps& maps, const QuadGrid& heights)
@@ -47,7 +47,7 @@ class Surroundings {
         }
     }
 
-    /// Returns true if land parts the water among the samples about a cell of the maps.
+    /// Returns true if land separates the water among the samples about a cell of the maps.
     bool is_parted(int i, int j) const {
         std::array<int, kStencil * kStencil> group{};
         bool has_shore = false;
@@ -59,7 +59,7 @@ class Surroundings {
             const std::size_t own = index(i, j, n);
             group[at(n)] = is_land(own) ? -1 : n;
         }
-        // Samples beside each other that see each other are of one group.
+        // Neighbouring samples that see each other belong to one group.
         for (bool changed = true; changed;) {
             changed = false;
             for (int n = 0; n < kStencil * kStencil; ++n) {
@@ -77,8 +77,9 @@ class Surroundings {
         return false;
     }
 
-    /// Returns by what the waves at a place in water are lower than the maps have them. The place
-    /// has the waves of the samples about it that no land parts from it; none: it is calm.
+    /// Returns the factor by which the waves at a place in water are lower than in the maps. The
+    /// place has the waves of the samples about it that no land separates from it; without such
+    /// samples it is calm.
     float height_share(const std::array<double, 2>& place) const {
         const Domain& domain = maps_.domain;
         const double u = (place[0] - domain.origin[0]) / domain.step(0);
@@ -122,7 +123,7 @@ class Surroundings {
     bool join(int i, int j, int n, int step, std::array<int, kStencil * kStencil>& group) const {
         const int other = n + step;
         if (other >= kStencil * kStencil) return false;
-        if (std::abs(other % kStencil - n % kStencil) > 1) return false;  // of another row
+        if (std::abs(other % kStencil - n % kStencil) > 1) return false;  // sample of another row
         if (group[at(n)] < 0 || group[at(other)] < 0 || group[at(n)] == group[at(other)]) {
             return false;
         }
@@ -135,12 +136,12 @@ class Surroundings {
     const MarchLand& land_;
     const EnergyMaps& maps_;
     const QuadGrid& heights_;
-    std::vector<std::uint8_t> has_shore_;  // of the bed nearest to each sample
+    std::vector<std::uint8_t> has_shore_;  // shore in the bed nearest to each sample
 };
 
 using Samples = std::vector<std::array<float, 2>>;
 
-/// Writes the heights of the water in the cells of the maps that land parts.
+/// Writes the factor of the heights for water in the cells of the maps that land divides.
 void write_heights(const MarchLand& land, const EnergyMaps& maps, const QuadGrid& heights,
                    Samples& samples) {
     const Surroundings around(land, maps, heights);
@@ -164,8 +165,8 @@ void write_heights(const MarchLand& land, const EnergyMaps& maps, const QuadGrid
     }
 }
 
-/// Writes how much of the coast's surface water near the border of the bed has at least, where the
-/// way through the water to the border is longer than the straight one.
+/// Writes the min share of the coast's surface for water near the border of the bed that is farther
+/// from the border through the water than in a straight line.
 void write_inside(const BedGrid& bed_height, double margin, Samples& samples) {
     const Domain& domain = bed_height.domain;
     const int columns = domain.samples[0], rows = domain.samples[1];
@@ -198,7 +199,7 @@ void write_inside(const BedGrid& bed_height, double margin, Samples& samples) {
             for (int di = -1; di <= 1; ++di) {
                 const int x = i + di, y = j + dj;
                 if (x < 0 || x >= columns || y < 0 || y >= rows) continue;
-                // Water is joined by its sides.
+                // Water connects by the sides of samples alone.
                 if (di != 0 && dj != 0 && !is_water(index(x, j)) && !is_water(index(i, y))) {
                     continue;
                 }
@@ -219,7 +220,8 @@ void write_inside(const BedGrid& bed_height, double margin, Samples& samples) {
     }
 }
 
-/// Continues the numbers onto the land beside water: the lowest waves, the most of the coast.
+/// Continues the numbers onto the land beside water: the lowest factor of waves, the highest share
+/// of the coast.
 void continue_beside_water(const BedGrid& bed_height, Samples& samples) {
     const Samples water = samples;
     const int columns = bed_height.domain.samples[0], rows = bed_height.domain.samples[1];

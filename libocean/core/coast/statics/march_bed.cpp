@@ -17,7 +17,7 @@ std::size_t at(int n) {
     return static_cast<std::size_t>(n);
 }
 
-/// The places of a march beside land: those on whose ways it may be.
+/// The places of a march that may have land on their ways.
 class NearLand {
   public:
     NearLand(const MarchLand& land, const MarchGrid& grid)
@@ -143,7 +143,8 @@ float MarchGrid::read(const std::vector<float>& map, const std::array<double, 2>
                     map[index(i + 1, j + 1)], share_v, share_u);
 }
 
-/// Finds what land beyond the border, which goes on for the longer side of the bed, keeps off.
+/// Computes which waves land beyond the border keeps off. That land continues for the length of the
+/// bed's longer side.
 void find_inflow(const MarchLand& land, const DirectionBins& bins, MarchBed& bed,
                  ThreadPool& pool) {
     if (!land.is_at_border()) return;

@@ -19,8 +19,8 @@ namespace ocean {
 class ThreadPool;
 
 /// The turned grid, which covers a domain with a column to spare at each end and kSpareRows rows on
-/// each side: beyond the sides nothing is known, and waves come in from there as if the row of the
-/// side went on.
+/// each side: the bed beyond the sides is unknown, and waves come in from there as if the side's
+/// row continued.
 inline constexpr int kSpareRows = 16;
 struct MarchGrid {
     double cell = 0.0;
@@ -52,32 +52,32 @@ double bed_at(const BedGrid& bed, const std::array<double, 2>& place);
 
 /// The parts of the way from one column to the next, for breaking.
 inline constexpr int kMarchParts = 4;
-/// The rows to each side from which waves come within one column: those of directions within 75
-/// degrees of the march's.
+/// The rows to each side from which waves come within one column: from directions within 75 degrees
+/// of the march's.
 inline constexpr int kWayRows = 4;
-/// The shares of the energy that the bed lets through on the straight ways to a place from the
-/// places of the column before, those of row j - kWayRows .. j + kWayRows in reversed order:
-/// way[kWayRows + m] is from row j - m.
+/// The shares of the energy that the bed lets through on the straight ways to a place from the rows
+/// j - kWayRows .. j + kWayRows of the column before, in reversed order: way[kWayRows + m] is from
+/// row j - m.
 using MarchWays = std::array<float, 2 * kWayRows + 1>;
 
-/// The bed under a march, [i][j]. Positions are those of depths in the depth tables.
+/// The bed under a march, [i][j]. Positions are the positions of depths in the depth tables.
 struct MarchBed {
     static constexpr std::uint32_t kOpen = ~std::uint32_t{0};
 
     MarchGrid grid;
     std::vector<float> place;       // position at the place itself
     std::vector<float> refracting;  // position of the mean depth about the place
-    std::vector<std::array<float, kMarchParts>> position;  // in the middle of each part before it
+    std::vector<std::array<float, kMarchParts>> position;  // in the middle of each part before
     std::vector<std::array<float, kMarchParts>> depth;     // the same in [m], as waves feel it
-    /// Index in `ways`, or kOpen: no land is on them. Empty: there is no land.
+    /// Index in `ways`, or kOpen if no land is on the ways. Empty: there is no land.
     std::vector<std::uint32_t> way;
     std::vector<MarchWays> ways;
     /// The share of the open sea's energy that land beyond the border of the bed lets through to
-    /// the first column, [bin][j]. Empty: there is none.
+    /// the first column, [bin][j]. Empty: there is no such land.
     std::vector<float> inflow;
 };
 
-/// Makes the bed of a march. `land` is that of bed_height, and swallows the waves.
+/// Makes the bed of a march. `land` is the land of bed_height, and swallows the waves.
 MarchBed make_march_bed(const BedGrid& bed_height, const MarchLand& land, const MarchGrid& grid,
                         const DirectionBins& bins, const DepthTables& depths, ThreadPool& pool);
 

@@ -28,10 +28,10 @@ struct Walk {
     }
 };
 
-/// The energy that is left on its way.
+/// The energy that is left on a way.
 struct EnergyOnWay {
     float left = 1.0f;
-    float before_land = 1.0f;  // left where the land began that it is on
+    float before_land = 1.0f;  // energy left where the current land began
     bool on_land = false;
 
     void pass(float height) {
@@ -100,7 +100,7 @@ bool MarchLand::is_land(const std::array<double, 2>& place) const {
     return has_shore(i, j) && height(i, j, x, y) >= 0.0f;
 }
 
-/// Between the edges of triangles the bed is straight, so that its heights there are enough.
+/// The bed is straight between the edges of triangles, so that its heights at the edges suffice.
 float MarchLand::through(const std::array<double, 2>& from, const std::array<double, 2>& to) const {
     const auto [x, y] = in_samples(from);
     const auto [end_x, end_y] = in_samples(to);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The land of a bed as it stands in the way of waves. A square of four samples is two triangles
-// with the higher diagonal between them, on which land that touches by its corners is connected: a
-// wall is closed however narrow it is and whatever way crosses it. A bilinear bed would be open at
-// the corners of an oblique wall, and a way that is read at a few places steps over a narrow one.
+// with the higher diagonal between them, on which land that touches by its corners is connected:
+// even the narrowest wall is closed for every way. A bilinear bed would be open at the corners of
+// an oblique wall, and a way that is read at a few places would step over a narrow wall.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ class MarchLand {
     MarchLand(const BedGrid& bed_height, const StillWater& still);
 
     bool is_empty() const { return is_empty_; }
-    /// Returns true if the border of the bed has land, which goes on beyond it.
+    /// Returns true if the border of the bed has land, which is assumed to continue beyond it.
     bool is_at_border() const { return is_at_border_; }
     const Domain& domain() const { return bed_.domain; }
     double cell() const { return bed_.cell(); }

@@ -6,9 +6,9 @@
 //   dF/dx + d(F tan(theta))/dy + d(F theta')/dtheta = - loss,
 //   theta' = tan(theta) c_x / c - c_y / c,
 // the balance of energy along rays [Dean and Dalrymple 1991]: a shift of each bin across the march,
-// exact for a bed without depth changes; a shift of the distribution over directions that keeps
-// its sum; and the loss, which all tags share alike. Fluxes are in units of the open sea's variance
-// of their tag times its group speed.
+// exact for a bed without depth changes; a shift of the distribution over directions that keeps its
+// sum; and the loss, which takes the same share of all tags. The unit of a flux is the open sea's
+// variance of its tag times the tag's group speed.
 #include "march_pass.hpp"
 
 #include <algorithm>
@@ -23,19 +23,19 @@ namespace ocean {
 namespace {
 
 constexpr double kFadingAngle = 61.0 * kTwoPi / 360.0;
-constexpr double kFadingLength = 76.0;    // over which such waves fall to 1/e [m]
+constexpr double kFadingLength = 76.0;    // length over which waves turned too far fall to 1/e [m]
 constexpr double kLargestTurn = 3.0;      // in one column [bins]
-constexpr double kMadeGood = 1.0 + 1e-5;  // the open sea's breaking, with the rounding of floats
-constexpr float kNothing = 1e-25f;        // less energy is none: no arithmetic with subnormals
+constexpr double kMadeGood = 1.0 + 1e-5;  // factor on the open sea's breaking; allows for rounding
+constexpr float kNothing = 1e-25f;        // less energy counts as 0, to avoid subnormals
 
 std::size_t at(int n) {
     return static_cast<std::size_t>(n);
 }
 
-/// The constants of a march: the shift of each bin across it, in rows, and turns.
+/// The constants of a march: the shift of each bin across it in rows, and turns.
 struct BinShift {
     int rows;     // the row from which waves come lies `rows` to `rows + 1` rows back
-    float share;  // of the further one
+    float share;  // weight of the farther row
     float fading;
     float over_cosine;  // 1 / cos(theta)
 };
@@ -62,7 +62,7 @@ struct TagState {
     float open_energy = 0.0f;     // sum over bins in the open sea
 };
 
-/// Shifts each bin across the march into state.next, times `kept` of each row.
+/// Shifts each bin across the march into state.next, times each row's `kept`.
 void shift_across(TagState& state, const std::vector<BinShift>& shifts,
                   const std::vector<float>& kept) {
     const int rows = static_cast<int>(kept.size());
@@ -90,7 +90,7 @@ void shift_across(TagState& state, const std::vector<BinShift>& shifts,
     }
 }
 
-/// A row of a column, and what the bed lets through on the ways to it.
+/// A row of a column, and the shares that the bed lets through on the ways to it.
 struct RowWays {
     int row;
     const MarchWays& ways;
@@ -105,8 +105,9 @@ std::vector<RowWays> rows_beside_land(const MarchBed& bed, int i) {
     return result;
 }
 
-/// Writes again what comes to rows beside land: each of the two rows that a bin comes from lets
-/// through what lies on the way from it, so that nothing comes round a wall between them.
+/// Rewrites the energy that comes to rows beside land. Each of the two rows that a bin comes from
+/// contributes only what the land on its way lets through, so that no energy passes round a wall
+/// between them.
 void shift_past_land(TagState& state, const std::vector<BinShift>& shifts,
                      const std::vector<RowWays>& beside_land) {
     const std::size_t rows = state.energy.size();
@@ -125,8 +126,8 @@ void shift_past_land(TagState& state, const std::vector<BinShift>& shifts,
     }
 }
 
-/// Turns the waves of one row: the energy up to each edge of a bin is that up to the place from
-/// which waves at the edge came. along, across: the changes of ln c over one cell.
+/// Turns the waves of one row: the energy up to each edge of a bin is the energy up to the
+/// direction from which waves at the edge came. along, across: the changes of ln c over one cell.
 void turn_row(float* flux, std::size_t stride, const DirectionBins& bins, float along, float across,
               const std::vector<float>& edge_tangents) {
     constexpr int most_bins = 152;  // of 1 degree
@@ -207,7 +208,7 @@ struct CellWaves {
 };
 
 /// Returns the share of the energy that breaking leaves on the way through a cell. The open sea's
-/// own breaking, which its wind makes good, does not count. In each part of the way energy decays
+/// own breaking, which its wind compensates, does not count. In each part of the way energy decays
 /// as in saturated surf, dF/dx = -a F^(5/2), which has a closed form and stays positive for any a.
 double left_by_breaking(const CellWaves& waves, double share, double open_dissipation,
                         const MarchBed& bed, std::size_t cell, const DepthTables& depths) {
@@ -231,7 +232,7 @@ double left_by_breaking(const CellWaves& waves, double share, double open_dissip
     return left;
 }
 
-/// A march between two columns.
+/// The state of a march between two columns.
 struct March {
     const MarchGroup& group;
     const DirectionBins& bins;
@@ -240,7 +241,7 @@ struct March {
     std::vector<BinShift> shifts{};
     std::vector<float> edge_tangents{};  // tan(theta) at the edges of bins
     std::vector<TagState> states{};
-    std::vector<float> kept{};  // share of the energy of each row that goes on from its column
+    std::vector<float> kept{};  // share of each row's energy that leaves the column
 
     const std::vector<float>& shoaling(int tag) const {
         return depths.band(group.waves[at(tag)].band).shoaling;
@@ -261,7 +262,7 @@ March start(const MarchGroup& group, const DirectionBins& bins, const MarchBed& 
     return march;
 }
 
-/// Moves one tag to column i, the first of which is the open sea's.
+/// Moves one tag to column i; column 0 has the open sea's waves.
 void advance(March& march, int tag, int i, const std::vector<RowWays>& beside_land) {
     TagState& state = march.states[at(tag)];
     if (i > 0) {
@@ -274,7 +275,7 @@ void advance(March& march, int tag, int i, const std::vector<RowWays>& beside_la
     sum_bins(state, march.shifts);
 }
 
-/// Returns the waves of row j of a column, as they come to it.
+/// Returns the waves that arrive at row j of a column.
 CellWaves waves_of(const March& march, int j) {
     CellWaves waves;
     for (std::size_t tag = 0; tag < march.states.size(); ++tag) {

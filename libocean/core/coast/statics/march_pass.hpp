@@ -16,12 +16,12 @@ class ThreadPool;
 
 struct MarchLoss {
     bool breaking = false;
-    /// Share of the variance of all marches that is this one's, [i][j]. Empty: all of it.
+    /// This march's share of the variance of all marches, [i][j]. Empty: 1.
     std::vector<float> own_share{};
     double open_variance = 0.0;  // of all marches in the open sea [m^2]
 };
 
-/// The outcome, [i][j]: energies over those of the open sea.
+/// The outcome, [i][j]: energies relative to the open sea.
 struct MarchField {
     std::vector<std::vector<float>> energy;  // one for each wave of the group
     std::vector<float> unshoaled;            // of all waves together, at the speed of the open sea

@@ -17,14 +17,14 @@
 namespace ocean {
 namespace {
 
-constexpr int kSlices = 360;  // of the circle, whose edges include the sectors'
+constexpr int kSlices = 360;  // slices of the circle; their edges include the sectors'
 constexpr double kWidestBin = 75.0 * kDegree;
-constexpr double kWidestWave = 60.0 * kDegree;    // of a march, as it begins
-constexpr double kWidestSector = 60.0 * kDegree;  // centre of, from the mean of its group
+constexpr double kWidestWave = 60.0 * kDegree;    // max angle of a wave to its march at the start
+constexpr double kWidestSector = 60.0 * kDegree;  // max angle of a sector to its group's mean
 constexpr int kDepths = 128;                      // 5 % apart
 constexpr double kDeepWater = 9.0;                // k d: tanh is 1 to 3e-8
-constexpr double kFeelsBottom = 1e-4;  // relative changes below it are none, above three times it
-                                       // whole
+constexpr double kFeelsBottom = 1e-4;  // relative changes below count as 0, above three times
+                                       // this value in full
 
 using Slices = std::array<double, kSlices>;
 
@@ -38,7 +38,7 @@ double slice_centre(int slice) {
     return (slice + 0.5) * kTwoPi / kSlices;
 }
 
-/// Returns the angular frequencies of a band at which the spectrum bends, with the band's ends.
+/// Returns the angular frequencies of a band at which the spectrum bends, and the band's ends.
 std::vector<double> frequencies_of(const DirectionalSpectrum& spectrum, double lowest,
                                    double highest) {
     std::vector<double> result{lowest};
@@ -49,7 +49,7 @@ std::vector<double> frequencies_of(const DirectionalSpectrum& spectrum, double l
     return result;
 }
 
-/// Returns weights for the integral over these frequencies, by the trapezoidal rule.
+/// Returns weights for the integral over frequencies, by the trapezoidal rule.
 std::vector<double> trapezoid_weights(const std::vector<double>& frequencies) {
     std::vector<double> weights(frequencies.size(), 0.0);
     for (std::size_t i = 0; i + 1 < frequencies.size(); ++i) {
@@ -73,8 +73,8 @@ Slices directions_of(const DirectionalSpectrum& spectrum, const std::vector<doub
     return result;
 }
 
-/// Returns the part of a band that lies in one sector, with a sum of `variance`. A sector whose
-/// waves the spectrum does not have has them all at its centre.
+/// Returns the part of a band that lies in one sector, scaled to a sum of `variance`. If the
+/// spectrum has no waves in the sector, the whole variance lies at its centre.
 Slices sector_of(const Slices& band, int sector, double variance) {
     Slices result{};
     const double centre = sector_centre(sector);
@@ -94,14 +94,14 @@ Slices sector_of(const Slices& band, int sector, double variance) {
     return result;
 }
 
-/// The energy of one sector as a vector: its sum, and its mean direction times that.
+/// The energy of one sector: its sum, and its mean direction as a vector times the sum.
 struct SectorEnergy {
     int sector;
     double x = 0.0, y = 0.0;
 };
 
 /// Returns the direction of the sum of sectors first .. first + count - 1 in the circle [rad], or
-/// nothing if one of their centres lies too far from it.
+/// nothing if the centre of one of them lies too far from that direction.
 std::optional<double> direction_of(const std::vector<SectorEnergy>& sectors, std::size_t first,
                                    std::size_t count) {
     double x = 0.0, y = 0.0;
@@ -147,7 +147,7 @@ std::vector<Range> fewest_ranges(const std::vector<SectorEnergy>& sectors) {
     return best;
 }
 
-/// Returns the shares of the bins of a march. Slices beyond kWidestWave count at it.
+/// Returns the shares of the bins of a march. Slices beyond kWidestWave count at that angle.
 std::vector<float> bin_shares(const Slices& energy, double march_direction,
                               const DirectionBins& bins) {
     std::vector<double> sums(static_cast<std::size_t>(bins.count), 0.0);
@@ -165,13 +165,13 @@ std::vector<float> bin_shares(const Slices& energy, double march_direction,
     return {sums.begin(), sums.end()};
 }
 
-/// Returns a relative change with those too small to matter at exactly 0, so that waves over deep
-/// water are those of the open sea.
+/// Returns a relative change, or exactly 0 for a change too small to matter, so that waves over
+/// deep water equal the open sea's.
 double change_by_bed(double change) {
     return change * breaking_step((std::abs(change) - kFeelsBottom) / (2.0 * kFeelsBottom));
 }
 
-/// Returns a band at the depths of `local`, whose last is the open sea's.
+/// Returns a band at the depths of `local`, the last of which is the open sea's.
 BandDepths band_depths(const ShoreBands& bands, int b, const DirectionalSpectrum& spectrum,
                        const Dispersion& open, const std::vector<Dispersion>& local) {
     const auto edge = static_cast<std::size_t>(b);
@@ -211,7 +211,7 @@ BandDepths band_depths(const ShoreBands& bands, int b, const DirectionalSpectrum
 /// Returns the directions from which a sea comes, by its energy over the slices.
 std::vector<double> incoming_directions(const Slices& energy) {
     constexpr int kHalfWindow = 30;   // [slices]
-    constexpr double kSystem = 0.05;  // least energy of a window about a system, of all
+    constexpr double kSystem = 0.05;  // min share of the energy in a window about a system
     constexpr double kAsHigh = 1.0 - 1e-9;
     const auto slice = [](int s) { return static_cast<std::size_t>((s + kSlices) % kSlices); };
     Slices windows{};

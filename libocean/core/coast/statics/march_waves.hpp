@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The energy that marches over a bed: that of the open sea by direction, joined into groups of
+// The energy that marches over a bed: the open sea's energy by direction, joined into groups of
 // sectors with one march each, and how depth changes the speed and the energy of each band.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace ocean {
 
-/// Waves with a tag of their own in a march.
+/// Waves that a march tracks by a tag of their own.
 struct MarchWave {
     int band = 0;
     double variance = 0.0;           // of the open sea [m^2]
@@ -29,7 +29,8 @@ struct MarchGroup {
     std::vector<MarchWave> waves{};      // one for each member
 };
 
-/// The bins of directions of a march, relative to its own: odd in number, about 0, to +-75 degrees.
+/// The bins of directions of a march, relative to the march's direction: odd in number, about 0, to
+/// +-75 degrees.
 struct DirectionBins {
     double width = 0.0;  // [rad]
     int count = 0;
@@ -39,25 +40,25 @@ struct DirectionBins {
     double edge(int bin) const { return centre(bin) - 0.5 * width; }  // the lower one
 };
 
-/// The waves of a sea as they march.
+/// The waves of a sea, grouped for marching.
 struct MarchSea {
-    std::vector<MarchGroup> groups{};  // by their direction's first sector
-    /// The directions from which the sea comes [rad]: those of the highest energy of each of its
-    /// systems, and 15 and 30 degrees to their sides.
+    std::vector<MarchGroup> groups{};  // ordered by their first sector
+    /// The directions of the waves of the sea [rad]: the direction of highest energy of each of its
+    /// systems, and 15 and 30 degrees to either side.
     std::vector<double> incoming{};
 };
 
 /// Returns the waves of a sea. Empty for a flat sea.
 MarchSea make_march_sea(const ShoreBands& bands, const DirectionalSpectrum& spectrum,
                         const Water& water, const DirectionBins& bins);
-/// Returns the group with its waves of each band joined, for a march that needs no tags.
+/// Returns the group with its waves joined band by band, for a march without tags.
 MarchGroup without_sectors(const MarchGroup& group);
 
 /// A band at each depth of a table.
 struct BandDepths {
-    double open_group_speed = 0.0;   // its mean in the open sea [m/s]
+    double open_group_speed = 0.0;   // mean in the open sea [m/s]
     std::vector<float> log_speed{};  // ln(c / open sea's c), the mean over its energy
-    std::vector<float> shoaling{};   // energy over that of the open sea, at equal flux
+    std::vector<float> shoaling{};   // energy relative to the open sea, at equal flux
 };
 
 /// How the bands change with depth. Depths are the entries least * ratio^n; between them, tables
@@ -71,8 +72,8 @@ class DepthTables {
     float position(double depth) const;
     const BandDepths& band(int b) const { return bands_[static_cast<std::size_t>(b)]; }
     double peak_frequency() const { return peak_frequency_; }  // of the sea [Hz]
-    double min_depth() const { return least_; }                // shallower feels like it [m]
-    double max_depth() const { return greatest_; }             // deeper is the open sea [m]
+    double min_depth() const { return least_; }                // shallower water counts as this [m]
+    double max_depth() const { return greatest_; }  // deeper water counts as the open sea
 
   private:
     double least_ = 0.0;

@@ -15,10 +15,10 @@ namespace ocean {
 
 namespace {
 
-constexpr double kShareBelow = 2e-4;   // of the variance, below the lowest edge
-constexpr double kHighestEdge = 80.0;  // times the lowest
-constexpr double kLeastShare = 0.005;  // of the variance, that a pair must hold
-constexpr double kLeastWidth = 1e-9;   // of all bands together, relative
+constexpr double kShareBelow = 2e-4;   // share of the variance below the lowest edge
+constexpr double kHighestEdge = 80.0;  // highest edge over the lowest
+constexpr double kLeastShare = 0.005;  // min share of the variance in a pair
+constexpr double kLeastWidth = 1e-9;   // min relative width of all bands together
 constexpr double kEdgeStep = 0.125;    // of the lattice of the outer edges [octaves]
 constexpr auto kSectors = static_cast<std::size_t>(kShoreSectors);
 
@@ -116,10 +116,10 @@ double frequency_above(const SectorSpectrum& sectors, FrequencyRange range, doub
     }
 }
 
-/// Returns the edge below or above a wavenumber on a lattice that no sea moves: seas that differ in
-/// height, or little in period, have the same edges, and so the same delays over a bed, which take
-/// longest to compute. Coarser steps serve more seas, but waste the bands: with half an octave
-/// groups in 2 m of water are 3 % too fast (docs/figures/coast_figures.py).
+/// Returns the edge below or above a wavenumber, on a fixed lattice: seas that differ in height, or
+/// little in period, have the same edges, and so the same delays over a bed, which take longest to
+/// compute. Coarser steps serve more seas, but waste the bands: with half an octave groups in 2 m
+/// of water are 3 % too fast (docs/figures/coast_figures.py).
 double edge_below(double wavenumber) {
     return std::exp2(kEdgeStep * std::floor(std::log2(wavenumber) / kEdgeStep));
 }

@@ -22,7 +22,7 @@ inline constexpr double kSectorWidth = kTwoPi / kShoreSectors;  // 40 degrees [r
 
 /// Returns the direction to which the waves in the middle of a sector travel [rad]. Sector s
 /// reaches from (s - 1/2) to (s + 1/2) times kSectorWidth and is half open, so that each mode is in
-/// exactly one.
+/// exactly one sector.
 constexpr double sector_centre(int sector) {
     return sector * kSectorWidth;
 }
@@ -34,18 +34,18 @@ struct ShoreWaves {
     double variance = 0.0;  // of the open sea, from its spectrum [m^2]
 };
 
-/// The division of one sea. Wavenumbers are those of the open sea, in water of its own depth.
+/// The division of one sea. Wavenumbers are the open sea's, in water of its own depth.
 struct ShoreBands {
     /// Ascending [rad/m]: band b has the wavenumbers edges[b] <= k < edges[b + 1].
     std::array<double, kShoreBands + 1> edges{};
-    /// Those that hold energy, ordered by sector, then band. Empty for a flat sea.
+    /// The pairs that hold energy, ordered by sector, then band. Empty for a flat sea.
     std::vector<ShoreWaves> waves;
 
     /// Returns the band of a wavenumber [rad/m], or -1.
     int band_of(double wavenumber) const;
     /// Returns the sector of a direction [rad].
     static int sector_of(double direction);
-    /// Returns the index in `waves`, or -1: such waves stay as they are in the open sea.
+    /// Returns the index in `waves`, or -1 for waves that stay as they are in the open sea.
     int find(int band, int sector) const;
     /// Returns the wavenumber in the middle of a band [rad/m].
     double centre(int band) const {
@@ -57,8 +57,8 @@ struct ShoreBands {
 /// Returns the division of the sea of a spectrum. The lowest edge has all but 2e-4 of the variance
 /// above it, the highest is 80 times as high, but not above the Nyquist line of the grid, the end
 /// of the spectrum or the limit of shortest waves. `waves` lacks the pairs below 0.5 % of the
-/// variance: these waves stay as they are in the open sea. Needs validated parameters. A pure
-/// function of its arguments.
+/// variance: these waves stay as they are in the open sea. Needs validated parameters. The result
+/// depends on the arguments alone.
 ShoreBands choose_bands(const DirectionalSpectrum& spectrum, const Parameters& parameters);
 
 }  // namespace ocean

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The weights by which the surface of a coast is put together: where the bed ends, where waves feel
-// it, where they break. Scalar is Jet, or Plain without derivatives.
+// The weights that combine the parts of a coast's surface: where the bed ends, where waves feel it,
+// where they break. Scalar is Jet, or Plain without derivatives.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace ocean {
 
-/// Returns ease_quintic of t within 0 .. 1, with its derivative there in closed form.
+/// Returns ease_quintic of t clamped to 0 .. 1, with its derivative in closed form.
 template <typename Scalar>
 Scalar shore_step(const Scalar& t) {
     const float x = std::clamp(t.value(), 0.0f, 1.0f);
@@ -24,7 +24,7 @@ Scalar shore_step(const Scalar& t) {
     return chain(t, ease_quintic(x), 30.0f * rest * rest);
 }
 
-/// Returns a number held within 0 .. 1; where it is held it does not change. Sums of weights are 1
+/// Returns a number clamped to 0 .. 1, with derivative 0 where it is clamped. Sums of weights are 1
 /// to rounding.
 template <typename Scalar>
 Scalar held_in_unit(const Scalar& t) {
@@ -33,8 +33,8 @@ Scalar held_in_unit(const Scalar& t) {
     return t.value() >= 1.0f - kRounding ? Scalar(1.0f) : t;
 }
 
-/// Returns how much the waves at a label feel of the bed, from ShoreDelays::ground and
-/// ShoreEnergy::remainder: exactly 0 in the open sea, exactly 1 where they do wholly.
+/// Returns the influence of the bed on the waves at a label, from ShoreDelays::ground and
+/// ShoreEnergy::remainder: exactly 0 in the open sea, exactly 1 where the influence is full.
 template <typename Scalar>
 Scalar bed_influence_at(const QuadBlock& ground, const QuadBlock& remainder, std::size_t label) {
     const Scalar uninfluenced =
@@ -43,7 +43,7 @@ Scalar bed_influence_at(const QuadBlock& ground, const QuadBlock& remainder, std
     return Scalar(1.0f) - uninfluenced;
 }
 
-/// Returns how much the waves at a label feel of the bed where walls make them lower by a factor.
+/// Returns the influence of the bed where walls lower the waves at a label by a factor.
 template <typename Scalar>
 Scalar bed_influence_in_lee(const Scalar& bed_influence, const Scalar& lower) {
     constexpr float kFully = 0.05f;
@@ -75,8 +75,8 @@ inline Jet share_inside(const Domain& domain, double margin, double x, double y)
     return shore_step(Jet(distance, 0.0f, -slope));
 }
 
-/// The weights with which the surface of the coast and that of the open sea are added where the bed
-/// ends. Both are random: their variances add, less what they share.
+/// The weights that add the surface of the coast and the open sea's surface where the bed ends.
+/// Both are random: their variances add, except for the part that they share.
 template <typename Scalar>
 struct BorderWeights {
     Scalar coast{1.0f};
@@ -92,7 +92,8 @@ BorderWeights<Scalar> border_weights(const Scalar& share, const Scalar& correlat
     return {share * scale, rest * scale};
 }
 
-/// Returns how much of the waves in no band, which are short, is left above the shallowest water.
+/// Returns the share of the waves in no band, which are short, that is left over a depth: 0 in the
+/// shallowest water.
 template <typename Scalar>
 Scalar short_waves_left(const Scalar& depth) {
     constexpr float kFade = 1.4f;  // [m]

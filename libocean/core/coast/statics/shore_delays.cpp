@@ -36,7 +36,7 @@ struct Solve {
     PlaneVector direction;
 };
 
-/// The solves that waves need, each of them once.
+/// The solves that the waves need, each once.
 struct SolvePlan {
     std::vector<Solve> solves;
     std::array<std::array<std::array<int, kSides>, kShoreSectors>, kShoreBands + 1> index;
@@ -91,7 +91,7 @@ void weigh(const std::array<const float*, kKernel.size()>& arrays, std::size_t c
 }
 
 /// Smooths a map along x, then along y, in place. Beyond its ends a line continues by its
-/// reflection in the end point, so that linear maps stay what they are.
+/// reflection in the end point, so that linear maps stay unchanged.
 void smooth(std::vector<float>& map, const SampleGrid& grid) {
     const auto columns = static_cast<std::size_t>(grid.columns);
     const auto reach = static_cast<std::size_t>(kKernelReach);
@@ -144,7 +144,7 @@ std::vector<float> smoothed_delays(const EikonalSolver& solver, const SampleGrid
     return delays;
 }
 
-/// The slowness of each edge that waves need, over the grid; the others are empty.
+/// The slowness, over the grid, of each edge that the waves need; other edges are empty.
 std::array<std::vector<float>, kShoreBands + 1> slowness_maps(const BedGrid& depth,
                                                               const ShoreBands& bands,
                                                               const Water& water,
@@ -227,8 +227,8 @@ DelayMaps affine_maps(const CornerDelays& tau, double low, double high, int sect
     return maps;
 }
 
-/// Calls body(item, thread) for all items, in batches of the pool's size, with reports in between.
-/// Only the reports depend on the pool.
+/// Calls body(item, thread) for all items, in batches of the pool's size, with progress reports in
+/// between, which alone depend on the pool.
 void run_in_batches(int count, ThreadPool& pool, const ShoreProgress& progress, double from,
                     double to, const std::function<void(int item, int thread)>& body) {
     const int batch = progress ? pool.size() : std::max(count, 1);
@@ -257,7 +257,7 @@ BedGrid felt_depth(const BedGrid& bed_height, double water_depth) {
 std::vector<DelayMaps> shore_delays(const BedGrid& depth, const ShoreBands& bands,
                                     const Water& water, ThreadPool& pool,
                                     const ShoreProgress& progress) {
-    constexpr double kSolved = 0.9;  // of the work
+    constexpr double kSolved = 0.9;  // share of the work
     const SampleGrid grid{depth.domain.samples[0], depth.domain.samples[1]};
     SolvePlan plan(bands);
     const BorderSlopes border(depth);

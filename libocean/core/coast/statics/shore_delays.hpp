@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // How waves of the open sea are displaced over a bed. One shift for a band would give its groups
-// half their speed; a map that is affine in the wave vector has a delay for groups, one across
+// half their speed; a map that is affine in the wave vector has a delay for groups, a delay across
 // them, and a phase.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace ocean {
 
-/// The least depth that waves feel [m].
+/// The min depth that waves feel [m].
 inline constexpr double kLeastFeltDepth = 0.6;
 
 /// The maps of one ShoreWaves over the depth's grid, row-major. A wave of the open sea with the
@@ -31,10 +31,10 @@ struct DelayMaps {
 /// cells, then clamped to kLeastFeltDepth .. water_depth.
 BedGrid felt_depth(const BedGrid& bed_height, double water_depth);
 
-/// Returns the maps of each of bands.waves, in that order. depth: that of felt_depth, > 0 and at
-/// most the open sea's [m]. D and P are exactly 0 over water as deep as the open sea, or deeper
-/// than 5 / k, where waves come from such water only. The bits are the same for any pool. What
-/// `progress` throws ends the work.
+/// Returns the maps of each of bands.waves, in that order. depth: from felt_depth, > 0 and at most
+/// the open sea's [m]. D and P are exactly 0 over water as deep as the open sea, or deeper than 5 /
+/// k, if the waves come from such water only. The bits are the same for any pool. An exception of
+/// `progress` ends the work.
 std::vector<DelayMaps> shore_delays(const BedGrid& depth, const ShoreBands& bands,
                                     const Water& water, ThreadPool& pool,
                                     const ShoreProgress& progress = {});

@@ -13,7 +13,7 @@ namespace {
 
 // Cubics over steps of 6 % of the depth are exact to 1e-5.
 constexpr int kEntries = 160;
-/// Depth in which every wave of a sea is in deep water [m].
+/// In this depth every wave of a sea is in deep water [m].
 constexpr double kDeepest = 6000.0;
 
 }  // namespace

@@ -45,7 +45,7 @@ class ShoreDepths {
   private:
     float first_ = 0.0f;  // logarithm of the first depth
     float per_log_ = 0.0f;
-    /// An entry of the tables and the weights of it and its neighbours.
+    /// An entry of the tables, and the weights of the entry and its neighbours.
     struct Place;
     Place place(float depth) const;
 

@@ -17,8 +17,8 @@ bool is_water(float bed_height) {
     return bed_height <= kLastWater;
 }
 
-/// Returns the water beside a crossing that is nearest to sample (i, j). `beside` is one of the
-/// two samples between which the crossing lies, so it or one of its four neighbours is water.
+/// Returns the water beside a crossing that is nearest to sample (i, j). The crossing lies between
+/// `beside` and another sample, so that `beside` or one of its four neighbours is water.
 std::uint32_t water_beside(const BedGrid& bed, const SampleGrid& grid, std::uint32_t beside, int i,
                            int j) {
     if (is_water(bed.values[beside])) return beside;

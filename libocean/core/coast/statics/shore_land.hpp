@@ -15,25 +15,25 @@
 
 namespace ocean {
 
-/// Where the bed is higher, waves are those of the nearest water [m].
+/// Where the bed is higher than this, the waves are as over the nearest water [m].
 inline constexpr float kLastWater = -0.4f;
-/// The share of their own change that delays keep on land: all of the swash runs up nearly at
-/// once. Crests that crossed a flat beach one after the other would leave pools between them, and
-/// the line of the water would leap from one to the next.
+/// The share of their change from the nearest water that delays keep on land: all of the swash runs
+/// up nearly at once. Crests that crossed a flat beach one after the other would leave pools
+/// between them, and the line of the water would leap from one to the next.
 inline constexpr double kChangeOnLand = 0.03;
 
 /// Returns for each sample of the bed the index of the nearest water, a bed at most kLastWater
 /// high: its own index in water, and everywhere if all samples are water, or all are land.
 std::vector<std::uint32_t> nearest_water(const BedGrid& bed_height, ThreadPool& pool);
 
-/// Replaces x + D and P on land by those at the nearest water plus kChangeOnLand of their change
+/// Replaces x + D and P on land by the values at the nearest water plus kChangeOnLand of the change
 /// from there. Directions stay. `maps` and `bed_height` have the same grid.
 void continue_onto_land(DelayMaps& maps, const BedGrid& bed_height,
                         std::span<const std::uint32_t> nearest);
 
-/// Replaces the energy on land by that at the nearest water: what arrives is the same, and heights
-/// are as many times smaller as the least depth that waves feel is than the depth there, as in
-/// saturated surf.
+/// Replaces the energy on land by the energy at the nearest water. The arriving energy stays the
+/// same; heights shrink by the ratio of the min depth that waves feel to the depth at that water,
+/// as in saturated surf.
 void continue_onto_land(EnergyMaps& maps, const BedGrid& bed_height, ThreadPool& pool);
 
 }  // namespace ocean

@@ -6,8 +6,8 @@
 
 namespace ocean {
 
-/// Is called on the calling thread with the share of the work that is done, 0 .. 1; may throw to
-/// stop it. Empty: no reports.
+/// Called on the calling thread with the share of the work that is done, 0 .. 1; may throw to stop
+/// the work. Empty: no reports.
 using ShoreProgress = std::function<void(double share)>;
 
 }  // namespace ocean

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// See shore_statics.hpp. Packs the maps of delays and of energy for reading, and derives from them
-// how much the waves feel of the bed.
+// See shore_statics.hpp. Packs the maps of delays and of energy for reading, and derives the
+// influence of the bed from them.
 #include "coast/statics/shore_statics.hpp"
 
 #include <algorithm>
@@ -24,8 +24,8 @@ float wrapped_angle(float angle) {
     return std::remainder(angle, static_cast<float>(kTwoPi));
 }
 
-/// Returns the slope of the bed, smoothed over 12 m, where waves may break: from 25 m of depth on
-/// it fades, and beyond 10 m above that it is 0.
+/// Returns the slope of the bed, smoothed over 12 m, where waves may break: it fades from a depth
+/// of 25 m on and is 0 from a depth of 40 m on.
 std::vector<float> breaking_slope(const BedGrid& bed, ThreadPool& pool) {
     constexpr double kSmoothing = 12.0;  // [m]
     constexpr float kDeep = 25.0f;       // [m]
@@ -58,8 +58,8 @@ std::vector<float> breaking_slope(const BedGrid& bed, ThreadPool& pool) {
     return slope;
 }
 
-/// Returns for each sample how much the waves feel of the bed: by the most phase that the waves of
-/// a pair have gained on the open sea's [rad].
+/// Returns the influence of the bed at each sample, from the largest phase difference to the open
+/// sea among all pairs [rad].
 std::vector<float> bed_influence_by_delays(const ShoreDelays& delays, std::size_t samples,
                                            ThreadPool& pool) {
     constexpr float kFully = 0.3f;  // [rad]
@@ -89,7 +89,7 @@ QuadGrid packed(const Domain& domain, const DelayMaps& maps, double sector) {
     return QuadGrid(domain, {maps.shift_x, maps.shift_y, maps.phase, turn});
 }
 
-/// Returns the pairs of a division, with the maps of those that are known.
+/// Returns the pairs of a division, with the maps of the known pairs.
 std::vector<BandSectorDelays> pairs_of(const ShoreBands& bands,
                                        std::span<const BandSectorDelays> known) {
     std::vector<BandSectorDelays> pairs;
@@ -105,7 +105,7 @@ std::vector<BandSectorDelays> pairs_of(const ShoreBands& bands,
     return pairs;
 }
 
-/// Computes the maps of the pairs that have none.
+/// Computes the maps of the pairs that have none yet.
 void add_missing(const BedGrid& bed, const BedGrid& depth, const Water& water, ThreadPool& pool,
                  const ShoreProgress& progress, ShoreDelays& delays) {
     ShoreBands missing{delays.bands.edges, {}};
@@ -148,9 +148,9 @@ std::shared_ptr<const ShoreDelays> make_shore_delays(const BedGrid& bed, const S
 
 namespace {
 
-/// Returns for each cell the mean amplitude of the shortest band's waves, at most 1: that of the
-/// still shorter ones, which have no maps of their own. A swell has none in that band: its few
-/// waves in no band arrive with the others.
+/// Returns for each cell the mean amplitude of the shortest band's waves, at most 1. It stands for
+/// the still shorter waves, which have no maps of their own. A swell has no waves in that band: its
+/// few waves in no band arrive with the others.
 std::vector<float> short_amplitude(const EnergyMaps& maps, const ShoreBands& bands) {
     std::vector<float> sum(maps.domain.count(), 0.0f);
     float variance = 0.0f;
@@ -170,8 +170,8 @@ std::vector<float> short_amplitude(const EnergyMaps& maps, const ShoreBands& ban
     return sum;
 }
 
-/// Returns for each cell how much the waves feel of the bed by what they have lost or won: 0 where
-/// all amplitudes are those of the open sea, 1 where the energy of one is a tenth off.
+/// Returns the influence of the bed for each cell, from the change of energy: 0 where all
+/// amplitudes equal the open sea's, 1 where the energy of one is a tenth off.
 std::vector<float> bed_influence_by_energy(const EnergyMaps& maps) {
     constexpr float kFully = 0.05f;
     // Rounding of the march is no influence of the bed.
@@ -261,8 +261,9 @@ Jet ShoreStatics::share_of_coast(double x, double y) const {
 }
 
 std::uint64_t shore_statics_bytes(const Domain& bed, std::size_t waves) {
-    // Kept: a quad for each of the waves and one of the ground, and two floats of lees. While they
-    // are made: five floats for each of the waves and solutions at the edges of bands and sectors.
+    // Kept memory: a quad for each of the waves and one for the ground, and two floats for lees.
+    // Work space: five floats for each of the waves, and the solutions at the edges of bands and
+    // sectors.
     constexpr std::uint64_t kKept = sizeof(Quad);
     constexpr std::uint64_t kLees = 2 * sizeof(float);
     constexpr std::uint64_t kWork = 5 * sizeof(float) + 3 * sizeof(double);

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// All of a coast that does not change with time: where its waves come from and when (delays), how
-// much of them arrives (energy), the bed. Made once for a sea; forks and shards share it.
+// The data of a coast that do not change with time: where its waves come from and when (delays),
+// how much of them arrives (energy), the bed. They are made once for a sea; forks and shards share
+// them.
 #pragma once
 
 #include <array>
@@ -25,8 +26,8 @@ namespace ocean {
 class ThreadPool;
 
 /// The delays of the waves of one band and sector: shift_x, shift_y [m], phase [rad], and the angle
-/// by which they have turned from the centre of their sector [rad]. They depend on the bed, its
-/// level, the edges of the band and the sector alone, so that seas share them.
+/// by which the waves have turned from the centre of their sector [rad]. Delays depend on the bed,
+/// its level, the edges of the band and the sector alone, so that seas share them.
 struct BandSectorDelays {
     double low = 0.0;  // edges of the band [rad/m]
     double high = 0.0;
@@ -35,16 +36,16 @@ struct BandSectorDelays {
 };
 
 /// The delays of the waves of a coast. They depend on the bed, its level and the division of the
-/// sea, not on heights of waves.
+/// sea, not on wave heights.
 struct ShoreDelays {
     ShoreBands bands;
     std::vector<BandSectorDelays> waves;  // one for each of bands.waves
     /// Height of the bed [m], depth that waves feel [m], slope of the bed where waves break, and
-    /// how much the waves feel of the bed: 0 where they are those of the open sea, 1 at the coast.
+    /// the influence of the bed by delays: 0 where the waves are the open sea's, 1 at the coast.
     QuadGrid ground;
 };
 
-/// The energy that arrives. Cheap to make again when heights or periods change.
+/// The energy that arrives. A change of heights or periods recomputes it cheaply.
 struct ShoreEnergy {
     /// Amplitudes relative to the open sea of waves 4 i .. 4 i + 3 of ShoreBands::waves.
     std::vector<QuadGrid> amplitudes;
@@ -52,7 +53,7 @@ struct ShoreEnergy {
     /// arrives unbroken, width of wave groups.
     QuadGrid breaking;
     /// Amplitude of the waves that are in no band, correlation of the coast's surface with the open
-    /// sea's, and how much the waves feel of the bed by their energy, 0 .. 1.
+    /// sea's, and the influence of the bed by energy, 0 .. 1.
     QuadGrid remainder;
     LeeMap lee;
     ShoreDepths depths;
@@ -67,13 +68,13 @@ struct ShoreStatics {
     const ShoreBands& bands() const { return delays->bands; }
     const Domain& domain() const { return delays->ground.domain(); }
     /// Returns the share of the coast's surface at a place [m]: 0 beyond the border of the bed, 1
-    /// from the border_margin inwards, and behind land that keeps off the open sea beyond.
+    /// from the border_margin inwards, and 1 behind land that keeps the open sea off.
     Jet share_of_coast(double x, double y) const;
 };
 
 /// Returns the delays over a bed. Needs a spectrum that is not flat. `known`: pairs of other seas
-/// over the same bed and water, which are not computed again; the bits are the same without. Throws
-/// as shore_delays.
+/// over the same bed and water, which are reused; they change no bit of the result. Throws as
+/// shore_delays.
 std::shared_ptr<const ShoreDelays> make_shore_delays(const BedGrid& bed, const ShoreBands& bands,
                                                      const Water& water, ThreadPool& pool,
                                                      const ShoreProgress& progress = {},
@@ -84,8 +85,8 @@ std::shared_ptr<const ShoreEnergy> make_shore_energy(const BedGrid& bed, const S
                                                      const Water& water, ThreadPool& pool,
                                                      const ShoreProgress& progress = {});
 
-/// Returns an upper bound of the bytes that delays and energy of so many waves take, and of those
-/// that making them takes beside.
+/// Returns an upper bound on the memory of the delays and the energy of `waves` waves, including
+/// the work space that builds them [bytes].
 std::uint64_t shore_statics_bytes(const Domain& bed, std::size_t waves);
 
 }  // namespace ocean

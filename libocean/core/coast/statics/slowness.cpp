@@ -15,9 +15,9 @@ namespace {
 
 constexpr int kSlownessEntries = 1024;
 // Without a threshold waves of 300 m would feel a bed of 250 m, and the open sea would change by
-// 3e-5 of its height. A change of 1e-4 is that at k d = 5.
+// 3e-5 of its height. A change of 1e-4 occurs at k d = 5.
 constexpr double kNone = 1e-4;
-constexpr double kWhole = 3e-4;  // from here on the change counts as it is
+constexpr double kWhole = 3e-4;  // larger changes count in full
 constexpr double kDeep = 6.0;    // k d beyond which the change is less than kNone
 
 /// Returns the change e of a slowness 1 + e with the part below the threshold removed, with two

@@ -17,7 +17,7 @@ namespace ocean {
 std::uint64_t coast_bytes(const Parameters& parameters) {
     const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
     const ShoreBands bands = choose_bands(spectrum, parameters);
-    // The open sea and the rest of it beside the bands.
+    // The splines of the open sea and of its waves in no band.
     const std::uint64_t splines =
         2 * SurfaceQuery::map_bytes(default_map_resolution(parameters.grid), {.refine = 1});
     return shore_statics_bytes(parameters.water.bed->domain, bands.waves.size()) + splines +

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The waves of one place, each for itself: what ShoreSurface::read adds up.
+// The separate waves of one place, which ShoreSurface::read adds up.
 #include <cmath>
 
 #include "coast/statics/shore_blend.hpp"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Where the surface of a coast reads the maps of waves that no bed has changed. Maps are transforms
-// of a whole period, made in strips along y: a region that feels its bed everywhere needs those of
-// few waves, and a small one few strips.
+// of a whole period, made in strips along y: a region that feels its bed everywhere needs maps of
+// few waves, and a small region needs few strips.
 #pragma once
 
 #include <algorithm>
@@ -34,8 +34,8 @@ struct SpanAlongX {
 
 /// The labels at which the maps are read.
 struct OpenSpans {
-    SpanAlongX open;       // maps of all waves: labels that do not feel the bed wholly
-    SpanAlongX remainder;  // maps of the waves in no band: labels that feel the bed
+    SpanAlongX open;       // maps of all waves: labels with bed_influence < 1
+    SpanAlongX remainder;  // maps of the waves in no band: bed_influence > 0
 };
 
 /// Returns the spans of a lattice of labels.

@@ -15,7 +15,7 @@
 namespace ocean {
 namespace {
 
-// The fourth of each is not read.
+// The fourth quantity of each is not read.
 constexpr std::array<Quantity, 4> kPosition = {Linear::displacement_x, Linear::displacement_y,
                                                Linear::height, Linear::height};
 constexpr std::array<Quantity, 4> kVelocity = {Linear::displacement_x_rate,
@@ -27,7 +27,7 @@ constexpr int kMaxSamples = 4096;
 /// Returns the samples of the spline that OpenSurface chooses.
 int spline_samples(const Modes& modes, int shown, double tolerance, ThreadPool& pool) {
     int samples = std::min(2 * shown, kMaxResolution);
-    // The waves of cascades that are too short to be shown are no error of the spline.
+    // Waves of cascades that are too short to be shown are not an error of the spline.
     const double hidden = query_bounds(modes, shown, kMaxResolution, true, pool).error;
     const auto variance = [&](int spline) {
         const double error = query_bounds(modes, shown, spline, false, pool).error;

@@ -19,7 +19,7 @@ namespace ocean {
 class ThreadPool;
 
 /// Height and horizontal displacement D of linear waves at one label; a point is displayed at its
-/// label less choppiness times D.
+/// label minus choppiness times D.
 template <typename Scalar>
 struct LinearWaves {
     Scalar height;          // [m]
@@ -30,17 +30,17 @@ struct LinearWaves {
 class OpenSurface {
   public:
     /// Chooses the smallest spline that shows the waves of a map of `shown` samples with an rms
-    /// error of heights of at most `tolerance` [m], but never more than 4096 samples or twice the
-    /// map's: see height_error().
+    /// error of heights of at most `tolerance` [m], but with at most 4096 samples and at most twice
+    /// the map's: see height_error().
     OpenSurface(const Modes& modes, int shown, double tolerance, ThreadPool& pool);
 
-    /// Begins a time, unless it has begun: no map is made. `modes` must be those of the
-    /// constructor. rates: whether reads shall have derivatives in time.
+    /// Begins a time, unless it has begun; makes no map. `modes` must be the constructor's modes.
+    /// rates: reads have derivatives in time.
     void move_to(const Modes& modes, double time, bool rates, ThreadPool& pool);
     /// Ends the time that has begun; its memory stays.
     void forget() { has_begun_ = false; }
-    /// Makes what reads at x from `first` to `last` [m] need, on all threads. Other reads make it
-    /// on the calling thread.
+    /// Makes the strips for reads at x from `first` to `last` [m], on all threads. Other reads make
+    /// their strips on the calling thread.
     void prepare(double first, double last, ThreadPool& pool) const;
 
     /// Returns the waves at a label [m]. Scalar: Jet, or Plain without derivatives. Several threads
@@ -51,7 +51,7 @@ class OpenSurface {
     double height_error() const { return height_error_; }
 
   private:
-    /// Maps are large, and foam needs none: they are made when a time begins.
+    /// The maps are large, and regions without foam need none: they are made when a time begins.
     struct Maps {
         Maps(const Modes& modes, Lattice lattice, const ModeFactor& factor, ThreadPool& pool)
             : strips(modes, lattice.resolution, factor, pool), position(lattice, pool) {}
@@ -63,7 +63,7 @@ class OpenSurface {
     struct Place {
         double x, y;  // within the period
     };
-    /// Returns a label within the period, whose strips are made.
+    /// Returns the label's position within the period, and makes its strips.
     Place place(double x, double y) const;
 
     int shown_;

@@ -91,7 +91,7 @@ void RegionChannels::write(const CoastFunction& sum_waves, const Domain& domain,
         pool.for_each_item(rows, [&](int j, int) { write_row(domain, j, {}, outputs); });
         return;
     }
-    // Enough labels for every core of a GPU, whose sums take some 10 MB.
+    // Enough labels for every core of a GPU; the sums of as many labels take some 10 MB.
     constexpr int kLabels = 1 << 17;
     const CoastWaves waves = surface_.waves();
     const auto width = static_cast<std::size_t>(domain.samples[0]);

@@ -18,13 +18,14 @@
 
 namespace ocean {
 
-/// The foam over a region: that of the open sea, by label over one period, and the faded earlier
+/// The foam over a region: the open sea's foam, by label over one period, and the faded earlier
 /// foam of breaking waves at the labels of the region.
 struct RegionFoamMaps {
     FoamLayer surf;
     Surface open;
 
-    /// Returns the foam at a label with that index. `breaking` and `surf`: those of its ShorePoint.
+    /// Returns the foam at the label with that index. `breaking` and `in_surf` come from the
+    /// label's ShorePoint.
     float foam(WorldPoint label, std::size_t index, float breaking, float in_surf) const;
     /// Returns the share of the water that the foam hides.
     float cover(WorldPoint label, std::size_t index, float breaking, float in_surf) const;
@@ -33,7 +34,7 @@ struct RegionFoamMaps {
     float surf_alone(std::size_t index, float breaking) const;
 };
 
-/// Returns what channels of a region need of its surface.
+/// Returns the parts of the surface that the channels of a region need.
 JetParts region_parts(ChannelSet channels);
 
 /// Ends the whitecaps of a region where the swash begins: its tips are foam that no wind tears off.
@@ -41,8 +42,8 @@ void leave_out_swash(const SeaBed& bed, Surface& map);
 
 class RegionChannels {
   public:
-    /// For maps of these channels. `wet`: the faded earlier wetness of the ground. Keeps references
-    /// to the other arguments.
+    /// Prepares maps of these channels. `wet`: the faded earlier wetness of the ground. Keeps
+    /// references to the other arguments.
     RegionChannels(const ShoreSurface& surface, ChannelSet channels,
                    const SurfaceSettings& settings, const RegionFoamMaps& foam,
                    const FoamLayer& wet, const SeaBed& bed)
@@ -55,7 +56,7 @@ class RegionChannels {
           bed_(bed) {}
 
     /// Writes the outputs of a region, which hold channels alone, on all threads. `sum_waves` sums
-    /// the waves; empty: this processor does.
+    /// the waves; if it is empty, the processor sums them.
     void write(const CoastFunction& sum_waves, const Domain& domain,
                std::span<const MapOutput> outputs, ThreadPool& pool) const;
 

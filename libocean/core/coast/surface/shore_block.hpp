@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The labels that are read at once, while their waves are added. A block stays in the cache while
+// The labels that are read together while their waves are added. A block stays in the cache while
 // it meets the maps of all waves.
 #pragma once
 
@@ -57,13 +57,13 @@ struct BlockPlaces {
 
 /// The sums over the waves of a coast at the labels of a block.
 struct WaveSums {
-    BlockJets real, imaginary;   // of Z [m]
-    BlockJets squares;           // of |Z| of each band and sector [m^2]
+    BlockJets real, imaginary;   // parts of Z [m]
+    BlockJets squares;           // sum of |Z|^2 of each band and sector [m^2]
     BlockJets along_x, along_y;  // displacement D at choppiness 1 [m]
     // The part of the open sea's displacement that the sectors' middles do not carry.
     BlockJets left_x, left_y;
 
-    /// Returns them in the order of CoastRequest.
+    /// Returns the sums in the order of CoastRequest.
     std::array<BlockJets*, kCoastSums> all() {
         return {&real, &imaginary, &squares, &along_x, &along_y, &left_x, &left_y};
     }
@@ -89,7 +89,7 @@ struct BlockSignal {
     }
 };
 
-/// The labels that feel the bed, and what the loop over the waves needs of them.
+/// The labels that feel the bed, with the inputs and sums of the loop over the waves.
 struct ShoalingBlock {
     BlockPlaces places;
     std::array<std::size_t, kShoreBlock> label;       // in the block

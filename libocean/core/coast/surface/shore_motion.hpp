@@ -22,10 +22,10 @@ class ShoreMotion {
   public:
     /// Writes the motion at the height z [m] at each place, without displacement. `surface` must
     /// have rates, `modes` are its modes. The waves of each band and sector decay by the wavenumber
-    /// of the band's middle at the local depth; those in no band, and all waves where none feels
-    /// the bed, as in the open sea (OrbitalMotion, which is kept for the next call). Above z = 0 it
-    /// is that at z = 0; in and below the bed it is 0. exact: see ShoreSurface::read; without it
-    /// the time is the surface's.
+    /// of the band's middle at the local depth; the waves in no band, and all waves where none
+    /// feels the bed, decay as in the open sea (OrbitalMotion, which is kept for the next call).
+    /// Above z = 0 the motion equals the motion at z = 0; in and below the bed it is 0. exact: see
+    /// ShoreSurface::read; without it the time is the surface's.
     void sample(const ShoreSurface& surface, const Modes& modes, const Water& water,
                 std::span<const WorldPoint> places, double z, std::span<WaterMotion> motions,
                 const ShoreSums* exact, ThreadPool& pool);

@@ -38,7 +38,7 @@ bool improve(Search& search, const ShorePoint& found, double tolerance, double l
     const double yx = static_cast<double>(found.dy.by_x());
     const double yy = 1.0 + static_cast<double>(found.dy.by_y());
     const double jacobian = xx * yy - xy * yx;
-    // Near folds, and where Newton's method wanders, the damped fixed point goes on.
+    // Near folds, and where Newton's method wanders, the damped fixed point continues.
     constexpr double kFlat = 0.02;
     const bool wanders = step >= kSteps / 2 && step % 4 != 3;
     double dx = 0.5 * fx;
@@ -136,7 +136,7 @@ void require_query_of_coast(const Grid& grid, const QueryOptions& options) {
 void query_shore(const ShoreSurface& surface, std::span<const WorldPoint> points,
                  std::span<QuerySample> samples, std::span<ShorePoint> labelled,
                  const ShoreSums* exact, ThreadPool& pool) {
-    // A sum over all modes is long enough to be a piece of its own.
+    // A sum over all modes takes long enough to be a work item of its own.
     const std::size_t piece = exact != nullptr ? 1 : kBlock;
     const std::size_t blocks = (points.size() + piece - 1) / piece;
     pool.for_each_item(static_cast<int>(blocks), [&](int block, int) {

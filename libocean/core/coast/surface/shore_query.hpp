@@ -21,7 +21,7 @@ void query_shore(const ShoreSurface& surface, std::span<const WorldPoint> points
                  std::span<QuerySample> samples, std::span<ShorePoint> labelled,
                  const ShoreSums* exact, ThreadPool& pool);
 
-/// Throws Error unsupported for the waves of a coarser map, of which a coast knows nothing, and
+/// Throws Error unsupported for a query of a coarser map's waves, which a coast cannot select, and
 /// invalid_value for a `refine` that a map of the grid does not allow.
 void require_query_of_coast(const Grid& grid, const QueryOptions& options);
 

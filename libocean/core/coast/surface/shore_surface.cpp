@@ -19,8 +19,9 @@
 namespace ocean {
 namespace {
 
-/// The rms errors of reads: of the open sea's maps and those of the waves in no band, relative to
-/// the significant wave height; and of the signals where waves feel the bed, relative to their rms.
+/// The rms errors of reads. The first is for the maps of the open sea and of the waves in no band,
+/// relative to the significant wave height; the second for the signals where waves feel the bed,
+/// relative to their rms.
 constexpr double kOpenTolerance = 2e-7;
 constexpr double kSignalTolerance = 2e-6;
 
@@ -55,9 +56,9 @@ struct ShoreSurface::Block {
     JetParts parts;
     const ShoreSums* exact;
     BlockPlaces places;
-    std::array<Scalar, kShoreBlock> share;          // of the coast, by the border alone
+    std::array<Scalar, kShoreBlock> share;          // share of the coast by the border alone
     std::array<Scalar, kShoreBlock> bed_influence;  // 0: the open sea, exactly
-    std::array<Scalar, kShoreBlock> lee;            // by which waves are lower behind narrow walls
+    std::array<Scalar, kShoreBlock> lee;            // factor on waves behind narrow walls
     QuadBlock ground, remainder;
     std::array<LinearWaves<Scalar>, kShoreBlock> open;
     // Labels where the waves feel the bed.
@@ -171,7 +172,7 @@ void ShoreSurface::read_block(Block<Scalar>& block, const ReadySums& ready,
     finish(block, points);
 }
 
-/// Finds the labels that feel the bed, and reads what they need of the statics.
+/// Finds the labels that feel the bed, and reads the statics there.
 template <typename Scalar>
 void ShoreSurface::find_shoaling(Block<Scalar>& block) const {
     const BlockPlaces& places = block.places;
@@ -219,7 +220,7 @@ void ShoreSurface::find_shoaling(Block<Scalar>& block) const {
     energy.breaking.read(shoaling.energy, slopes, block.breaking);
 }
 
-/// Reads how much of the waves is left behind a narrow wall, where they are those of the coast.
+/// Reads the factor of the waves behind a narrow wall, where the coast's waves count.
 template <typename Scalar>
 void ShoreSurface::find_lee(Block<Scalar>& block, std::size_t i) const {
     const Jet height = statics_.energy->lee.at(block.places.x[i], block.places.y[i]).height;
@@ -231,7 +232,7 @@ void ShoreSurface::find_lee(Block<Scalar>& block, std::size_t i) const {
     block.bed_influence[i] = bed_influence_in_lee(block.bed_influence[i], block.lee[i]);
 }
 
-/// Lowers the waves behind narrow walls, and all that is told of them.
+/// Lowers the waves behind narrow walls, and the statistics of these waves.
 template <typename Scalar>
 void ShoreSurface::lower_in_lee(Block<Scalar>& block) const {
     if (statics_.energy->lee.is_empty()) return;
@@ -294,7 +295,7 @@ void ShoreSurface::finish(Block<Scalar>& block, std::span<ShorePoint> points) co
         const Scalar gain =
             limiter_gain_(rms_height / highest, typical_shape_root(rms_height, k, depth));
         const BrokenWave<Scalar> broken = broken_wave(real, imaginary, highest, gain, k, depth);
-        // Waves that are in no band go with the shortest that are.
+        // Waves in no band change with the shortest waves in bands.
         const double x = shoaling.places.x[n], y = shoaling.places.y[n];
         const auto unbanded = block.exact != nullptr
                                   ? exact_waves<Scalar>(block.exact->remainder, x, y)
@@ -303,7 +304,8 @@ void ShoreSurface::finish(Block<Scalar>& block, std::span<ShorePoint> points) co
             Scalar(1.0f) +
             bed_influence *
                 (short_waves_left(depth) * field_at<Scalar>(block.remainder, 0, i) - Scalar(1.0f));
-        // Limiter and shape come with the bed, and the rest of the open sea's displacement goes.
+        // Limiter and shape fade in with the influence of the bed, and the rest of the open sea's
+        // displacement fades out.
         const Scalar share = Scalar(1.0f) + bed_influence * (broken.share - Scalar(1.0f));
         const Scalar open = Scalar(1.0f) - bed_influence;
         const LinearWaves<Scalar>& sea = block.open[i];
@@ -317,8 +319,8 @@ void ShoreSurface::finish(Block<Scalar>& block, std::span<ShorePoint> points) co
                                   short_wave_gain * unbanded.displacement_y +
                                   open * (sea.displacement_y - unbanded.displacement_y -
                                           shoaling.sums.left_y.at<Scalar>(n));
-        // The waves in no band, which break by the wind, end before the water does.
-        // Where few waves arrive, few are steep enough to break by it.
+        // The waves in no band break by the wind and end before the water does. Where few waves
+        // arrive, few are steep enough to break by the wind.
         points[i].surf = std::max({surf_weight(rms_height.value(), depth.value()),
                                    1.0f - short_waves_left(Plain(depth.value())).value(),
                                    1.0f - shore_step(Plain(block.breaking.value[2][n])).value()});

@@ -4,8 +4,8 @@
 // The surface of a sea over its bed, a pure function of label and time. The waves of each band and
 // sector are the open sea's at a shifted place, with a phase and an amplitude of the coast; their
 // sum is limited to the highest wave that the depth carries and takes the skewed, asymmetric shape
-// of waves that are about to break. Where the waves feel no bed this is the open sea, and at the
-// border of the bed the open sea takes over.
+// of waves that are about to break. Where the waves feel no bed this is the open sea, and towards
+// the border of the bed it fades into the open sea.
 #pragma once
 
 #include <cstdint>
@@ -42,17 +42,17 @@ struct ShorePoint {
     Jet dx, dy;             // offset of the displayed point, choppiness included [m]
     float bed = 0.0f;       // height of the bed below the label [m]; meaningless beyond the bed
     float on_bed = 0.0f;    // weight of the coast's surface: 1 over the bed, 0 beyond its border
-    float surf = 0.0f;      // 0 where waves break by the wind, 1 where they do by the depth or
-                            // where none arrive
+    float surf = 0.0f;      // 0 where waves break by the wind, 1 where they break by the
+                            // depth or where no waves arrive
     float breaking = 0.0f;  // source of foam by breaking waves and at the water line, 0 .. 1
-    float wetness = 1.0f;   // of the ground at this moment, 0 .. 1
+    float wetness = 1.0f;   // wetness of the ground at this moment, 0 .. 1
 };
 
-/// Sums over the waves that a backend has written for a CoastRequest of some labels, from the label
-/// `first` on. Empty: none has.
+/// Sums over the waves that a backend has written for a CoastRequest, from the label `first` on.
+/// Empty: no backend has summed.
 struct ReadySums {
     std::span<const float> sums;
-    std::size_t labels = 0;  // of the request
+    std::size_t labels = 0;  // labels of the request
     std::size_t first = 0;
 };
 
@@ -60,23 +60,23 @@ struct ReadySums {
 struct LocalWave {
     Jet real, imaginary;      // the analytic signal [m]
     double wavenumber = 0.0;  // of the band's middle at the local depth [rad/m]
-    double direction = 0.0;   // to which the waves travel [rad]
+    double direction = 0.0;   // travel direction [rad]
 };
 
-/// The weights of the waves of a place.
+/// The weights of the waves at a place.
 struct LocalSea {
     bool is_over_bed = false;
-    double bed = 0.0;            // its height [m]
-    double depth = 0.0;          // that the waves feel [m]
-    double bed_influence = 0.0;  // weight of the waves of bands and sectors against the open sea's
-    double limited = 1.0;        // factor of the limiter
-    double short_wave_gain = 1.0;  // factor of the waves in no band
+    double bed = 0.0;              // height of the bed [m]
+    double depth = 0.0;            // depth that the waves feel [m]
+    double bed_influence = 0.0;    // weight of bands and sectors; 1 - it: open sea
+    double limited = 1.0;          // factor by the limiter
+    double short_wave_gain = 1.0;  // factor on the waves in no band
     double coast = 0.0;            // weights at the border of the bed
     double open = 1.0;
 };
 
-/// The open sea's waves of one time, mode by mode in double precision: what exact reads of a
-/// ShoreSurface take instead of its maps.
+/// The open sea's waves of one time, mode by mode in double precision. Exact reads of a
+/// ShoreSurface use them instead of its maps.
 struct ShoreSums {
     WaveSum open;
     WaveSum remainder;  // the waves that are in no band
@@ -103,29 +103,28 @@ class ShoreSurface {
     /// from the modes of the constructor. Required before read() at another time, which throws
     /// Error invalid_value where a map is missing.
     void prepare(const Modes& modes, const Domain& labels, ThreadPool& pool);
-    /// Makes those that it needs anywhere. Strips beyond x = `first` .. `last` [m] are made where
-    /// they are read, on the calling thread.
+    /// Makes the maps of the open sea that read() needs between x = `first` and `last` [m]. Strips
+    /// beyond are made on their first read, on the calling thread.
     void prepare(const Modes& modes, double first, double last, ThreadPool& pool);
-    /// Writes the surface at each label, on the calling thread: of its heights and offsets the
-    /// `parts`, of which `all` needs Rates::with; the others are 0. Values have the same bits
-    /// whichever parts are written. Several threads may read at once. `exact`: the waves are those
-    /// of its time, of which each mode is summed; prepare() and move_to() are not needed then.
-    /// `ready`: a backend has summed the waves.
+    /// Writes the surface at each label, on the calling thread. `parts` selects the parts of
+    /// heights and offsets; other parts are 0, and `all` needs Rates::with. Values have the same
+    /// bits whichever parts are written. Several threads may read at once. `exact`: sums each mode,
+    /// at the time of `exact`, without prepare() and move_to(). `ready`: the sums of a backend.
     void read(std::span<const WorldPoint> labels, JetParts parts, std::span<ShorePoint> points,
               const ShoreSums* exact = nullptr, ReadySums ready = {}) const;
-    /// Returns what a backend needs to sum the waves. Valid until the next move_to.
+    /// Returns the input with which a backend sums the waves. Valid until the next move_to.
     CoastWaves waves() const;
-    /// Writes at labels in the surf and in the swash ShorePoint::breaking, the source of foam, and
-    /// the depth of the water [m], of which the part in the swash alone counts: elsewhere it is
-    /// that of still water.
+    /// Writes ShorePoint::breaking, the source of foam, and the depth of the water [m] at labels in
+    /// the surf and in the swash. Only in the swash the depth includes waves; elsewhere it is still
+    /// water's.
     void read_surf(const SurfLabels& labels, std::span<float> breaking,
                    std::span<float> depths) const;
 
-    /// Returns the weights of a place, and writes its waves; empty where none feels the bed.
-    /// Signals must be those of the time; prepare() is not needed. exact: see read().
+    /// Returns the weights at a place and writes its waves; empty if none feels the bed. The
+    /// signals must have been moved to the time; prepare() is not needed. exact: see read().
     LocalSea local_sea(WorldPoint place, std::vector<LocalWave>& waves,
                        const ShoreSums* exact = nullptr) const;
-    /// Returns sums of its modes at time 0; `modes` and `water` are those of the constructor.
+    /// Returns sums of the surface's modes at time 0; `modes` and `water` are the constructor's.
     ShoreSums sums(const Modes& modes, const Water& water) const;
     /// Returns the modes of the waves that are in no band.
     const Modes& remainder_modes() const { return remainder_modes_; }
@@ -152,10 +151,11 @@ class ShoreSurface {
     void lower_in_lee(Block<Scalar>& block) const;
     template <typename Scalar>
     void finish(Block<Scalar>& block, std::span<ShorePoint> points) const;
-    /// Returns the depth of the water at a label in the swash [m], by the waves in bands alone.
+    /// Returns the depth of the water at a label in the swash [m], from the waves in bands alone.
     float swash_depth(const SurfLabels& labels, std::size_t at,
                       const SwashWaves<float>& waves) const;
-    /// Ends a surface whose breaking waves reach a place in its swash. bed_influence: see Block.
+    /// Turns the surface into swash where a place lies in the swash of its breaking waves, and
+    /// writes wetness and foam. bed_influence: see Block.
     template <typename Scalar>
     void apply_swash(const SwashPlace<Scalar>& place, const SwashWaves<Scalar>& waves,
                      const Scalar& bed_influence, LinearWaves<Scalar>& surface,
@@ -163,14 +163,14 @@ class ShoreSurface {
     void prepare(const Modes& modes, const OpenSpans& spans, ThreadPool& pool);
     /// Writes where labels lie in the maps of the coast.
     void find_places(BlockPlaces& places) const;
-    /// Adds all waves at labels that feel the bed, without `displaces` the values of Z alone.
+    /// Adds all waves at labels that feel the bed; without `displaces`, the values of Z alone.
     void add_waves(JetParts parts, bool displaces, const ShoreSums* exact,
                    ShoalingBlock& block) const;
-    /// Takes them from a backend's instead.
+    /// Copies a backend's sums instead of adding waves.
     static void take_sums(JetParts parts, const ReadySums& ready, ShoalingBlock& block);
     void add_left(std::size_t waves, JetParts parts, const ShoreSums* exact,
                   ShoalingBlock& block) const;
-    /// Writes the signal of one of the waves at `count` places.
+    /// Writes the signal of one band and sector at `count` places.
     void read_signal(std::size_t waves, std::size_t count, const double* x, const double* y,
                      JetParts parts, const ShoreSums* exact, BlockSignal& signal) const;
 
@@ -188,7 +188,7 @@ class ShoreSurface {
     Rates rates_;
     BandSectorLoop band_sector_loop_;
     std::optional<Domain> region_;
-    OpenSpans region_spans_;  // of region_
+    OpenSpans region_spans_;  // spans of region_
 };
 
 }  // namespace ocean

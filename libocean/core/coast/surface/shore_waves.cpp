@@ -20,7 +20,7 @@ void point_at(Pointers& to, Jets& jets) {
     for (std::size_t p = 0; p < 4; ++p) to[p] = jets.part[p].data();
 }
 
-/// Returns the task of a pair without what differs between pairs.
+/// Returns a task with the members that all pairs share.
 BandSectorTask common_task(JetParts parts, ShoalingBlock& block, const BlockSignal& signal,
                            const QuadBlock& delay) {
     BandSectorTask task{};
@@ -142,7 +142,7 @@ CoastWaves ShoreSurface::waves() const {
     return all;
 }
 
-/// Where the open sea fades in, what it displaces beside the sectors' middles fades in too.
+/// Where the open sea fades in, its displacement beside the sectors' middles fades in too.
 void ShoreSurface::add_left(std::size_t waves, JetParts parts, const ShoreSums* exact,
                             ShoalingBlock& block) const {
     std::size_t count = 0;

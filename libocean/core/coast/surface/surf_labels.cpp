@@ -19,7 +19,7 @@ namespace {
 /// Land above this multiple of the 2 % run-up stays dry.
 constexpr float kNeverReached = 2.5f;
 
-/// Returns true where waves may run up, or the ground is near enough to the line of still water.
+/// Returns true where waves may run up, and for ground near the line of still water.
 bool is_in_swash(const RunUpSea& sea, const SwashPlace<Plain>& place) {
     const float bed = place.bed.value();
     if (!sea.runs_up || swash_weight(bed) <= 0.0f) return false;
@@ -28,7 +28,7 @@ bool is_in_swash(const RunUpSea& sea, const SwashPlace<Plain>& place) {
     return bed <= kNeverReached * highest;
 }
 
-/// Appends those of up to kShoreBlock labels that are in the surf or in the swash.
+/// Appends those labels, of up to kShoreBlock, that are in the surf or in the swash.
 void append_surf(const ShoreStatics& statics, const RunUpSea& sea,
                  std::span<const WorldPoint> labels, std::uint32_t first, SurfLabels& surf) {
     const Domain& domain = statics.domain();

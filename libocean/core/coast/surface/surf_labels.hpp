@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The labels of a region over which waves can break by the depth or run up. Which they are does not
-// depend on time, so that foam and wet ground of many ticks are followed at these alone.
+// The labels of a region over which waves can break by the depth or run up. They do not depend on
+// time, so that foam and wet ground of many ticks are followed at these labels alone.
 #pragma once
 
 #include <cstddef>
@@ -20,15 +20,15 @@ struct RunUpSea;
 
 /// Arrays of one value for each label in the surf or the swash, in the order of the labels.
 struct SurfLabels {
-    std::vector<std::uint32_t> index;  // among the labels
+    std::vector<std::uint32_t> index;  // index among the labels
     std::vector<double> x, y;          // [m]
     std::vector<float> rms_height;     // [m]
     std::vector<float> depth;          // [m]
-    std::vector<float> share;          // of the waves that break
+    std::vector<float> share;          // share of the waves that break
     std::vector<float> on_bed;         // weight of the coast's surface
     // See SwashPlace.
     std::vector<float> bed, slope, arrival, group_width;
-    std::vector<float> lee;  // by which waves are lower behind narrow walls
+    std::vector<float> lee;  // factor on waves behind narrow walls
     std::vector<char> in_swash;
 
     std::size_t size() const { return index.size(); }

@@ -38,7 +38,7 @@ void SurfReader::read(const ShoreSurface& surface, ThreadPool& pool) {
         }
         pieces_ = std::move(pieces);
     }
-    read_time_.reset();  // while the reads are neither the old ones nor the new
+    read_time_.reset();  // invalid until the new reads are complete
     pool.for_each_item(static_cast<int>(pieces_->size()), [&](int number, int) {
         Piece& piece = (*pieces_)[static_cast<std::size_t>(number)];
         piece.breaking.resize(piece.labels.size());

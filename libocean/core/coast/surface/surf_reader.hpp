@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The traces that waves leave on a coast at labels: foam where they break, and wet ground where
-// they run up. Which labels the waves reach is found once, and both traces share the reads of a
+// they run up. The labels that waves reach are found once, and both traces share the reads of a
 // time.
 #pragma once
 
@@ -25,16 +25,16 @@ class ThreadPool;
 
 enum class SurfTrace { foam, wet_ground };
 
-/// Reads what waves do in the surf and in the swash, for the foam clocks of both traces.
+/// Reads the waves in the surf and in the swash, for the foam clocks of both traces.
 class SurfReader {
   public:
-    /// `labels` makes the labels; called when those that waves reach are found.
+    /// `labels` returns the labels; called when the labels that waves reach are first needed.
     explicit SurfReader(std::function<std::vector<WorldPoint>()> labels)
         : labels_(std::move(labels)) {}
 
     /// Returns the source of a trace with a lifetime [s] that does not change. `surface_at` returns
-    /// the surface of a time, and is called for a time that has not just been read. The reader must
-    /// outlive the source.
+    /// the surface of a time, and is called unless that time was read last. The reader must outlive
+    /// the source.
     FoamSource source(SurfTrace trace, double lifetime,
                       std::function<const ShoreSurface&(double time)> surface_at, ThreadPool& pool,
                       std::function<void(std::int64_t, std::int64_t)> progress);
@@ -60,7 +60,7 @@ struct RegionTraces {
 
     Domain domain;
     SurfReader reader;
-    std::optional<FoamState> foam;  // of breaking waves
+    std::optional<FoamState> foam;  // foam of breaking waves
     std::optional<FoamState> wet;   // wetness of the ground
 };
 

@@ -17,12 +17,12 @@ float surf_left(float bed) {
 
 float covered_by(float depth) {
     constexpr float kWet = 0.02f;                        // [m]
-    return std::min(breaking_step(depth / kWet), 1.0f);  // rounding exceeds it
+    return std::min(breaking_step(depth / kWet), 1.0f);  // rounding may exceed 1
 }
 
 float damp_of(float bed, float run_up) {
     constexpr float kDamp = 0.5f;
-    constexpr float kFirst = 0.6f;  // where it begins to dry, in units of the run-up
+    constexpr float kFirst = 0.6f;  // height at which sand begins to dry, in units of the run-up
     if (run_up <= 1e-3f) return 0.0f;
     return kDamp * (1.0f - breaking_step((bed / run_up - kFirst) / (1.0f - kFirst)));
 }

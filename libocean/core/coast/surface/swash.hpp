@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The swash: how high waves run up a beach, the sheet of water that follows them, and the sand and
-// foam that they leave. Run-up has three parts, as measured on beaches: a set-up that is steady,
-// one with the waves, and one with their groups; the last two follow the same waves that break
-// before the beach. The formulas are templates over the scalar, as those of breaking.hpp are.
+// foam that they leave. Run-up has three parts, as measured on beaches: a steady set-up, a part
+// that follows the waves, and a part that follows their groups; the last two follow the same waves
+// that break before the beach. The formulas are templates over the scalar, as in breaking.hpp.
 #pragma once
 
 #include <cmath>
@@ -17,10 +17,10 @@
 
 namespace ocean {
 
-/// The waves of the open sea, as run-up takes them.
+/// The waves of the open sea, in the quantities of run-up.
 struct RunUpSea {
     double height = 0.0;  // significant wave height [m]
-    double length = 0.0;  // of a wave of the peak period in deep water [m]
+    double length = 0.0;  // deep-water wavelength of the peak period [m]
     bool runs_up = true;  // false: the surface ends at the line of still water
 };
 
@@ -34,8 +34,8 @@ struct SwashPlace {
     Real group_width;  // square root of the sum of the squares of all waves' shares of the energy
 };
 
-/// Returns the facts of a label, number i of a block of ShoreDelays::ground and number n of one of
-/// ShoreEnergy::breaking, with their derivatives if Real is Jet.
+/// Returns the facts of a label, number i of a block of ShoreDelays::ground and number n of a block
+/// of ShoreEnergy::breaking, with their derivatives if Real is Jet.
 template <typename Real>
 SwashPlace<Real> swash_place(const QuadBlock& ground, std::size_t i, const QuadBlock& energy,
                              std::size_t n) {
@@ -54,27 +54,27 @@ struct SwashWaves {
 /// The surface in the swash.
 template <typename Real>
 struct SwashSurface {
-    Real height;     // of the water over still water [m]; below the bed where that is dry
+    Real height;     // over still water [m]; below the bed on dry ground
     Real displaced;  // the share of the displacement that is left
 };
 
-/// Beaches for which run-up was measured; those beyond run up as the nearest of them.
+/// The range of beaches for which run-up was measured; other beaches use the nearest limit.
 inline constexpr double kFlattestBeach = 0.02;
 inline constexpr double kSteepestBeach = 0.14;
-/// The surface turns from waves into run-up below this depth in units of the least depth that
-/// waves feel, and the set-up begins below this depth in units of the open sea's height.
+/// The surface turns from waves into run-up below this depth, in units of the min depth that waves
+/// feel. The set-up begins below this depth in units of the open sea's height.
 inline constexpr double kSwashDepths = 2.2;
 /// The thickness scale of the sheet's tip [m].
 inline constexpr double kSheet = 0.05;
 /// The shares of the measured swash that the waves and their groups have. With them the 2 % run-up
-/// of directional seas on plane beaches is the measured one, to 10 %; with the whole of both it
-/// would be higher, since the highest of a number of waves exceeds 2 standard deviations.
+/// of directional seas on plane beaches equals the measured run-up to 10 %; with the whole of both
+/// it would be higher, since the highest of many waves exceeds 2 standard deviations.
 inline constexpr double kIncidentShare = 0.75;
 inline constexpr double kGroupShare = 0.90;
 /// The highest wave in the swash, in standard deviations of the surface.
 inline constexpr double kHighestSwash = 3.0;
 
-/// Returns x within least .. greatest.
+/// Returns x clamped to least .. greatest.
 template <typename Real>
 Real swash_clamped(const Real& x, double least, double greatest) {
     if (value_of(x) <= least) return Real(least);
@@ -83,7 +83,7 @@ Real swash_clamped(const Real& x, double least, double greatest) {
 
 // ---- run-up
 
-/// Returns sqrt(H0 L0) [m] of the waves that arrive: H0 is that of the open sea times the square
+/// Returns sqrt(H0 L0) [m] of the waves that arrive: H0 is the open sea's height times the square
 /// root of the share of its energy that arrives.
 template <typename Real>
 Real run_up_scale(const RunUpSea& sea, const Real& arrival) {
@@ -92,7 +92,7 @@ Real run_up_scale(const RunUpSea& sea, const Real& arrival) {
     return sqrt(Real(sea.height * sea.length) * share);
 }
 
-/// Returns the slope of a beach as run-up takes it.
+/// Returns the slope of a beach within the measured range.
 template <typename Real>
 Real beach_slope(const Real& slope) {
     return swash_clamped(slope, kFlattestBeach, kSteepestBeach);
@@ -114,8 +114,8 @@ Real run_up_2_percent(const Real& scale, const Real& slope) {
 }
 
 /// Returns the excess of the groups' energy over its mean, in units of its standard deviation, at
-/// most 2: (sum |Z|^2 / 2 m0 - 1) / w. m0 is the variance, w the group width. Each of the squares
-/// belongs to one band and sector: the square of their sum would run up with the waves, twice.
+/// most 2: (sum |Z|^2 / 2 m0 - 1) / w. m0 is the variance, w the group width. Each square belongs
+/// to one band and sector: the square of the sum would make the waves run up twice.
 template <typename Real>
 Real group_excess(const SwashPlace<Real>& place, const Real& squares, const Real& rms_height) {
     const Real mean = Real(0.25) * rms_height * rms_height;
@@ -126,7 +126,8 @@ Real group_excess(const SwashPlace<Real>& place, const Real& squares, const Real
 
 /// Returns the height of the water line [m] that the waves of this moment reach: set-up, plus the
 /// swash of the waves with 4 standard deviations of 0.75 slope sqrt(H0 L0) [Stockdon 2006] eq. 11,
-/// plus that of their groups with 0.06 sqrt(H0 L0), eq. 12, whose squares are 0.563 and 0.004.
+/// plus the swash of their groups with 0.06 sqrt(H0 L0), eq. 12. The squares of 0.75 and 0.06 are
+/// 0.563 and 0.004.
 template <typename Real>
 Real run_up(const RunUpSea& sea, const SwashPlace<Real>& place, const SwashWaves<Real>& waves) {
     using std::sqrt;
@@ -135,7 +136,7 @@ Real run_up(const RunUpSea& sea, const SwashPlace<Real>& place, const SwashWaves
     constexpr double rms_over_deviation = 2.8284271247461903;                // sqrt(8)
     const Real slope = beach_slope(place.slope);
     const Real scale = run_up_scale(sea, place.arrival);
-    // Where almost nothing arrives, neither do ratios of it.
+    // Where almost no energy arrives, the ratios are limited.
     const Real rms_height = swash_clamped(place.rms_height, 0.01 * sea.height + 1e-6, 1e3);
     // The highest waves have the same limit on any beach, in units of the standard deviation.
     const Real to_deviations = Real(rms_over_deviation) / rms_height;
@@ -147,7 +148,7 @@ Real run_up(const RunUpSea& sea, const SwashPlace<Real>& place, const SwashWaves
 
 // ---- the sheet of water
 
-/// Returns how much of the surface is run-up and no longer waves: 1 from the line of still water
+/// Returns the share of run-up, against waves, in the surface: 1 from the line of still water
 /// upward, 0 in water deeper than 1.3 m.
 template <typename Real>
 Real swash_weight(const Real& bed) {
@@ -155,9 +156,9 @@ Real swash_weight(const Real& bed) {
     return breaking_step(Real(1.0) + bed / Real(kSwashDepths * kLeastFeltDepth));
 }
 
-/// Returns how much of the waves' displacement is left: none from the line of still water upward,
-/// all beyond the swash's depths and beyond kCalmLength before the line. On steep beaches the water
-/// would fold over where displacement ends faster.
+/// Returns the share of the waves' displacement that is left: 0 from the line of still water
+/// upward, 1 beyond the swash's depths and beyond kCalmLength before the line. On steep beaches the
+/// water would fold over if the displacement ended faster.
 template <typename Real>
 Real displacement_left(const SwashPlace<Real>& place) {
     constexpr double kCalmLength = 40.0;  // [m]
@@ -168,7 +169,8 @@ Real displacement_left(const SwashPlace<Real>& place) {
     return Real(1.0) - breaking_step(Real(1.0) + place.bed / depths);
 }
 
-/// Returns the set-up before the swash as a share of that at its line: (1 - d / 2.2 H0)^2.
+/// Returns the set-up before the swash as a share of the set-up at the water line: (1 - d / 2.2
+/// H0)^2.
 template <typename Real>
 Real set_up_share(const RunUpSea& sea, const Real& bed) {
     if (value_of(bed) >= 0.0) return Real(1.0);
@@ -178,8 +180,8 @@ Real set_up_share(const RunUpSea& sea, const Real& bed) {
 
 /// Returns the depth of the sheet [m] where the run-up is `excess` above the bed: e (1 + exp(-|e| /
 /// s)). Its tip is a film that rises from the bed twice as steeply as a level surface would, so
-/// that surface and bed have a clear line in common; dry sand lies above it by as much. A level
-/// surface is left a few s from the tip.
+/// that surface and bed meet in a clear line; dry sand lies above the film's continuation by as
+/// much. A few s from the tip the surface is level.
 template <typename Real>
 Real sheet_depth(const Real& excess) {
     using std::exp;
@@ -205,12 +207,12 @@ SwashSurface<Real> swash_surface(const RunUpSea& sea, const SwashPlace<Real>& pl
 
 // ---- sand and foam
 
-/// Returns how much of a breaking wave's foam is left over a bed of this height [m]: none on land,
-/// where the foam is that of the tip.
+/// Returns the share of a breaking wave's foam that is left over a bed of this height [m]: 0 on
+/// land, where tip_foam makes the foam.
 float surf_left(float bed);
 
-/// Returns how damp sand is that only the highest waves reach, 0 .. 1, by its height over still
-/// water and the 2 % run-up [m], above which it is dry.
+/// Returns the dampness, 0 .. 1, of sand that only the highest waves reach, by its height over
+/// still water and the 2 % run-up [m], above which sand is dry.
 float damp_of(float bed, float run_up);
 
 /// Returns the source of foam at the tip of the sheet, 0 .. 1, about 2 m wide on any beach.

@@ -17,7 +17,7 @@
 namespace ocean {
 namespace {
 
-constexpr int kLongWaves = 32;  // samples of a tile that has the waves which differ between seeds
+constexpr int kLongWaves = 32;  // side of a tile of the long waves, in which seeds differ
 
 TerrainAmplitudes amplitudes_of(const TerrainModel& terrain) {
     const double dk = kTwoPi / terrain.patch_size;
@@ -46,7 +46,7 @@ struct LineShares {
     double slope = 0.0;
 };
 
-/// Returns the shares of exp(i k x), k = n dk, of n = 0 .. half - 1 over `samples` samples: the
+/// Returns the shares of exp(i k x), k = n dk, for n = 0 .. half - 1 over `samples` samples: the
 /// squares of its projections on 1 and on x from the middle.
 std::vector<LineShares> line_shares(int samples, double phase_step, int half) {
     double squares = 0.0;
@@ -82,7 +82,7 @@ std::vector<std::uint32_t> seeds_of_variance(const TerrainModel& terrain, double
                                              int count, ThreadPool& pool) {
     TerrainModel longest = terrain;
     longest.resolution = std::min(terrain.resolution, kLongWaves);
-    // The many waves that are shorter have their mean in every seed.
+    // The shorter waves are so many that every seed has their mean.
     const double shorter = law_variance(terrain) - law_variance(longest);
     std::vector<std::pair<double, std::uint32_t>> seeds;
     for (longest.seed = 1; longest.seed <= kSeedsTried; ++longest.seed) {

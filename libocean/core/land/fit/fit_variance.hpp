@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The variance of a fitted tile: the mean of all seeds, that of one seed, and the seeds whose tile
-// has a given one. Rings say little about it: most of it is in the longest waves, of which a tile
-// has a few.
+// The variance of a fitted tile: the mean over all seeds, the variance of one seed, and the seeds
+// whose tile has a given variance. Rings say little about it: most of it is in the longest waves,
+// and a tile has few of them.
 #pragma once
 
 #include <array>
@@ -28,8 +28,8 @@ std::vector<std::uint32_t> seeds_of_variance(const TerrainModel& terrain, double
                                              int count, ThreadPool& pool);
 inline constexpr std::uint32_t kSeedsTried = 512;
 
-/// Returns the variance that the least-squares plane of a part of `samples` samples of the tile
-/// has, over the variance about that plane: the ratio of their means over all seeds.
+/// Returns the ratio of two variances of a part of `samples` samples of the tile: the variance of
+/// its least-squares plane over the variance about that plane, each averaged over all seeds.
 double expected_tilt(const TerrainModel& terrain, const std::array<int, 2>& samples);
 
 }  // namespace ocean

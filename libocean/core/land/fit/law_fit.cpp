@@ -24,14 +24,15 @@ constexpr Bounds kExponents{0.2, 4.5};
 constexpr Bounds kRidgeGain{0.05, 50.0};
 constexpr Bounds kRidgeWidth{0.15, 2.0};  // [octaves]
 constexpr int kStarts = 5;
-/// Chance lowers the sum of squares by more than this in one land of 100 (chi-squared of the two
-/// parameters of a break, or the five with a ridge), were the waves of a ring independent.
+/// Chance alone would lower the sum of squares by more than this in one land of 100, if the waves
+/// of a ring were independent (chi-squared of the two parameters of a break, or the five with a
+/// ridge).
 constexpr double kBreakOfChance = 9.21, kRidgeOfChance = 15.09;
-/// The share of them that is under the Hann window: the square of (sum w^2)^2 / (n sum w^4) = 18/35
-/// [Welch 1967].
+/// The share of the waves that is independent under the Hann window: the square of (sum w^2)^2 / (n
+/// sum w^4) = 18/35 [Welch 1967].
 constexpr double kIndependent = 0.265;
 
-/// A parameter of the fit: how it is named, bounded, and set.
+/// A parameter of the fit: its name, bounds and setter.
 struct FitParameter {
     const char* name;
     Bounds bounds;
@@ -75,7 +76,7 @@ class RingResiduals {
             parameters_[i].set(terrain, value);
         }
     }
-    /// Returns the level that suits a law best.
+    /// Returns the level at which a law fits best.
     double level(const TerrainLaw& law) const {
         double sum = 0.0, weight = 0.0;
         for (const Ring& ring : rings_) {
@@ -114,7 +115,7 @@ Bounds searched(const FitParameter& parameter) {
     return {std::log(parameter.bounds.lowest), std::log(parameter.bounds.highest)};
 }
 
-/// Returns the point of a start: exponents that many landscapes have, wavelengths spread out.
+/// Returns the point of a start: exponents that many landscapes have, and wavelengths spread out.
 std::vector<double> start_of(const std::vector<FitParameter>& parameters, int start) {
     std::vector<double> place;
     for (const FitParameter& parameter : parameters) {

@@ -15,7 +15,7 @@ namespace ocean {
 struct LawFit {
     std::vector<FittedParameter> parameters;
     double level = 0.0;      // log of S over the law's relative density
-    bool has_break = false;  // of FitLaw::broken: the rings need two exponents
+    bool has_break = false;  // FitLaw::broken: the rings need two exponents
 };
 
 /// Sets the exponents, break and ridge of the terrain: the best of five starts. A broken law that

@@ -93,7 +93,7 @@ Relief relief_of(const Domain& domain, std::span<const float> heights) {
         std::ranges::nth_element(slopes, slopes.begin() + at);
         relief.slopes[n] = std::atan(double{slopes[static_cast<std::size_t>(at)]}) * kDegrees;
     }
-    // The axes of the mean square slope.
+    // The principal axes of the mean square slope.
     const double middle = 0.5 * (xx + yy), turn = std::hypot(0.5 * (xx - yy), xy);
     relief.anisotropy = middle > turn ? std::sqrt((middle + turn) / (middle - turn)) : 1.0;
     relief.direction = 0.5 * std::atan2(2.0 * xy, xx - yy) * kDegrees;

@@ -15,11 +15,12 @@ namespace ocean {
 /// Returns the statistics of a row-major array of heights [m] on a domain that exists once.
 Relief relief_of(const Domain& domain, std::span<const float> heights);
 
-/// Returns the relief of a model; of one with more than `max_side` samples along a side, the mean
-/// of nine parts of that size, because a longer piece of land is higher.
+/// Returns the relief of a model. For a model with more than `max_side` samples along a side it is
+/// the mean of nine parts of that size, because a longer piece of land is higher.
 Relief relief_of_parts(const ElevationModel& bed, int max_side);
 
-/// Adds a share of the statistics to a mean. The direction is left out: it is no mean of angles.
+/// Adds a share of the statistics to a mean. Leaves out the direction, because angles have no such
+/// mean.
 void add(Relief& sum, const Relief& one, double share);
 
 }  // namespace ocean

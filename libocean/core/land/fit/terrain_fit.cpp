@@ -28,8 +28,8 @@ constexpr int kRingRounds = 12;  // a narrow dip between high rings needs many
 constexpr int kLawRounds = 3;
 constexpr int kVarianceRounds = 2;
 
-/// The table law: rings, and one point for the waves that are too long for them. It lies at the
-/// longest wave of the tile, so that the law is a line from there to the first ring.
+/// The table law: rings, and one point for waves too long for rings. The point lies at the longest
+/// wave of the tile, so that the law is a line from there to the first ring.
 class RingTable {
   public:
     RingTable(double longest_wavenumber, const std::vector<Ring>& bed)
@@ -46,21 +46,20 @@ class RingTable {
         return std::make_shared<const MeasuredRings>(std::move(table));
     }
 
-    /// Corrects each density by what the mean of all seeds has: window, edges and the finite width
-    /// of rings then cancel.
-    /// Returns the largest change of a density, as a share of it.
+    /// Corrects each density by the mean over all seeds: window, edges and the finite width of
+    /// rings then cancel. Returns the largest relative change of a density.
     double correct_rings(const std::vector<Ring>& bed, const std::vector<double>& expected) {
         double change = 0.0;
         for (std::size_t i = 0; i < rings_.size(); ++i) {
             if (!(expected[i] > 0.0)) continue;
             const double before = rings_[i].density;
-            // A dip that no land has under this window would be deepened for ever.
+            // A dip that land under this window cannot have would be deepened without end.
             rings_[i].density = bed[i].density * limited(before / expected[i]);
             change = std::max(change, std::abs(rings_[i].density / before - 1.0));
         }
         return change;
     }
-    /// Gives the longest waves what the variance of the tile lacks [m^2].
+    /// Gives the longest waves the variance that the tile lacks [m^2].
     void correct_variance(double variance, TerrainModel& terrain) {
         constexpr double kLargestFactor = 1000.0;
         constexpr int kHalvings = 24;
@@ -112,7 +111,7 @@ LawFit fit_parameters(FitJudge& judge, FitLaw law_kind, bool ridge, TerrainModel
     std::vector<Ring> rings = judge.bed_rings();
     LawFit fit = fit_law(rings, law_kind, ridge, terrain);
     for (int round = 0; round < kLawRounds; ++round) {
-        // The law's own spectrum under the window is divided out, and the law fitted again.
+        // Divides the law's own spectrum under the window out, and fits the law again.
         const std::vector<double> expected = judge.expected(terrain);
         const TerrainLaw law(terrain);
         for (std::size_t i = 0; i < rings.size(); ++i) {
@@ -125,14 +124,14 @@ LawFit fit_parameters(FitJudge& judge, FitLaw law_kind, bool ridge, TerrainModel
     return fit;
 }
 
-/// Returns the rms that the tile keeps: that about the mean, but of a land that is tilted by more
-/// than the waves of a tile are, that about its plane [m].
+/// Returns the rms that the tile keeps: about the mean, or, for a land that is tilted more than the
+/// waves of a tile are, about its plane [m].
 double kept_rms(FitJudge& judge, const Relief& bed) {
-    // The plane's variance is that of two slopes, of an exponential distribution: it is 6 times its
-    // mean in one land of 400.
+    // The plane's variance is the sum of two squared slopes and has an exponential distribution: it
+    // is 6 times its mean in one land of 400.
     constexpr double kLargestTilt = 6.0;
-    // A plane and what is left of one wave of the tile, a sine from border to border, have
-    // variances of at most 6 / pi^2 and 1 - 6 / pi^2.
+    // A sine from border to border, one wave of the tile, divides into a plane and a remainder,
+    // with variances of at most 6 / pi^2 and 1 - 6 / pi^2.
     constexpr double kTiltOfASine = 6.0 / (kPi * kPi - 6.0);
     TerrainModel one = judge.tile();
     fit_law(judge.bed_rings(), FitLaw::one, false, one);
@@ -172,7 +171,7 @@ void judge_fit(FitJudge& judge, std::span<const std::uint32_t> seeds, TerrainFit
     }
 }
 
-/// Groups rings by octaves from the lowest one; a ring weighs as many waves as it has.
+/// Groups rings by octaves from the lowest ring on; a ring's weight is its number of waves.
 std::vector<FittedOctave> octaves_of(const std::vector<FittedRing>& rings, double lowest) {
     std::vector<FittedOctave> octaves;
     std::vector<double> waves;
@@ -235,10 +234,10 @@ TerrainFit fit_terrain(const ElevationModel& model, const TerrainFitOptions& opt
     fit.bed = relief_of_parts(model, FitJudge::kMaxSide);
     fit.kept_rms = kept_rms(judge, fit.bed);
     const double variance = fit.kept_rms * fit.kept_rms;
-    double unit = 1.0;  // of the law's density [m^4]
+    double unit = 1.0;  // unit of the law's density [m^4]
     if (options.law == FitLaw::table) {
         fit_table(judge, variance, fit.terrain);
-        // A table has no exponent; this one is that of its land, should the table be taken away.
+        // A table has no exponent; this is the exponent of its land, in case the table is removed.
         TerrainModel one = judge.tile();
         fit_parameters(judge, FitLaw::one, false, one);
         fit.terrain.beta = one.beta;

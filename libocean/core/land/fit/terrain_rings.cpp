@@ -54,7 +54,7 @@ std::vector<double> densities_of(const Modes& modes, const std::vector<TerrainRi
     return sums;
 }
 
-/// Returns the rings with the law's densities, scaled to the rms that the terrain asks for.
+/// Returns the rings with the law's densities, scaled to the rms that the terrain requests.
 std::vector<TerrainRing> asked_rings(const TerrainModel& terrain, const TerrainState& state) {
     const int size = terrain.resolution;
     const double dk = kTwoPi / terrain.patch_size;

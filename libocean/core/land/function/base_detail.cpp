@@ -25,7 +25,7 @@ double spline_response(double t) {
     return sinc * sinc * sinc * sinc / ((2.0 + std::cos(t)) / 3.0);
 }
 
-/// Returns the wave below pi that t looks like on samples.
+/// Returns the wave below pi that a wave of t radians a sample is aliased to.
 double alias(double t) {
     return std::abs(t - kTwoPi * std::round(t / kTwoPi));
 }
@@ -67,11 +67,11 @@ BaseDetail::BaseDetail(const TerrainBase& base, double shortest)
         return count >= 2.0;
     };
     if (!fit(kFirstRing, kLastRing) && !fit(0.0, 1.0)) {
-        has_waves_ = false;  // a flat model
+        has_waves_ = false;  // the model is flat
         return;
     }
     slope_ = (count * xy - x * y) / (count * xx - x * x);
-    // A density that does not fall would have no end of energy at short waves.
+    // A density that does not fall would give short waves infinite energy.
     constexpr double kLeastFall = -2.2;
     slope_ = std::min(slope_, kLeastFall);
     log_density_ = (y - slope_ * x) / count;
@@ -82,7 +82,7 @@ double BaseDetail::measured(double k) const {
     const auto log_s = [&](std::size_t i) { return std::log(std::max(rings_.density[i], 1e-30)); };
     if (k <= at.front()) return rings_.density.front();
     if (k >= at.back()) {
-        // The last rings go on to the Nyquist wavenumber.
+        // The last rings are extrapolated to the Nyquist wavenumber.
         const std::size_t last = at.size() - 1, before = last > 3 ? last - 3 : 0;
         const double fall = (log_s(last) - log_s(before)) / std::log(at[last] / at[before]);
         return std::exp(log_s(last) + std::min(fall, 0.0) * std::log(k / at[last]));
@@ -137,8 +137,8 @@ RadialDensity waves_below_lattice(const TerrainModel& terrain, double gain, doub
     const double nyquist = kPi / (terrain.patch_size / terrain.resolution);
     const auto density = [&](double k) {
         return gain * gain * mean_of_directions([&](double cosine, double sine) {
-                   // The lattice has the waves within the square; both diagonals of the quarter,
-                   // for laws with a direction.
+                   // The lattice has the waves within the square; the mean over both diagonals of
+                   // the quarter serves laws with a direction.
                    if (k * std::max(cosine, sine) < nyquist) return 0.0;
                    return 0.5 *
                           (law.density(k * cosine, k * sine) + law.density(-k * sine, k * cosine));

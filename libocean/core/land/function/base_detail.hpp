@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The waves that an elevation model lacks: those below its cell, and those that its own making
+// The waves that an elevation model lacks: waves below its cell, and waves that its production
 // smoothed away.
 //
 // S_law continues the model's spectrum by the power law of its rings between 0.2 and 0.5 of the
 // Nyquist wavenumber kN = pi / cell, where smoothing does not reach. The spline through the samples
 // has the density
 //   S_base(k) = S_measured(k') H(kx)^2 H(ky)^2,   H = sinc^4(t/2) / ((2 + cos t) / 3), t = k cell,
-// k' the wave below kN that k looks like on the grid [Unser 1999]. The detail is what is left,
+// k' the wave below kN to which k is aliased on the grid [Unser 1999]. The detail is the difference
 // S_law - S_base, so that both together have S_law. Test: land_function_test.cpp.
 #pragma once
 
@@ -35,7 +35,7 @@ class BaseDetail {
     MeasuredRings rings_;
     double cell_;
     double nyquist_;
-    double log_density_ = 0.0, slope_ = 0.0;  // of the law: at log k = 0
+    double log_density_ = 0.0, slope_ = 0.0;  // the law's, at log k = 0
     double longest_, shortest_;
     bool has_waves_;
 };
@@ -43,8 +43,8 @@ class BaseDetail {
 /// Returns a tenth of the rms slope of the base times its cell [m].
 double default_base_error(const TerrainBase& base);
 
-/// Returns the density of the waves down to `shortest` [m] that a terrain's law has and its lattice
-/// does not: beyond the square of its Nyquist lines, the mean of all directions.
+/// Returns the density of the waves down to `shortest` [m] that a terrain's law has but its lattice
+/// lacks, because they lie beyond the square of its Nyquist lines; the mean over all directions.
 RadialDensity waves_below_lattice(const TerrainModel& terrain, double gain, double shortest);
 
 }  // namespace ocean

@@ -25,8 +25,8 @@
 namespace ocean {
 namespace {
 
-/// Waves of a tile are read from a map with four samples for the shortest one, unless that would be
-/// larger than this.
+/// A map with four samples for the shortest wave holds the waves of a tile, but no larger map than
+/// this.
 constexpr int kMaxFineSide = 4096;
 int fine_side(int resolution) {
     return std::max(resolution, std::min(2 * resolution, kMaxFineSide));
@@ -173,14 +173,14 @@ class Builder {
         parts_.gullies.emplace(settings);
     }
 
-    /// Replaces what the land is made of so far by its heights on its grid.
+    /// Replaces the parts that the land has so far by their heights on a grid.
     void replace_by_grid(const Domain& domain, std::span<const float> heights) {
         parts_.base = std::make_shared<const SplinePyramid>(domain, heights, pool_);
         parts_.offset = 0.0;
         parts_.domain = domain;
     }
 
-    /// Returns the heights of the land so far, gullies and finer waves with it but no detail.
+    /// Returns the heights of the land so far, with gullies and finer waves but without detail.
     std::vector<float> current_heights(const Domain& domain) const {
         LandFunctionParts so_far = parts_;
         so_far.detail = nullptr;
@@ -199,12 +199,12 @@ class Builder {
         keep(mask, domain, std::make_shared<const PageVector<float>>(values.begin(), values.end()));
     }
 
-    /// Keeps a mask of the streams, which the land that they carved shares.
+    /// Keeps a mask of the streams, whose memory belongs to the carved land.
     void add_stream_mask(LandMask mask, const Domain& domain, const PageVector<float>& values) {
         keep(mask, domain, MaskGrid::Values(carved_.land, &values));
     }
 
-    /// Lowers the base, not what gullies make of it.
+    /// Lowers the base towards the border, before gullies shape it.
     void lower_towards_border() {
         const Domain& domain = parts_.domain;
         const double offset = parts_.offset;
@@ -255,7 +255,7 @@ class Builder {
         keep(LandMask::cliff, domain, maps.cliff);
         keep(LandMask::shelter, domain, maps.shelter);
         PageVector<float> share(heights.size());
-        constexpr float kUnderWater = 0.3f;  // sand lies where waves wash the rock
+        constexpr float kUnderWater = 0.3f;  // less sand where waves wash the rock
         for (std::size_t i = 0; i < share.size(); ++i) {
             const bool dry = maps.distance[i] > 0.0f;
             share[i] = (1.0f - maps.beach[i]) * (dry ? 1.0f : kUnderWater);
@@ -281,14 +281,14 @@ class Builder {
         return levels;
     }
 
-    /// Returns the land with square cells, which an elevation model may lack, of its smaller cell
-    /// divided by `factor`.
+    /// Returns the land's domain with square cells: the smaller side of its cells, which an
+    /// elevation model may have unequal, divided by `factor`.
     Domain square_domain(int factor) const {
         const Domain& own = parts_.domain;
         return with_cell(own, std::min(own.step(0), own.step(1)) / factor);
     }
 
-    /// Adds the waves below the cell of a land without a base, whose law goes on.
+    /// Adds the waves below the cell of a land without a base, by continuing its law.
     void add_detail() {
         const double shortest = detail_wavelength(terrain_);
         if (shortest <= 0.0 || terrain_.base_model != nullptr) return;

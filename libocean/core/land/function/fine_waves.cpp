@@ -20,7 +20,7 @@
 namespace ocean {
 namespace {
 
-constexpr double kWavesOfTile = 8.0;     // longest waves along a side
+constexpr double kWavesOfTile = 8.0;     // longest waves along a side of a tile
 constexpr double kSamplesOfWave = 4.0;   // of the shortest wave
 constexpr double kWavesOfSpacing = 3.0;  // longest waves between readings
 constexpr double kReach = 0.85;          // of a reading, in spacings
@@ -64,7 +64,7 @@ class Rings {
     double edge(std::size_t ring) const {
         return low_ * std::pow(high_ / low_, static_cast<double>(ring) / count_);
     }
-    /// Returns the ring of k; count() beyond the band.
+    /// Returns the ring of k, or count() if k is beyond the band.
     std::size_t of(double k) const {
         if (!(k >= low_ && k < high_)) return count();
         const double at = count_ * std::log(k / low_) / std::log(high_ / low_);

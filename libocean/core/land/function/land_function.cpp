@@ -21,8 +21,8 @@
 namespace ocean {
 namespace {
 
-/// Returns a step without its last 12 bits, in which the steps of regions of one cell differ: they
-/// are sizes divided by counts.
+/// Returns a step without its last 12 bits. Steps are sizes divided by counts; regions of the same
+/// cell have steps that differ in these bits.
 double rounded_step(double step) {
     constexpr std::uint64_t kLastBits = (std::uint64_t{1} << 12) - 1;
     const auto bits = std::bit_cast<std::uint64_t>(step) + (kLastBits + 1) / 2;
@@ -100,7 +100,7 @@ ChannelSet LandFunction::channels() const {
 
 namespace {
 
-/// The three rows that a row's slopes need, and the writing of its outputs.
+/// The three rows that a row's slopes need, and the writer of its outputs.
 class RowWriter {
   public:
     RowWriter(const Domain& region, std::span<const MapOutput> outputs,
@@ -146,7 +146,7 @@ class RowWriter {
         }
     }
 
-    /// Copies the first row behind the last one, where an output asks for it.
+    /// Copies the first row behind the last one if an output has a seam.
     void close() const {
         for (const MapOutput& output : outputs_) {
             if (!output.seam) continue;
@@ -161,7 +161,8 @@ class RowWriter {
     }
 
   private:
-    /// Returns a coordinate; that of a sample beyond a tile is its twin's on the other side.
+    /// Returns a coordinate. A sample beyond a tile has the coordinate of its twin on the other
+    /// side.
     double x_at(int i) const { return x_.at(wrapped(i, 0)); }
     double y_at(int j) const { return y_.at(wrapped(j, 1)); }
     int wrapped(int i, std::size_t axis) const {
@@ -213,7 +214,7 @@ class RowWriter {
     Steps x_, y_;
 };
 
-/// Returns all channels that outputs receive, linear fields among them.
+/// Returns all channels of the outputs, linear fields included.
 ChannelSet wanted_of(std::span<const MapOutput> outputs) {
     ChannelSet wanted;
     for (const MapOutput& output : outputs) {
@@ -243,7 +244,7 @@ void LandFunction::write(const Domain& region, std::span<const MapOutput> output
     require_available(wanted, channels());
     const double cell = rounded_step(std::max(region.step(0), region.step(1)));
     const RowWriter writer(region, outputs, impl_->parts, wanted);
-    // Neighbouring rows share what their differences need.
+    // Neighbouring rows share the rows that their differences need.
     constexpr int kRowsOfItem = 16;
     const int rows = region.samples[1];
     pool.for_each_item((rows + kRowsOfItem - 1) / kRowsOfItem, [&](int item, int) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The parts that a LandFunction is the sum of.
+// The parts whose sum is a LandFunction.
 #pragma once
 
 #include <memory>
@@ -23,12 +23,12 @@ struct LandFunctionParts {
     std::shared_ptr<const SplinePyramid> base;
     std::shared_ptr<const SplinePyramid> fine = nullptr;  // waves finer than gullies
     std::optional<GullyFilter> gullies = {};
-    /// In place of base, gullies and finer waves as far as a shore reaches; empty: no shore.
+    /// Replaces base, gullies and finer waves where a shore reaches; empty: no shore.
     std::shared_ptr<const ShoreGround> shore = nullptr;
     std::shared_ptr<const FineWaves> detail = nullptr;
-    /// Share of the detail, which beaches and water have less of; empty: 1.
+    /// Share of the detail, lower on beaches and in water; empty: 1.
     std::shared_ptr<const MaskGrid> detail_share = nullptr;
-    /// Masks of the domain; those of gullies are computed.
+    /// Masks of the domain; masks of gullies are computed instead.
     std::vector<std::pair<LandMask, std::shared_ptr<const MaskGrid>>> masks = {};
 };
 

@@ -46,7 +46,7 @@ void add_gullies(const GullyFilter& gullies, double cell, bool with_masks, LandR
     for (std::size_t i = 0; i < n; ++i) row.height[i] += static_cast<double>(row.part_height[i]);
 }
 
-/// Replaces the ground by that of the shore where it reaches.
+/// Replaces the ground by the shore's ground where the shore reaches.
 void set_shore(const ShoreGround& shore, double cell, bool with_slopes, LandRow& row) {
     const ShoreGround::Level level = shore.level(cell);
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -66,7 +66,7 @@ void set_shore(const ShoreGround& shore, double cell, bool with_slopes, LandRow&
 }  // namespace
 
 void compute(const LandFunctionParts& parts, double cell, ChannelSet wanted, LandRow& row) {
-    // Slopes of the base lead its gullies.
+    // Gullies follow the slopes of the base.
     const bool is_base_alone = !parts.gullies && !parts.fine && !parts.detail;
     const bool with_slopes = !is_base_alone || wanted.intersects(kSlopes);
     set_base(parts, cell, with_slopes, row);

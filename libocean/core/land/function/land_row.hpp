@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A row of places of a land and what its parts add up to there.
+// A row of places of a land, and the sum of its parts there.
 #pragma once
 
 #include <array>
@@ -31,9 +31,9 @@ struct LandRow {
     std::size_t size() const { return x.size(); }
 };
 
-/// Computes the heights at the places of a row, for maps whose samples lie `cell` apart [m]; if any
-/// channels of `wanted` need them, masks of gullies, and exact slopes unless there are gullies.
-/// Heights have the same bits with and without the others.
+/// Computes the heights at the places of a row, for maps whose samples lie `cell` apart [m]; also
+/// masks of gullies, and exact slopes of a land without gullies, if channels of `wanted` need them.
+/// Heights have the same bits with and without these.
 void compute(const LandFunctionParts& parts, double cell, ChannelSet wanted, LandRow& row);
 
 }  // namespace ocean

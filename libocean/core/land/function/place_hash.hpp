@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A hash of places on a lattice, in 32-bit arithmetic as shaders have it.
+// A hash of places on a lattice, in 32-bit arithmetic, which shaders have too.
 #pragma once
 
 #include <cstdint>

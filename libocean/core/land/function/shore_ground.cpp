@@ -16,8 +16,8 @@ std::size_t index_of(const Domain& domain, int i, int j) {
            static_cast<std::size_t>(i);
 }
 
-/// Returns the marks of every other sample: 1 if one of the samples that make it has a 1, which lie
-/// up to `reach` to each side.
+/// Returns the marks of every other sample: 1 if a sample that contributes to it, up to `reach`
+/// away on each side, has a 1.
 Marks halved_marks(const Domain& domain, const Marks& marks, int reach) {
     const Domain half = halved(domain);
     Marks result(half.count());
@@ -69,7 +69,7 @@ bool ShoreGround::Level::reaches(double x, double y) const {
 }
 
 std::pair<std::size_t, std::size_t> ShoreGround::Level::around(double at, std::size_t axis) const {
-    constexpr double kRounding = 1e-6;  // of a cell: how far from a sample a place may be computed
+    constexpr double kRounding = 1e-6;  // tolerance for a place on a sample, as a share of a cell
     const auto [cell, share] = heights_.in_cell(at, axis);
     return {share > 1.0 - kRounding ? cell + 1 : cell, share < kRounding ? cell : cell + 1};
 }

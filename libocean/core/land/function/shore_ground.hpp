@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The ground that a shore has shaped, and where it has: elsewhere a land is the function of the
-// place that it was without a shore, to the bit.
+// The ground that a shore has shaped, and where it has: elsewhere a land is the same function of
+// the place as without a shore, to the bit.
 //
 // A shore is shaped on a grid that is finer than the land's own by a power of two. Levels down to
-// the land's own grid take its samples unfiltered, as the land has them; coarser ones are filtered
-// as those of the land, so that both agree where the shore changed nothing nearby.
+// the land's own grid take its samples unfiltered; coarser levels are filtered as the land's levels
+// are, so that both agree where the shore changed nothing nearby.
 #pragma once
 
 #include <cstddef>
@@ -35,13 +35,14 @@ class ShoreGround {
         Level(const SplineGrid& heights, const PageVector<std::uint8_t>& changed)
             : heights_(heights), changed_(changed) {}
 
-        /// Returns true if a sample of the cell around a place has changed; of a place on a sample
-        /// or between two, if that one or one of these has.
+        /// Returns true if a sample of the cell around a place has changed. For a place on a sample
+        /// or between two samples, these samples alone count.
         bool reaches(double x, double y) const;
         const SplineGrid& heights() const { return heights_; }
 
       private:
-        /// Returns the samples before and after a coordinate, the same one twice if it lies on it.
+        /// Returns the samples before and after a coordinate; both are the same for a coordinate on
+        /// a sample.
         std::pair<std::size_t, std::size_t> around(double at, std::size_t axis) const;
 
         const SplineGrid& heights_;
@@ -54,7 +55,7 @@ class ShoreGround {
 
   private:
     SplinePyramid heights_;
-    std::vector<PageVector<std::uint8_t>> changed_;  // of each level: 1 for such samples
+    std::vector<PageVector<std::uint8_t>> changed_;  // of each level: 1 for changed samples
 };
 
 }  // namespace ocean

@@ -22,16 +22,16 @@ namespace {
 constexpr double kWavesOfShore = 64.0;  // along the longer side
 constexpr double kMinUplift = 0.25;     // relative, at the shore
 constexpr double kFullUplift = 0.5;     // relative height from which uplift is 1
-/// Summits of the start over those of hillslopes from the shore to the middle of the land: low, so
-/// that valleys find their own way.
+/// Heights of the start's summits over the hillslopes' summits, from the shore to the middle of the
+/// land: low, so that valleys find their own way.
 constexpr double kStartRelief = 0.1;
 constexpr float kMinDepth = 0.5f;  // of the sea [m]
 
-/// Heights before erosion on the cells of a level.
+/// Heights before erosion at the cells of a level.
 struct Cells {
     int columns, rows;
-    std::vector<float> height;  // of all waves
-    std::vector<float> smooth;  // of the waves of shore and uplift
+    std::vector<float> height;  // heights of all waves
+    std::vector<float> smooth;  // heights of the waves of shore and uplift
 };
 
 Cells cells_of(const SplinePyramid& base, double offset, const Domain& domain, int columns,
@@ -58,7 +58,7 @@ Cells cells_of(const SplinePyramid& base, double offset, const Domain& domain, i
     return cells;
 }
 
-/// Returns 1 for the cells below `level` that are connected to the border by such cells.
+/// Returns 1 for the cells below `level` that such cells connect to the border.
 std::vector<std::uint8_t> seas_of(const Cells& cells, double level) {
     std::vector<std::uint8_t> sea(cells.smooth.size());
     std::vector<std::pair<int, int>> front;
@@ -89,9 +89,9 @@ std::vector<std::uint8_t> seas_of(const Cells& cells, double level) {
     return sea;
 }
 
-/// Rounds the floors of channels, which are one cell wide and turn by 45 degrees: maps that are
-/// finer than the grid would show them as stairs. A deviation of one cell; then every cell drains
-/// again. `outlets` keep their heights.
+/// Rounds the floors of channels, which are one cell wide and turn by 45 degrees, so that finer
+/// maps do not show them as stairs. The smoothing has a deviation of one cell; then every cell
+/// drains again. `outlets` keep their heights.
 void round_floors(const StreamGrid& grid, std::span<const std::uint8_t> outlets,
                   std::span<float> heights, ThreadPool& pool) {
     constexpr double kReachOfDeviation = 1.4142135623730951;
@@ -106,7 +106,7 @@ void round_floors(const StreamGrid& grid, std::span<const std::uint8_t> outlets,
     flood(grid, FloodTo::drain, heights, directions, work);
 }
 
-/// The cells by which water leaves: the sea, or without one all cells of the border.
+/// The cells by which water leaves: the sea, or all cells of the border if there is no sea.
 struct Outlets {
     std::vector<std::uint8_t> is_outlet;  // 1 in such a cell
     bool are_sea = false;
@@ -181,7 +181,7 @@ bool same_streams(const TerrainModel& a, const TerrainModel& b) {
     if (a.rings != b.rings || a.base_model != b.base_model) return false;
     if (a.layers.size() != b.layers.size()) return false;
     for (const TerrainRow& row : terrain_table().rows) {
-        // Detail moves the samples of a base, but nothing else that streams begin with.
+        // Detail moves the samples of a base, but no other input of the streams.
         const bool comes_later =
             (row.holds<&TerrainModel::detail_wavelength>() && a.base_model == nullptr) ||
             (row.section == "terrain.coast" && row.key != "level");

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The start of streams: the land of the waves as heights, uplift and outlets for each level of
-// their pyramid; and their end, carved land with the bed of the sea around it.
+// The input of streams: the land of the waves as heights, uplift and outlets for each level of
+// their pyramid; and their output, carved land with the bed of the sea around it.
 #pragma once
 
 #include <vector>
@@ -26,8 +26,7 @@ StreamSource stream_source(const TerrainModel& terrain, const SplinePyramid& bas
 std::vector<float> with_sea_bed(const StreamLand& land, const SplinePyramid& base, double offset,
                                 const Domain& domain, double level, ThreadPool& pool);
 
-/// Returns true if streams of one terrain are those of the other: they differ only in what comes
-/// after streams.
+/// Returns true if two terrains have the same streams: they differ only in later steps.
 bool same_streams(const TerrainModel& a, const TerrainModel& b);
 
 }  // namespace ocean

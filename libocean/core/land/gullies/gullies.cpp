@@ -19,7 +19,7 @@ namespace ocean {
 namespace {
 
 constexpr double kNextWeight = 0.6;
-constexpr double kMaxPoints = 2147483647.0;  // of an octave's lattice along a period
+constexpr double kMaxPoints = 2147483647.0;  // max points of an octave's lattice along a period
 
 static_assert(sizeof(GullyTask::octave) == kMaxGullyOctaves * sizeof(GullyOctaveTask));
 
@@ -121,10 +121,10 @@ double gully_share(double wavelength, double cell) {
 }
 
 // With theta half of the phase, (1 - r cos 2 theta)/2 + e^2 = B^2 + r sin^2 theta, B^2 = (1 - r)/2
-// + e^2, so that the mean of its root is (2 / pi) H E(k), H^2 = B^2 + r, k = sqrt(r) / H. E by
-// arithmetic and geometric means a, b from 1, k' = B / H and c = k: E = pi / (2 a) (1 - sum of
-// 2^(n-1) c_n^2) [Abramowitz and Stegun 1964] 17.6.3, 17.6.4. Each step squares the distance of the
-// means.
+// + e^2, so that the mean of its root is (2 / pi) H E(k), H^2 = B^2 + r, k = sqrt(r) / H. E follows
+// from arithmetic and geometric means a, b that begin at 1 and k' = B / H, with c = k: E = pi / (2
+// a) (1 - sum of 2^(n-1) c_n^2) [Abramowitz and Stegun 1964] 17.6.3, 17.6.4. Each step squares the
+// distance of the means.
 double gully_crease_mean(double crease, double length) {
     const double e = roundness(crease);
     const double longer = std::sqrt(0.5 * (1.0 + length) + e * e);

@@ -65,7 +65,7 @@ OCEAN_INLINE Vec sqrt(Vec x) {
     return x;
 #endif
 }
-/// Returns the largest integer that is not above x, |x| < 2^22.
+/// Returns the largest integer that is at most x, |x| < 2^22.
 OCEAN_INLINE Vec floor(Vec x) {
 #if defined(__AVX512F__)
     return Lanes(_mm512_roundscale_ps(x.v, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC));
@@ -138,7 +138,7 @@ OCEAN_INLINE void add_gullies(const GullyTask& task, const GullyArrays& points, 
     if (points.ridge != nullptr) store_unaligned(points.ridge + first, one - state.no_ridge);
 }
 
-/// The last points, fewer than kLanes, with copies of the last one behind them.
+/// The last points, fewer than kLanes, padded with copies of the last one.
 struct LastPoints {
     double place[2][kLanes];
     float value[6][kLanes];

@@ -58,8 +58,8 @@ using GullyLoop = void (*)(const GullyTask&, const GullyArrays&);
 /// Returns the loop of an instruction set that is compiled in.
 GullyLoop gully_loop(SimdLevel level);
 
-/// Adds the value to x so that x - kRoundDouble is the integer next to a double of |x| < 2^51, and
-/// the low 32 bits of the sum are those of the integer.
+/// Added to a double x, |x| < 2^51: x + kRoundDouble - kRoundDouble is the nearest integer, and the
+/// low 32 bits of the sum are the integer's.
 inline constexpr double kRoundDouble = 6755399441055744.0;  // 1.5 * 2^52
 
 }  // namespace ocean

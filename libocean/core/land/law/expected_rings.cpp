@@ -92,7 +92,7 @@ int padded(int samples) {
     return static_cast<int>(std::bit_ceil(static_cast<unsigned>(samples)));
 }
 
-/// Returns the covariance times that of the window, folded.
+/// Returns the land's covariance times the window's, folded.
 ComplexGrid folded_covariance(ComplexGrid& covariance, const std::array<int, 2>& samples,
                               const std::vector<double>& window_x,
                               const std::vector<double>& window_y) {

@@ -5,8 +5,8 @@
 //
 // The density of a window of n_x x n_y heights h with weights w, samples dx and dy apart, is
 //   S(kx, ky) = |sum w h exp(-i (kx x + ky y))|^2 dx dy / (4 pi^2 sum w^2)   [m^4].
-// The window is padded with zeros to powers of two: that asks for the same density at more
-// wavenumbers and changes no mean, so a model of any size is transformed as a whole.
+// The window is padded with zeros to powers of two, which samples the same density at more
+// wavenumbers and changes no mean, so that a model of any size is transformed as a whole.
 #include "ocean/ring_spectrum.hpp"
 
 #include <algorithm>
@@ -28,8 +28,8 @@ namespace ocean {
 namespace {
 
 constexpr int kMinSquareSide = 16;
-constexpr double kShareOfNyquist = 0.8;  // of a grid that exists once
-constexpr double kMinCycles = 2.0;       // along its shorter side
+constexpr double kShareOfNyquist = 0.8;  // limit for a grid that exists once
+constexpr double kMinCycles = 2.0;       // along the shorter side of such a grid
 
 double sum_of_squares(const std::vector<double>& weights) {
     double sum = 0.0;
@@ -56,7 +56,7 @@ struct Plane {
     double slope_y = 0.0;
 };
 
-/// The transform of one window after another, by the same memory.
+/// Transforms one window after another in the same memory.
 class WindowTransform {
   public:
     WindowTransform(const Domain& domain, std::span<const float> heights,
@@ -159,8 +159,8 @@ class WindowTransform {
         }
     }
 
-    /// Transforms a column and sums its densities. Columns between the first and the last one stand
-    /// for their mirrored ones, too.
+    /// Transforms a column and sums its densities. Columns between the first and the last one also
+    /// count for their mirror images.
     void add_column(int i, std::vector<std::complex<double>>& column) {
         const std::size_t ring_count = static_cast<std::size_t>(edges_.count());
         const std::span<RingSums> rings(&columns_[static_cast<std::size_t>(i) * ring_count],
@@ -265,7 +265,7 @@ std::vector<Ring> measure_rings(const Domain& domain, std::span<const float> hei
             ++windows;
         }
     }
-    // The waves of the whole grid: a half of the plane, since the other half repeats it.
+    // The waves of the whole grid are half of the plane, since the other half repeats it.
     const double share = 0.5 * transform.independent_share() / static_cast<double>(windows) *
                          static_cast<double>(domain.count()) /
                          (static_cast<double>(samples[0]) * samples[1]);

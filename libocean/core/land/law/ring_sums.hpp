@@ -23,7 +23,7 @@ struct RingEdges {
         const double rings = std::log2(end / lowest) * per_octave;
         return std::max(1, static_cast<int>(std::ceil(rings - kRounding)));
     }
-    /// Returns the ring of a wavenumber, or -1 outside all of them.
+    /// Returns the ring of a wavenumber, or -1 if no ring has it.
     int ring_of(double k) const {
         if (k < lowest || k >= end) return -1;
         return std::min(static_cast<int>(std::log2(k / lowest) * per_octave), count() - 1);

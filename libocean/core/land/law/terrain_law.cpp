@@ -24,7 +24,7 @@ double log_one_plus_exp(double x) {
     return x > 40.0 ? x : std::log1p(std::exp(x));
 }
 
-/// Waves this many times longer than the largest gullies are the first that steer them.
+/// Waves steer gullies if they are at least this many times longer than the largest gullies.
 constexpr double kSteering = 7.0 / 3.0;
 
 double smallest_gully(const GullySettings& gullies) {
@@ -60,7 +60,7 @@ TerrainLaw::TerrainLaw(const TerrainModel& terrain, LawPart part)
                                                     : kSteering * terrain.gullies.longest;
     log_part_k_ = std::log(kTwoPi / wavelength);
     if (part == LawPart::fine && !terrain.has_gullies()) log_part_k_ = kEndless;
-    // A wave of exactly a limit's length stays, whichever way its k was rounded.
+    // A wave of exactly the limiting length stays, however its k was rounded.
     constexpr double kRounding = 1e-9;
     min_k_ *= 1.0 - kRounding;
     max_k_ *= 1.0 + kRounding;
@@ -96,8 +96,8 @@ TerrainLaw::TerrainLaw(const TerrainModel& terrain, LawPart part)
     last_slope_ = fitted_slope(log_k_.end() - used, log_s_.end() - used, used);
 }
 
-/// The rings end where the elevation model does: beyond them the density continues with the slope
-/// of the six outermost ones.
+/// The rings end where the elevation model does; beyond them the density continues with the slope
+/// of the six outermost rings.
 double TerrainLaw::measured(double log_k) const {
     if (log_k <= log_k_.front()) {
         return log_s_.front() + first_slope_ * (log_k - log_k_.front());
@@ -191,7 +191,7 @@ constexpr int kShift = 52 - WavenumberCells::kOctaveBits;
 WavenumberCells::Place WavenumberCells::place_of(double square) {
     constexpr std::uint64_t kBelow = (std::uint64_t{1} << kShift) - 1;
     const auto bits = std::bit_cast<std::int64_t>(square);
-    // The bits below the cell's own, as a double without a conversion of 64 bits: 1.xxx - 1.
+    // Reads the bits below the cell's own as the double 1.xxx - 1, without a 64-bit conversion.
     constexpr std::int64_t kOne = std::int64_t{1023} << 52;
     const std::int64_t below = (bits & static_cast<std::int64_t>(kBelow)) << kOctaveBits;
     return {bits >> kShift, std::bit_cast<double>(kOne | below) - 1.0};

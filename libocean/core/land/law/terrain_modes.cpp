@@ -62,7 +62,7 @@ TerrainNoise::TerrainNoise(const TerrainModel& terrain, ThreadPool& pool)
             std::ranges::fill(row, std::complex<float>());
             if (m == -half) continue;
             for (const NoiseSource& source : sources) add_noise(source, m, row, drawn);
-            if (m <= 0) row[0] = {};  // the mean, and the mirrored half of n = 0
+            if (m <= 0) row[0] = {};  // no mean; for n = 0 half of the waves are mirrors
         }
     });
     add_moments();
@@ -210,7 +210,7 @@ TerrainScale set_terrain_modes(const TerrainModel& terrain, const TerrainNoise& 
     const int size = noise.resolution();
     const double dk = kTwoPi / terrain.patch_size;
     const TerrainAmplitudes whole(TerrainLaw(terrain), dk, dk * size);
-    // |h|^2 = S / 2 |g|^2 dk^2, and each mode has a mirror.
+    // |h|^2 = S / 2 |g|^2 dk^2, and each mode has a mirror image.
     const double own_rms = dk * std::sqrt(noise.energy(whole, pool));
     std::optional<TerrainAmplitudes> of_part;
     if (part != LawPart::whole) of_part.emplace(TerrainLaw(terrain, part), dk, dk * size);

@@ -18,7 +18,7 @@ namespace ocean {
 namespace {
 
 constexpr int kMaxRepeatedSide = 4096;
-constexpr double kBeyond = 0.1;  // mean correlation from which peaks count
+constexpr double kBeyond = 0.1;  // peaks count where the mean correlation is below this
 
 using PowerPlane = std::vector<std::complex<float>>;
 
@@ -87,7 +87,7 @@ TerrainRepeat find_repeat(const Modes& modes) {
     require_memory(tile.lattice.size() * (sizeof(std::complex<float>) + 2 * sizeof(float)),
                    "the autocorrelation of the terrain");
     const double dk = tile.lattice.wavenumber_step();
-    // Both powers are even and real: their transforms are the two parts of one.
+    // Both powers are even and real, so that one transform holds both of theirs as its two parts.
     PowerPlane plane(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
     for (int m = 1 - side / 2; m < side / 2; ++m) {
         for (int n = 1 - side / 2; n < side / 2; ++n) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rules between the parameters of a terrain. After this its stages check nothing.
+// Rules between the parameters of a terrain. Later stages rely on them and check nothing.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -149,7 +149,7 @@ void validate_gullies(const TerrainModel& terrain) {
            "at most a quarter of terrain.patch_size, " + to_text(most) + " m");
 }
 
-/// Throws for a range of a land that is more than waves, which alone could be scaled to it.
+/// Throws for a range of a shaped land: only waves alone can be scaled to a range.
 void validate_shaped_range(const TerrainModel& terrain) {
     if (terrain.range.empty() || !terrain.is_shaped()) return;
     refuse("terrain.range", terrain.range,

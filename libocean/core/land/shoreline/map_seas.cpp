@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Seas: see map_seas.hpp. Runs of water in rows are joined with those that they touch in the row
-// below, by a forest whose roots are seas.
+// Seas: see map_seas.hpp. A forest joins the runs of water in a row with the runs that they touch
+// in the row below; its roots are seas.
 #include "map_seas.hpp"
 
 #include <algorithm>
@@ -54,7 +54,8 @@ class RunSets {
     std::vector<std::uint32_t> parents_;
 };
 
-/// Joins the runs of a row, from `here` on, with those of the row below it, from `below` on.
+/// Joins the runs of a row, which begin at `here`, with the runs of the row below it, which begin
+/// at `below`.
 void join_rows(const std::vector<Run>& runs, std::uint32_t below, std::uint32_t here,
                std::uint32_t end, RunSets& sets) {
     for (std::uint32_t b = below, h = here; b < here && h < end;) {
@@ -92,7 +93,8 @@ void raise_cut_off_seas(std::span<float> map, const SampleGrid& grid) {
     }
     std::uint32_t number = 1;
     for (int j = 0; j < grid.rows; ++j) {
-        // A row's end is where the runs begin anew; the runs were found before any was raised.
+        // The runs of a row end where the next row's begin; all were found before any sea was
+        // raised.
         float* const row = &map[grid.index(0, j)];
         for_each_run(row, grid.columns, [&](Run run) {
             if (sets.root(number++) == 0) return;

@@ -73,7 +73,7 @@ void check(std::span<const float> heights, const Domain& domain,
     }
 }
 
-/// The sides of a level on which a map has samples.
+/// The range of a map's samples: on one side of the level or on both.
 struct Sides {
     bool land = false;
     bool sea = false;
@@ -128,7 +128,7 @@ class ShorelineShaper {
         }
         shape_heights();
         passes_.report(1.0);
-        // Not before: a stop leaves the heights as they were.
+        // The heights change only here, so that a stop before leaves them as they were.
         std::ranges::copy(smoothed_, heights_.begin());
         return std::move(maps_);
     }
@@ -172,16 +172,16 @@ class ShorelineShaper {
 
     /// Writes shelter, and into the map of cliffs the share of a cliff at the nearest shore.
     void find_character() {
-        // The share of land in each cell: its edge moves smoothly with the line.
+        // The share of land in each cell, so that its edge moves smoothly with the line.
         PageVector<float>& share = maps_.beach;
         for_each_sample([this, &share](std::size_t at, int, int) {
             share[at] = std::clamp(0.5f + maps_.distance[at], 0.0f, 1.0f);
         });
         blur(share, grid_, samples(settings_.shelter), passes_);
-        // Across a straight shore the share rises by this per sample; the line is not at the
-        // sample.
+        // Across a straight shore the share rises by this per sample; the line lies between
+        // samples.
         const double rise = 1.0 / (std::sqrt(kTwoPi) * samples(settings_.shelter));
-        // One character for the whole profile, from the berm to the shelf.
+        // The whole profile, from the berm to the shelf, has one character.
         for_each_sample([this, &share, rise](std::size_t at, int, int) {
             const std::size_t shore = nearest_[at];
             const double at_line = double{share[shore]} - rise * double{maps_.distance[shore]};
@@ -196,7 +196,7 @@ class ShorelineShaper {
         blur(maps_.cliff, grid_, samples(kAlongShore), passes_);
     }
 
-    /// Writes the new heights over the smoothed ones, whose signs they have.
+    /// Writes the new heights over the smoothed heights, whose signs they keep.
     void shape_heights() {
         for_each_sample([this](std::size_t at, int, int) {
             const double d = double{maps_.distance[at]};
@@ -218,7 +218,7 @@ class ShorelineShaper {
     ShorelineSettings settings_;
     ShorelineLaw law_;
     GridPasses passes_;
-    float above_, below_;                // the level's neighbours [m]
+    float above_, below_;                // floats next to the level [m]
     PageVector<float> smoothed_;         // heights above the level, with the sign of the result [m]
     PageVector<std::uint32_t> nearest_;  // the index of the sample at the nearest shore
     ShorelineMaps maps_;

@@ -17,7 +17,7 @@ float signed_unit(std::uint64_t bits) {
     return static_cast<float>(static_cast<std::uint32_t>(bits) >> 8) * (1.0f / 8388608.0f) - 1.0f;
 }
 
-/// A place between two of `count` values in a row.
+/// A position between two of `count` values in a row.
 struct Between {
     Between(float place, int count)
         : low(std::min(static_cast<int>(place), count - 2)),

@@ -14,12 +14,12 @@ namespace ocean {
 
 inline constexpr double kStartWork = 15.0;  // [ns] a cell of the finer level
 
-/// Coarse valleys run in eight directions. A coarse cell knows the place of a valley no better than
-/// its own side, so the finer level reads it a random way off, up to kShift of a cell to each side,
-/// that changes over two cells: valleys lose the grid's directions.
+/// Coarse valleys run in eight directions. A coarse cell knows a valley's position to no better
+/// than its side. So the finer level reads it shifted at random, by up to kShift of a cell to each
+/// side; the shift changes over two cells. Valleys then lose the grid's directions.
 class CoarseHeights {
   public:
-    /// Keeps heights less start [m].
+    /// Keeps heights minus start [m].
     CoarseHeights(std::uint32_t seed, const StreamGrid& grid, std::span<const float> start,
                   std::span<const float> heights);
 

@@ -26,7 +26,7 @@ struct Lines {
         : heights(static_cast<std::size_t>(length) * kLanes), weights(heights.size()) {}
 
     std::vector<float> heights;
-    std::vector<float> weights;  // k w; then the factor that links a place to the next one
+    std::vector<float> weights;  // k w; then the factor between a place and the next
 };
 
 /// Solves the equations of all lines. The ends have no neighbour outside.

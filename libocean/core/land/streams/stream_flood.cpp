@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The priority flood. Only cells with a lower neighbour that water has not reached enter a heap:
-// everything that rises from a drained cell drains already, and is walked by a stack [Wei 2018].
+// cells that rise from a drained cell drain already, and a stack walks them [Wei 2018].
 #include "land/streams/stream_flood.hpp"
 
 #include <bit>
@@ -13,7 +13,7 @@
 namespace ocean {
 namespace {
 
-constexpr float kDrop = 1e-4f;  // of a drained hollow from cell to cell [m]
+constexpr float kDrop = 1e-4f;  // rise of a drained hollow from cell to cell [m]
 
 /// Returns a number that orders heights and then indices.
 std::uint64_t key_of(float height, CellIndex p) {
@@ -50,8 +50,8 @@ class Flood {
   private:
     using Heap = std::priority_queue<std::uint64_t, std::vector<std::uint64_t>, std::greater<>>;
 
-    /// Returns true for an outlet among outlets, found without the column of the cell: around the
-    /// border it may take cells of the other side for neighbours, and returns false too often.
+    /// Returns true for an outlet among outlets, without the column of the cell. At the border it
+    /// may take cells of the other side for neighbours and return false too often.
     bool is_open_sea(CellIndex p) const {
         if (p <= columns_ || p + columns_ + 1 >= directions_.size()) return false;
         const auto three = [&](CellIndex q) {
@@ -61,8 +61,8 @@ class Flood {
         return three(p) && three(p - columns_) && three(p + columns_);
     }
 
-    /// Reaches all cells that rise from a drained one. Those from which water could fall into cells
-    /// that it has not reached are candidates for rims.
+    /// Reaches all cells that rise from a drained cell. Cells from which water could fall into
+    /// unreached cells become candidates for rims.
     void climb(CellIndex start) {
         above_.push_back(start);
         while (!above_.empty()) {
@@ -84,7 +84,7 @@ class Flood {
         }
     }
 
-    /// Makes rims of the candidates from which water can still fall.
+    /// Turns candidates from which water can still fall into rims.
     void settle() {
         for (const CellIndex p : candidates_) {
             bool is_rim = false;
@@ -94,7 +94,7 @@ class Flood {
         candidates_.clear();
     }
 
-    /// Fills the hollows beyond a rim, or what is next to it of a hollow that is to drain.
+    /// Fills the hollows beyond a rim; with FloodTo::drain, only the cells of a hollow next to it.
     void pour_from(CellIndex rim) {
         reach_from(rim);
         while (!hollow_.empty()) {
@@ -117,11 +117,12 @@ class Flood {
             }
             directions_[r] |= kFlooded;
             if (to_ == FloodTo::carve) {
-                // The way out goes from the deepest place up: lowest ground first.
+                // The way out runs from the deepest place up, lowest ground first.
                 hollow_.push(key_of(heights_[r], r));
                 heights_[r] = level;
             } else {
-                // Water that rises joins that of other rims, so that level ground drains to all.
+                // Rising water joins the water of other rims, so that level ground drains to all of
+                // them.
                 heights_[r] = risen(level, kDrop);
                 rims_.push(key_of(heights_[r], r));
                 count();
@@ -146,8 +147,8 @@ class Flood {
     std::vector<CellIndex> candidates_;
     Heap rims_;
     Heap hollow_;
-    CellIndex counted_ = 0;   // cells that were walked
-    CellIndex reported_ = 0;  // of them
+    CellIndex counted_ = 0;   // walked cells
+    CellIndex reported_ = 0;  // reported part of counted_
 };
 
 }  // namespace

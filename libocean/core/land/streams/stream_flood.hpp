@@ -19,17 +19,18 @@ inline constexpr std::uint8_t kFlooded = 0x10;  // bit: the direction is the flo
 inline constexpr std::uint8_t kUnseen = 0xFF;
 inline constexpr std::uint8_t kDirectionBits = 0x07;
 
-/// How the flood leaves hollows behind.
+/// How the flood treats hollows.
 enum class FloodTo {
     carve,  // hollows become level; their ways out follow their valleys, from the deepest place up
-    drain,  // every cell gets a lower neighbour: hollows rise strictly from their way out
+    drain,  // hollows rise strictly from their outlet: every cell has a lower neighbour
 };
 
 inline constexpr double kFloodWork = 30.0;  // [ns] a cell
 
-/// Raises the heights of hollows and writes the direction from which the flood came into each cell
-/// that is kUnseen, with kFlooded where it raised it. Outlets are kOutlet and keep their heights.
-/// Requires an outlet. Ties go by index. A chain of directions never rises and ends in an outlet.
+/// Raises the heights of hollows and writes into each kUnseen cell the direction from which the
+/// flood came, with kFlooded if the flood raised the cell. Outlets are kOutlet and keep their
+/// heights. Requires an outlet. Ties go by index. A chain of directions never rises and ends in an
+/// outlet.
 void flood(const StreamGrid& grid, FloodTo to, std::span<float> heights,
            std::span<std::uint8_t> directions, StreamWork& work);
 

@@ -40,7 +40,7 @@ struct StreamGrid {
                static_cast<CellIndex>(i);
     }
     bool contains(int i, int j) const { return i >= 0 && j >= 0 && i < columns && j < rows; }
-    /// Returns the distance of the indices of a cell and its neighbour.
+    /// Returns the difference of the indices of a neighbour and the cell.
     std::int64_t offset(int direction) const {
         const auto q = static_cast<std::size_t>(direction);
         return std::int64_t{kStepY[q]} * columns + kStepX[q];
@@ -57,7 +57,8 @@ struct StreamGrid {
     }
 };
 
-/// The neighbours of cells. Walks that jump about need the column of a cell to know its border.
+/// The neighbours of cells. Walks in arbitrary order need the column of a cell to know whether it
+/// is at the border.
 class Neighbours {
   public:
     explicit Neighbours(const StreamGrid& grid) : grid_(grid), offsets_(grid.offsets()) {}
@@ -86,7 +87,7 @@ class Neighbours {
     std::array<std::int64_t, 8> offsets_;
 };
 
-/// Returns h + rise, or the next float above h if that is higher: a height that falls to h.
+/// Returns h + rise, or the next float above h if that is higher, so that water falls to h.
 inline float risen(float h, float rise) {
     const auto bits = std::bit_cast<std::uint32_t>(h + 0.0f);  // -0 becomes 0
     const std::uint32_t next = (bits & 0x80000000u) != 0 ? bits - 1 : bits + 1;

@@ -88,7 +88,7 @@ void set_aged(const StreamWalk& walk, double time, std::span<const float> steady
             heights[p] = steady[p];
             return;
         }
-        // The slope that arrives now set out between two cells of the path.
+        // Linear between two cells of the path: the slope that arrives now set out between them.
         const auto above =
             std::ranges::upper_bound(path, target, {}, [&](CellIndex q) { return response[q]; });
         const CellIndex upper = above == path.end() ? p : *above;

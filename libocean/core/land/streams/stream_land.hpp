@@ -23,12 +23,12 @@ struct StreamTree {
           response(of.size()) {}
 
     StreamGrid grid;
-    PageVector<std::uint8_t> directions;  // of the receiver; kOutlet
+    PageVector<std::uint8_t> directions;  // direction of the receiver, or kOutlet
     PageVector<std::uint8_t> donors;      // a bit for each direction
     PageVector<float> steady;             // [m]
     PageVector<float> response;           // time from the outlet [m per unit of uplift]
-    float last_response = 0.0f;           // the greatest of them
-    std::unique_ptr<StreamWalk> walk;     // has spans of directions and donors
+    float last_response = 0.0f;           // the greatest response
+    std::unique_ptr<StreamWalk> walk;     // refers to directions and donors
 };
 
 /// Returns the work of solve_levels and of finishing the land [ns].

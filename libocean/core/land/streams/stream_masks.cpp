@@ -34,8 +34,8 @@ float portable_exp2(float x) {
     return part * std::bit_cast<float>(bits);
 }
 
-/// Returns the depth of the floods of a channel with a drainage area [m2]. Depth rises as the power
-/// 0.4 of discharge [Leopold and Maddock 1953], and discharge as the area.
+/// Returns the depth of the floods of a channel with a drainage area [m2]. Depth rises as
+/// discharge^0.4 [Leopold and Maddock 1953], and discharge as the area.
 float flood_depth(float area) {
     constexpr float kSquareKilometre = 1e6f;
     constexpr float kPower = 0.4f;
@@ -90,7 +90,7 @@ void set_wetness(const StreamGrid& grid, std::span<const std::uint8_t> direction
 void set_deposit(const StreamGrid& grid, const StreamWalk& walk,
                  std::span<const std::uint8_t> directions, std::span<const float> area,
                  std::span<const float> height, std::span<float> bed, StreamWork& work) {
-    // The channel below each cell: the first one downstream, or the outlet.
+    // The channel below each cell: the first channel downstream, or the outlet.
     PageVector<CellIndex> channel(grid.size());
     work.rows(grid, 0.1 * kMaskWork, [&](int first, int last) {
         for (CellIndex p = grid.index(0, first); p < grid.index(0, last); ++p) channel[p] = p;

@@ -13,7 +13,7 @@ namespace ocean {
 
 inline constexpr double kMaskWork = 60.0;  // [ns] a cell, with the walk
 
-/// Returns the share of a channel in a cell with a drainage area [m2].
+/// Returns the share of a channel in a cell, from the drainage area [m2].
 float channel_of(float area);
 void set_wetness(const StreamGrid& grid, std::span<const std::uint8_t> directions,
                  std::span<const float> area, std::span<const float> height,

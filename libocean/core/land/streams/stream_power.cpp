@@ -76,7 +76,7 @@ AgedMaps aged_maps(const StreamLand& land, double age, StreamWork& work) {
             const bool is_outlet = tree.directions[p] == kOutlet;
             directions[p] = is_outlet ? kOutlet : kUnseen;
             if (is_outlet || age >= 1.0) maps.deposit[p] = tree.steady[p];
-            maps.height[p] = maps.deposit[p];  // the bed, which creep and the flood cover
+            maps.height[p] = maps.deposit[p];  // the bed below the cover by creep and flood
         }
     });
     creep(grid, land.settings.creep, land.channel, tree.directions, maps.height, work);
@@ -147,11 +147,11 @@ void set_age(StreamLand& land, double age, ThreadPool& pool, const StreamProgres
 std::uint64_t stream_bytes(int columns, int rows) {
     const std::uint64_t cells =
         static_cast<std::uint64_t>(columns) * static_cast<std::uint64_t>(rows);
-    // While the age is set: five maps and the tree; three new maps, directions and channels; lists
-    // of the flood and the stems. carve: 40.
+    // While the age changes: five maps and the tree; three new maps, directions and channels; lists
+    // of the flood and the stems. carve needs 40.
     constexpr std::uint64_t kLand = 5 * 4 + 10;
     constexpr std::uint64_t kNewMaps = 3 * 4 + 1 + 4;
-    constexpr std::uint64_t kLists = 7;  // at most 5.5 for any land that was tried
+    constexpr std::uint64_t kLists = 7;  // at most 5.5 in all lands tried
     return cells * (kLand + kNewMaps + kLists);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Coarse to fine: each level begins with the heights of the coarser one, to which it adds its finer
+// Coarse to fine: each level begins with the heights of the coarser level, adds its own finer
 // waves, and repeats tree and steady heights until they agree.
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ std::vector<StreamGrid> levels_of(const StreamGrid& finest) {
     throw Error(ErrorKind::invalid_value, "the land of a level " + what);
 }
 
-/// Makes the lowest cell of the border an outlet if there is none.
+/// Makes the lowest cell of the border an outlet if the level has no outlet.
 void ensure_outlet(const StreamGrid& grid, const StreamLevel& level,
                    std::span<std::uint8_t> directions) {
     if (std::ranges::find(directions, kOutlet) != directions.end()) return;
@@ -79,7 +79,7 @@ void set_outlets(const StreamGrid& grid, const StreamLevel& level,
     ensure_outlet(grid, level, directions);
 }
 
-/// Writes the heights that a level begins with. Outlets keep start.
+/// Writes the initial heights of a level. Outlets keep their start.
 void set_heights(const StreamGrid& grid, const StreamLevel& level,
                  const std::optional<CoarseHeights>& coarse,
                  std::span<const std::uint8_t> directions, std::span<float> heights,

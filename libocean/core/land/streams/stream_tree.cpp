@@ -13,7 +13,7 @@ namespace {
 constexpr float kTurn = 0.3f;  // range of the weights
 
 /// Returns the direction of the steepest weighted slope among the neighbours of a mask, or
-/// `otherwise` if none is lower.
+/// `otherwise` if no neighbour is lower.
 template <bool kInside>
 std::uint8_t steepest(const float* at, const std::array<std::int64_t, 8>& offsets,
                       std::uint64_t hash, unsigned mask, std::uint8_t otherwise) {
@@ -126,7 +126,7 @@ void count_cells(const StreamGrid& grid, std::span<const std::uint8_t> direction
         }
     });
     const auto follow = [&](CellIndex p) {
-        // A cell passes its water on when its last donor has come.
+        // A cell passes its water on when the last of its donors has come.
         while (directions[p] != kOutlet) {
             const int q = directions[p];
             const CellIndex receiver = neighbours.towards(p, q);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The drainage tree: each cell has one receiver, and the outlets are its roots. Two bytes a cell
-// hold it, the direction of the receiver and a bit for each neighbour that gives its water.
+// The drainage tree: each cell has one receiver, and the outlets are its roots. It takes two bytes
+// a cell: the direction of the receiver, and a bit for each neighbour that is a donor.
 //
 // Walks go from the outlets up, so that each receiver comes before its donors. The stems, cells
 // with large catchments, are walked by one thread; the branches that join them are independent and
@@ -25,26 +25,25 @@ inline constexpr double kReceiverWork = 25.0;  // [ns] a cell
 inline constexpr double kCountWork = 15.0;
 inline constexpr double kWalkWork = 20.0;
 
-/// Points each cell that is neither an outlet nor kFlooded to its steepest lower neighbour, and
-/// leaves the direction of one that has none. A hash of the place weights the slopes by up to 15 %
-/// to each side, because valleys would else keep to the eight directions of the grid: a choice by
-/// chance between neighbours, as in [Fairfield and Leymarie 1991].
+/// Points each cell that is neither an outlet nor kFlooded to its steepest lower neighbour; a cell
+/// without a lower neighbour keeps its direction. A hash of the place weights the slopes by up to
+/// 15 % to each side, because valleys would otherwise keep to the eight directions of the grid: a
+/// random choice between neighbours, as in [Fairfield and Leymarie 1991].
 void choose_receivers(const StreamGrid& grid, std::uint32_t seed, std::span<const float> heights,
                       std::span<std::uint8_t> directions, StreamWork& work);
 
-/// Writes bit q for each cell whose neighbour in direction q gives it its water. Clears kFlooded.
+/// Writes bit q for each cell whose neighbour in direction q drains into it. Clears kFlooded.
 void find_donors(const StreamGrid& grid, std::span<std::uint8_t> directions,
                  std::span<std::uint8_t> donors, StreamWork& work);
 
-/// Writes the number of cells that drain through each cell, with itself. Loses what is in
-/// `pending`.
+/// Writes the number of cells that drain through each cell, itself included. Overwrites `pending`.
 void count_cells(const StreamGrid& grid, std::span<const std::uint8_t> directions,
                  std::span<const std::uint8_t> donors, std::span<std::uint8_t> pending,
                  std::span<std::uint32_t> counts, StreamWork& work);
 
 class StreamWalk {
   public:
-    /// Finds the stems. The spans must outlive the walk; counts are read here alone.
+    /// Finds the stems. The spans must outlive the walk, except for the counts.
     StreamWalk(const StreamGrid& grid, std::span<const std::uint8_t> directions,
                std::span<const std::uint8_t> donors, std::span<const std::uint32_t> counts,
                StreamWork& work);
@@ -115,7 +114,7 @@ class StreamWalk {
             open.push_back(neighbours_.towards(p, std::countr_zero(bits)));
         }
     }
-    /// Opens the donors of a stem that are no stems.
+    /// Opens the donors of a stem that are not stems themselves.
     void open_branches(CellIndex stem, std::vector<CellIndex>& open) const;
     void each_group(StreamWork& work,
                     const std::function<void(std::size_t first, std::size_t last)>& body) const;
@@ -123,7 +122,7 @@ class StreamWalk {
     Neighbours neighbours_;
     std::span<const std::uint8_t> directions_;
     std::span<const std::uint8_t> donors_;
-    std::vector<CellIndex> stems_;  // outlets with donors among them; receivers first
+    std::vector<CellIndex> stems_;  // outlets with donors included; receivers first
     std::vector<std::uint64_t> stem_bits_;
     std::vector<std::size_t> groups_;  // the first stem of each group, and the end
 };

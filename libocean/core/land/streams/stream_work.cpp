@@ -29,7 +29,7 @@ void StreamWork::each(int count, double work, const std::function<void(int item)
 
 void StreamWork::rows(const StreamGrid& grid, double cost,
                       const std::function<void(int first, int last)>& body) {
-    constexpr int kCells = 1 << 14;  // of a block
+    constexpr int kCells = 1 << 14;  // cells of a block
     const int height = std::max(1, kCells / grid.columns);
     const int blocks = (grid.rows + height - 1) / height;
     each(blocks, cost * height * grid.columns,

@@ -16,15 +16,16 @@ namespace ocean {
 
 class StreamWork {
   public:
-    /// total: the work of all passes [ns of one thread], as all work here; a rough measure.
+    /// total: the work of all passes, a rough measure; this class measures work in [ns of one
+    /// thread].
     StreamWork(ThreadPool& pool, const StreamProgress& progress, double total)
         : pool_(pool), progress_(progress), total_(total) {}
 
-    /// Adds work that was done, and calls progress if its last call is long ago. Called by the
-    /// calling thread after at most 0.1 s of work.
+    /// Adds finished work, and calls progress if its last call was long ago. Called by the calling
+    /// thread after at most 0.1 s of work.
     void add(double work);
     /// Calls body(item) for items of about `work` each on all threads, with calls of progress
-    /// between batches. Any thread runs an item: they are independent.
+    /// between batches. The items must be independent: any thread may run any item.
     void each(int count, double work, const std::function<void(int item)>& body);
     /// Calls body(first, last) for blocks of rows of a grid; `cost` is the work of a cell.
     void rows(const StreamGrid& grid, double cost,

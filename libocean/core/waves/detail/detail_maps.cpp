@@ -20,8 +20,9 @@ Detail::Detail(double time, int samples, DetailBudget budget)
 
 namespace {
 
-/// Returns the factor that scales the sum over a band's modes to the integral over the band.
-/// Limited as in band_gain: a band of a narrow swell may hold its few modes by chance or not.
+/// Returns the factor that scales the sum over a band's modes to the integral over the band. The
+/// factor is limited as in band_gain: whether a band holds the few modes of a narrow swell is left
+/// to chance.
 double slope_gain(double integral, double sum) {
     return sum > 0.0 ? std::clamp(integral / sum, 0.5, 2.0) : 1.0;
 }
@@ -39,7 +40,7 @@ double measure(const DetailPlan& plan, const PlannedBand& planned, const ModeLat
 
 /// Amplifies each wave by the factor that bilinear reading loses. Along one side, with weights 1 -
 /// t and t, the mean square over all positions of a wave that turns by p per sample is (2 + cos p)
-/// / 3 of its own.
+/// / 3 of the wave's own.
 void raise_for_straight_lines(CascadeModes& modes, int samples) {
     const int n = modes.lattice.resolution;
     std::vector<float> raise(static_cast<std::size_t>(n));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The tiles of the detail with all that a band keeps between times, as the chain does for the sea.
-// Last stage of the pipeline, behind Ocean::detail.
+// The tiles of the detail, with the data that each band keeps between times, as the chain does for
+// the sea. This is the last stage of the pipeline, behind Ocean::detail.
 #pragma once
 
 #include <span>
@@ -19,14 +19,14 @@ class DetailMaps {
     DetailMaps(const DetailSettings& settings, const Backend& backend)
         : settings_(settings), backend_(backend) {}
 
-    /// Sets the parameters and their spectrum, whose revision is `revision`. Keeps all that neither
-    /// has changed.
+    /// Sets the parameters and their spectrum, whose revision is `revision`. Keeps all results that
+    /// neither change affects.
     void set_parameters(const Parameters& parameters, const DirectionalSpectrum& spectrum,
                         const Revision& revision, ThreadPool& pool);
     const DetailBudget& budget() const { return budget_; }
 
     /// Writes the slopes of one time: outputs[i] receives multiples of the slopes of band i.
-    /// `spectrum` is that of set_parameters.
+    /// `spectrum` must be the spectrum passed to set_parameters.
     void write(double time, const DirectionalSpectrum& spectrum, std::span<const MapOutput> outputs,
                ThreadPool& pool);
 
@@ -34,14 +34,14 @@ class DetailMaps {
     struct Tile {
         CascadeBand ring;
         ModeLattice lattice;
-        Modes modes;        // without a revision: their waves are not made
+        Modes modes;        // without a revision, because their waves are not made
         double gain = 1.0;  // of the modes' slopes: scales their sum to the band's integral
         MapWriter maps;
     };
 
     DetailSettings settings_;
     Backend backend_;
-    Revision revision_;  // of the spectrum of the budget
+    Revision revision_;  // revision of the spectrum of the budget
     DetailBudget budget_;
     std::vector<Tile> tiles_;
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which waves a shown map lacks, in which tiles, and how much slope they have; see detail_plan.hpp.
+// The waves that a shown map lacks: their tiles, and their slopes; see detail_plan.hpp.
 #include "waves/detail/detail_plan.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ static_assert(streams_of(NoiseStream::detail_bands) == kMaxDetailBands);
 
 constexpr double kFactor = 6.0;        // from one band to the next
 constexpr double kTwoBandsUpTo = 2.0;  // m
-// Waves of a tile run in enough directions, and are many enough for a Gaussian field.
+// With this many, the waves of a tile run in enough directions and are enough for a Gaussian field.
 constexpr double kWavesOfTile = 8.3;
 constexpr double kMinTile = 1.0;  // m
 
@@ -83,7 +83,7 @@ DetailPlan plan_detail(const Parameters& parameters, const DetailSettings& setti
         DetailBand& band = planned.band;
         band.longest_wave = rest;
         band.tile = std::max(kMinTile, kWavesOfTile * rest);
-        // A band not twice as wide as the others needs no other one beside it.
+        // A last band less than twice as wide as the others stays whole.
         const bool last = bands.size() + 1 == most || rest <= 2.0 * kFactor * end;
         const double held = band.tile / (settings.samples / 2 - 1);
         band.shortest_wave = std::max(last ? end : rest / kFactor, held);
@@ -132,8 +132,8 @@ double integral_of_slope(const DirectionalSpectrum& spectrum, const Dispersion& 
 }
 
 /// Returns the integral over the directions in which a wavenumber lies outside the square, within
-/// acos(edge/k) of an axis. One point for each direction of the table, which is linear between
-/// them.
+/// acos(edge/k) of an axis, with one point for each direction of the table, which is linear in
+/// between.
 double density_outside(const DirectionalSpectrum& spectrum, double omega, double edge_over_k) {
     const double reach = std::acos(std::min(edge_over_k, 1.0));
     const int points = std::max(8, static_cast<int>(reach / kPi * spectrum.directions()));
@@ -189,7 +189,7 @@ SlopeVariance slopes_of_modes(const ModeLattice& lattice, const DirectionalSpect
             }
         }
     });
-    // In order, so that the bits are the same for any number of threads.
+    // The sum runs in order, so that the bits are the same for any number of threads.
     SlopeVariance sum;
     for (const SlopeVariance& row : rows) {
         sum.x += row.x;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Each band of the detail as a lattice of modes, and the slopes that the spectrum has there.
-// Between the sea's parameters and detail_maps.hpp.
+// Each band of the detail as a lattice of modes, and its slopes by the spectrum. This is the stage
+// between the sea's parameters and detail_maps.hpp.
 #pragma once
 
 #include <cstdint>

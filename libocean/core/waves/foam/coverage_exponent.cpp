@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The exponent p of cover = foam^p, at which the mean of foam^p equals that of the whitecaps. Foam
-// is the maximum over a past, so the mean of its powers has no closed form; it is measured by
+// The exponent p of cover = foam^p, at which the means of foam^p and of the whitecaps are equal.
+// Foam is the maximum over a past, so the mean of its powers has no closed form; it is measured by
 // following the gradients of the displacement at single labels, tick by tick of the foam's clock.
 #include <algorithm>
 #include <array>
@@ -22,8 +22,8 @@
 namespace ocean {
 namespace {
 
-/// Returns the age, in lifetimes, that foam of a whitecap shows over foam of an age, as
-/// foam_with_whitecap of shaders/wave/foam_cover.glsl does where a lattice is spread.
+/// Returns the age, in lifetimes, of a whitecap's foam over older foam, as foam_with_whitecap of
+/// shaders/wave/foam_cover.glsl does where a lattice is spread.
 double age_under(double whitecap_age, double foam_age) {
     return std::min(foam_age, whitecap_age + std::max(0.0, foam_age - std::log(2.0)));
 }
@@ -31,10 +31,11 @@ double age_under(double whitecap_age, double foam_age) {
 /// Follows labels through a whitecap of the past in the middle of a window.
 ///
 /// E[F^n] is the sum, over the ticks s of the last `reach`, of E[F^n / N; V(s) > 0], where N of
-/// them have a whitecap of the past V > 0: each counts for its share in the foam that follows.
+/// these ticks have a whitecap of the past V > 0: each counts for its share in the foam that
+/// follows.
 class Follower {
   public:
-    /// `aging`: of foam in a tick.
+    /// `aging`: the age that foam gains in a tick.
     Follower(int reach, double aging) : reach_(static_cast<std::size_t>(reach)), aging_(aging) {}
 
     /// Begins a window.
@@ -43,14 +44,14 @@ class Follower {
         ages_.clear();
         shown_.clear();
     }
-    /// Adds a tick: the whitecap of the past, and the one shown over it.
+    /// Adds a tick: the whitecap of the past, and the whitecap shown over it.
     void add_tick(double past, double shown) {
         past_.push_back(past);
         ages_.push_back(age_of(past));
         shown_.push_back(age_of(shown));
     }
     void follow(FollowedFoam& followed) {
-        if (ages_[reach_] == kNoFoam) return;  // by rounding alone
+        if (ages_[reach_] == kNoFoam) return;  // happens by rounding alone
         // The waves' statistics are the same backwards in time.
         add(followed);
         for (std::vector<double>* ticks : {&past_, &ages_, &shown_}) std::ranges::reverse(*ticks);
@@ -75,10 +76,10 @@ class Follower {
     double aging_;
     std::vector<double> past_;
     std::vector<double> ages_;   // -ln past
-    std::vector<double> shown_;  // -ln of the whitecaps shown
+    std::vector<double> shown_;  // -ln of the shown whitecaps
 };
 
-/// The waves that a map holds and a foam lattice does not.
+/// The waves that a map holds but a foam lattice does not.
 class ShortWaves {
   public:
     ShortWaves(const FoamSea& sea, const FoamWhitecaps& whitecaps, double angle,

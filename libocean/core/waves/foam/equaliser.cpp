@@ -21,19 +21,19 @@ namespace {
 
 constexpr int kPlaces = 1024;
 
-/// Places where the distribution of reads is known: a cover of 0.003 is fifty of them.
+/// The places where the distribution of reads is known; a cover of 0.003 spans fifty of them.
 constexpr int kBins = 1 << 14;
 /// Reads per side of a texel, on a lattice. Small textures need more, because each of their texels
 /// counts more.
 constexpr int kMinReads = 4, kMaxReads = 32;
 constexpr int kReadsAlong = 4096;
-/// The largest departure from F(c) = c that is left, and the most turns that this may take.
+/// Iterations end when the largest deviation from F(c) = c is below this, or after this many turns.
 constexpr double kSettled = 2e-4;
 constexpr int kMaxTurns = 24;
 
-/// Where reads lie, of a panel of four: Chebyshev's quadrature of equal weights, exact to the fifth
-/// degree [Abramowitz and Stegun 1964] 25.4.28. Reads at the middles of quarters are never near a
-/// texel and lack extremes: up to 1e-3 of the area.
+/// The positions of reads in a panel of four: Chebyshev's quadrature of equal weights, exact to the
+/// fifth degree [Abramowitz and Stegun 1964] 25.4.28. Reads at the middles of quarters would never
+/// be near a texel and would miss extremes: up to 1e-3 of the area.
 constexpr std::array<float, 4> kPanel = {0.102672764f, 0.406203763f, 0.593796237f, 0.897327236f};
 float place_of_read(int read, int reads) {
     const int panel = read / 4;
@@ -43,11 +43,11 @@ float place_of_read(int read, int reads) {
 
 using Counts = std::vector<std::uint32_t>;
 
-/// Counts the reads between a row of texels and the next one, and from a column to the next.
+/// Counts the reads between a row of texels and the next row, and from column to column.
 void count_reads(const float* row, const float* next, int size, int reads, Counts& counts) {
     const auto columns = static_cast<std::size_t>(size);
     std::vector<float> between(columns + 1);
-    std::vector<std::int32_t> bins(columns);  // apart from the counts, for the vectoriser
+    std::vector<std::int32_t> bins(columns);  // separate from the counts, for the vectoriser
     for (int r = 0; r < reads; ++r) {
         const float v = place_of_read(r, reads);
         for (std::size_t i = 0; i < columns; ++i) {

@@ -25,12 +25,12 @@ class Equaliser {
 
     float lowest_ = 0.0f;
     float per_unit_ = 0.0f;
-    std::vector<float> share_;  // at the places; empty: not learned
+    std::vector<float> share_;  // share at each place; empty: not learned
 };
 
 /// Makes the bilinear reads of a periodic texture uniform, size^2 values in [0, 1], by one monotone
-/// map of its texels. Between texels extremes are averaged away: of texels that are uniform by
-/// themselves, 0.018 of the reads are below 0.02.
+/// map of its texels. Reads between texels average extremes away: with uniform texels, a share of
+/// 0.018 of the reads would be below 0.02.
 void settle_reads(std::span<float> texture, int size, ThreadPool& pool);
 
 }  // namespace ocean

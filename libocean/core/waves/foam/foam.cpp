@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Foam over time: its clock, how far back it must be followed, and the state of a caller that
-// steps. Between the whitecap maps of the surface and the foam map that hosts show.
+// steps. This is the stage between the whitecap maps of the surface and the foam map that hosts
+// show.
 #include "ocean/foam.hpp"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ double FoamClock::time_of(std::int64_t tick) const {
 
 FoamClock::Moment FoamClock::moment(double time) const {
     require_time(time);  // beyond it a double could not separate ticks
-    // Compares the rounded result of time_of, so that the time of a tick is that tick.
+    // Compares the rounded result of time_of, so that the time of a tick belongs to that tick.
     const bool loops = ticks_per_loop > 0;
     const auto place = [&](double t) { return loops ? loop_fraction(t, loop_period) : t; };
     const double now = place(time);
@@ -49,9 +50,9 @@ std::int64_t FoamClock::ticks_between(std::int64_t from, std::int64_t to) const 
 
 std::int64_t preroll_ticks(const FoamClock& clock, std::int64_t tick,
                            const std::function<double(double time)>& lifetime) {
-    // Foam of at most 1 must fall below 1/512 by m products of floats. Each rounds twice, the decay
-    // to a float and the product, by a factor of at most 1 + 2^-24: m ticks fade by at least
-    // exp(-sum(step / lifetime - 2^-23)). Rounded up by 5 % for the sums in double.
+    // Foam of at most 1 must fall below 1/512 by m products of floats. Each product rounds twice,
+    // the decay to a float and the result, by a factor of at most 1 + 2^-24: m ticks fade by at
+    // least exp(-sum(step / lifetime - 2^-23)). 2^-23 is increased by 5 % for the sums in double.
     constexpr double kRounding = 1.25e-7;
     constexpr std::int64_t kMax = 1 << 20;  // 600 s by 0.01 s are 377106
     const std::int64_t most = clock.ticks_per_loop > 0 ? clock.ticks_per_loop : kMax;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How often foam is how old: the distribution from which the cover's power is found.
+// The distribution of the ages of foam, which determines the power of the cover.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ class FoamAges {
         double sum = 0.0;
         for (std::size_t i = 0; i < weights_.size(); ++i) {
             const double root = (static_cast<double>(i) + 0.5) / kPerRoot;
-            // Whole whitecaps are a step of the distribution.
+            // Full whitecaps are a step of the distribution.
             sum += weights_[i] * (i == 0 ? 1.0 : std::exp(-power * root * root));
         }
         return sum;
@@ -41,10 +41,10 @@ class FoamAges {
 
   private:
     static constexpr double kPerRoot = 500.0;
-    std::array<double, 1252> weights_{};  // to ln 512, beyond which there is no foam
+    std::array<double, 1252> weights_{};  // up to ln 512; older foam is gone
 };
 
-/// Sums over followed labels of foam's ages and of the whitecaps, by the same weights.
+/// Sums over followed labels of the foam's ages and of the whitecaps, with the same weights.
 struct FollowedFoam {
     FoamAges foam;
     double whitecap = 0.0;
@@ -53,7 +53,7 @@ struct FollowedFoam {
         foam.add(other.foam);
         whitecap += other.whitecap;
     }
-    /// Returns n, 1 to 10^4, at which the sum of F^n is that of the whitecaps.
+    /// Returns n, 1 to 10^4, at which the sums of F^n and of the whitecaps are equal.
     double power() const;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The nearest two of random points, one in each cell of a lattice. The nine cells round a place are
-// looked at, then those of the ring round them that may hold a nearer one.
+// The nearest two of random points, one in each cell of a lattice. The search examines the nine
+// cells around a place, then the cells of the next ring that may hold a nearer point.
 #include "waves/foam/foam_cells.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace ocean {
 namespace {
 
-/// Cells of the neighbouring periods that are kept: as far as places reach, and two rings.
+/// Cells of the neighbouring periods that are kept: the reach of places, and two rings.
 constexpr int kMargin = static_cast<int>(FoamCells::kReach) + 3;
 
 }  // namespace
@@ -30,7 +30,8 @@ FoamCells::Point FoamCells::point(std::uint32_t seed, std::uint32_t field, int i
     const auto own = [this](int cell) {
         return static_cast<std::uint32_t>((cell - kMargin + count_) % count_);
     };
-    // Gaussian noise has 0 for the 1: its numbers are others.
+    // The counter's last word is 1 here and 0 for Gaussian noise, so that the numbers of both
+    // differ.
     const auto bits =
         wave::single_precision::philox_4x32(own(i), own(j), field, 1u, seed, 0x6F636561u);
     const auto share = [](std::uint32_t word) { return static_cast<float>(word >> 8) * 0x1p-24f; };
@@ -57,7 +58,7 @@ FoamCells::Distances FoamCells::at(float x, float y) const {
         }
     };
     look(-1, 1, -1, 1);
-    // The min distance of a point of the second ring, less its weight.
+    // The min distance of a point of the second ring, minus its weight.
     const float left = x - static_cast<float>(i) + 1.0f - spread_;
     const float below = y - static_cast<float>(j) + 1.0f - spread_;
     const float right = 3.0f - 2.0f * spread_ - left, above = 3.0f - 2.0f * spread_ - below;

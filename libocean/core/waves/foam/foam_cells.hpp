@@ -9,16 +9,16 @@
 
 namespace ocean {
 
-/// count^2 points, one at a random place of each cell of a square lattice. Lengths in its cells.
+/// count^2 points, one at a random place in each cell of a square lattice. Lengths are in cells.
 class FoamCells {
   public:
-    /// Draws the points. spread: of the cells' sizes; a point of weight w is nearer by w, 0 <= w <
-    /// spread.
+    /// Draws the points. spread: the spread of the cells' sizes; a point of weight w counts as
+    /// nearer by w, 0 <= w < spread.
     FoamCells(std::uint32_t seed, std::uint32_t field, int count, float spread);
     int count() const { return count_; }
 
-    /// Distances to the nearest point and to the second nearest, less their weights: the walls
-    /// between cells are where they are equal [Worley 1996].
+    /// Distances to the nearest point and to the second nearest, minus their weights. Both are
+    /// equal on the walls between cells [Worley 1996].
     struct Distances {
         float first, second;
     };
@@ -33,7 +33,7 @@ class FoamCells {
     Point point(std::uint32_t seed, std::uint32_t field, int i, int j) const;
 
     int count_;
-    int width_;  // points in a row, with those of the neighbouring periods
+    int width_;  // points in a row, neighbouring periods included
     float spread_;
     std::vector<Point> points_;
 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The lattice on which foam keeps its past, and how finer maps read it. Long waves decide where
-// foam lies, so a past of hundreds of ticks is paid for on a lattice that holds those alone.
+// foam lies, so that a past of hundreds of ticks is followed on a lattice of these waves alone.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -5,10 +5,10 @@
 // and the walls between them, above all their junctions, last longest. A net consists of levels of
 // ever smaller cells; the widest level is visible at every cover, the finer ones join as the cover
 // grows. Within a level the distances to the nearest and the second nearest point separate walls
-// from holes: their difference alone would give straight walls, as thin at a junction as elsewhere;
-// the first distance alone separate holes; together they give connected filaments around rounded
-// holes. Patches make filaments thick in some regions and thin in others. Streaks are patches
-// alone.
+// from holes. Their difference alone would give straight walls, as thin at a junction as elsewhere;
+// the first distance alone would give separate holes; together they give connected filaments around
+// rounded holes. Patches make filaments thick in some regions and thin in others. Streaks are
+// patches alone.
 //
 // Every step replaces values by their rank, so that its weights are shares of the area. The ranks
 // are learned once from a coarse lattice; after that a texel is a function of its position, so any
@@ -40,24 +40,24 @@ static_assert(streams_of(NoiseStream::foam_textures) ==
 
 /// Samples along each side of the lattice from which ranks are learned.
 constexpr int kLearned = 256;
-/// Min texels that a cell must span; a level with smaller cells would be noise and is left out.
+/// Min texels across a cell; a level with smaller cells would be noise and is left out.
 constexpr int kTexelsPerCell = 3;
 /// Weights of a level's walls and of its holes' middles.
 constexpr float kWalls = 0.7f, kHoles = 0.3f;
-/// The noise that bends walls: its wavenumbers, in units of those of the cells.
+/// The range of wavenumbers of the noise that bends walls, relative to the cells' wavenumber.
 constexpr double kLongestBend = 1.0 / 3.0, kShortestBend = 2.0;
 constexpr int kBendFalloff = 6;
 
 struct LevelRecipe {
     int count;     // cells along the tile's side
     float bend;    // of the walls, rms, in cells
-    float spread;  // of the cells' sizes
-    float begins;  // the level joins where the ones before it have this rank
+    float spread;  // spread of the cells' sizes
+    float begins;  // rank of the previous levels where this level joins
 };
 struct NetRecipe {
     std::array<LevelRecipe, 3> levels;
     NoiseBand patches;
-    float patch_weight, grain_weight;  // beside the net's 1; grain is the last level by itself
+    float patch_weight, grain_weight;  // beside the net's 1; grain: the last level alone
 };
 constexpr NetRecipe kLaceNet{
     {{{14, 0.22f, 0.45f, 0.0f}, {38, 0.20f, 0.45f, 0.10f}, {100, 0.14f, 0.45f, 0.26f}}},
@@ -72,7 +72,8 @@ constexpr NetRecipe kBubbleNet{
 constexpr NoiseBand kLongStreaks{7.0, 90.0, 4, 8.0}, kShortStreaks{12.0, 200.0, 3, 3.0};
 constexpr float kShortStreakWeight = 0.35f;
 
-/// Draws of the parts of a texture: no two share theirs, nor do they share the sea's.
+/// Numbers of the random draws of a texture's parts: no two parts, and no part and the sea, share
+/// draws.
 std::uint32_t draws(FoamTextureKind kind, std::uint32_t part) {
     return noise_stream(NoiseStream::foam_textures,
                         kStreamsOfFoamTexture * static_cast<std::uint32_t>(kind) + part);
@@ -81,7 +82,7 @@ std::uint32_t draws(FoamTextureKind kind, std::uint32_t part) {
 using Row = std::vector<float>;
 using NoiseRow = std::vector<std::complex<float>>;
 
-/// One size of cells. Values are 0 on walls and junctions and 1 in the middle of holes.
+/// A net of cells of one size. Values are 0 on walls and junctions and 1 in the middle of holes.
 class Level {
   public:
     Level(std::uint32_t seed, std::uint32_t field, const LevelRecipe& recipe, int size)
@@ -202,8 +203,7 @@ class Streaks {
     TiledNoise long_, short_;
 };
 
-/// Returns all rows of a texture, almost uniform, from a pattern whose ranks are learned on the
-/// way.
+/// Returns all rows of an almost uniform texture, made of a pattern whose ranks are learned first.
 template <typename Pattern>
 std::vector<float> draw(Pattern pattern, int size, ThreadPool& pool) {
     Equaliser ranks;

@@ -24,8 +24,8 @@ double held_below(const FoamSea& sea, int resolution) {
     return kTwoPi / shortest_wave(sea.parameters.grid, resolution) * (1.0 - 1.0 / resolution);
 }
 
-/// Returns the variance at each whole number of turns in a stretch, 0 .. ticks/2, of the waves of
-/// the band. Waves too fast for the clock appear at the frequency at which the clock samples them.
+/// Returns the variance of the band's waves at each whole number of turns in a stretch, 0 ..
+/// ticks/2. Waves too fast for the clock appear at the frequency at which the clock samples them.
 std::vector<GradientCovariance> spectrum(const FoamSea& sea, const WaveBand& band, double angle,
                                          const Stretch& stretch) {
     constexpr int kDirections = 72;
@@ -69,7 +69,7 @@ std::vector<GradientCovariance> spectrum(const FoamSea& sea, const WaveBand& ban
 
 Stretch stretch_of(const FoamClock& clock, double lifetime) {
     constexpr double kReach = 2.5;       // lifetimes
-    constexpr double kMinSeconds = 200;  // [s]: waves that differ by less are not separated
+    constexpr double kMinSeconds = 200;  // [s]; shorter stretches would not separate waves
     constexpr int kMax = 1 << 17;
     const auto ticks_for = [](double wanted) {
         int ticks = 64;

@@ -19,8 +19,7 @@
 
 namespace ocean {
 
-/// A stretch of a label's life that closes on itself: the loop, or many times as long as foam
-/// counts.
+/// A closed stretch of a label's life: the loop, or many times the time for which foam counts.
 struct Stretch {
     int ticks;       // a power of two
     double seconds;  // of all ticks together
@@ -40,10 +39,10 @@ inline Gradients operator+(const Gradients& g, const Gradients& h) {
     return {g.a + h.a, g.b + h.b, g.c + h.c};
 }
 
-/// The waves that a map of one resolution holds, without those of a coarser map.
+/// The waves that a map of one resolution holds but a coarser map does not.
 struct WaveBand {
     int held_by;
-    int not_by = 0;  // 0: no wave is left out
+    int not_by = 0;  // resolution of the coarser map; 0: none
 };
 
 /// The gradients at a label over a stretch of time: a stationary Gaussian process, each wave of
@@ -51,19 +50,19 @@ struct WaveBand {
 class GradientProcess {
   public:
     /// Makes the process of the waves of `band` along axes turned by `angle` [radians] from +x.
-    /// `covariance`: of those waves' modes, which may differ a little from the integral.
+    /// `covariance` belongs to the modes of these waves, and may differ slightly from the integral.
     GradientProcess(const FoamSea& sea, const WaveBand& band, const GradientCovariance& covariance,
                     double angle, const Stretch& stretch);
 
     /// Returns the covariance of the gradients at one time.
     const GradientCovariance& covariance() const { return covariance_; }
 
-    /// Returns two practically independent stretches, from the noise of this number. Processes of
+    /// Returns two practically independent stretches, from the noise of `number`. Processes of
     /// different `part`s (0, 1) are independent of each other.
     std::array<std::vector<Gradients>, 2> draw(std::uint32_t number, int part = 0) const;
 
-    /// Conditions a stretch on a value: writes its part from `reach` ticks before a tick to `reach`
-    /// after it as it is when the gradients there are `at`: x(t) + R(t - s) R(0)^-1 (at - x(s)).
+    /// Conditions a stretch on the gradients `at` at a tick: writes the part from `reach` ticks
+    /// before to `reach` ticks after it, x(t) + R(t - s) R(0)^-1 (at - x(s)).
     void passing(const Gradients& at, std::size_t tick, int reach,
                  std::span<const Gradients> stretch, std::vector<Gradients>& window) const;
 
@@ -75,7 +74,7 @@ class GradientProcess {
     GradientCovariance covariance_;
     GradientFactors still_{{}};             // of covariance_
     std::vector<GradientFactors> factors_;  // of each bin
-    std::vector<GradientCovariance> lags_;  // [tick]: of the gradients now and then
+    std::vector<GradientCovariance> lags_;  // [tick]: covariance of the gradients over this lag
 };
 
 }  // namespace ocean

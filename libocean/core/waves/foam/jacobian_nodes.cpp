@@ -15,7 +15,7 @@ GradientCovariance in_principal_axes(const GradientCovariance& v) {
     const double angle = principal_angle(v);
     const double c = std::cos(angle);
     const double s = std::sin(angle);
-    // Each row turns (a, b, c) into one gradient along the new axes.
+    // Each row is the weights with which (a, b, c) becomes one gradient along the new axes.
     const double rows[3][3] = {
         {c * c, s * s, 2.0 * s * c}, {s * s, c * c, -2.0 * s * c}, {-s * c, s * c, c * c - s * s}};
     const double old[3][3] = {{v.aa, v.ab, v.ac}, {v.ab, v.bb, v.bc}, {v.ac, v.bc, v.cc}};

@@ -11,8 +11,8 @@
 
 namespace ocean {
 
-/// Returns the angle from +x of the axis along which waves compress the surface the most [rad]; the
-/// axis of the least compression is perpendicular to it.
+/// Returns the angle from +x of the axis along which waves compress the surface most [rad]; along
+/// the perpendicular axis they compress it least.
 double principal_angle(const GradientCovariance& covariance);
 
 /// a, b and c as sums of three standard normals: b = b1 x, c = c1 x + c2 y, a = a1 x + a2 y + a3 z.
@@ -31,8 +31,8 @@ struct JacobianNode {
 };
 
 /// Returns the nodes of the trapezoid rule over x and y, which converges faster than any power of
-/// its spacing, as long as the deviation of J spans a few of them. Where `a` hardly varies by
-/// itself (two crossing swells) the nodes are closer. `covariance` must be in its principal axes.
+/// its spacing, as long as the deviation of J spans a few of them. If `a` alone hardly varies (two
+/// crossing swells), the nodes are closer. `covariance` must be in its principal axes.
 std::vector<JacobianNode> jacobian_nodes(const GradientCovariance& covariance, double choppiness);
 
 /// Returns the covariance seen from axes turned to the principal direction of the waves. J is a

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The windows of time through which labels are followed: a fixed set, so that results move without
-// jumps when the sea does.
+// The windows of time through which labels are followed: a fixed set, so that results change
+// smoothly with the sea.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,8 @@
 
 namespace ocean {
 
-/// Windows in each draw of a process: whitecaps in them know little of each other.
+/// Number of windows in each draw of a process, so far apart that their whitecaps are nearly
+/// independent.
 inline constexpr int kWindowsOfDraw = 64;
 
 /// Returns how many draws are followed: 256, or fewer where windows are long.
@@ -27,16 +28,16 @@ inline int window_draws(const Stretch& stretch) {
     return std::clamp(kTicks / (2 * stretch.reach * kWindowsOfDraw), 4, kDraws);
 }
 
-/// The middle of a window, and where the gradients there lie in their distribution.
+/// The middle of a window, and the position of its gradients in their distribution.
 struct WindowPlace {
     std::size_t tick;
-    std::size_t stretch;  // 0 or 1, of those that a draw returns
+    std::size_t stretch;  // 0 or 1: index of the draw's stretch
     double of_nodes, of_depth;
 };
 
 /// Returns the place of window i of a draw.
 inline WindowPlace window_place(const Stretch& stretch, int draw, int i) {
-    // Places of the two-dimensional golden ratio: as even as a lattice, for any number.
+    // These are places of the two-dimensional golden ratio: as even as a lattice, for any number.
     const double number = draw * kWindowsOfDraw + i + 0.5;
     const double of_nodes = number * 0.7548776662466927;
     const double of_depth = number * 0.5698402909980532;
@@ -45,8 +46,8 @@ inline WindowPlace window_place(const Stretch& stretch, int draw, int i) {
             of_depth - std::floor(of_depth)};
 }
 
-/// Returns the sum of what follow(draw, followed) adds for each draw; `follow` runs in parallel,
-/// and the sum is the same for any number of threads.
+/// Returns the sum of the contributions that follow(draw, followed) adds for each draw. `follow`
+/// runs in parallel, and the sum is the same for any number of threads.
 template <typename Follow>
 FollowedFoam follow_draws(const Stretch& stretch, ThreadPool& pool, const Follow& follow) {
     const int draws = window_draws(stretch);

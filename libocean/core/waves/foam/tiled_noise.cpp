@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // One inverse transform of independent complex amplitudes on a grid that is just fine enough for
-// the band; between its samples the cubic of Catmull and Rom, first along y, then along x.
+// the band; between its samples Catmull and Rom's cubic interpolates, first along y, then along x.
 #include "waves/foam/tiled_noise.hpp"
 
 #include <algorithm>

@@ -23,15 +23,15 @@ struct NoiseBand {
 /// Two independent fields of variance 1, as real and imaginary part.
 class TiledNoise {
   public:
-    /// Draws the noise for rows of `size` samples, without the modes beyond a third of it, which
+    /// Draws the noise for rows of `size` samples, without modes beyond a third of `size`, which
     /// such rows could not show. The other modes do not depend on the size; `field` and `seed`
-    /// choose their draws.
+    /// select the draws.
     TiledNoise(std::uint32_t seed, std::uint32_t field, const NoiseBand& band, int size);
     /// Writes the samples at y = v periods, x = (i + 1/2) / values.size() periods.
     void row(double v, std::span<std::complex<float>> values) const;
 
   private:
-    int side_;  // of the grid whose samples are interpolated
+    int side_;  // side of the interpolated grid
     std::vector<std::complex<float>> grid_;
 };
 

@@ -38,7 +38,7 @@ inline double whitecap_of(const Gradients& g, const SurfaceSettings& settings, d
     return std::clamp((threshold - jacobian) / settings.foam_width, 0.0, 1.0);
 }
 
-/// Draws the gradients at a label where J < threshold, as the sea has them there.
+/// Draws the gradients at a label where J < threshold, distributed as in the sea.
 class WhitecapGradients {
   public:
     WhitecapGradients(const GradientCovariance& covariance, double choppiness, double threshold)
@@ -57,8 +57,8 @@ class WhitecapGradients {
     /// Returns P(J < threshold).
     double share() const { return up_to_.back(); }
 
-    /// Returns the gradients at two shares in (0, 1): of the nodes, and of the depth below the
-    /// threshold. Shares that are uniform give the distribution. Requires share() > 0.
+    /// Returns the gradients at two shares in (0, 1), which select the node and the depth below the
+    /// threshold. Uniform shares give the distribution. Requires share() > 0.
     Gradients at(double of_nodes, double of_depth) const {
         const auto found = std::ranges::upper_bound(up_to_, of_nodes * up_to_.back());
         const auto i =
@@ -78,7 +78,7 @@ class WhitecapGradients {
     GradientFactors factors_;
     double threshold_;
     std::vector<JacobianNode> nodes_;
-    std::vector<double> up_to_;  // the share of whitecaps at this node and those before
+    std::vector<double> up_to_;  // the share of whitecaps up to this node
 };
 
 }  // namespace ocean

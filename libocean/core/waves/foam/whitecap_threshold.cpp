@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The amount of whitecaps: the Jacobian threshold at which the ensemble mean of W equals the
-// coverage that the wind makes. Computed from the modes' gradient covariance alone; the surface
-// then applies the threshold.
+// coverage that the wind makes. It follows from the modes' gradient covariance alone; the surface
+// then applies it.
 #include "waves/foam/whitecap_threshold.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace ocean {
 
 namespace {
-/// Every float Jacobian lies above: W is exactly 0.
+/// Every float Jacobian is larger, so that W is exactly 0.
 constexpr double kNoWhitecap = std::numeric_limits<float>::lowest();
 
 /// Returns E[max(x, 0)] of a Gaussian x = sd (z + Z), over sd: G(z) = z Phi(z) + phi(z).
@@ -85,7 +85,7 @@ double threshold_of_mean(const GradientCovariance& covariance, const SurfaceSett
     if (wanted <= 0.0 || !squeezed) return kNoWhitecap;
 
     const MeanWhitecap mean(covariance, settings.choppiness);
-    double below = highest;  // the answer where even that gives too little
+    double below = highest;  // the answer if even `highest` gives too little
     double above = highest;
     for (double fall = 0.25; mean(below, settings.foam_width) > wanted; fall *= 2.0) {
         above = below;

@@ -8,7 +8,7 @@
 namespace ocean {
 
 /// Returns the Jacobian threshold at which mean_whitecap is `wanted`, at most `highest`; the lowest
-/// float where nothing is wanted or the water is never compressed.
+/// float if `wanted` is 0 or the water is never compressed.
 double threshold_of_mean(const GradientCovariance& covariance, const SurfaceSettings& settings,
                          double wanted, double highest);
 

@@ -16,8 +16,9 @@ double gamma_power(double a, double x) {
     return std::exp(a * std::log(x) - x - std::lgamma(a));
 }
 
-/// Returns P(a, x), the regularised incomplete gamma function: its series where that converges
-/// soon, else the continued fraction of 1 - P. [Abramowitz and Stegun 1964] eq. 6.5.29 and 6.5.31.
+/// Returns P(a, x), the regularised incomplete gamma function: by its series where the series
+/// converges fast, else by the continued fraction of 1 - P. [Abramowitz and Stegun 1964] eq. 6.5.29
+/// and 6.5.31.
 double incomplete_gamma(double a, double x) {
     constexpr double kSmall = 1e-16;
     constexpr int kMaxTerms = 100000;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The reading of a gauge: the label that is displayed at its position, then all modes there; see
-// gauge.hpp.
+// The reading of a gauge: finds the label that is displayed at its position, then sums all modes
+// there; see gauge.hpp.
 #include <cmath>
 
 #include "ocean/gauge.hpp"
@@ -17,7 +17,7 @@ namespace {
 /// Returns the label displayed at (x, y), the highest if there are several.
 ShownLabel label_at(const WaveSum& sea, double choppiness, double x, double y,
                     const SurfaceQuery* query) {
-    // |D| is a Gaussian vector: beyond 5 rms with a probability of 1e-11.
+    // |D| is a Gaussian vector: it exceeds 5 rms with a probability of 1e-11.
     constexpr double kReach = 5.0;
     constexpr double kTolerance = 1e-9;  // relative to the reach
     const double reach = kReach * choppiness * sea.displacement_rms();

@@ -68,7 +68,7 @@ std::set<double> lasting_depths(const std::vector<Gauge>& gauges) {
     return depths;
 }
 
-/// Times that follow each other by steps, from one that is set. The same ones whichever thread
+/// The number of consecutive times that are reached by steps from one that is set, whichever thread
 /// reads them.
 constexpr std::size_t kBlock = 32;
 
@@ -126,7 +126,7 @@ class Reader {
   public:
     explicit Reader(WaveSum start) : sea(std::move(start)) {}
 
-    /// Returns a query of the time: where crests may fold, a reading needs its top sheet.
+    /// Returns a query of the time: if crests may fold, a reading needs its top sheet.
     const SurfaceQuery* query_at(double time, const Modes& modes, const Parameters& now) {
         if (query_) {
             query_->move_to(modes, now.surface, now.water, time, alone_);
@@ -162,7 +162,7 @@ void read_still_sea(Ocean& ocean, const std::vector<Gauge>& gauges, const Sample
 
     const WaveStep step = start.wave_step(1.0 / times.rate);
     const bool folds = may_fold(modes, parameters.surface.choppiness);
-    // One for each thread.
+    // One reader for each thread.
     std::vector<std::unique_ptr<Reader>> readers(static_cast<std::size_t>(pool.size()));
     const std::size_t batch = 2 * kBlock * static_cast<std::size_t>(pool.size());
     for (std::size_t done = 0; done < series.times; done += batch) {

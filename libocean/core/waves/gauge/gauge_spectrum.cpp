@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t kShortestSegment = 32;
 constexpr std::size_t kLongestSegment = 1 << 20;  // limited by the transform
 
-/// Returns the number of segments that fit into the series, each half a segment after the one
-/// before.
+/// Returns the number of segments that fit into the series; each begins half a segment after the
+/// previous one.
 std::size_t segments_of(std::size_t samples, std::size_t segment) {
     return samples < segment ? 0 : (samples - segment) / (segment / 2) + 1;
 }
@@ -75,7 +75,7 @@ GaugeSpectrum estimate_spectrum(std::span<const double> elevation, double rate,
         for (std::size_t i = 0; i < length; ++i) work[i] = window[i] * (part[i] - mean);
         fft.transform(work.data(), 1, FftDirection::forward);
         for (std::size_t k = 0; k <= length / 2; ++k) {
-            const bool alone = k == 0 || k == length / 2;  // without a negative frequency
+            const bool alone = k == 0 || k == length / 2;  // this frequency has no negative twin
             spectrum.density[k] += (alone ? 1.0 : 2.0) * std::norm(work[k]);
         }
     }

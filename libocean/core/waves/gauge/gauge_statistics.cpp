@@ -41,8 +41,8 @@ std::vector<Wave> waves_between_crossings(std::span<const double> elevation, dou
     return waves;
 }
 
-/// Returns the mean over the first 1/part of the waves, at least one: the highest if they are
-/// sorted by height.
+/// Returns the mean over the first 1/part of the waves, at least one wave. Waves sorted by height
+/// give the mean of the highest.
 double mean_of_first(std::span<const Wave> waves, int part, double Wave::*member) {
     const double share = static_cast<double>(waves.size()) / part;
     const auto count = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(share)));
@@ -51,9 +51,9 @@ double mean_of_first(std::span<const Wave> waves, int part, double Wave::*member
     return sum / static_cast<double>(count);
 }
 
-// The series in twenty runs of waves, far longer than waves remember each other: their mean periods
-// are independent, and the mean of all is off by Student's t of 19 degrees of freedom times the
-// standard error of these. [Bendat and Piersol 2010] section 4.5.
+// Divides the series into twenty runs of waves, far longer than waves are correlated: the mean
+// periods of the runs are independent, and the error of the overall mean is their standard error
+// times Student's t of 19 degrees of freedom. [Bendat and Piersol 2010] section 4.5.
 Estimate mean_period_of(std::span<const Wave> waves) {
     constexpr std::size_t kRuns = 20;
     constexpr double kStudent975 = 2.093024054408263;
@@ -94,11 +94,11 @@ WaveCount count_waves(std::span<const double> elevation, double rate) {
 }
 
 // For a Gaussian series of length T with the density S(f), moments m_j = sum of f^j S df over it
-// have the covariances (1/T) int f^(i+j) S^2 df. [Bendat and Piersol 2010] section 8.2.
-// So m0 scatters like a chi-squared variable of 2 T m0^2 / int S^2 df degrees of freedom, and
-// r = m0/m2 has the relative variance (1/T) int S^2 (1/m0 - f^2/m2)^2 df; the period is sqrt(r),
-// its logarithm has half the deviation. The square of an estimated density is too large by (1 + 2 /
-// degrees of freedom) in the mean, which is taken out.
+// have the covariances (1/T) int f^(i+j) S^2 df. [Bendat and Piersol 2010] section 8.2. So m0
+// scatters like a chi-squared variable of 2 T m0^2 / int S^2 df degrees of freedom, and r = m0/m2
+// has the relative variance (1/T) int S^2 (1/m0 - f^2/m2)^2 df; the period is sqrt(r), its
+// logarithm has half the deviation. The mean square of an estimated density is too large by the
+// factor (1 + 2 / degrees of freedom), which is divided out.
 SeaEstimate estimate_sea(std::span<const double> elevation, double rate,
                          const GaugeSpectrum& spectrum) {
     constexpr double kNormal975 = 1.959963984540054;

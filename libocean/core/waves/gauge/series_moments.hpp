@@ -12,7 +12,7 @@ namespace ocean {
 
 struct SeriesMoments {
     double mean = 0.0;
-    double variance = 0.0;  // about the mean, over the number of samples
+    double variance = 0.0;  // about the mean, divided by the number of samples
 };
 
 /// Returns both moments; 0 and 0 for an empty series.

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Short inverse transforms of R points, one line per lane: the straight-line pieces that passes of
-// the kernel are made of. Written once for all widths; each is proved against the plain sum in
-// kernel_test.cpp.
+// Short inverse transforms of R points, one line per lane: the straight-line pieces of the kernel's
+// passes. One source serves all widths; kernel_test.cpp proves each against the plain sum.
 //
 //   X_k = sum over j < R of x_j w_R^(j k),   w_R = exp(+2 pi i / R), not normalised.
 //
@@ -25,7 +24,7 @@ OCEAN_INLINE void butterfly(Complex& a, Complex& b) {
     b = difference;
 }
 
-/// Transforms four points: a multiplication by i exchanges the parts.
+/// Transforms four points; a multiplication by i swaps real and imaginary part.
 OCEAN_INLINE void butterfly(Complex& a, Complex& b, Complex& c, Complex& d) {
     const Complex even = a + c;
     const Complex even_difference = a - c;
@@ -74,7 +73,7 @@ struct Codelet {
             for (int q = 1; q < Q; ++q) inner_transform<1>(load, inner, q);
 #pragma GCC unroll 4
             for (int k = 0; k < P; ++k) outer_transform(inner, k, store);
-        } else {  // longer code than the decoder's cache holds is slower than a loop
+        } else {  // a loop is faster than code that exceeds the decoder's cache
 #pragma GCC unroll 1
             for (int q = 1; q < Q; ++q) inner_transform<1>(load, inner, q);
 #pragma GCC unroll 1

@@ -21,7 +21,7 @@ namespace {
 class CpuMap {
   public:
     CpuMap() = default;
-    /// Shares the packed modes; the arrays of the transform are each its own.
+    /// Shares the packed modes; the arrays of the transform are not shared.
     CpuMap(const CpuMap& other) : packed_(other.packed_), revision_(other.revision_) {}
 
     bool write(const MapRequest& request, ThreadPool& pool) {

@@ -9,7 +9,8 @@
 
 namespace ocean {
 
-/// The channels that the kernel makes: the multiples of one field, and those it has code for.
+/// The channels that the kernel makes: multiples of one field, and the channels that it has code
+/// for.
 inline constexpr ChannelSet kCpuChannels = [] {
     ChannelSet channels = kKernelFormulas;
     for (int c = 0; c < kChannelCount; ++c) {

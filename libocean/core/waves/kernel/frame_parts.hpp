@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Parts of a frame's outputs, which pass two makes one after the other for each item, so that what
-// lies between its sweeps stays in a core's second cache. The price is small: two parts that need
-// one source both read it.
+// Parts of a frame's outputs. Pass two makes them one after the other for each item, so that the
+// data between its sweeps stay in a core's second cache. The price is small: two parts that need
+// the same source both read it.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@
 
 namespace ocean {
 
-/// Sets of linear fields; no field is in two of them.
+/// Disjoint sets of linear fields.
 class FrameParts {
   public:
-    /// Adds the fields of an output, joined with the parts that have one of them.
+    /// Adds the fields of an output, and joins the parts that share one of them.
     void add(LinearSet fields) {
         if (fields.empty()) return;
         int kept = 0;
@@ -31,7 +31,7 @@ class FrameParts {
         count_ = kept + 1;
     }
 
-    /// Joins parts as long as they have no more than `most` fields.
+    /// Joins parts while they have no more than `most` fields.
     void join(std::size_t most) {
         int kept = 0;
         for (int part = 1; part < count_; ++part) {
@@ -47,7 +47,7 @@ class FrameParts {
 
     /// Returns how many parts there are, at least 1 after join().
     int count() const { return count_; }
-    /// Returns the part that an output of these fields belongs to; without fields, the first one.
+    /// Returns the part of an output with these fields; the first part if there are no fields.
     int of(LinearSet fields) const {
         int part = 0;
         while (part + 1 < count_ && !part_[part].contains(fields)) ++part;

@@ -25,7 +25,7 @@
 
 namespace ocean {
 
-/// The channels made of several linear fields that the kernel has code for, in outputs.hpp.
+/// The channels of several linear fields that the kernel has code for, in outputs.hpp.
 inline constexpr ChannelSet kKernelFormulas = {Channel::nx,       Channel::ny,       Channel::nz,
                                                Channel::jacobian, Channel::whitecap, Channel::foam,
                                                Channel::cover};
@@ -35,8 +35,8 @@ constexpr int first_factor(int size) {
     return size <= 256 ? 16 : size <= 1024 ? 32 : 64;
 }
 
-/// The coefficients that pass one transforms. Those of a second field, `derived`, are i ky times
-/// the source's: pass two makes them from the same intermediate values.
+/// The coefficients that pass one transforms. The coefficients of a second field, `derived`, are i
+/// ky times the source's: pass two makes them from the same intermediate values.
 enum class SourceKind : int {
     plain,        // h
     along_x,      // i kx h
@@ -50,7 +50,7 @@ struct Source {
     int own;      // slot of the field itself, or -1: not requested
     int derived;  // slot, or -1
 
-    /// Returns true if pass two makes a field of it.
+    /// Returns true if pass two makes a field from the source.
     bool is_read() const { return own >= 0 || derived >= 0; }
 };
 inline constexpr int kSourceCount = 8;
@@ -71,7 +71,8 @@ struct ModeGroup {
     bool operator==(const ModeGroup&) const = default;
 };
 
-/// An output whose one component is a linear field: written without a stop at the others.
+/// An output whose one component is a linear field: it is written directly, without the detour
+/// through the other outputs.
 struct DirectPlane {
     int slot;
     float factor;
@@ -81,8 +82,8 @@ struct DirectPlane {
 
 inline constexpr int kMaxOutputs = 32;
 
-/// One frame. Slots number the fields that pass two computes; the channels that combine several of
-/// them follow.
+/// One frame. Slots number the fields that pass two computes; channels that combine several fields
+/// have the slots after them.
 struct FrameTask {
     int size;     // N
     int columns;  // ky < columns may have modes: a multiple of B and of sixteen
@@ -108,25 +109,25 @@ struct FrameTask {
     int source_count;
     int slots;  // linear fields
 
-    /// The sources that pass two reads next: of this item by another part, or of the next item.
+    /// The sources that pass two reads next: for another part of this item, or for the next item.
     int ahead[kSourceCount];
     int ahead_count;
     int ahead_items;
 
     DirectPlane direct[kMaxOutputs];
     int direct_count;
-    /// The other outputs; quantities are slots there, and the pitch is known.
+    /// The other outputs. Their quantities are slots, and their pitch is known.
     MapOutput outputs[kMaxOutputs];
     int output_count;
     bool whole[kMaxOutputs];  // every component is written
-    int used[kLinearCount];   // slots that those outputs are made of
+    int used[kLinearCount];   // slots that these outputs read
     int used_count;
     /// [linear field]: its slot, or -1.
     int slot_of[kLinearCount];
-    /// [channel]: the slot of a channel that is no multiple of one field, or -1.
+    /// [channel]: the slot of a channel that combines several fields, or -1.
     int derived_slot[kChannelCount];
-    int derived_slots;    // how many
-    bool needs_jacobian;  // for itself, whitecaps, foam or cover
+    int derived_slots;    // their number
+    bool needs_jacobian;  // for its own channel, whitecaps, foam or cover
 };
 
 /// Linear fields that exist as planes. plane[field] is null or points to the first row of the map;

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The kernel of one instruction set: what is the same for all sizes, and the choice among the
-// sizes, which are compiled in files of their own (passes_code.hpp). core/CMakeLists.txt makes a
-// source file for each instruction set that includes this and differs in its compiler flags alone.
+// The kernel of one instruction set: the code that all sizes share, and the choice among the sizes,
+// which are compiled in files of their own (passes_code.hpp). core/CMakeLists.txt makes a source
+// file for each instruction set; these files include this one and differ in their compiler flags
+// alone.
 #pragma once
 
 #include "codelets.hpp"
@@ -23,7 +24,7 @@ static const SizePasses& passes_of(int size) {
     for (const SizePasses& passes : kPasses64) {
         if (passes.size == size) return passes;
     }
-    return kPasses64[0];  // no caller asks for another size
+    return kPasses64[0];  // no caller requests another size
 }
 
 static std::size_t field_floats(int size) {

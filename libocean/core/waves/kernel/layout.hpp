@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where values lie between the sweeps and between the passes.
+// The positions of values between the sweeps and between the passes.
 #pragma once
 
 #include "base/simd/simd.hpp"
@@ -9,26 +9,27 @@
 
 namespace ocean::OCEAN_KERNEL {
 
-/// Lines are paired over this distance of x whatever the width: the rounding of a line depends on
-/// its partner, and the bits shall not depend on the width. An item of pass two is twice as wide.
+/// Lines are paired over this distance of x for every width: the rounding of a line depends on its
+/// partner, and the bits must not depend on the width. An item of pass two is twice as wide.
 inline constexpr int kPartner = 16;
 inline constexpr int kItemWidth = 2 * kPartner;
 /// Pairs of blocks of kLanes in an item.
 inline constexpr int kPairs = kPartner / kLanes;
 
-/// Between the sweeps: B lines of A complex values. One more per line, so that a step from line to
-/// line is no multiple of the cache's sets.
+/// Between the sweeps: B lines of A complex values. Each line has one value more, so that a step
+/// from line to line is not a multiple of the cache's sets.
 template <int A>
 struct Sweep {
     static constexpr int kLine = (A + 1) * 2 * kLanes;  // floats
 };
 
-/// A row of the tile that a block is transposed from; odd in vectors, as above.
+/// A row of the tile for the transposition of a block; its length is odd in vectors, for the same
+/// reason.
 inline constexpr int kTileStride = (kLanes + 1) * 2 * kLanes;
 
 /// Between the passes, in the order in which pass two reads: for each pair of x blocks, for each
-/// source, for each j < B / 2, for each i: ky = j' + B i for the two lines j' of j, and for each of
-/// them both blocks of x: [re | im].
+/// source, for each j < B / 2, for each i: ky = j' + B i for the two lines j' of j, and for each ky
+/// both blocks of x: [re | im].
 inline constexpr int kBlock = 2 * kLanes;      // [re | im]
 inline constexpr int kEntry = 2 * 2 * kBlock;  // two ky, two blocks of x
 

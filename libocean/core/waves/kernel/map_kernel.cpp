@@ -20,7 +20,7 @@ namespace ocean {
 
 namespace {
 
-/// Which field a source is, and which one is i ky times it.
+/// The field of a source, and the field that is i ky times it.
 struct SourceFields {
     SourceKind kind;
     bool rate;
@@ -50,12 +50,12 @@ struct Multiple {
     float factor;
 };
 
-/// Returns the linear fields that outputs are made of.
+/// Returns the linear fields that the outputs read.
 LinearSet fields_behind(std::span<const MapOutput> outputs, bool is_flat) {
     return fields_of(outputs) | fields_of(channels_of(outputs), is_flat);
 }
 
-/// Adds a slot to those that outputs are made of.
+/// Adds a slot to those that the outputs read.
 void use(FrameTask& task, int slot) {
     int* const end = task.used + task.used_count;
     if (std::find(task.used, end, slot) != end) return;
@@ -64,7 +64,7 @@ void use(FrameTask& task, int slot) {
 }
 
 /// Fills in the fields, slots, sources and outputs that a frame requests. intermediate: the fields
-/// whose sources lie between the passes, those of the outputs among them.
+/// whose sources lie between the passes, including the outputs' fields.
 class Plan {
   public:
     Plan(FrameTask& task, const KernelFrame& frame, std::span<const MapOutput> outputs,
@@ -95,7 +95,7 @@ class Plan {
         for (const Linear field : kLinears) {
             if (fields.contains(field)) task_.slot_of[static_cast<int>(field)] = task_.slots++;
         }
-        // All of the normal at once, and foam for its cover.
+        // All of the normal is computed at once, and foam together with its cover.
         ChannelSet derived = channels;
         if (channels.intersects(kNormal)) derived = derived | kNormal;
         if (channels.contains(Channel::cover)) derived = derived | Channel::foam;
@@ -172,24 +172,24 @@ class Plan {
     FrameTask& task_;
 };
 
-/// Sets the strides of the intermediate.
+/// Sets the strides of the intermediate values.
 void lay_out(FrameTask& task, int lanes) {
     const auto width = static_cast<std::size_t>(lanes);
     const int b = task.size / first_factor(task.size);
     const auto rows = static_cast<std::size_t>(task.columns / b);
-    // Odd in lines of the cache, so that neither step is a multiple of its sets.
+    // Odd in cache lines, so that neither step is a multiple of the cache's sets.
     task.line_stride = rows * 8 * width + 2 * width;
     task.source_stride = task.line_stride * static_cast<std::size_t>(b / 2);
     task.pair_stride =
         task.source_stride * static_cast<std::size_t>(task.source_count) + 16 * width;
 }
 
-/// Returns true if displacements count for nothing, in the precision of the kernel.
+/// Returns true if displacements are negligible in the precision of the kernel.
 bool is_flat(const KernelFrame& frame) {
     return static_cast<float>(frame.settings.choppiness) == 0.0f;
 }
 
-/// Resizes to at least `count` floats, whose contents are lost. Returns true if they are new.
+/// Resizes to at least `count` floats and loses the contents. Returns true if the memory is new.
 bool make_room(PageVector<float>& floats, std::size_t count) {
     if (floats.size() >= count) return false;
     floats = {};
@@ -197,10 +197,10 @@ bool make_room(PageVector<float>& floats, std::size_t count) {
     return true;
 }
 
-/// Returns whether outputs of N x N samples are stored past the caches, where their makers read so
-/// many floats beside them. That loses 5 to 10 % of a small frame, 10 to 18 % if its caller reads
-/// the maps next, and a quarter of a tick of foam; storing through the caches loses 12 to 40 % of a
-/// large frame [measured: N = 256, and 512 and 1024, with 32 MiB of shared cache].
+/// Returns whether outputs of N x N samples are stored past the caches, if making them reads
+/// `floats_beside` floats too. That loses 5 to 10 % of a small frame, 10 to 18 % if its caller
+/// reads the maps next, and a quarter of a tick of foam; storing through the caches loses 12 to 40
+/// % of a large frame [measured: N = 256, and 512 and 1024, with 32 MiB of shared cache].
 bool are_streamed(std::span<const MapOutput> outputs, int n, std::size_t floats_beside,
                   const CacheSizes& caches) {
     std::size_t components = 0;
@@ -222,8 +222,8 @@ struct MapKernel::Impl {
     std::vector<float> twiddle;
     PageVector<float> intermediate;
     std::vector<PageVector<float>> scratch;  // one for each thread
-    FrameTask task{};                        // pass one's, of all outputs
-    std::vector<FrameTask> part;             // those of pass two
+    FrameTask task{};                        // pass one's, for all outputs
+    std::vector<FrameTask> part;             // pass two's, by part
 
     Impl(std::shared_ptr<const PackedModes> packed, const CacheSizes& sizes)
         : code(kernel_code(packed->level())),
@@ -262,8 +262,8 @@ struct MapKernel::Impl {
             task.pair_stride * static_cast<std::size_t>(task.size / (2 * code.lanes));
         if (make_room(intermediate, floats)) prefault_pages(intermediate, pool);
         task.intermediate = intermediate.data();
-        // Where most of the intermediate stays in the shared cache, storing past it loses 8 % of a
-        // frame; where it does not, storing through it loses 10 % [measured].
+        // If most of the intermediate values stay in the shared cache, storing past it loses 8 % of
+        // a frame; otherwise storing through it loses 10 % [measured].
         task.stream_intermediate = floats * sizeof(float) > caches.shared / 4;
         const bool streams = are_streamed(outputs, task.size, floats, caches);
         for (FrameTask& one : part) {
@@ -285,8 +285,7 @@ struct MapKernel::Impl {
     }
 
     /// Plans pass one, and pass two part by part: outputs that share a field belong to one part,
-    /// and parts are joined as long as their scratch leaves a quarter of a core's cache to what
-    /// else passes through it.
+    /// and parts are joined while their scratch leaves a quarter of a core's cache to other data.
     void divide(const KernelFrame& frame, std::span<const MapOutput> outputs) {
         const auto fields_of_one = [flat = is_flat(frame)](const MapOutput& output) {
             return fields_behind({&output, 1}, flat);
@@ -310,7 +309,7 @@ struct MapKernel::Impl {
         look_ahead(part.back(), part.front(), 1);
     }
 
-    /// Notes which sources are read after those of a part, `items` later.
+    /// Notes which sources are read after a part's sources, `items` later.
     static void look_ahead(FrameTask& here, const FrameTask& next, int items) {
         here.ahead_items = items;
         here.ahead_count = 0;
@@ -379,7 +378,7 @@ void write_rows(const PlanarFields& fields, int resolution, int first, int last,
     const std::size_t planes = static_cast<std::size_t>(task.slots) * fields.row_stride *
                                static_cast<std::size_t>(resolution);
     task.stream_outputs = are_streamed(frame.outputs, resolution, planes, cache_sizes());
-    // Directly written planes are outputs like the others here.
+    // Here directly written planes are outputs like the others.
     for (int d = 0; d < task.direct_count; ++d) {
         const DirectPlane& plane = task.direct[d];
         task.whole[task.output_count] = true;
@@ -402,7 +401,7 @@ std::uint64_t kernel_bytes(const Grid& grid, LinearSet fields, int resolution) {
     int half_band = 0;
     for (const int divisor : cascade_divisors(grid)) {
         const int half = half_of(grid.resolution, divisor, resolution);
-        // If one row of a block has modes, all lanes of the block are present.
+        // If one row of a block has modes, the block has all its lanes.
         const int rows = std::min(divisor, kernel_code(simd_level()).lanes);
         packed += packed_bytes(2 * half) * static_cast<std::uint64_t>(rows);
         half_band = std::max(half_band, (half - 1) * divisor + 1);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The kernel of the cpu backend: from the modes of a map to the maps of one time, in one go. The
-// mathematics is in pass_one.hpp and pass_two.hpp, compiled once per instruction set; this is its
-// interface to the rest of core.
+// mathematics is in pass_one.hpp and pass_two.hpp, compiled once per instruction set; this file is
+// its interface to the rest of core.
 #pragma once
 
 #include <cstdint>
@@ -48,11 +48,12 @@ class MapKernel {
 
     void run(const KernelFrame& frame, ThreadPool& pool);
 
-    /// Runs pass one alone, for at most kMaxOutputs outputs: for a caller that reads few columns of
-    /// a map. write_strip() then makes these columns.
+    /// Runs pass one alone, for at most kMaxOutputs outputs. For a caller that reads few columns of
+    /// a map and makes them with write_strip().
     void begin(const KernelFrame& frame, ThreadPool& pool);
-    /// Runs pass two for one strip of strip_width() columns: writes the outputs there. Strips in
-    /// any order; several threads at once, each with its own scratch of scratch_floats().
+    /// Runs pass two for one strip of strip_width() columns: writes the outputs there. Strips may
+    /// run in any order, and in several threads at once, each with its own scratch of
+    /// scratch_floats().
     int strip_width() const;
     std::size_t scratch_floats() const;
     void write_strip(int strip, float* scratch) const;

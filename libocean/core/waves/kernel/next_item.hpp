@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Prefetching of the next item of a pass while this one is computed: a few cache lines with each
-// value that a codelet loads, so that reading and arithmetic overlap. Prefetched in one go, the
-// reads would wait for each other. [measured, N = 1024 with AVX-512: 6.6 to 4.9 ms a frame of
-// vertices]
+// value that a codelet loads, so that reading and arithmetic overlap. If all lines were prefetched
+// at once, the reads would wait for each other. [measured, N = 1024 with AVX-512: 6.6 to 4.9 ms a
+// frame of vertices]
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace ocean::OCEAN_KERNEL {
 
-/// kLines: lines of the cache that go with one loaded value.
+/// kLines: cache lines prefetched per loaded value.
 template <int kLines>
 class NextItem {
   public:

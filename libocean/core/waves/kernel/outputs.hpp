@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The last stage: from the linear fields of some samples to the channels made of several of them,
-// and into the caller's buffers. The formulas are those that the GPU compiles.
+// and into the caller's buffers. The GPU compiles the same formulas.
 #pragma once
 
 #include "base/simd/simd.hpp"
@@ -23,7 +23,7 @@ using real = Vec;
 inline constexpr int kRowVectors = kItemWidth / kLanes;
 
 /// Where the samples of a row are: kItemWidth neighbouring x at one y. Slots of linear fields point
-/// to their samples, those of derived channels behind them to `derived`.
+/// to their samples; the slots of derived channels after them point to `derived`.
 struct RowSamples {
     const float* slot[kLinearCount + kChannelCount];
     float* derived;
@@ -86,8 +86,8 @@ OCEAN_INLINE int place_in_line(const float* p) {
 }
 
 /// Copies `count` floats from `lines` + place_in_line(target) to `target`: whole lines at once and
-/// past the caches, also the parts of lines that rows of two items share. A cache would first read
-/// both of them, from a page each: 1.5 times the frame [measured].
+/// past the caches, including the partial lines that rows of two items share. A cache would first
+/// read both partial lines, each from its own page: 1.5 times the frame [measured].
 template <int count>
 OCEAN_INLINE void stream_lines(float* target, const float* lines) {
     const int offset = place_in_line(target);
@@ -101,7 +101,7 @@ OCEAN_INLINE void stream_lines(float* target, const float* lines) {
 template <int n>
 OCEAN_INLINE void write_interleaved(const MapOutput& output, const RowSamples& row, bool streams,
                                     float* target) {
-    // Buffers of hosts begin anywhere: those of malloc 16 bytes behind a line.
+    // Host buffers may be unaligned: malloc returns addresses 16 bytes past a cache line.
     const bool in_lines = streams && !is_aligned(target);
     const bool direct = streams && !in_lines;
     alignas(64) float lines[n * kItemWidth + kLineFloats];
@@ -125,7 +125,7 @@ OCEAN_INLINE void write_interleaved(const MapOutput& output, const RowSamples& r
     if (in_lines) stream_lines<n * kItemWidth>(target, lines);
 }
 
-/// Writes a row of an output some of whose components must stay unchanged: value by value.
+/// Writes a row of an output, value by value, if some of its components must stay unchanged.
 inline void write_some_components(const MapOutput& output, const RowSamples& row, float* target) {
     for (int c = 0; c < output.components; ++c) {
         const MapOutput::Component& from = output.component[static_cast<std::size_t>(c)];
@@ -136,7 +136,7 @@ inline void write_some_components(const MapOutput& output, const RowSamples& row
     }
 }
 
-/// Writes a row of samples, those from (x, y) on, to all outputs.
+/// Writes a row of samples, which begins at (x, y), to all outputs.
 OCEAN_INLINE void write_row(const FrameTask& task, const RowSamples& row, int x, int y) {
     const auto column = static_cast<std::size_t>(x);
     const auto line = static_cast<std::size_t>(y);

@@ -34,8 +34,8 @@ class PackedModes::Packing {
           first_(first_factor(size_)),
           second_(size_ / first_) {}
 
-    /// Places the packets by the lattices of the cascades alone, so that a change of the spectrum
-    /// moves none. Returns the floats of all packets.
+    /// Assigns the positions of the packets by the lattices of the cascades alone, so that a change
+    /// of the spectrum moves none. Returns the floats of all packets.
     std::uint64_t lay_out(int blocks, std::vector<ModeGroup>& groups) const {
         std::uint64_t floats = 0;
         std::vector<char> occupied(static_cast<std::size_t>(size_));
@@ -64,7 +64,7 @@ class PackedModes::Packing {
     /// Packs a block. `dense`: from dense_block or from another block.
     void pack(int block, const ModeGroup* groups, Numbers numbers, std::vector<float>& dense,
               float* packets) const {
-        // One cascade has the same places in every block and overwrites them.
+        // A single cascade has the same positions in every block and overwrites them.
         if (modes_.cascades.size() > 1) std::fill(dense.begin(), dense.end(), 0.0f);
         for (std::size_t c = 0; c < modes_.cascades.size(); ++c) gather(c, block, numbers, dense);
         const auto row = [&](Number number, std::size_t kx) {
@@ -88,7 +88,8 @@ class PackedModes::Packing {
                     to += (j == 0 ? 2 : 1) * (kNumbers - kRateHigh) * lanes_;
                     continue;
                 }
-                // Either of a pair may be missing on a lattice, but then it has no energy.
+                // Either mode of a pair may be missing on a lattice, but a missing mode has no
+                // energy.
                 append(kRateHigh, kDisplacement, kx.first);
                 if (j == 0) append(kRateHigh, kDisplacement, kx.second);
             }
@@ -136,7 +137,8 @@ class PackedModes::Packing {
         }
     }
 
-    /// Puts the modes of one cascade in place, in tiles that stay in L1 while all lanes write.
+    /// Writes the modes of one cascade to their positions, in tiles that stay in L1 while all lanes
+    /// write.
     void gather(std::size_t number, int block, Numbers numbers, std::vector<float>& dense) const {
         constexpr int kTile = 64;
         const CascadeModes& cascade = modes_.cascades[number];
@@ -176,7 +178,7 @@ class PackedModes::Packing {
                 to[kRateLow * plane] = cascade.rate_low[at];
                 to[kDisplacement * plane] = scale.displacement * cascade.displacement[at];
             }
-            // The bands share no mode: of the cascades that have this one, one has its energy.
+            // The bands are disjoint: of the cascades that contain this mode, one has its energy.
             if (!alone && a == 0.0f && b == 0.0f) continue;
             to[kPRe * plane] = a.real() + b.real();
             to[kPIm * plane] = a.imag() - b.imag();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The modes of a map as the packets that pass one reads from beginning to end; the packet itself
-// is described in frame_task.hpp.
+// The modes of a map as packets, which pass one reads from beginning to end; frame_task.hpp
+// describes a packet.
 #pragma once
 
 #include <cstddef>
@@ -31,8 +31,8 @@ class PackedModes {
                 const ModeFactor& factor = {});
 
     /// Packs other modes into the same memory. Returns false and changes nothing if their lattices
-    /// or the map differ. Modes with the lattice revision of those packed before keep their rates
-    /// and displacements there, which are more than half of what is read.
+    /// or the map differ. If the lattice revision equals the previous modes', the packed rates and
+    /// displacements stay, which are more than half of the data.
     bool refill(const MapModes& modes, ThreadPool& pool, const ModeFactor& factor = {});
 
     SimdLevel level() const { return level_; }
@@ -55,7 +55,7 @@ class PackedModes {
     int columns_;
     double rate_unit_;
     double wavenumber_step_;
-    Revision lattice_revision_;  // of the rates and displacements; none if they were scaled
+    Revision lattice_revision_;  // of rates and displacements; none if scaled
     std::vector<ModeGroup> groups_;
     PageVector<float> packets_;
 };

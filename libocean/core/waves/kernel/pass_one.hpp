@@ -31,7 +31,7 @@ struct ModeLines {
     }
 };
 
-/// The part of the state that the two modes of a pair share: they have one frequency.
+/// The part of the state that the two modes of a pair share, because they have one frequency.
 struct ModePhase {
     Vec cosine;
     Vec sine;
@@ -99,8 +99,9 @@ void read_modes(const FrameTask& task, const ModeGroup& group, bool singles,
     }
 }
 
-/// Runs the first sweep of one source along one line j: coefficients, A points, twiddles. kx: of
-/// the line's modes, B apart. The sizes with one A share this code: B is an argument.
+/// Runs the first sweep of one source along one line j: coefficients, A points, twiddles. kx:
+/// wavenumbers of the line's modes, B apart. All sizes with one A share this code, because B is an
+/// argument.
 template <int A>
 OCEAN_INLINE void sweep_line(SourceKind kind, const Complex* h, const Complex* u, const float* kx,
                              int B, Vec ky, const float* twiddle, float* out) {
@@ -185,12 +186,12 @@ OCEAN_INLINE NextPackets next_packets(const FrameTask& task, int block, const fl
     if ((block + 1) * kLanes >= task.columns) return {nowhere, 0, nowhere};
     const std::uint64_t here = task.groups[block * (B / 2)].first_packet;
     const std::uint64_t first = task.groups[(block + 1) * (B / 2)].first_packet;
-    // The next item's size is taken to be this one's: neighbouring blocks differ little.
+    // Assumes that the next item has the size of this one: neighbouring blocks differ little.
     return {task.packets + first, first - here, nowhere};
 }
 
-/// Runs the second sweep of one source, kLanes of its A transforms at a time; transposes each block
-/// and stores it where pass two reads it.
+/// Runs the second sweep of one source, kLanes of its A transforms at a time. Transposes each block
+/// and stores it at the position from which pass two reads it.
 template <int A, int B, bool kStream>
 void sweep_and_transpose(const FrameTask& task, int block, int source, const float* lines,
                          float* tile, const NextPackets& next) {
@@ -199,7 +200,7 @@ void sweep_and_transpose(const FrameTask& task, int block, int source, const flo
         place[l] = Intermediate<B>::place(task, source, block * kLanes + l);
     }
     for (int group = 0; group < A / kLanes; ++group) {
-        // x = k + A m with k in this group: its block of kLanes is number (A / kLanes) m + group.
+        // x = k + A m with k in this group lies in block (A / kLanes) m + group.
         const auto target = [&](int m) OCEAN_INLINE_LAMBDA {
             return task.intermediate + Intermediate<B>::x_block(task, A / kLanes * m + group);
         };

@@ -19,10 +19,10 @@ namespace ocean::OCEAN_KERNEL {
 /// A line of ky = j + B i, i < A, is stored in the intermediate as its half with ky > 0; the other
 /// half is the mirror of a line. Lines j and B - j mirror each other: -(j + B i) = (B - j) + B (A -
 /// 1 - i) mod N. Lines 0 and B / 2 mirror themselves: -B i = B (A - i) and -(B/2 + B i) = B/2 + B
-/// (A - 1 - i). The readers of both are one function: its code counts, not its few additions.
+/// (A - 1 - i). One function reads both: its code size matters more than its few additions.
 enum class Line { paired, own };
 
-/// Loads Z, or i ky Z, along one line. kCut: some of the rows do not exist and count as 0.
+/// Loads Z, or i ky Z, along one line. kCut: some rows are missing and count as 0.
 template <int A, Line kLine, bool kDerived, bool kCut>
 struct LineReader {
     const float* entries;  // of one j and source
@@ -36,7 +36,7 @@ struct LineReader {
         const Complex zero = {0.0f, 0.0f};
         const bool mirror = i >= A / 2;
         const int row = !mirror ? i : kLine == Line::own ? A - side - i : A - 1 - i;
-        if (kCut && row >= rows) return zero;  // the Nyquist line, row A / 2, among them
+        if (kCut && row >= rows) return zero;  // includes the Nyquist line, row A / 2
         const int from = kLine == Line::paired && mirror ? 1 - side : side;
         const float* entry = entries + row * kEntry + from * 2 * kBlock;
         const Complex g0 = load_complex(entry);
@@ -60,8 +60,8 @@ void sweep_line_of(const FrameTask& task, const Reader& read, int line, float* o
                     });
 }
 
-/// Runs it for one field, or the one derived from it, along both lines of j. to: its lines in the
-/// scratch.
+/// Runs the first sweep of one field, or of its derived field, along both lines of j. to: the lines
+/// in the scratch.
 template <int A, bool kDerived>
 void sweep_field(const FrameTask& task, int B, int rows, int j, const float* entries, float* to) {
     const int other = j == 0 ? B / 2 : B - j;
@@ -104,7 +104,8 @@ void sweep_pair(const FrameTask& task, int pair, float* scratch) {
     }
 }
 
-/// Prefetches what pass two reads next. A codelet of slot s prefetches a share of source ahead[s].
+/// Prefetches the data that pass two reads next. A codelet of slot s prefetches a share of source
+/// ahead[s].
 template <int A, int B>
 class NextEntries {
   public:
@@ -144,8 +145,8 @@ OCEAN_INLINE void sweep_samples(const float* field, int k, const float* next, co
         store);
 }
 
-/// Writes the outputs that are planes of one field: whole rows of an item at once, which are full
-/// cache lines.
+/// Writes outputs that are planes of one field: whole rows of an item at once, which are full cache
+/// lines.
 template <int A, int B>
 void write_direct_planes(const FrameTask& task, int k, int x0, const float* scratch,
                          std::size_t pair_floats, const NextEntries<A, B>& next) {
@@ -188,11 +189,11 @@ void write_direct_planes(const FrameTask& task, int k, int x0, const float* scra
     }
 }
 
-/// All other outputs: the samples of the fields that they use, in the order of the rows of an item,
-/// and row by row the channels computed from them. On large maps rows of y = k + A l are written
-/// while the samples of k + 1 are computed, some with each codelet: memory takes a stream of stores
-/// at its own speed while the core computes, but stops the core for a burst of them. [measured,
-/// AVX2: 3 % of a frame at N = 1024, nothing at 512; at 256 it would lose 7 %]
+/// All other outputs: computes the samples of their fields, in the order of the rows of an item,
+/// and row by row the channels. On large maps rows of y = k + A l are written while the samples of
+/// k + 1 are computed, a few with each codelet: memory accepts a steady stream of stores while the
+/// core computes, but a burst of stores stalls the core. [measured, AVX2: 3 % of a frame at N =
+/// 1024, nothing at 512; at 256 it would lose 7 %]
 template <int A, int B>
 class CombinedOutputs {
   public:
@@ -200,7 +201,7 @@ class CombinedOutputs {
     OCEAN_INLINE CombinedOutputs(const FrameTask& task, int x0, float* samples)
         : task_(task), x0_(x0), samples_(samples) {}
 
-    /// Computes the samples of k, and writes the rows of k, or those of k - 1.
+    /// Computes the samples of k, and writes the rows of k or of k - 1.
     OCEAN_INLINE void advance(int k, const float* scratch, std::size_t pair_floats,
                               const NextEntries<A, B>& next) {
         if (kBeside) begin_rows(k - 1);
@@ -222,7 +223,7 @@ class CombinedOutputs {
         if (!kBeside) begin_rows(k);
         if (!kBeside || k > 0) write_until(B);
     }
-    /// Writes the rows that are left.
+    /// Writes the remaining rows.
     OCEAN_INLINE void finish() {
         if (!kBeside) return;
         begin_rows(A - 1);

@@ -14,9 +14,9 @@ namespace ocean::OCEAN_KERNEL {
 
 struct SizePasses {
     int size;
-    std::size_t field_floats;   // of pass two's scratch, a slot
-    std::size_t source_floats;  // of pass one's scratch, a source
-    std::size_t tile_floats;    // and once
+    std::size_t field_floats;   // floats per slot of pass two's scratch
+    std::size_t source_floats;  // floats per source of pass one's scratch
+    std::size_t tile_floats;    // and once per thread
     void (*pass_one)(const FrameTask&, int item, float* scratch);
     void (*pass_two)(const FrameTask&, int item, float* scratch);
 };

@@ -9,17 +9,17 @@
 
 namespace ocean::OCEAN_KERNEL {
 
-/// Rows of an item, those of y, y + step and so on: kItemWidth neighbouring x each, from x on.
+/// Rows of an item: y, y + step and so on, each with kItemWidth neighbouring x from x on.
 struct Rows {
     int x;
     int y;
     int step;
     int count;
-    const float* slot[kLinearCount];  // the samples of each field, one row behind the other
+    const float* slot[kLinearCount];  // the samples of each field, row after row
 };
 
-/// Writes rows to all outputs. One function for all sizes: its copies in the passes of each were
-/// half of their code.
+/// Writes rows to all outputs. It is one function for all sizes, because copies in the passes of
+/// each size were half of their code.
 void write_outputs(const FrameTask& task, const Rows& rows);
 
 }  // namespace ocean::OCEAN_KERNEL

@@ -54,7 +54,7 @@ OCEAN_INLINE void transpose(const float* in, float* out, const std::size_t* plac
     }
 }
 
-/// Asks for the lines that a transpose will store to, a share (of kLanes) of all B targets.
+/// Prefetches the lines that a transpose will store to, one share (of kLanes) of all B targets.
 template <int B, typename Target>
 OCEAN_INLINE void prefetch_targets(const Target& target, const std::size_t* place, int share) {
     for (int m = share * B / kLanes; m < (share + 1) * B / kLanes; ++m) {

@@ -19,8 +19,8 @@ namespace ocean {
 
 namespace {
 
-/// Returns the first n in from .. to - 1 for which `beyond` holds, and then for all after it; else
-/// `to`.
+/// Returns the first n in from .. to - 1 for which `beyond` holds; `to` if there is none. `beyond`
+/// must hold for all later n too.
 template <typename Predicate>
 int first_where(int from, int to, const Predicate& beyond) {
     while (from < to) {
@@ -34,7 +34,7 @@ int first_where(int from, int to, const Predicate& beyond) {
     return from;
 }
 
-/// Appends the point (x, y) steps of the lattice from the origin.
+/// Appends the point at (x, y) steps of the lattice from the origin.
 void add_point(const Dispersion& dispersion, double step, double x, double y, double share,
                QuadrantRow& row) {
     const double k = step * std::sqrt(x * x + y * y);
@@ -44,7 +44,7 @@ void add_point(const Dispersion& dispersion, double step, double x, double y, do
     row.weight.push_back(share * wave.group_velocity / k * step * step);
 }
 
-/// Returns the parameters without those that a live tool may change: they affect only the waves.
+/// Returns the parameters without those that affect the waves alone, which a live tool may change.
 Parameters without_waves(Parameters parameters) {
     parameters.waves.clear();
     return parameters;
@@ -91,7 +91,7 @@ void ModeLattice::add(const CascadeBand& band, std::uint32_t noise_number, Threa
 
 std::uint64_t ModeLattice::kept_bytes(const Grid& grid) {
     if (grid.resolution > kLargestKept) return 0;
-    // One point for each mode of the quadrant, and some more near the origin.
+    // One point for each mode of the quadrant, and further points near the origin.
     constexpr std::uint64_t kMorePoints = 1 << 17;
     const std::uint64_t modes = Lattice{grid.resolution, grid.patch_size}.size();
     const std::uint64_t points = modes / 4 + kMorePoints;
@@ -122,7 +122,7 @@ QuadrantRow ModeLattice::make_row(const Cascade& cascade, int m) const {
     row.several = first_where(row.begin, row.end, [&](int n) { return cell_side(n) == 1; });
     for (int n = row.begin; n < row.end; ++n) {
         const int side = n < row.several ? cell_side(n) : 1;
-        // A mode on an axis belongs to both quadrants beside it and is counted in each.
+        // A mode on an axis belongs to both neighbouring quadrants and is counted in each.
         const double share = (n == 0 || m == 0 ? 0.5 : 1.0) / (side * side);
         for (int b = 0; b < side; ++b) {
             for (int a = 0; a < side; ++a) {
@@ -174,8 +174,8 @@ Modes ModeLattice::still_modes(ThreadPool& pool) const {
     return modes;
 }
 
-/// Clears a row in the thread that will fill it: new memory costs about as much as the values
-/// written there.
+/// Clears a row in the thread that will fill it: the first touch of new memory costs about as much
+/// as writing its values.
 void ModeLattice::clear_row(int m, CascadeModes& modes) {
     const auto width = static_cast<std::size_t>(modes.lattice.resolution);
     const auto at = static_cast<std::size_t>(fft_index(m, modes.lattice.resolution)) * width;
@@ -187,8 +187,8 @@ void ModeLattice::clear_row(int m, CascadeModes& modes) {
 
 void ModeLattice::set_rates(const Cascade& cascade, int m, CascadeModes& modes) const {
     const int size = cascade.lattice.resolution;
-    // By its numbers on the lattice of the patch a mode has the same k in all cascades that cover
-    // it, to the bit: else the last bit might decide how many turns fit into a loop.
+    // Computed on the lattice of the patch, a mode has the same k to the bit in all cascades that
+    // cover it: otherwise the last bit might decide how many turns fit into a loop.
     const double step = kTwoPi / parameters_.grid.patch_size;
     const double y = static_cast<double>(cascade.band.divisor) * m;
     const double loop = parameters_.time.loop_period;

@@ -3,8 +3,8 @@
 //
 // The properties of a sea's modes that depend on lattice, water, loop, limits and seed and not on
 // the waves: the position of their cells in frequency and direction, the noise, the phase rates.
-// While the wind changes live, only the amplitudes are recomputed. Stands between the spectrum
-// table and the modes.
+// While the wind changes live, only the amplitudes are recomputed. This is the stage between the
+// spectrum table and the modes.
 #pragma once
 
 #include <complex>
@@ -26,7 +26,7 @@ class ThreadPool;
 enum class BandSide { too_long, inside, too_short };
 BandSide band_side(const Parameters& parameters, const CascadeBand& band, int n, int m);
 
-/// Returns the strongest known wind, which makes the whitecaps [m/s]; unset if none is known.
+/// Returns the strongest known wind, which causes the whitecaps [m/s]; unset if no wind is known.
 std::optional<double> strongest_wind(const Parameters& parameters);
 
 /// Returns the points along each side of a mode's cell, `length` steps of the lattice from its
@@ -35,23 +35,23 @@ std::optional<double> strongest_wind(const Parameters& parameters);
 /// peaks of the table. Farther than 96 steps out the cell itself is small. Test:
 /// Statistics.EveryRecordKeepsItsEnergyOnEveryPatch.
 int samples_per_cell_side(double length);
-/// Returns the position of a point, -1/2 .. 1/2 of the cell.
+/// Returns the position of a point in its cell, -1/2 .. 1/2.
 double sample_offset(int sample, int side);
 
-/// The points at which the spectrum is read for the modes (+-n, m) and (+-n, -m) of one m >= 0:
-/// those of their cells in the first quadrant. Cells begin .. several - 1 have more than one point;
-/// those up to `end` have one; the others have no waves.
+/// The points at which the spectrum is read for the modes (+-n, m) and (+-n, -m) of one m >= 0: the
+/// points of their cells in the first quadrant. Cells begin .. several - 1 have more than one
+/// point; cells several .. end - 1 have one; other cells have no waves.
 struct QuadrantRow {
     int begin = 0;
     int several = 0;
     int end = 0;
-    std::vector<std::uint32_t> points;  // how many each of the cells up to `several` has
+    std::vector<std::uint32_t> points;  // number of points of each cell up to `several`
     std::vector<double> omega;          // rad/s
     std::vector<double> direction;      // turns, 0 .. 1/4
     std::vector<double> weight;         // c_g / k times the area that the point represents
 };
 
-/// n = begin .. end - 1.
+/// The modes n = begin .. end - 1.
 struct ModeRange {
     int begin = 0;
     int end = 0;
@@ -61,8 +61,8 @@ struct ModeRange {
 class ModeLattice {
   public:
     /// keep: points and noise are kept for the next build, 14 bytes a mode, nearly as much as the
-    /// modes themselves. With more than kLargestKept modes along a side nothing is kept: the wind
-    /// of such a sea is not changed while it runs.
+    /// modes themselves. With more than kLargestKept modes along a side nothing is kept, because
+    /// the wind of such a sea is not changed live.
     enum class Memory { none, keep };
     static constexpr int kLargestKept = 2048;
     static std::uint64_t kept_bytes(const Grid& grid);
@@ -74,15 +74,15 @@ class ModeLattice {
     ModeLattice(const Parameters& parameters, const CascadeBand& band, std::uint32_t noise,
                 Memory memory, ThreadPool& pool);
 
-    /// Returns true if this is the lattice of that sea.
+    /// Returns true if this is the lattice of the sea `parameters`.
     bool is_of(const Parameters& parameters) const;
-    /// Returns true if it keeps all that `keep` would keep.
+    /// Returns true if nothing remains to be kept.
     bool is_kept() const { return kept_ || parameters_.grid.resolution > kLargestKept; }
 
     /// Returns the modes of still water: rates and displacements, no waves.
     Modes still_modes(ThreadPool& pool) const;
-    /// Sets the waves of `modes`, which belong to this lattice; their previous waves do not matter.
-    /// The bits are the same for any number of threads and whether anything is kept or not.
+    /// Sets the waves of `modes`, which must belong to this lattice; overwrites previous waves. The
+    /// bits are the same for any number of threads, and with or without kept data.
     void set_waves(const DirectionalSpectrum& spectrum, double wind_speed, ThreadPool& pool,
                    Modes& modes) const;
 
@@ -104,7 +104,7 @@ class ModeLattice {
     /// Adds the next cascade to this lattice.
     void add(const CascadeBand& band, std::uint32_t noise_number, ThreadPool& pool);
     QuadrantRow make_row(const Cascade& cascade, int m) const;
-    /// Returns the row that is kept; else makes it in `made`.
+    /// Returns the kept row, or makes it in `made`.
     const QuadrantRow& row_of(const Cascade& cascade, int m, QuadrantRow& made) const;
     /// Draws row m, which may be negative, in FFT order: modes (n, m) of `east` and (-n, m) of
     /// `west`.
@@ -112,7 +112,7 @@ class ModeLattice {
                   std::span<std::complex<float>> noise) const;
     static void clear_row(int m, CascadeModes& modes);
     void set_rates(const Cascade& cascade, int m, CascadeModes& modes) const;
-    /// Returns the variance of the modes that measure the band.
+    /// Sets the waves of a cascade. Returns the variance of its modes that satisfy measures_band.
     double set_cascade(const Cascade& cascade, const QuadrantSampler& sampler, ThreadPool& pool,
                        CascadeModes& modes) const;
     void set_row(const Cascade& cascade, const QuadrantSampler& sampler, int m, Work& work,

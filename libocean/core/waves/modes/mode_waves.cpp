@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The waves of a lattice's modes: their variances by the spectrum, by quadrants and rows, and their
-// amplitudes. What a live tool does again while somebody turns the wind.
+// amplitudes. A live tool repeats this while a user changes the wind.
 #include <algorithm>
 #include <cmath>
 
@@ -78,9 +78,8 @@ ModeRange with_waves(std::span<const double> variances) {
     return {static_cast<int>(first - variances.begin()), static_cast<int>(variances.rend() - last)};
 }
 
-/// Returns the amplitude of each part of h0, which has half of it: E
-/// h0
-/// ^2 = variance / 2.
+/// Returns the amplitude of the real and of the imaginary part of h0, which share E |h0|^2 =
+/// variance / 2 evenly.
 double amplitude_of(double variance) {
     return 0.5 * std::sqrt(variance);
 }
@@ -95,7 +94,7 @@ void write_row(std::span<const double> east, std::span<const double> west,
     amplitude[half] = 0.0;
     for (std::size_t n = 1; n < half; ++n) amplitude[size - n] = amplitude_of(west[n]);
     for (std::size_t i = 0; i < size; ++i) {
-        // Adding 0 turns minus zero into zero where there are no waves.
+        // Adding 0 turns minus zero into zero, for modes without waves.
         h0[i] = {static_cast<float>(amplitude[i] * static_cast<double>(noise[i].real())) + 0.0f,
                  static_cast<float>(amplitude[i] * static_cast<double>(noise[i].imag())) + 0.0f};
     }
@@ -131,7 +130,7 @@ struct ModeLattice::Work {
 };
 
 /// Sums over rows of modes while their amplitudes are made: the covariance of the gradients of each
-/// shell max(|n|, |m|) = s, and the variance that measures a band.
+/// shell max(|n|, |m|) = s, and the variance of the modes that satisfy measures_band.
 class ModeLattice::ShellSums {
   public:
     /// Begins sums of N/2 shells at 0.
@@ -163,7 +162,7 @@ class ModeLattice::ShellSums {
         for (std::size_t n = 0; n <= row && n < last; ++n) add_modes(n, own);
         shells_[row] += own;
         for (std::size_t n = row + 1; n < last; ++n) add_modes(n, shells_[n]);
-        // The same condition as measures_band: inside the circle of the Nyquist line.
+        // This is the condition of measures_band: inside the circle of the Nyquist line.
         const std::size_t half = v[0].size();
         for (std::size_t n = 0; n < last && n * n + row * row < half * half; ++n) {
             measured_ += variances.sum(n);

@@ -69,7 +69,7 @@ double energy(const Modes& modes) {
     return sum;
 }
 
-/// Turns since time 0, the whole ones dropped.
+/// Returns the turns since time 0, without whole turns.
 double turns(const CascadeModes& cascade, std::size_t i, double tau) {
     const double high = static_cast<double>(cascade.rate_high[i]) * tau;
     return high - std::floor(high) + static_cast<double>(cascade.rate_low[i]) * tau;
@@ -128,7 +128,7 @@ int samples_per_cell_side(double length) {
 
 double sample_offset(int sample, int side) {
     if (side == 1) return 0.0;
-    constexpr double kGauss = 0.5773502691896258;  // 1 / sqrt(3), of half a part
+    constexpr double kGauss = 0.5773502691896258;  // 1 / sqrt(3), in units of half a part
     const double part = 2.0 / side;
     const double centre = (sample / 2 + 0.5) * part - 0.5;
     return centre + (sample % 2 == 0 ? -0.5 : 0.5) * kGauss * part;
@@ -183,7 +183,7 @@ double band_gain(const DirectionalSpectrum& spectrum, const Parameters& paramete
         longest = longest > 0.0 ? std::min(longest, limits.longest_wavelength)
                                 : limits.longest_wavelength;
     }
-    // A band of a few modes may hold them by chance or not.
+    // A band with few modes may hold or miss them by chance.
     return std::clamp(spectrum.variance(parameters.water, shortest, longest) / variance, 0.5, 2.0);
 }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Sampling of the spectrum table for modes: one frequency in the four directions that are mirror
-// images of each other in the axes. Stands between the table and the modes; rebuilt for each table.
+// images of each other in the axes. It is the stage between the table and the modes, rebuilt for
+// each table.
 #pragma once
 
 #include <algorithm>
@@ -61,7 +62,7 @@ class QuadrantSampler {
 
   private:
     // The leading bits of a positive double rise with it, 1024 steps to the octave: about as close
-    // as the rows of a table lie where they lie closest.
+    // as the closest rows of a table.
     static constexpr int kDroppedBits = 42;
     static std::uint64_t bucket(double omega) {
         return std::bit_cast<std::uint64_t>(omega) >> kDroppedBits;
@@ -72,7 +73,7 @@ class QuadrantSampler {
     std::size_t directions_;
     std::vector<double> inverse_gap_;
     std::uint64_t first_bucket_ = 0;
-    std::vector<std::uint32_t> row_of_bucket_;  // a row at or before the first of the bucket
+    std::vector<std::uint32_t> row_of_bucket_;  // a row at or before the bucket's first row
 };
 
 }  // namespace ocean

@@ -8,9 +8,9 @@
 
 namespace ocean {
 
-/// Variances [m^2] of the modes (n, m), (-n, m), (-n, -m), (n, -m), by n = 0 .. N/2 - 1. On an
-/// axis, where two of them are the same mode, the first and the last contain it for n = 0, the
-/// first two for m = 0.
+/// Variances [m^2] of the modes (n, m), (-n, m), (-n, -m), (n, -m), by n = 0 .. N/2 - 1. On an axis
+/// two of these are the same mode, and both contain it: the first and the last for n = 0, the first
+/// two for m = 0.
 struct QuadrantVariances {
     std::vector<double> quarter[4];
 

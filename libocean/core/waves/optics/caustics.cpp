@@ -3,22 +3,22 @@
 //
 // Caustics by the areas of refracted cells [Watt 1990].
 //
-// The samples of a map cut the surface into triangles, two a cell. The sun's parallel light sends
-// through each as much as its area seen from the sun, which is the area of its shadow along the
-// rays on the mean level: a signed one, whose sum over a period is the period's, whatever the
-// waves. At the three corners the rays are refracted,
+// The samples of a map cut the surface into triangles, two a cell. The parallel light of the sun
+// through a triangle is proportional to its area seen from the sun, which is the area of its shadow
+// along the rays on the mean level: a signed area, whose sum over a period is the period's area for
+// any waves. At the three corners the rays are refracted,
 //   t = r s + (r c - sqrt(1 - r^2 (1 - c^2))) n,   c = -s.n,  r = 1 / kWaterIor
 // with s the direction of the light and n the normal, and meet the plane at three points. The
-// triangle's light lies evenly in theirs: each cell of the plane takes the share that lies in it.
-// Fresnel's losses are left out, which differ by 0.02 up to
-// 50 degrees of incidence, and absorption, which is that of flat water.
+// triangle's light is spread evenly over the triangle of these points: each cell of the plane takes
+// the share that lies in it. Fresnel's losses are left out, because they differ by 0.02 up to 50
+// degrees of incidence; so is absorption, because it equals flat water's.
 //
 // Limits: flat water has 1 everywhere. Below a crest of a wave a cos(k x), light from the zenith is
 // 1 / (1 - d / f) at the depth d below it, with the focus f = n / (n - 1) / (a k^2), and
 // 1 / (1 + d / f) below a trough [tests/unit/caustics_test.cpp].
 //
 // Sums are of integers, so that they do not depend on the order. Positions are counted from the
-// cell that the light comes from, so that neither bits nor seams depend on where that is.
+// cell that the light comes from, so that neither bits nor seams depend on that cell's position.
 #include "ocean/caustics.hpp"
 
 #include <algorithm>
@@ -38,13 +38,14 @@
 namespace ocean {
 namespace {
 
-/// Light of one cell of flat water. The largest map has 2^26 cells: all their light in one is 2^62.
+/// Light of one cell of flat water. The largest map has 2^26 cells; all their light in one cell is
+/// 2^62.
 constexpr double kCellLight = 0x1p36;
-/// Rows of the map that are one item of work, whatever the number of threads.
+/// Rows of the map in one item of work, for any number of threads.
 constexpr int kRowsAtOnce = 8;
-/// Refracted rays are no flatter than this: only folds of the surface would send them so.
+/// Min descent of refracted rays: only folds of the surface would send flatter rays.
 constexpr double kMinDescent = 0.2;
-/// Area, in cells, below which a triangle is a line.
+/// A triangle of a smaller area, in cells, counts as a line.
 constexpr double kThin = 1e-10;
 
 struct Point {
@@ -77,7 +78,7 @@ double area(const Polygon& p) {
     return 0.5 * std::abs(twice);
 }
 
-/// Cuts along x = at, or y = at: the part below it is returned, the other one left.
+/// Cuts along x = at, or y = at: returns the part below, and leaves the other in `rest`.
 Polygon cut_off(Polygon& rest, double Point::*axis, double at) {
     Polygon below, above;
     for (int i = 0; i < rest.count; ++i) {
@@ -106,7 +107,7 @@ Span cells_of(const Polygon& p, double Point::*axis) {
         low = std::min(low, p[i].*axis);
         high = std::max(high, p[i].*axis);
     }
-    // A part that ends on a line does not reach into the cell behind it.
+    // A part that ends on a line does not reach into the next cell.
     const auto first = static_cast<std::int64_t>(std::floor(low));
     return {first, std::max(first, static_cast<std::int64_t>(std::ceil(high)) - 1)};
 }
@@ -119,7 +120,7 @@ class Plane {
           light_(std::make_unique<std::atomic<std::int64_t>[]>(
               static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution))) {}
 
-    /// Spreads light evenly over a triangle, which is counted from cell (i, j).
+    /// Spreads light evenly over a triangle, whose corners are relative to cell (i, j).
     void spread(const Triangle& triangle, std::int64_t light, int i, int j) {
         const double size = std::abs(signed_area(triangle));
         if (!(size > kThin)) return spread_line(triangle, light, i, j);
@@ -165,7 +166,7 @@ class Plane {
     }
 
   private:
-    /// Spreads light over a triangle without area, which is halved until it is short.
+    /// Spreads light over a triangle without area, by halving it until it is short.
     void spread_line(const Triangle& t, std::int64_t light, int i, int j) {
         const auto length = [&t](int a, int b) {
             const Point p = t[static_cast<std::size_t>(a)], q = t[static_cast<std::size_t>(b)];
@@ -215,7 +216,7 @@ class Rays {
           nz_(surface.channel(Channel::nz)) {
         const double altitude = settings.sun_altitude * kDegree;
         const double bearing = settings.sun_bearing * kDegree;
-        // At the zenith exactly: no cosine of a rounded right angle.
+        // Exactly 0 at the zenith, where the cosine of a rounded right angle would not be.
         const double level = settings.sun_altitude == 90.0 ? 0.0 : std::cos(altitude);
         light_ = {-level * std::cos(bearing), -level * std::sin(bearing), -std::sin(altitude)};
     }
@@ -251,12 +252,12 @@ Ray shifted(const Ray& ray, double x, double y) {
     return {{ray.level.x + x, ray.level.y + y}, {ray.plane.x + x, ray.plane.y + y}};
 }
 
-/// Adds the light that passes one triangle of the surface. Parts seen from below lie behind others,
-/// which have their light already.
+/// Adds the light through one triangle of the surface. Parts seen from below lie behind other
+/// parts, which already have their light.
 void send(Plane& plane, const Ray& a, const Ray& b, const Ray& c, int i, int j) {
     const double seen = signed_area({a.level, b.level, c.level});
     if (!(seen > 0.0)) return;
-    // Cells begin half a cell before the samples in their middle.
+    // Cells begin half a cell before the samples at their centres.
     const auto lit = [](const Ray& ray) { return Point{ray.plane.x + 0.5, ray.plane.y + 0.5}; };
     plane.spread({lit(a), lit(b), lit(c)}, std::llround(seen * kCellLight), i, j);
 }

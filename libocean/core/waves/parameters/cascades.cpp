@@ -21,9 +21,7 @@ bool is_prime(int n) {
     return n > 1;
 }
 
-/// Returns
-/// k
-/// ^2 in steps of the patch's lattice: a whole number below 2^53.
+/// Returns |k|^2 in steps of the patch's lattice: a whole number below 2^53.
 double square_of(const CascadeBand& band, int n, int m) {
     const auto x = static_cast<double>(std::int64_t{n} * band.divisor);
     const auto y = static_cast<double>(std::int64_t{m} * band.divisor);

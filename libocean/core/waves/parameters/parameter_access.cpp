@@ -24,13 +24,13 @@ bool names_record(const ParameterInfo& info) {
            info.holds<&WaveSystem::place>();
 }
 
-/// Returns true for a key with which a reader reads another bed from its file.
+/// Returns true for a key whose change makes a reader read another bed from its file.
 bool names_bed(const ParameterInfo& info) {
     return info.holds<&Water::seabed>() || info.holds<&Water::seabed_unit>();
 }
 
-/// Returns the bed of the changed water: the one that it has, moved, or none where its file must be
-/// read anew.
+/// Returns the bed of the changed water: the present one, moved, or none if its file must be read
+/// anew.
 std::shared_ptr<const SeaBed> bed_after(const ParameterInfo& changed, const Water& water) {
     if (water.bed == nullptr) return nullptr;
     const bool has_file = !water.seabed.empty() || changed.holds<&Water::seabed>();

@@ -253,7 +253,7 @@ constexpr ParameterInfo kTable[] = {
      used_by("measured")},
 };
 
-/// Converts to a value of any type.
+/// A type that converts to a value of any type.
 struct Anything {
     template <typename Value>
     constexpr operator Value() const {
@@ -261,7 +261,7 @@ struct Anything {
     }
 };
 
-/// Counts the members of a plain struct: the max of values that can initialise it.
+/// Counts the members of a plain struct: the max number of values that can initialise it.
 template <typename Struct, typename... Values>
 constexpr std::size_t member_count() {
     if constexpr (requires { Struct{Values{}..., Anything{}}; }) {
@@ -276,7 +276,7 @@ constexpr std::size_t rows_of(std::string_view section) {
         std::ranges::count(kTable, section, [](const ParameterInfo& row) { return row.section; }));
 }
 
-// A member without a row could not be set.
+// Each member needs a row, except the two in the comment: without a row it could not be set.
 static_assert(rows_of("water") + 2 == member_count<Water>());  // shore, bed
 static_assert(rows_of("water.shore") == member_count<ShoreSettings>());
 static_assert(rows_of("grid") == member_count<Grid>());

@@ -19,8 +19,8 @@ Error bed_error(const std::string& fault, const std::string& allowed) {
     return Error(ErrorKind::invalid_value, {.what = "the bed " + fault, .allowed = allowed});
 }
 
-/// Returns the grid at the origin of `water`. Its cell has twelve digits, so that a cell that went
-/// through its text gives the same bits.
+/// Returns the grid at the origin of `water`. The cell is rounded to twelve digits, so that a cell
+/// read back from text gives the same bits.
 Domain placed_grid(const Domain& grid, const Water& water) {
     constexpr int kDigits = 12;
     const double cell =
@@ -33,7 +33,7 @@ Domain placed_grid(const Domain& grid, const Water& water) {
     return placed;
 }
 
-/// Throws for heights that are no number or beyond kMaxElevation, which "first" names.
+/// Throws for heights that are NaN or beyond kMaxElevation; the message names the first of them.
 void require_heights(const SeaBed& bed) {
     const auto is_bad = [](float h) { return !(std::abs(double{h}) <= kMaxElevation); };
     const auto bad = std::ranges::count_if(bed.heights, is_bad);
@@ -55,7 +55,7 @@ bool is_placed(const SeaBed& bed, const Water& water) {
            bed.sign == water.seabed_sign && bed.level == water.level;
 }
 
-/// Fills in all that depends on `water`, from the given heights.
+/// Fills in the members that depend on `water`, from the given heights.
 void place(SeaBed& bed, PageVector<float> given, const Water& water) {
     bed.domain = placed_grid(bed.domain, water);
     bed.unit = water.seabed_unit;

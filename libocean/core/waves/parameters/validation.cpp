@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rules between parameters. After this the stages of the pipeline check nothing.
+// Rules between parameters. Later stages of the pipeline rely on them and check nothing.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -78,7 +78,8 @@ void validate_cascades(const Grid& grid) {
                " numbers, one for each of grid.cascades, or none to have them chosen");
     }
     if (grid.cascade_divisors.front() != 1) refuse("must begin with 1, the patch itself");
-    // A band must begin a few modes from its lattice's origin, or it has hardly any directions.
+    // A band must begin a few modes from its lattice's origin; otherwise it has hardly any
+    // directions.
     const int farthest = grid.resolution / 8;
     for (std::size_t c = 1; c < grid.cascade_divisors.size(); ++c) {
         const long long last = grid.cascade_divisors[c - 1];

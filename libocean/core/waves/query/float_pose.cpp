@@ -24,7 +24,7 @@ struct Direction {
     double x, y;
 };
 
-/// The middles of equal parts of one side, each at most a sample of the map long.
+/// The middles of equal parts of one side, none longer than a sample of the map.
 struct Side {
     Direction along;
     int count;
@@ -52,13 +52,14 @@ struct PlaneSums {
         height_t += sample.height * t;
         ss += s * s;
         tt += t * t;
-        // A vertical surface counts as one of 89.9 degrees.
+        // A vertical surface counts as a surface of 89.9 degrees.
         const double up = std::max(sample.normal[2], 1e-3);
         slope_x -= sample.normal[0] / up;
         slope_y -= sample.normal[1] / up;
         ++count;
     }
-    /// Returns the slope of the plane along a side; that of the surface if the side is too short.
+    /// Returns the slope of the plane along a side, or the surface's slope if the side is too
+    /// short.
     double slope(const Side& side, double height_moment, double moment) const {
         if (side.count > 1) return height_moment / moment;
         return (slope_x * side.along.x + slope_y * side.along.y) / count;

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which label is shown at a place: solves a - C D(a) = x for the label a, where C is the choppiness
-// and D the horizontal displacement. One solution where the surface is not folded. Where it is,
-// three or more: by the sign of their Jacobians they add up to one, so that one of them has J < 0.
+// Finds the label shown at a place: solves a - C D(a) = x for the label a, where C is the
+// choppiness and D the horizontal displacement. A surface without a fold has one solution, a folded
+// one three or more. The signs of their Jacobians add up to 1, so that one of them has J < 0.
 //
-// A source is anything that gives, at a label (x, y), a DisplacementSample or more.
+// A source is any function that returns, at a label (x, y), a DisplacementSample or more.
 #pragma once
 
 #include <algorithm>
@@ -18,10 +18,10 @@ namespace ocean {
 struct InversionTarget {
     double x, y;  // m, the place
     double choppiness;
-    double reach;      // m, no label is shown much farther than this from where it is
+    double reach;      // max distance of a label from its shown point [m]
     double tolerance;  // m, residual of a solution
 
-    /// Returns the target at a point. `reach` must not be 0 in a sea that moves.
+    /// Returns the target at a point. `reach` must be positive in a sea that moves.
     static InversionTarget at(double x, double y, double choppiness, double reach) {
         return {x, y, choppiness, reach, kTolerance * reach};
     }
@@ -35,14 +35,14 @@ struct ShownLabel {
     bool converged;
 };
 
-/// Returns a solution near one start. Newton's method; where that wanders or meets a fold, the
-/// damped fixed point a <- a - (a - C D(a) - x) / 2, then Newton again. Evaluates the source at
-/// most 40 times; then the last label, finite, if none was good enough.
+/// Returns a solution near one start, by Newton's method; where it wanders or meets a fold, by the
+/// damped fixed point a <- a - (a - C D(a) - x) / 2 and then Newton's method again. Evaluates the
+/// source at most 40 times. If no label was good enough, returns the last one, which is finite.
 template <typename Source>
 ShownLabel find_label(const Source& source, const InversionTarget& target, double start_x,
                       double start_y) {
     constexpr int kSteps = 40;
-    constexpr int kPatience = 12;   // steps of Newton, before and after the fixed point
+    constexpr int kPatience = 12;   // Newton steps before and after the fixed point
     constexpr double kFlat = 0.01;  // |J| below which Newton's step is not trusted
     const double longest_step = 0.5 * target.reach;
     const double c = target.choppiness;

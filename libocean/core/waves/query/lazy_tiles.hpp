@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The tiles of a large map that are made only when they are needed, and then kept.
+// The tiles of a large map, made only when needed, and then kept.
 #pragma once
 
 #include <atomic>
@@ -14,7 +14,8 @@
 
 namespace ocean {
 
-/// Records which tiles are ready. Any thread may read it; one at a time may change it.
+/// Records which tiles are ready. Any thread may read the record; only one thread at a time may
+/// change it.
 class LazyTiles {
   public:
     explicit LazyTiles(int count)

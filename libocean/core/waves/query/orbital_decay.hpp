@@ -8,9 +8,9 @@
 
 namespace ocean {
 
-/// At z <= 0 above the bottom, z up from still water: cosh k(z+d) / sinh kd, of the motion along
-/// the wave, and sinh k(z+d) / sinh kd, of that up and down. k > 0.
-/// [Dean and Dalrymple 1991] eq. 3.30. Limits: e^(kz) both in deep water; upright 0 at the bottom.
+/// At z <= 0 above the bottom, z up from still water: cosh k(z+d) / sinh kd for the motion along
+/// the wave, and sinh k(z+d) / sinh kd for the motion up and down. k > 0. [Dean and Dalrymple 1991]
+/// eq. 3.30. Limits: e^(kz) both in deep water; upright 0 at the bottom.
 struct OrbitalDecay {
     double along;
     double upright;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The motion of the water at a depth: maps as of the surface, each mode decayed to that depth.
+// The motion of the water at a depth: maps as for the surface, with each mode decayed to that
+// depth.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -37,9 +38,9 @@ ModeFactor faded(const Modes& modes, int shown, int fine, const Scale& scale) {
 }
 
 /// A mode's potential is L dh/dt, L = cosh k(z+d) / (k sinh kd), and its pressure rho omega^2 L h;
-/// see WaveSum::water_motion. So of modes whose amplitude is multiplied by omega^2 L / g and whose
-/// displacement D by g / (omega^2 D), the height is pressure / (rho g) and the velocity of the
-/// displacement that of the water along x and y.
+/// see WaveSum::water_motion. If amplitudes are multiplied by omega^2 L / g and displacements D by
+/// g / (omega^2 D), the height is pressure / (rho g), and the velocity of the displacement is the
+/// water's along x and y.
 auto along(const Modes& modes, const Water& water, double z) {
     return [rate_unit = modes.rate_unit(), &water, z](const CascadeModes& cascade, std::size_t at,
                                                       double k) {
@@ -61,7 +62,8 @@ auto upright(const Water& water, double z) {
     };
 }
 
-/// One depth at one time. Motions along and upright fade differently: two transforms.
+/// One depth at one time. Motions along the wave and upright fade differently and need two
+/// transforms.
 class MotionStrips {
   public:
     MotionStrips(const Modes& modes, const Water& water, double z, int shown, int fine,
@@ -70,7 +72,7 @@ class MotionStrips {
           along_(modes, fine, faded(modes, shown, fine, along(modes, water, z)), pool),
           up_(modes, fine, faded(modes, shown, fine, upright(water, z)), pool) {}
 
-    /// Packs other modes. Returns false if their lattice differs; the object is then useless.
+    /// Packs other modes. Returns false if their lattice differs; the object is then unusable.
     bool repack(const Modes& modes, const Water& water, double z, int shown, ThreadPool& pool) {
         const int fine = map_.lattice().resolution;
         return map_.lattice().period == modes.lattice.period &&
@@ -103,8 +105,7 @@ class MotionStrips {
   private:
     SplineMap map_;
     SplineStrips along_;
-    SplineStrips
-        up_;  // made after along_, which overwrites its field: where up_ is ready, both are
+    SplineStrips up_;  // made after along_, which overwrites its field: once up_ is ready, both are
 };
 
 }  // namespace
@@ -129,7 +130,7 @@ struct OrbitalMotion::Impl {
         const double level_z = std::min(asked_z, 0.0);
         const bool same_modes = revision == modes.revision && water == now;
         const bool same_depth = same_modes && z == level_z;
-        revision = {};  // while it is neither the old ones nor the new
+        revision = {};  // invalid until the change is complete
         period = modes.lattice.period;
         water = now;
         z = level_z;
@@ -193,7 +194,7 @@ void OrbitalMotion::sample(std::span<const WorldPoint> points, std::span<WaterMo
 
 std::uint64_t OrbitalMotion::bytes(const Modes& modes, const QueryOptions& options) {
     if (options.exact) return WaveSum::bytes(modes, 2);
-    // Two kernels, with packed modes each.
+    // Two kernels, each with its packed modes.
     return 2 * spline_bytes(modes.lattice.resolution, options, 1, 2);
 }
 

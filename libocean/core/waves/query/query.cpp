@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Samples of the displayed surface; see query.hpp. A point that displays one label is solved by
-// Newton's method on the spline map; one near a fold starts from every label that the index of
-// folds lists. Both make only the strips near the requested points.
+// Samples of the displayed surface; see query.hpp. Newton's method on the spline map solves a point
+// that displays one label; near a fold it starts from every label that the index of folds lists.
+// Only the strips near the requested points are made.
 #include "ocean/query.hpp"
 
 #include <algorithm>
@@ -27,13 +27,13 @@
 namespace ocean {
 namespace {
 
-// The fourth of each is not read.
+// The fourth quantity of each is not read.
 constexpr std::array<Quantity, 4> kPosition = {Channel::dx, Channel::dy, Channel::height,
                                                Channel::height};
 constexpr std::array<Quantity, 4> kVelocity = {Channel::vx, Channel::vy, Channel::vz, Channel::vz};
 
-/// Sets the normal on the side seen from above: on a fold's upper sheet the label's own points
-/// down.
+/// Sets the normal on the side seen from above: on the upper sheet of a fold the label's own normal
+/// points down.
 void set_normal(QuerySample& sample, double choppiness, const DisplacementSample& displacement,
                 double slope_x, double slope_y) {
     const auto n = wave::double_precision::surface_normal(
@@ -60,7 +60,7 @@ struct SurfaceQuery::Impl {
           revision(modes.revision) {}
 
     /// Switches to other modes of the same lattice. Returns false if their lattice differs; the
-    /// object is then useless.
+    /// object is then unusable.
     bool use(const Modes& modes, ThreadPool& pool);
     void begin(const Modes& modes, const SurfaceSettings& settings, const Water& water,
                double new_time, ThreadPool& pool, FoamMap new_foam);
@@ -95,7 +95,8 @@ struct SurfaceQuery::Impl {
     Solution solve(const InversionTarget& target, WorldPoint start) const;
     Solution top_solution(WorldPoint place, WorldPoint guess, Starts& starts,
                           QuerySample& sample) const;
-    /// Returns the sample of a point. `guess`: near the label of `place`, the point wrapped.
+    /// Returns the sample of a point. `place` is the point within the period, `guess` a label near
+    /// the label of `place`.
     QuerySample sample(WorldPoint point, WorldPoint place, WorldPoint guess, Starts& starts) const;
     void sample_in_order(std::span<const Numbered> points, std::span<QuerySample> samples) const;
     void fill(QuerySample& sample, const Solution& solution) const;
@@ -124,7 +125,7 @@ bool SurfaceQuery::Impl::use(const Modes& modes, ThreadPool& pool) {
         shown != shown_resolution(modes.lattice.resolution, options)) {
         return false;
     }
-    revision = {};  // while they are neither the old ones nor the new
+    revision = {};  // invalid until the change is complete
     if (!strips.repack(modes, spline_factor(modes, shown, fine), pool)) return false;
     bounds = query_bounds(modes, shown, fine, options.exact, pool);
     revision = modes.revision;
@@ -163,8 +164,8 @@ void SurfaceQuery::Impl::prepare(std::span<const WorldPoint> points, ThreadPool*
     folds.make(position, places.list(), pool);
 }
 
-/// Returns the points ordered so that neighbours follow each other: random points would spend their
-/// time waiting for the memory of the maps.
+/// Returns the points ordered so that neighbours follow each other: reads of random points would
+/// wait for memory.
 std::vector<SurfaceQuery::Impl::Numbered> SurfaceQuery::Impl::in_order(
     std::span<const WorldPoint> points) const {
     std::vector<int> blocks(points.size());
@@ -187,7 +188,7 @@ Solution SurfaceQuery::Impl::solve(const InversionTarget& target, WorldPoint sta
         return displacement_of(jet);
     };
     const ShownLabel label = find_label(look, target, start.x, start.y);
-    return {label, jet};  // find_label returns the label that it looked at last
+    return {label, jet};  // find_label returns the label of its last look
 }
 
 /// Returns the top solution and sets the flags of the sample.
@@ -196,10 +197,10 @@ Solution SurfaceQuery::Impl::top_solution(WorldPoint place, WorldPoint guess, St
     TopSheet sheet;
     const bool listed = folds.labels_near(place.x, place.y, starts);
     const double search = std::max(10.0 * spacing(), 2.0 * reach());
-    if (starts.empty()) starts.push_back(guess);  // nothing folds there
+    if (starts.empty()) starts.push_back(guess);  // no fold there
     for (const WorldPoint& start : starts) sheet.add(solve(target(place), start));
-    // Where all of these end in a fold that just misses this place: around the first of them, as
-    // far as a label can be.
+    // All of these may end in a fold that just misses this place: then searches around the first of
+    // them, as far as a label can be.
     constexpr int kDirections = 8;
     for (double distance = spacing(); !sheet.converged() && distance < search; distance *= 2.0) {
         for (int i = 0; i < kDirections; ++i) {
@@ -229,7 +230,7 @@ QuerySample SurfaceQuery::Impl::sample(WorldPoint point, WorldPoint place, World
 }
 
 /// Samples in stages, some points apart: the maps exceed the caches, and each stage reads what the
-/// stage before it has prefetched.
+/// previous stage has prefetched.
 void SurfaceQuery::Impl::sample_in_order(std::span<const Numbered> points,
                                          std::span<QuerySample> samples) const {
     static_assert(FoldIndex::kLooks == 2);
@@ -242,7 +243,7 @@ void SurfaceQuery::Impl::sample_in_order(std::span<const Numbered> points,
     Starts starts;
     for (std::size_t now = 0; now < points.size() + 3 * kApart; ++now) {
         const auto stage = [&](std::size_t number, const auto& body) {
-            const std::size_t i = now - number * kApart;  // beyond all while it is not begun
+            const std::size_t i = now - number * kApart;  // wraps while it has not begun
             if (i < points.size()) body(points[i], searches[i % searches.size()]);
         };
         stage(0, [&](const Numbered& point, Search& search) {
@@ -278,8 +279,8 @@ void SurfaceQuery::Impl::fill(QuerySample& sample, const Solution& solution) con
     sample.label[1] = label.y;
 }
 
-/// Fills a sample with the sum over all modes, beginning at the label that the map displays: this
-/// sum is too expensive to search with.
+/// Fills a sample with the sum over all modes, beginning at the label that the map displays: a
+/// search with this sum would be too expensive.
 void SurfaceQuery::Impl::fill_exactly(QuerySample& sample, WorldPoint place,
                                       ShownLabel label) const {
     constexpr double kDoubleTolerance = 1e-12;  // relative to the reach
@@ -320,7 +321,7 @@ double SurfaceQuery::Impl::foam_at(double x, double y) const {
 }
 
 bool may_fold(const Modes& modes, double choppiness) {
-    // All modes count: they fit on the finest map.
+    // All modes count, because they fit on the finest map.
     const GradientCovariance c = modes.gradient_covariance(kMaxResolution);
     return 6.0 * choppiness * std::sqrt(c.aa + c.bb + 2.0 * c.cc) >= 1.0;
 }

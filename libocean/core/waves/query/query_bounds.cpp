@@ -13,7 +13,7 @@ namespace {
 /// Sums over a row of modes; rows are added in order.
 struct BoundSums {
     double displacement = 0.0;          // sum of |h0| k coth(kd)/k
-    double displacement_squares = 0.0;  // sum of their squares
+    double displacement_squares = 0.0;  // sum of the squares
     double lacking = 0.0;               // |h0|^2 of the modes, or aliases, that are not shown
 
     void add(const BoundSums& other) {

@@ -15,10 +15,11 @@
 namespace ocean {
 namespace {
 
-/// A cell is squeezed if a corner's Jacobian is below this: it may be less within the cell.
+/// A cell is squeezed if a corner's Jacobian is below this, because it may be lower within the
+/// cell.
 constexpr float kSqueezed = 0.25f;
-/// A cell is displayed in one to four tiles; where the average is sixteen, neighbouring labels lie
-/// tens of cells apart and no surface is left to search.
+/// Limit of the average number of tiles in which a cell is displayed, normally one to four. At this
+/// limit neighbouring labels lie tens of cells apart, and no surface is left to search.
 constexpr std::size_t kMaxTilesPerCell = 16;
 
 }  // namespace
@@ -129,17 +130,18 @@ void FoldIndex::measure_cells(int block) {
 }
 
 /// Returns the box of the first corner of a cell of a block of labels, if any part of the cell is
-/// displayed in those tiles.
+/// displayed in the tiles `tiles`.
 FoldIndex::Box FoldIndex::corners_for(int place, const TileBounds& tiles, int labels) const {
     const double spacing = lattice_.period / lattice_.resolution;
-    // A box is the span of the corners, each at most that far from the first, plus a margin.
+    // A box is the span of the corners, each at most this far from the first, plus a margin.
     const double span =
         spacing + static_cast<double>(cells_of_[static_cast<std::size_t>(labels)].widest);
     const double around = (1.0 + 2.0 * kMargin) * span + kMargin * spacing;
     const auto along = [&](int place_block, int label_block, int first, int last) {
         const double low = (place_block * kBlockTiles + first) * kCellsPerTile * spacing;
         const double high = (place_block * kBlockTiles + last + 1) * kCellsPerTile * spacing;
-        // The copy of these tiles that is nearest to the labels, which are not all the way round.
+        // The copy of these tiles that is nearest to the labels, for labels that do not span the
+        // period.
         const double shift =
             lattice_.period *
             std::round((0.5 * (low + high) / spacing - (label_block + 0.5) * kBlock) /
@@ -150,8 +152,8 @@ FoldIndex::Box FoldIndex::corners_for(int place, const TileBounds& tiles, int la
             along(place / across_, labels / across_, tiles.first_y, tiles.last_y)};
 }
 
-/// Finds the tiles of a block of places that squeezed cells are shown in, and lists all cells that
-/// are shown in those.
+/// Finds the tiles of a block of places in which squeezed cells are shown, and lists all cells that
+/// are shown in these tiles.
 void FoldIndex::list_cells(int block) {
     Cells& cells = cells_[static_cast<std::size_t>(block)];
     cells = {};

@@ -26,8 +26,8 @@ class FoldIndex {
   public:
     static constexpr int kBlock = 32;  // cells, along each axis
 
-    /// Makes an index whose cells lie between the samples of a lattice of `resolution`, at most
-    /// that of the map.
+    /// Makes an index whose cells lie between the samples of a lattice of `resolution`, at most the
+    /// map's.
     FoldIndex(double period, int resolution, ThreadPool& pool);
 
     /// Begins a new surface without any block. `reach` is the max distance of a label from its
@@ -48,15 +48,14 @@ class FoldIndex {
     /// reads, and for the columns from which labels displayed there are read.
     template <typename Visit>
     void each_column(const SplineMap& map, int block, int width, const Visit& visit) const;
-    /// Makes the missing ones of these blocks; the map must be ready in the columns that visit()
-    /// named. Its first two fields are dx, dy at choppiness 1. One thread at a time.
+    /// Makes the missing blocks of these; the map must be ready in the columns that visit() named.
+    /// Its first two fields are dx, dy at choppiness 1. One thread at a time.
     void make(const SplineMap& map, std::span<const int> blocks, ThreadPool* pool);
 
-    /// Writes the centres of all cells that may be displayed at a point within one period, as far
-    /// from it as they are displaced: labels to start a search from. Empties `labels` first; none
-    /// where no fold is near and one label is displayed. The block of the point must be ready.
-    /// Returns false where the surface is so folded that the lists would not end, and nothing is
-    /// known.
+    /// Writes the centres of all cells that may be displayed at a point within one period, shifted
+    /// by their displacement: labels to start a search from. Empties `labels` first, and leaves it
+    /// empty if no fold is near, where one label is displayed. The block of the point must be
+    /// ready. Returns false if the surface is folded so much that the lists were given up.
     bool labels_near(double x, double y, std::vector<WorldPoint>& labels) const;
     /// Approximations of the label displayed at a point where no fold is near: look() improves one,
     /// and guess() returns the result of kLooks looks that begin at the point, near enough to start
@@ -64,7 +63,7 @@ class FoldIndex {
     static constexpr int kLooks = 2;
     WorldPoint look(WorldPoint place, WorldPoint label) const;
     WorldPoint guess(WorldPoint place) const;
-    /// Prefetches the memory that reading a label needs.
+    /// Prefetches the memory for reading a label.
     void prefetch(WorldPoint label) const { __builtin_prefetch(&offset_[sample_near(label)]); }
 
   private:
@@ -75,7 +74,7 @@ class FoldIndex {
     struct Offset {
         float x, y;
     };
-    /// Tiles that a cell is shown in, wrapped; `last` belongs to it.
+    /// Range of the tiles in which a cell is shown, wrapped; `last` is included.
     struct TileRange {
         long long first_x, first_y;
         int count_x, count_y;
@@ -95,7 +94,7 @@ class FoldIndex {
         }
         bool holds(double value) const { return value >= low && value <= high; }
     };
-    /// Around all that a cell shows.
+    /// Bounds of the displayed points of a cell.
     struct Box {
         Range x, y;
 
@@ -117,16 +116,16 @@ class FoldIndex {
         }
         bool empty() const { return last_x < 0; }
     };
-    /// The margin of boxes, relative to themselves and to the spacing. Corners bound the surface
-    /// between them except for its curvature, which moves the edge of a fold.
+    /// The margin of boxes, relative to their size and to the spacing. Corners bound the surface
+    /// between them except for its curvature, which shifts the edge of a fold.
     static constexpr double kMargin = 0.25;
 
-    /// The blocks of labels that may be shown in a block of places, and those after them, whose
-    /// first samples are corners of the last cells. Along one axis.
+    /// Along one axis: the blocks of labels that may be shown in a block of places, and the blocks
+    /// after them, whose first samples are corners of the last cells.
     struct LabelBlocks {
         int first;  // may be negative
         int count;
-        int cells;  // blocks whose cells count: not the last, unless they go all the way round
+        int cells;  // blocks whose cells count: without the last, unless all round
     };
     LabelBlocks labels_of(int place) const;
     /// Calls visit(block) for labels that may be shown in a block of places, or for their corners.
@@ -147,14 +146,14 @@ class FoldIndex {
     std::size_t sample_near(WorldPoint label) const;
 
     struct Measured {
-        float widest;                     // m that a cell spans at most beside its spacing
-        std::vector<TileRange> squeezed;  // where those are shown
+        float widest;                     // max span of a cell beyond its spacing [m]
+        std::vector<TileRange> squeezed;  // tiles that show the squeezed cells
     };
     /// The cells that are shown in the squeezed tiles of a block of places.
     struct Cells {
-        std::vector<std::uint32_t> begin;  // of each tile's part, and the end; empty: no folds
+        std::vector<std::uint32_t> begin;  // of each tile, and the end; empty: no folds
         std::vector<std::uint32_t> cell;   // j * resolution + i
-        bool hopeless = false;             // the lists would not end
+        bool hopeless = false;             // the lists were given up
     };
 
     Lattice lattice_;

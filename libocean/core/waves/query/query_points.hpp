@@ -22,12 +22,12 @@
 
 namespace ocean {
 
-/// Samples of the map whose waves a query shows.
+/// Returns the samples of the map whose waves a query shows.
 inline int shown_resolution(int grid_resolution, const QueryOptions& options) {
     return options.resolution > 0 ? options.resolution : grid_resolution;
 }
 
-/// Samples of the spline between which a query interpolates. Throws Error invalid_value.
+/// Returns the samples of the spline on which a query interpolates. Throws Error invalid_value.
 inline int spline_resolution(int grid_resolution, const QueryOptions& options) {
     const int shown = shown_resolution(grid_resolution, options);
     require_resolution(shown);
@@ -45,18 +45,18 @@ inline int spline_resolution(int grid_resolution, const QueryOptions& options) {
 }
 
 /// Returns the resolution of the lattice of labels on which folds are searched: two samples for
-/// each of the displayed map.
+/// each sample of the displayed map.
 inline int fold_resolution(int grid_resolution, const QueryOptions& options) {
     return std::min(2 * shown_resolution(grid_resolution, options),
                     spline_resolution(grid_resolution, options));
 }
 
-/// Returns the bytes of `splines` splines and of the kernels that write `fields` fields of them.
+/// Returns the bytes of `splines` splines and of the kernels that write `fields` fields to them.
 inline std::uint64_t spline_bytes(int grid_resolution, const QueryOptions& options, int splines,
                                   int fields) {
     const auto shown = static_cast<std::uint64_t>(shown_resolution(grid_resolution, options));
     const auto fine = static_cast<std::uint64_t>(spline_resolution(grid_resolution, options));
-    // Between the passes: of each field the columns that have modes, complex.
+    // Between the passes: for each field the columns that have modes, complex.
     constexpr std::uint64_t kBetween = 4;
     return static_cast<std::uint64_t>(splines) * SplineMap::bytes_per_sample() * fine * fine +
            packed_bytes(static_cast<int>(shown)) +
@@ -108,8 +108,8 @@ void for_each_height(std::span<const WaterPoint> points, std::span<WaterMotion> 
     }
 }
 
-/// Calls body(first, last) for pieces of [0, count) on all threads. What is exact takes a sum over
-/// all waves a point, long enough to be a piece of its own that a call may be stopped behind.
+/// Calls body(first, last) for pieces of [0, count) on all threads. An exact point sums all waves,
+/// which takes long enough for a piece of its own, after which a call may be stopped.
 template <typename Body>
 void for_each_point(ThreadPool& pool, std::size_t count, bool exact, const Body& body) {
     const std::size_t piece = exact ? 1 : 256;

@@ -11,10 +11,10 @@
 // amplitude
 //     e = (n / (R - n))^4        of a mode of n waves on R samples, e^(3/4) in its derivative.
 // Interpolation, c = the samples filtered by 1 / sum_p B^(theta + 2 pi p), is wrong by e in the
-// wanted term too: its rms error is sqrt(2) times as large. The least squares choice gains another
-// part of e^2 / 2: nothing. [Unser 1999] for the splines and B^.
-// Along each axis: with R at least twice that of the modes, e is at most 1/81, with four times
-// 1/2401, and that for the shortest waves alone. Proved in query_test.cpp.
+// wanted term too: its rms error is sqrt(2) times as large. The least squares choice gains only a
+// further e^2 / 2. [Unser 1999] has the splines and B^. Along each axis e is at most 1/81 if R is
+// at least twice that of the modes, 1/2401 with four times; only the shortest waves reach these
+// limits. query_test.cpp proves it.
 #pragma once
 
 #include <array>
@@ -51,8 +51,8 @@ inline long long floor_index(double x) {
 /// (B^(kx) B^(ky)), and 0 for a mode that a map of `band` samples does not hold.
 ModeFactor spline_factor(const Modes& modes, int band, int resolution);
 
-/// Four fields of one time; periodic. Others write the coefficients, and reading is allowed only
-/// where they have been written.
+/// Four periodic fields of one time. Other classes write the coefficients, and only written
+/// coefficients may be read.
 class SplineMap {
   public:
     static constexpr int kFields = 4;
@@ -60,10 +60,10 @@ class SplineMap {
     SplineMap(Lattice lattice, ThreadPool& pool);
 
     const Lattice& lattice() const { return lattice_; }
-    /// Returns the output that writes the coefficients of these fields; those of a field without a
-    /// quantity stay unchanged. Whole vectors are written faster than parts.
+    /// Returns the output that writes the coefficients of these fields; the coefficients of a field
+    /// without a quantity stay unchanged. Whole vectors are written faster than parts.
     MapOutput output(const std::array<Quantity, kFields>& quantities);
-    /// Returns the first and the last column that a value at x is computed from.
+    /// Returns the first and the last column that a value at x depends on.
     std::array<int, 2> columns(double x) const {
         const long long i = floor_index(x * per_metre_);
         const long long mask = lattice_.resolution - 1;
@@ -73,7 +73,7 @@ class SplineMap {
     /// Returns the value at finite coordinates [m], not many periods from 0.
     SplineValue value(double x, double y) const;
     SplineJet jet(double x, double y) const;
-    /// Asks for the coefficients around a point to be brought near.
+    /// Prefetches the coefficients around a point.
     void prefetch(double x, double y) const {
         const Place at = place(x, y);
         for (const Fields* const row : at.row) {
@@ -86,7 +86,7 @@ class SplineMap {
     SplineJet jet_of_sample(int i, int j) const;
 
   private:
-    /// Side by side, so that one point touches few cache lines.
+    /// The fields lie side by side, so that a point touches few cache lines.
     using Fields = float __attribute__((vector_size(kFields * sizeof(float))));
     struct Place {
         std::array<const Fields*, 4> row;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Spline maps of one time, made strip by strip where they are read: a few points need only a few
-// columns of a map, and pass two of the kernel, which is the larger part of its work, makes
-// columns.
+// columns of a map, and pass two, the larger part of the kernel's work, makes columns.
 #pragma once
 
 #include <memory>
@@ -35,7 +34,7 @@ class SplineStrips {
     int width() const { return width_; }
     int strip_of(int column) const { return column / width_; }
     bool has(int strip) const { return ready_.has(strip); }
-    /// Makes the missing ones of these strips, on the threads of the pool if it is not null.
+    /// Makes the given strips that are missing, on the threads of the pool unless it is null.
     void make(std::span<const int> strips, ThreadPool* pool) const;
     void need(int strip) const {
         if (!has(strip)) make({&strip, 1}, nullptr);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which of the labels that are shown at one place is seen from above.
+// Selects the label seen from above among the labels shown at one place.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace ocean {
 
-/// A label and the map there.
+/// A label, and the map's values there.
 struct Solution {
     ShownLabel label;
     SplineJet jet;
@@ -26,7 +26,7 @@ inline DisplacementSample displacement_of(const SplineJet& jet) {
             -0.5 * (static_cast<double>(jet.by_y[0]) + static_cast<double>(jet.by_x[1]))};
 }
 
-/// Finds the highest of the solutions that the starts lead to.
+/// Finds the highest of the solutions that starts lead to.
 class TopSheet {
   public:
     void add(const Solution& solution) {

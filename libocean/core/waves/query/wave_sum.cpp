@@ -121,7 +121,7 @@ WaveStep WaveSum::wave_step(double seconds) const {
     }
     for (std::size_t i = 0; i < fixed.size(); ++i) {
         const double omega = fixed.omega(i);
-        if (omega == 0.0) continue;  // fills a block, no wave
+        if (omega == 0.0) continue;  // padding of a block, not a wave
         const formula::SinCos phase = formula::sin_cos_turns(omega / kTwoPi * seconds);
         step.cosine_[i] = phase.cosine;
         step.sine_over_[i] = phase.sine / omega;
@@ -130,8 +130,8 @@ WaveStep WaveSum::wave_step(double seconds) const {
     return step;
 }
 
-/// Adds up all modes at one point, row by row of equal ky: `term` gets each mode's own sums of the
-/// row, `row` those sums, ky and e^(i ky y).
+/// Adds up all modes at one point, row by row of equal ky: `term` adds a mode to the sums of its
+/// row, `row` gets these sums, ky and e^(i ky y).
 template <int kSums, typename Term, typename Row>
 void WaveSum::sweep(double x, double y, const Term& term, const Row& row) const {
     const Fixed& fixed = *fixed_;

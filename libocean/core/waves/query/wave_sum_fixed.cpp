@@ -13,7 +13,7 @@ namespace ocean {
 
 namespace {
 
-/// The one mode (n, m) and its mirror, as the sum reads them.
+/// A mode (n, m) and its mirror, in the form that the sum reads.
 struct ModePair {
     std::complex<float> h0;
     std::complex<float> mirror;
@@ -52,10 +52,10 @@ void WaveSum::Fixed::add_cascade(const CascadeModes& cascade, double limit) {
     }
 }
 
-// In blocks of kLanes: those without any wave are dropped, neighbours become one run.
+// In blocks of kLanes: blocks without waves are dropped, and neighbouring blocks become one run.
 void WaveSum::Fixed::add_row(const CascadeModes& cascade, int m, double limit) {
     const Wavenumbers& wavenumbers = cascades.back();
-    std::size_t next_column = 0;  // after the last block kept
+    std::size_t next_column = 0;  // column after the last kept block
     for (int n0 = -wavenumbers.half; n0 < wavenumbers.half; n0 += static_cast<int>(kLanes)) {
         ModePair block[kLanes];
         bool empty = true;

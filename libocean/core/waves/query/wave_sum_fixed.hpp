@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The part of a WaveSum that does not change with time, shared by its copies. k and -k are one
-// term, so half the plane suffices, and of it only the blocks of neighbouring modes that have
-// waves.
+// term, so that half the plane suffices, and only its blocks of neighbouring modes that have waves
+// are kept.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace ocean {
 
-/// Modes that are added up side by side, in an order that no compiler changes.
+/// Modes are added up side by side in this number of lanes, in an order that no compiler changes.
 inline constexpr std::size_t kLanes = 4;
 
 struct WaveSum::Fixed {
@@ -26,7 +26,7 @@ struct WaveSum::Fixed {
         std::size_t row;     // of m = 0, in the table along y
     };
 
-    /// Neighbours in a row, a multiple of kLanes; waveless ones between them have h0 = 0.
+    /// Neighbours in a row, a multiple of kLanes; modes without waves between them have h0 = 0.
     struct Run {
         std::size_t begin;  // in the arrays of modes
         std::size_t end;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Directions of a measured sea: from the one or two Fourier moments that are known of a frequency
-// to a non-negative distribution over the circle.
+// Directions of a measured sea: from the one or two known Fourier moments of a frequency to a
+// non-negative distribution over the circle.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -17,8 +17,8 @@ namespace {
 using Complex = std::complex<double>;
 
 // A distribution on the circle obeys |c1| < 1 and |c2 - c1^2| <= 1 - |c1|^2 (its Toeplitz matrix is
-// positive). Moments printed with two digits, or noisy ones, may not: they are moved to the nearest
-// point inside. kLargestMoment keeps the narrowest peak about 12 degrees wide.
+// positive). Noisy moments, or moments printed with two digits, may violate this: they are moved to
+// the nearest point inside. kLargestMoment keeps the narrowest peak about 12 degrees wide.
 void make_possible(Complex& c1, Complex& c2) {
     if (std::abs(c1) > kLargestMoment) c1 *= kLargestMoment / std::abs(c1);
     const double radius = kLargestMoment * (1.0 - std::norm(c1));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The table E(omega, theta): adds up the wave systems, and is read by everything after.
+// The table E(omega, theta): adds up the wave systems. All later stages read it.
 #include "ocean/directional_spectrum.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace ocean {
 
 namespace {
 
-constexpr double kShortestTabulated = 0.01;  // m: capillary waves; grids may go below and extend it
+constexpr double kShortestTabulated = 0.01;  // m: capillary waves; finer grids extend the table
 constexpr double kJustOutside = 1e-9;        // relative to a frequency
 
 /// Returns all rows of all systems, ascending, with a zero row just outside the support of each, so
@@ -54,8 +54,8 @@ double calibration(const WaveSystemTable& system) {
     return sum > 0.0 ? system.m0 / sum : 1.0;
 }
 
-/// One system on its way through the merged rows, which ascend: keeps the two of its own rows that
-/// the last one lay between. Between them it is linear, as the whole table is.
+/// One system on its way through the merged rows, which ascend: keeps the two rows of its own
+/// around the last merged row. Between them it is linear, as the whole table is.
 class SystemRows {
   public:
     SystemRows(const WaveSystemTable& system, std::size_t directions)
@@ -67,7 +67,8 @@ class SystemRows {
 
     void add_to(double omega, std::span<double> row) {
         const std::vector<double>& rows = system_.rows;
-        // Merged rows may be another system's, a rounding error beside one of this system.
+        // A merged row may belong to another system and differ by a rounding error from a row of
+        // this system.
         if (omega < rows.front() * (1.0 - 0.5 * kJustOutside) ||
             omega > rows.back() * (1.0 + 0.5 * kJustOutside)) {
             return;
@@ -92,7 +93,7 @@ class SystemRows {
         std::size_t row = static_cast<std::size_t>(-1);
     };
 
-    /// Returns the system's own row `row`, which is then kept in `kept`.
+    /// Returns the system's own row `row`, and keeps it in `kept`.
     const double* part(Part& kept, std::size_t row) {
         Part& other = &kept == &low_ ? high_ : low_;
         if (other.row == row) std::swap(low_, high_);
@@ -101,7 +102,7 @@ class SystemRows {
         return kept.values.data();
     }
 
-    /// Writes the density over the directions of the table, linear between those of the system.
+    /// Writes the density over the directions of the table, linear between the system's directions.
     void fill(std::size_t row, std::span<double> values) {
         const double density = factor_ * system_.density[row];
         if (density <= 0.0) {
@@ -206,7 +207,7 @@ SpectralMoments DirectionalSpectrum::moments(const Water& water, double shortest
     const Dispersion dispersion(water);
     const auto [low, high] = frequencies_of(dispersion, shortest, longest);
 
-    // First circular moment of each row.
+    // The first circular moment of each row.
     const auto width = static_cast<std::size_t>(directions_);
     std::vector<double> cosine(width);
     std::vector<double> sine(width);
@@ -223,7 +224,8 @@ SpectralMoments DirectionalSpectrum::moments(const Water& water, double shortest
             north[i] += row[j] * sine[j];
         }
     }
-    // Three-point Gauss in each interval: exact for the linear densities, and k^2 is smooth there.
+    // Three-point Gauss in each interval is exact for the linear densities, and k^2 is smooth
+    // there.
     constexpr double kNode[3] = {-0.7745966692414834, 0.0, 0.7745966692414834};
     constexpr double kWeight[3] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
     double mean_east = 0.0;
@@ -283,7 +285,7 @@ DirectionalSpectrum make_directional_spectrum(const Parameters& parameters, Thre
 
     const auto width = static_cast<std::size_t>(directions);
     std::vector<double> row_sum(rows.size());
-    // Not set to zero first: each thread fills its rows.
+    // Left uninitialised: each thread fills its rows.
     const std::shared_ptr<double[]> density(new double[rows.size() * width]);
     pool.for_each_range(static_cast<int>(rows.size()), [&](int first, int last) {
         std::vector<SystemRows> parts;

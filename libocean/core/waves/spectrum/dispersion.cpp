@@ -62,7 +62,7 @@ double Dispersion::wavenumber(double omega) const {
     const double deep = deep_wavenumber(omega);
     if (deep * depth_ >= 20.0) return deep;
     // In ln k the relation is nearly straight (slope 1/2 to 3/2), so Newton needs a few steps from
-    // the deep-water guess; the shallow guess takes over where it gives the longer wave.
+    // the deep-water guess; the shallow guess is used where it gives the longer wave.
     const double shallow = omega / std::sqrt(gravity_ * depth_);
     double log_k = std::log(std::max(deep, shallow));
     for (int step = 0; step < 50; ++step) {

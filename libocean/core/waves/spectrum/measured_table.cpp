@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A measured sea on its way into the table: the record's own frequencies are the rows. Moments
-// become distributions by the chosen estimate, a spectrum over directions is taken as it is.
-// Nothing is added that was not measured.
+// become distributions by the chosen estimate; a spectrum over directions is used unchanged. The
+// table contains only what was measured.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -23,7 +23,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// The moments of a buoy's record in every bin: gaps filled from the neighbours in frequency.
+/// The moments of a buoy's record in every bin; neighbours in frequency fill its gaps.
 struct Moments {
     std::vector<Complex> first;
     std::vector<Complex> second;
@@ -56,7 +56,7 @@ Moments fill_gaps(const SpectrumRecord& record) {
     return moments;
 }
 
-/// D(theta_j) of one listed frequency, sums to 1 times row.size() / 2 pi.
+/// Writes D(theta_j) of one listed frequency, whose sum is row.size() / 2 pi.
 using ListedDistribution = std::function<void(std::size_t frequency, std::span<double> row)>;
 
 ListedDistribution estimated_distribution(Moments moments, Estimator estimator, double turn) {
@@ -70,8 +70,7 @@ ListedDistribution estimated_distribution(Moments moments, Estimator estimator, 
 }
 
 /// Returns the record's own distribution, linear between its directions and periodic. It is
-/// normalised on the columns of the table, so that each row keeps its energy whatever columns fall
-/// between.
+/// normalised on the columns of the table, so that each row keeps its energy for any columns.
 ListedDistribution listed_distribution(std::shared_ptr<const SpectrumRecord> record, double turn) {
     return [record = std::move(record), turn](std::size_t frequency, std::span<double> row) {
         const std::vector<double>& listed = record->direction;
@@ -91,7 +90,7 @@ ListedDistribution listed_distribution(std::shared_ptr<const SpectrumRecord> rec
             sum += row[j];
         }
         const auto columns = static_cast<double>(row.size());
-        // A frequency without energy has no direction: any will do.
+        // A frequency without energy has no direction: any distribution will do.
         if (!(sum > 0.0)) std::fill(row.begin(), row.end(), 1.0 / kTwoPi);
         for (double& value : row) value *= sum > 0.0 ? columns / (kTwoPi * sum) : 1.0;
     };
@@ -121,7 +120,7 @@ struct MeasuredDensity {
     std::vector<double> omega;
     std::vector<double> density;  // m^2 s/rad
     double m0 = 0.0;
-    double peak = 0.0;     // as measured
+    double peak = 0.0;     // measured peak
     double stretch = 1.0;  // factor of all frequencies
 };
 
@@ -158,7 +157,8 @@ double mean_direction(const std::vector<Complex>& first_moments, const MeasuredD
     return std::arg(mean);
 }
 
-/// Returns the first moments of a record in any form of its directions; empty if it has none.
+/// Returns the first moments of a record, whatever the form of its directions; empty if it has
+/// none.
 std::vector<Complex> directions_of(const SpectrumRecord& record) {
     if (record.is_directional()) return first_moments(record);
     return fill_gaps(record).first;
@@ -187,7 +187,7 @@ WaveSystemTable make_measured_table(const WaveSystem& system, const Water& water
 
     Moments moments = fill_gaps(*system.measured);
     if (moments.first.empty() && !system.measured->is_directional()) {
-        // Calm air has no wave age: 1 m/s is the min here.
+        // Calm air has no wave age: the min wind here is 1 m/s.
         const double wave_age_inverse = std::max(system.wind(), 1.0) * sea.peak / water.gravity;
         const double mean = system.direction_degrees() * kPi / 180.0;
         table.directions = directions_needed(system, wave_age_inverse);
@@ -199,7 +199,7 @@ WaveSystemTable make_measured_table(const WaveSystem& system, const Water& water
         return table;
     }
     double turn = 0.0;
-    if (system.wind_direction) {  // replaces the record's own mean: everything is turned
+    if (system.wind_direction) {  // replaces the record's mean direction by turning all
         turn = *system.wind_direction * kPi / 180.0 -
                mean_direction(directions_of(*system.measured), sea);
     }

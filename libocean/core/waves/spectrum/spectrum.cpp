@@ -102,7 +102,7 @@ double jonswap_peak(double wind_speed, double fetch, double gravity) {
 
 namespace {
 
-/// jonswap_density of one sea.
+/// The JONSWAP spectrum of one sea, see jonswap_density.
 struct Jonswap {
     double peak;
     double log_enhancement;
@@ -193,8 +193,8 @@ FrequencySpectrum make_frequency_spectrum(const WaveSystem& system, const Water&
             }
             break;
         case SpectrumKind::phillips:
-            // S(omega) = S(k) / c_g; its peak is that of k^-3 exp(-(kL)^-2) times omega/g in deep
-            // water: k = sqrt(4/5) / L.
+            // S(omega) = S(k) / c_g; its peak is the peak of k^-3 exp(-(kL)^-2) times omega/g in
+            // deep water: k = sqrt(4/5) / L.
             result.parameter_peak =
                 Dispersion(water).angular_frequency(std::sqrt(0.8) * g / (wind * wind));
             result.density = [=, dispersion = Dispersion(water), amplitude = system.amplitude,
@@ -207,7 +207,7 @@ FrequencySpectrum make_frequency_spectrum(const WaveSystem& system, const Water&
         case SpectrumKind::measured:
             return result;
     }
-    // Below a fifth of the peak every one of them is under e^-700 or, in shallow water where
+    // Below a fifth of the peak every spectrum is under e^-700 or, in shallow water, where
     // Phillips' lower flank is drawn out, under 1e-9 of the peak.
     result.lowest = 0.1 * result.parameter_peak;
     result.highest = std::max(highest, 8.0 * result.parameter_peak);

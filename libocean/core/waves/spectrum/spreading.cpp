@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Directional spreading functions and their normalisation. Between spectrum.cpp, which says how
-// much energy a frequency has, and directional_spectrum.cpp, which puts both into the table.
+// Directional spreading functions and their normalisation. This is the stage between spectrum.cpp,
+// which states the energy of a frequency, and directional_spectrum.cpp, which writes both into the
+// table.
 #include "ocean/spreading.hpp"
 
 #include <algorithm>
@@ -46,8 +47,8 @@ bool is_aligned(const WaveSystem& system) {
     return direction_law(system.spectrum) == DirectionLaw::alignment;
 }
 
-/// Returns the exponent of |cos(theta/2)|^2 of the system's base distribution at x; 0 if it is not
-/// of that family.
+/// Returns the exponent of |cos(theta/2)|^2 in the system's base distribution at x; 0 for a
+/// distribution of another family.
 double base_exponent(const WaveSystem& system, double x, double wave_age_inverse) {
     if (is_aligned(system)) return 0.0;
     switch (system.spreading) {
@@ -77,13 +78,13 @@ bool is_donelan_banner(const WaveSystem& system) {
 }
 
 /// Returns e^x for x <= 0 to 1e-11, 0 below -600: the series of e^r, |r| <= ln(2)/2, even and odd
-/// terms side by side, times a power of two that is put into the exponent's bits. For loops that
-/// the compiler vectorises.
+/// terms side by side, times a power of two that is put into the exponent's bits. The compiler
+/// vectorises loops over it.
 inline double exponential(double x) {
     constexpr double kRounding = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to whole
     const double shifted = x * 1.4426950408889634 + kRounding;
     const double power = shifted - kRounding;
-    // ln(2) in two parts, of which the first has zeros where it is multiplied.
+    // ln(2) in two parts; the first ends in zeros, so that its product with `power` is exact.
     const double r = (x - power * 0.6931471803691238) - power * 1.9082149292705877e-10;
     const double q = r * r;
     double even = q * (1.0 / 40320.0) + 1.0 / 720.0;
@@ -126,7 +127,7 @@ SpreadingRows::SpreadingRows(const WaveSystem& system, double wave_age_inverse,
         const double theta = std::remainder(step * static_cast<double>(j) - mean_direction, kTwoPi);
         const double cosine = std::cos(0.5 * theta);
         const double kept = std::abs(theta) > 0.5 * kPi ? system.opposing : 1.0;
-        // A uniform part is reduced too, once it is added.
+        // A uniform part is reduced too, after it has been added.
         shape_.push_back(base_shape(system, theta) * (mixes_with_uniform() ? 1.0 : kept));
         kept_.push_back(kept);
         log_cosine_.push_back(std::log(std::max(cosine * cosine, 1e-300)));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // spreading_row for many frequencies of one wave system: the part that depends on the direction
-// alone is computed once. For the table, which has some hundred rows of a thousand directions.
+// alone is computed once. The table has some hundred rows of a thousand directions.
 #pragma once
 
 #include <span>

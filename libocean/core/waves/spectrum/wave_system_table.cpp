@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Wave systems as rows, density and spreading; the parametric ones here, the measured ones in
+// Wave systems as rows, density and spreading: parametric systems here, measured systems in
 // measured_table.cpp.
 #include "waves/spectrum/wave_system_table.hpp"
 
@@ -25,10 +25,10 @@ struct Tolerance {
 };
 /// The error of a bent density is largest in the middle between two rows.
 constexpr Tolerance kInTheMiddle = {5e-5, 1e-3};
-/// Where the bend turns between two rows, the chord crosses the density, perhaps in the middle
-/// itself. The error t (1 - t) (a + b (1 - 2 t)) at a share t of the way is largest near 0.23 from
-/// the end; that of a wide interval, whose bend turns near its end, near 0.14. Between these
-/// shares it may be 1 % larger.
+/// Where the bend turns between two rows, the chord crosses the density, perhaps in the very
+/// middle. The error t (1 - t) (a + b (1 - 2 t)) at a share t of the way is largest near 0.23 from
+/// the end, or near 0.14 in a wide interval whose bend turns near its end. Between these shares the
+/// error may be 1 % larger.
 constexpr Tolerance kBesideTheMiddle = {0.99e-4, 1.1e-3};
 constexpr double kSharesBeside[] = {0.23, 0.77, 0.14, 0.86};
 
@@ -65,7 +65,7 @@ class RowRefinement {
     }
 
     bool holds_beside_the_middle(double low, double at_low, double high, double at_high) const {
-        // The far tail bends one way, and nothing of the peak can hide in it.
+        // The far tail bends in one direction, and hides no peak.
         if (std::max(at_low, at_high) < kBesideTheMiddle.peak * largest_) return true;
         const auto holds_at = [&](double share, const Tolerance& tolerance) {
             const double chord = at_low + share * (at_high - at_low);

@@ -15,12 +15,12 @@
 namespace ocean {
 
 struct WaveSystemTable {
-    /// Angular frequencies between which linear interpolation of this system is good enough.
+    /// Angular frequencies between which linear interpolation of this system is accurate enough.
     std::vector<double> rows;
-    /// m^2 s/rad of each row; 0 outside them.
+    /// Density of each row [m^2 s/rad]; 0 outside the rows.
     std::vector<double> density;
     int directions = 0;
-    /// Exact integral of the density, m^2.
+    /// Exact integral of the density [m^2].
     double m0 = 0.0;
     /// Writes the distribution over `directions` directions of a row: its sum times 2 pi /
     /// directions is 1. Several threads may call it.

@@ -41,7 +41,7 @@ class Draws {
     std::uint64_t state_;
 };
 
-/// Maps between their samples, by the four around a place.
+/// Interpolation of maps between the four samples around a place.
 class Place {
   public:
     /// Interpolates in a cell, at an offset from its centre of -1/2 .. 1/2 cells.
@@ -85,7 +85,7 @@ constexpr double kVerticalGust = 1.25;
 /// each component is that of neutral air near the ground, 2.39, 1.92 and 1.25 u* along, across and
 /// up [Panofsky and Dutton 1984]; Gaussian and, along and up, its positive half. (The speed at
 /// which spume leaves a crest has not been measured; it is thought to follow the wind [Veron 2015].
-/// In a tank of 10 m/s drops had -3 to 6 m/s upwards [Erinin 2022].)
+/// In a tank, drops in a wind of 10 m/s had -3 to 6 m/s upwards [Erinin 2022].)
 Vector3 gust(const SprayAir& air, Draws& draws) {
     const double friction = friction_velocity(air.wind_speed);
     const Draws::Normals level = draws.normals();
@@ -107,7 +107,7 @@ SprayBirth birth_of(const SprayTick& tick, const Surface& map, std::size_t cell,
     birth.radius = spume_radius(draws.uniform());
     birth.response = response_time(birth.radius, tick.air.gravity);
 
-    // The surface continues as at the tick for a part of a step.
+    // For a part of a step, the surface continues as at the tick.
     const Place place(map, cell, x, y);
     const Domain& domain = map.domain();
     const auto columns = static_cast<std::size_t>(domain.samples[0]);
@@ -174,7 +174,7 @@ std::vector<SprayBirth> births_of(const SprayTick& tick, const Surface& map,
     }
     const double cell_area = map.domain().step(0) * map.domain().step(1);
     const double wanted = wanted_of(tick, cell_area, events.size());
-    constexpr std::uint32_t kNobody = 0xFFFFFFFFu;  // the number of no particle
+    constexpr std::uint32_t kNobody = 0xFFFFFFFFu;  // stands for no particle
     std::vector<SprayBirth> births;
     for (const std::uint32_t cell : events) {
         Draws draws(spray_id(tick.seed, tick.number, cell, kNobody));

@@ -27,8 +27,8 @@ SprayAir spray_air(const Parameters& parameters) {
 }
 
 // Returns the friction velocity [m/s] by [Large and Pond 1981] eq. 19: 10^3 C_d = 1.2 for 4 <= U10
-// < 11 m/s, 0.49 + 0.065 U10 up to 25 m/s. Constant beyond both ends: below there is no spume,
-// above the drag is known to saturate.
+// < 11 m/s, 0.49 + 0.065 U10 up to 25 m/s. C_d is constant beyond both ends: below there is no
+// spume, above the drag is known to saturate.
 double friction_velocity(double wind_speed) {
     const double drag = 1e-3 * std::max(1.2, 0.49 + 0.065 * std::min(wind_speed, 25.0));
     return wind_speed * std::sqrt(drag);
@@ -45,12 +45,11 @@ double spume_onset(double wind_speed) {
     return std::clamp((wind_speed - 7.0) / (11.0 - 7.0), 0.0, 1.0);
 }
 
-// Returns the radius at birth [m] of a drop, for a uniform number.
-// [Andreas 1998] eq. 3.5, with r = r80 in um: the flux of spume drops is proportional to r^-1 for
-// 10 <= r < 37.5, r^-2.8 up to 100 and r^-8 up to 250. By volume, times r^3: r^2, r^0.2 and r^-5,
-// whose integral is inverted here. r80 = 0.518 r0^0.976 is the radius in air of 80 % humidity, r0
-// the one at birth: 21 to 560 um, half of the water below 108 um.
-// Test: Spray.TheSizesOfDropsAreThoseOfAndreas.
+// Returns the radius at birth [m] of a drop, for a uniform number. [Andreas 1998] eq. 3.5, with r =
+// r80 in um: the flux of spume drops is proportional to r^-1 for 10 <= r < 37.5, r^-2.8 up to 100
+// and r^-8 up to 250. By volume, times r^3: r^2, r^0.2 and r^-5, whose integral is inverted here.
+// r80 = 0.518 r0^0.976 is the radius in air of 80 % humidity, r0 the radius at birth: 21 to 560 um,
+// half of the water below 108 um. Test: Spray.TheSizesOfDropsAreThoseOfAndreas.
 double spume_radius(double uniform) {
     struct Piece {
         double from, to, factor, power;  // factor r^power, continuous
@@ -81,9 +80,9 @@ double spume_radius(double uniform) {
 }
 
 // Stokes' tau = 2 rho_w r^2 / (9 mu) over the factor 1 + 0.15 Re^0.687 of [Schiller and Naumann
-// 1933] at the speed of the fall itself, v = g tau, Re = 2 r v / nu, valid for Re < 1000: v is
-// 0.70 m/s at r = 100 um, 3.9 m/s at 500 um, as measured within 5 % [Gunn and Kinzer 1949].
-// Proved by Spray.DropsFallAsFastAsMeasured.
+// 1933] at the speed of the fall itself, v = g tau, Re = 2 r v / nu, valid for Re < 1000: v is 0.70
+// m/s at r = 100 um, 3.9 m/s at 500 um, within 5 % of measurements [Gunn and Kinzer 1949]. Proved
+// by Spray.DropsFallAsFastAsMeasured.
 double response_time(double radius, double gravity) {
     constexpr double kWater = 1000.0;       // kg/m^3
     constexpr double kViscosity = 1.81e-5;  // Pa s, of air at 20 degrees
@@ -99,7 +98,8 @@ double response_time(double radius, double gravity) {
 }
 
 // The solution of v' = -(v - w)/tau: v = w + (v0 - w) e, x = x0 + w a + (v0 - w) tau (1 - e), e =
-// exp(-a/tau), with the drift w. tau -> infinity is a throw, tau -> 0 follows the air.
+// exp(-a/tau), with the drift w. With tau -> infinity the drop is thrown, with tau -> 0 it follows
+// the air.
 SprayParticle particle_at(const SprayBirth& birth, double age) {
     const double left = std::exp(-age / birth.response);
     const double reach = -birth.response * std::expm1(-age / birth.response);
@@ -115,10 +115,10 @@ SprayParticle particle_at(const SprayBirth& birth, double age) {
 
 // Diffusion by continuous movements [Taylor 1922] whose velocity, of deviation s, decorrelates as
 // exp(-t/T): the deviation of a puff from one point is s t at first and s sqrt(2 T t) in the end. T
-// is that of large eddies at the height where mist hangs, kappa z/s with z = 2.5 m.
+// is the time scale of large eddies at the height where mist hangs, kappa z/s with z = 2.5 m.
 MistPuff puff_at(const SprayBirth& birth, double age, double lifetime) {
     constexpr double kEddy = 0.4 * 2.5;  // m
-    constexpr double kBornWide = 0.5;    // [m]: the water that a gust tears off at once
+    constexpr double kBornWide = 0.5;    // [m]: size of the water that a gust tears off
     double deviation = kBornWide;
     if (birth.mixing > 0.0) {
         const double memory = kEddy / birth.mixing;
@@ -132,7 +132,7 @@ MistPuff puff_at(const SprayBirth& birth, double age, double lifetime) {
 }
 
 // z is concave or convex for all ages, so that it crosses its level downwards at most once before
-// its least value.
+// its minimum.
 double life_of(const SprayBirth& birth, double lifetime) {
     const double level = std::min(0.0, birth.place[2]);
     const double excess = birth.velocity[2] - birth.drift[2];

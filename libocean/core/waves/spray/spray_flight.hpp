@@ -13,14 +13,14 @@ namespace ocean {
 
 using Vector3 = std::array<double, 3>;  // x, y, z
 
-/// The air over the crests, and how drops fall in it.
+/// The air over the crests, in which drops fall.
 struct SprayAir {
     double wind_speed = 0.0;  // m/s, U10
     double direction = 0.0;   // radians from +x, counter-clockwise
     double gravity = 9.81;    // m/s^2
 };
 
-/// Returns the air in the strongest known wind; calm air without any.
+/// Returns the air in the strongest known wind; calm air if no wind is known.
 SprayAir spray_air(const Parameters& parameters);
 /// Returns u* = U10 sqrt(C_d) [m/s].
 double friction_velocity(double wind_speed);
@@ -28,21 +28,21 @@ double friction_velocity(double wind_speed);
 double crest_wind(double wind_speed);
 /// Returns the share of the whitecaps that the wind tears drops from, 0 .. 1.
 double spume_onset(double wind_speed);
-/// Returns the radius of drops [m] for a uniform number of [0, 1): each radius has its share of the
-/// water.
+/// Returns the radius of drops [m] for a uniform number of [0, 1): each radius occurs with its
+/// share of the water.
 double spume_radius(double uniform);
 /// Returns tau of dv/dt = -(v - u)/tau - g [s], for a drop that falls at its terminal velocity.
 double response_time(double radius, double gravity);
 
-/// All that a particle's flight follows from.
+/// The data that determine a particle's flight.
 struct SprayBirth {
     std::uint64_t id;
-    double since;      // s after its tick
+    double since;      // time after its tick [s]
     Vector3 place;     // m
     Vector3 velocity;  // m/s
     Vector3 gust;      // m/s, the air's velocity
-    double mixing;     // m/s, the deviation of its vertical velocity
-    Vector3 drift;     // velocity that its own tends to: that of the air minus the fall [m/s]
+    double mixing;     // deviation of the air's vertical velocity [m/s]
+    Vector3 drift;     // limit of its velocity: the air's minus the fall [m/s]
     double response;   // s
     double radius;     // m
     double life;       // s

@@ -23,8 +23,8 @@ double longest_life(const SpraySettings& settings, double loop_period) {
     return loop_period > 0.0 ? std::min(settings.lifetime, 0.5 * loop_period) : settings.lifetime;
 }
 
-/// Returns the ticks whose particles may live: one more than a life spans, because a particle is
-/// born within a step after its tick, and the newest.
+/// Returns the number of ticks whose particles may live: one more than a life spans, because a
+/// particle is born within a step after its tick, and the newest tick.
 std::int64_t living_ticks(const FoamClock& clock, double lifetime) {
     const auto ticks = static_cast<std::int64_t>(std::floor(lifetime / clock.step)) + 2;
     return clock.ticks_per_loop > 0 ? std::min(ticks, clock.ticks_per_loop) : ticks;
@@ -101,8 +101,8 @@ std::uint64_t max_spray_particles(const Sea& sea, const SpraySettings& settings)
                          parameters.surface.foam_coverage == FoamCoverage::monahan &&
                          std::ranges::none_of(sea.take.events, plays_coverage);
     if (by_wind) {
-        // A place is white for longer than this in seas of 9 to 30 m/s; a few crests more are
-        // chance.
+        // In seas of 9 to 30 m/s a place stays white for longer than this; a few crests more are
+        // random.
         constexpr double kShortestWhite = 0.25;  // s
         const double area = parameters.grid.patch_size * parameters.grid.patch_size;
         const double rate = monahan_coverage(wind) * area / kShortestWhite;
@@ -165,7 +165,8 @@ std::vector<MistPuff> SprayFollower::mist() const {
 void SprayFollower::make(std::int64_t tick, const SpraySource& source) {
     const std::int64_t before = clock_.before(tick, 1);
     if (white_tick_ != before) {
-        // All channels, as at any tick: the last bits of one may depend on its company.
+        // Requests all channels, as at any tick: the last bits of one channel may depend on the
+        // others.
         source.tick(clock_.time_of(before), map_);
         white_ = white_cells(map_);
         white_tick_ = before;

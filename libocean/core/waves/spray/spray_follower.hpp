@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The spray of a caller that steps: births of the ticks that still count are kept, so that a frame
-// after another pays for new ticks alone and yet has the bits of the frame by itself.
+// The spray of a caller that steps. Births of the ticks that still count are kept, so that the next
+// frame computes new ticks alone and yet has the same bits as when it is requested alone.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ class SprayFollower {
     /// Follows births up to a time [s], which the other functions then use. An exception of the
     /// source passes through and leaves a state that can be used further.
     void go_to(double time, const SpraySource& source);
-    /// Returns all living particles, those of the oldest ticks first.
+    /// Returns all living particles, from the oldest ticks on.
     std::vector<SprayParticle> particles() const;
     std::vector<MistPuff> mist() const;
     /// Drops the ticks from that time [s] on, because the sea has changed there.
@@ -39,7 +39,7 @@ class SprayFollower {
 
   private:
     void make(std::int64_t tick, const SpraySource& source);
-    /// Calls take(birth, age) for all that were born within the lifetime.
+    /// Calls take(birth, age) for all particles born within the lifetime.
     template <typename Visit>
     void for_each_birth(const Visit& visit) const;
     void forget_far_from(std::int64_t tick);
@@ -48,7 +48,7 @@ class SprayFollower {
     FoamClock clock_;
     std::uint32_t seed_;
     double lifetime_;     // s
-    std::int64_t ticks_;  // that may have living particles, the newest included
+    std::int64_t ticks_;  // ticks that may have living particles, the newest included
     std::map<std::int64_t, std::vector<SprayBirth>> born_;
     FoamClock::Moment now_{};
     Surface map_;

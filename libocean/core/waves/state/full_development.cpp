@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Fetch-limited spectra beyond full development: JONSWAP's powers of the fetch grow without end,
-// the sea does not. Sentences for SeaState::warnings; the spectra stay as they were requested.
+// the sea does not. This file writes sentences for SeaState::warnings; the spectra stay as
+// requested.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -20,7 +21,7 @@ namespace ocean {
 namespace {
 
 // The scatter of fully developed seas, m0 g^2/U^4 = (3.6 +- 0.9)e-3 and f_p U/g = 0.13 +- 0.02
-// [Young 1999] section 5.3: waves within it draw no warning.
+// [Young 1999] section 5.3: waves within this scatter get no warning.
 constexpr double kMaxHeight = 1.118;  // sqrt(1 + 0.9/3.6), of the fully developed height
 constexpr double kMaxPeriod = 1.18;   // 0.13 / (0.13 - 0.02), of the fully developed period
 
@@ -28,7 +29,7 @@ bool grows_with_fetch(const WaveSystem& system) {
     return system.spectrum == SpectrumKind::jonswap || system.spectrum == SpectrumKind::tma;
 }
 
-/// Returns the fetch [m] at which JONSWAP of this wind and peak enhancement has the variance of
+/// Returns the fetch [m] at which JONSWAP with this wind and peak enhancement has the variance of
 /// Pierson and Moskowitz in deep water. m0 is proportional to alpha omega_p^-4, which is chi^(4
 /// 0.33 - 0.22) at one wind. A peak enhancement of 3.3 gives chi = 1.20e4, 1 gives 1.76e4.
 double fetch_of_developed_height(const WaveSystem& system, double gravity) {
@@ -90,8 +91,8 @@ std::optional<std::string> beyond_full_development(const Parameters& parameters,
            (height_is_given ? "" : name + "significant_wave_height and ") + name + "peak_period";
 }
 
-/// Returns true for a copy of a wave system, which a sea has after its own systems while spreadings
-/// glide.
+/// Returns true for a copy of a wave system. A sea has copies after its own systems while
+/// spreadings glide.
 bool is_copy(const std::vector<WaveSystem>& waves, std::size_t number) {
     const WaveSystem& system = waves[number];
     const auto is_original = [&](const WaveSystem& other) {

@@ -15,8 +15,8 @@ namespace ocean {
 
 namespace {
 
-/// Returns the exponent p of the smallest map that holds a mode whose larger wavenumber, in steps
-/// of the map's own lattice, is `wavenumber`.
+/// Returns the exponent p of the smallest map that holds a mode, where `wavenumber` is the larger
+/// of its wavenumbers in steps of the map's own lattice.
 std::size_t smallest_map(int wavenumber) {
     return static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(wavenumber))) + 1;
 }
@@ -88,7 +88,7 @@ void ModeSums::add(const ModeSums& other) {
     }
 }
 
-// A wave keeps its length and makes whole turns: its speed changes as its frequency does.
+// A wave keeps its length and makes whole turns: its speed changes in proportion to its frequency.
 double speed_error(double omega, double loop_period) {
     if (loop_period <= 0.0) return 0.0;
     return turns_per_loop(omega, loop_period) / (omega * loop_period / kTwoPi) - 1.0;
@@ -96,7 +96,7 @@ double speed_error(double omega, double loop_period) {
 
 ModeSums sum_modes(const StateSource& source, const DirectionalSpectrum& spectrum,
                    std::size_t cascade, const CascadeBand& band, ThreadPool& pool) {
-    // Rows in parallel, a batch at a time to bound the memory, added in order.
+    // Rows run in parallel, a batch at a time to limit the memory, and are added in order.
     constexpr int kBatch = 64;
     const int half = source.parameters.grid.resolution / 2;
     ModeSums sums;

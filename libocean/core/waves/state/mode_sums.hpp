@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The part of a spectrum that a grid resolves: sums over the variances of its modes, no random
-// draw.
+// The part of a spectrum that a grid resolves: sums over the variances of its modes, without a
+// random draw.
 #pragma once
 
 #include <array>
@@ -19,14 +19,14 @@
 
 namespace ocean {
 
-/// [p]: mean square slope of the modes that a map of 2^p samples holds and one of half as many
+/// [p]: mean square slope of the modes that a map of 2^p samples holds but a map of half as many
 /// does not.
 using SlopeByMap = std::array<double, 32>;
 
 /// Sums over one row of modes, over a cascade, or over the whole sea.
 struct ModeSums {
     double m0 = 0.0;
-    double measured = 0.0;  // of m0, over the modes of measures_band
+    double measured = 0.0;  // part of m0 in the modes of measures_band
     double m1 = 0.0;        // sum of omega times the variance
     double m_minus1 = 0.0;  // sum of the variance over omega
     double mean_square_slope = 0.0;
@@ -53,7 +53,7 @@ struct StateSource {
 ModeSums sum_modes(const StateSource& source, const DirectionalSpectrum& spectrum,
                    std::size_t cascade, const CascadeBand& band, ThreadPool& pool);
 
-/// Returns (speed in the loop - speed) / speed of the waves of that frequency; 0 without a loop.
+/// Returns (speed in the loop - speed) / speed for waves of that frequency; 0 without a loop.
 double speed_error(double omega, double loop_period);
 
 }  // namespace ocean

@@ -71,7 +71,8 @@ double Performer::perform(Sea& sea, double time, std::string_view name, std::str
         return performed(std::numeric_limits<double>::infinity());
     }
     if (before != events.rend() && before->seconds > time) {
-        // It waits for its turn, and has not been seen.
+        // The previous event still waits for its time and has not been shown, so that it is
+        // replaced.
         bytes_ -= take_line(*before).size();
         before->value = event.value;
         bytes_ += take_line(*before).size();

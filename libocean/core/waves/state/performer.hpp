@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Live changes become events of the sea's own take, so that the displayed sea can be made again.
+// Turns live changes into events of the sea's own take, so that the displayed sea can be
+// reproduced.
 #pragma once
 
 #include <cstddef>
@@ -17,11 +18,11 @@ class Performer {
     explicit Performer(const Sea& sea);
 
     /// Performs a change, see Ocean::perform. Returns the time from which on the sea differs;
-    /// infinity if it does not.
+    /// infinity if nothing changes.
     double perform(Sea& sea, double time, std::string_view name, std::string_view value);
 
   private:
-    double last_;        // time that was performed at
+    double last_;        // time of the last change
     std::size_t bytes_;  // of the take as text
 };
 

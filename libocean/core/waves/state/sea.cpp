@@ -70,8 +70,8 @@ double glided(Path path, double from, double to, double left) {
     return glided_value(from, to, left);
 }
 
-/// The events of one parameter that still count at a time, in order: those before an event that has
-/// settled when the next one comes do not.
+/// The events of one parameter that still count at a time, in order. An event that settles before
+/// the next one comes makes all earlier events irrelevant.
 struct Track {
     ParameterRef parameter;
     std::vector<const TakeEvent*> events;
@@ -86,7 +86,7 @@ struct Track {
 };
 
 /// Returns the tracks of the parameters for which `wanted` returns true. Walks back from the last
-/// event, so that the past of a knob that never rests costs one comparison an event.
+/// event, so that the past of a knob in constant motion costs one comparison an event.
 template <typename Wanted>
 std::vector<Track> tracks_of(const Sea& sea, double time, const Wanted& wanted) {
     struct Found {
@@ -117,7 +117,7 @@ std::vector<Track> tracks_of(const Sea& sea, double time, const Wanted& wanted) 
         std::reverse(f.track.events.begin(), f.track.events.end());
         tracks.push_back(std::move(f.track));
     }
-    // In an order of their own, whatever the events': copies for spreadings are made in it.
+    // Tracks are sorted, because copies for spreadings are made in the order of the tracks.
     std::sort(tracks.begin(), tracks.end(), [](const Track& a, const Track& b) {
         return std::pair(a.parameter.info, a.parameter.item) <
                std::pair(b.parameter.info, b.parameter.item);
@@ -155,13 +155,12 @@ bool is_number(const ParameterInfo& info) {
 
 double number_at(const Sea& sea, const Track& track);
 
-/// Returns the value that an unset height, period, direction or wind has when its first event
-/// comes.
+/// Returns the value of an unset height, period, direction or wind at the time of its first event.
 double natural_value(const Sea& sea, const Track& track) {
     if (is_wind_speed(*track.parameter.info)) {
         return sea.parameters.waves[track.parameter.item].wind();
     }
-    // Only those other parameters count at that moment that need no other's value themselves.
+    // Only parameters that need no other parameter's value themselves count at that moment.
     Parameters then = sea.parameters;
     for (const Track& other : tracks_of(sea, track.events.front()->seconds)) {
         const ParameterInfo& info = *other.parameter.info;
@@ -175,7 +174,7 @@ double natural_value(const Sea& sea, const Track& track) {
     double value = natural.direction;
     if (info.holds<&WaveSystem::significant_wave_height>()) value = natural.height;
     if (info.holds<&WaveSystem::peak_period>()) value = natural.period;
-    // A flat sea has no period to glide from.
+    // A flat sea has no period that could glide.
     return std::isfinite(value) ? value : number_of(track.events.front()->value);
 }
 
@@ -194,8 +193,8 @@ std::size_t word_index(const ParameterInfo& info, const ParameterValue& word) {
 }
 
 /// Mixes spreadings: each has an amplitude that glides between 0 and 1, and a share of the energy
-/// that is its square. (If the shares glided themselves, every wave of the new spreading alone
-/// would begin with a jump, by the square root of the time.)
+/// that is its square. (If the shares themselves glided, each wave that only the new spreading has
+/// would begin with a jump, because its amplitude would grow as the square root of the time.)
 void mix_spreadings(Parameters& parameters, const ParameterValue& initial, const Track& track) {
     const ParameterInfo& info = *track.parameter.info;
     std::vector<double> amplitude(info.choices().size(), 0.0);
@@ -224,9 +223,9 @@ void mix_spreadings(Parameters& parameters, const ParameterValue& initial, const
     parameters.waves[wave].energy_share = amplitude[target] * amplitude[target] / energy;
 }
 
-/// Returns the parameters with the winds that are unset but known: that of a wind sea, which must
-/// not become calm when a take gives it height and period, and one that a take introduces, before
-/// its onset.
+/// Returns the parameters with the winds that are unset but known: the wind of a wind sea, which
+/// must not become calm when a take sets height and period, and a wind that a take introduces,
+/// before its onset.
 Parameters with_winds(const Sea& sea) {
     Parameters parameters = sea.parameters;
     for (std::size_t wave = 0; wave < parameters.waves.size(); ++wave) {
@@ -259,7 +258,7 @@ Parameters Sea::at(double time) const {
         assign(now, track.parameter,
                number ? ParameterValue(number_at(*this, track)) : track.events.back()->value);
     }
-    // After the numbers, which the copies share.
+    // This follows the numbers, which the copies share.
     for (const Track& track : tracks) {
         if (track.parameter.info->holds<&WaveSystem::spreading>()) {
             mix_spreadings(now, value_of(parameters, track.parameter), track);

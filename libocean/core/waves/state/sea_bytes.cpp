@@ -26,7 +26,7 @@ std::uint64_t work_bytes(const Grid& grid, const Backend& backend, ChannelSet ch
         backend.work_bytes == nullptr
             ? 0
             : backend.work_bytes(grid, fields_of(channels, false, host_channels), resolution);
-    // Channels that the backend has no code for are made of planes of their fields.
+    // Channels without code in the backend are computed from planes of their fields.
     const LinearSet planes = fields_of(channels.without(backend.makes), false, host_channels);
     return own + maps_bytes(resolution, planes.size());
 }

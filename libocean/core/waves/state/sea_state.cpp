@@ -54,7 +54,7 @@ std::uint64_t frame_bytes(const Parameters& parameters, int resolution) {
            maps_bytes(resolution, kChannels.size()) + past;
 }
 
-/// Returns the share of each cascade. Its waves repeat at its own period, and at that of another
+/// Returns the share of each cascade. Its waves repeat at its own period, and at the period of any
 /// cascade whose divisor divides its own.
 std::vector<CascadeShare> cascade_shares(std::span<const ModeSums> cascades,
                                          std::span<const CascadeBand> bands, const ModeSums& total,

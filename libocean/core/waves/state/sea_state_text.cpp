@@ -69,17 +69,16 @@ Json bed_json(const SeaBedSummary& bed) {
 /// Hs over depth of a surf zone that breaks all the way: Hrms = 0.42 d [Thornton and Guza 1982],
 /// Hs = sqrt(2) Hrms.
 constexpr double kSaturated = 0.6;
-/// Folded share above which a warning is due: as much as whitecaps cover in a wind of 10 m/s.
+/// Folded share above which a warning is due: the share that whitecaps cover in a wind of 10 m/s.
 /// Presets up to Beaufort 12 fold 3e-11 of their surface with a choppiness of 1.5, the end of its
 /// soft range, 2e-5 with 2 and three cascades, and 1.4 % with 4, the end of the hard range.
 constexpr double kMuchFolded = 0.01;
 
-/// Degrees of spread that are worth a warning.
+/// A warning is due from this many degrees of spread on.
 constexpr double kNarrowed = 0.5;
 
 /// Returns the circular spread of a record's moments [degrees], weighted by energy: as measured,
-/// and as its sea has them, whose distributions are not narrower than kLargestExponent and
-/// kLargestMoment.
+/// and in the record's sea, whose distributions are limited by kLargestExponent and kLargestMoment.
 AskedResolved spread_of_moments(const SpectrumRecord& record) {
     std::complex<double> asked = 0.0;
     std::complex<double> held = 0.0;
@@ -103,7 +102,7 @@ AskedResolved spread_of_moments(const SpectrumRecord& record) {
             circular_spread(std::abs(held) / energy) * kDegrees};
 }
 
-/// Adds the keys of a measured spectrum that a system of another spectrum has.
+/// Adds a warning for keys of a measured spectrum in a system of another spectrum.
 void warn_of_unread(const WaveSystem& system, const std::string& name, SeaState& state) {
     const auto warn = [&](const char* key, const std::string& value) {
         if (value.empty()) return;
@@ -115,7 +114,7 @@ void warn_of_unread(const WaveSystem& system, const std::string& name, SeaState&
     warn(".place", system.place);
 }
 
-/// Adds the assumptions of the readers of its measured records, and the data that no record has.
+/// Adds the assumptions of the readers of the sea's measured records, and the data missing in them.
 void add_record_warnings(const Parameters& parameters, SeaState& state) {
     for (std::size_t i = 0; i < parameters.waves.size(); ++i) {
         const WaveSystem& system = parameters.waves[i];

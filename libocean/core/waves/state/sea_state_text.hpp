@@ -8,9 +8,9 @@
 
 namespace ocean {
 
-/// Adds the warnings that people should read before they bake. `flat`: the spectrum has no energy.
+/// Adds the warnings that users should read before a bake. `flat`: the spectrum has no energy.
 void add_warnings(const Parameters& parameters, bool flat, SeaState& state);
-/// Adds a warning if the folded_share exceeds that of any natural sea.
+/// Adds a warning if the folded_share exceeds any natural sea's.
 void add_folding_warning(const SurfaceSettings& surface, SeaState& state);
 
 }  // namespace ocean

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Wave systems that come and go, and the numbers by which a take knows those that stay.
+// Wave systems that a user adds and removes, and the numbers by which a take refers to the others.
 #include <algorithm>
 #include <iterator>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// From modes to the maps of one time that users see. Last stage of the pipeline.
+// From modes to the maps of one time that users see. This is the last stage of the pipeline.
 #include "ocean/make_surface.hpp"
 
 #include "ocean/error.hpp"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A backend at work; see map_writer.hpp. Channels that it has no code for are made of the linear
-// fields that it writes.
+// A backend at work; see map_writer.hpp. Channels without code in the backend are computed from the
+// linear fields that it writes.
 #include "waves/surface/map_writer.hpp"
 
 #include "ocean/map_request.hpp"
@@ -18,7 +18,7 @@ MapWriter::MapWriter(const MapWriter& other, std::span<const ChannelInfo> host_c
 
 namespace {
 
-/// Appends the outputs without the components that hold other channels.
+/// Appends the outputs, with only those components that hold `channels`.
 void append_with(ChannelSet channels, bool fields, std::span<const MapOutput> outputs,
                  std::vector<MapOutput>& to) {
     for (MapOutput output : outputs) {
@@ -33,7 +33,7 @@ void append_with(ChannelSet channels, bool fields, std::span<const MapOutput> ou
     }
 }
 
-/// Copies the first samples to the seam, one period on.
+/// Copies the first samples to the seam, one period further.
 void close_seam(const MapOutput& output, int resolution) {
     const auto rows = static_cast<std::size_t>(resolution);
     const auto components = static_cast<std::size_t>(output.components);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A backend at work, and the channels that it has no code for: the one way to maps, for the facade
-// and for a single surface.
+// A backend at work, and the channels that it has no code for. The facade and single surfaces make
+// their maps through it alone.
 #pragma once
 
 #include <span>
@@ -32,8 +32,8 @@ class MapWriter {
     Backend backend_;
     std::span<const ChannelInfo> host_channels_;
     MapFunction maps_;
-    // The fields of channels that the backend does not compute; kept, so that frames allocate
-    // nothing.
+    // The fields of channels that the backend does not compute; kept, so that frames do not
+    // allocate.
     LinearPlanes<float> planes_;
     std::vector<MapOutput> outputs_;
 };

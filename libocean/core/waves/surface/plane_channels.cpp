@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// From planes of linear fields to channels by the formulas of the table, a sample at a time: for
-// the backends that are written to be read, and for channels that no backend has code for.
+// From planes of linear fields to channels by the formulas of the table, a sample at a time. For
+// the backends that are written to be read, and for channels without code in any backend.
 #include "waves/surface/plane_channels.hpp"
 
 #include <limits>

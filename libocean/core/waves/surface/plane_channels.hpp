@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Channels by their rows of the table, from planes of their linear fields: how the references make
-// every channel, and how any backend's planes become one that it has no code for.
+// Channels by their rows of the table, from planes of their linear fields: the references make
+// every channel this way, and all backends the channels that they have no code for.
 #pragma once
 
 #include <span>

@@ -30,8 +30,8 @@ MapModes cascade_modes(const Modes& modes, std::size_t cascade, double time, int
 
 namespace {
 
-/// Returns a reference backend: it makes planes of all fields that the channels may need, and keeps
-/// nothing.
+/// Returns a reference backend. It computes planes of all fields that the channels may need, and
+/// keeps nothing.
 template <auto kSynthesize>
 MapFunction start_reference() {
     return [](const MapRequest& request, ThreadPool& pool) {
@@ -42,7 +42,7 @@ MapFunction start_reference() {
     };
 }
 
-/// Counts, for each field, a complex grid in `Real` and a plane in float.
+/// Returns the bytes of a complex grid in `Real` and a plane in float for each field.
 template <typename Real>
 std::uint64_t reference_bytes(const Grid&, LinearSet fields, int resolution) {
     return Lattice{resolution, 1.0}.size() * static_cast<std::uint64_t>(fields.size()) *

@@ -60,7 +60,7 @@ std::vector<std::complex<Real>> coefficient_grid(const MapModes& modes, Linear f
                 const std::complex<double> value = linear_coefficient(
                     field, state, step * n, step * m,
                     cascade.displacement[mode_index(n, m, cascade.lattice.resolution)]);
-                // The bands share no mode: all but one of the cascades add zero.
+                // The bands are disjoint: all but one of the cascades add zero.
                 grid[mode_index(n * stride, m * stride, size)] += std::complex<Real>(
                     static_cast<Real>(value.real()), static_cast<Real>(value.imag()));
             }

@@ -13,7 +13,7 @@ namespace ocean {
 LinearPlanes<float> synthesize_radix2(const MapModes& modes, LinearSet fields, ThreadPool& pool) {
     LinearPlanes<float> planes;
     const Radix2Fft<float> fft(modes.resolution);
-    // A field per item: the planes are independent of each other.
+    // Each field is a work item: the planes are independent of each other.
     pool.for_each_item(kLinearCount, [&](int item, int) {
         const Linear field = kLinears[static_cast<std::size_t>(item)];
         if (!fields.contains(field)) return;

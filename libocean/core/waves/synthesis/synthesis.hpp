@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The common task of all backends, done as the references do it: from the modes at one time to
+// The common task of all backends, in the way of the references: from the modes at one time to
 // planes of real, linear fields. waves/surface/plane_channels.cpp computes channels from these
 // planes.
 #pragma once

@@ -22,8 +22,8 @@ namespace ocean {
 /// The value of `--backend` for the fastest backend on this machine.
 inline constexpr std::string_view kAutoBackend = "auto";
 
-/// A format that needs a library. A program that was built without it refuses the files and the
-/// options by its name.
+/// A format that needs a library. A program that was built without the library refuses the files
+/// and the options by its name.
 struct FormatLibrary {
     std::string_view extension;
     std::string_view library;  // "OpenVDB"
@@ -41,7 +41,7 @@ struct SubjectReader {
 
 struct Catalogue {
     std::span<const BakeFormat* const> formats;
-    std::span<const Product> products;  // including those of `made`
+    std::span<const Product> products;  // including the products of `made`
     std::span<const Backend> backends;
     std::span<const SubjectReader> subjects;
     std::span<const ChannelInfo> channels = {};  // beside the library's own
@@ -54,8 +54,8 @@ struct Catalogue {
     const BakeFormat* find_format_of_frame(std::string_view extension) const;
     /// Returns true if the format of a row of `libraries` is not among `formats`.
     bool lacks(const FormatLibrary& one) const { return find_format(one.extension) == nullptr; }
-    /// Returns "EXR, DF3, PNG ...", the labels of the formats; with `displaced` only of those that
-    /// hold a displaced subject.
+    /// Returns "EXR, DF3, PNG ...", the labels of the formats; with `displaced` only of the formats
+    /// that can hold a displaced subject.
     std::string format_labels(bool displaced) const;
     /// Returns "height, displacement, ...".
     std::string product_names() const;
@@ -63,7 +63,8 @@ struct Catalogue {
     std::string backend_names() const;
 };
 
-/// Returns the rows for Catalogue::products: products of channels, then those of each family.
+/// Returns the rows for Catalogue::products: the products of channels, then the products of each
+/// family.
 std::vector<Product> all_products(std::span<const Product> of_channels,
                                   std::span<const MadeProduct* const> made);
 

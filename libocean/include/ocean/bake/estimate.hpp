@@ -25,20 +25,20 @@ WorkShare share_work(const BakePlan& plan);
 /// Returns an upper bound of the memory of a bake with that many parallel frames [bytes].
 std::uint64_t bake_memory_bytes(const BakePlan& plan, int frames_at_a_time);
 
-/// Returns the subject's warnings; of a subject that plays a take those of the first frame, of the
-/// first `frames`, that has some.
+/// Returns the subject's warnings. For a subject that plays a take they are the warnings of the
+/// first frame that has any, among the first `frames` frames.
 std::vector<std::string> bake_warnings(const BakePlan& plan, std::size_t frames);
 
 struct BakeForecast {
-    /// A file; of a long bake the files of all frames that differ in their numbers alone.
+    /// One file; or, in a long bake, all frame files whose paths differ in the number alone.
     struct File {
-        std::string path;  // "FIRST ... LAST" of several
-        long kept = 0;     // how many are complete, so that they are not written again
+        std::string path;  // "FIRST ... LAST" for several files
+        long kept = 0;     // number of complete files, which are not written again
         long count = 1;
     };
     std::vector<File> files;
-    std::vector<std::string> warnings;  // of a take those of its first hundred frames
-    std::uint64_t bytes = 0;            // of the files that are not kept, an upper bound
+    std::vector<std::string> warnings;  // for a take, of its first hundred frames
+    std::uint64_t bytes = 0;            // upper bound for the files that are not kept
     std::uint64_t free_bytes = 0;       // on their disk
     std::uint64_t memory_bytes = 0;     // an upper bound
 };

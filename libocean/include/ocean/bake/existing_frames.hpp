@@ -15,13 +15,13 @@
 
 namespace ocean {
 
-/// Returns the frames of this shard, ascending, some of whose files may exist. Reads the plan's
+/// Returns, ascending, the frames of this shard that may have files already. Reads the plan's
 /// folder once, so that a million new frames cost no question to the file system each; a folder
 /// that cannot be read may hold them all.
 std::vector<int> frames_that_may_exist(const BakePlan& plan);
-/// Returns the files of those frames, after the files that frames share.
+/// Returns the files of frames_that_may_exist(), after the files that frames share.
 std::vector<BakeFile> files_that_may_exist(const BakePlan& plan);
-/// Returns the paths of those files, after the path of the manifest.
+/// Returns the paths of files_that_may_exist(), after the path of the manifest.
 std::vector<std::string> paths_that_may_exist(const BakePlan& plan);
 
 /// Frame numbers, ascending.
@@ -38,8 +38,8 @@ ExistingFrames find_frames(const BakePlan& plan,
 /// Returns the frames of both lists, ascending, without duplicates.
 std::vector<int> united(std::vector<int> frames, std::span<const int> others);
 
-/// Returns a warning of the foreign frames that `written` will not replace, or "" if none remain.
-/// `list` is the file that leaves them out.
+/// Returns a warning about the foreign frames that `written` will not replace, or "" if none
+/// remain. `list` is the file that leaves out the foreign frames.
 std::string foreign_frames_warning(const ExistingFrames& existing, std::span<const int> written,
                                    const std::string& list);
 

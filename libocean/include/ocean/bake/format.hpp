@@ -44,12 +44,12 @@ struct FormatOption {
 struct ProductChoice {
     std::span<const Product> known;              // the rows in which names are looked up
     std::string_view default_list;               // used if --products is not given
-    const Product* alone = nullptr;              // points, never beside others; not among `known`
+    const Product* alone = nullptr;              // points: excludes others, not in `known`
     std::string_view nothing = {};               // the word for no product: "position"
-    std::string_view holder = {};                // of `allowed` in messages: "a mesh"
+    std::string_view holder = {};                // the holder of `allowed` in messages: "a mesh"
     std::string_view allowed = {};               // names among `known`, "normal,foam"; empty: all
-    std::span<const Product> also_allowed = {};  // rows of `known` beside those of `allowed`
-    std::string_view one_refusal = {};  // for any list that does not fit; empty: one for each cause
+    std::span<const Product> also_allowed = {};  // further allowed rows of `known`
+    std::string_view one_refusal = {};           // message for any bad list; empty: one per cause
 };
 
 /// The maps that a frame of a format is made of.
@@ -83,7 +83,7 @@ struct BakeFile {
 struct FrameWork {
     const BakePlan& plan;
     int frame;
-    std::span<const Surface> maps;  // those of FrameMaps, in its order
+    std::span<const Surface> maps;  // the maps of FrameMaps, in its order
     SubjectMaps& source;            // makes them; for data that is not a map
     int threads;
     /// Runs `write` with interrupts deferred, then reads the file back, verifies it and enters its
@@ -115,8 +115,8 @@ class Required<Result(Arguments...)> {
 };
 
 /// The row of a format in a Catalogue, made by bake_format(). typed_format.hpp documents the
-/// members. Functions get plans of this format; they throw std::logic_error where the settings of
-/// the plan are those of another one.
+/// members. Functions get plans of this format; they throw std::logic_error for a plan with the
+/// settings of another format.
 struct BakeFormat {
     std::string_view name;
     std::string_view extension;

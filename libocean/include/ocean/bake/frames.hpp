@@ -53,7 +53,7 @@ class OutputPattern {
     /// nothing if the name does not begin as the pattern does. The text after the number is
     /// ignored.
     std::optional<int> number_in(std::string_view name) const;
-    /// Returns what the names of all files begin with, "sea"; "" for out/####.exr.
+    /// Returns the start that the names of all files share, "sea"; "" for out/####.exr.
     std::string stem() const;
     /// Returns the path of the manifest, out/sea.manifest.json, or out/sea.man where that is too
     /// long.

@@ -36,7 +36,7 @@ using MadeFrame = std::function<MadeSamples(const Product& product)>;
 /// A family's part of a plan, resolved from its options and the subject.
 template <typename Settings>
 struct MadePlan {
-    std::vector<const Product*> products;  // all of the plan, in the order of their files
+    std::vector<const Product*> products;  // all made products of the plan, as their files
     ChannelSet channels;                   // the channels of the frame's map that the family needs
     Settings settings;
 };
@@ -69,11 +69,12 @@ struct MadeProductOf {
         [](const BakePlan&, const Settings&, int, const Product&) {
             return std::vector<io::HeaderString>{};
         };
-    /// Returns the memory that a frame needs for them [bytes], an upper bound.
+    /// Returns the memory that a frame needs for the products [bytes], an upper bound.
     std::uint64_t (*frame_bytes)(const BakePlan& plan, const Settings& settings) =
         [](const BakePlan&, const Settings&) { return std::uint64_t{0}; };
     Required<MadeFrame(const FrameWork& work, const Settings& settings)> make;
-    /// Sets the options that were not given from the header of a baked file that holds one of them.
+    /// Sets the options that were not given from the header of a baked file that holds a product of
+    /// the family.
     void (*adopt)(const BakedHeader& header, BakeOptions& options) = [](const BakedHeader&,
                                                                         BakeOptions&) {};
 };

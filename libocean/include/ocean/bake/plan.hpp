@@ -57,8 +57,8 @@ struct BakePlan {
     bool product_in_name = false;  // of each file
     Backend backend;
     std::string backend_note;  // why this backend; "" if the user named it and it needs no note
-    std::string format_note;   // of the format, about its files; or ""
-    std::span<const ChannelInfo> channels;  // of the catalogue, beside the library's
+    std::string format_note;   // the format's note about its files, or ""
+    std::span<const ChannelInfo> channels;  // the catalogue's, beside the library's
     int resolution = 0;                     // of the finest map
     int threads = 0;
     bool skip_existing = false;

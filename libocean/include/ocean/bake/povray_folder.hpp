@@ -25,38 +25,39 @@ struct FolderFile {
     std::string opening() const;
 };
 
-/// Returns the frames in the plan's folder: those of its sea, format and resolution, and others.
+/// Returns the frames in the plan's folder, divided into frames of the plan's sea, format and
+/// resolution, and others.
 ExistingFrames povray_existing_frames(const BakePlan& plan);
-/// Where textures of foam may be, which are the same in all folders of a sea.
+/// Where textures of foam may be found. All folders of a sea have the same textures.
 struct FoamImages {
-    std::string folder;      // that the files are for
-    std::string cache = {};  // keeps those that are made, if it can be written; "": nothing does
+    std::string folder;      // the folder that gets the files
+    std::string cache = {};  // keeps new textures, if it is writable; "": none
 };
 /// Returns all files of the folder except its frames. `frames` lists the frames that it has or will
-/// have, ascending, at least one; `state` is that of the plan's sea.
+/// have, ascending, at least one; `state` is the state of the plan's sea.
 std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const SeaState& state,
                                             const std::vector<int>& frames, const FoamImages& foam);
-/// Returns all files of the folder of a terrain except its maps. `state` is that of the plan's
-/// terrain, and `format` names the folder's: with mesh2 the plan is that of the map beside the
+/// Returns all files of the folder of a terrain except its maps. `state` is the state of the plan's
+/// terrain, `format` the format of the folder. With mesh2 the plan describes the map beside the
 /// mesh.
 std::vector<FolderFile> povray_terrain_files(const BakePlan& plan, const TerrainState& state,
                                              std::string_view format);
 /// The plans of the folder of a sea over a bed: its open sea, without the bed, and its coast, a
-/// region of the sea. References must outlive it.
+/// region of the sea. The references must outlive it.
 struct PovrayCoastPlans {
     const BakePlan& open;
     const BakePlan& coast;
 };
-/// Returns all files of the folder of a sea over a bed except its frames: those of its open sea,
-/// with the bed as a land. `state` is that of the open sea. Throws Error unsupported for a coast
-/// without a bed.
+/// Returns all files of the folder of a sea over a bed except its frames: the files of its open
+/// sea, and the bed as a land. `state` is the state of the open sea. Throws Error unsupported for a
+/// coast without a bed.
 std::vector<FolderFile> povray_coast_files(const PovrayCoastPlans& plans, const SeaState& state,
                                            const std::vector<int>& frames, const FoamImages& foam);
-/// Returns only the files of such a folder that depend on the frames.
+/// Returns only the files of povray_coast_files() that depend on the frames.
 std::vector<FolderFile> povray_coast_frame_lists(const PovrayCoastPlans& plans,
                                                  const SeaState& state,
                                                  const std::vector<int>& frames);
-/// Returns only the files that depend on the frames.
+/// Returns only the files of povray_folder_files() that depend on the frames.
 std::vector<FolderFile> povray_frame_lists(const BakePlan& plan, const SeaState& state,
                                            const std::vector<int>& frames);
 

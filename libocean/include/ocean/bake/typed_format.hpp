@@ -32,7 +32,7 @@ struct FrameListsOf {
 template <typename Settings>
 struct SharedFilesOf {
     Required<std::vector<BakeFile>(const BakePlan& plan, const Settings& settings)> list;
-    /// Writes one of them. Every shard must write identical bytes.
+    /// Writes one shared file. Every shard must write identical bytes.
     Required<void(const BakePlan& plan, const Settings& settings, const BakeFile& file)> write;
     std::optional<FrameListsOf<Settings>> frame_lists = {};
 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Turns reports of controls into values: the meaning of a knob's position, and the moment at which
-// it counts. A pure state machine: its clock is that of the reports, so a test needs no clock.
+// it counts. A pure state machine: reports bring their own time, so a test needs no clock.
 #pragma once
 
 #include <map>

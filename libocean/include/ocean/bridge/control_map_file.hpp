@@ -63,7 +63,7 @@ struct ControlMapFile {
 
 inline constexpr std::size_t kMaxRules = 256;
 
-/// Parses a control map. Names and ranges are those of `values`. Throws Error bad_file
+/// Parses a control map. `values` gives the names and their ranges. Throws Error bad_file
 /// "NAME:LINE: key = value: reason; allowed: ...".
 ControlMapFile parse_control_map(std::string_view toml, const std::string& name,
                                  const ValueTable& values);

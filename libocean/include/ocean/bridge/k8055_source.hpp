@@ -21,7 +21,7 @@ struct K8055Device {
 };
 inline constexpr int kK8055Addresses = 4;
 
-/// Returns the channels of a board with the id `board`, also those of the dummy board.
+/// Returns the channels of a board with the id `board`, also for the dummy board.
 std::vector<Channel> k8055_channels(const std::string& board);
 
 struct K8055Board {

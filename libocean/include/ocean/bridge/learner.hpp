@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Writes the [[map]] that fits a control from the way a hand moves it. It distinguishes faders,
-// endless knobs, values of 14 bits, buttons and counters. A pure state machine: its clock is that
-// of the reports.
+// endless knobs, values of 14 bits, buttons and counters. A pure state machine: reports bring their
+// own time.
 #pragma once
 
 #include <array>

@@ -62,7 +62,7 @@ class LineServer {
     std::optional<Endpoint> osc_endpoint() const;
     std::size_t clients() const;
     /// Ends all connections, stops the boards and writes a take that is being recorded. May be
-    /// called from any thread but those of the boards; further calls do nothing.
+    /// called from any thread except the boards' threads; further calls do nothing.
     void stop();
 
   private:

@@ -8,13 +8,13 @@
 
 namespace ocean::gl {
 
-/// Computes all maps on the GPU, and sums the waves of a coast there: what is left of a coast's
-/// surface, and its foam and wet ground, which have a past, are computed by the processor. It uses
-/// the context that is current at its first call, for all its calls; if none is current, a headless
-/// one of its own. In a host's context it changes these bindings: program, storage buffers 0 to 9,
-/// image units 0 to 6, textures of units 0 and 1, buffers for packing pixels. Throws Error no_gpu
-/// if it cannot run or the context was lost: it then has released all its objects, and the next
-/// call uses the context that is current then, or a new one. Its fitness is that of a headless
+/// Computes all maps and sums the waves of a coast on the GPU. The processor computes the rest of a
+/// coast's surface, and its foam and wet ground, which have a past. All calls use the context that
+/// is current at the first call, or, if none is current, a headless context of the backend's own.
+/// In a host's context it changes these bindings: program, storage buffers 0 to 9, image units 0 to
+/// 6, textures of units 0 and 1, buffers for packing pixels. Throws Error no_gpu if it cannot run
+/// or the context was lost: the backend has then released all its objects, and the next call uses
+/// the context current at that call, or a new one. The fitness is the fitness of a headless
 /// context: fast unless a CPU emulates the GPU.
 extern const Backend kBackend;
 

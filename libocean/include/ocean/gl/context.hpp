@@ -38,17 +38,17 @@ ContextInfo context_info();
 bool has_current_context();
 
 struct HeadlessOptions {
-    /// Index of a device in EGL's list, from 0. Unset: the device of use_egl_device, else that of
-    /// OCEAN_EGL_DEVICE, else the first that is hardware, else the first.
+    /// Index of a device in EGL's list, from 0. Unset: the device of use_egl_device, else of
+    /// OCEAN_EGL_DEVICE, else the first hardware device, else the first device.
     std::optional<int> device = {};
     /// Keeps the driver's messages for messages().
     bool debug = false;
-    /// Requires OpenGL 4.3 core and checks the shaders' phase and noise; else 4.1 suffices, to
-    /// draw.
+    /// Requires OpenGL 4.3 core and checks the shaders' phase and noise. False: 4.1, which is
+    /// enough for drawing.
     bool compute = true;
 };
 
-/// Sets the device of all contexts that are made without one, for the option `--egl-device`.
+/// Sets the device of all contexts whose options have no device, for `--egl-device`.
 void use_egl_device(int device);
 
 /// A context through EGL that needs no display: on a device, else without a surface, else with a

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// OpenGL objects that are deleted with their owner. Their context must be current then.
+// OpenGL objects, deleted by their owner's destructor while their context is current.
 #pragma once
 
 #include <epoxy/gl.h>

@@ -21,7 +21,7 @@ class OpenSea;
 namespace ocean::gl {
 
 /// The maps of all cascades of a sea as array textures (GL_TEXTURE_2D_ARRAY), a layer for each
-/// cascade; the components and mipmaps of a layer are those of CascadeTextures.
+/// cascade. A layer has the components and mipmaps of a CascadeTextures.
 struct CascadeArrays {
     int resolution = 0;  // texels along a side of each layer
     unsigned displacement = 0;
@@ -32,15 +32,15 @@ struct CascadeArrays {
 };
 
 /// The textures of one cascade, by name; SeaTextures owns them. All are RGBA float, N x N, repeat,
-/// with mipmaps down to one texel; u = x / period. They
-/// share their texels with layers of CascadeArrays.
+/// with mipmaps down to one texel; u = x / period. They share their texels with layers of
+/// CascadeArrays.
 struct CascadeTextures {
     double period = 0.0;  // [m]
     int resolution = 0;
     unsigned displacement = 0;  // Dx, Dy at choppiness 1, height [m]; dDx/dy
     unsigned gradients = 0;     // slope x, slope y, dDx/dx, dDy/dy
     /// Slope x ^ 2, slope y ^ 2, slope x * slope y, (dDx/dx + dDy/dy)^2. Their mipmaps minus the
-    /// squares of those of `gradients` are the variances within a texel: glitter, and whitecaps too
+    /// squared mipmaps of `gradients` are the variances within a texel: glitter, and whitecaps too
     /// small to be seen.
     unsigned moments = 0;
 };
@@ -50,8 +50,8 @@ struct CascadeTextures {
 /// after the interpolation, since clamping and interpolation do not commute.
 struct FoamTexture {
     unsigned texture = 0;    // one float per texel, of the whole patch; 0 = no foam yet
-    int map_resolution = 0;  // of the map whose whitecaps lie over it
-    FoamLattice lattice{};   // whose foam it is
+    int map_resolution = 0;  // of the map whose whitecaps lie over the foam
+    FoamLattice lattice{};   // the lattice of the foam
     double period = 0.0;     // [m]
     float fade = 0.0f;
     float alone = 1.0f;
@@ -63,9 +63,10 @@ struct FoamTexture {
 using AfterStage = std::function<void(std::string_view stage)>;
 
 struct SeaTextureOptions {
-    /// Samples of a cascade's map along a side; 0 = those of its lattice.
+    /// Samples of a cascade's map along a side; 0 = the samples of its lattice.
     int cascade_resolution = 0;
-    /// Samples along a side of the map whose foam is followed; 0 = those of the sea's default map.
+    /// Samples along a side of the map whose foam is followed; 0 = the samples of the sea's default
+    /// map.
     int foam_resolution = 0;
     FoamStart foam_start = FoamStart::empty;
     /// Called during a pre-roll of the foam; may throw to stop it.
@@ -85,8 +86,8 @@ class SeaTextures {
 
     /// Updates all textures to a time [s]. Reads only the modes of the sea, also at the ticks of
     /// the foam's clock. After a change or performance of the sea, foam begins again or continues,
-    /// as foam_changed() was called. Throws Error; after no_gpu, also when the context was lost,
-    /// only the destructor may be called.
+    /// according to the calls of foam_changed(). Throws Error; after no_gpu, also when the context
+    /// was lost, only the destructor may be called.
     void show(OpenSea& sea, double time);
     /// Drops the foam that was followed, from a time [s] on, because the sea has changed there.
     void foam_changed(double from);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The stages between the modes and a map, as pictures: those of the backend `thesis`.
+// The stages between the modes and a map, as pictures, made by the backend `thesis`.
 #pragma once
 
 #include <memory>
@@ -36,9 +36,9 @@ struct StageImage {
 ///   butterfly     log2 N wide: for each stage and output the root (re, im) and both inputs
 ///   horizontal-K  after K stages along x
 ///   vertical-K    after all stages along x and K stages along y
-/// Uses the context that is current when the first stage needs one, else one of its own; keeps it
-/// and the compiled programs. One call at a time. If the context is the host's, it must be current
-/// in the destructor.
+/// Uses the context that is current when the first stage needs one, else a context of its own;
+/// keeps context and compiled programs. One call at a time. If the context is the host's, it must
+/// be current in the destructor.
 class StageMaker {
   public:
     StageMaker();

@@ -16,8 +16,7 @@ enum class Filter { nearest, linear };
 Texture make_texture(GLenum format, int resolution, Mipmaps mipmaps = Mipmaps::no,
                      Filter filter = Filter::nearest);
 
-/// Returns an array of textures of N x N texels that repeat, as make_texture makes one, and leaves
-/// it bound to GL_TEXTURE_2D_ARRAY.
+/// Returns an array of such textures of N x N texels, and leaves it bound to GL_TEXTURE_2D_ARRAY.
 Texture make_texture_array(GLenum format, int resolution, int layers,
                            Mipmaps mipmaps = Mipmaps::no);
 

@@ -20,11 +20,11 @@ bool is_pipe_or_device(const std::string& path);
 /// Returns the whole file. Throws Error bad_file if it is missing, a directory, a pipe or device,
 /// unreadable, or larger than `limit` bytes.
 std::string read_file(const std::string& path, std::size_t limit);
-/// Returns the whole file or pipe, for paths of a command line, where a shell may pass a pipe.
+/// Returns the whole file or pipe. For paths of a command line, where a shell may pass a pipe.
 /// Throws as read_file.
 std::string read_file_or_pipe(const std::string& path, std::size_t limit);
-/// Returns the first `count` bytes of a file; fewer if it is shorter or unreadable. Returns none of
-/// a pipe, whose bytes would then be lost.
+/// Returns the first `count` bytes of a file; fewer if it is shorter or unreadable. Reads no pipe,
+/// because its bytes would then be lost.
 std::string first_bytes(const std::string& path, std::size_t count);
 /// Returns the path as UTF-8; the inverse of utf8_path.
 std::string to_utf8(const std::filesystem::path& path);
@@ -32,7 +32,7 @@ std::string to_utf8(const std::filesystem::path& path);
 /// UTF-16 as UTF-8 [RFC 2781] 2.2.
 struct Utf16Text {
     std::string text;                 // with U+FFFD for each half of a character
-    std::optional<std::size_t> half;  // place of the first of these
+    std::optional<std::size_t> half;  // place of the first half
 };
 /// Returns the text of bytes behind their byte order mark.
 Utf16Text utf8_of_utf16(std::string_view bytes, bool big_endian);
@@ -47,7 +47,7 @@ Error error_at(ErrorKind kind, std::string_view name, std::size_t line, std::str
 Error error_at(const Error& error, std::string_view name, std::size_t line,
                std::string_view prefix = "");
 /// Returns a reader's error as an error of the parameter whose text `given`, such as a file's name,
-/// made it read. The sentence stays and becomes the fault of the text.
+/// caused the read. The reader's sentence becomes the fault of the text.
 Error error_of_text(const Error& error, const std::string& parameter, std::string_view given);
 
 /// Returns the number that all of `digits` spells, finite or not; nothing if it spells none.

@@ -18,13 +18,14 @@ namespace ocean::sandbox {
 using Sink = std::function<void(const void* bytes, std::size_t count)>;
 /// Reads `count` bytes. Returns false if fewer are left.
 using Source = std::function<bool(void* bytes, std::size_t count)>;
-/// The bytes of a child are not those that the program would have sent.
+/// Thrown if a child sends bytes that the program would not have sent.
 struct WireError : std::runtime_error {
     WireError() : std::runtime_error("no content") {}
 };
 
 struct ChildLimits {
-    /// Beyond the memory of this program at the fork, or all that another program has.
+    /// In a child by fork: the memory beyond the program's at the fork. For another program: all
+    /// its memory.
     std::uint64_t memory_bytes = std::uint64_t{2} << 30;
     unsigned cpu_seconds = 20;
 };
@@ -44,8 +45,8 @@ void run_in_child(const ChildLimits& limits, const std::function<void(const Sink
 
 /// Executes the program whose path is the first argument, with an empty environment, in the folder
 /// "/", with a pipe as its only stream, and calls `consume` on what it writes to its standard
-/// output. Limits and exceptions are those of run_in_child; a program that cannot be executed has
-/// stopped early.
+/// output. Limits and exceptions are the same as run_in_child's; a program that cannot be executed
+/// counts as one that stopped early.
 void run_program(const ChildLimits& limits, const std::vector<std::string>& arguments,
                  const std::function<void(const Source&)>& consume);
 

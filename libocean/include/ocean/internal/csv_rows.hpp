@@ -59,14 +59,14 @@ class TableReader {
     const std::vector<std::string_view>& titles() const { return titles_; }
     char separator() const { return separator_; }
     /// Steps to the next row, which has a cell for each title; false at the end of the table.
-    /// Throws Error bad_file for more or fewer cells and for an open quote; at the end, if every
+    /// Throws Error bad_file for more or fewer cells and for an open quote, and at the end if every
     /// comma within a number may separate decimals or thousands.
     bool next();
     /// Returns a cell without blanks and quotes around it; within quotes a quote appears twice.
     std::string_view cell(std::size_t column) const { return cells_[column]; }
     /// Returns the number that all of the cell spells, finite or not, with a decimal point or
-    /// comma; nothing if it spells none. Throws Error bad_file if it has both, or another mark than
-    /// an earlier number of the table.
+    /// comma; nothing if it spells none. Throws Error bad_file if the cell has both, or a mark that
+    /// differs from an earlier number's.
     std::optional<double> number(std::size_t column);
     /// Returns the reader at the row that next() read, or at the header line; for messages.
     const LineReader& lines() const { return lines_; }
@@ -87,11 +87,11 @@ class TableReader {
     std::size_t point_line_ = 0;  // of the first number with a decimal point
     std::size_t comma_line_ = 0;  // of the first number with a comma
     std::string first_comma_;     // that number
-    bool only_thousands_ = true;  // every comma may separate thousands
+    bool only_thousands_ = true;  // true while every comma may separate thousands
 };
 
-/// Returns the titles of a table, in its order; none without a header line that can be split. For
-/// the recognition of formats: it does not throw where TableReader does.
+/// Returns the titles of a table, in its order; empty if the table has no header line that can be
+/// split. Recognisers of formats use it, because it does not throw where TableReader does.
 std::vector<std::string> titles_of(std::string_view content);
 
 }  // namespace ocean::csv

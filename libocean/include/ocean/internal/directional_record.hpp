@@ -26,13 +26,13 @@ enum class DirectionConvention {
 double travel_direction(double degrees, DirectionConvention convention);
 
 /// The direction bins of a file: in any order, wrapped anywhere, even or not, with or without the
-/// first bin repeated after 360 degrees, the whole circle or a sector of it. Made once for all
-/// spectra that share it.
+/// first bin repeated after 360 degrees, over the whole circle or a sector. One axis serves all
+/// spectra with these bins.
 class DirectionAxis {
   public:
-    /// Returns the fault of the bins as a message; empty for good ones: 3 .. 720, finite, distinct.
+    /// Returns the fault of the bins as a message; empty for 3 .. 720 finite, distinct bins.
     static std::string fault(std::span<const double> degrees);
-    /// Requires bins without a fault.
+    /// Requires bins for which fault() is empty.
     DirectionAxis(std::span<const double> degrees, DirectionConvention convention);
 
     /// Sets `direction`, `directional_density` and `density` of a record that has its frequencies.
@@ -46,7 +46,7 @@ class DirectionAxis {
 
     std::size_t bins_;                 // of the file
     std::vector<double> direction_;    // ascending
-    std::vector<std::size_t> source_;  // the file's bin for each direction; bins_ = none, 0
+    std::vector<std::size_t> source_;  // the file's bin for each direction; bins_: none, value 0
     std::vector<double> weight_;       // of each direction in the integral [degrees]
 };
 
@@ -54,12 +54,13 @@ class DirectionAxis {
 /// and a directional spread, the circular standard deviation [Kuik 1988], both in degrees; NaN =
 /// missing. The second moment is not known.
 void append_mean_and_spread(SpectrumRecord& record, double mean, double spread);
-/// Appends both moments of one frequency as NDBC publishes them, a_n = r_n cos(n theta_n) and
-/// b_n = r_n sin(n theta_n) [Longuet-Higgins 1963]: the mean and the principal travel direction in
-/// degrees, and the two ratios. If one of the four is missing (NaN), all moments are.
+/// Appends both moments of one frequency as NDBC publishes them, a_n = r_n cos(n theta_n) and b_n =
+/// r_n sin(n theta_n) [Longuet-Higgins 1963]: the mean and the principal travel direction in
+/// degrees, and the two ratios. If one of the four is missing (NaN), all moments count as missing.
 void append_mean_and_principal(SpectrumRecord& record, double mean, double principal, double r1,
                                double r2);
-/// Appends the moments of one frequency as they are; if one of the four is missing, all are.
+/// Appends the unchanged moments of one frequency; if one of the four is missing, all count as
+/// missing.
 void append_moments(SpectrumRecord& record, const std::array<double, 4>& a1_b1_a2_b2);
 /// Removes the moments of a record if they are missing in every bin.
 void drop_unknown_moments(SpectrumRecord& record);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Imports elevation models from the formats of other programs: SRTM (.hgt), OpenEXR, those that
-// read_elevation() reads, and GeoTIFF, grey PNG and others by GDAL. Libraries that read files of
-// others work in a process of their own, because they are not safe against hostile files.
+// Imports elevation models from the formats of other programs: SRTM (.hgt), OpenEXR, the formats of
+// read_elevation(), and by GDAL GeoTIFF, grey PNG and others. Foreign libraries read files in a
+// process of their own, because they are not safe against hostile files.
 #pragma once
 
 #include <array>
@@ -23,8 +23,8 @@ struct ElevationImport {
 };
 
 /// Returns the model of a file, recognised by its content, and .hgt by its name. Throws as
-/// read_elevation, and Error invalid_value for an option that the file needs, or has no use for;
-/// unsupported if its format needs the program ocean-raster, and that is not installed.
+/// read_elevation; Error invalid_value for a missing option that the file needs and for an option
+/// without a use; unsupported if the format needs the program ocean-raster, which is not installed.
 ElevationModel import_elevation(const std::string& path, const ElevationImport& request);
 
 /// Reads the corner of an SRTM tile from its name: "N34W119" at the start of a file's name. Returns

@@ -30,12 +30,12 @@ class Json {
     Json(const char* text) : text_(json_string(text)) {}
     Json(const JsonItems& items);
     template <std::integral Whole>
-    requires(sizeof(Whole) > 1)  // neither a truth nor a character
+    requires(sizeof(Whole) > 1)  // excludes bool and characters
         Json(Whole value)
         : text_(std::to_string(value)) {}
-    template <std::same_as<bool> Truth>  // no pointer becomes one
+    template <std::same_as<bool> Truth>  // a pointer does not convert
     Json(Truth value) : text_(value ? "true" : "false") {}
-    /// Spells a number by `spelling`. Throws Error invalid_value for one that is not finite.
+    /// Spells a number by `spelling`. Throws Error invalid_value for a number that is not finite.
     Json(double value, std::string (*spelling)(double) = shortest_text);
 
     const std::string& text() const { return text_; }
@@ -47,13 +47,14 @@ class Json {
 /// Returns the number, or null if it is not finite: unknown or unbounded.
 Json json_number_or_null(double value, std::string (*spelling)(double) = shortest_text);
 
-/// Layout: each item on its own line, indented by `indent` spaces; the closing bracket by two less.
+/// Layout: each item on its own line, indented by `indent` spaces; the closing bracket is indented
+/// by two less.
 struct JsonLines {
     int indent;
 };
 
-/// The common part of arrays and objects: brackets and separators. Without JsonLines, all on one
-/// line.
+/// The common part of arrays and objects: brackets and separators. Without JsonLines all items
+/// stand on one line.
 class JsonItems {
   public:
     std::string text() const { return text_ + closing_; }
@@ -92,7 +93,7 @@ class JsonObject : public JsonItems {
     JsonObject() : JsonItems("{}") {}
     explicit JsonObject(JsonLines lines) : JsonItems("{}", lines) {}
     JsonObject& add(std::string_view key, const Json& value);
-    /// Puts the members that follow on lines of their own, indented by `indent` spaces.
+    /// Puts the following members on lines of their own, indented by `indent` spaces.
     JsonObject& then_lines(int indent);
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The check that memory is there, before it is allocated.
+// The check, before an allocation, that enough memory is available.
 #pragma once
 
 #include <cstdint>

@@ -21,10 +21,10 @@ struct KnownName {
 
 /// Returns the names with the fewest edits from `word`: an edit inserts, deletes or replaces a
 /// letter, or exchanges two neighbours; lower and upper case are equal. A name is near if it is at
-/// most two edits away, and at most one for each three letters of the longer of both. If several
-/// are equally near, returns the first kMaxNearestNames in the order of `names`; a name equal to
-/// `word` was not mistyped and is left out. Names that begin with `word`, of at least four letters,
-/// are nearer than those of two edits.
+/// most two edits away, and at most one edit per three letters of the longer name. If several are
+/// equally near, returns the first kMaxNearestNames in the order of `names`; a name equal to `word`
+/// was not mistyped and is left out. Names that begin with `word`, of at least four letters, are
+/// nearer than names two edits away.
 std::vector<std::string_view> nearest_names(std::string_view word,
                                             std::span<const KnownName> names);
 inline constexpr std::size_t kMaxNearestNames = 10;

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Spectra from NetCDF files, as ERA5, wavespectra, WAVEWATCH III, SWAN, NDBC, CDIP, Copernicus and
-// others write them. For the tools alone: libocean.so and ocean::seafile never link libnetcdf. A
-// file passes four stages, each of which knows only the next: netcdf_file (libnetcdf) in a child
-// process -> netcdf_wire (a pipe) -> netcdf_layout (the roles of the variables) -> netcdf_records.
+// Spectra from NetCDF files, as written by ERA5, wavespectra, WAVEWATCH III, SWAN, NDBC, CDIP,
+// Copernicus and others. Only the tools read them: libocean.so and ocean::seafile never link
+// libnetcdf. A file passes four stages, each of which knows only the next: netcdf_file (libnetcdf)
+// in a child process -> netcdf_wire (a pipe) -> netcdf_layout (the roles of the variables) ->
+// netcdf_records.
 #pragma once
 
 #include <string>
@@ -20,9 +21,9 @@ namespace ocean {
 bool is_netcdf(std::string_view first_bytes);
 
 /// Returns one record for each time and place with a spectrum, times outermost; a record that
-/// cannot be used has its `fault` set. libnetcdf runs in a child process, so a file that crashes it
-/// causes no more than an error. Throws Error bad_file "PATH: VARIABLE: FAULT" if no record can be
-/// used, unsupported in a program built without NetCDF, and interrupted.
+/// cannot be used has its `fault` set. libnetcdf runs in a child process, so that a file which
+/// crashes it causes an error only. Throws Error bad_file "PATH: VARIABLE: FAULT" if no record can
+/// be used, unsupported in a program built without NetCDF, and interrupted.
 std::vector<SpectrumRecord> read_netcdf_spectra(const std::string& path);
 
 }  // namespace ocean

@@ -15,7 +15,8 @@ namespace ocean {
 /// Returns the cores that this process may run on, at least 1: its affinity and the quotas of its
 /// control groups (cpu.max, rounded up).
 int available_cores();
-/// Returns a number of this process, different in a child after fork(), which has only one thread.
+/// Returns a number of this process. It is different in a child after fork(), which has only one
+/// thread.
 std::uint64_t process_number();
 /// The resources that the calling thread has used so far; 0 if the system does not report them.
 struct ThreadUsage {
@@ -36,8 +37,8 @@ class PlainFloats {
     std::fenv_t host_;
     [[maybe_unused]] unsigned host_sse_ = 0;  // MXCSR, where the CPU has it
 };
-/// Gives the numbers that the calling thread prints a decimal point while the object lives: hosts
-/// such as those of Qt set a locale for the whole process, which may have a comma.
+/// While the object lives, numbers that the calling thread prints have a decimal point. Hosts, such
+/// as Qt's, set a locale for the whole process, which may have a decimal comma.
 class PointNumbers {
   public:
     PointNumbers();
@@ -46,14 +47,14 @@ class PointNumbers {
     PointNumbers& operator=(const PointNumbers&) = delete;
 
   private:
-    void* host_;  // what its locale is, as the system names it
+    void* host_;  // the thread's locale, as the system names it
     [[maybe_unused]] int host_mode_ = 0;
 };
 /// Returns the bytes that can still be allocated (free memory, container and process limits), or
 /// the largest value if the system does not report them.
 std::uint64_t available_memory();
-/// Bytes of the caches: the second one, which a core has to itself, and the last one, which cores
-/// share. Both are guesses if the system does not report them.
+/// Bytes of the caches: the second level, private to a core, and the last level, which cores share.
+/// Both are guesses if the system does not report them.
 struct CacheSizes {
     std::size_t core = std::size_t{512} << 10;
     std::size_t shared = std::size_t{8} << 20;

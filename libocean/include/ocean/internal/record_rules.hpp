@@ -18,11 +18,12 @@ inline constexpr std::size_t kMaxFrequencies = 4096;
 inline constexpr std::size_t kMaxDirections = 720;
 /// A missing value.
 inline constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
-/// From waves of a day to capillaries, so that periods stay finite.
+/// The range reaches from waves of a day to capillaries, so that periods stay finite.
 inline constexpr double kMinFrequency = 1e-5;  // [Hz]
 inline constexpr double kMaxFrequency = 100.0;
 inline constexpr std::string_view kFrequencyRange = "1e-5 .. 100 Hz";
-/// The max of frequencies times directions in one record, about 2 MB as text in a sea file.
+/// Max number of values (frequencies times directions) in one record, about 2 MB as text in a sea
+/// file.
 inline constexpr std::size_t kMaxDirectionalValues = std::size_t{1} << 17;
 inline constexpr std::size_t kMaxRecords = 100000;
 inline constexpr std::size_t kMaxRecordWarnings = 16;

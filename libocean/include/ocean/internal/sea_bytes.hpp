@@ -21,7 +21,7 @@ std::uint64_t maps_bytes(int resolution, int maps);
 /// Returns the bytes that computing these channels from the modes needs, beside modes and maps.
 std::uint64_t work_bytes(const Grid& grid, const Backend& backend, ChannelSet channels,
                          int resolution, std::span<const ChannelInfo> host_channels = {});
-/// Returns the bytes of the coast of a sea over a bed, also while it is made.
+/// Returns the bytes of the coast of a sea over a bed, the work space that builds it included.
 std::uint64_t coast_bytes(const Parameters& parameters);
 /// Returns the bytes that a region of these channels needs beside the region.
 std::uint64_t region_work_bytes(const Parameters& parameters, const Domain& domain,

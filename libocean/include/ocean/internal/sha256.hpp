@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// SHA-256 without a library, for libocean.so, which depends on the C library alone. Bakes, which
-// hash gigabytes, use OpenSSL's.
+// SHA-256 without a library, because libocean.so depends on the C library alone. Bakes hash
+// gigabytes and use OpenSSL's.
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Untrusted flat TOML files as plain values: lists of tables, [[map]] and [[out]], whose keys have
-// numbers, texts, flags or lists of numbers. For files beside the sea file.
+// Untrusted flat TOML files as plain values: lists of tables, [[map]] and [[out]], whose values are
+// numbers, texts, flags or lists of numbers. Files beside the sea file have this form.
 #pragma once
 
 #include <array>

@@ -50,8 +50,8 @@ struct Df3Heights {
 
     double quantum() const { return scale / 4294967295.0; }
 };
-/// Returns the codes of a slice of Df3Code::range. Throws Error invalid_value for a height that is
-/// not finite.
+/// Returns the base and scale for a slice of Df3Code::range. Throws Error invalid_value for a
+/// height that is not finite.
 Df3Heights df3_heights(const Surface& surface);
 
 /// Writes the slices of a surface: lengths with an error of at most 2.4e-7 m, heights in a range
@@ -59,7 +59,7 @@ Df3Heights df3_heights(const Surface& surface);
 /// the seam between copies free of cracks. Throws Error output, and invalid_value for a channel
 /// that is missing or a length that is not finite or beyond 1024 m.
 void write_df3(const Surface& surface, const std::string& path, Df3Slices slices = df3_slices());
-/// Returns the bytes of such a file. Throws as write_df3.
+/// Returns the bytes of the file that write_df3 writes. Throws as write_df3.
 std::string df3_text(const Surface& surface, Df3Slices slices = df3_slices());
 
 /// Returns the size of a file of masks [bytes].
@@ -69,10 +69,10 @@ std::uint64_t masks_df3_bytes(const Domain& domain, std::size_t masks);
 /// surface does not have.
 void write_masks_df3(const Surface& surface, std::span<const Channel> masks,
                      const std::string& path);
-/// Returns the bytes of such a file. Throws as write_masks_df3.
+/// Returns the bytes of the file that write_masks_df3 writes. Throws as write_masks_df3.
 std::string masks_df3_text(const Surface& surface, std::span<const Channel> masks);
-/// Returns the masks of a land that such a file holds, in the order of their table: those without a
-/// unit.
+/// Returns the masks of a land that a file of masks holds, in the order of their table: the masks
+/// without a unit.
 std::vector<Channel> df3_masks(ChannelSet available);
 
 /// Returns the size of a file of slope tiles [bytes].

@@ -18,11 +18,11 @@ void write_elevation(const ElevationModel& model, const std::string& path);
 /// Returns the text of the .hdr file: the same numbers read back to the same domain.
 std::string elevation_header(const ElevationModel& model);
 
-/// Returns the text of the .prj file, WKT 1 in metres: the model's own definition where its lengths
-/// are metres; else a local system that is named after the model's.
+/// Returns the text of the .prj file, WKT 1 in metres: the model's own definition if its lengths
+/// are metres, else a local system named after the model's.
 std::string elevation_projection(const ElevationModel& model);
 
-/// Returns true if write_elevation wrote the file, which its header says.
+/// Returns true if the file's header states that write_elevation wrote it.
 bool is_written_elevation(const std::string& path);
 
 }  // namespace ocean::io

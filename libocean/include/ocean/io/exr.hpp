@@ -25,8 +25,8 @@ std::string_view exr_compression_name(ExrCompression compression);
 /// Writes an image atomically. `threads`: 0 = the cores this process may use. Throws Error output.
 void write_exr(const Image& image, const std::string& path, ExrCompression compression,
                int threads = 0);
-/// Returns the bytes that write_exr writes before the pixels; comparing them with a file's tells
-/// whether write_exr would write the same file. Needs no samples.
+/// Returns the bytes that write_exr writes before the pixels. If a file begins with them, write_exr
+/// would write the same header. Needs no samples.
 std::string exr_header_bytes(const Image& image, ExrCompression compression);
 /// Returns an upper bound of the bytes that write_exr writes.
 std::uint64_t max_exr_bytes(const Image& image, ExrCompression compression);

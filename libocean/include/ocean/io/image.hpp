@@ -32,11 +32,12 @@ struct ImagePlane {
 struct Image {
     int width = 0;
     int height = 0;
-    /// The domain of the samples in the world; absent for a picture. A domain that wraps tiles.
+    /// The domain of the samples in the world; absent for a picture. An image whose domain wraps
+    /// can be tiled.
     std::optional<Domain> domain = {};
     std::vector<ImagePlane> planes;
     Provenance provenance = {};
-    std::vector<HeaderString> strings = {};  // of the header, beside the provenance
+    std::vector<HeaderString> strings = {};  // header strings beside the provenance
 
     bool wraps() const { return domain && domain->wraps; }
     /// Returns all strings of the header.

@@ -18,10 +18,10 @@ namespace ocean::io {
 
 /// Values at each vertex, for all writers; attribute_names.cpp has the formats' spellings of names.
 struct Attribute {
-    std::string name;  // "uv", or that of a product: "foam", "velocity"
+    std::string name;  // "uv", or a product's name: "foam", "velocity"
     int components = 1;
     std::vector<float> values = {};  // `components` for each vertex
-    bool vector = false;             // x, y, z of the world, which turn with the mesh
+    bool vector = false;             // world x, y, z; turns with the mesh
 };
 
 /// The position of a vertex's label in its domain, 0 .. 1 along each side.
@@ -33,20 +33,20 @@ struct Mesh {
     std::vector<float> normals = {};         // x, y, z of each vertex; or empty
     std::vector<Attribute> attributes = {};  // with distinct names
     std::vector<int> triangles = {};    // three vertex indices each, counter-clockwise from above
-    std::optional<Domain> domain = {};  // that the mesh covers; absent for a horizon mesh
+    std::optional<Domain> domain = {};  // the covered domain; absent for a horizon mesh
 
     std::size_t vertices() const { return positions.size() / 3; }
     /// Returns the attribute of that name, or null.
     const Attribute* find(std::string_view name) const;
 };
 
-/// none: the mesh has neither triangles nor uv, for files whose frames share them.
+/// none: the mesh has neither triangles nor uv, because all frames share one file of them.
 enum class Faces { none, triangles };
 
-/// Returns the displaced surface over its domain, with normals, uv, and those of `products` for
-/// which the surface has all channels, in their order. Needs height; without dx and dy vertices lie
-/// straight above their samples. Throws Error invalid_value for a surface without height or with
-/// fewer than two samples along a side.
+/// Returns the displaced surface over its domain, with normals, uv, and each product of `products`
+/// for which the surface has all channels, in their order. Needs height; without dx and dy vertices
+/// lie straight above their samples. Throws Error invalid_value for a surface without height or
+/// with fewer than two samples along a side.
 ///
 /// A domain that wraps has (N + 1)^2 vertices, which close the seam. They are rounded to a grid of
 /// a power of two (2^-16 m, coarser for large patches); copies a period apart then have no cracks

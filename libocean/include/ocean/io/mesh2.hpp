@@ -19,8 +19,7 @@ std::string povray_faces(std::span<const int> triangles);
 /// Optional parts of a mesh2.
 struct Mesh2Extras {
     const View* view = nullptr;  // the camera of a horizon mesh
-    std::string_view u =
-        {};  // name of the attribute with one component that becomes the u of its uv
+    std::string_view u = {};     // name of the one-component attribute that becomes u
 };
 
 /// Writes a POV-Ray include file that declares `Ocean_Surface` as a mesh2 in POV-Ray's axes

@@ -25,7 +25,7 @@ void write_obj(const Mesh& mesh, std::span<const HeaderString> strings, const st
 /// Returns the header strings of an OBJ file. Throws Error bad_file.
 std::vector<HeaderString> read_obj_header(const std::string& path);
 
-/// Return upper bounds of the sizes of such files without their comments [bytes].
+/// Return upper bounds of the sizes of PLY and OBJ files without their comments [bytes].
 std::uint64_t ply_bytes(std::uint64_t vertices, std::uint64_t floats, std::uint64_t triangles);
 std::uint64_t max_obj_bytes(std::uint64_t vertices, std::uint64_t floats, std::uint64_t triangles);
 

@@ -62,8 +62,8 @@ class FolderLock {
     int descriptor_;
 };
 
-/// Returns the name of a file, `stem` + `ending`. File systems take at most 255 bytes: of a longer
-/// one the stem is cut, and a hash of it added.
+/// Returns the name of a file, `stem` + `ending`. File systems take at most 255 bytes: in a longer
+/// name the stem is cut, and a hash of the stem added.
 std::string name_of_file(std::string_view stem, std::string_view ending);
 /// Creates `folder` and its parents; "" is the current folder. Throws Error output.
 void make_folder(const std::string& folder);
@@ -73,15 +73,15 @@ void require_folder(const std::string& folder);
 /// Returns the free bytes of the file system that has, or will have, the folder.
 std::uint64_t free_bytes(const std::string& folder);
 /// Throws Error invalid_value if `path` is a file with content for which `is_ours` returns false: a
-/// file of another program is not replaced. `writer` names the writer of files that are, "a bake".
+/// file of another program is not replaced. `writer` names the writer of our files, "a bake".
 void refuse_to_replace_foreign_file(const std::string& path, std::string_view writer,
                                     const std::function<bool()>& is_ours);
 /// Creates the file's folder, then calls write_file_atomically.
 void write_output(const std::string& path, std::string_view bytes);
 
 /// Removes the temporaries that killed writers (power, kill -9, out of memory) left in a directory;
-/// "" is the current one. Keeps those of writers that are still running. Returns the number of
-/// removed files.
+/// "" is the current one. Keeps the temporaries of writers that are still running. Returns the
+/// number of removed files.
 int remove_abandoned_temporaries(const std::string& directory);
 
 }  // namespace ocean::io

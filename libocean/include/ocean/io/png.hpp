@@ -27,8 +27,8 @@ std::string grey_png(int width, int height, std::span<const std::uint16_t> grey)
 
 /// Returns the bytes of a PNG file with `strings` added to its header. `png` must be a PNG file.
 std::string with_png_strings(std::string_view png, std::span<const HeaderString> strings);
-/// Returns the bytes of a PNG file with `strings` added as tEXt, which every reader of PNG shows.
-/// They must be Latin-1.
+/// Returns the bytes of a PNG file with `strings` added as tEXt, which every PNG reader shows. The
+/// strings must be Latin-1.
 std::string with_png_keywords(std::string_view png, std::span<const HeaderString> strings);
 /// Returns the texts whose names begin with "ocean:". Throws Error bad_file for a file without
 /// such texts, for a damaged one, and for a file that is not a PNG.

@@ -34,10 +34,10 @@ void turn_y_up(Points& points);
 
 /// Writes binary PLY, little-endian: vertices x, y, z, vx, vy, vz, age, life, radius as floats, and
 /// id_low and id_high as uints, because PLY has no 64-bit integers: id = id_high 2^32 + id_low.
-/// read_ply_header reads its header. Throws Error output.
+/// read_ply_header reads the header. Throws Error output.
 void write_ply(const Points& points, std::span<const HeaderString> strings,
                const std::string& path);
-/// Returns an upper bound of the size of such a file without its comments [bytes].
+/// Returns an upper bound of the size of a PLY file of points without its comments [bytes].
 std::uint64_t points_ply_bytes(std::uint64_t count);
 
 }  // namespace ocean::io

@@ -23,7 +23,7 @@ namespace ocean::io {
 /// The version of the folders that `ocean povray` writes; ocean.inc refuses any other.
 inline constexpr int kPovrayDataVersion = 4;
 
-/// A folder of frames for POV-Ray. References must outlive it.
+/// A folder of frames for POV-Ray. The references must outlive it.
 struct PovrayFolder {
     const Sea& sea;
     const SeaState& state;
@@ -31,7 +31,7 @@ struct PovrayFolder {
     std::vector<int> maps;    // samples along a side of each frame's maps, the finest first
     std::vector<int> frames;  // ascending, at least one
     std::string frames_text;  // the frames as readable ranges
-    std::string_view sea_id;  // of Provenance
+    std::string_view sea_id;  // Provenance::id
     int fine_map = 0;         // samples along a side of the fine map; 0 = no fine map
 };
 /// Returns the include file with the folder and each parameter of the sea by its name:
@@ -48,24 +48,24 @@ std::string povray_parameter_declaration(const ParameterSpec& spec, std::size_t 
 /// other.
 inline constexpr int kPovrayTerrainVersion = 2;
 
-/// A folder of a terrain for POV-Ray. References must outlive it.
+/// A folder of a terrain for POV-Ray. The references must outlive it.
 struct PovrayTerrain {
     const TerrainModel& terrain;
     const TerrainState& state;
     std::string_view format;  // "df3", "mesh2" or "height_field"
     const Domain& domain;     // of its map
-    std::string_view id;      // of Provenance
+    std::string_view id;      // Provenance::id
 };
 /// Returns the include file with the folder and each parameter of the terrain by its name:
 /// `terrain.beta` is Terrain_Beta.
 std::string povray_declarations(const PovrayTerrain& folder);
-/// Returns the declarations of where the map of a land lies.
+/// Returns the declarations of the place of a land's map.
 std::string povray_land_map_declarations(const Domain& domain);
-/// Returns the declarations of the map of a coast: where it lies, which of its sides lie within the
+/// Returns the declarations of the map of a coast: its place, which of its sides lie within the
 /// bed, and the id of its frames.
 std::string povray_coast_declarations(const Domain& domain, const Domain& bed, std::string_view id);
 
-/// The map of the bed of a sea as terrain.inc reads it. References must outlive it.
+/// The map of the bed of a sea in the form that terrain.inc reads. The references must outlive it.
 struct PovrayBed {
     const Surface& map;  // height, normal and the masks
     std::span<const Channel> masks;
@@ -75,10 +75,10 @@ struct PovrayBed {
 std::string povray_bed_parameters(const PovrayBed& bed);
 /// Returns the text beside the map of a bed.
 std::string povray_bed_words(const PovrayBed& bed);
-/// Returns the declarations of a frame of any format, in names with its subject's prefix; by them
-/// Ocean_Load refuses frames of other seas.
+/// Returns the declarations of a frame of any format, in names with the prefix of the frame's
+/// subject. Ocean_Load reads them to refuse frames of other seas.
 std::string povray_frame_declarations(const Provenance& provenance);
-/// Returns true if a text has the declarations of a frame of that sea.
+/// Returns true if a text has the declarations of a frame of the sea `sea_id`.
 bool declares_sea(std::string_view text, std::string_view sea_id);
 /// Returns the foam's thickness for Ocean_Material, from the cover of a frame's maps, the finest
 /// first; "" for maps without cover, and for a map that exists once.

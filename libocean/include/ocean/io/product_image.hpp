@@ -26,15 +26,15 @@ struct ProductLayout {
     Axes axes = Axes::tnb;
     /// Absent: the type of the product's row.
     std::optional<PixelType> type = {};
-    /// True: a height without `type` is a float, for subjects whose only position it is: a half
-    /// would be metres off.
+    /// True: a height without `type` is a float. For subjects whose only position is the height: a
+    /// half would be metres off.
     bool full_heights = false;
     /// false: one product as R,G,B or Y. true: all products in one image for compositors, R,G,B,A =
     /// displacement and 1, then normal.X ...
     bool layered = false;
 };
 
-/// The samples of a product without channels; their number is that of the surface beside it.
+/// The samples of a product without channels, as many as the surface of the image has.
 struct MadeMap {
     const Product* product;
     std::span<const float> samples;
@@ -45,9 +45,8 @@ struct MadeMap {
 Image product_image(std::span<const Product* const> products, const ProductLayout& layout,
                     const Provenance& provenance, int resolution);
 /// Returns the image of one product, or a layered image of several, with the samples of the
-/// surface, and with those in `made` for products without channels. Surface and maps must outlive
-/// the image. Throws Error invalid_value if the surface lacks a channel of the products, or `made`
-/// lacks one.
+/// surface, or of `made` for products without channels. Surface and maps must outlive the image.
+/// Throws Error invalid_value if the surface lacks a channel of the products, or `made` lacks one.
 Image product_image(std::span<const Product* const> products, const ProductLayout& layout,
                     const Provenance& provenance, const Surface& surface,
                     std::span<const MadeMap> made = {});

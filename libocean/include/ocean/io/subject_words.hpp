@@ -23,10 +23,10 @@ struct SubjectWords {
     std::string phrase() const { return "The surface of " + noun; }
 };
 
-/// Returns the words of a kind, those of a sea for "". A kind without a row, such as "plane", gets
-/// "a plane" and "Plane".
+/// Returns the words of a kind; "" stands for a sea. A kind without a row, such as "plane", gets "a
+/// plane" and "Plane".
 SubjectWords subject_words(std::string_view kind);
-/// Returns the words of the subject that a header names, those of a sea if it names none.
+/// Returns the words of the subject that a header names; without one, the words of a sea.
 SubjectWords subject_words(std::span<const HeaderString> strings);
 
 }  // namespace ocean::io

@@ -17,12 +17,12 @@
 
 namespace ocean::io {
 
-/// The clips of a stage. Names are those of files in the stage's folder.
+/// The clips of a stage. The names are files in the stage's folder.
 struct UsdSequence {
     std::string topology;      // "sea.topology.usdc"
     std::string manifest;      // "sea.clips.usda"
     std::string frames;        // "sea.####.usdc"
-    std::vector<int> numbers;  // of the frames, ascending, at least one
+    std::vector<int> numbers;  // frame numbers, ascending, at least one
     double rate = 24.0;        // [frames/s]
     bool y_up = false;
     /// The attributes of the frames beside the points, with normals as "normal"; values are

@@ -55,7 +55,7 @@ inline constexpr int kLevelSetBand = 3;
 /// The surface above a column of voxels.
 struct SurfaceColumn {
     float height;    // [m]
-    float normal_z;  // of its unit normal, 0 .. 1
+    float normal_z;  // z of the unit normal, 0 .. 1
 };
 
 /// The axes of a volume in its file.
@@ -75,10 +75,10 @@ class VdbGrid {
 };
 
 /// Returns the grid `surface`, a level set of the water in the box, negative inside. Distances to
-/// the sides and the bottom of the box are exact; that to the surface is (z - height) normal_z, the
-/// distance to its tangent plane. `columns` are those of voxels_around(box, size, kLevelSetBand),
-/// row-major [j][i]. The level set is closed even where the heights of neighbouring columns differ
-/// by more than the band. The voxels do not depend on the number of threads.
+/// the sides and the bottom of the box are exact; the distance to the surface is (z - height)
+/// normal_z, measured to the tangent plane. `columns` belong to voxels_around(box, size,
+/// kLevelSetBand), row-major [j][i]. The level set is closed even where the heights of neighbouring
+/// columns differ by more than the band. The voxels do not depend on the number of threads.
 VdbGrid make_level_set(const WorldBox& box, const VoxelRange& voxels,
                        std::span<const SurfaceColumn> columns, VolumeAxes axes, ThreadPool& pool);
 
@@ -88,8 +88,8 @@ using Velocity = std::array<float, 3>;
 using VelocityLayer = std::function<void(int k, std::span<Velocity> layer)>;
 
 /// Returns the grid `vel`, the velocity of the water at the voxels up to the band above the
-/// surface; voxels above are inactive. `heights` are those of the columns [m]. Calls `layer` for
-/// the layers from the lowest one upwards.
+/// surface; voxels above are inactive. `heights` are the surface heights of the columns [m]. Calls
+/// `layer` for the layers from the lowest one upwards.
 VdbGrid make_velocity(const VoxelRange& voxels, std::span<const float> heights,
                       const VelocityLayer& layer, VolumeAxes axes, ThreadPool& pool);
 
@@ -99,14 +99,14 @@ struct DensityPuff {
     double deviation;             // [m]
     double area;                  // total cross-section of the droplets [m^2]
 };
-/// A puff ends so many standard deviations from its place, along each axis.
+/// A puff ends at this many standard deviations from its place, along each axis.
 inline constexpr double kPuffReach = 3.0;
-/// Returns the distance along each axis beyond which its density is 0 [m].
+/// Returns the distance along each axis beyond which the density of a puff is 0 [m].
 double density_reach(const DensityPuff& puff, double voxel);
 
-/// Returns the grid `density`, a fog of the puffs above the water: their cross-section in a volume
-/// [m^2 / m^3]. `heights` are those of the columns [m], row-major [j][i]; a voxel at the surface
-/// gets its dry share only. The voxels do not depend on the number of threads.
+/// Returns the grid `density`, a fog of the puffs above the water: the droplets' cross-section per
+/// volume [m^2 / m^3]. `heights` are the surface heights of the columns [m], row-major [j][i]; a
+/// voxel at the surface gets its dry share only. The voxels do not depend on the number of threads.
 VdbGrid make_density(const VoxelRange& voxels, std::span<const float> heights,
                      std::span<const DensityPuff> puffs, VolumeAxes axes, ThreadPool& pool);
 

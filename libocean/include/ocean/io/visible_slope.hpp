@@ -7,7 +7,7 @@
 namespace ocean::io {
 
 /// Returns the mean slope towards the eye of the facets of a rough surface that the eye sees.
-/// `slope_rms` is that of the Gaussian slopes along the line of sight; `elevation_slope` is the
+/// `slope_rms` is the rms of the Gaussian slopes along the line of sight; `elevation_slope` is the
 /// tangent of the eye's elevation above the mean surface, negative for a surface that is turned
 /// away. See shaders/wave/visible_slope.glsl.
 double mean_visible_slope(double slope_rms, double elevation_slope);

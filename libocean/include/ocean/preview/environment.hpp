@@ -25,14 +25,14 @@ struct Environment {
     std::vector<float> rgb;  // radiance, row after row, the row at the horizon first
     std::optional<EnvironmentSun> sun;
     std::array<double, 3> light =
-        {};  // of the sky without its sun on a level white surface: irradiance/pi
+        {};  // light of the sky, sun left out, on a level white surface: irradiance/pi
 };
 
 /// Returns the environment of a picture of the whole sphere, with its bottom row, the nadir, first.
-/// Only the upper half counts, because the sea hides the other. Light above 4 times the
-/// surroundings of the brightest place is cut off there, and becomes the sun if it is 1/100 of all
-/// light or more. Throws Error invalid_value unless the width is twice the height, the height even,
-/// and the light finite and not negative.
+/// Only the upper half counts, because the sea hides the lower one. Light at the brightest place
+/// above 4 times its surroundings is cut off, and becomes the sun if it is at least 1/100 of all
+/// light. Throws Error invalid_value unless the width is twice the height, the height even, and the
+/// light finite and not negative.
 Environment make_environment(int width, int height, std::span<const float> rgb);
 
 }  // namespace ocean::preview

@@ -41,29 +41,29 @@ struct Camera {
 };
 
 /// physical: the sea to its horizon under its sky. seed: ten by ten periods as a flat mesh in plain
-/// light and fog, as the teaching programs drew it that the library continues; it uses only the
-/// sun's direction of Look.
+/// light and fog, as drawn by the teaching programs that the library continues. Of Look it uses the
+/// sun's direction alone.
 enum class LookKind { physical, seed };
 std::vector<std::string> look_names();
-/// Returns the look of a name. Throws Error invalid_value.
+/// Returns the look of that name. Throws Error invalid_value.
 LookKind look_of(std::string_view name);
 
 /// The kinds of scenes that the renderer draws.
 enum class SceneKind { sea, land };
 
-/// land: by height, slope and exposure, with a snow line. seed: the two-colour ramp over the height
-/// of the teaching programs that the library continues.
+/// land: by height, slope and exposure, with a snow line. seed: the teaching programs' two-colour
+/// ramp over the height.
 enum class LandColours { land, seed };
 std::vector<std::string> land_colour_names();
-/// Returns the colours of a name. Throws Error invalid_value.
+/// Returns the colours of that name. Throws Error invalid_value.
 LandColours land_colours_of(std::string_view name);
 
-/// The light, the air, the water body and the colours of land. The waves are no part of it.
+/// The light, the air, the water body and the colours of land; the waves are described elsewhere.
 struct Look {
     LookKind kind = LookKind::physical;
     double sun_altitude = 35.0;  // [degrees]
     double sun_bearing = 70.0;   // [degrees] counter-clockwise from +x, of the direction to it
-    /// A sky with its sun in place of the computed one; the renderer keeps the last one.
+    /// A sky with its sun in place of the computed one. The renderer keeps the last environment.
     std::shared_ptr<const Environment> environment = nullptr;
     double environment_turn = 0.0;  // [degrees] counter-clockwise, seen from above
     double exposure = 1.0;
@@ -73,7 +73,7 @@ struct Look {
     double foam_amount = 1.0;
     bool repeats = false;  // one period repeats to the horizon, without copies that hide it
     LandColours land_colours = LandColours::land;
-    /// Height above which snow lies on level ground [m]; unset: that of cover_lines().
+    /// Height above which snow lies on level ground [m]; unset: by cover_lines().
     std::optional<double> snow_line = std::nullopt;
 };
 
@@ -90,10 +90,10 @@ enum class View {
     numbers,       // for probes: four numbers of the water in each pixel
     foam_numbers,  // for tests: four numbers of the foam
 };
-/// Returns the names of a scene's views for a person: "shaded", "displacement_x" ... A view is an
-/// enumerator and a row of libocean/preview/view_table.hpp.
+/// Returns the names of a scene's views as users type them: "shaded", "displacement_x" ... A view
+/// is an enumerator and a row of libocean/preview/view_table.hpp.
 std::vector<std::string> view_names(SceneKind kind = SceneKind::sea);
-/// Returns the view of such a name. Throws Error invalid_value.
+/// Returns the view of that name. Throws Error invalid_value.
 View view_of(std::string_view name, SceneKind kind = SceneKind::sea);
 
 }  // namespace ocean::preview

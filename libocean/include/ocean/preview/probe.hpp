@@ -11,10 +11,10 @@
 
 namespace ocean::preview {
 
-/// The drawn water at a place of the world; of folded water the highest sheet.
+/// The drawn water at a place of the world; where water is folded, its highest sheet.
 struct Probe {
-    double mesh_height;      // [m], of the triangle at that place
-    double map_height;       // [m], of the maps at its label, as the light of the pixel uses it
+    double mesh_height;      // of the triangle at that place [m]
+    double map_height;       // of the maps at its label, as the pixel's light uses it [m]
     double shown_slope;      // square of the slope that the pixel shows
     double handed_on_slope;  // mean square slope that the light receives as roughness
     double cover;            // share of the pixel that is foam
@@ -28,12 +28,12 @@ std::optional<Probe> probe(Renderer& renderer, const DrawnSea& sea, const Camera
 
 /// The drawn land at a place of the world.
 struct LandProbe {
-    double mesh_height;  // [m], of the triangle at that place
-    double map_height;   // [m], of the map, by the cubic patch that the mesh follows near the eye
+    double mesh_height;  // of the triangle at that place [m]
+    double map_height;   // of the map's cubic patch, which the mesh follows near the eye [m]
     double shown_slope;  // square of the slope that the pixel shows
 };
 
-/// Returns the numbers of land at a place [m] as probe() of a sea does.
+/// Returns the numbers of land at a place [m], as probe() does for a sea.
 std::optional<LandProbe> probe(Renderer& renderer, const DrawnLand& land, const Camera& camera,
                                const std::array<double, 2>& place);
 

@@ -19,10 +19,11 @@
 
 namespace ocean::preview {
 
-/// How a program keeps between its runs what is the same in each: 8 MB in one piece. Both functions
+/// The program's storage for data that are equal in every run: 8 MB in one piece. Both functions
 /// may be called in another thread, and do not throw.
 struct KeptTextures {
-    /// Returns what the last run wrote. Anything else, "" too, is made anew.
+    /// Returns the text that the last run wrote. If it is any other text, or "", the renderer makes
+    /// the data anew.
     std::function<std::string()> read = {};
     std::function<void(std::string_view bytes)> write = {};
 };
@@ -36,19 +37,20 @@ struct RendererOptions {
     int land_threads = 0;
     /// Shows slopes of land that are finer than its map.
     bool land_detail = true;
-    /// A live renderer waits for patches of land so long [s]; then it draws with those that it has.
+    /// Max time that a live renderer waits for patches of land [s]; then it draws the patches it
+    /// has.
     double land_patience = 0.025;
-    /// Steps of a line towards the sun that finds the shadows of land; 0: no shadows.
+    /// Steps along the line towards the sun that finds the shadows of land; 0: no shadows.
     int shadow_steps = 40;
     /// Samples along the longer side of a pixel's footprint; 0: the driver's anisotropic filter on
     /// a GPU that has one, else 2.
     int taps = 0;
     /// Makes the textures of the foam's pattern in another thread, and draws foam without the
-    /// pattern until they are ready; else the first picture with foam waits for them. Likewise land
-    /// is coarser in pictures for which its patches are not ready.
+    /// pattern until they are ready; else the first picture with foam waits for the textures.
+    /// Likewise land is coarser in pictures for which its patches are not ready.
     bool live = false;
-    /// The textures of the foam's pattern, which take a second of the processor; empty: they are
-    /// made for each renderer.
+    /// The textures of the foam's pattern, which take a second of the processor; empty: each
+    /// renderer makes them.
     KeptTextures kept_textures = {};
     gl::AfterStage after_stage = {};  // "sky", "water" or "land"
     /// Texture units of a fragment shader that the renderer uses; 0: all that the driver has, which
@@ -69,15 +71,15 @@ std::string text(const LeftOut& left_out);
 /// The mesh of the last picture of land.
 struct LandStatistics {
     std::size_t patches = 0;           // squares of the quadtree that were drawn
-    std::size_t triangles = 0;         // of them
+    std::size_t triangles = 0;         // of these patches
     std::uint64_t resident_bytes = 0;  // of all textures of land
     std::size_t waiting = 0;           // patches that other threads make
 };
 
-/// A part of the scene beside the water or the land; defined in libocean/preview/drawable.hpp.
+/// A part of the scene other than water or land; defined in libocean/preview/drawable.hpp.
 class Drawable;
 
-/// A scene as its maps have made it.
+/// A scene, as its maps return it.
 using DrawnScene = std::variant<DrawnSea, DrawnLand>;
 SceneKind kind_of(const DrawnScene& scene);
 
@@ -85,15 +87,15 @@ struct DrawOptions {
     int width = 0;  // [pixels]
     int height = 0;
     View view = View::shaded;
-    /// Lowest and highest value that a view shows; both 0: the view's own range, by the height of
-    /// the sea or the land.
+    /// Lowest and highest value that a view shows; both 0: the view's own range, which follows the
+    /// height of the sea or the land.
     std::array<double, 2> range = {0.0, 0.0};
     bool wireframe = false;
-    /// The only cascade that is shown, from 0, without the waves that no map has; foam remains that
-    /// of the whole sea. -1: all cascades.
+    /// The only cascade that is shown, from 0, without the waves too short for maps; the foam is
+    /// still the whole sea's. -1: all cascades.
     int cascade = -1;
     /// Samples of a pixel that are shaded one by one, because ripples that are seen along a ridge
-    /// are finer than pixels; 1: pixels are shaded. The time grows with it.
+    /// are finer than pixels; 1: each pixel is shaded once. The time grows with this number.
     int shaded_samples = 1;
     /// Draws linear light times the exposure, for a canvas of GL_RGBA32F; else the colours of a
     /// screen.
@@ -102,8 +104,8 @@ struct DrawOptions {
     bool ground = true;
 };
 
-/// Needs the context that was current when it was made to be current in every call, the destructor
-/// too. OpenGL 4.1 core.
+/// Every call, the destructor too, needs the context that was current at construction. OpenGL 4.1
+/// core.
 class Renderer {
   public:
     /// Throws Error no_gpu.
@@ -114,8 +116,8 @@ class Renderer {
 
     /// Adds a part of the scene to all pictures to come.
     void add(std::shared_ptr<Drawable> drawable);
-    /// Returns whether the last picture would change if it were drawn again: a live renderer makes
-    /// the foam's pattern and the patches of land in other threads.
+    /// Returns whether drawing the last picture again would change it: a live renderer makes the
+    /// foam's pattern and the patches of land in other threads.
     Pending pending() const;
     LandStatistics land_statistics() const;
     /// Returns the parts that the last picture lacks.
@@ -129,8 +131,8 @@ class Renderer {
               const DrawOptions& options);
     void draw(const DrawnScene& scene, const Camera& camera, const Look& look,
               const DrawOptions& options);
-    /// Draws the square of `metres` a side with its middle at (x, y) from straight above,
-    /// orthographic, with the mesh of the camera and without the sky. For probes. Throws Error.
+    /// Draws for probes: the square of `metres` a side with its middle at (x, y), from straight
+    /// above, orthographic, with the mesh of the camera and without the sky. Throws Error.
     void draw_from_above(const DrawnSea& sea, const Camera& camera, double x, double y,
                          double metres, const DrawOptions& options);
     void draw_from_above(const DrawnLand& land, const Camera& camera, double x, double y,
