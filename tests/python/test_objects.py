@@ -13,7 +13,7 @@ import pytest
 from conftest import SMALL
 
 import libocean
-from libocean import _library
+from libocean import _abi
 
 GROUND = "libocean = 1\n[terrain]\nresolution = 64\npatch_size = 500.0\n"
 
@@ -165,7 +165,7 @@ def test_a_progress_function_is_told_that_it_may_not_use_its_sea():
 
     with libocean.parse(SMALL, foam_start="empty", progress=progress) as sea:
         sea.surface(1.0, fields=["foam"])
-    assert said and set(said) == {_library.BUSY}
+    assert said and set(said) == {_abi.BUSY}
 
 
 def test_a_star_brings_the_public_names_and_tab_offers_no_others():

@@ -1,14 +1,16 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""The values that a Sea and a Terrain return beside maps, and the structs of libocean.h that they
-arrive in."""
+"""The values that a Sea and a Terrain return beside maps, and the arrays that they arrive in."""
 
 from __future__ import annotations
 
+import ctypes
 from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
+
+from . import _abi
 
 Array = npt.NDArray[np.float32]
 
@@ -18,16 +20,24 @@ GAUGE_COLUMNS = (
 )
 """The columns of Sea.gauges()."""
 
-SAMPLE = np.dtype(
-    [
-        *[("height", np.float32), ("normal", np.float32, 3), ("velocity", np.float32, 3)],
-        *[("foam", np.float32), ("label", np.float64, 2), ("flags", np.int32)],
-        ("reserved", np.int32),
-    ]
-)
-"""ocean_sample of libocean.h."""
-FOLDED = 1
-UNDECIDED = 2
+SAMPLE: np.dtype[Any] = np.dtype(_abi.Sample)
+WATER_SAMPLE: np.dtype[Any] = np.dtype(_abi.WaterSample)
+DETAIL_BAND: np.dtype[Any] = np.dtype(_abi.DetailBand)
+SPRAY_PARTICLE: np.dtype[Any] = np.dtype(_abi.SprayParticle)
+
+_C_TYPES: dict[np.dtype[Any], Any] = {
+    np.dtype(kind): kind
+    for kind in (
+        *(ctypes.c_float, ctypes.c_double, ctypes.c_uint32),
+        *(_abi.Sample, _abi.WaterSample, _abi.DetailBand, _abi.SprayParticle),
+    )
+}
+
+
+def pointer_to(array: npt.NDArray[Any]) -> Any:
+    """Returns a C pointer to the items of an array, by their type: where libocean.h wants another
+    one, ctypes raises. The pointer keeps the array."""
+    return array.ctypes.data_as(ctypes.POINTER(_C_TYPES[array.dtype]))
 
 
 class Samples(NamedTuple):
@@ -52,10 +62,6 @@ class Samples(NamedTuple):
     """The rms difference of the heights from the exact sum over all waves [m]."""
 
 
-WATER_SAMPLE = np.dtype([("velocity", np.float32, 3), ("pressure", np.float32)])
-"""ocean_water_sample of libocean.h."""
-
-
 class Water(NamedTuple):
     """The motion of the water at n points, as arrays of n rows."""
 
@@ -78,16 +84,6 @@ class FloatPose(NamedTuple):
     """(n,), bow up [degrees]."""
     roll: Array
     """(n,), port side up [degrees]."""
-
-
-DETAIL_BAND = np.dtype(
-    [
-        *[("shortest_wave", np.float64), ("longest_wave", np.float64), ("tile", np.float64)],
-        *[("variance_x", np.float64), ("variance_y", np.float64), ("covariance", np.float64)],
-        ("mean_square", np.float64),
-    ]
-)
-"""ocean_detail_band of libocean.h."""
 
 
 class DetailBand(NamedTuple):
@@ -122,15 +118,6 @@ class Detail(NamedTuple):
     """The band of the longest waves first; empty if the map holds all waves."""
     residual: float
     """Mean square slope of the waves shorter than all bands: roughness at any distance."""
-
-
-SPRAY_PARTICLE = np.dtype(
-    [
-        *[("id", np.uint64), ("position", np.float64, 3), ("velocity", np.float32, 3)],
-        *[("age", np.float32), ("life", np.float32), ("radius", np.float32)],
-    ]
-)
-"""ocean_spray_particle of libocean.h."""
 
 
 class Spray(NamedTuple):

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _library
+from . import _abi, _library
 
 _INT32 = 2**31
 _MASKED: Any = np.ma  # it has no types
@@ -27,7 +27,7 @@ def _type_error(name: str, needed: str, value: object) -> TypeError:
 
 
 def _value_error(words: str) -> _library.Error:
-    return _library.error(words, _library.INVALID_ARGUMENT)
+    return _library.error(words, _abi.INVALID_ARGUMENT)
 
 
 def text(name: str, value: object) -> bytes:

@@ -17,10 +17,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _library
+from . import _abi, _library
+from ._answers import pointer_to
 from ._checks import number, path, row, text, whole
 from ._checks import numbers as numbers_of
-from ._library import Options, call, choose, text_of
+from ._library import call, choose, text_of
 from ._read_only import ReadOnly
 from ._reporter import Reporter
 
@@ -103,11 +104,11 @@ class Handle(ReadOnly):
         self._changes = 0
         self._options = (threads, backend, foam_start, progress, jobs)
         self._reporter = Reporter(progress, jobs)
-        options = Options(
-            ctypes.sizeof(Options),
+        options = _abi.Options(
+            ctypes.sizeof(_abi.Options),
             whole("threads", threads),
-            choose("backend", backend, _library.BACKENDS),
-            choose("foam_start", foam_start, _library.FOAM_STARTS),
+            choose("backend", backend, _abi.BACKENDS),
+            choose("foam_start", foam_start, _abi.FOAM_STARTS),
             0,
             self._reporter.progress,
             None,
@@ -210,7 +211,7 @@ class Handle(ReadOnly):
 
     def _open_handle(self) -> ctypes.c_void_p:
         if self._handle is None:
-            raise _library.error(f"this {self._noun} is closed", _library.INVALID_ARGUMENT)
+            raise _library.error(f"this {self._noun} is closed", _abi.INVALID_ARGUMENT)
         return self._handle
 
     # Parameters -------------------------------------------------------------------
@@ -254,7 +255,7 @@ def _bed_of(heights: npt.ArrayLike) -> npt.NDArray[np.float32]:
         raise _library.error(
             f"heights: an array of shape {array.shape}; allowed: [j][i], 2 .. 8192 samples a side, "
             "or None for no bed",
-            _library.INVALID_ARGUMENT,
+            _abi.INVALID_ARGUMENT,
         )
     return np.ascontiguousarray(array, dtype=np.float32)
 
@@ -276,7 +277,7 @@ class SeaHandle(Handle):
             raise _library.error(
                 "this sea cannot be pickled: its text keeps an array as the bed up to 1 MB, and "
                 "this one is larger; give the other process the array and call set_bed() there",
-                _library.UNSUPPORTED,
+                _abi.UNSUPPORTED,
             )
         return super().__reduce__()
 
@@ -311,11 +312,11 @@ class SeaHandle(Handle):
         south, samples `cell` [m] apart both ways; `origin` is the place of heights[0][0] [m]. It
         takes the place of `seabed`. None removes the bed."""
         bed = np.zeros((0, 0), np.float32) if heights is None else _bed_of(heights)
-        data = None if heights is None else bed.ctypes.data
+        data = None if heights is None else pointer_to(bed)
         rows, columns = bed.shape
         place, step = row("origin", origin, 2), number("cell", cell)
         if step <= 0:
-            raise _library.error(f"cell = {step} m; allowed: above 0", _library.INVALID_ARGUMENT)
+            raise _library.error(f"cell = {step} m; allowed: above 0", _abi.INVALID_ARGUMENT)
         with self._lock:
             self._call("ocean_set_bed", data, columns, rows, *place, step)
             self._changes += 1

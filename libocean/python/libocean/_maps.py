@@ -10,11 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from . import _library
-from ._answers import DETAIL_BAND, SPRAY_PARTICLE, Array, Detail, DetailBand, Spray
+from . import _abi, _library
+from ._answers import DETAIL_BAND, SPRAY_PARTICLE, Array, Detail, DetailBand, Spray, pointer_to
 from ._checks import number, resolution_or_0, whole, words
 from ._handle import Handle, SeaHandle
-from ._library import DetailRequest, Output, Request, SprayRequest, choose
+from ._library import choose
 from ._surface import PRODUCTS, channel_number
 
 Map = tuple[Array, tuple[int, ...]]
@@ -23,9 +23,9 @@ Map = tuple[Array, tuple[int, ...]]
 
 def outputs_of(maps: list[Map]) -> Any:
     """Returns the structs by which the library writes into these arrays."""
-    outputs = (Output * len(maps))()
+    outputs = (_abi.Output * len(maps))()
     for output, (array, channels) in zip(outputs, maps, strict=True):
-        output.data = array.ctypes.data_as(ctypes.POINTER(ctypes.c_float))
+        output.data = pointer_to(array)
         output.row_pitch = array.strides[0] // 4
         output.count = (len(array) - 1) * output.row_pitch + array.shape[1] * len(channels)
         output.channel[: len(channels)] = channels
@@ -62,7 +62,7 @@ def require_layout(array: Array, names: tuple[str, ...], columns: int) -> None:
     raise _library.error(
         f"an array of {array.dtype} and shape {array.shape}; needed: float32, "
         f"rows C-contiguous, writable, ({_shape_words(array, columns)}, {len(names)})",
-        _library.INVALID_ARGUMENT,
+        _abi.INVALID_ARGUMENT,
     )
 
 
@@ -81,12 +81,12 @@ class MapWriter(Handle):
         for array, names in maps:
             require_layout(array, names, len(array))
         if len({len(array) for array, _ in maps}) > 1:
-            raise _library.error("arrays of different R in one call", _library.INVALID_ARGUMENT)
+            raise _library.error("arrays of different R in one call", _abi.INVALID_ARGUMENT)
         if maps:
             outputs = [
                 (array, tuple(channel_number(name) for name in names)) for array, names in maps
             ]
-            turn = choose("axes", axes, _library.AXES)
+            turn = choose("axes", axes, _abi.AXES)
             resolution = len(maps[0][0]) - seam
             which = 0 if cascade is None else whole("cascade", cascade) + 1
             self._write_maps(number("time", time), resolution, turn, outputs, seam, which)
@@ -104,13 +104,13 @@ class MapWriter(Handle):
         for output in outputs:
             output.seam = seam
             output.axes = axes
-        request = Request(
-            ctypes.sizeof(Request),
+        request = _abi.Request(
+            ctypes.sizeof(_abi.Request),
             time,
             resolution,
             outputs,
             len(maps),
-            ctypes.sizeof(Output),
+            ctypes.sizeof(_abi.Output),
             cascade,
         )
         self._call(self._prefix + "evaluate", ctypes.byref(request))
@@ -174,8 +174,8 @@ class Maps(MapWriter, SeaHandle):
         surface), about half of the sea's slopes, as slope maps of samples x samples, 256, 512 or
         1024. Materials read them as shaders/wave/slope_tiles.glsl does. The first call makes the
         tiles' waves, later ones for the same map only their times."""
-        request = DetailRequest(
-            ctypes.sizeof(DetailRequest),
+        request = _abi.DetailRequest(
+            ctypes.sizeof(_abi.DetailRequest),
             number("time", time),
             resolution_or_0(resolution),
             whole("samples", samples),
@@ -188,10 +188,10 @@ class Maps(MapWriter, SeaHandle):
             slopes = [np.empty((samples, samples, 2), np.float32) for _ in found]
             channels = tuple(channel_number(name) for name in PRODUCTS["slope"].channels)
             outputs = outputs_of([(array, channels) for array in slopes])
-            request.bands, request.band_count = found.ctypes.data, len(found)
+            request.bands, request.band_count = pointer_to(found), len(found)
             request.band_size = found.itemsize
             request.outputs, request.output_count = outputs, len(outputs)
-            request.output_size = ctypes.sizeof(Output)
+            request.output_size = ctypes.sizeof(_abi.Output)
             counted = ctypes.byref(count)
             self._call("ocean_detail", ctypes.byref(request), counted, ctypes.byref(residual))
         bands = [
@@ -213,8 +213,8 @@ class Maps(MapWriter, SeaHandle):
         7 m/s none. most: about the max number alive at once; a larger number is thinned evenly. The
         first call makes a small map for every tick of the foam's clock within the lifetime, a later
         one the new ticks only."""
-        request = SprayRequest(
-            ctypes.sizeof(SprayRequest),
+        request = _abi.SprayRequest(
+            ctypes.sizeof(_abi.SprayRequest),
             number("time", time),
             number("spray: lifetime", lifetime),
             number("spray: density", density),
@@ -224,7 +224,7 @@ class Maps(MapWriter, SeaHandle):
         with self._lock:
             self._call("ocean_spray", ctypes.byref(request), ctypes.byref(count))
             found = np.empty(count.value, dtype=SPRAY_PARTICLE)
-            request.particles = found.ctypes.data
+            request.particles = pointer_to(found)
             request.particle_count = len(found)
             request.particle_size = found.itemsize
             self._call("ocean_spray", ctypes.byref(request), ctypes.byref(count))

@@ -11,21 +11,19 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _library
+from . import _abi, _library
 from ._answers import (
-    FOLDED,
     GAUGE_COLUMNS,
     SAMPLE,
-    UNDECIDED,
     WATER_SAMPLE,
     Array,
     FloatPose,
     Samples,
     Water,
+    pointer_to,
 )
 from ._checks import hide, number, numbers, points_of, whole
 from ._handle import SeaHandle
-from ._library import Gauge, GaugeRequest, QueryRequest, WaterRequest
 
 
 def _track(gauge: npt.ArrayLike) -> tuple[npt.NDArray[np.float64], tuple[float, float]]:
@@ -39,7 +37,7 @@ def _track(gauge: npt.ArrayLike) -> tuple[npt.NDArray[np.float64], tuple[float, 
     if track.ndim != 2 or track.shape[1] != 4:
         raise _library.error(
             f"a gauge of shape {track.shape}; allowed: {allowed}",
-            _library.INVALID_ARGUMENT,
+            _abi.INVALID_ARGUMENT,
         )
     return track, velocity
 
@@ -78,7 +76,7 @@ class Queries(SeaHandle):
         error = ctypes.c_double()
         how = *_how(resolution, refine, exact), bool(foam), ctypes.pointer(error)
         where, hidden = points_of("points", points, 2)
-        answers = self._samples("ocean_query_points", QueryRequest, SAMPLE, where, time, how)
+        answers = self._samples("ocean_query_points", _abi.QueryRequest, SAMPLE, where, time, how)
         hide(answers, hidden)
         if not foam:
             answers["foam"] = np.nan
@@ -89,8 +87,8 @@ class Queries(SeaHandle):
             velocity=answers["velocity"],
             foam=answers["foam"],
             label=answers["label"],
-            folded=flags & FOLDED != 0,
-            undecided=flags & UNDECIDED != 0,
+            folded=flags & _abi.FOLDED != 0,
+            undecided=flags & _abi.UNDECIDED != 0,
             height_error=error.value,
         )
 
@@ -114,7 +112,9 @@ class Queries(SeaHandle):
         exact as in samples()."""
         where, hidden = points_of("points", points, 3)
         how = _how(resolution, refine, exact)
-        answers = self._samples("ocean_water_points", WaterRequest, WATER_SAMPLE, where, time, how)
+        answers = self._samples(
+            "ocean_water_points", _abi.WaterRequest, WATER_SAMPLE, where, time, how
+        )
         hide(answers, hidden)
         return Water(answers["velocity"], answers["pressure"])
 
@@ -126,20 +126,20 @@ class Queries(SeaHandle):
         (x, y, z, vx, vy) for one that moves on, with x, y and z at time 0, or (m, 4): time, x, y, z
         of a track."""
         tracks = [_track(gauge) for gauge in gauges]
-        array = (Gauge * len(tracks))()
+        array = (_abi.Gauge * len(tracks))()
         for gauge, (track, velocity) in zip(array, tracks, strict=True):
-            gauge.fixes = track.ctypes.data
+            gauge.fixes = pointer_to(track)
             gauge.fix_count = len(track)
             gauge.velocity[:] = velocity
-        request = GaugeRequest(
-            ctypes.sizeof(GaugeRequest),
+        request = _abi.GaugeRequest(
+            ctypes.sizeof(_abi.GaugeRequest),
             *(number("start", start), number("end", end), number("rate", rate)),
-            *(array, len(array), ctypes.sizeof(Gauge)),
+            *(array, len(array), ctypes.sizeof(_abi.Gauge)),
         )
         times = ctypes.c_size_t()
         self._call("ocean_gauges", ctypes.byref(request), ctypes.byref(times))
         values = np.empty((times.value, len(array), len(GAUGE_COLUMNS)))
-        request.values = values.ctypes.data
+        request.values = pointer_to(values)
         request.value_count = values.size
         self._call("ocean_gauges", ctypes.byref(request), ctypes.byref(times))
         return values
@@ -161,7 +161,7 @@ class Queries(SeaHandle):
     ) -> npt.NDArray[Any]:
         """Returns a sample for each point; `how` holds the request's members after them."""
         answers = np.empty(len(points), dtype=sample)
-        places = (points.ctypes.data, len(points), answers.ctypes.data, sample.itemsize)
+        places = (pointer_to(points), len(points), pointer_to(answers), sample.itemsize)
         when = number("time", time)
         request = request_type(ctypes.sizeof(request_type), when, *places, *how)
         self._call(name, ctypes.byref(request))
@@ -179,6 +179,7 @@ class Queries(SeaHandle):
         """Returns one row of floats for each row of `width` numbers."""
         given, hidden = points_of(name, values, width)
         answers = np.empty((len(given), columns), dtype=np.float32)
-        self._call(function, *when, given.ctypes.data, len(given), answers.ctypes.data, columns)
+        given_rows = pointer_to(given), len(given)
+        self._call(function, *when, *given_rows, pointer_to(answers), columns)
         hide(answers, hidden)
         return answers

@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from . import _library
+from . import _abi, _library
 from ._answers import Array
 from ._checks import columns_and_rows, number, row, words
-from ._library import Output, RegionRequest, choose
+from ._library import choose
 from ._maps import Map, named_arrays, outputs_of, require_layout
 from ._surface import PRODUCTS, channel_number
 
@@ -23,7 +23,7 @@ def region_arrays(fields: Iterable[str], samples: tuple[int, int]) -> dict[str, 
     columns, rows = columns_and_rows(samples)
     names = words("fields", fields)
     if not names:
-        raise _library.error("a region needs the name of a field", _library.INVALID_ARGUMENT)
+        raise _library.error("a region needs the name of a field", _abi.INVALID_ARGUMENT)
     maps: dict[str, Map] = {}
     for name in names:
         choose("field", name, tuple(PRODUCTS))
@@ -38,7 +38,7 @@ def region_buffers(buffers: Iterable[tuple[Array, Sequence[str]]]) -> list[Map]:
     arrays that the library cannot write into."""
     arrays = named_arrays(buffers)
     if len({array.shape[:2] for array, _ in arrays}) != 1:
-        raise _library.error("arrays of one shape are needed", _library.INVALID_ARGUMENT)
+        raise _library.error("arrays of one shape are needed", _abi.INVALID_ARGUMENT)
     for array, names in arrays:
         require_layout(array, names, array.shape[1])
     return [
@@ -52,11 +52,11 @@ def region_request(origin: tuple[float, float], cell: float, maps: Iterable[Map]
     listed = list(maps)
     rows, columns = listed[0][0].shape[:2]
     outputs = outputs_of(listed)
-    turn = choose("axes", axes, _library.AXES)
+    turn = choose("axes", axes, _abi.AXES)
     for output in outputs:
         output.axes = turn
-    return RegionRequest(
-        ctypes.sizeof(RegionRequest),
+    return _abi.RegionRequest(
+        ctypes.sizeof(_abi.RegionRequest),
         *(*row("origin", origin, 2), number("cell", cell)),
-        *(columns, rows, outputs, len(listed), ctypes.sizeof(Output)),
+        *(columns, rows, outputs, len(listed), ctypes.sizeof(_abi.Output)),
     )

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from . import _library
+from . import _abi, _library
 
 
 class Reporter:
@@ -27,8 +27,8 @@ class Reporter:
         self._signal: tuple[int, Any] | None = None
         self._failure: BaseException | None = None
         self._inside = False
-        self.progress = _library.Progress(self._report)
-        self.run_jobs = _library.RunJobs(self._run_jobs) if jobs else _library.RunJobs()
+        self.progress = _abi.Progress(self._report)
+        self.run_jobs = _abi.RunJobs(self._run_jobs) if jobs else _abi.RunJobs()
 
     def _report(self, _user: Any, done: int, total: int) -> int:
         if self._signal is None and self._progress is not None and total > 0:
@@ -51,7 +51,7 @@ class Reporter:
             raise _library.error(
                 "a progress or jobs function uses the subject whose call it serves; give it a "
                 "clone()",
-                _library.BUSY,
+                _abi.BUSY,
             )
 
     @contextmanager

@@ -10,10 +10,10 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from . import _library
-from ._answers import DETAIL_BAND, Array, Detail
+from . import _abi
+from ._answers import DETAIL_BAND, Array, Detail, pointer_to
 from ._checks import columns_and_rows, number, resolution_or_0, row, text, whole
-from ._library import ProvenanceRequest, choose
+from ._library import choose
 from ._maps import Maps
 from ._queries import Queries
 from ._regions import region_arrays, region_buffers, region_request
@@ -85,7 +85,7 @@ class Sea(Maps, Queries):
         columns, rows = columns_and_rows(samples)
         place = *row("origin", origin, 2), number("cell", cell)
         heights = np.empty((rows, columns), np.float32)
-        self._call("ocean_bed_region", *place, columns, rows, heights.ctypes.data)
+        self._call("ocean_bed_region", *place, columns, rows, pointer_to(heights))
         return heights
 
     def provenance(
@@ -103,15 +103,15 @@ class Sea(Maps, Queries):
         product in the file, one of PRODUCTS, or "detail1" .. "detail3" beside maps of `resolution`;
         None: without strings about a product. axes: the order of the file's vectors. detail: of the
         frame, whose band the file holds."""
-        size = ctypes.sizeof(ProvenanceRequest)
-        request = ProvenanceRequest(size, number("time", time), whole("frame", frame))
-        request.axes = choose("axes", axes, _library.AXES)
+        size = ctypes.sizeof(_abi.ProvenanceRequest)
+        request = _abi.ProvenanceRequest(size, number("time", time), whole("frame", frame))
+        request.axes = choose("axes", axes, _abi.AXES)
         request.field = None if field is None else text("field", field)
         request.resolution = resolution_or_0(resolution)
         if detail is not None and field is not None and field.startswith("detail"):
             fields = [f"detail{n}" for n in range(1, len(detail.bands) + 1)]
             band = detail.bands[choose("field", field, fields)].as_struct()
-            request.band, request.band_size = band.ctypes.data, DETAIL_BAND.itemsize
+            request.band, request.band_size = pointer_to(band), DETAIL_BAND.itemsize
             request.residual = detail.residual
         strings: dict[str, str] = json.loads(
             self._text("ocean_provenance_json", ctypes.byref(request))

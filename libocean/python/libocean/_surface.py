@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from . import _library
+from . import _abi, _library
 from ._answers import Array
 from ._checks import resolution as checked_resolution
 from ._checks import time_of_maps, words
@@ -18,27 +18,20 @@ if TYPE_CHECKING:
     from ._sea import Sea
     from ._terrain import Terrain
 
-CHANNELS = (
-    *("dx", "dy", "height", "nx", "ny", "nz", "slope_x", "slope_y"),
-    *("jacobian", "whitecap", "foam", "vx", "vy", "vz", "dx_x", "dy_y", "dx_y"),
-    "cover",
-)
+_CHANNELS = tuple(_abi.CHANNELS)
+
+CHANNELS = _CHANNELS[: _CHANNELS.index("wear")]
 """The channels of waves, in the order of the C enum."""
 
-MASKS = (
-    *("wear", "gully", "ridge", "flow", "deposit", "streambed", "wetness"),
-    *("beach", "cliff", "shelter", "depth", "breaking"),
-)
+MASKS = _CHANNELS[len(CHANNELS) :]
 """The masks of terrains and of seas over a bed, in the order of the C enum."""
-
-_FIRST_MASK = 40
 
 
 def channel_number(name: str) -> int:
     """Returns the number of a channel or a mask in the C enum."""
-    if name in MASKS:
-        return _FIRST_MASK + MASKS.index(name)
-    return choose("channel", name, CHANNELS)
+    if name not in MASKS:
+        choose("channel", name, CHANNELS)
+    return _abi.CHANNELS[name]
 
 
 class Product(NamedTuple):
@@ -137,7 +130,7 @@ class Surface(ReadOnly):
             raise TypeError("a surface is made by surface() of a sea or a terrain")
         self._subject: Sea | Terrain | None = subject  # None in one that was pickled
         self._changes = subject._changes
-        self._axes = choose("axes", axes, _library.AXES)
+        self._axes = choose("axes", axes, _abi.AXES)
         self._arrays: dict[str, Array] = {}
         self._time = time_of_maps(time)
         own = subject.map_resolution()  # checked before an array of that size is made
@@ -176,7 +169,7 @@ class Surface(ReadOnly):
         if not self._arrays:
             raise _library.error(
                 "this surface has no field to pickle: name them in surface(..., fields=[...])",
-                _library.INVALID_ARGUMENT,
+                _abi.INVALID_ARGUMENT,
             )
         return {**self.__dict__, "_subject": None}
 
@@ -187,7 +180,7 @@ class Surface(ReadOnly):
             raise _library.error(
                 f"{names[0]} was not computed before this surface was pickled; it has "
                 + ", ".join(self._arrays),
-                _library.INVALID_ARGUMENT,
+                _abi.INVALID_ARGUMENT,
             )
         with self._subject._lock:
             if self._changes != self._subject._changes:
@@ -195,7 +188,7 @@ class Surface(ReadOnly):
                     f"the {self._subject._noun} was changed after this surface was made, before "
                     f"{names[0]} was looked at: name it in surface(..., fields=[...]), or make a "
                     "new surface",
-                    _library.INVALID_ARGUMENT,
+                    _abi.INVALID_ARGUMENT,
                 )
             arrays = self._subject._evaluate(self._time, self._resolution, self._axes, names)
         self._arrays.update(zip(names, arrays, strict=True))

@@ -12,10 +12,10 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from . import _library
-from ._answers import SAMPLE, Array
+from . import _abi
+from ._answers import SAMPLE, Array, pointer_to
 from ._checks import hide, number, points_of, row, text, whole
-from ._library import DomainStruct, MeshRequest, QueryRequest, choose
+from ._library import choose
 from ._maps import MapWriter
 from ._regions import region_arrays, region_buffers, region_request
 from ._surface import Surface
@@ -76,7 +76,7 @@ class Terrain(MapWriter):
     @property
     def domain(self) -> TerrainDomain:
         """The samples of the terrain's own map."""
-        own = DomainStruct(ctypes.sizeof(DomainStruct))
+        own = _abi.Domain(ctypes.sizeof(_abi.Domain))
         self._call("ocean_terrain_domain", ctypes.byref(own))
         return TerrainDomain((own.x, own.y), own.cell, (own.columns, own.rows), bool(own.wraps))
 
@@ -132,8 +132,8 @@ class Terrain(MapWriter):
         place = row("camera", camera, 3)
         if ground is None:
             ground = float(self.query(place[:2]).height[0])
-        request = MeshRequest(
-            ctypes.sizeof(MeshRequest),
+        request = _abi.MeshRequest(
+            ctypes.sizeof(_abi.MeshRequest),
             *(*place, number("ground", ground), number("farthest", farthest)),
             *(number("spacing", spacing), number("range", range)),
         )
@@ -146,8 +146,8 @@ class Terrain(MapWriter):
             ask()
             positions = np.empty((counts[0].value, 3), np.float64)
             corners = np.empty((counts[1].value, 3), np.uint32)
-            request.positions, request.vertex_capacity = positions.ctypes.data, len(positions)
-            request.corners, request.triangle_capacity = corners.ctypes.data, len(corners)
+            request.positions, request.vertex_capacity = pointer_to(positions), len(positions)
+            request.corners, request.triangle_capacity = pointer_to(corners), len(corners)
             ask()
         return TerrainMesh(positions, corners)
 
@@ -190,12 +190,12 @@ class Terrain(MapWriter):
         where, hidden = points_of("points", points, 2)
         error = ctypes.c_double()
         answers = np.empty(len(where), dtype=SAMPLE)
-        request = QueryRequest(
-            ctypes.sizeof(QueryRequest),
+        request = _abi.QueryRequest(
+            ctypes.sizeof(_abi.QueryRequest),
             0.0,
-            where.ctypes.data,
+            pointer_to(where),
             len(where),
-            answers.ctypes.data,
+            pointer_to(answers),
             SAMPLE.itemsize,
             whole("resolution", resolution),
             whole("refine", refine),
@@ -215,7 +215,7 @@ class Terrain(MapWriter):
         with self._lock:
             side = self.map_resolution()
             plane = np.empty((side, side), np.float32)
-            self._call("ocean_terrain_stage", step.encode(), plane.ctypes.data, plane.size)
+            self._call("ocean_terrain_stage", step.encode(), pointer_to(plane), plane.size)
         return plane
 
     def provenance(self, field: str | None = None, *, axes: str = "zup") -> dict[str, str]:
@@ -223,7 +223,7 @@ class Terrain(MapWriter):
         "ocean:terrain", "ocean:period" ... field: the product in the file, "height", "normal" or
         "slope"; None: without strings about a product."""
         name = None if field is None else text("field", field)
-        turn = choose("axes", axes, _library.AXES)
+        turn = choose("axes", axes, _abi.AXES)
         strings: dict[str, str] = json.loads(
             self._text("ocean_terrain_provenance_json", name, turn)
         )
