@@ -75,6 +75,20 @@ ocean_result guarded(Body&& body) noexcept {
     }
 }
 
+/// Calls use(name, value) for each pair of two lists of texts. Throws CallError for NULL.
+template <typename Use>
+void for_each_value(const char* const* names, const char* const* values, std::size_t count,
+                    const Use& use) {
+    if (count == 0) return;
+    require(names, "names");
+    require(values, "values");
+    for (std::size_t i = 0; i < count; ++i) {
+        require(names[i], ("names[" + std::to_string(i) + "]").c_str());
+        require(values[i], ("values[" + std::to_string(i) + "]").c_str());
+        use(names[i], values[i]);
+    }
+}
+
 /// Copies a text result as libocean.h promises for `out` and `size`.
 void copy_text(std::string_view text, char* out, std::size_t* size);
 

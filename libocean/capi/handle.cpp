@@ -5,10 +5,14 @@
 #include "handle.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <thread>
 
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/platform.hpp"
+#include "ocean/text.hpp"
 
 namespace ocean::capi {
 namespace {
@@ -41,6 +45,16 @@ bool enter_to_free(Handle& handle) {
         user = 0;
     }
     return true;
+}
+
+std::string lasting_folder(const std::string& folder) {
+    std::error_code code;
+    const std::filesystem::path current = std::filesystem::current_path(code);
+    return text::to_utf8(code ? utf8_path(folder) : current / utf8_path(folder));
+}
+
+std::string folder_of(const char* path) {
+    return lasting_folder(text::to_utf8(utf8_path(path).parent_path()));
 }
 
 }  // namespace ocean::capi

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <string>
 
 #include "guard.hpp"
 
@@ -31,9 +32,24 @@ class Visit {
     const Handle* handle_;
 };
 
+/// Runs `body` while the one thread in the handle is the caller's. Returns the code of what is
+/// thrown. Each struct behind a handle has the name of its argument, kName.
+template <typename Opened, typename Body>
+ocean_result in_handle(const Opened* handle, const Body& body) noexcept {
+    return guarded([&] {
+        const Visit visit(handle, Opened::kName);
+        body();
+    });
+}
+
 /// Waits until no thread of this process is in the handle, and enters it for good. Returns false if
 /// a thread of the parent process was in it at the fork: it must not be freed then, since that
 /// thread can neither leave it nor say in which state it left it.
 bool enter_to_free(Handle& handle);
+
+/// Returns the folder whatever the process makes its current one later; "" if there is none.
+std::string lasting_folder(const std::string& folder);
+/// Returns the folder of a file, likewise.
+std::string folder_of(const char* path);
 
 }  // namespace ocean::capi

@@ -7,18 +7,12 @@
 
 #include <array>
 #include <cstddef>
-#include <filesystem>
 #include <functional>
-#include <memory>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 #include "guard.hpp"
-#include "handle.hpp"
-#include "ocean/internal/checked_text.hpp"
-#include "ocean/internal/json.hpp"
-#include "ocean/internal/platform.hpp"
+#include "handle_functions.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/sea_bed.hpp"
 #include "ocean/sea_state.hpp"
@@ -45,19 +39,6 @@ ThreadPool::RunJobs on_host(ocean_run_jobs run_jobs, void* user) {
         };
         run_jobs(user, run_one, const_cast<std::function<void(int)>*>(&job), count);
     };
-}
-
-std::string preset_names_json() {
-    JsonArray names;
-    for (const Preset& preset : presets()) names.add(preset.name);
-    return names.text();
-}
-
-/// Another sea from now on: whole, or, where `edit` throws, not at all.
-void change_sea(ocean_sea& sea, const std::function<void(Sea&)>& edit) {
-    Sea changed = sea.ocean->sea();
-    edit(changed);
-    sea.ocean->change(std::move(changed));
 }
 
 void remove_bed(Water& water) {
@@ -98,15 +79,24 @@ void give_bed(Sea& sea, GivenBed given, double x0, double y0) {
 
 }  // namespace
 
-std::string ocean::capi::lasting_folder(const std::string& folder) {
-    std::error_code code;
-    const std::filesystem::path current = std::filesystem::current_path(code);
-    return text::to_utf8(code ? utf8_path(folder) : current / utf8_path(folder));
-}
-
-std::string ocean::capi::folder_of(const char* path) {
-    return lasting_folder(text::to_utf8(utf8_path(path).parent_path()));
-}
+/// The calls by which a sea differs in the functions of handle_functions.hpp.
+template <>
+struct ocean::capi::Family<ocean_sea> {
+    static constexpr auto read_options = capi::read_options;
+    static constexpr auto text = write_sea;
+    static constexpr auto presets = ocean::presets;
+    static constexpr auto find_preset = ocean::find_preset;
+    static Sea read(const char* path) { return read_sea(path); }
+    static Sea parse(std::string_view toml, const char* name, const std::string& folder) {
+        return parse_sea(toml, name, folder);
+    }
+    static const Sea& model(const ocean_sea& handle) { return handle.ocean->sea(); }
+    static auto& parameters(auto& sea) { return sea.parameters; }
+    static void replace(ocean_sea& handle, Sea sea) { handle.ocean->change(std::move(sea)); }
+    static std::string state(const ocean_sea& handle) {
+        return sea_state_json(handle.ocean->state());
+    }
+};
 
 OceanOptions ocean::capi::read_options(const ocean_options* given) {
     if (given == nullptr) return {};
@@ -162,80 +152,36 @@ const char* ocean_last_error_field(int32_t field) {
 }
 
 ocean_result ocean_open(const char* path, const ocean_options* options, ocean_sea** out) {
-    return guarded([&] {
-        require(path, "path");
-        require(out, "out");
-        const OceanOptions opened_with = read_options(options);
-        *out = std::make_unique<ocean_sea>(read_sea(path), opened_with, folder_of(path)).release();
-    });
+    return open_handle(path, options, out);
 }
 
 ocean_result ocean_parse(const char* toml, size_t length, const char* base_dir,
                          const ocean_options* options, ocean_sea** out) {
-    return guarded([&] {
-        require(toml, "toml");
-        require(out, "out");
-        const OceanOptions opened_with = read_options(options);
-        const std::string folder = base_dir != nullptr ? base_dir : "";
-        Sea sea = parse_sea({toml, length}, "text", folder);
-        *out = std::make_unique<ocean_sea>(std::move(sea), opened_with, lasting_folder(folder))
-                   .release();
-    });
+    return parse_handle(toml, length, base_dir, options, out);
 }
 
 ocean_result ocean_clone(const ocean_sea* sea, const ocean_options* options, ocean_sea** out) {
-    return guarded([&] {
-        const Visit visit(sea);
-        require(out, "out");
-        const OceanOptions opened_with = options != nullptr ? read_options(options) : sea->options;
-        *out = std::make_unique<ocean_sea>(*sea, opened_with).release();
-    });
+    return clone_handle(sea, options, out);
 }
 
 void ocean_free(ocean_sea* sea) {
-    if (sea == nullptr) return;
-    const PlainFloats plain;
-    if (!enter_to_free(*sea)) return;
-    delete sea;
+    free_handle(sea);
 }
 
 ocean_result ocean_set(ocean_sea* sea, const char* name, const char* value) {
-    return guarded([&] {
-        const Visit visit(sea);
-        require(name, "name");
-        require(value, "value");
-        change_sea(*sea, [&](Sea& changed) {
-            set_parameter(changed.parameters, name, value);
-            resolve_files(changed, sea->base_dir);
-        });
-    });
+    return set_value(sea, name, value);
 }
 
 ocean_result ocean_set_all(ocean_sea* sea, const char* const* names, const char* const* values,
                            size_t count) {
-    return guarded([&] {
-        const Visit visit(sea);
-        if (count > 0) {
-            require(names, "names");
-            require(values, "values");
-        }
-        change_sea(*sea, [&](Sea& changed) {
-            for (std::size_t i = 0; i < count; ++i) {
-                require(names[i], ("names[" + std::to_string(i) + "]").c_str());
-                require(values[i], ("values[" + std::to_string(i) + "]").c_str());
-                set_parameter(changed.parameters, names[i], values[i]);
-            }
-            resolve_files(changed, sea->base_dir);
-            validate(changed);
-        });
-    });
+    return set_values(sea, names, values, count);
 }
 
 ocean_result ocean_add_waves(ocean_sea* sea, const char* name) {
     return guarded([&] {
         const Visit visit(sea);
         require(name, "name");
-        change_sea(*sea, [&](Sea& changed) { add_wave_system(changed, name); });
+        change(*sea, [&](Sea& changed) { add_wave_system(changed, name); });
     });
 }
 
@@ -243,7 +189,7 @@ ocean_result ocean_remove_waves(ocean_sea* sea, const char* name) {
     return guarded([&] {
         const Visit visit(sea);
         require(name, "name");
-        change_sea(*sea, [&](Sea& changed) { remove_wave_system(changed, name); });
+        change(*sea, [&](Sea& changed) { remove_wave_system(changed, name); });
     });
 }
 
@@ -252,15 +198,14 @@ ocean_result ocean_set_bed(ocean_sea* sea, const float* heights, int32_t nx, int
     return guarded([&] {
         const Visit visit(sea);
         if (heights == nullptr && nx == 0 && ny == 0) {
-            return change_sea(*sea, [](Sea& changed) { remove_bed(changed.parameters.water); });
+            return change(*sea, [](Sea& changed) { remove_bed(changed.parameters.water); });
         }
         require(heights, "heights");
         require_finite(x0, "x0", "metres");
         require_finite(y0, "y0", "metres");
         require_finite(cell, "cell", "metres");
-        change_sea(*sea, [&](Sea& changed) {
-            give_bed(changed, read_bed(heights, nx, ny, cell), x0, y0);
-        });
+        change(*sea,
+               [&](Sea& changed) { give_bed(changed, read_bed(heights, nx, ny, cell), x0, y0); });
     });
 }
 
@@ -274,19 +219,11 @@ ocean_result ocean_perform(ocean_sea* sea, double time, const char* name, const 
 }
 
 ocean_result ocean_get(const ocean_sea* sea, const char* name, char* out, size_t size) {
-    return guarded([&] {
-        const Visit visit(sea);
-        require(name, "name");
-        require(out, "out");
-        copy_text(get_parameter(sea->ocean->parameters(), name), out, &size);
-    });
+    return get_value(sea, name, out, size);
 }
 
 ocean_result ocean_text(const ocean_sea* sea, char* out, size_t* size) {
-    return guarded([&] {
-        const Visit visit(sea);
-        copy_text(write_sea(sea->ocean->sea()), out, size);
-    });
+    return write_text(sea, out, size);
 }
 
 ocean_result ocean_parameters_json(char* out, size_t* size) {
@@ -294,11 +231,7 @@ ocean_result ocean_parameters_json(char* out, size_t* size) {
 }
 
 ocean_result ocean_state_json(const ocean_sea* sea, char* out, size_t* size) {
-    return guarded([&] {
-        const Visit visit(sea);
-        require(size, "size");
-        copy_text(sea_state_json(sea->ocean->state()), out, size);
-    });
+    return write_state(sea, out, size);
 }
 
 ocean_result ocean_records_json(const char* file, char* out, size_t* size) {
@@ -309,9 +242,7 @@ ocean_result ocean_records_json(const char* file, char* out, size_t* size) {
 }
 
 ocean_result ocean_preset(const char* name, char* out, size_t* size) {
-    return guarded([&] {
-        copy_text(name != nullptr ? find_preset(name).toml : preset_names_json(), out, size);
-    });
+    return write_preset<ocean_sea>(name, out, size);
 }
 
 ocean_result ocean_water_types_json(char* out, size_t* size) {

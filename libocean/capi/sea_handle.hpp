@@ -29,6 +29,7 @@ struct CountedSpray {
 }  // namespace ocean::capi
 
 struct ocean_sea : ocean::capi::Handle {
+    static constexpr const char* kName = "sea";
     ocean_sea(ocean::Sea sea, ocean::OceanOptions opened_with, std::string folder)
         : options(std::move(opened_with)),
           base_dir(std::move(folder)),
@@ -48,10 +49,6 @@ struct ocean_sea : ocean::capi::Handle {
 
 namespace ocean::capi {
 
-/// Returns the folder whatever the process makes its current one later; "" if there is none.
-std::string lasting_folder(const std::string& folder);
-/// Returns the folder of a file, likewise.
-std::string folder_of(const char* path);
 /// NULL: the defaults. Throws CallError for what libocean.h does not allow.
 OceanOptions read_options(const ocean_options* given);
 

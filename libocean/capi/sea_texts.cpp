@@ -116,16 +116,10 @@ ocean_result ocean_values_json(const ocean_sea* sea, char* out, size_t* size) {
 ocean_result ocean_text_of_values(const char* const* names, const char* const* values, size_t count,
                                   char* out, size_t* size) {
     return guarded([&] {
-        if (count > 0) {
-            require(names, "names");
-            require(values, "values");
-        }
         std::vector<NamedValue> named;
-        for (std::size_t i = 0; i < count; ++i) {
-            require(names[i], ("names[" + std::to_string(i) + "]").c_str());
-            require(values[i], ("values[" + std::to_string(i) + "]").c_str());
-            named.push_back({names[i], values[i]});
-        }
+        for_each_value(names, values, count, [&](const char* name, const char* value) {
+            named.push_back({name, value});
+        });
         copy_text(text_of_values(named), out, size);
     });
 }

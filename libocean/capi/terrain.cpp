@@ -5,15 +5,14 @@
 // arguments checked and its result copied out.
 #include <algorithm>
 #include <cstddef>
-#include <functional>
-#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "guard.hpp"
-#include "handle.hpp"
+#include "handle_functions.hpp"
 #include "ocean/internal/json.hpp"
 #include "ocean/provenance.hpp"
 #include "ocean/terrain.hpp"
@@ -41,21 +40,6 @@ TerrainOptions terrain_options(const ocean_options* given) {
             .progress = std::move(options.build_progress)};
 }
 
-/// Makes another terrain of the handle: whole, or, where `edit` throws, not at all.
-void change_terrain(ocean_terrain& handle, const std::function<void(TerrainModel&)>& edit) {
-    TerrainModel changed = handle.land->model();
-    edit(changed);
-    resolve_files(changed, handle.base_dir);
-    handle.mesh.reset();
-    handle.land->set_model(std::move(changed));
-}
-
-std::string terrain_preset_names_json() {
-    JsonArray names;
-    for (const Preset& preset : terrain_presets()) names.add(preset.name);
-    return names.text();
-}
-
 TerrainStep step_named(std::string_view word) {
     const auto& words = kEnumWords<TerrainStep>;
     const auto found = std::ranges::find(words, word);
@@ -69,100 +53,65 @@ TerrainStep step_named(std::string_view word) {
 
 }  // namespace
 
+/// The calls by which a terrain differs in the functions of handle_functions.hpp.
+template <>
+struct ocean::capi::Family<ocean_terrain> {
+    static constexpr auto read_options = terrain_options;
+    static constexpr auto read = read_terrain;
+    static constexpr auto parse = parse_terrain;
+    static constexpr auto text = write_terrain;
+    static constexpr auto presets = terrain_presets;
+    static constexpr auto find_preset = find_terrain_preset;
+    static const TerrainModel& model(const ocean_terrain& handle) { return handle.land->model(); }
+    static auto& parameters(auto& terrain) { return terrain; }
+    static void replace(ocean_terrain& handle, TerrainModel terrain) {
+        handle.land->set_model(std::move(terrain));
+        handle.mesh.reset();
+    }
+    static std::string state(const ocean_terrain& handle) {
+        return terrain_state_json(handle.land->state());
+    }
+};
+
 ocean_result ocean_terrain_open(const char* path, const ocean_options* options,
                                 ocean_terrain** out) {
-    return guarded([&] {
-        require(path, "path");
-        require(out, "out");
-        TerrainOptions opened_with = terrain_options(options);
-        *out = std::make_unique<ocean_terrain>(read_terrain(path), std::move(opened_with),
-                                               folder_of(path))
-                   .release();
-    });
+    return open_handle(path, options, out);
 }
 
 ocean_result ocean_terrain_parse(const char* toml, size_t length, const char* base_dir,
                                  const ocean_options* options, ocean_terrain** out) {
-    return guarded([&] {
-        require(toml, "toml");
-        require(out, "out");
-        TerrainOptions opened_with = terrain_options(options);
-        const std::string folder = base_dir != nullptr ? base_dir : "";
-        TerrainModel terrain = parse_terrain({toml, length}, "text", folder);
-        *out = std::make_unique<ocean_terrain>(std::move(terrain), std::move(opened_with),
-                                               lasting_folder(folder))
-                   .release();
-    });
+    return parse_handle(toml, length, base_dir, options, out);
 }
 
 ocean_result ocean_terrain_clone(const ocean_terrain* terrain, const ocean_options* options,
                                  ocean_terrain** out) {
-    return guarded([&] {
-        const Visit visit(terrain, kTerrainHandle);
-        require(out, "out");
-        TerrainOptions opened_with =
-            options != nullptr ? terrain_options(options) : terrain->options;
-        *out = std::make_unique<ocean_terrain>(*terrain, std::move(opened_with)).release();
-    });
+    return clone_handle(terrain, options, out);
 }
 
 void ocean_terrain_free(ocean_terrain* terrain) {
-    if (terrain == nullptr) return;
-    const PlainFloats plain;
-    if (enter_to_free(*terrain)) delete terrain;
+    free_handle(terrain);
 }
 
 ocean_result ocean_terrain_set(ocean_terrain* terrain, const char* name, const char* value) {
-    return guarded([&] {
-        const Visit visit(terrain, kTerrainHandle);
-        require(name, "name");
-        require(value, "value");
-        change_terrain(*terrain,
-                       [&](TerrainModel& changed) { set_parameter(changed, name, value); });
-    });
+    return set_value(terrain, name, value);
 }
 
 ocean_result ocean_terrain_set_all(ocean_terrain* terrain, const char* const* names,
                                    const char* const* values, size_t count) {
-    return guarded([&] {
-        const Visit visit(terrain, kTerrainHandle);
-        if (count > 0) {
-            require(names, "names");
-            require(values, "values");
-        }
-        change_terrain(*terrain, [&](TerrainModel& changed) {
-            for (std::size_t i = 0; i < count; ++i) {
-                require(names[i], ("names[" + std::to_string(i) + "]").c_str());
-                require(values[i], ("values[" + std::to_string(i) + "]").c_str());
-                set_parameter(changed, names[i], values[i]);
-            }
-        });
-    });
+    return set_values(terrain, names, values, count);
 }
 
 ocean_result ocean_terrain_get(const ocean_terrain* terrain, const char* name, char* out,
                                size_t size) {
-    return guarded([&] {
-        const Visit visit(terrain, kTerrainHandle);
-        require(name, "name");
-        require(out, "out");
-        copy_text(get_parameter(terrain->land->model(), name), out, &size);
-    });
+    return get_value(terrain, name, out, size);
 }
 
 ocean_result ocean_terrain_text(const ocean_terrain* terrain, char* out, size_t* size) {
-    return guarded([&] {
-        const Visit visit(terrain, kTerrainHandle);
-        copy_text(write_terrain(terrain->land->model()), out, size);
-    });
+    return write_text(terrain, out, size);
 }
 
 ocean_result ocean_terrain_state_json(const ocean_terrain* terrain, char* out, size_t* size) {
-    return guarded([&] {
-        const Visit visit(terrain, kTerrainHandle);
-        require(size, "size");
-        copy_text(terrain_state_json(terrain->land->state()), out, size);
-    });
+    return write_state(terrain, out, size);
 }
 
 ocean_result ocean_terrain_parameters_json(char* out, size_t* size) {
@@ -170,10 +119,7 @@ ocean_result ocean_terrain_parameters_json(char* out, size_t* size) {
 }
 
 ocean_result ocean_terrain_preset(const char* name, char* out, size_t* size) {
-    return guarded([&] {
-        copy_text(name != nullptr ? find_terrain_preset(name).toml : terrain_preset_names_json(),
-                  out, size);
-    });
+    return write_preset<ocean_terrain>(name, out, size);
 }
 
 ocean_result ocean_terrain_provenance_json(const ocean_terrain* terrain, const char* field,

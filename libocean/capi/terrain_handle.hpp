@@ -33,6 +33,7 @@ struct CountedMesh {
 }  // namespace ocean::capi
 
 struct ocean_terrain : ocean::capi::Handle {
+    static constexpr const char* kName = ocean::capi::kTerrainHandle;
     ocean_terrain(ocean::TerrainModel terrain, ocean::TerrainOptions opened_with,
                   std::string folder)
         : options(std::move(opened_with)),
