@@ -68,7 +68,7 @@ def zipped(files: dict[str, bytes]) -> bytes:
 
 
 def addon_files() -> dict[str, bytes]:
-    there = [*ADDON.rglob("*.py"), *ADDON.glob("thumbnails/*.jpg")]
+    there = [*ADDON.rglob("*.py"), *ADDON.glob("*.po"), *ADDON.glob("thumbnails/*.jpg")]
     files = {path.relative_to(ADDON).as_posix(): path.read_bytes() for path in there}
     for name in ("LICENSE", "README.md"):  # F1 opens the latter
         files[name] = (HERE / name).read_bytes()
