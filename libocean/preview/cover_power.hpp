@@ -21,10 +21,8 @@ class CoverPower {
     CoverPower& operator=(const CoverPower&) = delete;
 
     /// Returns OpenSea::cover_power of a sea at a time [s], or the previous value until it is
-    /// solved.
-    /// A
-    /// call while a solution is in work returns that value too; the first one after it begins the
-    /// next solution. Throws Error.
+    /// solved. A call while a solution is in work returns that value too; the first call after it
+    /// begins the next solution. Throws Error.
     double of(OpenSea& sea, double time, const ShownFoam& foam);
     /// Returns whether a solution is in work, or ready for the next call of of().
     Pending pending() const;
