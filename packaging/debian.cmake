@@ -34,7 +34,7 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/METADATA ${CMAKE_CURRENT_BINARY_DIR}/R
         DESTINATION ${python_folder}/${metadata} COMPONENT python EXCLUDE_FROM_ALL)
 
 set(macros ${PROJECT_SOURCE_DIR}/povray_macros)
-install(FILES ${macros}/ocean.inc ${macros}/coast.inc ${macros}/terrain.inc
+install(DIRECTORY ${PROJECT_BINARY_DIR}/povray_macros/
         DESTINATION share/povray-3.7/include COMPONENT povray EXCLUDE_FROM_ALL)
 install(DIRECTORY ${macros}/examples DESTINATION share/doc/povray-ocean
         COMPONENT povray EXCLUDE_FROM_ALL)

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The colours of the sky and its sun: those of povray_macros/ocean.inc, where a white surface under
-// a sun at the zenith has radiance 2.2 before the loss in the air, or those of an environment.
+// The colours of the sky and its sun: those of povray_macros/ocean/sky.inc, where a white surface
+// under a sun at the zenith has radiance 2.2 before the loss in the air, or those of an
+// environment.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -9,7 +9,7 @@ import bpy
 
 
 def sun_colour(altitude: float) -> tuple[float, float, float]:
-    """Ocean_Sun_Colour of povray_macros/ocean.inc: of a white surface that faces the sun."""
+    """Ocean_Sun_Colour of povray_macros/ocean/sky.inc: of a white surface that faces the sun."""
     air = 1.0 / (math.sin(math.radians(altitude)) + 0.50572 * (altitude + 6.07995) ** -1.6364)
     return tuple(2.2 * math.exp(-each * air) for each in (0.09, 0.14, 0.27))
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The sky, as Ocean_Sky of povray_macros/ocean.inc or as the map of an environment: one function
+// The sky, as Ocean_Sky of povray_macros/ocean/sky.inc or as the map of an environment: one function
 // for the background and for the mirrored sky.
 #include "preview/frame.glsl"
 

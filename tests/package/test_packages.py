@@ -165,6 +165,15 @@ def test_a_component_has_the_files_of_its_package(installed, component):
     assert files == expected
 
 
+def test_scenes_find_the_includes_that_folders_have(installed, tmp_path):
+    options = ("--set", "resolution=64", "--format", "height_field")
+    run(BUILD / "bin/ocean", "-q", "povray", "preset:seed_rough", "-o", tmp_path, *options)
+    folder = installed("povray") / "usr/share/povray-3.7/include"
+    for path in folder.iterdir():
+        assert not re.search(r"^ *@", path.read_text(), re.M), path.name
+    assert (folder / "terrain.inc").read_bytes() == (tmp_path / "terrain.inc").read_bytes()
+
+
 def shown_page(path: Path, *options: str) -> str:
     """Returns the text that man makes of a manual page, without a warning."""
     environment = os.environ | {"LC_ALL": "C.UTF-8", "MANROFFSEQ": "", "MANWIDTH": "80"}

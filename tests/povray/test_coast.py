@@ -215,7 +215,7 @@ def test_no_function_has_two_parameters_that_povray_takes_for_one():
     """A function (x, z, u) reads u as x."""
     macros = Path(__file__).parents[2] / "povray_macros"
     found = []
-    for path in macros.glob("*.inc"):
+    for path in macros.rglob("*.inc*"):
         for parameters in re.findall(r"function *\(([^()]*)\)", path.read_text()):
             names = {name.strip() for name in parameters.split(",")}
             if {"x", "u"} <= names or {"y", "v"} <= names:

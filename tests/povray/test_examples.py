@@ -29,8 +29,9 @@ def test_every_example_and_every_macro_is_on_the_page():
         assert f"](examples/{example.name})" in page
         assert f"renders/povray/macros/{example.stem}.jpg" in page
         assert (ROOT / "renders" / "povray" / "macros" / f"{example.stem}.jpg").is_file()
-    for file, prefix in ("ocean.inc", "Ocean"), ("terrain.inc", "Terrain"):
-        macros = (ROOT / "povray_macros" / file).read_text()
+    for files, prefix in ("ocean/*.inc", "Ocean"), ("terrain.inc.in", "Terrain"):
+        sources = (ROOT / "povray_macros").glob(files)
+        macros = "".join(path.read_text() for path in sources)
         names = re.findall(rf"^#macro ({prefix}_\w*[^_\W])\(", macros, re.MULTILINE)
         assert len(names) > 7
         for name in names:

@@ -19,7 +19,7 @@ def text(path):
 
 
 SHADER = text("shaders/preview/foam_look.glsl")
-MACROS = text("povray_macros/ocean.inc")
+MACROS = "".join(path.read_text() for path in ROOT.glob("povray_macros/ocean/*.inc"))
 NODES = text("blender_addon/libocean_addon/look/foam_nodes.py") + text(
     "blender_addon/libocean_addon/look/water_shader.py"
 )
