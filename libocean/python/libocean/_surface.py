@@ -23,6 +23,20 @@ _CHANNELS = tuple(_abi.CHANNELS)
 CHANNELS = _CHANNELS[: _CHANNELS.index("wear")]
 """The channels of waves, in the order of the C enum."""
 
+_MASK_TEXTS = {
+    "wear": "Floors of gullies -1 .. crests between them 1, (R, R).",
+    "gully": "Floors of gullies, 0 .. 1, (R, R).",
+    "ridge": "Crests between gullies, 0 .. 1, (R, R).",
+    "flow": "The area that drains through each sample [m2], (R, R).",
+    "deposit": "Ground that streams laid down, 0 .. 1, (R, R).",
+    "streambed": "Channels of streams, 0 .. 1, (R, R).",
+    "wetness": "Wetness of the ground by its drainage or by waves that run up, 0 .. 1, (R, R).",
+    "beach": "Sand of beaches, above and under water, 0 .. 1, (R, R).",
+    "cliff": "Cliffs and rocks of exposed shores, 0 .. 1, (R, R).",
+    "shelter": "Shelter of the nearest shore from the sea, 0 .. 1, (R, R).",
+    "depth": "The height of the water over the bed [m], below 0 where it is dry, (R, R).",
+    "breaking": "Fronts of waves that break by the depth, 0 .. 1, (R, R).",
+}
 MASKS = _CHANNELS[len(CHANNELS) :]
 """The masks of terrains and of seas over a bed, in the order of the C enum."""
 
@@ -65,25 +79,9 @@ PRODUCTS = {
         "The share of the water that foam hides, 0 .. 1, (R, R); its mean is the foam seen from "
         "afar.",
     ),
-    "wear": Product(("wear",), "Floors of gullies -1 .. crests between them 1, (R, R)."),
-    "gully": Product(("gully",), "Floors of gullies, 0 .. 1, (R, R)."),
-    "ridge": Product(("ridge",), "Crests between gullies, 0 .. 1, (R, R)."),
-    "flow": Product(("flow",), "The area that drains through each sample [m2], (R, R)."),
-    "deposit": Product(("deposit",), "Ground that streams laid down, 0 .. 1, (R, R)."),
-    "streambed": Product(("streambed",), "Channels of streams, 0 .. 1, (R, R)."),
-    "wetness": Product(
-        ("wetness",),
-        "Wetness of the ground by its drainage or by waves that run up, 0 .. 1, (R, R).",
-    ),
-    "beach": Product(("beach",), "Sand of beaches, above and under water, 0 .. 1, (R, R)."),
-    "cliff": Product(("cliff",), "Cliffs and rocks of exposed shores, 0 .. 1, (R, R)."),
-    "shelter": Product(("shelter",), "Shelter of the nearest shore from the sea, 0 .. 1, (R, R)."),
-    "depth": Product(
-        ("depth",), "The height of the water over the bed [m], below 0 where it is dry, (R, R)."
-    ),
-    "breaking": Product(("breaking",), "Fronts of waves that break by the depth, 0 .. 1, (R, R)."),
+    **{mask: Product((mask,), text) for mask, text in _MASK_TEXTS.items()},
 }
-"""The fields of a Surface by name; the last twelve are masks of terrains that make
+"""The fields of a Surface by name; the last ones are the masks of terrains that make
 them, and of seas over a bed."""
 
 
