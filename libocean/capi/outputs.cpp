@@ -6,13 +6,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "ocean/channel.hpp"
+#include "ocean/enum_words.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/region.hpp"
@@ -24,60 +27,32 @@ namespace {
 constexpr int kMaxComponents = 4;
 constexpr int kUntouched = -1;
 
-/// The channels of libocean.h, with the names that they have in core's table.
-struct NamedChannel {
-    int number;
-    std::string_view name;
-};
-constexpr NamedChannel kNamed[] = {
-    {OCEAN_DX, "dx"},
-    {OCEAN_DY, "dy"},
-    {OCEAN_HEIGHT, "height"},
-    {OCEAN_NX, "nx"},
-    {OCEAN_NY, "ny"},
-    {OCEAN_NZ, "nz"},
-    {OCEAN_SLOPE_X, "slope_x"},
-    {OCEAN_SLOPE_Y, "slope_y"},
-    {OCEAN_JACOBIAN, "jacobian"},
-    {OCEAN_WHITECAP, "whitecap"},
-    {OCEAN_FOAM, "foam"},
-    {OCEAN_VX, "vx"},
-    {OCEAN_VY, "vy"},
-    {OCEAN_VZ, "vz"},
-    {OCEAN_DX_X, "dx_x"},
-    {OCEAN_DY_Y, "dy_y"},
-    {OCEAN_DX_Y, "dx_y"},
-    {OCEAN_COVER, "cover"},
-};
-static_assert(std::ranges::equal(kNamed, kChannels,
-                                 [number = 0](const NamedChannel& ours,
-                                              const ChannelInfo& core) mutable {
-                                     return ours.number == number++ && ours.name == core.name;
-                                 }),
-              "libocean.h has other channels than core's table");
-
-/// The masks of libocean.h, with the names that they have in core's table.
-constexpr NamedChannel kNamedMasks[] = {
-    {OCEAN_WEAR, "wear"},       {OCEAN_GULLY, "gully"},     {OCEAN_RIDGE, "ridge"},
-    {OCEAN_FLOW, "flow"},       {OCEAN_DEPOSIT, "deposit"}, {OCEAN_STREAMBED, "streambed"},
-    {OCEAN_WETNESS, "wetness"}, {OCEAN_BEACH, "beach"},     {OCEAN_CLIFF, "cliff"},
-    {OCEAN_SHELTER, "shelter"}, {OCEAN_DEPTH, "depth"},     {OCEAN_BREAKING, "breaking"},
-};
-static_assert(std::ranges::equal(kNamedMasks, kMaskProducts,
-                                 [number = kFirstMask](const NamedChannel& ours,
-                                                       const Product& core) mutable {
-                                     return ours.number == number++ && ours.name == core.name;
-                                 }),
-              "libocean.h has other masks than core's table");
-
-/// "OCEAN_DX"
+constexpr char upper(char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+/// Returns "OCEAN_DX" for "dx".
 std::string c_name(std::string_view channel) {
     std::string name = "OCEAN_";
-    for (const char c : channel) {
-        name += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    }
+    std::ranges::transform(channel, std::back_inserter(name), upper);
     return name;
 }
+
+using CChannel = decltype(OCEAN_DX);
+constexpr bool is_c_name(std::string_view word, std::string_view channel) {
+    return word.starts_with("OCEAN_") && std::ranges::equal(word.substr(6), channel, {}, {}, upper);
+}
+/// Returns true if libocean.h has the channels of the rows under their names, numbered from First.
+template <auto& Rows, int First, int... Row>
+constexpr bool are_in_c(std::integer_sequence<int, Row...>) {
+    return (is_c_name(enumerator_word<static_cast<CChannel>(First + Row)>(), Rows[Row].name) &&
+            ...);
+}
+template <auto& Rows, int First>
+constexpr bool kAreInC =
+    are_in_c<Rows, First>(std::make_integer_sequence<int, static_cast<int>(std::size(Rows))>()) &&
+    enumerator_word<static_cast<CChannel>(First + std::size(Rows))>().empty();
+static_assert(kAreInC<kChannels, 0>, "libocean.h has other channels than core's table");
+static_assert(kAreInC<kMaskProducts, kFirstMask>, "libocean.h has other masks than core's table");
 
 /// Returns the floats of the smallest buffer that holds the map. Throws CallError if no buffer can
 /// be so large.

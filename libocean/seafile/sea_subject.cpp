@@ -142,11 +142,7 @@ class SeaSubject final : public Subject {
     ChannelSet channels() const override {
         ChannelSet all;
         for (int c = 0; c < kChannelCount; ++c) all = all | static_cast<Channel>(c);
-        if (extent_.is_region()) {
-            using enum LandMask;
-            all = all | channel_of(depth) | channel_of(breaking) | channel_of(wetness);
-        }
-        return all;
+        return extent_.is_region() ? all | masks_of(kSeaKind) : all;
     }
     int default_resolution() const override { return extent_.default_resolution(grid()); }
     Domain domain(int resolution) const override { return extent_.domain(grid(), resolution); }

@@ -222,20 +222,6 @@ std::string height_codes(const Surface& map, io::Df3Slices slices, const std::st
            shortest_text(0.5 * heights.quantum()) + " m\n";
 }
 
-/// Returns the declarations of the number of masks of a map, and of the slice of each mask, -1 for
-/// a missing one.
-std::string mask_slices(std::span<const Channel> masks, const std::string& prefix) {
-    std::string text = "#declare " + prefix + "Masks_ = " + std::to_string(masks.size()) + ";\n";
-    for (const Product& mask : kMaskProducts) {
-        const auto slice = std::ranges::find(masks, mask.channels[0]);
-        std::string name(mask.name);
-        name.front() = static_cast<char>(name.front() - 'a' + 'A');
-        text += "#declare " + prefix + name + "_Slice_ = " +
-                (slice == masks.end() ? "-1" : std::to_string(slice - masks.begin())) + ";\n";
-    }
-    return text;
-}
-
 /// Returns the declarations of a land's maps: their levels, the codes of their heights, and the
 /// slice of each mask, -1 for a missing one.
 std::string land_maps(const FrameWork& work, const Df3Settings& settings,
@@ -256,7 +242,7 @@ std::string land_maps(const FrameWork& work, const Df3Settings& settings,
     return "#declare " + prefix + "Levels_ = array[" + count + "] { " + cells +
            " };  // cell [m], columns, rows of each map\n#declare " + prefix +
            "Level_Codes_ = array[" + count + "] { " + codes + " };  // base and scale [m]\n" +
-           mask_slices(settings.masks, prefix);
+           io::povray_mask_declarations(settings.masks, prefix);
 }
 
 /// Returns the text beside the maps of a frame.
@@ -271,7 +257,9 @@ std::string description(const FrameWork& work, const Df3Settings& settings, cons
     text += io::povray_frame_declarations(work.provenance()) + check_heights(map, prefix) +
             height_codes(map, settings.slices, prefix);
     if (!is_sea) return text + land_maps(work, settings, prefix);
-    if (!settings.masks.empty()) text += mask_slices(settings.masks, prefix + "Coast_");
+    if (!settings.masks.empty()) {
+        text += io::povray_mask_declarations(settings.masks, prefix + "Coast_");
+    }
     const auto levels = work.maps.first(work.plan.maps.resolutions.size());
     return text + io::povray_foam_declarations(levels) + io::povray_detail_declarations(detail);
 }

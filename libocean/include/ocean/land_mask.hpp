@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Masks of a land and of a sea over a bed: scalar maps beside the heights that no wave of the open
-// sea has, for materials and scattered plants. A new mask is an enumerator and a row here, an
-// enumerator of libocean.h and a name in python/libocean/_surface.py.
+// sea has, for materials and scattered plants. A new mask is an enumerator and a row here. Files,
+// command lines, the functions of terrain.inc and the slices of their maps follow from the row;
+// tests/python/test_masks_in_every_host.py names what a host must write itself.
 #pragma once
 
 #include <array>
@@ -90,11 +91,18 @@ inline constexpr auto kMaskProducts = [] {
 }();
 static_assert(kMaskProducts.size() == static_cast<std::size_t>(kMaskCount));
 
-/// All masks, as a set of channels.
-inline constexpr ChannelSet kEveryMask = [] {
-    ChannelSet all;
-    for (const Product& product : kMaskProducts) all = all | product.set();
-    return all;
-}();
+/// The masks whose values are -1 .. 1. Other masks without a unit are 0 .. 1.
+inline constexpr ChannelSet kSignedMasks = channel_of(LandMask::wear);
+
+/// Returns the masks that a kind of subject can have, all masks for "", as a set of channels.
+constexpr ChannelSet masks_of(std::string_view kind) {
+    ChannelSet masks;
+    for (const Product& mask : kMaskProducts) {
+        const bool is_had = kind.empty() || mask.subject.empty() || mask.subject == kind;
+        if (is_had) masks = masks | mask.set();
+    }
+    return masks;
+}
+inline constexpr ChannelSet kEveryMask = masks_of("");
 
 }  // namespace ocean

@@ -4,8 +4,9 @@
 // The bed of a sea for POV-Ray scenes, in the words that terrain.inc reads: the bed is the land of
 // a coast above water and below.
 #include <algorithm>
-#include <cctype>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "ocean/io/df3.hpp"
 #include "ocean/io/povray_declarations.hpp"
@@ -14,23 +15,19 @@
 #include "ocean/version.hpp"
 
 namespace ocean::io {
-namespace {
 
-/// Returns "#declare Terrain_Beach_Slice_ = 0;" for each mask of the table, -1 for a mask that the
-/// map lacks.
-std::string mask_slices(std::span<const Channel> masks) {
-    std::string text = "#declare Terrain_Masks_ = " + std::to_string(masks.size()) + ";\n";
+std::string povray_mask_declarations(std::span<const Channel> masks, std::string_view prefix) {
+    const std::string declare = "#declare " + std::string(prefix);
+    std::string text = declare + "Masks_ = " + std::to_string(masks.size()) + ";\n";
     for (const Product& mask : kMaskProducts) {
         const auto slice = std::ranges::find(masks, mask.channels[0]);
         std::string name(mask.name);
-        name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
-        text += "#declare Terrain_" + name + "_Slice_ = " +
+        name.front() = static_cast<char>(name.front() - 'a' + 'A');
+        text += declare + name + "_Slice_ = " +
                 (slice == masks.end() ? "-1" : std::to_string(slice - masks.begin())) + ";\n";
     }
     return text;
 }
-
-}  // namespace
 
 std::string povray_bed_parameters(const PovrayBed& bed) {
     return "//   Persistence of Vision Ray Tracer Include File\n"
@@ -58,7 +55,8 @@ std::string povray_bed_words(const PovrayBed& bed) {
            ", " + std::to_string(domain.samples[0]) + ", " + std::to_string(domain.samples[1]) +
            "> };  // cell [m], columns, rows of the map\n"
            "#declare Terrain_Level_Codes_ = array[1] { <" +
-           base + ", " + scale + ", 0> };  // base and scale [m]\n" + mask_slices(bed.masks);
+           base + ", " + scale + ", 0> };  // base and scale [m]\n" +
+           povray_mask_declarations(bed.masks, "Terrain_");
 }
 
 }  // namespace ocean::io

@@ -116,7 +116,7 @@ std::uint32_t voxel(const Surface& surface, const Offsets& offsets, const Df3Hei
 }
 
 std::uint8_t mask_code(Channel mask, double value) {
-    if (mask == channel_of(LandMask::wear)) {
+    if (kSignedMasks.contains(mask)) {
         return static_cast<std::uint8_t>(127.0 +
                                          std::nearbyint(127.0 * std::clamp(value, -1.0, 1.0)));
     }

@@ -73,6 +73,9 @@ struct PovrayBed {
 };
 /// Returns the include file terrain_parameters.inc of a bed.
 std::string povray_bed_parameters(const PovrayBed& bed);
+/// Returns the declarations of how many masks a map has, and of the slice of each mask of the
+/// table, -1 for one that the map does not have: "#declare Terrain_Beach_Slice_ = 0;".
+std::string povray_mask_declarations(std::span<const Channel> masks, std::string_view prefix);
 /// Returns the text beside the map of a bed.
 std::string povray_bed_words(const PovrayBed& bed);
 /// Returns the declarations of a frame of any format, in names with the prefix of the frame's
