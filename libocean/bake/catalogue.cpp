@@ -8,6 +8,7 @@
 #include "formats/formats.hpp"
 #include "ocean/sea_subject.hpp"
 #include "ocean/terrain_subject.hpp"
+#include "ocean/text.hpp"
 #include "products/products.hpp"
 
 namespace ocean {
@@ -47,11 +48,7 @@ std::string Catalogue::format_labels(bool displaced) const {
 }
 
 std::string Catalogue::product_names() const {
-    std::string text;
-    for (const Product& product : products) {
-        text += (text.empty() ? "" : ", ") + std::string(product.name);
-    }
-    return text;
+    return joined(products, ", ", &Product::name);
 }
 
 std::string Catalogue::backend_names() const {

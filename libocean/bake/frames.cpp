@@ -107,7 +107,7 @@ std::vector<int> parse_frames(std::string_view text) {
     std::unordered_set<int> seen;
     const std::vector<std::string> parts = split(text, ',');
     for (const std::string& part : parts) {
-        const FrameRange range = parse_range(csv::trimmed(part));
+        const FrameRange range = parse_range(trimmed(part));
         for (long long frame = range.first; frame <= range.last; frame += range.step) {
             const int number = static_cast<int>(frame);
             if (parts.size() > 1 && !seen.insert(number).second) continue;
@@ -215,11 +215,7 @@ OutputPattern OutputPattern::with_token() const {
 
 std::string OutputPattern::extension() const {
     const std::size_t dot = after_.rfind('.');
-    std::string extension = dot == std::string::npos ? "" : after_.substr(dot);
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return extension;
+    return dot == std::string::npos ? "" : lower_case(after_.substr(dot));
 }
 
 std::string OutputPattern::file(int frame, std::string_view product) const {

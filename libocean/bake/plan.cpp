@@ -30,7 +30,7 @@ std::string decimal_rate(const std::string& text) {
     const std::size_t slash = text.find('/');
     if (slash == std::string::npos) return text;
     const auto part = [&](const std::string& digits) {
-        return parse_number(csv::trimmed(digits), "--fps " + text, 1e-9, 1e9);
+        return parse_number(trimmed(digits), "--fps " + text, 1e-9, 1e9);
     };
     return shortest_text(part(text.substr(0, slash)) / part(text.substr(slash + 1)));
 }

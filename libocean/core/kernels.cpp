@@ -16,6 +16,7 @@
 #include "coast/loops/signal_task.hpp"
 #include "land/gullies/gullies_task.hpp"
 #include "ocean/error.hpp"
+#include "ocean/text.hpp"
 #include "waves/kernel/frame_task.hpp"
 
 namespace ocean {
@@ -96,11 +97,8 @@ struct Processor {
 
 /// Throws the error of a build that has no kernel to choose. reason: "... excludes".
 [[noreturn]] void throw_no_kernel(const std::string& reason) {
-    std::string names;
-    for (const Kernel& kernel : kKernels) {
-        if (!names.empty()) names += ", ";
-        names += simd_name(kernel.level);
-    }
+    const std::string names =
+        joined(kKernels, ", ", [](const Kernel& kernel) { return simd_name(kernel.level); });
     throw Error(ErrorKind::unsupported,
                 "this build has kernels for " + names + " only, which " + reason);
 }

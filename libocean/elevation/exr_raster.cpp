@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/text.hpp"
 #include "raster.hpp"
 
 namespace ocean::elevation {
@@ -24,10 +25,8 @@ struct ChannelName {
     std::string layer;  // with its point, in lower case as the word
     std::string word;
 
-    explicit ChannelName(std::string name) {
-        std::ranges::transform(name, name.begin(), [](char c) {
-            return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-        });
+    explicit ChannelName(std::string_view given) {
+        const std::string name = lower_case(given);
         const std::size_t point = name.rfind('.');
         layer = name.substr(0, point == name.npos ? 0 : point + 1);
         word = name.substr(layer.size());
@@ -90,13 +89,12 @@ void read_image(Imf::InputFile& file, const RasterReceiver& receiver) {
     facts.rows = std::int64_t{window.max.y} - window.min.y + 1;
     require_sides(facts.columns, facts.rows);
     Names names;
-    std::string list;
     const Imf::ChannelList& all = file.header().channels();
     for (auto channel = all.begin(); channel != all.end(); ++channel) {
         names.emplace_back(channel.name());
-        list += (list.empty() ? "" : ", ") + text::printable(channel.name(), 40);
     }
-    list = text::printable(list, 200);
+    const auto shown = [](const std::string& name) { return text::printable(name, 40); };
+    const std::string list = text::printable(joined(names, ", ", shown), 200);
     const Names chosen = height_channels(names);
     if (chosen.empty()) throw RasterFault("has no channel of heights, only " + list);
     if (names.size() > 1) {

@@ -9,19 +9,14 @@
 #include <string>
 #include <string_view>
 
+#include "ocean/text.hpp"
+
 namespace ocean::netcdf {
 
 using Words = std::initializer_list<std::string_view>;
 
 inline bool among(std::string_view word, Words words) {
     return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-inline std::string lower_case(std::string_view text) {
-    std::string out(text);
-    std::transform(out.begin(), out.end(), out.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return out;
 }
 
 /// Returns the name in lower-case letters and digits alone: waveA1Value, wave_a1_value and WAVE A1

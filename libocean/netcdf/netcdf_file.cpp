@@ -16,6 +16,8 @@
 
 #include "classic_extent.hpp"
 #include "netcdf_layout.hpp"
+#include "ocean/internal/line_reader.hpp"
+#include "ocean/text.hpp"
 
 namespace ocean::netcdf {
 namespace {
@@ -166,10 +168,8 @@ std::map<std::string, std::string> text_attributes(int group, int variable) {
         if (auto text = text_attribute(group, variable, name)) {
             texts[name] = *text;
         } else if (std::string_view(name) == "flag_values") {
-            std::string& values = texts[name];
-            for (const double value : number_attribute({group, variable, NC_NAT, {}}, name)) {
-                values += (values.empty() ? "" : " ") + std::to_string(std::lround(value));
-            }
+            texts[name] = joined(number_attribute({group, variable, NC_NAT, {}}, name), " ",
+                                 [](double value) { return std::to_string(std::lround(value)); });
         }
     }
     return texts;
@@ -221,15 +221,16 @@ std::size_t checked_size(const Content& content, const std::vector<std::size_t>&
                          const std::string& name, std::size_t left) {
     std::size_t size = 1;
     double exact = 1.0;
-    std::string factors;
     for (const std::size_t d : dimensions) {
-        const std::size_t factor = content.dimensions[d].size;
-        factors += (factors.empty() ? "" : " x ") + std::to_string(factor);
-        exact *= static_cast<double>(factor);
-        size *= factor;
+        exact *= static_cast<double>(content.dimensions[d].size);
+        size *= content.dimensions[d].size;
     }
     if (exact <= static_cast<double>(left)) return size;
-    throw Fault(name, "has " + factors + " values; at most " + std::to_string(kMaxValues) +
+    const auto size_text = [&](std::size_t d) {
+        return std::to_string(content.dimensions[d].size);
+    };
+    throw Fault(name, "has " + joined(dimensions, " x ", size_text) + " values; at most " +
+                          std::to_string(kMaxValues) +
                           " are read of a file: cut it by time or place");
 }
 

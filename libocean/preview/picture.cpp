@@ -15,9 +15,6 @@
 namespace ocean::preview {
 namespace {
 
-constexpr std::span kLooks(kEnumWords<LookKind>);
-constexpr std::span kLandColours(kEnumWords<LandColours>);
-
 std::vector<std::string> as_strings(std::span<const std::string_view> words) {
     return {words.begin(), words.end()};
 }
@@ -29,11 +26,9 @@ Error no_such(const char* what, std::string_view word, std::span<const std::stri
 }
 
 template <typename Enum>
-Enum enumerator_of(std::string_view name, std::span<const std::string_view> words,
-                   const char* what) {
-    const auto found = std::ranges::find(words, name);
-    if (found != words.end()) return static_cast<Enum>(found - words.begin());
-    throw no_such(what, name, words);
+Enum named(std::string_view name, const char* what) {
+    if (const auto found = enumerator_of<Enum>(name)) return *found;
+    throw no_such(what, name, kEnumWords<Enum>);
 }
 
 /// Returns true if a person can choose the view for a scene of that kind.
@@ -77,19 +72,19 @@ Camera::Sight Camera::sight(double from_left, double from_top, double aspect) co
 }
 
 std::vector<std::string> look_names() {
-    return as_strings(kLooks);
+    return as_strings(kEnumWords<LookKind>);
 }
 
 LookKind look_of(std::string_view name) {
-    return enumerator_of<LookKind>(name, kLooks, "look");
+    return named<LookKind>(name, "look");
 }
 
 std::vector<std::string> land_colour_names() {
-    return as_strings(kLandColours);
+    return as_strings(kEnumWords<LandColours>);
 }
 
 LandColours land_colours_of(std::string_view name) {
-    return enumerator_of<LandColours>(name, kLandColours, "colours of land");
+    return named<LandColours>(name, "colours of land");
 }
 
 std::vector<std::string> view_names(SceneKind kind) {

@@ -28,10 +28,8 @@ std::string name_of(std::string_view table) {
     return "water." + std::string(table);
 }
 
-bool is_terrain_file(std::string path) {
-    std::ranges::transform(path, path.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-    return path.ends_with(".toml");
+bool is_terrain_file(const std::string& path) {
+    return lower_case(path).ends_with(".toml");
 }
 
 /// Returns the heights of a land on its own grid. A tile becomes the samples of one period, which

@@ -8,15 +8,13 @@
 #include <cstdint>
 #include <utility>
 
+#include "ocean/text.hpp"
+
 namespace ocean::csv {
 namespace {
 
 constexpr std::string_view kBlanks = " \t";
 constexpr std::size_t kMaxNumberBytes = 64;
-
-char lower_case(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
 
 bool is_separator(char c, char separator) {
     return c == separator || (separator == ' ' && c == '\t');
@@ -147,11 +145,8 @@ Separators separators_of(std::string_view header, std::string_view row) {
 /// Returns the separator of a line "sep=;", as Excel writes it.
 std::optional<char> told_separator(std::string_view line) {
     line = trimmed(line);
-    if (line.size() == 5 && lower_case(line[0]) == 's' && lower_case(line[1]) == 'e' &&
-        lower_case(line[2]) == 'p' && line[3] == '=') {
-        return line[4];
-    }
-    return std::nullopt;
+    const bool tells = line.size() == 5 && lower_case(line).starts_with("sep=");
+    return tells ? std::optional(line[4]) : std::nullopt;
 }
 
 std::string name_of(char separator) {
@@ -169,11 +164,6 @@ bool may_separate_thousands(std::string_view number) {
 }
 
 }  // namespace
-
-std::string_view trimmed(std::string_view text) {
-    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-    return text.substr(0, text.find_last_not_of(kBlanks) + 1);
-}
 
 bool next_row(LineReader& lines) {
     while (lines.next_filled()) {
@@ -218,7 +208,7 @@ Title parse_title(std::string_view cell) {
     cell = cell.substr(0, 64);
     const std::size_t open = cell.find_first_of("([");
     Title title;
-    for (const char c : trimmed(cell.substr(0, open))) title.name += lower_case(c);
+    title.name = lower_case(trimmed(cell.substr(0, open)));
     if (open == std::string_view::npos) return title;
     const std::string_view unit = cell.substr(open + 1);
     const std::size_t close = closing_bracket(cell, open);  // "m2/(rad/s)" contains brackets

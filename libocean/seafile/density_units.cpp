@@ -19,6 +19,7 @@
 
 #include "ocean/grid.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/text.hpp"
 
 namespace ocean {
 namespace {
@@ -127,14 +128,13 @@ std::string plain_text(std::string_view text) {
         std::pair{"{"sv, "("sv},        std::pair{"}"sv, ")"sv},
         std::pair{"_"sv, " "sv},        std::pair{"\t"sv, " "sv},
     };
-    std::string plain(text);
+    std::string plain = lower_case(text);
     for (const auto& [from, to] : kSpellings) {
         for (std::size_t at = 0; (at = plain.find(from, at)) != std::string::npos;
              at += to.size()) {
             plain.replace(at, from.size(), to);
         }
     }
-    for (char& c : plain) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
     return plain;
 }
 

@@ -86,11 +86,9 @@ class RecordReader {
                                   ": is not allowed; allowed: " + allowed);
     }
     Error unknown(const TomlEntry& entry) const {
-        std::vector<std::string_view> names;
-        for (const RecordKey& k : kRecordKeys) names.push_back(k.key);
         return text::error_at(ErrorKind::invalid_value, name_, entry.line,
                               path_ + "." + text::printable(entry.key) + ": no such key" +
-                                  did_you_mean(entry.key, names));
+                                  did_you_mean(entry.key, kRecordKeys, &RecordKey::key));
     }
 
     const std::string& name_;

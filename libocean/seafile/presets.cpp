@@ -65,14 +65,11 @@ std::string names_of(std::span<const Preset> presets) {
 /// not_found.
 const Preset& find_preset_in(std::span<const Preset> presets, std::string_view name,
                              std::string_view noun) {
-    std::vector<std::string_view> names;
-    for (const Preset& preset : presets) {
-        if (preset.name == name) return preset;
-        names.push_back(preset.name);
-    }
-    throw Error(ErrorKind::not_found, "no " + std::string(noun) + " is called '" +
-                                          text::printable(name) + "'" + did_you_mean(name, names) +
-                                          "; allowed: " + names_of(presets));
+    const auto found = std::ranges::find(presets, name, &Preset::name);
+    if (found != presets.end()) return *found;
+    throw Error(ErrorKind::not_found,
+                "no " + std::string(noun) + " is called '" + text::printable(name) + "'" +
+                    did_you_mean(name, presets, &Preset::name) + "; allowed: " + names_of(presets));
 }
 
 }  // namespace

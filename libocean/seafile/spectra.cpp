@@ -20,6 +20,7 @@
 #include "ocean/internal/platform.hpp"
 #include "ocean/internal/utc_time.hpp"
 #include "ocean/seafile.hpp"
+#include "ocean/text.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean {
@@ -134,11 +135,7 @@ void keep_time_and_place(SpectrumRecord& record) {
 }
 
 std::string known_formats() {
-    std::string names;
-    for (const SpectrumFormat* format : kFormats) {
-        names += (names.empty() ? "" : "; ") + std::string(format->name);
-    }
-    return names;
+    return joined(kFormats, "; ", &SpectrumFormat::name);
 }
 
 /// Returns the text of a file, unpacked if it is gzip.

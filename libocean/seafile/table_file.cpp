@@ -11,6 +11,7 @@
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/terrain_table.hpp"
+#include "ocean/text.hpp"
 #include "take.hpp"
 
 namespace ocean {
@@ -201,17 +202,12 @@ void TableFile::refuse_root(const TomlEntry& entry, std::span<const ParameterSpe
                                 .value = shown(*entry.node),
                                 .allowed = "below " + brackets(**outside)});
     }
-    std::string allowed;
-    for (const auto& names : {sections, roots}) {
-        for (const std::string_view name : names) {
-            allowed += (allowed.empty() ? "" : ", ") + std::string(name);
-        }
-    }
     std::vector<std::string_view> known(sections.begin(), sections.end());
     known.insert(known.end(), roots.begin(), roots.end());
     const std::string guess = did_you_mean(entry.key, known);
-    throw fail(entry.line,
-               {.what = "no such section" + guess, .parameter = key, .allowed = allowed});
+    throw fail(
+        entry.line,
+        {.what = "no such section" + guess, .parameter = key, .allowed = joined(known, ", ")});
 }
 
 const toml::table& TableFile::section_of(const TomlEntry& entry, std::string_view section) const {

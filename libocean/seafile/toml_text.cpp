@@ -16,9 +16,7 @@ namespace {
 
 template <typename Items, typename Spell>
 std::string toml_array(const Items& items, const Spell& spell) {
-    std::string list;
-    for (const auto& item : items) list += (list.empty() ? "" : ", ") + spell(item);
-    return "[" + list + "]";
+    return "[" + joined(items, ", ", spell) + "]";
 }
 
 }  // namespace

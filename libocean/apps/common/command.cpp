@@ -9,15 +9,15 @@
 
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/nearest_name.hpp"
+#include "ocean/text.hpp"
 
 namespace ocean::app {
 
 std::string OneOf::fault_of(const std::string& value) const {
     if (std::ranges::find(words, value) != words.end()) return "";
-    std::string allowed;
-    for (const std::string& word : words) allowed += (allowed.empty() ? "" : ", ") + word;
     const std::vector<std::string_view> known(words.begin(), words.end());
-    return "'" + text::printable(value) + "' is none of " + allowed + did_you_mean(value, known);
+    return "'" + text::printable(value) + "' is none of " + joined(words, ", ") +
+           did_you_mean(value, known);
 }
 
 }  // namespace ocean::app

@@ -11,6 +11,7 @@
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/csv_rows.hpp"
 #include "ocean/internal/nearest_name.hpp"
+#include "ocean/text.hpp"
 #include "standard_input.hpp"
 
 namespace ocean::app {
@@ -25,13 +26,6 @@ std::string shown(std::string_view cell) {
     return "'" + text::printable(cell, kShownBytes) + "'";
 }
 
-template <typename Names>
-std::string listed(const Names& names) {
-    std::string list;
-    for (const auto& name : names) list += (list.empty() ? "" : ", ") + std::string(name);
-    return list;
-}
-
 std::vector<std::string_view> names_of(std::span<const PointColumn> columns) {
     std::vector<std::string_view> names;
     for (const PointColumn& column : columns) names.push_back(column.name);
@@ -43,7 +37,7 @@ bool same_unit(std::string_view unit, std::string_view written) {
         {"m", "m"},       {"m", "metre"}, {"m", "metres"},  {"m", "meter"},
         {"m", "meters"},  {"s", "s"},     {"s", "sec"},     {"s", "second"},
         {"s", "seconds"}, {"m/s", "m/s"}, {"m/s", "m s-1"}, {"m/s", "m s^-1"}};
-    const std::pair wanted(unit, csv::trimmed(written));
+    const std::pair wanted(unit, trimmed(written));
     return std::find(std::begin(kSpellings), std::end(kSpellings), wanted) != std::end(kSpellings);
 }
 
@@ -120,7 +114,7 @@ void PointTable::find_columns(const csv::TableReader& reader, std::span<const Po
     });
     if (columns_.empty() && numbers) {
         throw lines.fail("the header line is missing, the first line has numbers; known columns: " +
-                         listed(names));
+                         joined(names, ", "));
     }
     for (const std::string& other : others) {
         const std::string title = csv::parse_title(other).name;
@@ -133,9 +127,9 @@ void PointTable::find_columns(const csv::TableReader& reader, std::span<const Po
     for (const PointColumn& column : known) {
         if (column.kind != Kind::needed || has(column.name)) continue;
         throw lines.fail("the header line lacks the column " + column.name +
-                         (others.empty() ? "" : "; it has " + listed(others)));
+                         (others.empty() ? "" : "; it has " + joined(others, ", ")));
     }
-    if (!others.empty()) left_out_ = "ignored unknown columns: " + listed(others);
+    if (!others.empty()) left_out_ = "ignored unknown columns: " + joined(others, ", ");
 }
 
 PointTable parse_points(std::string_view text, const std::string& name,
@@ -144,7 +138,7 @@ PointTable parse_points(std::string_view text, const std::string& name,
     PointTable table;
     if (reader.titles().empty()) {
         throw reader.lines().fail("the header line is missing; known columns: " +
-                                  listed(names_of(known)));
+                                  joined(names_of(known), ", "));
     }
     table.find_columns(reader, known);
     while (reader.next()) {

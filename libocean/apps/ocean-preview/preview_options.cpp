@@ -361,11 +361,9 @@ void require_fit(const PreviewOptions& options, const OpenedScene& scene) {
     }
     const std::vector<std::string> views = all_view_names(kind);
     if (std::ranges::find(views, options.view) == views.end()) {
-        std::string allowed;
-        for (const std::string& view : views) allowed += (allowed.empty() ? "" : ", ") + view;
         throw Error(ErrorKind::invalid_value, std::string("--view: a ") + noun_of(kind) +
                                                   " has no view '" + options.view +
-                                                  "'; allowed: " + allowed);
+                                                  "'; allowed: " + joined(views, ", "));
     }
     if (sea == nullptr || !options.cascade) return;
     const int cascades = sea->parameters.grid.cascades;

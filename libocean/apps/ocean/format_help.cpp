@@ -111,8 +111,7 @@ std::string option_overview(const std::string& name, const Catalogue& catalogue)
             homes.emplace_back(format->name);
         }
     }
-    std::string names;
-    for (const std::string& home : homes) names += (names.empty() ? "" : ", ") + home;
+    const std::string names = joined(homes, ", ");
     if (differs) return "Differs: see the help of " + names;
     return homes.size() > 1 ? help + " (" + names + ")" : help;
 }

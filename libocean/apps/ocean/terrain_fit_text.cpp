@@ -17,12 +17,10 @@ std::string law_text(const TerrainFit& fit) {
     if (fit.parameters.empty()) {
         return "the table of " + std::to_string(fit.rings.size()) + " rings";
     }
-    std::string text;
-    for (const FittedParameter& parameter : fit.parameters) {
-        text += (text.empty() ? "" : ", ") + parameter.name + " " +
-                significant<4>(parameter.value) + (parameter.is_at_bound ? " (at its bound)" : "");
-    }
-    return text;
+    return joined(fit.parameters, ", ", [](const FittedParameter& parameter) {
+        return parameter.name + " " + significant<4>(parameter.value) +
+               (parameter.is_at_bound ? " (at its bound)" : "");
+    });
 }
 
 std::string octaves_text(const TerrainFit& fit) {

@@ -16,6 +16,7 @@
 #include "ocean/io/exr.hpp"
 #include "ocean/io/product_image.hpp"
 #include "ocean/land_mask.hpp"
+#include "ocean/text.hpp"
 #include "products/requested_families.hpp"
 #include "sha256.hpp"
 #include "source.hpp"
@@ -93,15 +94,13 @@ io::ExrCompression default_compression(std::span<const Product* const> products,
 template <typename Value>
 Value choose(const char* option, const std::string& text,
              std::initializer_list<std::pair<const char*, Value>> choices) {
-    std::vector<std::string_view> names;
-    std::string allowed;
+    using Choice = std::pair<const char*, Value>;
     for (const auto& [name, value] : choices) {
         if (text == name) return value;
-        names.emplace_back(name);
-        allowed += (allowed.empty() ? "" : ", ") + std::string(name);
     }
     throw Error(ErrorKind::invalid_value, std::string(option) + " " + text + ": allowed are " +
-                                              allowed + did_you_mean(text, names));
+                                              joined(choices, ", ", &Choice::first) +
+                                              did_you_mean(text, choices, &Choice::first));
 }
 
 std::optional<ProductChoice> product_choice(const Catalogue& catalogue) {
@@ -203,10 +202,8 @@ std::string header_of(const BakePlan& plan, const ExrSettings& settings, const B
 std::vector<BakeFile> list_files(const BakePlan& plan, const ExrSettings& settings, int frame) {
     std::vector<BakeFile> files;
     for (std::size_t part = 0; part < settings.files(); ++part) {
-        BakeFile file{"", frame, part, ""};
-        for (const Product* product : settings.products_of_file(part)) {
-            file.product += (file.product.empty() ? "" : ",") + std::string(product->name);
-        }
+        const std::string products = joined(settings.products_of_file(part), ",", &Product::name);
+        BakeFile file{"", frame, part, products};
         file.path = plan.pattern.file(frame, plan.product_in_name ? file.product : "");
         files.push_back(std::move(file));
     }

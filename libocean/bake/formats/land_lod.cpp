@@ -189,9 +189,8 @@ std::string land_lod_note(const LandLod& lod) {
 }
 
 std::vector<io::HeaderString> land_lod_strings(const LandLod& lod) {
-    std::string eye;
-    for (const double value : lod.eye) eye += (eye.empty() ? "" : ",") + shortest_text(value);
-    std::vector<io::HeaderString> strings = {{"ocean:lod", eye}};
+    const auto number = [](double value) { return shortest_text(value); };
+    std::vector<io::HeaderString> strings = {{"ocean:lod", joined(lod.eye, ",", number)}};
     if (lod.farthest) strings.push_back({"ocean:farthest", shortest_text(*lod.farthest)});
     return strings;
 }

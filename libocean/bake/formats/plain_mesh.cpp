@@ -27,11 +27,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kOpenings
      {"# The surface of ", ", by libocean\n# ocean:"}}};
 
 std::string names_of(const PlainMesh& mesh) {
-    std::string names;
-    for (const Product* product : mesh.products) {
-        names += (names.empty() ? "" : ",") + std::string(product->name);
-    }
-    return names.empty() ? std::string(kNothing) : names;
+    return mesh.products.empty() ? std::string(kNothing)
+                                 : joined(mesh.products, ",", &Product::name);
 }
 
 }  // namespace

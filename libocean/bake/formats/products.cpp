@@ -44,7 +44,7 @@ std::vector<std::string_view> names_of(const ProductChoice& choice) {
 /// Returns the first name of the list that no product has; "" if all are known.
 std::string unknown_name(const std::string& list, std::span<const Product> known) {
     for (const std::string& part : split(list, ',')) {
-        const std::string name(csv::trimmed(part));
+        const std::string name(trimmed(part));
         if (std::ranges::find(known, name, &Product::name) == known.end()) return name;
     }
     return "";
@@ -54,7 +54,7 @@ std::vector<const Product*> parse_products(const std::string& list,
                                            std::span<const Product> known) {
     std::vector<const Product*> products;
     for (const std::string& part : split(list, ',')) {
-        const std::string name(csv::trimmed(part));
+        const std::string name(trimmed(part));
         const Product* product = &find_product(name, known);
         if (std::ranges::find(products, product) != products.end()) {
             refuse(list, name + " is repeated");
@@ -68,7 +68,7 @@ std::vector<const Product*> parse_products(const std::string& list,
 bool is_alone(const std::string& list, const Product& product) {
     if (list == product.name) return true;
     for (const std::string& part : split(list, ',')) {
-        if (csv::trimmed(part) != product.name) continue;
+        if (trimmed(part) != product.name) continue;
         const std::string name(product.name);
         refuse(list, name + " is a file of points; allowed is --products " + name + " alone");
     }

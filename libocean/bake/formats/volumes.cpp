@@ -62,11 +62,7 @@ std::vector<const Product*> VolumeSettings::product_rows() const {
 }
 
 std::string VolumeSettings::products() const {
-    std::string names;
-    for (const Product* product : product_rows()) {
-        names += (names.empty() ? "" : ",") + std::string(product->name);
-    }
-    return names;
+    return joined(product_rows(), ",", &Product::name);
 }
 
 std::string VolumeSettings::box_text() const {

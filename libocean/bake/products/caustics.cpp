@@ -55,9 +55,9 @@ CausticsRequest read(const BakeOptions& options) {
                     "--sun " + sun + ": two numbers are needed, ALTITUDE,BEARING");
     }
     settings.resolved.sun_altitude =
-        parse_number(csv::trimmed(angles[0]), "--sun, altitude", kMinCausticsSunAltitude, 90.0);
+        parse_number(trimmed(angles[0]), "--sun, altitude", kMinCausticsSunAltitude, 90.0);
     settings.resolved.sun_bearing =
-        parse_number(csv::trimmed(angles[1]), "--sun, bearing", -3600.0, 3600.0);
+        parse_number(trimmed(angles[1]), "--sun, bearing", -3600.0, 3600.0);
     return settings;
 }
 

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "ocean/text.hpp"
+
 namespace ocean {
 namespace {
 
@@ -34,11 +36,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 /// Returns the word in lower case (A to Z), cut after 64 letters.
 std::string folded(std::string_view word) {
-    std::string lower(word.substr(0, 64));
-    for (char& letter : lower) {
-        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-    }
-    return lower;
+    return lower_case(word.substr(0, 64));
 }
 
 std::vector<KnownName> as_known(std::span<const std::string_view> names) {

@@ -187,9 +187,7 @@ NumberPairs parse_pairs(const Place& place, std::string_view text) {
 /// Returns "[a, b]".
 template <typename Items, typename Spell>
 std::string bracketed(const Items& items, const Spell& spell) {
-    std::string result = "[";
-    for (const auto& item : items) result += (result.size() > 1 ? ", " : "") + spell(item);
-    return result + "]";
+    return "[" + joined(items, ", ", spell) + "]";
 }
 
 std::string range_text(double min, double max) {

@@ -71,6 +71,14 @@ std::vector<std::string> split(std::string_view text, std::string_view separator
     }
 }
 
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return lower;
+}
+
 std::size_t utf8_character(std::string_view text) {
     if (text.empty()) return 0;
     const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };

@@ -10,6 +10,7 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/land_mask.hpp"
+#include "ocean/text.hpp"
 
 namespace ocean {
 namespace {
@@ -97,15 +98,11 @@ std::span<const Product> product_table() {
 }
 
 const Product& find_product(std::string_view name, std::span<const Product> products) {
-    std::vector<std::string_view> names;
-    std::string known;
-    for (const Product& product : products) {
-        if (product.name == name) return product;
-        names.push_back(product.name);
-        known += (known.empty() ? "" : ", ") + std::string(product.name);
-    }
+    const auto found = std::ranges::find(products, name, &Product::name);
+    if (found != products.end()) return *found;
     throw Error(ErrorKind::invalid_value, "unknown product '" + std::string(name) + "'" +
-                                              did_you_mean(name, names) + "; known: " + known);
+                                              did_you_mean(name, products, &Product::name) +
+                                              "; known: " + joined(products, ", ", &Product::name));
 }
 
 const Product& find_product(std::string_view name) {

@@ -5,8 +5,10 @@
 // that it is typed once, and a new enumerator has its word without further code.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -46,6 +48,15 @@ inline constexpr auto kEnumWords = []<std::size_t... Values>(std::index_sequence
 template <typename Enum>
 constexpr std::string_view word_of(Enum value) {
     return kEnumWords<Enum>[static_cast<std::size_t>(value)];
+}
+
+/// Returns the enumerator of a word; nothing for a word that no enumerator has.
+template <typename Enum>
+constexpr std::optional<Enum> enumerator_of(std::string_view word) {
+    const auto& words = kEnumWords<Enum>;
+    const auto found = std::ranges::find(words, word);
+    if (found == words.end()) return std::nullopt;
+    return static_cast<Enum>(found - words.begin());
 }
 
 }  // namespace ocean

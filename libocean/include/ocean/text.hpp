@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,19 @@ std::vector<std::string> split(std::string_view text, std::string_view separator
 inline std::vector<std::string> split(std::string_view text, char separator) {
     return split(text, std::string_view(&separator, 1));
 }
+/// Returns the texts of the elements of `range` with `separator` between them; `text_of` returns
+/// the text of one element, or is a pointer to its member.
+template <typename Range, typename TextOf = std::identity>
+std::string joined(const Range& range, std::string_view separator, const TextOf& text_of = {}) {
+    std::string text;
+    for (const auto& element : range) {
+        if (!text.empty()) text += separator;
+        text += std::invoke(text_of, element);
+    }
+    return text;
+}
+/// Returns the text with a .. z for A .. Z.
+std::string lower_case(std::string_view text);
 /// Returns the length in bytes of the well-formed UTF-8 character at the start of `text`; 0 if
 /// there is none.
 std::size_t utf8_character(std::string_view text);

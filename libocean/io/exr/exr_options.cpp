@@ -12,22 +12,20 @@
 namespace ocean::io {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, ExrCompression>, 6> kCompressions{
-    {{"none", ExrCompression::none},
-     {"rle", ExrCompression::rle},
-     {"zips", ExrCompression::zips},
-     {"zip", ExrCompression::zip},
-     {"piz", ExrCompression::piz},
-     {"pxr24", ExrCompression::pxr24}}};
+using Compression = std::pair<std::string_view, ExrCompression>;
+constexpr std::array<Compression, 6> kCompressions{{{"none", ExrCompression::none},
+                                                    {"rle", ExrCompression::rle},
+                                                    {"zips", ExrCompression::zips},
+                                                    {"zip", ExrCompression::zip},
+                                                    {"piz", ExrCompression::piz},
+                                                    {"pxr24", ExrCompression::pxr24}}};
 
 }  // namespace
 
 ExrCompression find_exr_compression(std::string_view name) {
     constexpr const char* kAllowed = "; allowed: none, rle, zips, zip, piz, pxr24";
-    std::vector<std::string_view> names;
     for (const auto& [text, compression] : kCompressions) {
         if (text == name) return compression;
-        names.emplace_back(text);
     }
     // Both families are made for colours: B44 quantises blocks of half pixels; DWA discards details
     // that the eye does not see in channels named R, G, B, Y and keeps other channels.
@@ -36,8 +34,9 @@ ExrCompression find_exr_compression(std::string_view name) {
                                                   "' is lossy and changes vectors by centimetres" +
                                                   kAllowed);
     }
-    throw Error(ErrorKind::invalid_value, "compression '" + std::string(name) + "' is unknown" +
-                                              did_you_mean(name, names) + kAllowed);
+    throw Error(ErrorKind::invalid_value,
+                "compression '" + std::string(name) + "' is unknown" +
+                    did_you_mean(name, kCompressions, &Compression::first) + kAllowed);
 }
 
 std::string_view exr_compression_name(ExrCompression compression) {

@@ -17,7 +17,8 @@
 namespace ocean::io {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Axes>, 3> kAxes{
+using AxesName = std::pair<std::string_view, Axes>;
+constexpr std::array<AxesName, 3> kAxes{
     {{"zup", Axes::zup}, {"yup", Axes::yup}, {"tnb", Axes::tnb}}};
 
 // Component c of a vector in a file is `sign` times component `source` of the z-up vector.
@@ -139,13 +140,11 @@ Image make_image(std::span<const Product* const> products, const ProductLayout& 
 }  // namespace
 
 Axes find_axes(std::string_view name) {
-    std::vector<std::string_view> names;
     for (const auto& [text, axes] : kAxes) {
         if (text == name) return axes;
-        names.emplace_back(text);
     }
     throw Error(ErrorKind::invalid_value, "axes '" + std::string(name) + "' are unknown" +
-                                              did_you_mean(name, names) +
+                                              did_you_mean(name, kAxes, &AxesName::first) +
                                               "; allowed: tnb, zup, yup");
 }
 

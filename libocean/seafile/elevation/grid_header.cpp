@@ -20,14 +20,6 @@ constexpr std::array<std::string_view, 21> kNumberKeys = {
     "nodata", "nbits", "nbands",    "skipbytes", "bandrowbytes", "totalrowbytes", "bandgapbytes"};
 constexpr std::array<std::string_view, 3> kWordKeys = {"byteorder", "pixeltype", "layout"};
 
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return lower;
-}
-
 /// Returns the one spelling for keys with several spellings.
 std::string key_of(std::string_view word) {
     std::string key = lower_case(word);

@@ -14,6 +14,7 @@
 #include "ocean/internal/elevation_rules.hpp"
 #include "ocean/internal/line_reader.hpp"
 #include "ocean/internal/platform.hpp"
+#include "ocean/text.hpp"
 
 namespace ocean {
 namespace {
@@ -30,11 +31,7 @@ Error bad_file(const std::string& path, const std::string& message) {
 }
 
 std::string lower_extension(const std::string& path) {
-    std::string extension = text::to_utf8(utf8_path(path).extension());
-    std::ranges::transform(extension, extension.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return extension;
+    return lower_case(text::to_utf8(utf8_path(path).extension()));
 }
 
 using enum ElevationReader;

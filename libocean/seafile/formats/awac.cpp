@@ -41,7 +41,7 @@ std::string remove_checksum(std::string_view& sentence) {
     if (star == std::string_view::npos) return "the sentence has no checksum: it is cut off";
     unsigned sum = 0;
     for (const char c : sentence.substr(1, star - 1)) sum ^= static_cast<unsigned char>(c);
-    const std::string_view digits = csv::trimmed(sentence.substr(star + 1));
+    const std::string_view digits = trimmed(sentence.substr(star + 1));
     unsigned told = 0;
     const auto [end, error] =
         std::from_chars(digits.data(), digits.data() + digits.size(), told, 16);

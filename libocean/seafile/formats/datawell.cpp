@@ -61,7 +61,7 @@ class DatawellReader {
         for (std::size_t i = 0; i < kHeader.size(); ++i) {
             const std::string what = "the " + std::string(kHeader[i]);
             if (!lines_.next_filled()) throw lines_.fail("the file ends before " + what);
-            const double value = number(csv::trimmed(lines_.line()), what);
+            const double value = number(trimmed(lines_.line()), what);
             if (i == kSmax) smax = within(value, 0.0, 1e6, what, "0 .. 1e6 m^2/Hz");
         }
         return smax;
@@ -139,7 +139,7 @@ bool recognises(std::string_view content) {
     LineReader lines(content, "");
     for (std::size_t i = 0; i < kHeader.size(); ++i) {
         if (!lines.next_filled()) return false;
-        if (i <= kSmax && !text::parse_number(csv::trimmed(lines.line()))) return false;
+        if (i <= kSmax && !text::parse_number(trimmed(lines.line()))) return false;
     }
     return lines.next_filled() && lines.line().find(',') != std::string_view::npos;
 }

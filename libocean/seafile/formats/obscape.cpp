@@ -42,8 +42,8 @@ std::optional<Entry> parse_entry(std::string_view line) {
     if (!line.starts_with('#')) return std::nullopt;
     line.remove_prefix(1);
     const std::size_t sign = std::min(line.find('='), line.size());
-    return Entry{csv::trimmed(line.substr(0, sign)),
-                 csv::trimmed(line.substr(std::min(sign + 1, line.size())))};
+    return Entry{trimmed(line.substr(0, sign)),
+                 trimmed(line.substr(std::min(sign + 1, line.size())))};
 }
 
 class ObscapeReader {
@@ -115,7 +115,7 @@ class ObscapeReader {
 
     void read_frequencies(std::string_view list, std::vector<double>& frequency) const {
         for (const std::string& word : split(list, ',')) {
-            const double f = number(csv::trimmed(word), 0.0, kMaxFrequency, kRows);
+            const double f = number(trimmed(word), 0.0, kMaxFrequency, kRows);
             if (!frequency.empty() && !(f > frequency.back())) {
                 throw lines_.fail("the frequencies do not ascend at bin " +
                                   std::to_string(frequency.size() + 1));

@@ -92,11 +92,11 @@ class OctopusReader {
         need_line(std::string(key));
         const std::string_view line = lines_.line();
         const std::size_t comma = line.find(',');
-        if (comma == std::string_view::npos || csv::trimmed(line.substr(0, comma)) != key) {
+        if (comma == std::string_view::npos || trimmed(line.substr(0, comma)) != key) {
             throw lines_.fail("'" + text::printable(line, 30) + "' where " + std::string(key) +
                               " should be");
         }
-        return number(csv::trimmed(line.substr(comma + 1)), low, high, key);
+        return number(trimmed(line.substr(comma + 1)), low, high, key);
     }
     std::size_t count(std::string_view key, std::size_t least, std::size_t most) {
         const double value = entry(key, static_cast<double>(least), static_cast<double>(most));

@@ -33,7 +33,7 @@ struct Entry {
 std::optional<Entry> parse_entry(std::string_view line) {
     const std::size_t sign = line.find('=');
     if (sign == std::string_view::npos) return std::nullopt;
-    return Entry{csv::trimmed(line.substr(0, sign)), csv::trimmed(line.substr(sign + 1))};
+    return Entry{trimmed(line.substr(0, sign)), trimmed(line.substr(sign + 1))};
 }
 
 bool is_title(std::string_view line) {
@@ -103,8 +103,8 @@ class TriaxysReader {
     static void read_title(SpectrumRecord& record, std::string_view line) {
         const std::vector<std::string> parts = split(line, " - ");
         if (parts.size() < 2) return;
-        record.station = text::printable(csv::trimmed(parts[1]));
-        std::string_view position = csv::trimmed(parts.back());
+        record.station = text::printable(trimmed(parts[1]));
+        std::string_view position = trimmed(parts.back());
         const std::optional<double> latitude = next_angle(position, "NS");
         const std::optional<double> longitude = next_angle(position, "EW");
         const bool known = latitude && longitude && position.empty() &&
@@ -180,7 +180,7 @@ class TriaxysReader {
         for (const std::string_view pattern : {"YYYY-MM-DD hh:mm", "YYYY bbb DD hh:mm"}) {
             const std::optional<UtcTime> time = match_time(value, pattern);
             if (!time || !time->valid()) continue;
-            const std::string_view zone = csv::trimmed(value.substr(pattern.size()));
+            const std::string_view zone = trimmed(value.substr(pattern.size()));
             if (zone.empty() || zone == "(UTC)" || zone == "(GMT)") return time->text();
         }
         throw in_.fail("the DATE '" + text::printable(value, 30) +

@@ -15,13 +15,6 @@
 namespace ocean::app {
 namespace {
 
-std::string lower(std::string_view text) {
-    std::string result(text);
-    std::ranges::transform(result, result.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return result;
-}
-
 /// The slider that the user is dragging.
 struct Drag {
     std::string path;  // empty: none
@@ -189,8 +182,8 @@ void draw_parameter(const ShownParameter& shown,
 
 bool is_found(const ParameterSpec& spec, std::size_t item, const std::string& search) {
     if (search.empty()) return true;
-    const std::string wanted = lower(search);
-    return lower(spec.label).find(wanted) != std::string::npos ||
+    const std::string wanted = lower_case(search);
+    return lower_case(spec.label).find(wanted) != std::string::npos ||
            spec.path(item).find(wanted) != std::string::npos;
 }
 

@@ -234,10 +234,8 @@ const FoamTextureInfo& foam_texture_info(FoamTextureKind kind) {
 }
 
 FoamTextureKind find_foam_texture(std::string_view name) {
-    constexpr auto& names = kEnumWords<FoamTextureKind>;
-    const auto found = std::ranges::find(names, name);
-    if (found != names.end()) return static_cast<FoamTextureKind>(found - names.begin());
-    const std::string_view nearest = nearest_name(name, names);
+    if (const auto found = enumerator_of<FoamTextureKind>(name)) return *found;
+    const std::string_view nearest = nearest_name(name, kEnumWords<FoamTextureKind>);
     throw Error(ErrorKind::invalid_value,
                 "unknown foam texture '" + std::string(name.substr(0, 80)) +
                     (nearest.empty() ? "'; allowed: lace, bubbles, streaks"

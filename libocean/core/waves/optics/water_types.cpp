@@ -96,10 +96,8 @@ std::span<const WaterType> water_types() {
 const WaterType& water_type(std::string_view name) {
     const auto found = std::ranges::find(kTypes, name, &WaterType::name);
     if (found != std::ranges::end(kTypes)) return *found;
-    std::vector<std::string_view> names;
-    for (const WaterType& type : kTypes) names.push_back(type.name);
-    throw Error(ErrorKind::invalid_value,
-                "unknown type of water '" + std::string(name) + "'" + did_you_mean(name, names));
+    throw Error(ErrorKind::invalid_value, "unknown type of water '" + std::string(name) + "'" +
+                                              did_you_mean(name, kTypes, &WaterType::name));
 }
 
 Rgb WaterType::backscattering() const {

@@ -10,6 +10,7 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/map_request.hpp"
+#include "ocean/text.hpp"
 #include "waves/kernel/cpu_backend.hpp"
 #include "waves/surface/plane_channels.hpp"
 #include "waves/synthesis/synthesis.hpp"
@@ -63,13 +64,9 @@ std::span<const Backend> core_backends() {
 }
 
 const Backend& find_backend(std::string_view name) {
-    std::vector<std::string_view> names;
-    std::string known;
-    for (const Backend& backend : core_backends()) {
-        if (backend.name == name) return backend;
-        names.push_back(backend.name);
-        known += (known.empty() ? "" : ", ") + std::string(backend.name);
-    }
+    const std::span<const Backend> known = core_backends();
+    const auto found = std::ranges::find(known, name, &Backend::name);
+    if (found != known.end()) return *found;
     if (name == "gl" || name == "thesis") {
         throw Error(ErrorKind::unsupported,
                     "backend " + std::string(name) +
@@ -77,7 +74,8 @@ const Backend& find_backend(std::string_view name) {
                         "of `cmake --preset release` has it where libepoxy is installed");
     }
     throw Error(ErrorKind::invalid_value, "unknown backend '" + std::string(name) + "'" +
-                                              did_you_mean(name, names) + "; known: " + known);
+                                              did_you_mean(name, known, &Backend::name) +
+                                              "; known: " + joined(known, ", ", &Backend::name));
 }
 
 }  // namespace ocean

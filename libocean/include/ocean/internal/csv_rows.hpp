@@ -14,9 +14,6 @@
 
 namespace ocean::csv {
 
-/// Returns the text without blanks around it.
-std::string_view trimmed(std::string_view text);
-
 /// Steps to the next line that is neither blank nor a comment; false at the end.
 bool next_row(LineReader& lines);
 /// Returns the fields of a line, at most one more than `limit`, without blanks and quotes around

@@ -60,6 +60,12 @@ class LineReader {
     bool cut_off_ = false;
 };
 
+/// Returns the text without blanks around it.
+inline std::string_view trimmed(std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+    return text.substr(0, text.find_last_not_of(" \t") + 1);
+}
+
 /// Removes the next blank-separated word from the front of a line and returns it; empty at its end.
 inline std::string_view next_word(std::string_view& line) {
     line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));

@@ -5,6 +5,7 @@
 // its programs that suggests a name uses this one rule.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,5 +37,12 @@ std::string_view nearest_name(std::string_view word, std::span<const std::string
 /// name is near.
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> names);
 std::string did_you_mean(std::string_view word, std::span<const KnownName> names);
+/// The names are what `name_of` returns of the elements of `range`.
+template <typename Range, typename NameOf>
+std::string did_you_mean(std::string_view word, const Range& range, const NameOf& name_of) {
+    std::vector<std::string_view> names;
+    for (const auto& element : range) names.push_back(std::invoke(name_of, element));
+    return did_you_mean(word, names);
+}
 
 }  // namespace ocean
