@@ -17,8 +17,6 @@
 #include <optional>
 
 #include "free_form.hpp"
-#include "ocean/internal/csv_rows.hpp"
-#include "ocean/internal/directional_record.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
 
@@ -113,11 +111,7 @@ class AwacReader {
         return at < fields_.size() ? std::string(fields_[at]) : std::string();
     }
     double number(std::size_t at, double low, double high, std::string_view what) const {
-        const std::string word = field(at);
-        const std::optional<double> value = text::parse_number(word);
-        if (value && *value >= low && *value <= high) return *value;
-        throw lines_.fail("'" + text::printable(word, 20) + "' is not " + std::string(what) +
-                          " within " + shortest_text(low) + " .. " + shortest_text(high));
+        return number_within(lines_, field(at), low, high, what);
     }
 
     void read_values() {
@@ -163,7 +157,7 @@ class AwacReader {
         Measurement done;
         std::swap(done, now_);
         begun_ = false;
-        if (records_.size() == kMaxRecords) throw lines_.fail("more than 100000 records");
+        require_room(lines_, records_.size());
         if ((values_ += 5 * done.density.size()) > kMaxFileValues) {
             throw lines_.fail("more than 67108864 values over all records");
         }
@@ -234,12 +228,8 @@ bool recognises(std::string_view content) {
     return false;
 }
 
-std::vector<SpectrumRecord> read(const SpectrumSource& source) {
-    return AwacReader(source).read();
-}
-
 }  // namespace
 
-const SpectrumFormat kAwac = {"Nortek AWAC (NMEA)", recognises, read};
+const SpectrumFormat kAwac = {"Nortek AWAC (NMEA)", recognises, read_by<AwacReader>};
 
 }  // namespace ocean

@@ -37,12 +37,10 @@
 
 #include "csv_header.hpp"
 #include "csv_wide.hpp"
+#include "line_checks.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/internal/csv_rows.hpp"
-#include "ocean/internal/directional_record.hpp"
 #include "ocean/internal/utc_time.hpp"
 #include "ocean/text.hpp"
-#include "spectrum_format.hpp"
 
 namespace ocean {
 namespace {
@@ -226,10 +224,10 @@ class CsvReader {
             name = '\n' + key_;
         }
         const auto [found, added] = group_by_key_.emplace(std::move(name), groups_.size());
-        if (added && groups_.size() == kMaxRecords) {
-            throw table_.lines().fail("more than 100000 records");
+        if (added) {
+            require_room(table_.lines(), groups_.size());
+            groups_.push_back({std::move(record), {}, {}});
         }
-        if (added) groups_.push_back({std::move(record), {}, {}});
         current_ = found->second;
         return groups_[current_];
     }

@@ -14,6 +14,7 @@
 #include "ocean/internal/csv_rows.hpp"
 #include "ocean/internal/density_units.hpp"
 #include "ocean/internal/nearest_name.hpp"
+#include "ocean/text.hpp"
 
 namespace ocean::csv {
 namespace {
@@ -76,16 +77,12 @@ std::span<const Unit> units_of(Column column) {
     return bare ? std::span<const Unit>(kNoUnit) : kAngle;
 }
 
-char lower_case(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 /// Returns a unit without the characters that do not matter in it.
 std::string reduced(std::string_view unit) {
     std::string out;
-    for (const char c : unit) {
+    for (const char c : lower_case(unit)) {
         if (c == ' ' || c == '*' || c == '^' || c == '\xC2') continue;
-        out += c == '\xB2' ? '2' : lower_case(c);  // the square of UTF-8 and of latin-1
+        out += c == '\xB2' ? '2' : c;  // the square of UTF-8 and of latin-1
     }
     return out;
 }

@@ -17,8 +17,8 @@
 #include <optional>
 
 #include "csv_header.hpp"
+#include "line_checks.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/internal/csv_rows.hpp"
 #include "ocean/internal/density_units.hpp"
 #include "ocean/text.hpp"
 
@@ -107,8 +107,7 @@ class WideReader {
         std::vector<double> factors;
         std::vector<SpectrumRecord> records;
         for (std::size_t i = axis + 1; i < titles.size(); ++i) {
-            if (records.size() == kMaxRecords)
-                throw table_.lines().fail("more than 100000 records");
+            require_room(table_.lines(), records.size());
             records.emplace_back();
             factors.push_back(describe(titles[i], to_hz != 1.0, records.back()));
             if (!named) {
@@ -149,8 +148,7 @@ class WideReader {
             if (!more) break;
             if (table_.lines().number() == before) throw Error(ErrorKind::bad_file, record.fault);
             if (record.fault.empty() && record.frequency.size() < 2) continue;
-            if (records.size() == kMaxRecords)
-                throw table_.lines().fail("more than 100000 records");
+            require_room(table_.lines(), records.size());
             record.warnings.push_back(
                 "the titles of the table are taken as frequencies in Hz, its values as densities "
                 "in m^2/Hz");

@@ -16,11 +16,9 @@
 #include <tuple>
 #include <utility>
 
-#include "ocean/internal/csv_rows.hpp"
-#include "ocean/internal/directional_record.hpp"
+#include "line_checks.hpp"
 #include "ocean/internal/utc_time.hpp"
 #include "ocean/text.hpp"
-#include "spectrum_format.hpp"
 
 namespace ocean {
 namespace {
@@ -68,24 +66,10 @@ class DatawellReader {
     }
 
     void read_row(SpectrumRecord& record, double smax) {
-        fields_ = csv::fields_of(lines_, ',', kColumns);
-        if (fields_.size() < kColumns && lines_.cut_off()) {
-            throw lines_.fail("the file ends within this line");
-        }
-        if (fields_.size() != kColumns) {
-            throw lines_.fail((fields_.size() > kColumns ? "more" : "fewer") +
-                              std::string(" than the 6 numbers of a frequency"));
-        }
-        if (record.frequency.size() == kMaxFrequencies) {
-            throw lines_.fail("more than 4096 frequencies");
-        }
+        fields_ = exact_fields(lines_, kColumns, "than the 6 numbers of a frequency");
         const double frequency = within(number(fields_[0], "a frequency"), 0.0, kMaxFrequency,
                                         "a frequency", kFrequencyRange);
-        if (!record.frequency.empty() && !(frequency > record.frequency.back())) {
-            throw lines_.fail("the frequencies do not ascend at bin " +
-                              std::to_string(record.frequency.size() + 1));
-        }
-        record.frequency.push_back(frequency);
+        append_frequency(lines_, frequency, record.frequency);
         record.density.push_back(smax * within(number(fields_[1], "a relative density"),
                                                -kMaxRelative, kMaxRelative, "a relative density",
                                                "0 .. 1, of Smax"));

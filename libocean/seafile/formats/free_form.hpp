@@ -13,15 +13,10 @@
 #include <vector>
 
 #include "fortran_number.hpp"
-#include "ocean/internal/line_reader.hpp"
+#include "line_checks.hpp"
 #include "ocean/internal/utc_time.hpp"
-#include "spectrum_format.hpp"
 
 namespace ocean {
-
-/// The max of values in all records of a file: a word as short as SWAN's ZERO may stand for a whole
-/// spectrum.
-inline constexpr std::size_t kMaxFileValues = std::size_t{1} << 26;
 
 /// A format that marks whole lines as comments also has comments after the values of its header.
 /// References must outlive the reader.
@@ -51,6 +46,7 @@ class FreeForm {
     }
     /// Makes the next call of next_line() return this line again.
     void hold_line() { held_ = true; }
+    const LineReader& lines() const { return lines_; }
     std::size_t line_number() const { return lines_.number(); }
     /// Recovers from a fault in the item that begins in line `first`: searches the lines after it
     /// for one that `begins` a new item, which next_line() then returns.
@@ -182,21 +178,9 @@ inline std::vector<double> read_frequencies(FreeForm& in, std::size_t count) {
     while (frequency.size() < count) {
         const double f = in.header_number("a frequency");
         in.require_within(f, 0.0, kMaxFrequency, "a frequency", kFrequencyRange);
-        if (!frequency.empty() && !(f > frequency.back())) {
-            throw in.fail("the frequencies do not ascend at bin " +
-                          std::to_string(frequency.size() + 1));
-        }
-        frequency.push_back(f);
+        append_frequency(in.lines(), f, frequency);
     }
     return frequency;
-}
-
-/// Throws if another record of the same size would exceed the limits of a file.
-inline void require_room(const FreeForm& in, std::size_t records, std::size_t values_of_each) {
-    if (records >= kMaxRecords) throw in.fail("more than 100000 records");
-    if ((records + 1) * values_of_each > kMaxFileValues) {
-        throw in.fail("more than 67108864 values over all records");
-    }
 }
 
 /// Returns the time that `text` begins with, by a pattern with Y M D h m s for digits and b for the

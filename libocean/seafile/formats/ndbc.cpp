@@ -8,9 +8,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "ocean/internal/directional_record.hpp"
 #include "ocean/internal/utc_time.hpp"
-#include "spectrum_format.hpp"
 
 namespace ocean::ndbc {
 namespace {
@@ -131,6 +129,17 @@ Companion by_time(std::vector<Row> rows) {
         companion.emplace(std::move(key), std::move(row));
     }
     return companion;
+}
+
+std::optional<Companions> read_companions(
+    const std::function<std::optional<std::vector<Row>>(Quantity)>& read) {
+    Companions companions;
+    for (std::size_t i = 0; i < companions.size(); ++i) {
+        auto rows = read(static_cast<Quantity>(i + 1));
+        if (!rows) return std::nullopt;
+        companions[i] = by_time(*std::move(rows));
+    }
+    return companions;
 }
 
 std::string station_of(std::string_view stem) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -14,9 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "line_checks.hpp"
 #include "ocean/enum_words.hpp"
-#include "ocean/internal/line_reader.hpp"
-#include "ocean/spectrum_record.hpp"
 
 namespace ocean::ndbc {
 
@@ -58,9 +58,39 @@ double next_frequency(const LineReader& lines, std::string_view word, const std:
 /// degrees; its bin is missing all the same if the spread beside it is.)
 double value(const LineReader& lines, std::string_view word, Quantity quantity, double full);
 
+/// Reads the rows of a table: `read_header` returns true for a header line, `read_row` reads
+/// another one, beside the rows before it. Lines that begin with '#' are skipped.
+template <typename ReadHeader, typename ReadRow>
+std::vector<Row> read_rows(LineReader& lines, const ReadHeader& read_header,
+                           const ReadRow& read_row) {
+    std::vector<Row> rows;
+    while (lines.next_filled()) {
+        if (read_header(lines.line()) || lines.line().starts_with('#')) continue;
+        require_room(lines, rows.size());
+        Row row;
+        catch_fault(row.fault, [&] { read_row(row, rows); });
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+/// Returns true if a header line begins the table, after lines of metadata with a '#'.
+template <typename IsHeader>
+bool begins_with_header(std::string_view content, const IsHeader& is_header) {
+    LineReader lines(content, "");
+    for (std::size_t i = 0; i < kMaxMetadataLines && lines.next_filled(); ++i) {
+        if (is_header(lines.line())) return true;
+        if (!lines.line().starts_with('#')) return false;
+    }
+    return false;
+}
+
 /// Returns the rows of a table whose time is known; of two with one time, the first. Throws Error
 /// bad_file if no time is known.
 Companion by_time(std::vector<Row> rows);
+/// Returns the four companions; nothing if `read`, which reads the table of a quantity, returns
+/// nothing for one of them.
+std::optional<Companions> read_companions(
+    const std::function<std::optional<std::vector<Row>>(Quantity)>& read);
 /// Returns the station of a file's stem. NDBC's identifiers have five characters: "41010" of
 /// "ndbc_41010" and "41010_5day", else the whole stem.
 std::string station_of(std::string_view stem);

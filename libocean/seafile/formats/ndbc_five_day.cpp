@@ -12,8 +12,6 @@
 #include <cmath>
 
 #include "ndbc.hpp"
-#include "ocean/internal/directional_record.hpp"
-#include "spectrum_format.hpp"
 
 namespace ocean {
 namespace {
@@ -50,7 +48,7 @@ class FiveDayReader {
         std::vector<SpectrumRecord> records;
         bool more = next_data_line();
         while (more) {
-            if (records.size() == kMaxRecords) throw lines_.fail("more than 100000 records");
+            require_room(lines_, records.size());
             SpectrumRecord record;
             record.station = station;
             const std::size_t first = lines_.number();
@@ -144,12 +142,7 @@ class FiveDayReader {
 };
 
 bool recognises(std::string_view content) {
-    LineReader lines(content, "");
-    for (std::size_t i = 0; i < ndbc::kMaxMetadataLines && lines.next_filled(); ++i) {
-        if (names_times(lines.line())) return true;
-        if (!lines.line().starts_with('#')) return false;
-    }
-    return false;
+    return ndbc::begins_with_header(content, names_times);
 }
 
 std::vector<SpectrumRecord> read(const SpectrumSource& source) {

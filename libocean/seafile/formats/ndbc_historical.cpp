@@ -12,7 +12,6 @@
 #include <set>
 
 #include "ndbc.hpp"
-#include "spectrum_format.hpp"
 
 namespace ocean {
 namespace {
@@ -54,18 +53,13 @@ class TableReader {
     TableReader(std::string_view content, std::string_view name) : lines_(content, name) {}
 
     std::vector<Row> read(Quantity quantity) {
-        std::vector<Row> rows;
-        while (lines_.next_filled()) {
-            if (const auto words = header_words(lines_.line())) {
-                read_header(*words);
-            } else if (!lines_.line().starts_with('#')) {  // a line of units begins so
-                if (rows.size() == kMaxRecords) throw lines_.fail("more than 100000 records");
-                Row row;
-                catch_fault(row.fault, [&] { read_row(row, quantity); });
-                rows.push_back(std::move(row));
-            }
-        }
-        return rows;
+        const auto read_header_line = [this](std::string_view line) {
+            const auto words = header_words(line);
+            if (words) read_header(*words);
+            return words.has_value();
+        };
+        return ndbc::read_rows(lines_, read_header_line,
+                               [&](Row& row, const std::vector<Row>&) { read_row(row, quantity); });
     }
 
   private:
@@ -169,15 +163,12 @@ std::optional<std::vector<Row>> read_companion(const SpectrumSource& source, con
 std::optional<ndbc::Companions> read_companions(const SpectrumSource& source,
                                                 const std::optional<TableName>& name) {
     if (!name || !source.companion) return std::nullopt;
-    ndbc::Companions companions;
-    for (std::size_t i = 0; i < companions.size(); ++i) {
-        const auto quantity = static_cast<Quantity>(i + 1);
+    return ndbc::read_companions([&](Quantity quantity) {
         auto rows = read_companion(source, *name, quantity);
-        if (!rows) return std::nullopt;
-        if (quantity == Quantity::spread1 || quantity == Quantity::spread2) make_fractions(*rows);
-        companions[i] = ndbc::by_time(std::move(*rows));
-    }
-    return companions;
+        const bool is_spread = quantity == Quantity::spread1 || quantity == Quantity::spread2;
+        if (rows && is_spread) make_fractions(*rows);
+        return rows;
+    });
 }
 
 /// Recognises the header. Tables of meteorology begin alike, but no word of their header is a

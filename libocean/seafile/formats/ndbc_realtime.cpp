@@ -10,7 +10,6 @@
 #include <algorithm>
 
 #include "ndbc.hpp"
-#include "spectrum_format.hpp"
 
 namespace ocean {
 namespace {
@@ -86,22 +85,17 @@ class TableReader {
     TableReader(std::string_view content, std::string_view name) : lines_(content, name) {}
 
     std::vector<Row> read(Quantity expected) {
-        std::vector<Row> rows;
-        while (lines_.next_filled()) {
-            if (const std::optional<Header> header = parse_header(lines_.line())) {
-                if (header->quantity != expected) {
-                    throw lines_.fail(wrong_table(header->quantity, expected));
-                }
-                header_ = header;
-                continue;
+        const auto read_header = [&](std::string_view line) {
+            const std::optional<Header> header = parse_header(line);
+            if (!header) return false;
+            if (header->quantity != expected) {
+                throw lines_.fail(wrong_table(header->quantity, expected));
             }
-            if (lines_.line().starts_with('#')) continue;
-            if (rows.size() == kMaxRecords) throw lines_.fail("more than 100000 records");
-            Row row;
-            catch_fault(row.fault, [&] { read_row(row, rows); });
-            rows.push_back(std::move(row));
-        }
-        return rows;
+            header_ = header;
+            return true;
+        };
+        return ndbc::read_rows(lines_, read_header,
+                               [this](Row& row, const auto& before) { read_row(row, before); });
     }
 
   private:
@@ -154,15 +148,12 @@ class TableReader {
 std::optional<ndbc::Companions> read_companions(const SpectrumSource& source) {
     if (!source.name.ends_with(kSuffixes[0]) || !source.companion) return std::nullopt;
     const std::string stem = source.name.substr(0, source.name.size() - kSuffixes[0].size());
-    ndbc::Companions companions;
-    for (std::size_t i = 0; i < companions.size(); ++i) {
-        const std::string path = stem + std::string(kSuffixes[i + 1]);
+    return ndbc::read_companions([&](Quantity quantity) -> std::optional<std::vector<Row>> {
+        const std::string path = stem + std::string(kSuffixes[static_cast<std::size_t>(quantity)]);
         const std::optional<std::string> content = source.companion(path);
         if (!content) return std::nullopt;
-        companions[i] =
-            ndbc::by_time(TableReader(*content, path).read(static_cast<Quantity>(i + 1)));
-    }
-    return companions;
+        return TableReader(*content, path).read(quantity);
+    });
 }
 
 /// Returns "41010" of ".../ndbc_41010.data_spec".
@@ -173,12 +164,7 @@ std::string station_of(std::string_view path) {
 }
 
 bool recognises(std::string_view content) {
-    LineReader lines(content, "");
-    for (std::size_t i = 0; i < ndbc::kMaxMetadataLines && lines.next_filled(); ++i) {
-        if (parse_header(lines.line())) return true;
-        if (!lines.line().starts_with('#')) return false;
-    }
-    return false;
+    return ndbc::begins_with_header(content, parse_header);
 }
 
 std::vector<SpectrumRecord> read(const SpectrumSource& source) {

@@ -14,14 +14,11 @@
 #include <cmath>
 #include <optional>
 
+#include "line_checks.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/internal/csv_rows.hpp"
 #include "ocean/internal/density_units.hpp"
-#include "ocean/internal/directional_record.hpp"
-#include "ocean/internal/line_reader.hpp"
 #include "ocean/internal/utc_time.hpp"
 #include "ocean/text.hpp"
-#include "spectrum_format.hpp"
 
 namespace ocean {
 namespace {
@@ -29,21 +26,11 @@ namespace {
 constexpr std::string_view kColumns = "Columns [deg]";
 constexpr std::string_view kRows = "Rows [Hz]";
 constexpr std::string_view kDensity = "Variance-density";
-/// Max density of a bin, so that no sum over the circle exceeds the limit of a record: 1e6 m^2/Hz.
-constexpr double kMaxBinDensity = 2500.0;
 constexpr std::size_t kMaxMetadataLines = 200;
 
-/// "# key = value"; a line without a value has all of its text as its key.
-struct Entry {
-    std::string_view key;
-    std::string_view value;
-};
+/// Returns the parts of "# key = value".
 std::optional<Entry> parse_entry(std::string_view line) {
-    if (!line.starts_with('#')) return std::nullopt;
-    line.remove_prefix(1);
-    const std::size_t sign = std::min(line.find('='), line.size());
-    return Entry{trimmed(line.substr(0, sign)),
-                 trimmed(line.substr(std::min(sign + 1, line.size())))};
+    return line.starts_with('#') ? std::optional(split_entry(line.substr(1))) : std::nullopt;
 }
 
 class ObscapeReader {
@@ -58,9 +45,7 @@ class ObscapeReader {
         if (record.frequency.empty()) {
             throw lines_.fail("the header before has no " + std::string(kRows));
         }
-        if (record.frequency.size() * degrees_.size() > kMaxDirectionalValues) {
-            throw lines_.fail("a spectrum has at most 131072 values over frequency and direction");
-        }
+        require_directional_size(lines_, record.frequency.size() * degrees_.size());
         std::vector<double> values;
         for (std::size_t i = 0; i < record.frequency.size(); ++i) {
             if (!row) {
@@ -94,11 +79,7 @@ class ObscapeReader {
     }
 
     double number(std::string_view word, double low, double high, std::string_view what) const {
-        const std::optional<double> value = text::parse_number(word);
-        if (value && *value >= low && *value <= high) return *value;
-        throw lines_.fail("'" + text::printable(word, 20) + "' is not a number of " +
-                          std::string(what) + " within " + shortest_text(low) + " .. " +
-                          shortest_text(high));
+        return number_within(lines_, word, low, high, "a number of " + std::string(what));
     }
     std::string read_time(std::string_view word) const {
         const double seconds = number(word, -1e11, 1e11, "Timestamp");
@@ -115,14 +96,7 @@ class ObscapeReader {
 
     void read_frequencies(std::string_view list, std::vector<double>& frequency) const {
         for (const std::string& word : split(list, ',')) {
-            const double f = number(trimmed(word), 0.0, kMaxFrequency, kRows);
-            if (!frequency.empty() && !(f > frequency.back())) {
-                throw lines_.fail("the frequencies do not ascend at bin " +
-                                  std::to_string(frequency.size() + 1));
-            }
-            if (frequency.size() == kMaxFrequencies)
-                throw lines_.fail("more than 4096 frequencies");
-            frequency.push_back(f);
+            append_frequency(lines_, number(trimmed(word), 0.0, kMaxFrequency, kRows), frequency);
         }
     }
 
@@ -156,14 +130,9 @@ class ObscapeReader {
     }
 
     void read_row(std::vector<double>& values) const {
-        const auto fields = csv::fields_of(lines_, ',', degrees_.size());
-        if (fields.size() != degrees_.size()) {
-            const bool fewer = fields.size() < degrees_.size();
-            throw lines_.fail(fewer && lines_.cut_off()
-                                  ? "the file ends within this line"
-                                  : (fewer ? "fewer" : "more") + std::string(" values than the ") +
-                                        std::to_string(degrees_.size()) + " directions");
-        }
+        const std::string than =
+            "values than the " + std::to_string(degrees_.size()) + " directions";
+        const auto fields = exact_fields(lines_, degrees_.size(), than);
         for (const std::string_view field : fields) {
             values.push_back(
                 number(field, -kMaxBinDensity / factor_, kMaxBinDensity / factor_, "a density"));

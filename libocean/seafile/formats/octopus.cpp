@@ -13,8 +13,6 @@
 #include <optional>
 
 #include "free_form.hpp"
-#include "ocean/internal/csv_rows.hpp"
-#include "ocean/internal/directional_record.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {
@@ -49,10 +47,7 @@ class OctopusReader {
         std::vector<SpectrumRecord> records;
         bool more = next_record();
         while (more) {
-            if (records.size() == kMaxRecords) throw lines_.fail("more than 100000 records");
-            if ((records.size() + 1) * frequencies_ * directions_ > kMaxFileValues) {
-                throw lines_.fail("more than 67108864 values over all records");
-            }
+            require_room(lines_, records.size(), frequencies_ * directions_);
             SpectrumRecord record = place_;
             const std::size_t first = lines_.number();
             catch_fault(record.fault, [&] { read_record(record); });
@@ -75,9 +70,7 @@ class OctopusReader {
         need_line("a title");
         frequencies_ = count("nfreqs", 2, kMaxFrequencies);
         directions_ = count("ndir", 3, kMaxDirections);
-        if (frequencies_ * directions_ > kMaxDirectionalValues) {
-            throw lines_.fail("a spectrum has at most 131072 values over frequency and direction");
-        }
+        require_directional_size(lines_, frequencies_ * directions_);
         count("nrecs", 1, kMaxRecords);
         place_.latitude = entry("Latitude", -90.0, 90.0);
         place_.longitude = entry("Longitude", -180.0, 360.0);
@@ -96,7 +89,7 @@ class OctopusReader {
             throw lines_.fail("'" + text::printable(line, 30) + "' where " + std::string(key) +
                               " should be");
         }
-        return number(trimmed(line.substr(comma + 1)), low, high, key);
+        return number_within(lines_, trimmed(line.substr(comma + 1)), low, high, key);
     }
     std::size_t count(std::string_view key, std::size_t least, std::size_t most) {
         const double value = entry(key, static_cast<double>(least), static_cast<double>(most));
@@ -104,12 +97,6 @@ class OctopusReader {
             throw lines_.fail(std::string(key) + " is not a whole number");
         }
         return static_cast<std::size_t>(value);
-    }
-    double number(std::string_view word, double low, double high, std::string_view what) const {
-        const std::optional<double> value = text::parse_number(word);
-        if (value && *value >= low && *value <= high) return *value;
-        throw lines_.fail("'" + text::printable(word, 20) + "' is not " + std::string(what) +
-                          " within " + shortest_text(low) + " .. " + shortest_text(high));
     }
     /// Reads the fields of the next line, without those after a final comma.
     void next_fields(const std::string& what, std::size_t least) {
@@ -127,11 +114,9 @@ class OctopusReader {
         next_fields("the frequencies", frequencies_ + 1);
         if (fields_[0] != "freq") throw lines_.fail("the line of the frequencies is missing");
         for (std::size_t i = 0; i < frequencies_; ++i) {
-            const double f = number(fields_[i + 1], 0.0, kMaxFrequency, "a frequency");
-            if (i > 0 && !(f > record.frequency.back())) {
-                throw lines_.fail("the frequencies do not ascend at bin " + std::to_string(i + 1));
-            }
-            record.frequency.push_back(f);
+            const double f =
+                number_within(lines_, fields_[i + 1], 0.0, kMaxFrequency, "a frequency");
+            append_frequency(lines_, f, record.frequency);
         }
         read_energies(record);
     }
@@ -155,14 +140,14 @@ class OctopusReader {
         std::vector<double> energies(frequencies_ * directions_);
         for (std::size_t j = 0; j < directions_; ++j) {
             next_fields("a direction", frequencies_ + 1);
-            degrees.push_back(number(fields_[0], -360.0, 720.0, "a direction"));
+            degrees.push_back(number_within(lines_, fields_[0], -360.0, 720.0, "a direction"));
             for (std::size_t i = 0; i < frequencies_; ++i) {
                 energies[i * directions_ + j] =
-                    number(fields_[i + 1], -kMaxEnergy, kMaxEnergy, "an energy");
+                    number_within(lines_, fields_[i + 1], -kMaxEnergy, kMaxEnergy, "an energy");
             }
         }
-        const std::string fault = DirectionAxis::fault(degrees);
-        if (!fault.empty()) throw lines_.fail(fault);
+        const DirectionAxis axis =
+            direction_axis(lines_, degrees, DirectionConvention::from_nautical);
         const double angle = 360.0 / static_cast<double>(directions_);
         const std::vector<double>& f = record.frequency;
         for (std::size_t i = 0; i < frequencies_; ++i) {
@@ -172,7 +157,7 @@ class OctopusReader {
                 energies[i * directions_ + j] /= 0.5 * (below + above) * angle;
             }
         }
-        DirectionAxis(degrees, DirectionConvention::from_nautical).fill(record, energies, 1.0);
+        axis.fill(record, energies, 1.0);
     }
 
     LineReader lines_;
@@ -187,12 +172,8 @@ bool recognises(std::string_view content) {
     return lines.next_filled() && lines.next_filled() && lines.line().starts_with("nfreqs,");
 }
 
-std::vector<SpectrumRecord> read(const SpectrumSource& source) {
-    return OctopusReader(source).read();
-}
-
 }  // namespace
 
-const SpectrumFormat kOctopus = {"Octopus (.oct)", recognises, read};
+const SpectrumFormat kOctopus = {"Octopus (.oct)", recognises, read_by<OctopusReader>};
 
 }  // namespace ocean

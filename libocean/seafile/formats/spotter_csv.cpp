@@ -15,9 +15,8 @@
 #include <cmath>
 #include <optional>
 
-#include "ocean/internal/csv_rows.hpp"
+#include "line_checks.hpp"
 #include "ocean/internal/utc_time.hpp"
-#include "spectrum_format.hpp"
 #include "spotter.hpp"
 
 namespace ocean {
@@ -31,8 +30,6 @@ constexpr std::string_view kLongitude = "Longitude (deg)";
 /// All quantities of all bins, and some hundred beside.
 constexpr std::size_t kMaxColumns = (spotter::kQuantities + 2) * kMaxFrequencies;
 constexpr std::size_t kNone = kMaxColumns + 1;
-/// 512 MiB of doubles over all records.
-constexpr std::size_t kMaxValues = std::size_t{1} << 26;
 
 /// "varianceDensity_12": a quantity and its bin.
 struct BinColumn {
@@ -73,17 +70,18 @@ class SpotterCsvReader {
             SpectrumRecord record;
             spotter::Bins bins;
             catch_fault(record.fault, [&] {
-                read_fields();
+                fields_ = exact_fields(lines_, width_, "fields than the header line has columns");
                 describe(record);
                 bins = read_bins();
                 const std::string fault = spotter::fault(bins);
                 if (!fault.empty()) throw lines_.fail(fault);
             });
             if (record.fault.empty() && !spotter::has_spectrum(bins)) continue;
-            if (records.size() == kMaxRecords) throw lines_.fail("more than 100000 records");
+            require_room(lines_, records.size());
             values += 6 * bins[0].size();
-            if (values > kMaxValues)
+            if (values > kMaxFileValues) {
                 throw lines_.fail("more than 67108864 values over all records");
+            }
             if (record.fault.empty()) spotter::set_spectrum(record, bins);
             records.push_back(std::move(record));
         }
@@ -125,16 +123,6 @@ class SpotterCsvReader {
             throw lines_.fail("the column " + std::string(q == 0 ? "f" : spotter::kNames[q]) + "_" +
                               std::to_string(gap - places_[q].begin()) + " is missing");
         }
-    }
-
-    void read_fields() {
-        fields_ = csv::fields_of(lines_, ',', width_);
-        if (fields_.size() == width_) return;
-        if (fields_.size() < width_ && lines_.cut_off()) {
-            throw lines_.fail("the file ends within this line");
-        }
-        throw lines_.fail((fields_.size() > width_ ? "more" : "fewer") +
-                          std::string(" fields than the header line has columns"));
     }
 
     /// Returns a number; NaN for an empty field or a minus sign.
@@ -208,12 +196,8 @@ bool recognises(std::string_view content) {
     return std::any_of(titles->begin(), titles->end(), is_density);
 }
 
-std::vector<SpectrumRecord> read(const SpectrumSource& source) {
-    return SpotterCsvReader(source).read();
-}
-
 }  // namespace
 
-const SpectrumFormat kSpotterCsv = {"Sofar Spotter as CSV", recognises, read};
+const SpectrumFormat kSpotterCsv = {"Sofar Spotter as CSV", recognises, read_by<SpotterCsvReader>};
 
 }  // namespace ocean

@@ -15,15 +15,12 @@
 // of spectra: turns such a file into records in libocean's conventions.
 #include "free_form.hpp"
 #include "ocean/grid.hpp"
-#include "ocean/internal/directional_record.hpp"
 #include "ocean/spreading.hpp"
 #include "swan_header.hpp"
 
 namespace ocean {
 namespace {
 
-/// Max density of a bin, so that no sum over the circle exceeds the limit of a record: 1e6 m^2/Hz.
-constexpr double kMaxBinDensity = 2500.0;
 /// The first year of two digits: SWAN is of 1993 and rarely computes times before 1950.
 constexpr int kFirstYear = 1950;
 
@@ -112,7 +109,7 @@ class SwanReader {
     }
 
     void add_fault(const std::string& time, const Error& fault) {
-        require_room(in_, records_.size(), 1);
+        require_room(in_.lines(), records_.size(), 1);
         SpectrumRecord record;
         record.time = time;
         record.fault = fault.what();
@@ -152,7 +149,8 @@ class SwanReader {
             found += ends ? 0 : 1;
             if (bad && !first_fault) first_fault = records_.size();
             if (bad || known) {
-                require_room(in_, records_.size(), header_.frequency.size() + values_.size());
+                require_room(in_.lines(), records_.size(),
+                             header_.frequency.size() + values_.size());
                 records_.push_back(std::move(record));
             }
             if (ends) break;
@@ -303,12 +301,8 @@ bool recognises(std::string_view content) {
     return in.word().find_first_of("0123456789") == 0;
 }
 
-std::vector<SpectrumRecord> read(const SpectrumSource& source) {
-    return SwanReader(source).read();
-}
-
 }  // namespace
 
-const SpectrumFormat kSwan = {"SWAN spectra", recognises, read};
+const SpectrumFormat kSwan = {"SWAN spectra", recognises, read_by<SwanReader>};
 
 }  // namespace ocean

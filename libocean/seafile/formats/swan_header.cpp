@@ -9,6 +9,7 @@
 
 #include "ocean/grid.hpp"
 #include "ocean/internal/record_rules.hpp"
+#include "ocean/text.hpp"
 
 namespace ocean {
 namespace {
@@ -51,10 +52,7 @@ class SwanHeaderReader {
   private:
     /// Reads the keyword of the next line, which must be one of those allowed.
     std::string_view keyword(std::initializer_list<std::string_view> allowed) {
-        std::string names;
-        for (const std::string_view name : allowed) {
-            names += (names.empty() ? "" : " or ") + std::string(name);
-        }
+        const std::string names = joined(allowed, " or ");
         in_.need_line(names);
         const std::string_view word = in_.word();
         if (std::find(allowed.begin(), allowed.end(), word) == allowed.end()) {
@@ -104,17 +102,13 @@ class SwanHeaderReader {
 
     void read_directions(DirectionConvention convention) {
         const std::size_t count = in_.count("directions", 3, kMaxDirections);
-        if (count * header_.frequency.size() > kMaxDirectionalValues) {
-            throw in_.fail("a spectrum has at most 131072 values over frequency and direction");
-        }
+        require_directional_size(in_.lines(), count * header_.frequency.size());
         std::vector<double> degrees;
         while (degrees.size() < count) {
             degrees.push_back(in_.header_number("a direction"));
             in_.require_within(degrees.back(), -360.0, 720.0, "a direction", "-360 .. 720");
         }
-        const std::string fault = DirectionAxis::fault(degrees);
-        if (!fault.empty()) throw in_.fail(fault);
-        header_.axis.emplace(degrees, convention);
+        header_.axis = direction_axis(in_.lines(), degrees, convention);
         header_.directions = count;
     }
 

@@ -15,26 +15,10 @@
 #include <optional>
 
 #include "free_form.hpp"
-#include "ocean/internal/csv_rows.hpp"
-#include "ocean/internal/directional_record.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {
 namespace {
-
-/// Max density of a bin, so that no sum over the circle exceeds the limit of a record: 1e6 m^2/Hz.
-constexpr double kMaxBinDensity = 2500.0;
-
-/// The value of "KEY = value", and the key without the blanks before the sign.
-struct Entry {
-    std::string_view key;
-    std::string_view value;
-};
-std::optional<Entry> parse_entry(std::string_view line) {
-    const std::size_t sign = line.find('=');
-    if (sign == std::string_view::npos) return std::nullopt;
-    return Entry{trimmed(line.substr(0, sign)), trimmed(line.substr(sign + 1))};
-}
 
 bool is_title(std::string_view line) {
     return line.starts_with("TRIAXYS BUOY DATA REPORT") || line.starts_with("TRIAXYS BUOY REPORT");
@@ -66,7 +50,7 @@ class TriaxysReader {
             const std::size_t first = in_.line_number();
             catch_fault(record.fault, [&] { read_record(record); });
             if (!record.fault.empty()) in_.resume_after(first, is_title);
-            require_room(in_, records.size(),
+            require_room(in_.lines(), records.size(),
                          record.frequency.size() * (1 + record.direction.size()));
             records.push_back(std::move(record));
         } while (in_.next_line());
@@ -120,12 +104,11 @@ class TriaxysReader {
         bool typed = false;
         while (true) {
             in_.need_line("a line of the header, KEY = value,");
-            const std::optional<Entry> entry = parse_entry(in_.rest());
-            if (!entry) {
+            if (in_.rest().find('=') == std::string_view::npos) {
                 throw in_.fail("'" + FreeForm::shown(in_.rest()) +
                                "' where a line of the header, KEY = value, should be");
             }
-            const auto [key, value] = *entry;
+            const auto [key, value] = split_entry(in_.rest());
             if (key == "ROWS" || key == "COLUMN 2") break;
             if (key == "TYPE") {
                 header.directional = is_directional(value);
@@ -160,9 +143,7 @@ class TriaxysReader {
         need(!header.directional || header.spacing > 0.0, "FREQUENCY SPACING (Hz)");
         need(!header.directional || header.directions > 0, "NUMBER OF DIRECTIONS");
         need(!header.directional || header.angle > 0.0, "DIRECTION SPACING (DEG)");
-        if (header.frequencies * (header.directions + 2) > kMaxDirectionalValues) {
-            throw in_.fail("a spectrum has at most 131072 values over frequency and direction");
-        }
+        require_directional_size(in_.lines(), header.frequencies * (header.directions + 2));
         const auto last = static_cast<double>(header.frequencies - 1);
         if (header.directional && header.initial + last * header.spacing > kMaxFrequency) {
             throw in_.fail("the last frequency is beyond 100 Hz");
@@ -257,12 +238,9 @@ bool recognises(std::string_view content) {
     return in.next_line() && is_title(in.rest());
 }
 
-std::vector<SpectrumRecord> read(const SpectrumSource& source) {
-    return TriaxysReader(source).read();
-}
-
 }  // namespace
 
-const SpectrumFormat kTriaxys = {"TRIAXYS spectra (.DIRSPEC, .NONDIRSPEC)", recognises, read};
+const SpectrumFormat kTriaxys = {"TRIAXYS spectra (.DIRSPEC, .NONDIRSPEC)", recognises,
+                                 read_by<TriaxysReader>};
 
 }  // namespace ocean

@@ -15,7 +15,6 @@
 
 #include "free_form.hpp"
 #include "ocean/grid.hpp"
-#include "ocean/internal/directional_record.hpp"
 
 namespace ocean {
 namespace {
@@ -119,7 +118,7 @@ class WavewatchReader {
 
   private:
     void add(std::vector<SpectrumRecord>& records, SpectrumRecord record) const {
-        require_room(in_, records.size(), values_.size());
+        require_room(in_.lines(), records.size(), values_.size());
         records.push_back(std::move(record));
     }
 
@@ -164,9 +163,7 @@ class WavewatchReader {
         in_.skip(magic);
         const std::size_t frequencies = in_.count("frequencies", 2, kMaxFrequencies);
         directions_ = in_.count("directions", 3, kMaxDirections);
-        if (frequencies * directions_ > kMaxDirectionalValues) {
-            throw in_.fail("a spectrum has at most 131072 values over frequency and direction");
-        }
+        require_directional_size(in_.lines(), frequencies * directions_);
         points_ = in_.count("points", 1, kMaxRecords);
         in_.leave_line();  // the name of the grid
         frequency_ = read_frequencies(in_, frequencies);
@@ -183,9 +180,7 @@ class WavewatchReader {
         in_.end_line("the directions");
         std::vector<double> degrees = even_circle(radians);
         for (double& d : degrees) d *= 180.0 / kPi;
-        const std::string fault = DirectionAxis::fault(degrees);
-        if (!fault.empty()) throw in_.fail(fault);
-        return DirectionAxis(degrees, DirectionConvention::to_nautical);
+        return direction_axis(in_.lines(), degrees, DirectionConvention::to_nautical);
     }
 
     std::string read_time() {
@@ -250,12 +245,9 @@ bool recognises(std::string_view content) {
     return in.next_line() && magic_bytes(in.rest()) > 0;
 }
 
-std::vector<SpectrumRecord> read(const SpectrumSource& source) {
-    return WavewatchReader(source).read();
-}
-
 }  // namespace
 
-const SpectrumFormat kWavewatch = {"WAVEWATCH III point output", recognises, read};
+const SpectrumFormat kWavewatch = {"WAVEWATCH III point output", recognises,
+                                   read_by<WavewatchReader>};
 
 }  // namespace ocean
