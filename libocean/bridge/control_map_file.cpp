@@ -48,69 +48,40 @@ class RuleReader : private SectionReader {
 
     ControlRule map() {
         ControlRule rule;
-        bool has_code = false;
-        bool has_in = false;
-        bool has_out = false;
-        bool has_step = false;
-        while (next()) {
-            if (key() == "from") {
-                rule.from = channel();
-            } else if (key() == "to") {
-                rule.to = value_name();
-            } else if (key() == "mode") {
-                rule.mode = word<Mode>();
-            } else if (key() == "code") {
-                rule.code = word<RelativeCode>();
-                has_code = true;
-            } else if (key() == "in") {
-                rule.in = range(true);
-                has_in = true;
-            } else if (key() == "out") {
-                rule.out = range(false);
-                has_out = true;
-            } else if (key() == "curve") {
-                curve(rule);
-            } else if (key() == "invert") {
-                rule.invert = flag();
-            } else if (key() == "deadzone") {
-                rule.deadzone = number(0.0, kMaxNumber);
-            } else if (key() == "hysteresis") {
-                rule.hysteresis = number(0.0, kMaxNumber);
-            } else if (key() == "smooth_ms") {
-                rule.smoothing = number(0.0, kMaxMilliseconds) / 1000.0;
-            } else if (key() == "takeover") {
-                rule.takeover = word<Takeover>();
-            } else if (key() == "edge") {
-                rule.edge = word<Edge>();
-            } else if (key() == "debounce_ms") {
-                rule.debounce = number(0.0, kMaxMilliseconds) / 1000.0;
-            } else if (key() == "step") {
-                rule.step = number(-kMaxNumber, kMaxNumber);
-                has_step = true;
-            } else if (key() == "wrap") {
-                rule.wrap = flag();
-            } else {
-                throw unknown(
-                    "from, to, mode, in, out, curve, invert, deadzone, hysteresis, smooth_ms, "
-                    "takeover, edge, debounce_ms, code, step, wrap");
-            }
-        }
+        read_keys({
+            {"from", [&] { rule.from = channel(); }},
+            {"to", [&] { rule.to = value_name(); }},
+            {"mode", [&] { rule.mode = word<Mode>(); }},
+            {"in", [&] { rule.in = range(true); }},
+            {"out", [&] { rule.out = range(false); }},
+            {"curve", [&] { curve(rule); }},
+            {"invert", [&] { rule.invert = flag(); }},
+            {"deadzone", [&] { rule.deadzone = number(0.0, kMaxNumber); }},
+            {"hysteresis", [&] { rule.hysteresis = number(0.0, kMaxNumber); }},
+            {"smooth_ms", [&] { rule.smoothing = number(0.0, kMaxMilliseconds) / 1000.0; }},
+            {"takeover", [&] { rule.takeover = word<Takeover>(); }},
+            {"edge", [&] { rule.edge = word<Edge>(); }},
+            {"debounce_ms", [&] { rule.debounce = number(0.0, kMaxMilliseconds) / 1000.0; }},
+            {"code", [&] { rule.code = word<RelativeCode>(); }},
+            {"step", [&] { rule.step = number(-kMaxNumber, kMaxNumber); }},
+            {"wrap", [&] { rule.wrap = flag(); }},
+        });
         require(rule.from, rule.to);
         const bool is_relative = rule.mode == Mode::relative;
         const bool counts = rule.mode == Mode::increment || is_relative;
-        if ((rule.mode == Mode::range && !has_out) ||
-            (counts && (!has_out || rule.out[0] >= rule.out[1]))) {
+        if ((rule.mode == Mode::range && !has("out")) ||
+            (counts && (!has("out") || rule.out[0] >= rule.out[1]))) {
             throw fail("out is missing or empty; allowed: [LOWEST, HIGHEST]");
         }
-        if (is_relative != has_code) {
+        if (is_relative != has("code")) {
             throw fail(is_relative ? "code is missing; allowed: " + words_of<RelativeCode>()
                                    : "code requires mode = \"relative\"");
         }
         if (is_relative && !wire(rule.from).starts_with("cc")) {
             throw fail("from is not a MIDI controller; allowed: such as midi0/cc16");
         }
-        if (!has_in) rule.in = whole_range(rule.from);
-        if (is_relative && !has_step) rule.step = default_step(rule);
+        if (!has("in")) rule.in = whole_range(rule.from);
+        if (is_relative && !has("step")) rule.step = default_step(rule);
         if (counts) require_step(rule);
         if (rule.mode == Mode::range) require_travel(rule);
         require_outputs(rule);
@@ -119,19 +90,12 @@ class RuleReader : private SectionReader {
 
     OutRule out() {
         OutRule rule;
-        while (next()) {
-            if (key() == "from") {
-                rule.from = value_name();
-            } else if (key() == "to") {
-                rule.to = channel();
-            } else if (key() == "in") {
-                rule.in = range(true);
-            } else if (key() == "out") {
-                rule.out = range(false);
-            } else {
-                throw unknown("from, to, in, out");
-            }
-        }
+        read_keys({
+            {"from", [&] { rule.from = value_name(); }},
+            {"to", [&] { rule.to = channel(); }},
+            {"in", [&] { rule.in = range(true); }},
+            {"out", [&] { rule.out = range(false); }},
+        });
         require(rule.from, rule.to);
         return rule;
     }

@@ -11,14 +11,6 @@
 namespace ocean::bridge {
 namespace {
 
-std::string driver_names() {
-    std::string names;
-    for (const NamedDriver& row : drivers()) {
-        names += (names.empty() ? "" : ", ") + std::string(row.name);
-    }
-    return names;
-}
-
 const Driver& driver_named(const SectionReader& section) {
     const auto row = std::ranges::find(drivers(), section.text(), &NamedDriver::name);
     if (row == drivers().end()) {
@@ -46,7 +38,9 @@ DeviceRule read_device(const TomlSection& section, const std::string& file,
         if (common.key() == "id") id = checked_id(common);
     }
     if (id.empty()) throw common.fail("id is missing");
-    if (driver == nullptr) throw common.fail("driver is missing; allowed: " + driver_names());
+    if (driver == nullptr)
+        throw common.fail("driver is missing; allowed: " +
+                          joined(drivers(), ", ", &NamedDriver::name));
     if (std::ranges::find(before, id, &DeviceRule::id) != before.end()) {
         throw common.fail("id = \"" + id + "\" is used twice");
     }

@@ -282,7 +282,15 @@ class FirmataReader {
 
     FirmataDevice device() {
         FirmataDevice device;
-        while (section_.next()) read_key(device);
+        section_.read_keys({
+            {"port", [&] { device.port = section_.text(); }},
+            {"baud", [&] { device.baud = baud(); }},
+            {"analog", [&] { device.analog = section_.whole_list(0, kFirmataAnalogs - 1); }},
+            {"inputs", [&] { device.inputs = pins(); }},
+            {"pullups", [&] { device.pullups = pins(); }},
+            {"outputs", [&] { device.outputs = pins(); }},
+            {"pwm", [&] { device.pwm = pins(); }},
+        });
         if (device.port.empty()) {
             throw section_.fail("port is missing; allowed: such as /dev/ttyACM0");
         }
@@ -291,34 +299,12 @@ class FirmataReader {
     }
 
   private:
-    void read_key(FirmataDevice& device) const {
-        if (section_.key() == "port") {
-            device.port = section_.text();
-        } else if (section_.key() == "baud") {
-            device.baud = baud();
-        } else if (section_.key() == "analog") {
-            device.analog = section_.whole_list(0, kFirmataAnalogs - 1);
-        } else if (section_.key() == "inputs") {
-            device.inputs = pins();
-        } else if (section_.key() == "pullups") {
-            device.pullups = pins();
-        } else if (section_.key() == "outputs") {
-            device.outputs = pins();
-        } else if (section_.key() == "pwm") {
-            device.pwm = pins();
-        } else {
-            throw section_.unknown("port, baud, analog, inputs, pullups, outputs, pwm");
-        }
-    }
     std::vector<int> pins() const { return section_.whole_list(0, kFirmataPins - 1); }
     int baud() const {
         const int baud = section_.whole(0, 1'000'000);
         if (std::ranges::find(kFirmataBauds, baud) != kFirmataBauds.end()) return baud;
-        std::string allowed;
-        for (const int each : kFirmataBauds) {
-            allowed += (allowed.empty() ? "" : ", ") + std::to_string(each);
-        }
-        throw section_.refused(allowed);
+        throw section_.refused(
+            joined(kFirmataBauds, ", ", [](int each) { return std::to_string(each); }));
     }
     void require_distinct_pins(const FirmataDevice& device) const {
         std::set<int> seen;

@@ -132,10 +132,8 @@ void Hub::out(const std::string& channel, double value) {
         return source->put(channel, value);
     }
     const std::vector<Channel> all = channels();
-    std::vector<std::string_view> names;
-    for (const Channel& known : all) names.push_back(known.name);
-    throw Error(ErrorKind::not_found,
-                "no board has '" + text::printable(channel) + "'" + did_you_mean(channel, names));
+    throw Error(ErrorKind::not_found, "no board has '" + text::printable(channel) + "'" +
+                                          did_you_mean(channel, all, &Channel::name));
 }
 
 void Hub::start_recording(const std::string& file, std::string_view writer) {

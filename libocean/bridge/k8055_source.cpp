@@ -257,10 +257,8 @@ namespace {
 
 K8055Device read_k8055(DeviceSection& section) {
     K8055Device device;
-    while (section.next()) {
-        if (section.key() != "address") throw section.unknown("address");
-        device.address = section.whole(0, kK8055Addresses - 1);
-    }
+    section.read_keys(
+        {{"address", [&] { device.address = section.whole(0, kK8055Addresses - 1); }}});
     return device;
 }
 

@@ -33,12 +33,6 @@ constexpr std::array kCommands = {
     CommandForm{Verb::quit, "QUIT", "", "ends the connection", 0, 0},
 };
 
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-    return text;
-}
-
 bool same_word(std::string_view given, std::string_view upper) {
     return std::ranges::equal(given, upper, [](char a, char b) {
         return (a >= 'a' && a <= 'z' ? static_cast<char>(a - 'a' + 'A') : a) == b;
@@ -70,7 +64,7 @@ constexpr unsigned char kDo = 253;
 constexpr unsigned char kDont = 254;
 constexpr unsigned char kIac = 255;
 
-std::string joined(std::string_view word, std::string_view name, std::string_view value) {
+std::string answer_line(std::string_view word, std::string_view name, std::string_view value) {
     std::string line(word);
     line += ' ';
     line += name;
@@ -90,10 +84,9 @@ std::optional<std::variant<Request, Refusal>> parse_request(std::string_view lin
     const auto form = std::ranges::find_if(
         kCommands, [&](const CommandForm& known) { return same_word(word, known.word); });
     if (form == kCommands.end()) {
-        std::vector<std::string_view> words;
-        for (const CommandForm& known : kCommands) words.push_back(known.word);
         return Refusal{"UNKNOWN-COMMAND", "'" + text::printable(word) + "'" +
-                                              did_you_mean(word, words) + "; HELP lists them"};
+                                              did_you_mean(word, kCommands, &CommandForm::word) +
+                                              "; HELP lists them"};
     }
     Request request{form->verb, {}};
     if (form->verb == Verb::set) {
@@ -264,11 +257,11 @@ std::string greeting_line() {
 }
 
 std::string value_line(std::string_view name, std::string_view value) {
-    return joined("VAL", name, value);
+    return answer_line("VAL", name, value);
 }
 
 std::string update_line(std::string_view name, std::string_view value) {
-    return joined("UPD", name, value);
+    return answer_line("UPD", name, value);
 }
 
 std::string event_line(std::string_view text) {
@@ -276,7 +269,7 @@ std::string event_line(std::string_view text) {
 }
 
 std::string refusal_line(const Refusal& refusal) {
-    return joined("ERR", refusal.code, text::printable(refusal.text, kMaxLineBytes / 2));
+    return answer_line("ERR", refusal.code, text::printable(refusal.text, kMaxLineBytes / 2));
 }
 
 bool is_take_name(std::string_view name) {

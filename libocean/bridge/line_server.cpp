@@ -16,6 +16,7 @@
 #include "board_queue.hpp"
 #include "connection.hpp"
 #include "ocean/error.hpp"
+#include "ocean/text.hpp"
 #include "osc_port.hpp"
 
 namespace ocean::bridge {
@@ -108,10 +109,7 @@ class LineServer::Impl {
         }
         endpoint_ = {wanted.address().to_string(), acceptor_.local_endpoint().port()};
         log("listening on " + endpoint_.text());
-        std::string interfaces;
-        for (const std::string& name : network_interfaces()) {
-            interfaces += (interfaces.empty() ? "" : ", ") + name;
-        }
+        const std::string interfaces = joined(network_interfaces(), ", ");
         log(interfaces.empty() ? "no network interface is up" : "interfaces: " + interfaces);
     }
 

@@ -38,13 +38,6 @@ bool is_software(const std::string& port) {
     return port.starts_with("Midi Through") || port.starts_with("ocean-bridge");
 }
 
-std::string lower_case(std::string text) {
-    for (char& c : text) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return text;
-}
-
 class MidiWorker {
   public:
     MidiWorker(BoardHost& host, std::string id, MidiDevice device, std::unique_ptr<MidiPorts> ports,
@@ -204,15 +197,8 @@ class MidiWorker {
 
 MidiDevice read_midi(DeviceSection& section) {
     MidiDevice device;
-    while (section.next()) {
-        if (section.key() == "port") {
-            device.port = section.text();
-        } else if (section.key() == "channel") {
-            device.channel = section.whole(1, 16);
-        } else {
-            throw section.unknown("port, channel");
-        }
-    }
+    section.read_keys({{"port", [&] { device.port = section.text(); }},
+                       {"channel", [&] { device.channel = section.whole(1, 16); }}});
     return device;
 }
 

@@ -16,6 +16,26 @@ constexpr double kMaxNumber = 1e9;
 
 }  // namespace
 
+void SectionReader::read_keys(std::initializer_list<KeyRow> rows,
+                              std::initializer_list<std::string_view> read_elsewhere) {
+    std::vector<std::string_view> allowed = read_elsewhere;
+    for (const KeyRow& row : rows) allowed.push_back(row.key);
+    while (next()) {
+        if (std::ranges::find(allowed, key()) == allowed.end()) {
+            throw text::error_at(ErrorKind::bad_file, file_, key_->line,
+                                 "unknown key '" + text::printable(key()) + "' of [[" +
+                                     section_.name + "]]" + did_you_mean(key(), allowed) +
+                                     "; allowed: " + joined(allowed, ", "));
+        }
+        const auto row = std::ranges::find(rows, key(), &KeyRow::key);
+        if (row != rows.end()) row->read();
+    }
+}
+
+bool SectionReader::has(std::string_view key) const {
+    return std::ranges::find(section_.keys, key, &TomlKey::name) != section_.keys.end();
+}
+
 bool SectionReader::next() {
     if (next_ >= section_.keys.size()) return false;
     key_ = &section_.keys[next_++];
@@ -35,21 +55,9 @@ Error SectionReader::refused(const std::string& allowed) const {
 }
 
 Error SectionReader::refused_word(std::span<const std::string_view> words) const {
-    std::string allowed;
-    for (const std::string_view word : words) {
-        allowed += (allowed.empty() ? "" : ", ") + std::string(word);
-    }
     const std::string meant = did_you_mean(text(), words);
-    return fail_here((meant.empty() ? "" : meant.substr(2) + " ") + "allowed: " + allowed);
-}
-
-Error SectionReader::unknown(const std::string& allowed) const {
-    const std::vector<std::string> keys = split(allowed, ", ");
-    const std::vector<std::string_view> known(keys.begin(), keys.end());
-    return text::error_at(ErrorKind::bad_file, file_, key_->line,
-                          "unknown key '" + text::printable(key_->name) + "' of [[" +
-                              section_.name + "]]" + did_you_mean(key_->name, known) +
-                              "; allowed: " + allowed);
+    return fail_here((meant.empty() ? "" : meant.substr(2) + " ") +
+                     "allowed: " + joined(words, ", "));
 }
 
 std::string SectionReader::given() const {

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,18 +17,21 @@
 #include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/toml_sections.hpp"
+#include "ocean/text.hpp"
 
 namespace ocean::bridge {
 
 /// Returns all words of an Enum for a message: "range, toggle, momentary".
 template <typename Enum>
 std::string words_of() {
-    std::string words;
-    for (const std::string_view word : kEnumWords<Enum>) {
-        words += (words.empty() ? "" : ", ") + std::string(word);
-    }
-    return words;
+    return joined(kEnumWords<Enum>, ", ");
 }
+
+/// A key of a section, and a function that reads its value.
+struct KeyRow {
+    std::string_view key;
+    std::function<void()> read;
+};
 
 class SectionReader {
   public:
@@ -34,9 +39,14 @@ class SectionReader {
     SectionReader(const TomlSection& section, const std::string& file)
         : section_(section), file_(file) {}
 
+    /// Reads the keys in the order of the file, each by its row. Those that are `read_elsewhere`
+    /// may also be in the section. Throws Error bad_file for any other key.
+    void read_keys(std::initializer_list<KeyRow> rows,
+                   std::initializer_list<std::string_view> read_elsewhere = {});
     /// Goes to the next key, first to the first one. Returns false after the last key.
     bool next();
     const std::string& key() const { return key_->name; }
+    bool has(std::string_view key) const;
 
     /// Returns the error "FILE:LINE: message", with the line of the section.
     Error fail(const std::string& message) const;
@@ -46,8 +56,6 @@ class SectionReader {
     Error refused(const std::string& allowed) const;
     /// Returns fail_here() for a text that is none of `words`.
     Error refused_word(std::span<const std::string_view> words) const;
-    /// Returns the error for a current key that is not among the keys `allowed`.
-    Error unknown(const std::string& allowed) const;
 
     // Return the value of the current key. They throw Error bad_file for a value of another type or
     // out of range.
@@ -61,10 +69,8 @@ class SectionReader {
     std::vector<int> whole_list(int min, int max) const;
     template <typename Enum>
     Enum word() const {
-        const auto& words = kEnumWords<Enum>;
-        const auto found = std::ranges::find(words, std::string_view(text()));
-        if (found == words.end()) throw refused_word(words);
-        return static_cast<Enum>(found - words.begin());
+        if (const auto found = enumerator_of<Enum>(text())) return *found;
+        throw refused_word(kEnumWords<Enum>);
     }
 
   private:
@@ -81,14 +87,8 @@ class DeviceSection : public SectionReader {
   public:
     using SectionReader::SectionReader;
 
-    bool next() {
-        while (SectionReader::next()) {
-            if (key() != "id" && key() != "driver") return true;
-        }
-        return false;
-    }
-    Error unknown(const std::string& allowed) const {
-        return SectionReader::unknown("id, driver, " + allowed);
+    void read_keys(std::initializer_list<KeyRow> rows) {
+        SectionReader::read_keys(rows, {"id", "driver"});
     }
 };
 
