@@ -82,16 +82,14 @@ using namespace ocean;
 using namespace ocean::capi;
 
 ocean_result ocean_map_resolution(const ocean_sea* sea, int32_t* resolution) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         require(resolution, "resolution");
         *resolution = default_map_resolution(sea->ocean->parameters().grid);
     });
 }
 
 ocean_result ocean_cascade_periods(const ocean_sea* sea, double* periods, size_t* count) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         require(count, "count");
         const Grid& grid = sea->ocean->parameters().grid;
         const std::vector<int> divisors = cascade_divisors(grid);
@@ -107,8 +105,7 @@ ocean_result ocean_cascade_periods(const ocean_sea* sea, double* periods, size_t
 }
 
 ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         require(request, "request");
         const ocean_request asked =
             read_struct(request, offsetof(ocean_request, output_size), "ocean_request");
@@ -135,8 +132,7 @@ ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request) {
 }
 
 ocean_result ocean_region(ocean_sea* sea, double time, const ocean_region_request* request) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         require(request, "request");
         require_finite(time, "time", "seconds");
         std::vector<MapOutput>& maps = sea->map_outputs;
@@ -147,8 +143,7 @@ ocean_result ocean_region(ocean_sea* sea, double time, const ocean_region_reques
 
 ocean_result ocean_bed_region(const ocean_sea* sea, double x, double y, double cell,
                               int32_t columns, int32_t rows, float* heights) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         require(heights, "heights");
         const Domain region = region_domain(x, y, cell, columns, rows);
         const SeaBed* const bed = sea->ocean->parameters().water.bed.get();
@@ -160,8 +155,7 @@ ocean_result ocean_bed_region(const ocean_sea* sea, double x, double y, double c
 }
 
 ocean_result ocean_cover_power(ocean_sea* sea, double time, int32_t resolution, double* power) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         require(power, "power");
         require_finite(time, "time", "seconds");
         const Grid& grid = sea->ocean->parameters().grid;
@@ -172,8 +166,7 @@ ocean_result ocean_cover_power(ocean_sea* sea, double time, int32_t resolution, 
 
 ocean_result ocean_detail(ocean_sea* sea, const ocean_detail_request* request, size_t* count,
                           double* residual) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         require(request, "request");
         require(count, "count");
         const ocean_detail_request asked =
@@ -189,9 +182,8 @@ ocean_result ocean_detail(ocean_sea* sea, const ocean_detail_request* request, s
         const DetailBudget budget = sea->ocean->detail_budget(asked.time, settings);
         if (asked.bands != nullptr && asked.band_count < budget.bands.size()) {
             *count = budget.bands.size();
-            throw CallError(OCEAN_BUFFER_TOO_SMALL,
-                            "band_count = " + std::to_string(asked.band_count) + "; there are " +
-                                std::to_string(budget.bands.size()));
+            require_capacity("band_count", asked.band_count, *count,
+                             "there are " + std::to_string(*count));
         }
         if (asked.outputs != nullptr) {
             const OutputArray outputs(asked.outputs, asked.output_count, asked.output_size);

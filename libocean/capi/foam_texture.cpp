@@ -28,11 +28,8 @@ ocean_result ocean_foam_texture(const ocean_foam_texture_request* request,
         const OceanOptions given = read_options(options);
         const auto side = static_cast<std::size_t>(settings.size);
         if (asked.data != nullptr) {
-            if (asked.count < side * side) {
-                throw CallError(OCEAN_BUFFER_TOO_SMALL,
-                                "count = " + std::to_string(asked.count) + "; the texture has " +
-                                    std::to_string(side * side) + " texels");
-            }
+            require_capacity("count", asked.count, side * side,
+                             "the texture has " + std::to_string(side * side) + " texels");
             ThreadPool pool(given.threads, given.run_jobs);
             pool.set_interrupt(given.interrupt);
             std::ranges::copy(make_foam_texture(settings, pool), asked.data);

@@ -78,8 +78,7 @@ std::vector<Gauge> gauges_of(const ocean_gauge_request& asked) {
 }  // namespace
 
 ocean_result ocean_gauges(ocean_sea* sea, const ocean_gauge_request* request, size_t* times) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         require(request, "request");
         require(times, "times");
         const ocean_gauge_request asked =
@@ -89,13 +88,10 @@ ocean_result ocean_gauges(ocean_sea* sea, const ocean_gauge_request* request, si
         *times = when.count();
         if (asked.values == nullptr) return;
         const std::size_t needed = when.count() * gauges.size() * GaugeSeries::kColumns.size();
-        if (asked.value_count < needed) {
-            throw CallError(OCEAN_BUFFER_TOO_SMALL,
-                            "value_count = " + std::to_string(asked.value_count) + "; " +
-                                std::to_string(when.count()) + " times of " +
-                                std::to_string(gauges.size()) + " gauges need " +
-                                std::to_string(needed));
-        }
+        require_capacity("value_count", asked.value_count, needed,
+                         std::to_string(when.count()) + " times of " +
+                             std::to_string(gauges.size()) + " gauges need " +
+                             std::to_string(needed));
         Ocean& ocean = *sea->ocean;
         require_memory(gauge_series_bytes(ocean.modes(), ocean.parameters(), gauges, when.count(),
                                           ocean.pool().size()),

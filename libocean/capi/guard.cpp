@@ -124,6 +124,13 @@ void require_finite(double value, const std::string& name, const char* unit) {
             .allowed = std::string("a finite number of ") + unit});
 }
 
+void require_capacity(const char* name, std::size_t given, std::size_t needed,
+                      const std::string& why) {
+    if (given >= needed) return;
+    throw CallError(OCEAN_BUFFER_TOO_SMALL,
+                    std::string(name) + " = " + std::to_string(given) + "; " + why);
+}
+
 void copy_text(std::string_view text, char* out, std::size_t* size) {
     require(size, "size");
     const std::size_t capacity = std::exchange(*size, text.size() + 1);

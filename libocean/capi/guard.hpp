@@ -75,6 +75,10 @@ ocean_result guarded(Body&& body) noexcept {
     }
 }
 
+/// Throws CallError OCEAN_BUFFER_TOO_SMALL "NAME = GIVEN; WHY" if there is room for fewer elements
+/// than needed.
+void require_capacity(const char* name, std::size_t given, std::size_t needed,
+                      const std::string& why);
 /// Calls use(name, value) for each pair of two lists of texts. Throws CallError for NULL.
 template <typename Use>
 void for_each_value(const char* const* names, const char* const* values, std::size_t count,

@@ -23,7 +23,7 @@ class Visit {
   public:
     /// Throws CallError OCEAN_BUSY if another is in it, OCEAN_INVALID_ARGUMENT for NULL. `name` is
     /// that of the argument: "sea".
-    explicit Visit(const Handle* handle, const char* name = "sea");
+    Visit(const Handle* handle, const char* name);
     ~Visit() { handle_->user.store(0, std::memory_order_release); }
     Visit(const Visit&) = delete;
     Visit& operator=(const Visit&) = delete;

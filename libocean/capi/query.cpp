@@ -69,8 +69,7 @@ float* put(float* out, std::span<const double> values) {
 
 ocean_result ocean_query(ocean_sea* sea, double time, const double* xy, size_t n, float* samples,
                          size_t stride) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         require_finite(time, "time", "seconds");
         const Lists lists{xy, "xy", 2, n, samples, "samples", kSampleFloats, stride};
         lists.check();
@@ -92,34 +91,26 @@ ocean_result ocean_query(ocean_sea* sea, double time, const double* xy, size_t n
 }
 
 ocean_result ocean_query_points(ocean_sea* sea, const ocean_query_request* request) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         require(request, "request");
         const ocean_query_request asked =
             read_struct(request, offsetof(ocean_query_request, resolution), "ocean_query_request");
         require_finite(asked.time, "time", "seconds");
-        const StructArray samples(asked.samples, asked.count, asked.sample_size, "ocean_sample");
-        if (asked.count > 0) require(asked.xy, "xy");
-        check_points(asked.xy, asked.count, "xy");
-        const QueryOptions options =
-            query_options(asked.resolution, asked.refine, asked.exact, asked.foam != 0);
-        const auto query = [&](std::span<const WorldPoint> points, std::span<QuerySample> answers) {
-            sea->ocean->query(asked.time, points, answers, options);
-        };
-        query_in_batches(asked.xy, asked.count, query,
-                         [&](std::size_t i, WorldPoint, const QuerySample& sample) {
-                             samples.put(i, sample_of(sample));
-                         });
-        if (asked.height_error != nullptr) {
-            *asked.height_error = sea->ocean->query_height_error(asked.time, options);
-        }
+        Ocean& ocean = *sea->ocean;
+        answer_points(
+            asked, asked.foam != 0,
+            [&](auto points, auto answers, const QueryOptions& options) {
+                ocean.query(asked.time, points, answers, options);
+            },
+            [&](const QueryOptions& options) {
+                return ocean.query_height_error(asked.time, options);
+            });
     });
 }
 
 ocean_result ocean_orbital_velocity(ocean_sea* sea, double time, double z, const double* xy,
                                     size_t n, float* velocities, size_t stride) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         require_finite(time, "time", "seconds");
         require_finite(z, "z", "metres");
         const Lists lists{xy, "xy", 2, n, velocities, "velocities", kVelocityFloats, stride};
@@ -134,8 +125,7 @@ ocean_result ocean_orbital_velocity(ocean_sea* sea, double time, double z, const
 }
 
 ocean_result ocean_water_points(ocean_sea* sea, const ocean_water_request* request) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         require(request, "request");
         const ocean_water_request asked =
             read_struct(request, offsetof(ocean_water_request, resolution), "ocean_water_request");
@@ -162,8 +152,7 @@ ocean_result ocean_water_points(ocean_sea* sea, const ocean_water_request* reque
 
 ocean_result ocean_float_pose(ocean_sea* sea, double time, const double* bodies, size_t n,
                               float* poses, size_t stride) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         require_finite(time, "time", "seconds");
         const Lists lists{bodies, "bodies", kBodyDoubles, n, poses, "poses", kPoseFloats, stride};
         lists.check();

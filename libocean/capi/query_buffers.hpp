@@ -88,4 +88,24 @@ inline ocean_sample sample_of(const QuerySample& from) {
     return sample;
 }
 
+/// Answers a request: query(points, answers, options) answers one batch, height_error(options)
+/// returns the error of all.
+template <typename Query, typename HeightError>
+void answer_points(const ocean_query_request& asked, bool foam, const Query& query,
+                   const HeightError& height_error) {
+    const StructArray samples(asked.samples, asked.count, asked.sample_size, "ocean_sample");
+    if (asked.count > 0) require(asked.xy, "xy");
+    check_points(asked.xy, asked.count, "xy");
+    const QueryOptions options = query_options(asked.resolution, asked.refine, asked.exact, foam);
+    query_in_batches(
+        asked.xy, asked.count,
+        [&](std::span<const WorldPoint> points, std::span<QuerySample> answers) {
+            query(points, answers, options);
+        },
+        [&](std::size_t i, WorldPoint, const QuerySample& sample) {
+            samples.put(i, sample_of(sample));
+        });
+    if (asked.height_error != nullptr) *asked.height_error = height_error(options);
+}
+
 }  // namespace ocean::capi

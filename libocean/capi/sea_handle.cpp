@@ -16,7 +16,6 @@
 #include "ocean/parameter_table.hpp"
 #include "ocean/sea_bed.hpp"
 #include "ocean/sea_state.hpp"
-#include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
 #include "ocean/version.hpp"
 #include "ocean/water_types.hpp"
@@ -178,16 +177,14 @@ ocean_result ocean_set_all(ocean_sea* sea, const char* const* names, const char*
 }
 
 ocean_result ocean_add_waves(ocean_sea* sea, const char* name) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         require(name, "name");
         change(*sea, [&](Sea& changed) { add_wave_system(changed, name); });
     });
 }
 
 ocean_result ocean_remove_waves(ocean_sea* sea, const char* name) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         require(name, "name");
         change(*sea, [&](Sea& changed) { remove_wave_system(changed, name); });
     });
@@ -195,8 +192,7 @@ ocean_result ocean_remove_waves(ocean_sea* sea, const char* name) {
 
 ocean_result ocean_set_bed(ocean_sea* sea, const float* heights, int32_t nx, int32_t ny, double x0,
                            double y0, double cell) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         if (heights == nullptr && nx == 0 && ny == 0) {
             return change(*sea, [](Sea& changed) { remove_bed(changed.parameters.water); });
         }
@@ -210,8 +206,7 @@ ocean_result ocean_set_bed(ocean_sea* sea, const float* heights, int32_t nx, int
 }
 
 ocean_result ocean_perform(ocean_sea* sea, double time, const char* name, const char* value) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         require(name, "name");
         require(value, "value");
         sea->ocean->perform(time, name, value);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "libocean.h"
 #include "ocean/ocean.hpp"
 #include "ocean/sea.hpp"
+#include "ocean/seafile.hpp"
 
 namespace ocean::capi {
 

@@ -103,8 +103,7 @@ void check(const ocean_provenance_request& asked) {
 }  // namespace
 
 ocean_result ocean_values_json(const ocean_sea* sea, char* out, size_t* size) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         JsonObject json;
         for (const NamedText& named : sea_values(sea->ocean->sea())) {
             json.add(named.name, named.value);
@@ -125,8 +124,7 @@ ocean_result ocean_text_of_values(const char* const* names, const char* const* v
 }
 
 ocean_result ocean_time_of_frame(const ocean_sea* sea, double frame, double* time) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         require(time, "time");
         require_finite(frame, "frame", "frames");
         *time = sea->ocean->sea().time_of(frame);
@@ -135,8 +133,7 @@ ocean_result ocean_time_of_frame(const ocean_sea* sea, double frame, double* tim
 
 ocean_result ocean_provenance_json(const ocean_sea* sea, const ocean_provenance_request* request,
                                    char* out, size_t* size) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         require(request, "request");
         const auto asked =
             read_struct(request, sizeof(ocean_provenance_request), "ocean_provenance_request");

@@ -44,8 +44,7 @@ std::vector<SprayParticle> spray_of(ocean_sea& sea, double time, const SpraySett
 }  // namespace
 
 ocean_result ocean_spray(ocean_sea* sea, const ocean_spray_request* request, size_t* count) {
-    return guarded([&] {
-        const Visit visit(sea);
+    return in_handle(sea, [&] {
         require(request, "request");
         require(count, "count");
         const ocean_spray_request asked =
@@ -64,9 +63,8 @@ ocean_result ocean_spray(ocean_sea* sea, const ocean_spray_request* request, siz
             sea->counted_spray =
                 CountedSpray{sea->ocean->revision(), asked.time, settings, std::move(particles)};
             if (asked.particles == nullptr) return;
-            throw CallError(OCEAN_BUFFER_TOO_SMALL,
-                            "particle_count = " + std::to_string(asked.particle_count) +
-                                "; there are " + std::to_string(needed));
+            require_capacity("particle_count", asked.particle_count, needed,
+                             "there are " + std::to_string(needed));
         }
         const std::size_t size = std::min(asked.particle_size, sizeof(ocean_spray_particle));
         auto* out = reinterpret_cast<unsigned char*>(asked.particles);

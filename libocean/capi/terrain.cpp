@@ -41,14 +41,10 @@ TerrainOptions terrain_options(const ocean_options* given) {
 }
 
 TerrainStep step_named(std::string_view word) {
-    const auto& words = kEnumWords<TerrainStep>;
-    const auto found = std::ranges::find(words, word);
-    if (found == words.end()) {
-        refuse({.parameter = "step",
-                .value = std::string(word),
-                .allowed = "noise, transform, filter, filtered, height"});
-    }
-    return static_cast<TerrainStep>(found - words.begin());
+    if (const auto found = enumerator_of<TerrainStep>(word)) return *found;
+    refuse({.parameter = "step",
+            .value = std::string(word),
+            .allowed = "noise, transform, filter, filtered, height"});
 }
 
 }  // namespace
@@ -124,8 +120,7 @@ ocean_result ocean_terrain_preset(const char* name, char* out, size_t* size) {
 
 ocean_result ocean_terrain_provenance_json(const ocean_terrain* terrain, const char* field,
                                            int32_t axes, char* out, size_t* size) {
-    return guarded([&] {
-        const Visit visit(terrain, kTerrainHandle);
+    return in_handle(terrain, [&] {
         const TerrainModel& open = terrain->land->model();
         auto strings = provenance_strings({.kind = std::string(kTerrainKind),
                                            .text = write_terrain(open),
@@ -146,8 +141,7 @@ ocean_result ocean_terrain_provenance_json(const ocean_terrain* terrain, const c
 }
 
 ocean_result ocean_terrain_evaluate(ocean_terrain* terrain, const ocean_request* request) {
-    return guarded([&] {
-        const Visit visit(terrain, kTerrainHandle);
+    return in_handle(terrain, [&] {
         require(request, "request");
         const ocean_request asked =
             read_struct(request, offsetof(ocean_request, output_size), "ocean_request");
@@ -161,8 +155,7 @@ ocean_result ocean_terrain_evaluate(ocean_terrain* terrain, const ocean_request*
 }
 
 ocean_result ocean_terrain_domain(const ocean_terrain* terrain, ocean_domain* domain) {
-    return guarded([&] {
-        const Visit visit(terrain, kTerrainHandle);
+    return in_handle(terrain, [&] {
         require(domain, "domain");
         require_struct_size(domain->struct_size, sizeof(ocean_domain), "struct_size",
                             "ocean_domain", sizeof(ocean_domain));
@@ -179,8 +172,7 @@ ocean_result ocean_terrain_domain(const ocean_terrain* terrain, ocean_domain* do
 }
 
 ocean_result ocean_terrain_region(ocean_terrain* terrain, const ocean_region_request* request) {
-    return guarded([&] {
-        const Visit visit(terrain, kTerrainHandle);
+    return in_handle(terrain, [&] {
         require(request, "request");
         std::vector<MapOutput>& maps = terrain->map_outputs;
         const Domain region = read_region(*request, maps);
@@ -190,33 +182,23 @@ ocean_result ocean_terrain_region(ocean_terrain* terrain, const ocean_region_req
 
 ocean_result ocean_terrain_query_points(ocean_terrain* terrain,
                                         const ocean_query_request* request) {
-    return guarded([&] {
-        const Visit visit(terrain, kTerrainHandle);
+    return in_handle(terrain, [&] {
         require(request, "request");
         const ocean_query_request asked =
             read_struct(request, offsetof(ocean_query_request, resolution), "ocean_query_request");
-        const StructArray samples(asked.samples, asked.count, asked.sample_size, "ocean_sample");
-        if (asked.count > 0) require(asked.xy, "xy");
-        check_points(asked.xy, asked.count, "xy");
-        const QueryOptions options =
-            query_options(asked.resolution, asked.refine, asked.exact, false);
-        const auto query = [&](std::span<const WorldPoint> points, std::span<QuerySample> answers) {
-            terrain->land->query(points, answers, options);
-        };
-        query_in_batches(asked.xy, asked.count, query,
-                         [&](std::size_t i, WorldPoint, const QuerySample& sample) {
-                             samples.put(i, sample_of(sample));
-                         });
-        if (asked.height_error != nullptr) {
-            *asked.height_error = terrain->land->query_height_error(options);
-        }
+        Land& land = *terrain->land;
+        answer_points(
+            asked, false,
+            [&](auto points, auto answers, const QueryOptions& options) {
+                land.query(points, answers, options);
+            },
+            [&](const QueryOptions& options) { return land.query_height_error(options); });
     });
 }
 
 ocean_result ocean_terrain_stage(ocean_terrain* terrain, const char* step, float* data,
                                  size_t count) {
-    return guarded([&] {
-        const Visit visit(terrain, kTerrainHandle);
+    return in_handle(terrain, [&] {
         require(step, "step");
         require(data, "data");
         const TerrainStep wanted = step_named(step);

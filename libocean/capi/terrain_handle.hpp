@@ -20,7 +20,6 @@
 namespace ocean::capi {
 
 /// The word for the handle in messages.
-inline constexpr const char* kTerrainHandle = "terrain";
 
 /// A mesh whose counts the host knows.
 struct CountedMesh {
@@ -33,7 +32,7 @@ struct CountedMesh {
 }  // namespace ocean::capi
 
 struct ocean_terrain : ocean::capi::Handle {
-    static constexpr const char* kName = ocean::capi::kTerrainHandle;
+    static constexpr const char* kName = "terrain";
     ocean_terrain(ocean::TerrainModel terrain, ocean::TerrainOptions opened_with,
                   std::string folder)
         : options(std::move(opened_with)),

@@ -60,18 +60,11 @@ LandMesh make_mesh(Terrain& land, const QuadtreeSettings& settings, const LandVi
     return make_land_mesh(settings, patches, view, sampler);
 }
 
-void require_capacity(const char* name, std::size_t capacity, std::size_t needed) {
-    if (capacity >= needed) return;
-    throw CallError(OCEAN_BUFFER_TOO_SMALL, std::string(name) + " = " + std::to_string(capacity) +
-                                                "; this mesh needs " + std::to_string(needed));
-}
-
 }  // namespace
 
 ocean_result ocean_terrain_mesh(ocean_terrain* terrain, const ocean_mesh_request* request,
                                 size_t* vertices, size_t* triangles) {
-    return guarded([&] {
-        const Visit visit(terrain, kTerrainHandle);
+    return in_handle(terrain, [&] {
         require(request, "request");
         require(vertices, "vertices");
         require(triangles, "triangles");
@@ -88,8 +81,11 @@ ocean_result ocean_terrain_mesh(ocean_terrain* terrain, const ocean_mesh_request
         }
         const LandMesh& mesh = terrain->mesh->mesh;
         if (asked.positions != nullptr) {
-            require_capacity("vertex_capacity", asked.vertex_capacity, mesh.positions.size());
-            require_capacity("triangle_capacity", asked.triangle_capacity, mesh.triangles.size());
+            const auto require_room = [](const char* name, std::size_t given, std::size_t needed) {
+                require_capacity(name, given, needed, "this mesh needs " + std::to_string(needed));
+            };
+            require_room("vertex_capacity", asked.vertex_capacity, mesh.positions.size());
+            require_room("triangle_capacity", asked.triangle_capacity, mesh.triangles.size());
         }
         *vertices = mesh.positions.size();
         *triangles = mesh.triangles.size();
