@@ -31,11 +31,9 @@ class Object {
     GLuint name_ = 0;
 };
 
-inline void delete_buffer(GLuint name) {
-    glDeleteBuffers(1, &name);
-}
-inline void delete_texture(GLuint name) {
-    glDeleteTextures(1, &name);
+template <auto kDelete>
+void delete_one(GLuint name) {
+    (*kDelete)(1, &name);
 }
 inline void delete_program(GLuint name) {
     glDeleteProgram(name);
@@ -44,31 +42,15 @@ inline void delete_shader(GLuint name) {
     glDeleteShader(name);
 }
 
-inline void delete_vertex_array(GLuint name) {
-    glDeleteVertexArrays(1, &name);
-}
-inline void delete_framebuffer(GLuint name) {
-    glDeleteFramebuffers(1, &name);
-}
-inline void delete_renderbuffer(GLuint name) {
-    glDeleteRenderbuffers(1, &name);
-}
-inline void delete_sampler(GLuint name) {
-    glDeleteSamplers(1, &name);
-}
-inline void delete_query(GLuint name) {
-    glDeleteQueries(1, &name);
-}
-
-using Buffer = Object<delete_buffer>;
-using Texture = Object<delete_texture>;
+using Buffer = Object<delete_one<&glDeleteBuffers>>;
+using Texture = Object<delete_one<&glDeleteTextures>>;
 using Program = Object<delete_program>;
 using Shader = Object<delete_shader>;
-using VertexArray = Object<delete_vertex_array>;
-using Sampler = Object<delete_sampler>;
-using Framebuffer = Object<delete_framebuffer>;
-using Renderbuffer = Object<delete_renderbuffer>;
-using Query = Object<delete_query>;
+using VertexArray = Object<delete_one<&glDeleteVertexArrays>>;
+using Sampler = Object<delete_one<&glDeleteSamplers>>;
+using Framebuffer = Object<delete_one<&glDeleteFramebuffers>>;
+using Renderbuffer = Object<delete_one<&glDeleteRenderbuffers>>;
+using Query = Object<delete_one<&glDeleteQueries>>;
 
 template <typename Made, auto kGenerate>
 Made generate() {
