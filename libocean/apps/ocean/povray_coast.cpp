@@ -75,20 +75,6 @@ BakePlan plan_coast(const PovrayCoastRequest& request, const Context& context) {
     return plan;
 }
 
-/// Writes the lists of frames again: another chunk may have baked some meanwhile.
-void update_frame_lists(const PovrayCoastPlans& plans, const SeaState& state,
-                        const PovrayCoastRequest& request, const Context& context) {
-    const InterruptWatch::Hold whole = context.interrupts.hold();
-    const io::FolderLock lock(request.folder);
-    const std::vector<int> frames =
-        united(plans.open.all_frames, povray_existing_frames(plans.open).of_plan);
-    for (const FolderFile& file : povray_coast_frame_lists(plans, state, frames)) {
-        const std::string path = request.folder + "/" + file.name;
-        if (text::first_bytes(path, file.text.size() + 1) == file.text) continue;
-        io::write_file_atomically(path, file.text);
-    }
-}
-
 }  // namespace
 
 void write_povray_coast(const PovrayCoastRequest& request, const Context& context) {
@@ -114,21 +100,14 @@ void write_povray_coast(const PovrayCoastRequest& request, const Context& contex
         for (const std::string& path : paths_that_may_exist(*plan)) inputs.spare(path);
     }
     io::require_folder(request.folder);
-    const std::string warning =
-        foreign_frames_warning(existing, open.all_frames, request.folder + "/ocean.ini");
-    if (!warning.empty()) context.console.warning(warning);
-    BakeForecast beside = forecast_folder(files, request.folder);
-    add_files(beside, forecast_bake(coast));
-    const BakeForecast baked = forecast_bake(open);
-    if (request.dry_run) return show_forecast(baked, beside, context.console);
-    report_forecast(baked, beside, context.console);
-    write_folder(files, request.folder, context);
+    warn_of_foreign_frames(existing, open, request.folder, context);
     // A frame counts once its open sea is there: the coast comes first.
-    for (const BakePlan* plan : {&coast, &open}) {
-        ConsoleHost host(context);
-        run_bake(*plan, host);
-    }
-    update_frame_lists(plans, state, request, context);
+    const PovrayFolderWork work{request.folder, files, open, {&coast, &open}};
+    if (!write_folder(work, request.dry_run, context)) return;
+    const auto lists_of = [&](const std::vector<int>& frames) {
+        return povray_coast_frame_lists(plans, state, frames);
+    };
+    update_frame_lists(open, request.folder, lists_of, context);
 }
 
 }  // namespace ocean::app

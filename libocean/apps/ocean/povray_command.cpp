@@ -76,19 +76,6 @@ void warn_of_cost(const BakePlan& plan, Console& console) {
                     {"povray_parse_seconds", Json(12e-6 * vertices, decimals<1>)}});
 }
 
-/// Writes the lists of frames again: another chunk may have baked some meanwhile.
-void update_frame_lists(const BakePlan& plan, const SeaState& state, const std::string& folder,
-                        const Context& context) {
-    const InterruptWatch::Hold whole = context.interrupts.hold();
-    const io::FolderLock lock(folder);
-    const std::vector<int> frames = united(plan.all_frames, povray_existing_frames(plan).of_plan);
-    for (const FolderFile& file : povray_frame_lists(plan, state, frames)) {
-        const std::string path = folder + "/" + file.name;
-        if (text::first_bytes(path, file.text.size() + 1) == file.text) continue;
-        io::write_file_atomically(path, file.text);
-    }
-}
-
 /// Throws Error unsupported for options that only a sea has.
 void refuse_options_of_seas(const Typed& typed) {
     const std::pair<const char*, bool> given[] = {{"--frames", !typed.bake.frames.empty()},
@@ -103,14 +90,6 @@ void refuse_options_of_seas(const Typed& typed) {
     }
 }
 
-/// Throws Error invalid_value for a folder with a terrain.
-void refuse_folder_of_a_terrain(const std::string& folder) {
-    std::error_code error;
-    if (!std::filesystem::exists(utf8_path(folder + "/terrain.ini"), error)) return;
-    throw Error(ErrorKind::invalid_value,
-                "-o " + folder + ": the folder holds a terrain, terrain.ini; a sea needs its own");
-}
-
 void run(const Typed& typed, const Context& context) {
     const std::string folder = typed.folder.empty() ? "." : typed.folder;
     refuse_unknown_preset(typed.sea.source);
@@ -123,7 +102,7 @@ void run(const Typed& typed, const Context& context) {
             context);
     }
     const Sea given = open_sea({typed.sea.source, typed.sea.assignments});
-    refuse_folder_of_a_terrain(folder);
+    refuse_folder_of(folder, "terrain.ini", "a terrain", "a sea");
     if (given.parameters.water.bed) {
         return write_povray_coast({typed.bake, given, typed.sea.source, folder, typed.format,
                                    typed.region, typed.near_only, typed.dry_run},
@@ -145,16 +124,12 @@ void run(const Typed& typed, const Context& context) {
     for (const std::string& path : paths_that_may_exist(plan)) inputs.spare(path);
     io::require_folder(folder);
     warn_of_cost(plan, context.console);
-    const std::string warning =
-        foreign_frames_warning(existing, plan.all_frames, folder + "/ocean.ini");
-    if (!warning.empty()) context.console.warning(warning);
-    const BakeForecast baked = forecast_bake(plan), beside = forecast_folder(files, folder);
-    if (typed.dry_run) return show_forecast(baked, beside, context.console);
-    report_forecast(baked, beside, context.console);
-    write_folder(files, folder, context);
-    ConsoleHost host(context);
-    run_bake(plan, host);
-    update_frame_lists(plan, state, folder, context);
+    warn_of_foreign_frames(existing, plan, folder, context);
+    if (!write_folder({folder, files, plan, {&plan}}, typed.dry_run, context)) return;
+    const auto lists_of = [&](const std::vector<int>& frames) {
+        return povray_frame_lists(plan, state, frames);
+    };
+    update_frame_lists(plan, folder, lists_of, context);
 }
 
 std::vector<OptionGroup> povray_options(Typed& typed) {

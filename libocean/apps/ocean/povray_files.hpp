@@ -5,6 +5,7 @@
 // terrains.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,12 +31,29 @@ void refuse_large_mesh(int resolution);
 /// an input of the command, or a file of the folder.
 void refuse_to_replace_others(const std::vector<FolderFile>& files, const std::string& folder,
                               const InputFiles& inputs);
-BakeForecast forecast_folder(const std::vector<FolderFile>& files, const std::string& folder);
-/// Adds the files and bytes of another forecast.
-void add_files(BakeForecast& forecast, const BakeForecast& more);
-/// Writes the files, but keeps the user's, and creates the folder. Throws Error output.
-void write_folder(const std::vector<FolderFile>& files, const std::string& folder,
-                  const Context& context);
+/// Throws Error invalid_value for a folder that has `file`, which is of `other`: "a terrain". Two
+/// scenes would have one name.
+void refuse_folder_of(const std::string& folder, const std::string& file, const std::string& other,
+                      const std::string& own);
+/// A folder with its files, and the plans of its maps in the order in which they are baked.
+struct PovrayFolderWork {
+    const std::string& folder;
+    const std::vector<FolderFile>& files;
+    const BakePlan& frames;  // the one of the plans that a forecast counts
+    std::vector<const BakePlan*> plans;
+};
+/// Writes the files, but keeps the user's, and bakes the maps; prints the forecast alone in a dry
+/// run. Returns true if it wrote. Throws Error.
+bool write_folder(const PovrayFolderWork& work, bool dry_run, const Context& context);
+/// Writes the lists of frames again: another chunk may have baked some meanwhile. `lists_of`
+/// returns the files for all frames of the folder.
+void update_frame_lists(
+    const BakePlan& plan, const std::string& folder,
+    const std::function<std::vector<FolderFile>(const std::vector<int>&)>& lists_of,
+    const Context& context);
+/// Warns of frames of another sea, format or resolution in the folder.
+void warn_of_foreign_frames(const ExistingFrames& existing, const BakePlan& plan,
+                            const std::string& folder, const Context& context);
 
 /// The options of `ocean povray` that a terrain has too.
 struct PovrayTerrainRequest {

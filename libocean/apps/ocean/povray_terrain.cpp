@@ -73,15 +73,6 @@ std::vector<BakePlan> make_plans(const PovrayTerrainRequest& request, const Cont
     return plans;
 }
 
-/// Throws Error invalid_value for a folder with a sea: two scenes and two lists of faces would have
-/// one name.
-void refuse_folder_of_a_sea(const std::string& folder) {
-    std::error_code error;
-    if (!std::filesystem::exists(utf8_path(folder + "/ocean.ini"), error)) return;
-    throw Error(ErrorKind::invalid_value,
-                "-o " + folder + ": the folder holds a sea, ocean.ini; a terrain needs its own");
-}
-
 /// Reports the cost of POV-Ray's forms of the land, measured at 1024^2 samples.
 void report_cost(const PovrayTerrainRequest& request, const BakePlan& plan, Console& console) {
     const auto [columns, rows] = io::patch_vertices(plan.domain());
@@ -113,23 +104,16 @@ void write_povray_terrain(const PovrayTerrainRequest& request, const Context& co
     Terrain land(terrain, {.threads = plan.threads});
     const std::vector<FolderFile> files = povray_terrain_files(plan, land.state(), request.format);
     const InputFiles inputs(request.bake.source, plan.subject->named_files());
-    refuse_folder_of_a_sea(request.folder);
+    refuse_folder_of(request.folder, "ocean.ini", "a sea", "a terrain");
     refuse_to_replace_others(files, request.folder, inputs);
     for (const BakePlan& one : plans) {
         for (const std::string& path : paths_that_may_exist(one)) inputs.spare(path);
     }
     io::require_folder(request.folder);
     report_cost(request, plan, context.console);
-    BakeForecast beside = forecast_folder(files, request.folder);
-    for (std::size_t i = 1; i < plans.size(); ++i) add_files(beside, forecast_bake(plans[i]));
-    const BakeForecast baked = forecast_bake(plan);
-    if (request.dry_run) return show_forecast(baked, beside, context.console);
-    report_forecast(baked, beside, context.console);
-    write_folder(files, request.folder, context);
-    for (const BakePlan& one : plans) {
-        ConsoleHost host(context);
-        run_bake(one, host);
-    }
+    PovrayFolderWork work{request.folder, files, plan, {}};
+    for (const BakePlan& one : plans) work.plans.push_back(&one);
+    write_folder(work, request.dry_run, context);
 }
 
 }  // namespace ocean::app
