@@ -10,6 +10,7 @@
 #include "formats/formats.hpp"
 #include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/internal/csv_rows.hpp"
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/io/subject_words.hpp"

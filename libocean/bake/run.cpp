@@ -16,6 +16,7 @@
 #include "formats/spray_points.hpp"
 #include "frame_baker.hpp"
 #include "frame_workers.hpp"
+#include "ocean/bake/estimate.hpp"
 #include "ocean/bake/existing_frames.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/output_file.hpp"

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ocean/detail.hpp"
 #include "ocean/text.hpp"
 #include "ocean/version.hpp"
 

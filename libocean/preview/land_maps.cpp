@@ -9,8 +9,10 @@
 #include <limits>
 
 #include "ocean/gl/textures.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/land_quadtree.hpp"
+#include "ocean/terrain_modes.hpp"
 
 namespace ocean::preview {
 namespace {

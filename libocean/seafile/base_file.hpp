@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "ocean/internal/terrain_base.hpp"
 #include "ocean/terrain_model.hpp"
 #include "toml_input.hpp"
 

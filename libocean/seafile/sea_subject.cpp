@@ -18,6 +18,7 @@
 #include "ocean/internal/sea_bytes.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/map_levels.hpp"
+#include "ocean/ocean.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/region.hpp"
 #include "ocean/sea_bed.hpp"

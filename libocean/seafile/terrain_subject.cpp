@@ -18,6 +18,8 @@
 #include "ocean/land_function.hpp"
 #include "ocean/region.hpp"
 #include "ocean/surface_query.hpp"
+#include "ocean/terrain.hpp"
+#include "ocean/terrain_modes.hpp"
 #include "ocean/terrain_table.hpp"
 #include "ocean/terrainfile.hpp"
 #include "ocean/text.hpp"

@@ -13,6 +13,7 @@
 
 #include "ocean/bake/run.hpp"
 #include "ocean/error.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/sea_subject.hpp"
 #include "ocean/seafile.hpp"

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "ocean/bake/estimate.hpp"
 #include "ocean/error.hpp"
 #include "ocean/sea_subject.hpp"
 #include "ocean/seafile.hpp"

@@ -5,6 +5,7 @@
 // file is kept for its own settings only; the forecast is an upper bound.
 #include <gtest/gtest.h>
 
+#include "ocean/bake/estimate.hpp"
 #include "ocean/bake/existing_frames.hpp"
 #include "ocean/bake/run.hpp"
 #include "ocean/error.hpp"

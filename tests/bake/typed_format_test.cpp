@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "ocean/bake/made_product.hpp"
 #include "ocean/sea_subject.hpp"
 #include "ocean/seafile.hpp"
 

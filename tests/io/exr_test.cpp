@@ -9,6 +9,7 @@
 
 #include "ocean/caustics.hpp"
 #include "ocean/error.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/io/product_image.hpp"
 #include "sample_surface.hpp"

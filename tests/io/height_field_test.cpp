@@ -12,6 +12,7 @@
 #include <cstdio>
 
 #include "ocean/error.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/io/height_field.hpp"
 #include "ocean/io/product_image.hpp"
 #include "sample_surface.hpp"

@@ -11,6 +11,7 @@
 
 #include "mesh/map_pyramid.hpp"
 #include "ocean/error.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/io/horizon_mesh.hpp"
 #include "ocean/io/visible_slope.hpp"
 #include "sample_surface.hpp"

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "ocean/error.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/io/mesh.hpp"
 #include "ocean/io/mesh2.hpp"
 #include "sample_surface.hpp"

@@ -12,6 +12,7 @@
 #include <initializer_list>
 #include <string>
 
+#include "ocean/grid.hpp"
 #include "ocean/io/height_field.hpp"
 #include "ocean/io/mesh.hpp"
 #include "ocean/io/mesh2.hpp"

@@ -11,6 +11,8 @@
 #include <string>
 
 #include "helpers.hpp"
+#include "ocean/internal/terrain_base.hpp"
+#include "ocean/measured_rings.hpp"
 #include "ocean/terrain.hpp"
 #include "ocean/terrain_subject.hpp"
 #include "ocean/terrain_table.hpp"

@@ -22,6 +22,7 @@
 #include "land/function/place_hash.hpp"
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/internal/terrain_base.hpp"
 #include "ocean/ring_spectrum.hpp"
 #include "ocean/terrain.hpp"
 #include "ocean/terrain_table.hpp"

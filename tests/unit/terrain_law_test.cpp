@@ -12,6 +12,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/measured_rings.hpp"
 #include "ocean/terrain_table.hpp"
 
 namespace ocean {

@@ -26,6 +26,7 @@
 #include "stage_images.hpp"
 #else
 #include "ocean/backend.hpp"
+#include "ocean/region.hpp"
 #endif
 #include "region_argument.hpp"
 #include "sea_argument.hpp"

@@ -5,6 +5,7 @@
 #include "console_host.hpp"
 
 #include "console.hpp"
+#include "ocean/bake/estimate.hpp"
 #include "text.hpp"
 
 namespace ocean::app {

@@ -9,6 +9,7 @@
 
 #include "command.hpp"
 #include "interrupt.hpp"
+#include "ocean/bake/estimate.hpp"
 #include "ocean/bake/run.hpp"
 
 namespace ocean::app {

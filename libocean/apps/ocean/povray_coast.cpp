@@ -13,6 +13,7 @@
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/region.hpp"
 #include "ocean/sea_subject.hpp"
 #include "ocean/seafile.hpp"
 #include "povray_files.hpp"

@@ -15,6 +15,7 @@
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/mesh.hpp"
 #include "ocean/io/output_file.hpp"
+#include "ocean/region.hpp"
 #include "ocean/terrain.hpp"
 #include "ocean/terrain_subject.hpp"
 #include "ocean/text.hpp"

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "formats/formats.hpp"
+#include "ocean/bake/made_product.hpp"
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/nearest_name.hpp"

@@ -11,6 +11,7 @@
 #include "formats/volume_settings.hpp"
 #include "formats/volumes.hpp"
 #include "ocean/make_surface.hpp"
+#include "ocean/ocean.hpp"
 #include "ocean/sea_subject.hpp"
 #include "ocean/text.hpp"
 

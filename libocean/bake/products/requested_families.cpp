@@ -6,6 +6,7 @@
 #include <iterator>
 #include <string>
 
+#include "ocean/bake/made_product.hpp"
 #include "ocean/bake/plan.hpp"
 #include "ocean/error.hpp"
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ocean/bake/catalogue.hpp"
+#include "ocean/bake/made_product.hpp"
 
 namespace ocean {
 

@@ -11,6 +11,7 @@
 #include "ocean/bake/plan.hpp"
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
+#include "ocean/terrain.hpp"
 #include "ocean/terrain_stages.hpp"
 #include "ocean/terrain_subject.hpp"
 #include "products.hpp"

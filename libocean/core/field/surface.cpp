@@ -4,6 +4,9 @@
 // The maps of one time; see surface.hpp.
 #include "ocean/surface.hpp"
 
+#include "ocean/grid.hpp"
+#include "ocean/thread_pool.hpp"
+
 namespace ocean {
 
 Surface::Surface(const Domain& domain, double time, ChannelSet channels)
@@ -12,6 +15,9 @@ Surface::Surface(const Domain& domain, double time, ChannelSet channels)
         if (has(static_cast<Channel>(c))) maps_[c].resize(domain.count());
     }
 }
+
+Surface::Surface(const Lattice& lattice, double time, ChannelSet channels)
+    : Surface(Domain::tile(lattice.period, lattice.resolution), time, channels) {}
 
 std::span<const float> Surface::channel(Channel channel) const {
     if (!has(channel)) return {};

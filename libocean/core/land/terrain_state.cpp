@@ -15,8 +15,12 @@
 #include "ocean/grid.hpp"
 #include "ocean/internal/json.hpp"
 #include "ocean/internal/sea_bytes.hpp"
+#include "ocean/internal/terrain_base.hpp"
+#include "ocean/measured_rings.hpp"
+#include "ocean/modes.hpp"
 #include "ocean/terrain.hpp"
 #include "ocean/terrain_law.hpp"
+#include "ocean/terrain_modes.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {

@@ -13,22 +13,6 @@
 
 namespace ocean {
 
-/// The rectangle that a body covers on the water.
-struct FloatBody {
-    double x, y;     // its centre [m]
-    double heading;  // of its bow, counter-clockwise from +x (east) [degrees]
-    double length;   // along the heading [m]
-    double width;    // [m]
-};
-
-struct FloatPose {
-    double position[3];  // the body's x and y, and the height of the plane there [m]
-    double up[3];        // unit vectors of the tilted body
-    double forward[3];
-    double pitch;  // bow up [degrees]
-    double roll;   // port side (left of the heading) up [degrees]
-};
-
 /// Throws Error invalid_value for a number that is not finite and for a length or width outside 0
 /// .. 1e5 m.
 void require_body(const FloatBody& body);

@@ -37,12 +37,6 @@ struct FoamClock {
 /// Returns the clock of a sea with those settings; loop_period [s], 0 = no loop.
 FoamClock foam_clock(const SurfaceSettings& settings, double loop_period);
 
-/// Where foam begins.
-enum class FoamStart {
-    settled,  // as far back as foam lives: the same bits as from any earlier start
-    empty,    // at the first requested time, for live tools: correct after settling_ticks()
-};
-
 /// Returns how many ticks before `tick` foam must begin to have the same bits as from any earlier
 /// start: ceil(ln(512) lifetime / step) and a few more for the rounding of floats, at most one
 /// loop. Where the lifetime changes, the number of ticks in which foam fades to 1/512.

@@ -13,22 +13,9 @@
 #include <span>
 #include <vector>
 
+#include "ocean/terrain_model.hpp"
+
 namespace ocean {
-
-inline constexpr int kMaxGullyOctaves = 12;
-
-/// Parameters of gullies.
-struct GullySettings {
-    double longest = 1500.0;  // wavelength of the first octave [m], above 0; each next one has half
-    int octaves = 6;          // 1 .. kMaxGullyOctaves
-    double depth = 0.055;     // half the height from floor to ridge / wavelength, 0 .. 1
-    double crease = 0.7;      // of the ridges: 0 round, 1 sharp
-    double flat = 0.2;        // slope at which gullies have half their depth, above 0
-    std::uint32_t seed = 1;
-    double period = 0.0;  // [m], at least 4 longest; 0: does not repeat
-
-    bool operator==(const GullySettings&) const = default;
-};
 
 /// One octave of the gullies: for hosts that compute gullies on a GPU.
 struct GullyOctave {

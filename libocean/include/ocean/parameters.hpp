@@ -27,6 +27,12 @@ enum class BedUnit { m, ft, us_ft };
 enum class BedSign { up, down };
 enum class Swash { on, off };
 
+/// Where foam begins; no parameter of a sea file.
+enum class FoamStart {
+    settled,  // as far back as foam lives: the same bits as from any earlier start
+    empty,    // at the first requested time, for live tools; see OceanOptions::foam_start
+};
+
 struct SeaBed;  // sea_bed.hpp
 
 /// The edge of a sea with a bed: [water.shore].

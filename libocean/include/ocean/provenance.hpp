@@ -13,11 +13,12 @@
 #include <vector>
 
 #include "ocean/channel.hpp"
-#include "ocean/detail.hpp"
 #include "ocean/domain.hpp"
 #include "ocean/subject_kind.hpp"
 
 namespace ocean {
+
+struct DetailBand;
 
 /// A text of a file's header.
 struct HeaderString {
@@ -55,4 +56,11 @@ std::vector<HeaderString> product_strings(std::span<const Product* const> produc
 std::vector<HeaderString> slope_tile_strings(const DetailBand& band, double residual,
                                              int map_resolution);
 
+namespace io {
+
+using ocean::HeaderString;
+using ocean::Provenance;
+using ocean::provenance_strings;
+
+}  // namespace io
 }  // namespace ocean

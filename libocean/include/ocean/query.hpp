@@ -40,6 +40,22 @@ struct QueryOptions {
     bool operator==(const QueryOptions&) const = default;
 };
 
+/// The rectangle that a body covers on the water.
+struct FloatBody {
+    double x, y;     // its centre [m]
+    double heading;  // of its bow, counter-clockwise from +x (east) [degrees]
+    double length;   // along the heading [m]
+    double width;    // [m]
+};
+
+struct FloatPose {
+    double position[3];  // the body's x and y, and the height of the plane there [m]
+    double up[3];        // unit vectors of the tilted body
+    double forward[3];
+    double pitch;  // bow up [degrees]
+    double roll;   // port side (left of the heading) up [degrees]
+};
+
 /// The motion of the water at a fixed point, by linear theory.
 struct WaterMotion {
     double velocity_x, velocity_y, velocity_z;  // [m/s]

@@ -10,10 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "ocean/modes.hpp"
 #include "ocean/sea_bed.hpp"
 
 namespace ocean {
+
+class DirectionalSpectrum;
+class ThreadPool;
+struct Modes;
 
 /// A statistic twice: `asked` is the integral of the spectrum, in double; `resolved` is the sum
 /// over the modes of the grid. Neither contains a random draw.

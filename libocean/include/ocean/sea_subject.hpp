@@ -6,13 +6,13 @@
 
 #include <memory>
 
-#include "ocean/ocean.hpp"
-#include "ocean/region.hpp"
 #include "ocean/sea.hpp"
 #include "ocean/subject.hpp"
-#include "ocean/subject_kind.hpp"
 
 namespace ocean {
+
+class Ocean;
+struct Region;
 
 /// Returns a valid, resolved sea as a subject: one period of an open sea, or the whole bed of a sea
 /// over a bed.

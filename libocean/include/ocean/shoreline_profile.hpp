@@ -26,25 +26,13 @@
 
 #include "ocean/domain.hpp"
 #include "ocean/page_vector.hpp"
+#include "ocean/terrain_model.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {
 
 /// The distance to the shore in a grid without any shore: + on land, - at sea [m].
 inline constexpr float kNoShore = 1e9f;
-
-/// All numbers but the level must be positive.
-struct ShorelineSettings {
-    double level = 0.0;               // height of the water [m]
-    double beach_slope = 1.0 / 30.0;  // of the bed where the shore is sheltered
-    double berm = 2.2;                // height of the beach above the level [m]
-    double face = 0.1;                // slope of the beach at the water line
-    double closure = 9.0;             // depth to which beach_slope reaches [m]
-    double shelf = 45.0;              // depth of the shelf [m]
-    double smooth = 40.0;             // deviation of the Gaussian that smooths the shore line [m]
-    double shelter = 450.0;           // deviation of the Gaussian of the land share [m]
-    double width = 130.0;             // of the beach on land [m]
-};
 
 /// Maps on the domain of the heights, row-major from the south.
 struct ShorelineMaps {

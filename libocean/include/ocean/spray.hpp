@@ -17,11 +17,11 @@
 
 #include "ocean/channel.hpp"
 #include "ocean/domain.hpp"
-#include "ocean/grid.hpp"
 #include "ocean/parameters.hpp"
 
 namespace ocean {
 
+struct Lattice;
 struct Sea;
 
 /// The settings of spray; everything else follows from the sea.

@@ -21,22 +21,10 @@
 #include <vector>
 
 #include "ocean/page_vector.hpp"
+#include "ocean/terrain_model.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {
-
-/// The laws of erosion, the same on every level.
-struct StreamSettings {
-    double exponent = 0.45;         // m of the drainage area, 0 .. 1
-    double hillslope_area = 1.2e4;  // [m2]; smaller areas erode as this one
-    double slope = 0.62;            // at the hillslope area where uplift is 1
-    double max_slope = 0.8;         // of hillsides
-    double age = 1.0;               // share of the time after which the last slope is steady, 0..1
-    double creep = 55.0;            // reach of soil creep between channels [m]; 0: none
-    std::uint32_t seed = 1;         // of the valleys' turns within the grid
-
-    bool operator==(const StreamSettings&) const = default;
-};
 
 /// The land of one level, row-major from the south-west.
 struct StreamLevel {

@@ -11,11 +11,13 @@
 
 #include "ocean/channel.hpp"
 #include "ocean/domain.hpp"
-#include "ocean/grid.hpp"
 #include "ocean/map_output.hpp"
 #include "ocean/page_vector.hpp"
 
 namespace ocean {
+
+class ThreadPool;
+struct Lattice;
 
 /// Planar maps, row-major [j][i], sample (i, j) at domain().place(i, j).
 class Surface {
@@ -24,8 +26,7 @@ class Surface {
     /// Allocates the maps and leaves them uninitialised.
     Surface(const Domain& domain, double time, ChannelSet channels);
     /// Allocates maps over one period of a lattice.
-    Surface(const Lattice& lattice, double time, ChannelSet channels)
-        : Surface(Domain::tile(lattice.period, lattice.resolution), time, channels) {}
+    Surface(const Lattice& lattice, double time, ChannelSet channels);
 
     const Domain& domain() const { return domain_; }
     /// Returns the samples along x; a tile has as many along y.

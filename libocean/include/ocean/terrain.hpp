@@ -18,13 +18,14 @@
 #include "ocean/query.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/terrain_model.hpp"
-#include "ocean/terrain_modes.hpp"
 #include "ocean/terrain_state.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {
 
 class LandFunction;
+struct Modes;
+struct TerrainScale;
 
 struct TerrainOptions {
     int threads = 0;                    // 0 = the cores this process may use

@@ -13,13 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "ocean/elevation.hpp"
-#include "ocean/gullies.hpp"
-#include "ocean/measured_rings.hpp"
-#include "ocean/shoreline_profile.hpp"
-#include "ocean/stream_power.hpp"
-
 namespace ocean {
+
+struct MeasuredRings;
+struct TerrainBase;
 
 /// How a terrain lies in the world. tile: a square that repeats. placed: a rectangle that exists
 /// once.
@@ -27,11 +24,45 @@ enum class TerrainKind { tile, placed };
 
 inline constexpr double kDefaultTerrainRms = 10.0;  // [m]
 
-/// An elevation model as the base of a land.
-struct TerrainBase {
-    ElevationModel model;  // without holes; its origin is in its own coordinate system
-    MeasuredRings rings;   // its spectrum
-    std::string hash;      // SHA-256 of samples and heights, in hexadecimal
+inline constexpr int kMaxGullyOctaves = 12;
+
+/// Erosion by gullies; see gullies.hpp.
+struct GullySettings {
+    double longest = 1500.0;  // wavelength of the first octave [m], above 0; each next one has half
+    int octaves = 6;          // 1 .. kMaxGullyOctaves
+    double depth = 0.055;     // half of the height between floor and ridge over wavelength, 0 .. 1
+    double crease = 0.7;      // of the ridges: 0 round, 1 sharp
+    double flat = 0.2;        // slope at which gullies have half of their depth, above 0
+    std::uint32_t seed = 1;
+    double period = 0.0;  // [m], at least 4 longest; 0: does not repeat
+
+    bool operator==(const GullySettings&) const = default;
+};
+
+/// Erosion by streams; see stream_power.hpp.
+struct StreamSettings {
+    double exponent = 0.45;         // m of the drainage area, 0 .. 1
+    double hillslope_area = 1.2e4;  // [m2]; smaller areas erode as this one
+    double slope = 0.62;            // at the hillslope area where uplift is 1
+    double max_slope = 0.8;         // of hillsides
+    double age = 1.0;               // share of the time after which the last slope is steady, 0..1
+    double creep = 55.0;            // reach of soil creep between channels [m]; 0: none
+    std::uint32_t seed = 1;         // of the valleys' turns within the grid
+
+    bool operator==(const StreamSettings&) const = default;
+};
+
+/// The shore of a land, see shoreline_profile.hpp. All numbers but the level must be positive.
+struct ShorelineSettings {
+    double level = 0.0;               // height of the water [m]
+    double beach_slope = 1.0 / 30.0;  // of the bed where the shore is sheltered
+    double berm = 2.2;                // height of the beach above the level [m]
+    double face = 0.1;                // slope of the beach at the water line
+    double closure = 9.0;             // depth to which beach_slope reaches [m]
+    double shelf = 45.0;              // depth of the shelf [m]
+    double smooth = 40.0;             // deviation of the Gaussian that smooths the shore line [m]
+    double shelter = 450.0;           // deviation of the Gaussian of the land share [m]
+    double width = 130.0;             // of the beach on land [m]
 };
 
 /// A further tile over the first one, with its own period and noise. It has the same law, so that

@@ -8,9 +8,9 @@
 
 #include <array>
 
-#include "ocean/modes.hpp"
-
 namespace ocean {
+
+struct Modes;
 
 /// The highest peak of an autocorrelation away from lag 0.
 struct RepeatPeak {

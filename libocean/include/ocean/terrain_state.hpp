@@ -11,12 +11,14 @@
 #include <vector>
 
 #include "ocean/sea_state.hpp"
-#include "ocean/surface.hpp"
 #include "ocean/terrain_model.hpp"
-#include "ocean/terrain_modes.hpp"
 #include "ocean/terrain_repeat.hpp"
 
 namespace ocean {
+
+class Surface;
+struct Modes;
+struct TerrainScale;
 
 /// The waves of one octave of wavelength.
 struct TerrainOctave {

@@ -8,14 +8,13 @@
 #include <string>
 #include <string_view>
 
-#include "ocean/domain.hpp"
-#include "ocean/region.hpp"
 #include "ocean/subject.hpp"
-#include "ocean/subject_kind.hpp"
-#include "ocean/terrain.hpp"
 #include "ocean/terrain_model.hpp"
 
 namespace ocean {
+
+class Terrain;
+struct Region;
 
 /// How often a tile is repeated to the east and to the north.
 struct TerrainTiles {

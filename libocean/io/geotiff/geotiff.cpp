@@ -22,6 +22,7 @@
 #include "geotiff_header.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/output_file.hpp"
+#include "ocean/io/provenance.hpp"
 
 namespace ocean::io {
 namespace {

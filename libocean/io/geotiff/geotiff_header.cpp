@@ -14,6 +14,7 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/geotiff.hpp"
+#include "ocean/io/provenance.hpp"
 
 namespace ocean::io {
 namespace {

@@ -13,6 +13,7 @@
 
 #include "map_pyramid.hpp"
 #include "ocean/error.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/io/visible_slope.hpp"
 #include "wave/wave.hpp"
 

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "ocean/error.hpp"
+#include "ocean/io/provenance.hpp"
 #include "ocean/io/vdb.hpp"
 
 namespace ocean::io {

@@ -11,6 +11,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/io/png.hpp"
+#include "ocean/modes.hpp"
 #include "panel/panel_length.hpp"
 #include "picture_file.hpp"
 #include "window/saved_scene.hpp"

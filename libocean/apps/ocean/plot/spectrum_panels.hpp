@@ -8,6 +8,7 @@
 
 #include "figure.hpp"
 #include "ocean/directional_spectrum.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/sea_state.hpp"
 
 namespace ocean::app {

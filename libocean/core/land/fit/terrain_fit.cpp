@@ -16,6 +16,7 @@
 #include "law_fit.hpp"
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/measured_rings.hpp"
 #include "ocean/ring_spectrum.hpp"
 #include "ocean/terrain_law.hpp"
 #include "ocean/text.hpp"

@@ -11,6 +11,7 @@
 #include <cstddef>
 
 #include "ocean/grid.hpp"
+#include "ocean/modes.hpp"
 #include "ocean/terrain_law.hpp"
 
 namespace ocean {

@@ -10,6 +10,7 @@
 #include <cstddef>
 
 #include "ocean/grid.hpp"
+#include "ocean/internal/terrain_base.hpp"
 #include "ocean/terrain_law.hpp"
 
 namespace ocean {

@@ -15,6 +15,7 @@
 #include "land/function/land_function_parts.hpp"
 #include "land/function/stream_source.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/internal/terrain_base.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/make_surface.hpp"
 #include "ocean/region.hpp"

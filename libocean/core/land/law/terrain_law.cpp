@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "ocean/grid.hpp"
+#include "ocean/measured_rings.hpp"
 
 namespace ocean {
 namespace {

@@ -13,6 +13,7 @@
 #include "ocean/fft.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/internal/memory.hpp"
+#include "ocean/modes.hpp"
 
 namespace ocean {
 namespace {

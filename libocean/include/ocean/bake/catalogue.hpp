@@ -13,11 +13,12 @@
 
 #include "ocean/backend.hpp"
 #include "ocean/bake/format.hpp"
-#include "ocean/bake/made_product.hpp"
 #include "ocean/channel.hpp"
 #include "ocean/subject.hpp"
 
 namespace ocean {
+
+struct MadeProduct;
 
 /// The value of `--backend` for the fastest backend on this machine.
 inline constexpr std::string_view kAutoBackend = "auto";

@@ -20,7 +20,7 @@
 #include "ocean/bake/erased_settings.hpp"
 #include "ocean/channel.hpp"
 #include "ocean/io/image.hpp"
-#include "ocean/io/provenance.hpp"
+#include "ocean/provenance.hpp"
 #include "ocean/surface.hpp"
 
 namespace ocean {

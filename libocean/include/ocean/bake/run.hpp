@@ -10,10 +10,11 @@
 #include <string_view>
 #include <vector>
 
-#include "ocean/bake/estimate.hpp"
 #include "ocean/bake/plan.hpp"
 
 namespace ocean {
+
+struct WorkShare;
 
 /// Receives the events of a bake; every default ignores its event. begin, end and the events of
 /// frames come in the order of the frames from the thread of run_bake, all other calls from any

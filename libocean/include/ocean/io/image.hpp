@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ocean/io/provenance.hpp"
+#include "ocean/provenance.hpp"
 
 namespace ocean::io {
 

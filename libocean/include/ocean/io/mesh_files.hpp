@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ocean/io/mesh.hpp"
-#include "ocean/io/provenance.hpp"
+#include "ocean/provenance.hpp"
 
 namespace ocean::io {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "ocean/io/provenance.hpp"
+#include "ocean/provenance.hpp"
 
 namespace ocean::io {
 

@@ -14,10 +14,6 @@
 
 namespace ocean::io {
 
-using ocean::HeaderString;
-using ocean::Provenance;
-using ocean::provenance_strings;
-
 /// Returns the kind of the subject that a header names, "" if it names none.
 std::string subject_kind(std::span<const HeaderString> strings);
 /// Returns the provenance in a header; nothing if the header names no subject. Throws Error

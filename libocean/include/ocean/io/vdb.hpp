@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "ocean/io/points.hpp"
-#include "ocean/io/provenance.hpp"
+#include "ocean/provenance.hpp"
 
 namespace ocean {
 
