@@ -5,14 +5,15 @@
 
 In C, comments are marked as Doxygen's: one on its own lines describes what follows it, one behind
 code describes that code. In C++, what Sphinx cannot parse is left out: first values of members by
-their names, and values that a function without a name returns.
+their names, functions without a name, and values that one returns.
 """
 
 import re
 import sys
 from pathlib import Path
 
-COMPUTED = r" = \[\] \{\n.*?\n\}\(\);"  # up to the line that ends it
+COMPUTED = r" = \[\](?:<[^\n]*)? \{\n.*?\n\}\s*\([^;\n]*\);"  # up to the line that ends it
+UNNAMED = r"\s*=\s*\[\]\([^)]*\)\s*\{(?:[^{}]|\{[^{}]*\})*\}(?=;)"
 NAMED_MEMBERS = r"\{\.(?:[^{}]|\{[^{}]*\})*\}"
 
 
@@ -23,7 +24,7 @@ def marked(line: str) -> str:
 
 
 def without_first_values(text: str) -> str:
-    text = re.sub(COMPUTED, ";", text, flags=re.DOTALL)
+    text = re.sub(UNNAMED, "", re.sub(COMPUTED, ";", text, flags=re.DOTALL))
     return re.sub(rf"(?:\s*=\s*|(?<=\w)){NAMED_MEMBERS};", ";", text)
 
 

@@ -3,6 +3,10 @@
 //
 // Backends: they make the maps of one time out of the modes. A backend is a value: its name and one
 // function. core has three; a library above core adds its own, and core does not know it.
+//
+//     Ocean reference(sea, {.backend = Backend::dft});
+//     Ocean on_gpu(sea, {.backend = gl::kBackend});  // of ocean::gl
+//     for (const Backend& each : core_backends()) std::puts(each.name.data());
 #pragma once
 
 #include <cstdint>

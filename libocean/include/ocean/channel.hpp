@@ -10,6 +10,13 @@
 // capi/evaluate.cpp, and a name in python/libocean/_surface.py. A part that is left out does not
 // compile or fails tests/python/test_wrapper.py. The kernel needs no change, though it may have
 // faster code for a channel.
+//
+//     const ChannelSet wanted = {Channel::height, Channel::foam};
+//     if (wanted.contains(Channel::foam)) ...
+//     const Product& normal = find_product("normal");  // throws Error that lists the known ones
+//     for (Channel channel : std::span(normal.channels).first(normal.count)) {
+//         std::printf("%s\n", channel_info(channel).name.data());  // nx, ny, nz
+//     }
 #pragma once
 
 #include <algorithm>

@@ -4,6 +4,13 @@
 // Detail: the waves too short for the map that a host displays, about half of all slope, as small
 // periodic slope maps of the same sea at the same time. A material adds these slopes to the mesh's
 // slopes; shaders/wave/slope_tiles.glsl reads them without visible repetition.
+//
+//     const DetailSettings settings{.resolution = 1024};  // of the map that the host displays
+//     const Detail detail = ocean.detail(12.0, settings);
+//     for (std::size_t band = 0; band < detail.bands().size(); ++band) {
+//         upload(detail.slopes(band), detail.samples(), detail.bands()[band].tile);
+//     }
+//     material.roughness = roughness_of(detail.residual());
 #pragma once
 
 #include <array>

@@ -1,8 +1,15 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Domains: where maps lie in the world. A domain is a square that repeats, as for every sea, or a
-// rectangle that exists once, as for a coast.
+// Where and when maps lie in the world. A domain is a square that repeats, as for every open sea,
+// or a rectangle that exists once, as for a coast; a region is a rectangle that a user cuts out of
+// a land or a coast; a timeline has the times of frames.
+//
+//     const Domain tile = Domain::tile(500.0, 1024);  // a square of 500 m that repeats
+//     const auto [x, y] = tile.place(10, 20);         // of sample (10, 20) [m]
+//     const Region window{.origin = {200.0, 0.0}, .size = {300.0, 400.0}, .cell = 2.0};
+//     Surface surface = ocean.region(12.0, domain_of(window), {Channel::height});
+//     const double t = timeline_of(sea).time_of(48);  // of frame 48 [s]
 #pragma once
 
 #include <array>

@@ -3,6 +3,9 @@
 //
 // Enumerators as words. Sea files, command lines and hosts spell a word as the C++ enumerator, so
 // that it is typed once, and a new enumerator has its word without further code.
+//
+//     std::string_view word = word_of(SpectrumKind::tma);  // "tma"
+//     for (std::string_view each : kEnumWords<SpectrumKind>) menu.add(each);
 #pragma once
 
 #include <algorithm>

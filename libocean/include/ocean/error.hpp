@@ -3,6 +3,14 @@
 //
 // The one exception type. It is thrown where values enter (validation, files) and where the machine
 // refuses (memory, disk), never from the middle of a computation.
+//
+//     try {
+//         Sea sea = read_sea(path);
+//     } catch (const Error& error) {
+//         std::fprintf(stderr, "%s\n", error.what());  // one sentence, for people
+//         if (error.kind() == ErrorKind::bad_file) return 2;
+//         mark(error.fields().parameter);  // "waves.0.fetch", for programs
+//     }
 #pragma once
 
 #include <stdexcept>

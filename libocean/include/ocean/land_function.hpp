@@ -15,6 +15,14 @@
 //
 // Slopes are derivatives of h; with gullies, whose formula has no exact gradient, central
 // differences over one cell.
+//
+//     const std::shared_ptr<const LandFunction> land = terrain.function();
+//     const WorldPoint foot{120.0, 80.0};
+//     QuerySample ground;
+//     land->query({&foot, 1}, {&ground, 1}, 0.5, terrain.pool());
+//     const Domain square{.origin = {100.0, 60.0}, .size = {40.0, 40.0}, .samples = {81, 81},
+//                         .wraps = false};
+//     const Surface map = land->surface(square, land->channels(), terrain.pool());
 #pragma once
 
 #include <cstdint>

@@ -5,6 +5,11 @@
 // sea has, for materials and scattered plants. A new mask is an enumerator and a row here. Files,
 // command lines, the functions of terrain.inc and the slices of their maps follow from the row;
 // tests/python/test_masks_in_every_host.py names what a host must write itself.
+//
+//     const Surface map = terrain.surface({Channel::height, channel_of(LandMask::wear)});
+//     std::span<const float> wear = map.channel(channel_of(LandMask::wear));
+//     const bool has_beach = terrain.channels().contains(channel_of(LandMask::beach));
+//     for (const Product& mask : kMaskProducts) menu.add(mask.name, mask.help);
 #pragma once
 
 #include <array>

@@ -3,6 +3,9 @@
 //
 // Vectors for large maps that are walked through with large steps: aligned for huge pages, which
 // are requested from the system, and not filled with zeros first.
+//
+//     PageVector<float> map(resolution * resolution);  // not filled with zeros
+//     std::vector<float> copy(map.begin(), map.end());
 #pragma once
 
 #include <cstddef>

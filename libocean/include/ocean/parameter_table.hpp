@@ -4,6 +4,14 @@
 // The parameter table of a sea: for each parameter its path, unit, label, help, range, class and
 // the stage that it dirties. Sea file, command line, C API, Blender, preview, bridge and README are
 // loops over it. table.hpp holds the part that the tables of all models share.
+//
+//     set_parameter(parameters, "waves.0.wind_speed", "14");
+//     set_parameter(parameters, "spectrum", "jonswap");  // a bare key of [[waves]] means waves.0
+//     validate(parameters);                              // the rules between parameters
+//     std::string text = get_parameter(parameters, "waves.0.fetch");
+//     for (const ParameterInfo& row : parameter_table()) {
+//         panel.add(row.label, row.soft_min, row.soft_max);
+//     }
 #pragma once
 
 #include <optional>

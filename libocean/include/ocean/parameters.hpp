@@ -4,6 +4,16 @@
 // The parameters that define a sea, as one plain value, which sea file, panel, knob and take set
 // and the mathematics reads. The table of parameter_table.hpp states the unit, range, label and
 // help of each member; the initialisers here are the defaults.
+//
+//     Parameters parameters;
+//     parameters.grid.resolution = 1024;
+//     parameters.grid.patch_size = 500.0;
+//     WaveSystem& wind_sea = parameters.waves.front();
+//     wind_sea.spectrum = SpectrumKind::jonswap;
+//     wind_sea.wind_speed = 14.0;
+//     wind_sea.wind_direction = 30.0;
+//     validate(parameters);  // parameter_table.hpp
+//     Ocean ocean(parameters);
 #pragma once
 
 #include <array>
@@ -33,7 +43,8 @@ enum class FoamStart {
     empty,    // at the first requested time, for live tools; see OceanOptions::foam_start
 };
 
-struct SeaBed;  // sea_bed.hpp
+struct SeaBed;          // sea_bed.hpp
+struct SpectrumRecord;  // below
 
 /// The edge of a sea with a bed: [water.shore].
 struct ShoreSettings {

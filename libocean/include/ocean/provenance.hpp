@@ -3,6 +3,12 @@
 //
 // Where a baked file comes from, as the strings "ocean:..." of its header. The writers of all
 // formats and the C API share these words, so that a host's own files say the same as ours.
+//
+//     Provenance provenance{.kind = "sea", .text = write_sea(sea), .frame = 48, .time = 2.0};
+//     provenance.domain = surface.domain();
+//     for (const HeaderString& each : provenance_strings(provenance)) {
+//         image.set_attribute(each.name, each.text);  // ocean:sea, ocean:frame, ocean:time ...
+//     }
 #pragma once
 
 #include <array>

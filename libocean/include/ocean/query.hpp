@@ -2,7 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Queries: the displayed surface at points of the world: height, normal, velocity and foam at a
-// buoy, a ship or a camera; and the motion of the water below it.
+// buoy, a ship or a camera; the pose of a floating body on it; and the motion of the water below
+// it.
+//
+//     const WorldPoint buoys[] = {{10.0, 20.0}, {30.0, 20.0}};
+//     QuerySample samples[2];
+//     ocean.query(12.0, buoys, samples, {.foam = false});
+//     place(samples[0].height, samples[0].normal);
+//
+//     const FloatBody boat{.x = 0.0, .y = 0.0, .heading = 90.0, .length = 12.0, .width = 4.0};
+//     FloatPose pose;
+//     ocean.float_poses(12.0, {&boat, 1}, {&pose, 1});
 #pragma once
 
 namespace ocean {

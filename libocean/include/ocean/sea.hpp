@@ -1,8 +1,17 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A resolved sea file, as a host opens it. Self-contained: it includes the chosen buoy record and
-// the take.
+// A resolved sea file, as a host opens it: the parameters of a sea and its take, a recorded
+// performance of its live parameters. Self-contained: it includes the chosen buoy record and the
+// take.
+//
+//     Sea sea = read_sea("storm.toml");
+//     const Parameters later = sea.at(30.0);       // with what its take has changed until then
+//     const double t = sea.time_of(48);            // of frame 48 [s]
+//     add_wave_system(sea, "waves.1");
+//     sea.parameters.waves[1].wind_speed = 6.0;
+//     validate(sea);
+//     for (const TakeEvent& event : sea.take.events) log(take_line(event));
 #pragma once
 
 #include "ocean/parameters.hpp"

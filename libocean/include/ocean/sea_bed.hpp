@@ -5,6 +5,13 @@
 // waves feel the ground. A bed is not an elevation model: it has no holes, and its heights have the
 // unit, sign and level of the sea's parameters already applied, where a model has a datum of its
 // own.
+//
+//     GivenBed given;
+//     given.grid = {.size = {990.0, 490.0}, .samples = {100, 50}, .wraps = false};  // of 10 m
+//     given.heights.assign(given.grid.count(), -4.0f);
+//     parameters.water.bed = make_sea_bed(std::move(given), parameters.water);
+//     Ocean coast(parameters);
+//     const Surface surf = coast.region(12.0, parameters.water.bed->domain, {Channel::height});
 #pragma once
 
 #include <array>

@@ -3,6 +3,12 @@
 //
 // The statistics of a sea, in the quantities of oceanography: as the spectrum requests them, and as
 // a grid resolves them.
+//
+//     const SeaState state = Ocean(sea).state();
+//     std::printf("Hs = %.2f m of %.2f m\n", state.significant_wave_height.resolved,
+//                 state.significant_wave_height.asked);
+//     for (const std::string& warning : state.warnings) std::puts(warning.c_str());
+//     std::puts(sea_state_json(state).c_str());
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,16 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sea files: strict reading, writing that round-trips, presets, and the spectra of buoys and wave
-// models.
+// Sea files: strict reading, writing that round-trips, presets, takes, the spectra of buoys and
+// wave models; and a sea as a Subject, with the way back for code that only a sea has.
+//
+//     Sea sea = read_sea("storm.toml");
+//     Sea gale = parse_sea(find_preset("beaufort_8").toml, "beaufort_8", "");
+//     set_parameter(sea.parameters, "waves.0.file", "buoy.spec");
+//     resolve_files(sea, ".");           // reads the record that `file` names
+//     std::string text = write_sea(sea);  // needs no other file
+//     for (const Preset& preset : presets()) menu.add(preset.name, preset.description);
+//     std::unique_ptr<Subject> subject = make_subject(sea);  // for a bake
 #pragma once
 
 #include <functional>

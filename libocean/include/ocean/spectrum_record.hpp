@@ -11,10 +11,11 @@
 
 namespace ocean {
 
-/// Plain value. Angles are converted already: counter-clockwise from east, the direction that waves
-/// travel to. A record has no directions, or their first two moments (buoys), or the full
-/// distribution (wave models), never both. Vectors are parallel to `frequency` unless stated
-/// otherwise.
+/// One measured sea: the record of a buoy or a wave model for one time at one place. Readers in
+/// ocean::seafile make it; the directional estimate consumes it. A plain value. Angles are
+/// converted already: counter-clockwise from east, the direction that waves travel to. A record has
+/// no directions, or their first two moments (buoys), or the full distribution (wave models), never
+/// both. Vectors are parallel to `frequency` unless stated otherwise.
 struct SpectrumRecord {
     std::string station;
     std::string time;  // ISO 8601 in UTC, to the minute: 2020-06-08T03:50; empty = unknown

@@ -11,6 +11,14 @@
 //
 // A particle stands for a parcel of drops of one size. The number of drops is known only to a
 // factor of a million [Andreas 1998], so the density is an artistic choice.
+//
+//     const SpraySettings settings{.lifetime = 2.0, .density = 0.25};
+//     for (const SprayParticle& drop : ocean.spray(12.0, settings)) {
+//         draw(drop.x, drop.y, drop.z, drop.radius);
+//     }
+//     for (const MistPuff& puff : ocean.mist(12.0, settings)) {
+//         blur(puff.x, puff.y, puff.z, puff.deviation);
+//     }
 #pragma once
 
 #include <cstdint>

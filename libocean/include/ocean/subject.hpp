@@ -1,9 +1,17 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A subject is the content of a bake, a mesh or a view: a sea, later a terrain or a coast. Code
-// that needs only the maps, text and times of a subject uses these two interfaces; code for one
-// kind of subject (spray, slope tiles) requests that kind (sea_subject.hpp).
+// A subject is the content of a bake, a mesh or a view: a sea, a terrain or a coast. Code that
+// needs only its maps, its text and its times uses these two interfaces; code for one kind of
+// subject (spray, slope tiles) requests that kind: find_sea, find_terrain.
+//
+//     const auto subject = make_subject(read_sea("storm.toml"));  // of seafile.hpp
+//     const auto maps = subject->open({.threads = 8});
+//     const int sizes[] = {subject->default_resolution()};
+//     for (int frame = 1; frame <= 48; ++frame) {
+//         const double time = subject->timeline().time_of(frame);
+//         write(maps->levels(time, {Channel::height}, sizes).front());
+//     }
 #pragma once
 
 #include <cstdint>

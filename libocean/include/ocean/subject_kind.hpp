@@ -8,6 +8,7 @@
 
 namespace ocean {
 
+/// The kinds of subjects, as Subject::kind returns them and file headers store them.
 inline constexpr std::string_view kSeaKind = "sea";
 inline constexpr std::string_view kTerrainKind = "terrain";
 

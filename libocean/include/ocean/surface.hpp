@@ -1,8 +1,17 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The surface of one time: planar maps over a domain. The domain of a sea is one period of N x N
-// samples.
+// The surface of one time: planar maps over a domain, or buffers of a host that maps are written
+// into. The domain of a sea is one period of N x N samples.
+//
+//     const Surface surface = ocean.evaluate(12.0, {Channel::height, Channel::foam});
+//     std::span<const float> height = surface.channel(Channel::height);
+//     const int n = surface.resolution();
+//     const float z = height[20 * n + 10];  // [m], at surface.domain().place(10, 20)
+//
+//     MapOutput image{.data = rgba, .components = 4};  // or into a host's own buffer
+//     image.component = {{{Channel::nx}, {Channel::ny}, {Channel::nz}, {Channel::foam}}};
+//     ocean.evaluate_into(12.0, {&image, 1}, n);
 #pragma once
 
 #include <array>

@@ -2,8 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Table<Model>: the parameters of a model, a row for each, with its unit, range, help and access to
-// its member. Files, command lines, JSON and panels are loops over a table; their code exists once,
-// here and in ocean::seafile, for every model. parameter_table.hpp is the table of a sea.
+// its member: member<&Parameters::waves, &WaveSystem::fetch>(). Files, command lines, JSON and
+// panels are loops over a table; their code exists once, here and in ocean::seafile, for every
+// model. parameter_table.hpp is the table of a sea, terrain_table.hpp that of a terrain.
+//
+//     for (const TableRow<Parameters>& row : sea_table().rows) {
+//         std::printf("%s [%s]: %s\n", row.path().c_str(), row.unit.data(), row.help.data());
+//     }
+//     const RefOf<Parameters> fetch = find_parameter(sea_table(), "waves.1.fetch");
+//     assign(parameters, fetch, 50'000.0);  // throws Error that names the range
+//     std::string now = to_text(value_of(parameters, fetch));
 #pragma once
 
 #include <cstddef>

@@ -4,6 +4,15 @@
 // Terrain: the facade of a terrain, as Ocean is the facade of a sea. It keeps noise and modes, the
 // data that backends derive from them, and the function of a land that erosion and shore have
 // shaped. It redoes only the stages that a changed parameter dirties.
+//
+//     Terrain terrain(read_terrain("hills.toml"));
+//     const Surface map = terrain.surface({Channel::height, Channel::nz});
+//     const Domain square = domain_of(Region{.size = {200.0, 200.0}, .cell = 0.5});
+//     const Surface near = terrain.region(square, terrain.channels());
+//     const WorldPoint camera{120.0, 80.0};
+//     QuerySample ground;
+//     terrain.query({&camera, 1}, {&ground, 1});
+//     std::puts(terrain_state_json(terrain.state()).c_str());
 #pragma once
 
 #include <cstdint>

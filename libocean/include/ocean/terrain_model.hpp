@@ -4,6 +4,15 @@
 // The parameters that define a terrain, as one plain value, which terrain file, panel and slider
 // set and the mathematics reads. The table of terrain_table.hpp states the unit, range, label and
 // help of each member; the initialisers here are the defaults.
+//
+//     TerrainModel hills;
+//     hills.resolution = 1024;
+//     hills.patch_size = 4000.0;
+//     hills.beta = 2.2;
+//     hills.rms = 60.0;
+//     hills.gullies = {.longest = 900.0, .depth = 0.05};
+//     validate(hills);  // terrain_table.hpp
+//     Terrain terrain(hills);
 #pragma once
 
 #include <array>

@@ -4,6 +4,9 @@
 // How far a tile's repeats can be seen: its autocorrelation by the theorem of Wiener and Khinchin,
 // C(r) = sum |h(k)|^2 e^(i k r) / sum |h|^2 for heights, and with k^2 |h|^2 for slopes, over all
 // lags of its period. A layer of a shorter period makes a peak at each of its multiples.
+//
+//     const TerrainRepeat repeat = *terrain.state().repeat;  // of a tile
+//     std::printf("%.2f at %.0f m\n", repeat.height.correlation, repeat.height.distance);
 #pragma once
 
 #include <array>

@@ -4,6 +4,14 @@
 // The parameter table of a terrain: for each parameter its path, unit, label, help, range and the
 // stage that it dirties. Terrain file, command line, C API, Blender, preview and README are loops
 // over it.
+//
+//     set_parameter(model, "beta", "2.2");
+//     set_parameter(model, "terrain.gullies.depth", "0.05");
+//     validate(model);  // the rules between parameters
+//     std::string text = get_parameter(model, "rms");
+//     for (const TerrainRow& row : terrain_table().rows) {
+//         panel.add(row.label, row.soft_min, row.soft_max);
+//     }
 #pragma once
 
 #include <optional>

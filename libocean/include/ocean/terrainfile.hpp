@@ -1,7 +1,15 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Terrain files: strict reading, writing that round-trips, and presets.
+// Terrain files: strict reading, writing that round-trips, and presets; and a terrain as a Subject,
+// with the way back from a Subject to its terrain.
+//
+//     TerrainModel hills = read_terrain("hills.toml");
+//     const Preset& preset = find_terrain_preset("bay_island");
+//     TerrainModel island = parse_terrain(preset.toml, preset.name, "");
+//     std::string text = write_terrain(hills);  // needs no other file
+//     std::unique_ptr<Subject> subject = make_subject(hills, {.x = 2, .y = 3});  // for a bake
+//     const TerrainModel* back = find_terrain(*subject);
 #pragma once
 
 #include <span>

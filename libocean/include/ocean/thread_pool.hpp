@@ -4,6 +4,12 @@
 // A small blocking pool without spinning and without globals. It cuts the work the same way for any
 // number of threads; as the items are independent, so are the bits of the result. Where other
 // processes compete for the cores, it uses fewer threads (core/base/thread_throttle.hpp).
+//
+//     ThreadPool pool;  // the cores that this process may use
+//     pool.for_each_range(rows, [&](int first, int last) {
+//         for (int row = first; row < last; ++row) shade(row);
+//     });
+//     pool.set_interrupt([] { if (stopped) throw Error(ErrorKind::interrupted, "stopped"); });
 #pragma once
 
 #include <functional>

@@ -3,6 +3,13 @@
 //
 // The tables of a bake's formats, products, backends and subjects; options, help texts and plans
 // are loops over them. A program adds its own by passing a longer table.
+//
+//     const Catalogue& standard = standard_catalogue();
+//     std::vector<const BakeFormat*> formats(standard.formats.begin(), standard.formats.end());
+//     formats.push_back(&kStats);  // of this program: typed_format.hpp
+//     Catalogue own = standard;
+//     own.formats = formats;
+//     const BakePlan plan = make_bake_plan(options, own);
 #pragma once
 
 #include <memory>

@@ -14,7 +14,8 @@
 
 namespace ocean {
 
-/// An immutable value that copies share. A default-constructed one holds nothing.
+/// The settings of a format or of a family of made products, as plans and tables hold them: without
+/// their type. An immutable value that copies share; a default-constructed one holds nothing.
 class ErasedSettings {
   public:
     ErasedSettings() = default;

@@ -5,6 +5,11 @@
 // the format's settings. Formats are written as a BakeFormatOf (typed_format.hpp), which makes the
 // row. A new format is one such constant in one file of bake/formats/, and one line of the table in
 // catalogue.cpp.
+//
+//     for (const BakeFormat* format : standard_catalogue().formats) {
+//         std::printf("%s: %s\n", format->extension.data(), format->summary.data());
+//     }
+//     const BakeFormat* exr = standard_catalogue().find_format(".exr");
 #pragma once
 
 #include <cstddef>

@@ -2,7 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The plan of a bake, resolved before anything is computed: options that contradict each other, or
-// that this version does not have, are refused here. A plan does not change after it is made.
+// that this version does not have, are refused here. A plan does not change after it is made. Frame
+// numbers and the names of their files follow the grammar of --frames and -o.
+//
+//     BakeOptions options{.source = "storm.toml", .output = "out/sea.####.exr", .frames = "1-48"};
+//     options.format_options["products"] = "displacement,normal,foam";
+//     options.open_subject = [](const std::string& path) { return make_subject(read_sea(path)); };
+//     const BakePlan plan = make_bake_plan(options, standard_catalogue());
+//     for (int frame : plan.frames) std::puts(plan.pattern.file(frame).c_str());
+//     run_bake(plan, host);  // run.hpp
 #pragma once
 
 #include <cstdint>

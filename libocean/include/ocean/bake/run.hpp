@@ -2,6 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Bakes the frames of a plan and reports its progress to a host.
+//
+//     struct Console : BakeHost {
+//         void frame_baked(int frame, double seconds, const std::vector<std::string>&) override {
+//             std::printf("frame %d: %.1f s\n", frame, seconds);
+//         }
+//         void warning(const std::string& text) override { std::puts(text.c_str()); }
+//     };
+//     Console host;
+//     run_bake(make_bake_plan(options, standard_catalogue()), host);
 #pragma once
 
 #include <cstdint>

@@ -3,6 +3,14 @@
 //
 // How a format of baked files is written: functions over settings of the format's own type.
 // bake_format() makes the row of it that catalogues and plans hold.
+//
+//     struct Settings { int digits = 3; };
+//     constexpr BakeFormatOf<Settings> kStatsOf = {
+//         .name = "stats", .extension = ".stats", .family = "Statistics",
+//         .read_options = read_options, .resolve = resolve, .files = list_files, .recipe = recipe,
+//         .is_baked = is_baked, .max_bytes = max_bytes, .write = write,  // functions of its own
+//     };
+//     constexpr BakeFormat kStats = bake_format<kStatsOf>();  // a row for a Catalogue
 #pragma once
 
 #include <optional>

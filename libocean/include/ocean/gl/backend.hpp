@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The backends `gl` and `thesis`: they compute maps by compute shaders of OpenGL 4.3.
+//
+//     Ocean ocean(read_sea("storm.toml"), {.backend = gl::kBackend});
+//     const BackendFitness fitness = gl::kBackend.fitness(1024);
+//     if (!fitness.runs) std::puts(fitness.reason.c_str());
+//     const Surface surface = ocean.evaluate(12.0, {Channel::height});
 #pragma once
 
 #include "ocean/backend.hpp"

@@ -4,6 +4,12 @@
 // OpenEXR: writes images, reads their headers and pixels. Files are flat and have a single part;
 // the bottom scanline is the image's first row. The bytes of a file do not depend on the run: they
 // hold no date, no host name and no thread count.
+//
+//     io::write_exr(image, "height.exr", io::find_exr_compression("zip"));
+//     for (const io::HeaderString& each : io::read_exr_header("height.exr")) {
+//         std::printf("%s: %s\n", each.name.c_str(), each.text.c_str());
+//     }
+//     const io::ExrLayout layout = io::read_exr_layout("height.exr");
 #pragma once
 
 #include <array>

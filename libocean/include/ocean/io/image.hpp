@@ -1,8 +1,13 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// An image as a value, the input of all image writers for samples of any meaning: the products of a
-// sea (product_image.hpp), a terrain, a spectrum or a mask.
+// An image as a value, the input of the image writers for samples of any meaning: products of a
+// sea, a terrain, a spectrum or a mask.
+//
+//     io::Image image{.width = n, .height = n, .domain = surface.domain()};
+//     image.planes.push_back({.name = "Y", .samples = surface.channel(Channel::height)});
+//     image.provenance = {.kind = "sea", .text = write_sea(sea), .time = surface.time()};
+//     io::write_exr(image, "height.exr", io::ExrCompression::zip);
 #pragma once
 
 #include <functional>

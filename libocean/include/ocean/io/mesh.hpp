@@ -1,7 +1,15 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A surface as triangles, for renderers without displacement mapping.
+// A surface as triangles and spray as points, for renderers without displacement mapping; and their
+// files, PLY and OBJ, with their provenance in comments.
+//
+//     const Surface surface = ocean.evaluate(12.0, kEveryChannel, 512);
+//     io::Mesh mesh = io::make_patch_mesh(surface);
+//     const Provenance provenance{.kind = "sea", .text = write_sea(sea), .time = 12.0};
+//     io::write_ply(mesh, provenance_strings(provenance), "sea.ply");
+//     io::turn_y_up(mesh);
+//     io::write_obj(mesh, {}, "sea.obj");
 #pragma once
 
 #include <array>

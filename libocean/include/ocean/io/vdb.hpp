@@ -4,6 +4,12 @@
 // Volumes of the water in a box of the world as OpenVDB grids, for simulations and renderers: its
 // surface as a level set, its velocity, the mist above it. Voxel (i, j, k) is the point
 // size * (i, j, k) of the world, so that neighbouring boxes have voxels in common.
+//
+//     const io::WorldBox box{{0.0, 0.0, -6.0}, {200.0, 200.0, 6.0}};
+//     const io::VoxelRange voxels = io::voxels_around(box, 0.5, io::kLevelSetBand);
+//     std::vector<io::SurfaceColumn> columns = sample_columns(ocean, voxels);  // by queries
+//     const io::VdbGrid water = io::make_level_set(box, voxels, columns, {}, ocean.pool());
+//     io::write_vdb({&water, 1}, {}, false, "water.vdb");
 #pragma once
 
 #include <array>
