@@ -4,15 +4,18 @@
 // `ocean` with a channel and a format of a host that has only the public headers and the libraries:
 // a channel `steepness`, the magnitude of the slope, and a format .stats, a text with the root mean
 // square of each product.
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <fstream>
-#include <sstream>
+#include <ostream>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "ocean/bake/catalogue.hpp"
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
-#include "ocean/io/output_file.hpp"
-#include "ocean/text.hpp"
 #include "ocean_program.hpp"
 
 using namespace ocean;
@@ -39,10 +42,25 @@ struct StatsSettings {
     int digits = 3;
 };
 
+/// Returns the number as text, with a decimal point in any locale.
+std::string text_of(double number, int digits) {
+    std::array<char, 64> text{};
+    const auto written = std::to_chars(text.data(), text.data() + text.size(), number,
+                                       std::chars_format::fixed, digits);
+    return {text.data(), written.ptr};
+}
+
 StatsSettings read_options(const BakeOptions& options, const Catalogue&) {
     const std::string& digits = options.format_option("digits");
     if (digits.empty()) return {};
-    return {parse_whole_number(digits, "--digits", 1, 9)};
+    StatsSettings settings;
+    const char* const end = digits.data() + digits.size();
+    const auto [stop, fault] = std::from_chars(digits.data(), end, settings.digits);
+    if (fault == std::errc() && stop == end && settings.digits >= 1 && settings.digits <= 9) {
+        return settings;
+    }
+    throw Error(ErrorKind::invalid_value,
+                {.parameter = "--digits", .value = digits, .allowed = "a number, 1 .. 9"});
 }
 
 FormatPlan<StatsSettings> resolve(const BakePlan& draft, const StatsSettings& requested) {
@@ -54,7 +72,7 @@ std::vector<BakeFile> list_files(const BakePlan& plan, const StatsSettings&, int
 }
 
 std::string recipe(const BakePlan& plan, const StatsSettings& settings, const BakeFile& file) {
-    return bake_recipe(plan, file.frame, format_text("digits %d\n", settings.digits));
+    return bake_recipe(plan, file.frame, "digits " + std::to_string(settings.digits) + "\n");
 }
 
 bool is_baked(const BakeFile& file) {
@@ -75,16 +93,20 @@ double rms(std::span<const float> map) {
 void write(const FrameWork& work, const StatsSettings& settings, std::span<const BakeFile> files) {
     std::string text;
     for (const Channel channel : {Channel::height, kSteepness}) {
-        text += format_text("%.*f\n", settings.digits, rms(work.maps.front().channel(channel)));
+        text += text_of(rms(work.maps.front().channel(channel)), settings.digits) + "\n";
     }
-    work.write_and_verify(files[0], [&] { io::write_file_atomically(files[0].path, text); });
+    work.write_and_verify(files[0], [&] {
+        std::ofstream stream(files[0].path);
+        if (stream << text << std::flush) return;
+        throw Error(ErrorKind::output, files[0].path + ": cannot be written");
+    });
 }
 
 /// Passes on the numbers, so that "0.1" and "0.10" have the same hash.
 bool read_pixels(const BakePlan&, const StatsSettings&, const BakeFile& file, int,
                  const io::ByteSink& sink) {
     std::ifstream stream(file.path);
-    for (double value = 0.0; stream >> value;) sink(format_text("%.9f", value));
+    for (double value = 0.0; stream >> value;) sink(text_of(value, 9));
     if (!stream.eof()) throw Error(ErrorKind::bad_file, "no numbers are in " + file.path);
     return true;
 }
