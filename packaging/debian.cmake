@@ -120,7 +120,7 @@ debian_package(libocean-dev dev "statistical ocean in real units, development fi
 interface is stable; that of C++ may change until version 1.0."
   SECTION libdevel DEPENDS "libocean1 ${same}, zlib1g-dev"
   RECOMMENDS "cmake, pkg-config, libepoxy-dev, libopenexr-dev, libpng-dev, libssl-dev, libtiff-dev"
-  SUGGESTS "ocean-tools, libusb-1.0-0-dev, liblo-dev, librtmidi-dev")
+  SUGGESTS "ocean-tools")
 debian_package(python3-libocean python "statistical ocean in real units as NumPy arrays"
 "Seas, terrains and coasts by their parameters, as arrays of height,
 displacement, normal, foam and velocity, at any time and any point."

@@ -132,7 +132,7 @@ def test_headers_and_libraries_are_there(everything):
         "vdb",
     )
     io = {f"io_{name}" for name in formats}
-    assert libraries == {"core", "seafile", "bake", "bridge", "gl", "preview"} | io
+    assert libraries == {"core", "seafile", "bake", "gl"} | io
 
 
 def test_the_package_names_no_place(everything):
@@ -154,8 +154,14 @@ def test_a_cpp_program_shows_the_sea_by_a_gpu(everything, sea_and_height, folder
     assert abs(by_cpu) > 1e-3
 
 
-def test_static_libraries_go_into_a_shared_one(everything, folder):
-    build("plugin", folder, everything)
+def test_a_program_bakes_a_format_of_its_own_and_a_shared_library_holds_all(
+    everything, sea_and_height, folder
+):
+    sea, _ = sea_and_height
+    run(build("plugin", folder, everything), sea, folder / "sea.peak")
+    with libocean.open(sea) as opened:
+        peak = opened.surface(0.0).height.max()
+    assert abs(float((folder / "sea.peak").read_text()) - peak) < 1e-5
 
 
 def test_a_c_host_needs_the_components_runtime_and_library_alone(c_host, sea_and_height, folder):
@@ -189,12 +195,7 @@ def test_a_c_program_by_pkg_config(c_host, sea_and_height, tmp_path):
             "ocean::io_provenance;ocean::io_vdb;ocean::seafile",
         ),
         ("COMPONENTS file", "ocean::core;ocean::io_file"),
-        (
-            "COMPONENTS bridge",
-            "ocean::bridge;ocean::core;ocean::io_file;ocean::seafile",
-        ),
         ("COMPONENTS gl", "ocean::core;ocean::gl"),
-        ("COMPONENTS preview", "ocean::core;ocean::gl;ocean::preview"),
         ("COMPONENTS c OPTIONAL_COMPONENTS vdb", "ocean::c"),
     ],
 )
@@ -206,7 +207,7 @@ def test_components_bring_what_they_need(everything, folder, components, targets
 @pytest.mark.parametrize(
     ("prefix", "missing", "installed"),
     [
-        ("everything", "vdb", "c, core, gl, preview, seafile, file, io, bake, bridge"),
+        ("everything", "vdb", "c, core, gl, seafile, file, io, bake"),
         ("c_host", "core", "c"),
     ],
 )
@@ -255,12 +256,8 @@ def test_a_program_that_makes_volumes_builds_without_openvdb(everything, folder,
     assert "ocean::io_vdb" in said
 
 
-def test_missing_modules_of_pkg_config_are_named(everything, folder, monkeypatch):
+def test_a_missing_module_of_pkg_config_is_named(everything, folder, monkeypatch):
     monkeypatch.setenv("PKG_CONFIG_LIBDIR", str(folder))
-    said = look_for(everything, folder, "REQUIRED COMPONENTS bridge")
-    assert (
-        "Packages are missing for bridge:"
-        " libusb, which bridge needs (Debian: libusb-1.0-0-dev);"
-        " liblo, which bridge needs (Debian: liblo-dev);"
-        " rtmidi, which bridge needs (Debian: librtmidi-dev)." in said
-    )
+    said = look_for(everything, folder, "REQUIRED COMPONENTS gl")
+    lacking = "epoxy, which gl needs (Debian: libepoxy-dev)"
+    assert f"Packages are missing for gl: {lacking}." in said
