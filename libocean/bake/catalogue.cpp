@@ -6,8 +6,8 @@
 #include "ocean/bake/catalogue.hpp"
 
 #include "formats/formats.hpp"
-#include "ocean/sea_subject.hpp"
-#include "ocean/terrain_subject.hpp"
+#include "ocean/seafile.hpp"
+#include "ocean/terrainfile.hpp"
 #include "ocean/text.hpp"
 #include "products/products.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// See frames.hpp.
-#include "ocean/bake/frames.hpp"
+// See plan.hpp.
+#include "ocean/bake/plan.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -15,7 +15,7 @@
 #include "ocean/io/povray_declarations.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/sea_bed.hpp"
-#include "ocean/sea_subject.hpp"
+#include "ocean/seafile.hpp"
 #include "povray_macros.hpp"
 
 namespace ocean {

@@ -17,7 +17,7 @@
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/png.hpp"
 #include "ocean/io/povray_declarations.hpp"
-#include "ocean/sea_subject.hpp"
+#include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
 #include "povray_macros.hpp"

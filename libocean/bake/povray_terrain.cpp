@@ -7,7 +7,7 @@
 #include "ocean/io/mesh.hpp"
 #include "ocean/io/mesh2.hpp"
 #include "ocean/io/povray_declarations.hpp"
-#include "ocean/terrain_subject.hpp"
+#include "ocean/terrainfile.hpp"
 #include "povray_macros.hpp"
 
 namespace ocean {

@@ -15,10 +15,10 @@
 #include <utility>
 
 #include "ocean/channel.hpp"
+#include "ocean/domain.hpp"
 #include "ocean/enum_words.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/land_mask.hpp"
-#include "ocean/region.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::capi {

@@ -13,7 +13,7 @@
 #include "guard.hpp"
 #include "libocean.h"
 #include "ocean/domain.hpp"
-#include "ocean/map_output.hpp"
+#include "ocean/surface.hpp"
 
 namespace ocean::capi {
 

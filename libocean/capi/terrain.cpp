@@ -17,7 +17,6 @@
 #include "ocean/provenance.hpp"
 #include "ocean/terrain.hpp"
 #include "ocean/terrain_stages.hpp"
-#include "ocean/terrain_subject.hpp"
 #include "ocean/terrain_table.hpp"
 #include "ocean/terrainfile.hpp"
 #include "ocean/text.hpp"

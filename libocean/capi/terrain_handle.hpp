@@ -14,7 +14,7 @@
 #include "handle.hpp"
 #include "libocean.h"
 #include "ocean/land_mesh.hpp"
-#include "ocean/map_output.hpp"
+#include "ocean/surface.hpp"
 #include "ocean/terrain.hpp"
 
 namespace ocean::capi {

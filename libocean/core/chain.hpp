@@ -17,7 +17,6 @@
 #include "ocean/foam.hpp"
 #include "ocean/modes.hpp"
 #include "ocean/parameter_table.hpp"
-#include "ocean/stage_runs.hpp"
 
 namespace ocean {
 

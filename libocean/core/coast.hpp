@@ -12,8 +12,8 @@
 #include "coast/surface/coast_chain.hpp"
 #include "coast/surface/shore_motion.hpp"
 #include "coast/surface/surf_reader.hpp"
+#include "ocean/domain.hpp"
 #include "ocean/internal/open_sea.hpp"
-#include "ocean/region.hpp"
 
 namespace ocean {
 

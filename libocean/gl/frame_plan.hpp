@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "ocean/map_output.hpp"
+#include "ocean/surface.hpp"
 
 namespace ocean::gl {
 

@@ -12,7 +12,7 @@
 
 #include "direction_sense.hpp"
 #include "netcdf_layout.hpp"
-#include "ocean/spectrum_record.hpp"
+#include "ocean/parameters.hpp"
 
 namespace ocean::netcdf {
 

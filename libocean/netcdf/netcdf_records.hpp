@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "netcdf_content.hpp"
-#include "ocean/spectrum_record.hpp"
+#include "ocean/parameters.hpp"
 
 namespace ocean::netcdf {
 

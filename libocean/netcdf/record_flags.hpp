@@ -11,7 +11,7 @@
 
 #include "netcdf_content.hpp"
 #include "netcdf_layout.hpp"
-#include "ocean/spectrum_record.hpp"
+#include "ocean/parameters.hpp"
 #include "quality_flags.hpp"
 
 namespace ocean::netcdf {

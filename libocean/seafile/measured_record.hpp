@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "ocean/spectrum_record.hpp"
+#include "ocean/parameters.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean {

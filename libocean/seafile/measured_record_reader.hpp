@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "ocean/spectrum_record.hpp"
+#include "ocean/parameters.hpp"
 #include "toml_input.hpp"
 
 namespace ocean {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A sea as a subject; see sea_subject.hpp. This file only calls Sea, Ocean and the sea file, and
+// A sea as a subject; see seafile.hpp. This file only calls Sea, Ocean and the sea file, and
 // has no formula of its own.
-#include "ocean/sea_subject.hpp"
+#include "ocean/seafile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,15 +14,14 @@
 
 #include "ocean/cascades.hpp"
 #include "ocean/directional_spectrum.hpp"
+#include "ocean/domain.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/sea_bytes.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/map_levels.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/parameter_table.hpp"
-#include "ocean/region.hpp"
 #include "ocean/sea_bed.hpp"
-#include "ocean/seafile.hpp"
 #include "ocean/surface_query.hpp"
 #include "ocean/world_heights.hpp"
 

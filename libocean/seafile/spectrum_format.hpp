@@ -13,7 +13,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/record_rules.hpp"
-#include "ocean/spectrum_record.hpp"
+#include "ocean/parameters.hpp"
 
 namespace ocean {
 

@@ -13,12 +13,12 @@
 #include <utility>
 
 #include "base_file.hpp"
+#include "ocean/channel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/internal/terrain_base.hpp"
 #include "ocean/measured_rings.hpp"
-#include "ocean/subject_kind.hpp"
 #include "ocean/terrain_table.hpp"
 #include "rings_file.hpp"
 #include "table_reader.hpp"

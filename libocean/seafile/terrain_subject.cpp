@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A terrain as a subject; see terrain_subject.hpp. This file only calls Terrain and the terrain
+// A terrain as a subject; see terrainfile.hpp. This file only calls Terrain and the terrain
 // file, and has no formula of its own.
-#include "ocean/terrain_subject.hpp"
+#include "ocean/terrainfile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,15 +13,14 @@
 #include <utility>
 
 #include "ocean/cascades.hpp"
+#include "ocean/domain.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/sea_bytes.hpp"
 #include "ocean/land_function.hpp"
-#include "ocean/region.hpp"
 #include "ocean/surface_query.hpp"
 #include "ocean/terrain.hpp"
 #include "ocean/terrain_modes.hpp"
 #include "ocean/terrain_table.hpp"
-#include "ocean/terrainfile.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {

@@ -13,7 +13,6 @@
 
 #include "ocean/bake/plan.hpp"
 #include "ocean/error.hpp"
-#include "ocean/sea_subject.hpp"
 #include "ocean/seafile.hpp"
 
 namespace ocean {

@@ -15,7 +15,6 @@
 
 #include "manifest.hpp"
 #include "ocean/bake/run.hpp"
-#include "ocean/sea_subject.hpp"
 #include "ocean/seafile.hpp"
 #include "sha256.hpp"
 #include "temporary_folder.hpp"

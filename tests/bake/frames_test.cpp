@@ -3,7 +3,7 @@
 //
 // Claims: frames_text is read back as the same frames, and only files of the pattern count as
 // frames of the plan.
-#include "ocean/bake/frames.hpp"
+#include "ocean/bake/plan.hpp"
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "ocean/bake/run.hpp"
-#include "ocean/terrain_subject.hpp"
+#include "ocean/terrainfile.hpp"
 #include "temporary_folder.hpp"
 
 namespace ocean {

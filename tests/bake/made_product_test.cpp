@@ -15,7 +15,6 @@
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/io/exr.hpp"
-#include "ocean/sea_subject.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
 #include "temporary_folder.hpp"

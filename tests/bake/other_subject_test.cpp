@@ -15,7 +15,7 @@
 #include "ocean/bake/run.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/read_provenance.hpp"
-#include "ocean/sea_subject.hpp"
+#include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
 #include "temporary_folder.hpp"

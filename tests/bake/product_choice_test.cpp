@@ -7,7 +7,6 @@
 #include "formats/formats.hpp"
 #include "ocean/bake/plan.hpp"
 #include "ocean/error.hpp"
-#include "ocean/sea_subject.hpp"
 #include "ocean/seafile.hpp"
 
 namespace ocean {

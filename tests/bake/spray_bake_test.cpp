@@ -9,8 +9,7 @@
 #include "ocean/bake/existing_frames.hpp"
 #include "ocean/bake/run.hpp"
 #include "ocean/error.hpp"
-#include "ocean/io/mesh_files.hpp"
-#include "ocean/sea_subject.hpp"
+#include "ocean/io/mesh.hpp"
 #include "ocean/seafile.hpp"
 #include "temporary_folder.hpp"
 

@@ -11,7 +11,6 @@
 #include <type_traits>
 
 #include "ocean/bake/made_product.hpp"
-#include "ocean/sea_subject.hpp"
 #include "ocean/seafile.hpp"
 
 namespace ocean {

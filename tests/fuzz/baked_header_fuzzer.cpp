@@ -13,7 +13,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/io/geotiff.hpp"
-#include "ocean/io/mesh_files.hpp"
+#include "ocean/io/mesh.hpp"
 #include "ocean/io/png.hpp"
 #include "ocean/io/usd.hpp"
 #include "ocean/io/vdb.hpp"

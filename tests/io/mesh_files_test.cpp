@@ -3,7 +3,7 @@
 //
 // Claims: comments hold any text of several lines; a mesh is turned with all its vectors; files
 // that are not our meshes are refused by name.
-#include "ocean/io/mesh_files.hpp"
+#include "ocean/io/mesh.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,6 @@
 #include <random>
 
 #include "ocean/error.hpp"
-#include "ocean/io/points.hpp"
 #include "ocean/io/read_provenance.hpp"
 #include "ocean/io/usd.hpp"
 #include "sample_surface.hpp"

@@ -14,7 +14,6 @@
 #include "ocean/internal/terrain_base.hpp"
 #include "ocean/measured_rings.hpp"
 #include "ocean/terrain.hpp"
-#include "ocean/terrain_subject.hpp"
 #include "ocean/terrain_table.hpp"
 #include "temporary_folder.hpp"
 

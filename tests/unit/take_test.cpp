@@ -3,7 +3,7 @@
 //
 // A take folded into the parameters: pure, continuous, and settled after a while; and its effect on
 // the surface within one frame.
-#include "ocean/take.hpp"
+#include "ocean/sea.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,6 @@
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
 #include "ocean/make_surface.hpp"
-#include "ocean/sea.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {

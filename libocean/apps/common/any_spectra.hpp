@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ocean/spectrum_record.hpp"
+#include "ocean/parameters.hpp"
 
 namespace ocean::app {
 

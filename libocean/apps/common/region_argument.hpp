@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "command.hpp"
-#include "ocean/region.hpp"
+#include "ocean/domain.hpp"
 
 namespace ocean::app {
 

@@ -9,12 +9,12 @@
 
 #include "any_spectra.hpp"
 #include "assignment.hpp"
+#include "ocean/channel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
-#include "ocean/subject_kind.hpp"
 #include "ocean/terrainfile.hpp"
 #include "source_text.hpp"
 

@@ -6,13 +6,13 @@
 
 #include <algorithm>
 
+#include "ocean/channel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/read_provenance.hpp"
 #include "ocean/io/subject_words.hpp"
 #include "ocean/seafile.hpp"
-#include "ocean/subject_kind.hpp"
 #include "standard_input.hpp"
 
 namespace ocean::app {

@@ -9,12 +9,12 @@
 #include <filesystem>
 
 #include "assignment.hpp"
+#include "ocean/channel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/read_provenance.hpp"
-#include "ocean/subject_kind.hpp"
 #include "ocean/terrain_table.hpp"
 #include "ocean/terrainfile.hpp"
 #include "ocean/text.hpp"

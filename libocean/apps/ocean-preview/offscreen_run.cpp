@@ -17,7 +17,7 @@
 #include "frame_budget.hpp"
 #include "interrupt.hpp"
 #include "land_camera.hpp"
-#include "ocean/bake/frames.hpp"
+#include "ocean/bake/plan.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/output_file.hpp"

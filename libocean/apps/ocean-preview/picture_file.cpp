@@ -7,7 +7,7 @@
 #include <system_error>
 #include <vector>
 
-#include "ocean/bake/frames.hpp"
+#include "ocean/bake/plan.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/platform.hpp"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "ocean/bake/frames.hpp"
+#include "ocean/bake/plan.hpp"
 #include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/io/panorama.hpp"

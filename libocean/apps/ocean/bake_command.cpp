@@ -15,18 +15,18 @@
 #include "input_files.hpp"
 #include "ocean/bake/catalogue.hpp"
 #include "ocean/bake/existing_frames.hpp"
+#include "ocean/channel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/read_provenance.hpp"
 #include "ocean/sea_bed.hpp"
-#include "ocean/sea_subject.hpp"
-#include "ocean/subject_kind.hpp"
+#include "ocean/seafile.hpp"
 #if OCEAN_HAS_GL
 #include "ocean/gl/context.hpp"
 #include "ocean/text.hpp"
 #include "stage_images.hpp"
 #else
 #include "ocean/backend.hpp"
-#include "ocean/region.hpp"
+#include "ocean/domain.hpp"
 #endif
 #include "region_argument.hpp"
 #include "sea_argument.hpp"

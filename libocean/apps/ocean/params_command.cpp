@@ -6,10 +6,10 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "ocean/channel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/parameter_table.hpp"
-#include "ocean/subject_kind.hpp"
 #include "ocean/terrain_table.hpp"
 #include "parameters_text.hpp"
 

@@ -9,12 +9,11 @@
 
 #include "console_host.hpp"
 #include "ocean/bake/povray_folder.hpp"
+#include "ocean/domain.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/region.hpp"
-#include "ocean/sea_subject.hpp"
 #include "ocean/seafile.hpp"
 #include "povray_files.hpp"
 #include "user_files.hpp"

@@ -19,7 +19,6 @@
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/sea_subject.hpp"
 #include "ocean/seafile.hpp"
 #include "povray_files.hpp"
 #include "region_argument.hpp"

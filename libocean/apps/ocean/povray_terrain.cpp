@@ -11,13 +11,13 @@
 #include <utility>
 
 #include "console_host.hpp"
+#include "ocean/domain.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/mesh.hpp"
 #include "ocean/io/output_file.hpp"
-#include "ocean/region.hpp"
 #include "ocean/terrain.hpp"
-#include "ocean/terrain_subject.hpp"
+#include "ocean/terrainfile.hpp"
 #include "ocean/text.hpp"
 #include "povray_files.hpp"
 #include "terrain_argument.hpp"

@@ -9,12 +9,12 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "ocean/channel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/json.hpp"
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/seafile.hpp"
-#include "ocean/subject_kind.hpp"
 #include "ocean/terrainfile.hpp"
 
 namespace ocean::app {

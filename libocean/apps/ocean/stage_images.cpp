@@ -14,7 +14,7 @@
 #include "ocean/io/output_file.hpp"
 #include "ocean/map_request.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/sea_subject.hpp"
+#include "ocean/seafile.hpp"
 
 namespace ocean::app {
 namespace {

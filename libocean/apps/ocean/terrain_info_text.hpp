@@ -6,8 +6,8 @@
 
 #include <string>
 
+#include "ocean/terrain.hpp"
 #include "ocean/terrain_model.hpp"
-#include "ocean/terrain_state.hpp"
 
 namespace ocean::app {
 

@@ -23,7 +23,7 @@
 #include "ocean/io/subject_words.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/sea_subject.hpp"
+#include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {

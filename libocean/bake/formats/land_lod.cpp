@@ -18,7 +18,7 @@
 #include "ocean/land_mask.hpp"
 #include "ocean/land_mesh.hpp"
 #include "ocean/terrain.hpp"
-#include "ocean/terrain_subject.hpp"
+#include "ocean/terrainfile.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {

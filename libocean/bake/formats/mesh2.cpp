@@ -12,7 +12,7 @@
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/io/mesh2.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/sea_subject.hpp"
+#include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {

@@ -5,7 +5,7 @@
 #include "formats/formats.hpp"
 #include "formats/plain_mesh.hpp"
 #include "ocean/bake/typed_format.hpp"
-#include "ocean/io/mesh_files.hpp"
+#include "ocean/io/mesh.hpp"
 
 namespace ocean {
 namespace {

@@ -8,7 +8,7 @@
 #include "formats/plain_mesh.hpp"
 #include "formats/spray_points.hpp"
 #include "ocean/bake/typed_format.hpp"
-#include "ocean/io/mesh_files.hpp"
+#include "ocean/io/mesh.hpp"
 
 namespace ocean {
 namespace {

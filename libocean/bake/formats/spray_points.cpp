@@ -9,7 +9,7 @@
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/sea_bytes.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/sea_subject.hpp"
+#include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
 #include "source.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "ocean/bake/format.hpp"
 #include "ocean/bake/plan.hpp"
-#include "ocean/io/points.hpp"
+#include "ocean/io/mesh.hpp"
 #include "ocean/io/product_image.hpp"
 #include "ocean/spray.hpp"
 

@@ -11,7 +11,7 @@
 #include "formats/volumes.hpp"
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
-#include "ocean/sea_subject.hpp"
+#include "ocean/seafile.hpp"
 #include "source.hpp"
 
 namespace ocean {

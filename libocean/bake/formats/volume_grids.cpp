@@ -12,7 +12,7 @@
 #include "formats/volumes.hpp"
 #include "ocean/make_surface.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/sea_subject.hpp"
+#include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {

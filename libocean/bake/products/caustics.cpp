@@ -10,7 +10,7 @@
 #include "ocean/bake/plan.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/csv_rows.hpp"
-#include "ocean/sea_subject.hpp"
+#include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
 #include "products/products.hpp"

@@ -16,7 +16,7 @@
 #include "ocean/internal/sea_bytes.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/provenance.hpp"
-#include "ocean/sea_subject.hpp"
+#include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
 #include "products/products.hpp"

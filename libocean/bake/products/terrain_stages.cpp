@@ -13,7 +13,7 @@
 #include "ocean/error.hpp"
 #include "ocean/terrain.hpp"
 #include "ocean/terrain_stages.hpp"
-#include "ocean/terrain_subject.hpp"
+#include "ocean/terrainfile.hpp"
 #include "products.hpp"
 
 namespace ocean {

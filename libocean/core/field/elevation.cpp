@@ -8,9 +8,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include "ocean/domain.hpp"
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
-#include "ocean/region.hpp"
 
 namespace ocean {
 namespace {

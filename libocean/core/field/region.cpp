@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/region.hpp"
+#include "ocean/domain.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 //
 // The facade of a terrain; see terrain.hpp.
 #include "ocean/terrain.hpp"
+#include "ocean/domain.hpp"
 #include "ocean/make_surface.hpp"
 #include "ocean/map_request.hpp"
-#include "ocean/region.hpp"
 
 #include <algorithm>
 #include <cmath>

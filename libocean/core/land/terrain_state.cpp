@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The statistics of a terrain; see terrain_state.hpp.
-#include "ocean/terrain_state.hpp"
+// The statistics of a terrain; see terrain.hpp.
+#include "ocean/terrain.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,6 @@
 #include "ocean/internal/terrain_base.hpp"
 #include "ocean/measured_rings.hpp"
 #include "ocean/modes.hpp"
-#include "ocean/terrain.hpp"
 #include "ocean/terrain_law.hpp"
 #include "ocean/terrain_modes.hpp"
 #include "ocean/text.hpp"

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "ocean/channel.hpp"
-#include "ocean/subject_kind.hpp"
 #include "ocean/surface.hpp"
 
 namespace ocean {

@@ -32,6 +32,10 @@
 
 namespace ocean {
 
+/// The kinds of subjects, as Subject::kind returns them and file headers store them.
+inline constexpr std::string_view kSeaKind = "sea";
+inline constexpr std::string_view kTerrainKind = "terrain";
+
 /// Linear fields: sums over the modes. D is the horizontal displacement at choppiness 1, so that a
 /// point moves by -D. Rates are time derivatives [1/s].
 enum class Linear : int {

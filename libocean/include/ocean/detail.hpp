@@ -22,7 +22,6 @@
 #include "ocean/channel.hpp"
 #include "ocean/page_vector.hpp"
 #include "ocean/parameters.hpp"
-#include "ocean/subject_kind.hpp"
 
 namespace ocean {
 

@@ -17,6 +17,8 @@
 
 namespace ocean {
 
+struct Sea;
+
 /// A rectangle of samples, x east and y north [m].
 struct Domain {
     std::array<double, 2> origin{};  // of sample (0, 0) [m]
@@ -50,5 +52,45 @@ struct Domain {
     }
     constexpr bool operator==(const Domain&) const = default;
 };
+
+// ---- Regions
+
+inline constexpr int kMaxRegionSide = 32768;
+
+/// A rectangle at any place, with samples `cell` apart; its far sides lie at the last samples
+/// within the size.
+struct Region {
+    std::array<double, 2> origin{};  // [m]
+    std::array<double, 2> size{};    // [m]
+    double cell = 1.0;               // [m]
+};
+
+/// Returns the samples of a region. Throws Error invalid_value unless it has 2 .. kMaxRegionSide
+/// samples along each side.
+Domain domain_of(const Region& region);
+
+/// Returns the rectangle of a domain that exists once, with samples `cell` apart [m] both ways:
+/// from its origin as many samples as lie within the domain, at least 2 along each side.
+Domain with_cell(Domain domain, double cell);
+
+// ---- The times of frames
+
+/// The times of a subject's frames. The default is the timeline of a subject that does not move.
+struct Timeline {
+    bool moves = false;
+    double start = 0.0;  // of the first frame [s]
+    int first_frame = 1;
+    double frame_rate = 24.0;  // [1/s]
+    /// True: parameters change with time, so that maps of different times differ in more than the
+    /// phase of their waves.
+    bool plays_take = false;
+
+    /// Returns the time of a frame [s]: 0 for a subject that does not move.
+    double time_of(double frame) const {
+        return moves ? start + (frame - first_frame) / frame_rate : 0.0;
+    }
+};
+/// Returns the timeline of a sea.
+Timeline timeline_of(const Sea& sea);
 
 }  // namespace ocean

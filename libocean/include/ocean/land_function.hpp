@@ -31,7 +31,6 @@
 
 #include "ocean/domain.hpp"
 #include "ocean/land_mask.hpp"
-#include "ocean/map_output.hpp"
 #include "ocean/query.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/thread_pool.hpp"

@@ -19,7 +19,6 @@
 
 #include "ocean/channel.hpp"
 #include "ocean/enum_words.hpp"
-#include "ocean/subject_kind.hpp"
 
 namespace ocean {
 

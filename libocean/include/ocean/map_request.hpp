@@ -9,8 +9,8 @@
 
 #include "ocean/backend.hpp"
 #include "ocean/foam_layer.hpp"
-#include "ocean/map_output.hpp"
 #include "ocean/modes.hpp"
+#include "ocean/surface.hpp"
 
 namespace ocean {
 

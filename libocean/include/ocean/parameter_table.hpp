@@ -71,4 +71,19 @@ std::string parameters_markdown();
 /// Returns the table as a JSON array of objects.
 std::string parameters_json();
 
+// ---- Counters of the stages
+
+struct StageRuns {
+    int spectrum = 0;
+    int modes = 0;
+    int packing = 0;    // packings of the modes for a resolution of maps
+    int threshold = 0;  // of the whitecaps
+    int cover_power = 0;
+    int surface = 0;      // requested maps
+    int foam_ticks = 0;   // whitecap maps of the foam's clock
+    int spray_ticks = 0;  // maps of the spray's lattice
+
+    bool operator==(const StageRuns&) const = default;
+};
+
 }  // namespace ocean

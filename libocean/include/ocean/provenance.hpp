@@ -20,7 +20,6 @@
 
 #include "ocean/channel.hpp"
 #include "ocean/domain.hpp"
-#include "ocean/subject_kind.hpp"
 
 namespace ocean {
 

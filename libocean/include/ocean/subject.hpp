@@ -27,7 +27,6 @@
 #include "ocean/domain.hpp"
 #include "ocean/query.hpp"
 #include "ocean/surface.hpp"
-#include "ocean/timeline.hpp"
 
 namespace ocean {
 

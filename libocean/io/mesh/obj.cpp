@@ -4,7 +4,7 @@
 #include <array>
 
 #include "mesh_header.hpp"
-#include "ocean/io/mesh_files.hpp"
+#include "ocean/io/mesh.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/subject_words.hpp"
 #include "ocean/io/text_writer.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "attribute_names.hpp"
 #include "mesh_header.hpp"
-#include "ocean/io/mesh_files.hpp"
+#include "ocean/io/mesh.hpp"
 #include "ply_writer.hpp"
 
 namespace ocean::io {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/io/points.hpp"
+#include "ocean/io/mesh.hpp"
 
 #include "ply_writer.hpp"
 #include "turn_vectors.hpp"

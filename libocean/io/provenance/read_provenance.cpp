@@ -12,7 +12,7 @@
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/io/geotiff.hpp"
-#include "ocean/io/mesh_files.hpp"
+#include "ocean/io/mesh.hpp"
 #include "ocean/io/png.hpp"
 #include "ocean/io/usd.hpp"
 #include "ocean/io/vdb.hpp"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "ocean/enum_words.hpp"
-#include "ocean/spectrum_record.hpp"
+#include "ocean/parameters.hpp"
 
 namespace ocean::spotter {
 

@@ -10,7 +10,6 @@
 #include <ocean/bake/run.hpp>
 #include <ocean/bake/typed_format.hpp>
 #include <ocean/error.hpp>
-#include <ocean/sea_subject.hpp>
 #include <ocean/seafile.hpp>
 #include <span>
 #include <string>

@@ -11,7 +11,6 @@
 #include "field/quad_grid.hpp"
 #include "ocean/backend.hpp"
 #include "ocean/foam_layer.hpp"
-#include "ocean/map_output.hpp"
 #include "ocean/query.hpp"
 #include "ocean/sea_bed.hpp"
 #include "ocean/surface.hpp"

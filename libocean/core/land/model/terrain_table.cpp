@@ -7,8 +7,8 @@
 
 #include <utility>
 
+#include "ocean/channel.hpp"
 #include "ocean/grid.hpp"
-#include "ocean/subject_kind.hpp"
 
 namespace ocean {
 namespace {

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "ocean/map_output.hpp"
+#include "ocean/surface.hpp"
 #include "waves/detail/detail_plan.hpp"
 #include "waves/surface/map_writer.hpp"
 

@@ -21,7 +21,7 @@
 #include "base/simd/simd_level.hpp"
 #include "ocean/channel.hpp"
 #include "ocean/foam_layer.hpp"
-#include "ocean/map_output.hpp"
+#include "ocean/surface.hpp"
 
 namespace ocean {
 

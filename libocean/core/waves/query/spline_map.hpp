@@ -22,9 +22,9 @@
 
 #include "field/cubic.hpp"
 #include "ocean/grid.hpp"
-#include "ocean/map_output.hpp"
 #include "ocean/modes.hpp"
 #include "ocean/page_vector.hpp"
+#include "ocean/surface.hpp"
 #include "waves/kernel/packed_modes.hpp"
 
 namespace ocean {

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ocean/domain.hpp"
 #include "ocean/error.hpp"
 #include "ocean/foam.hpp"
 #include "ocean/parameter_table.hpp"
-#include "ocean/region.hpp"
 #include "ocean/sea.hpp"
 #include "ocean/sea_bed.hpp"
 

@@ -12,8 +12,8 @@
 #include <limits>
 #include <utility>
 
+#include "ocean/domain.hpp"
 #include "ocean/error.hpp"
-#include "ocean/timeline.hpp"
 #include "waves/spectrum/wave_system_table.hpp"
 
 namespace ocean {

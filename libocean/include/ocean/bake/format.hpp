@@ -15,14 +15,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <typeinfo>
 #include <utility>
 #include <vector>
 
-#include "ocean/bake/erased_settings.hpp"
 #include "ocean/channel.hpp"
 #include "ocean/io/image.hpp"
 #include "ocean/provenance.hpp"
@@ -35,6 +37,37 @@ class SubjectMaps;
 struct BakeOptions;
 struct BakePlan;
 struct Catalogue;
+
+/// The settings of a format or of a family of made products, as plans and tables hold them: without
+/// their type. An immutable value that copies share; a default-constructed one holds nothing.
+class ErasedSettings {
+  public:
+    ErasedSettings() = default;
+
+    template <typename Settings>
+    static ErasedSettings of(Settings settings) {
+        ErasedSettings erased;
+        erased.value_ = std::make_shared<const Settings>(std::move(settings));
+        erased.type_ = &typeid(Settings);
+        return erased;
+    }
+
+    /// Returns the value; it lives as long as this object. Throws std::logic_error unless it was
+    /// stored as exactly this type: a format was called with the settings of another one.
+    template <typename Settings>
+    const Settings& as() const {
+        if (*type_ != typeid(Settings)) {
+            throw std::logic_error(std::string("settings of type ") + type_->name() +
+                                   " were passed to functions for settings of type " +
+                                   typeid(Settings).name());
+        }
+        return *static_cast<const Settings*>(value_.get());
+    }
+
+  private:
+    std::shared_ptr<const void> value_;
+    const std::type_info* type_ = &typeid(void);
+};
 
 /// An option of one or several formats, --NAME on the command line.
 struct FormatOption {

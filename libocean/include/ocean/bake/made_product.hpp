@@ -16,7 +16,6 @@
 #include <utility>
 #include <vector>
 
-#include "ocean/bake/erased_settings.hpp"
 #include "ocean/bake/format.hpp"
 #include "ocean/channel.hpp"
 #include "ocean/surface.hpp"

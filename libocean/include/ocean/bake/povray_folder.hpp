@@ -12,7 +12,7 @@
 #include "ocean/bake/existing_frames.hpp"
 #include "ocean/bake/plan.hpp"
 #include "ocean/sea_state.hpp"
-#include "ocean/terrain_state.hpp"
+#include "ocean/terrain.hpp"
 
 namespace ocean {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "ocean/spectrum_record.hpp"
+#include "ocean/parameters.hpp"
 
 namespace ocean {
 

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ocean/spectrum_record.hpp"
+#include "ocean/parameters.hpp"
 
 namespace ocean {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "ocean/spectrum_record.hpp"
+#include "ocean/parameters.hpp"
 
 namespace ocean {
 

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,6 +21,7 @@
 #include <vector>
 
 #include "ocean/domain.hpp"
+#include "ocean/provenance.hpp"
 #include "ocean/surface.hpp"
 
 namespace ocean::io {
@@ -74,5 +76,52 @@ std::vector<int> patch_triangles(int resolution);
 /// Returns the uv of a patch mesh, two numbers for each vertex: 0 at the first vertex of a side, 1
 /// at the last.
 std::vector<float> patch_uv(const Domain& domain);
+
+// ---- Points
+
+/// Points as parallel arrays, z up, in metres and seconds.
+struct Points {
+    std::vector<float> positions;    // x, y, z [m]
+    std::vector<float> velocities;   // x, y, z [m/s]
+    std::vector<float> ages;         // time since birth [s]
+    std::vector<float> lives;        // age at death [s]
+    std::vector<float> radii;        // [m]
+    std::vector<std::uint64_t> ids;  // the same in every frame
+
+    std::size_t size() const { return ids.size(); }
+};
+/// Returns the memory of `count` points [bytes].
+constexpr std::uint64_t points_bytes(std::uint64_t count) {
+    constexpr std::uint64_t kFloats = 9;
+    return count * (kFloats * sizeof(float) + sizeof(std::uint64_t));
+}
+/// Turns positions and velocities from z up to y up: (x, y, z) becomes (x, z, -y).
+void turn_y_up(Points& points);
+
+/// Writes binary PLY, little-endian: vertices x, y, z, vx, vy, vz, age, life, radius as floats, and
+/// id_low and id_high as uints, because PLY has no 64-bit integers: id = id_high 2^32 + id_low.
+/// read_ply_header reads the header. Throws Error output.
+void write_ply(const Points& points, std::span<const HeaderString> strings,
+               const std::string& path);
+/// Returns an upper bound of the size of a PLY file of points without its comments [bytes].
+std::uint64_t points_ply_bytes(std::uint64_t count);
+
+// ---- Files
+
+/// Writes binary PLY, little-endian: vertices x, y, z with nx, ny, nz and all attributes of the
+/// mesh (s, t; foam; vx, vy, vz ...), faces vertex_indices. Throws Error output.
+void write_ply(const Mesh& mesh, std::span<const HeaderString> strings, const std::string& path);
+/// Returns the header strings of a PLY file. Throws Error bad_file.
+std::vector<HeaderString> read_ply_header(const std::string& path);
+
+/// Writes Wavefront OBJ: v, with the first attribute of one component as its grey; vt, vn and f if
+/// the mesh has them. Throws Error output.
+void write_obj(const Mesh& mesh, std::span<const HeaderString> strings, const std::string& path);
+/// Returns the header strings of an OBJ file. Throws Error bad_file.
+std::vector<HeaderString> read_obj_header(const std::string& path);
+
+/// Return upper bounds of the sizes of PLY and OBJ files without their comments [bytes].
+std::uint64_t ply_bytes(std::uint64_t vertices, std::uint64_t floats, std::uint64_t triangles);
+std::uint64_t max_obj_bytes(std::uint64_t vertices, std::uint64_t floats, std::uint64_t triangles);
 
 }  // namespace ocean::io

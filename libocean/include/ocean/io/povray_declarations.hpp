@@ -16,7 +16,7 @@
 #include "ocean/sea_state.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/table.hpp"
-#include "ocean/terrain_state.hpp"
+#include "ocean/terrain.hpp"
 
 namespace ocean::io {
 

@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "ocean/io/points.hpp"
+#include "ocean/io/mesh.hpp"
 #include "ocean/provenance.hpp"
 
 namespace ocean {
