@@ -6,9 +6,9 @@
 #include "ocean/bake/catalogue.hpp"
 
 #include "formats/formats.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/terrainfile.hpp"
-#include "ocean/text.hpp"
 #include "products/products.hpp"
 
 namespace ocean {

@@ -8,10 +8,10 @@
 #include <fstream>
 #include <system_error>
 
-#include "ocean/bake/existing_frames.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bake/existing_frames.hpp"
+#include "ocean/internal/io/output_file.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/io/output_file.hpp"
 #include "sha256.hpp"
 
 namespace ocean {

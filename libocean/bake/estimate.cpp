@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // See estimate.hpp.
-#include "ocean/bake/estimate.hpp"
+#include "ocean/internal/bake/estimate.hpp"
 
 #include <algorithm>
 #include <span>
@@ -11,14 +11,14 @@
 #include "complete_file.hpp"
 #include "formats/spray_points.hpp"
 #include "manifest.hpp"
-#include "ocean/bake/existing_frames.hpp"
-#include "ocean/foam.hpp"
+#include "ocean/internal/bake/existing_frames.hpp"
+#include "ocean/internal/foam.hpp"
+#include "ocean/internal/io/output_file.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/internal/sea_bytes.hpp"
-#include "ocean/io/output_file.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/sea_state.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // See existing_frames.hpp.
-#include "ocean/bake/existing_frames.hpp"
+#include "ocean/internal/bake/existing_frames.hpp"
 
 #include <algorithm>
 #include <filesystem>

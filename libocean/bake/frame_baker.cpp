@@ -13,7 +13,7 @@
 #include "complete_file.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean {
 

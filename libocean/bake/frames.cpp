@@ -11,7 +11,7 @@
 #include <unordered_set>
 
 #include "ocean/internal/csv_rows.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "refuse.hpp"
 
 namespace ocean {

@@ -9,10 +9,10 @@
 #include <cmath>
 #include <iterator>
 
-#include "ocean/bake/povray_folder.hpp"
 #include "ocean/error.hpp"
-#include "ocean/io/df3.hpp"
-#include "ocean/io/povray_declarations.hpp"
+#include "ocean/internal/bake/povray_folder.hpp"
+#include "ocean/internal/io/df3.hpp"
+#include "ocean/internal/io/povray_declarations.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/sea_bed.hpp"
 #include "ocean/seafile.hpp"

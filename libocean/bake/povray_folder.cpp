@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // See povray_folder.hpp.
-#include "ocean/bake/povray_folder.hpp"
+#include "ocean/internal/bake/povray_folder.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,15 +10,15 @@
 #include <iterator>
 
 #include "complete_file.hpp"
-#include "ocean/foam_texture.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/foam_texture.hpp"
+#include "ocean/internal/io/mesh2.hpp"
+#include "ocean/internal/io/output_file.hpp"
+#include "ocean/internal/io/png.hpp"
+#include "ocean/internal/io/povray_declarations.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/io/mesh.hpp"
-#include "ocean/io/mesh2.hpp"
-#include "ocean/io/output_file.hpp"
-#include "ocean/io/png.hpp"
-#include "ocean/io/povray_declarations.hpp"
 #include "ocean/seafile.hpp"
-#include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
 #include "povray_macros.hpp"
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The folder of a terrain for POV-Ray; see povray_folder.hpp.
-#include "ocean/bake/povray_folder.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bake/povray_folder.hpp"
+#include "ocean/internal/io/mesh2.hpp"
+#include "ocean/internal/io/povray_declarations.hpp"
 #include "ocean/io/mesh.hpp"
-#include "ocean/io/mesh2.hpp"
-#include "ocean/io/povray_declarations.hpp"
 #include "ocean/terrainfile.hpp"
 #include "povray_macros.hpp"
 

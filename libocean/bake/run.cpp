@@ -16,12 +16,12 @@
 #include "formats/spray_points.hpp"
 #include "frame_baker.hpp"
 #include "frame_workers.hpp"
-#include "ocean/bake/estimate.hpp"
-#include "ocean/bake/existing_frames.hpp"
 #include "ocean/error.hpp"
-#include "ocean/io/output_file.hpp"
+#include "ocean/internal/bake/estimate.hpp"
+#include "ocean/internal/bake/existing_frames.hpp"
+#include "ocean/internal/io/output_file.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/subject.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "formats/formats.hpp"
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/subject.hpp"
 
 namespace ocean {

@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "ocean/bridge/source.hpp"
+#include "ocean/internal/bridge/source.hpp"
 
 namespace ocean::bridge {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "ocean/bridge/line_client.hpp"
+#include "ocean/internal/bridge/line_client.hpp"
 
 namespace ocean::bridge {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "ocean/bridge/line_protocol.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/line_protocol.hpp"
 #include "ocean/parameter_table.hpp"
 
 namespace ocean::bridge {

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "client_events.hpp"
-#include "ocean/bridge/line_client.hpp"
+#include "ocean/internal/bridge/line_client.hpp"
 
 namespace ocean::bridge {
 

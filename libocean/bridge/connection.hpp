@@ -15,8 +15,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ocean/bridge/line_protocol.hpp"
-#include "ocean/bridge/line_server.hpp"
+#include "ocean/internal/bridge/line_protocol.hpp"
+#include "ocean/internal/bridge/line_server.hpp"
 
 namespace ocean::bridge {
 

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/bridge/control_map_file.hpp"
+#include "ocean/internal/bridge/control_map_file.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "device_reader.hpp"
-#include "ocean/bridge/source.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/source.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/internal/toml_sections.hpp"
-#include "ocean/text.hpp"
 #include "section_reader.hpp"
 
 namespace ocean::bridge {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "drivers.hpp"
-#include "ocean/bridge/source.hpp"
+#include "ocean/internal/bridge/source.hpp"
 #include "section_reader.hpp"
 
 namespace ocean::bridge {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ocean/bridge/device.hpp"
+#include "ocean/internal/bridge/device.hpp"
 #include "ocean/internal/toml_sections.hpp"
 
 namespace ocean::bridge {

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/bridge/devices.hpp"
+#include "ocean/internal/bridge/devices.hpp"
 
 #include <algorithm>
 #include <iterator>
 
 #include "drivers.hpp"
-#include "ocean/bridge/k8055_source.hpp"
-#include "ocean/bridge/midi_source.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/k8055_source.hpp"
+#include "ocean/internal/bridge/midi_source.hpp"
 
 namespace ocean::bridge {
 

@@ -14,8 +14,8 @@
 #include <typeinfo>
 #include <vector>
 
-#include "ocean/bridge/device.hpp"
-#include "ocean/bridge/source.hpp"
+#include "ocean/internal/bridge/device.hpp"
+#include "ocean/internal/bridge/source.hpp"
 #include "section_reader.hpp"
 
 namespace ocean::bridge {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/bridge/firmata_source.hpp"
+#include "ocean/internal/bridge/firmata_source.hpp"
 
 #include <poll.h>
 

@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/bridge/hub.hpp"
+#include "ocean/internal/bridge/hub.hpp"
 
 #include <algorithm>
 #include <system_error>
 #include <utility>
 
-#include "ocean/bridge/devices.hpp"
-#include "ocean/bridge/line_protocol.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/devices.hpp"
+#include "ocean/internal/bridge/line_protocol.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/io/output_file.hpp"
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/io/output_file.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::bridge {
 namespace {

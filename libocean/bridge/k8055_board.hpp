@@ -13,7 +13,7 @@
 
 #include "k8055_report.hpp"
 #include "k8055_usb.hpp"
-#include "ocean/bridge/source.hpp"
+#include "ocean/internal/bridge/source.hpp"
 
 namespace ocean::bridge {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/bridge/k8055_source.hpp"
+#include "ocean/internal/bridge/k8055_source.hpp"
 
 namespace ocean::bridge {
 

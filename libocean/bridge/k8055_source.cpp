@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/bridge/k8055_source.hpp"
+#include "ocean/internal/bridge/k8055_source.hpp"
 
 #include "drivers.hpp"
 #ifdef OCEAN_HAVE_LIBUSB
@@ -12,7 +12,7 @@
 #include "k8055_board.hpp"
 #include "k8055_report.hpp"
 #include "k8055_usb.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "source_thread.hpp"
 #include "usb_bus.hpp"
 #endif

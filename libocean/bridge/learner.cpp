@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/bridge/learner.hpp"
+#include "ocean/internal/bridge/learner.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "ocean/bridge/control_map.hpp"
 #include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/control_map.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::bridge {
 namespace {

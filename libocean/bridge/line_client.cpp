@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/bridge/line_client.hpp"
+#include "ocean/internal/bridge/line_client.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "client_queues.hpp"
-#include "ocean/bridge/line_protocol.hpp"
-#include "ocean/bridge/source.hpp"
+#include "ocean/internal/bridge/line_protocol.hpp"
+#include "ocean/internal/bridge/source.hpp"
 #include "ocean/internal/checked_text.hpp"
 
 namespace ocean::bridge {

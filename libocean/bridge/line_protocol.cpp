@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/bridge/line_protocol.hpp"
+#include "ocean/internal/bridge/line_protocol.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/line_reader.hpp"
 #include "ocean/internal/nearest_name.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/version.hpp"
 
 namespace ocean::bridge {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/bridge/line_server.hpp"
+#include "ocean/internal/bridge/line_server.hpp"
 
 #include <algorithm>
 #include <asio.hpp>
@@ -16,7 +16,7 @@
 #include "board_queue.hpp"
 #include "connection.hpp"
 #include "ocean/error.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "osc_port.hpp"
 
 namespace ocean::bridge {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "midi_messages.hpp"
-#include "ocean/bridge/source.hpp"
+#include "ocean/internal/bridge/source.hpp"
 
 namespace ocean::bridge {
 

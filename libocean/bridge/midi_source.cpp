@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/bridge/midi_source.hpp"
+#include "ocean/internal/bridge/midi_source.hpp"
 
 #include <algorithm>
 #include <array>

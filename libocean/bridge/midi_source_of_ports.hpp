@@ -8,8 +8,8 @@
 #include <string>
 
 #include "midi_ports.hpp"
-#include "ocean/bridge/midi_source.hpp"
-#include "ocean/bridge/source.hpp"
+#include "ocean/internal/bridge/midi_source.hpp"
+#include "ocean/internal/bridge/source.hpp"
 
 namespace ocean::bridge {
 

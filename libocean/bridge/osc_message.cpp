@@ -6,7 +6,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 #ifdef OCEAN_HAVE_LIBLO
 #include <lo/lo_lowlevel.h>

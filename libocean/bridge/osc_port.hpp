@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ocean/bridge/line_server.hpp"
+#include "ocean/internal/bridge/line_server.hpp"
 #include "osc_message.hpp"
 
 namespace ocean::bridge {

@@ -14,7 +14,7 @@
 
 #include "midi_ports.hpp"
 #include "ocean/error.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #ifdef OCEAN_HAVE_RTMIDI
 #include <RtMidi.h>
 #endif

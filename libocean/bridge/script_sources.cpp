@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/bridge/script_sources.hpp"
+#include "ocean/internal/bridge/script_sources.hpp"
 
 #include <utility>
 
-#include "ocean/bridge/k8055_source.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/k8055_source.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/line_reader.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "source_thread.hpp"
 
 namespace ocean::bridge {

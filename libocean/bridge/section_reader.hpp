@@ -16,8 +16,8 @@
 
 #include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/internal/toml_sections.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean::bridge {
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/bridge/source.hpp"
+#include "ocean/internal/bridge/source.hpp"
 
 #include <algorithm>
 
 #include "ocean/error.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::bridge {
 

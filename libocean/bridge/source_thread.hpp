@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "ocean/bridge/source.hpp"
+#include "ocean/internal/bridge/source.hpp"
 
 namespace ocean::bridge {
 

@@ -13,7 +13,7 @@
 #include <mutex>
 #include <utility>
 
-#include "ocean/bridge/source.hpp"
+#include "ocean/internal/bridge/source.hpp"
 
 namespace ocean::bridge {
 

@@ -13,9 +13,10 @@
 #include <vector>
 
 #include "guard.hpp"
-#include "ocean/cascades.hpp"
 #include "ocean/detail.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/modes.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/sea_bed.hpp"
 #include "outputs.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Textures of foam: the request checked, the texels copied out.
-#include "ocean/foam_texture.hpp"
+#include "ocean/internal/foam_texture.hpp"
 
 #include <algorithm>
 #include <cstddef>

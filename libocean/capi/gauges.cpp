@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "guard.hpp"
-#include "ocean/gauge_series.hpp"
+#include "ocean/internal/gauge_series.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/ocean.hpp"
 #include "sea_handle.hpp"

@@ -12,7 +12,7 @@
 
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::capi {
 namespace {

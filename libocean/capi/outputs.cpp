@@ -17,9 +17,9 @@
 #include "ocean/channel.hpp"
 #include "ocean/domain.hpp"
 #include "ocean/enum_words.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/land_mask.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean::capi {
 namespace {

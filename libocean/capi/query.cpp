@@ -12,6 +12,7 @@
 
 #include "guard.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/float_pose.hpp"
 #include "ocean/ocean.hpp"
 #include "query_buffers.hpp"
 #include "sea_handle.hpp"

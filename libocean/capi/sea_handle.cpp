@@ -13,12 +13,12 @@
 
 #include "guard.hpp"
 #include "handle_functions.hpp"
+#include "ocean/internal/text.hpp"
+#include "ocean/internal/water_types.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/sea_bed.hpp"
 #include "ocean/sea_state.hpp"
-#include "ocean/text.hpp"
 #include "ocean/version.hpp"
-#include "ocean/water_types.hpp"
 
 using namespace ocean;
 using namespace ocean::capi;

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "guard.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/internal/json.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/provenance.hpp"

@@ -13,7 +13,7 @@
 
 #include "handle.hpp"
 #include "libocean.h"
-#include "ocean/land_mesh.hpp"
+#include "ocean/internal/land_mesh.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/terrain.hpp"
 

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "guard.hpp"
+#include "ocean/internal/land_mesh.hpp"
 #include "ocean/internal/memory.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/land_function.hpp"
-#include "ocean/land_mesh.hpp"
-#include "ocean/text.hpp"
 #include "terrain_handle.hpp"
 
 using namespace ocean;

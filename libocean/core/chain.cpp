@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "ocean/foam.hpp"
+#include "ocean/internal/foam.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/sea_bytes.hpp"
 #include "ocean/sea_state.hpp"

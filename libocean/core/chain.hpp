@@ -14,8 +14,8 @@
 #include <memory>
 
 #include "base/shared_value.hpp"
-#include "ocean/foam.hpp"
-#include "ocean/modes.hpp"
+#include "ocean/internal/foam.hpp"
+#include "ocean/internal/modes.hpp"
 #include "ocean/parameter_table.hpp"
 
 namespace ocean {

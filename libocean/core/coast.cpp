@@ -12,13 +12,13 @@
 
 #include "coast/surface/region_channels.hpp"
 #include "coast/surface/shore_query.hpp"
-#include "ocean/cascades.hpp"
 #include "ocean/domain.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/cascades.hpp"
 #include "ocean/internal/memory.hpp"
+#include "ocean/internal/surf_traces.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/sea_bed.hpp"
-#include "ocean/surf_traces.hpp"
 #include "waves/query/query_points.hpp"
 
 namespace ocean {

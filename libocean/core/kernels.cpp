@@ -16,7 +16,7 @@
 #include "coast/loops/signal_task.hpp"
 #include "land/gullies/gullies_task.hpp"
 #include "ocean/error.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "waves/kernel/frame_task.hpp"
 
 namespace ocean {

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Maps of one time at halving resolutions; see map_levels.hpp.
-#include "ocean/map_levels.hpp"
+#include "ocean/internal/map_levels.hpp"
 
 #include <algorithm>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 

@@ -12,9 +12,9 @@
 
 #include "chain.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/sea_bytes.hpp"
-#include "ocean/map_request.hpp"
 #include "ocean/parameter_table.hpp"
 #include "waves/detail/detail_maps.hpp"
 #include "waves/kernel/map_kernel.hpp"

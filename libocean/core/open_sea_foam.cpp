@@ -9,8 +9,8 @@
 #include <functional>
 
 #include "chain.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/internal/open_sea.hpp"
-#include "ocean/map_request.hpp"
 #include "waves/surface/map_writer.hpp"
 
 namespace ocean {

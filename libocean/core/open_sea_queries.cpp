@@ -10,7 +10,7 @@
 #include "chain.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/open_sea.hpp"
-#include "ocean/surface_query.hpp"
+#include "ocean/internal/surface_query.hpp"
 #include "waves/query/query_points.hpp"
 
 namespace ocean {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "ocean/detail.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/version.hpp"
 
 namespace ocean {

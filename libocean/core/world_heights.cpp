@@ -3,8 +3,8 @@
 //
 // Heights by world position; see world_heights.hpp. A row of points at a time goes through the
 // query.
-#include "ocean/world_heights.hpp"
-#include "ocean/surface_query.hpp"
+#include "ocean/internal/world_heights.hpp"
+#include "ocean/internal/surface_query.hpp"
 
 #include <vector>
 

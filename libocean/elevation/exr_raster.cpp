@@ -13,7 +13,7 @@
 #include <string_view>
 
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "raster.hpp"
 
 namespace ocean::elevation {

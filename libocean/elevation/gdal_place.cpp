@@ -18,7 +18,7 @@
 
 #include "gdal_place.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::elevation {
 namespace {

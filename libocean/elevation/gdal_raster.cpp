@@ -26,7 +26,7 @@
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/elevation_rules.hpp"
 #include "ocean/internal/send_raster.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "raster_wire.hpp"
 
 namespace ocean::elevation {

@@ -16,8 +16,8 @@
 #include "ocean/internal/child_process.hpp"
 #include "ocean/internal/elevation_import.hpp"
 #include "ocean/internal/elevation_rules.hpp"
+#include "ocean/internal/io/read_provenance.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/io/read_provenance.hpp"
 #include "raster.hpp"
 #include "raster_wire.hpp"
 

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "ocean/error.hpp"
-#include "ocean/gl/context.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/gl/context.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::gl {
 

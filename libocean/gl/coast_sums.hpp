@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "compute_program.hpp"
-#include "ocean/coast_waves.hpp"
-#include "ocean/gl/context.hpp"
-#include "ocean/gl/objects.hpp"
+#include "ocean/internal/coast_waves.hpp"
+#include "ocean/internal/gl/context.hpp"
+#include "ocean/internal/gl/objects.hpp"
 
 namespace ocean::gl {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "ocean/gl/shader_program.hpp"
+#include "ocean/internal/gl/shader_program.hpp"
 
 namespace ocean::gl {
 

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "ocean/error.hpp"
-#include "ocean/gl/context.hpp"
+#include "ocean/internal/gl/context.hpp"
 
 namespace ocean::gl {
 

@@ -10,7 +10,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/linear_shape.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::gl {
 

@@ -13,8 +13,8 @@
 #include "checks.hpp"
 #include "ocean/backend.hpp"
 #include "ocean/error.hpp"
-#include "ocean/gl/context.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/gl/context.hpp"
+#include "ocean/internal/map_request.hpp"
 
 namespace ocean::gl {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Contexts through EGL; see ocean/gl/context.hpp.
+// Contexts through EGL; see ocean/internal/gl/context.hpp.
 #include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
@@ -13,8 +13,8 @@
 #include <initializer_list>
 
 #include "ocean/error.hpp"
-#include "ocean/gl/context.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/gl/context.hpp"
+#include "ocean/internal/text.hpp"
 #include "self_check.hpp"
 
 namespace ocean::gl {

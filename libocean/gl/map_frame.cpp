@@ -11,8 +11,8 @@
 
 #include "checks.hpp"
 #include "ocean/error.hpp"
-#include "ocean/map_request.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/map_request.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::gl {
 

@@ -13,10 +13,10 @@
 #include "frame_plan.hpp"
 #include "modes_on_gpu.hpp"
 #include "ocean/backend.hpp"
-#include "ocean/gl/context.hpp"
-#include "ocean/gl/objects.hpp"
-#include "ocean/gl/textures.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/gl/context.hpp"
+#include "ocean/internal/gl/objects.hpp"
+#include "ocean/internal/gl/textures.hpp"
+#include "ocean/internal/map_request.hpp"
 
 namespace ocean::gl {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "checks.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean::gl {

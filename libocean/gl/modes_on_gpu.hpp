@@ -7,8 +7,8 @@
 #include <complex>
 
 #include "ocean/backend.hpp"
-#include "ocean/gl/objects.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/gl/objects.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/page_vector.hpp"
 
 namespace ocean {

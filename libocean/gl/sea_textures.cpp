@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A sea as textures; see ocean/gl/sea_textures.hpp.
-#include "ocean/gl/sea_textures.hpp"
+// A sea as textures; see ocean/internal/gl/sea_textures.hpp.
+#include "ocean/internal/gl/sea_textures.hpp"
 
 #include <optional>
 #include <vector>
 
 #include "checks.hpp"
 #include "map_frame.hpp"
-#include "ocean/foam.hpp"
-#include "ocean/foam_follower.hpp"
-#include "ocean/gl/context.hpp"
+#include "ocean/internal/foam.hpp"
+#include "ocean/internal/foam_follower.hpp"
+#include "ocean/internal/gl/context.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/internal/open_sea.hpp"
-#include "ocean/map_request.hpp"
 
 namespace ocean::gl {
 

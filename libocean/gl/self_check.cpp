@@ -17,7 +17,7 @@
 #include "modes_on_gpu.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/linear_shape.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "wave/wave.hpp"
 
 namespace ocean::gl {

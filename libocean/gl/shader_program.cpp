@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// From shaders' texts to a program; see ocean/gl/shader_program.hpp.
-#include "ocean/gl/shader_program.hpp"
+// From shaders' texts to a program; see ocean/internal/gl/shader_program.hpp.
+#include "ocean/internal/gl/shader_program.hpp"
 
 #include <algorithm>
 #include <utility>

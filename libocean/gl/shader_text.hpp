@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-#include "ocean/gl/shader_program.hpp"
+#include "ocean/internal/gl/shader_program.hpp"
 
 namespace ocean::gl {
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Stages as pictures; see ocean/gl/stages.hpp.
-#include "ocean/gl/stages.hpp"
+// Stages as pictures; see ocean/internal/gl/stages.hpp.
+#include "ocean/internal/gl/stages.hpp"
 
 #include <bit>
 #include <complex>
@@ -12,9 +12,9 @@
 #include "gpu_function.hpp"
 #include "modes_on_gpu.hpp"
 #include "ocean/error.hpp"
-#include "ocean/gl/context.hpp"
+#include "ocean/internal/gl/context.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/internal/nearest_name.hpp"
-#include "ocean/map_request.hpp"
 #include "thesis_frame.hpp"
 
 namespace ocean::gl {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/gl/textures.hpp"
+#include "ocean/internal/gl/textures.hpp"
 
 #include <bit>
 

@@ -8,7 +8,7 @@
 #include "checks.hpp"
 #include "gpu_function.hpp"
 #include "ocean/gl/backend.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/page_vector.hpp"
 #include "thesis_frame.hpp"
 #include "write_quantity.hpp"

@@ -9,7 +9,7 @@
 #include "checks.hpp"
 #include "frame_plan.hpp"
 #include "map_frame.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/map_request.hpp"
 
 namespace ocean::gl {
 

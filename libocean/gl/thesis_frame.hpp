@@ -11,9 +11,9 @@
 #include "compute_program.hpp"
 #include "modes_on_gpu.hpp"
 #include "ocean/backend.hpp"
-#include "ocean/gl/context.hpp"
-#include "ocean/gl/objects.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/gl/context.hpp"
+#include "ocean/internal/gl/objects.hpp"
+#include "ocean/internal/map_request.hpp"
 
 namespace ocean::gl {
 

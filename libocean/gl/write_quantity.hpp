@@ -5,7 +5,7 @@
 #pragma once
 
 #include "ocean/backend.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/map_request.hpp"
 
 namespace ocean::gl {
 

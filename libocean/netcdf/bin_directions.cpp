@@ -9,11 +9,11 @@
 
 #include "bin_names.hpp"
 #include "names.hpp"
-#include "ocean/grid.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/directional_record.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/internal/record_rules.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::netcdf {
 namespace {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "names.hpp"
-#include "ocean/grid.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/directional_record.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean::netcdf {
 namespace {

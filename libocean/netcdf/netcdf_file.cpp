@@ -17,7 +17,7 @@
 #include "classic_extent.hpp"
 #include "netcdf_layout.hpp"
 #include "ocean/internal/line_reader.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::netcdf {
 namespace {

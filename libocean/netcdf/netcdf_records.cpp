@@ -13,11 +13,11 @@
 #include "direction_sense.hpp"
 #include "names.hpp"
 #include "netcdf_layout.hpp"
-#include "ocean/grid.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/directional_record.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/internal/record_rules.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "record_flags.hpp"
 #include "spectrum_axes.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "names.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::netcdf {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::netcdf {
 

@@ -11,9 +11,9 @@
 #include "bin_directions.hpp"
 #include "direction_sense.hpp"
 #include "names.hpp"
-#include "ocean/grid.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/density_units.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/internal/record_rules.hpp"
 
 namespace ocean::netcdf {

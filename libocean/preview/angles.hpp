@@ -4,7 +4,7 @@
 // Options give angles in degrees; formulas use radians.
 #pragma once
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean::preview {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ocean/preview/land_maps.hpp"
+#include "ocean/internal/preview/land_maps.hpp"
 #include "ocean/sea_bed.hpp"
 
 namespace ocean::preview {

@@ -10,8 +10,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "ocean/gl/objects.hpp"
-#include "ocean/gl/shader_program.hpp"
+#include "ocean/internal/gl/objects.hpp"
+#include "ocean/internal/gl/shader_program.hpp"
 
 namespace ocean::preview {
 

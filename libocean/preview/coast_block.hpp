@@ -7,8 +7,8 @@
 #include <array>
 #include <glm/glm.hpp>
 
-#include "ocean/preview/coast_maps.hpp"
-#include "ocean/preview/picture.hpp"
+#include "ocean/internal/preview/coast_maps.hpp"
+#include "ocean/internal/preview/picture.hpp"
 
 namespace ocean::preview {
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/preview/coast_maps.hpp"
+#include "ocean/internal/preview/coast_maps.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "bed_ground.hpp"
 #include "coast_windows.hpp"
-#include "ocean/gl/textures.hpp"
+#include "ocean/internal/gl/textures.hpp"
 
 namespace ocean::preview {
 namespace {

@@ -8,8 +8,8 @@
 #include <span>
 #include <utility>
 
+#include "ocean/internal/surf_traces.hpp"
 #include "ocean/land_mask.hpp"
-#include "ocean/surf_traces.hpp"
 
 namespace ocean::preview {
 namespace {

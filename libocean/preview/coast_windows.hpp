@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include "ocean/internal/preview/coast_maps.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/preview/coast_maps.hpp"
 
 namespace ocean::preview {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cover_map.hpp"
 
-#include "ocean/gl/context.hpp"
-#include "ocean/gl/textures.hpp"
+#include "ocean/internal/gl/context.hpp"
+#include "ocean/internal/gl/textures.hpp"
 
 namespace ocean::preview {
 

@@ -4,8 +4,8 @@
 // The map of the water that foam hides, foam^power, with mipmaps: see DrawnCover.
 #pragma once
 
-#include "ocean/gl/objects.hpp"
-#include "ocean/gl/shader_program.hpp"
+#include "ocean/internal/gl/objects.hpp"
+#include "ocean/internal/gl/shader_program.hpp"
 
 namespace ocean::preview {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "ocean/directional_spectrum.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
 #include "ocean/parameter_table.hpp"
 
 namespace ocean::preview {

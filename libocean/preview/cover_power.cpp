@@ -7,7 +7,7 @@
 #include <future>
 #include <utility>
 
-#include "ocean/foam.hpp"
+#include "ocean/internal/foam.hpp"
 
 namespace ocean::preview {
 namespace {

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "ocean/internal/open_sea.hpp"
-#include "ocean/preview/sea_maps.hpp"
+#include "ocean/internal/preview/sea_maps.hpp"
 
 namespace ocean::preview {
 

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "ocean/detail.hpp"
-#include "ocean/gl/textures.hpp"
+#include "ocean/internal/gl/textures.hpp"
 
 namespace ocean::preview {
 namespace {

@@ -8,9 +8,9 @@
 #include <memory>
 #include <vector>
 
-#include "ocean/gl/objects.hpp"
+#include "ocean/internal/gl/objects.hpp"
 #include "ocean/internal/open_sea.hpp"
-#include "ocean/preview/sea_maps.hpp"
+#include "ocean/internal/preview/sea_maps.hpp"
 
 namespace ocean::preview {
 

@@ -5,8 +5,8 @@
 // All drawables of a picture share its uniform block and its depth, so that they hide each other.
 #pragma once
 
-#include "ocean/gl/shader_program.hpp"
-#include "ocean/preview/renderer.hpp"
+#include "ocean/internal/gl/shader_program.hpp"
+#include "ocean/internal/preview/renderer.hpp"
 #include "projection.hpp"
 #include "uniform_block.hpp"
 

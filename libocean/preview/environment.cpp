@@ -4,7 +4,7 @@
 // A photographed sun has the light of the whole sky in a few texels. Single facets would mirror
 // them as sparks that come and go; so they become a direction and an irradiance, from which the
 // glitter of all facets is computed, and the sky keeps the brightness of their surroundings.
-#include "ocean/preview/environment.hpp"
+#include "ocean/internal/preview/environment.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 
 #include "angles.hpp"
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean::preview {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "filter_taps.hpp"
 
-#include "ocean/gl/context.hpp"
+#include "ocean/internal/gl/context.hpp"
 
 namespace ocean::preview {
 

@@ -4,8 +4,8 @@
 // How a driver filters long footprints, TAPS of shaders/preview/footprint.glsl.
 #pragma once
 
-#include "ocean/gl/objects.hpp"
-#include "ocean/preview/renderer.hpp"
+#include "ocean/internal/gl/objects.hpp"
+#include "ocean/internal/preview/renderer.hpp"
 
 namespace ocean::preview {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "ocean/water_types.hpp"
+#include "ocean/internal/water_types.hpp"
 #include "sky.hpp"
 #include "wave/wave.hpp"
 

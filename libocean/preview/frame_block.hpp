@@ -7,7 +7,7 @@
 
 #include <glm/glm.hpp>
 
-#include "ocean/preview/renderer.hpp"
+#include "ocean/internal/preview/renderer.hpp"
 #include "projection.hpp"
 
 namespace ocean::preview {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "ocean/preview/land_maps.hpp"
+#include "ocean/internal/preview/land_maps.hpp"
 
 namespace ocean::preview {
 

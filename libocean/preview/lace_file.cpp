@@ -9,7 +9,7 @@
 #include <cstring>
 #include <vector>
 
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::preview {
 namespace {

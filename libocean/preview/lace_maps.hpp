@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The textures of the foam's pattern, ocean/foam_texture.hpp, for pixels of any size. Means of
-// their values tend to 1/2, so that foam of a small cover would vanish before its pattern does.
-// Each level of the mipmaps therefore has a table of the share of its reads below a value, which
-// makes the reads uniform in [0, 1] again.
+// The textures of the foam's pattern, ocean/internal/foam_texture.hpp, for pixels of any size.
+// Means of their values tend to 1/2, so that foam of a small cover would vanish before its pattern
+// does. Each level of the mipmaps therefore has a table of the share of its reads below a value,
+// which makes the reads uniform in [0, 1] again.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "ocean/foam_texture.hpp"
-#include "ocean/gl/objects.hpp"
-#include "ocean/preview/renderer.hpp"
-#include "ocean/preview/sea_maps.hpp"
+#include "ocean/internal/foam_texture.hpp"
+#include "ocean/internal/gl/objects.hpp"
+#include "ocean/internal/preview/renderer.hpp"
+#include "ocean/internal/preview/sea_maps.hpp"
 
 namespace ocean::preview {
 

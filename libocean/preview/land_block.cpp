@@ -65,7 +65,7 @@ void set_map(LandBlock& b, const DrawnLand& land, const Camera& camera) {
 }
 
 /// Sets the lattice of the vertices and their morph: see morph_at() and land_vertex() of
-/// ocean/land_quadtree.hpp.
+/// ocean/internal/land_quadtree.hpp.
 void set_lattice(LandBlock& b, const DrawnLattice& lattice, const Camera& camera) {
     const QuadtreeSettings& settings = lattice.settings;
     const auto beside = [&](std::size_t axis) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/preview/land_maps.hpp"
+#include "ocean/internal/preview/land_maps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,11 @@
 #include <cstdint>
 #include <limits>
 
-#include "ocean/gl/textures.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/gl/textures.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/land_quadtree.hpp"
+#include "ocean/internal/terrain_modes.hpp"
 #include "ocean/land_mask.hpp"
-#include "ocean/land_quadtree.hpp"
-#include "ocean/terrain_modes.hpp"
 
 namespace ocean::preview {
 namespace {

@@ -17,7 +17,7 @@
 #include "clipmap.hpp"
 #include "drawable.hpp"
 #include "height_ranges.hpp"
-#include "ocean/land_quadtree.hpp"
+#include "ocean/internal/land_quadtree.hpp"
 #include "patch_maker.hpp"
 #include "patch_textures.hpp"
 

@@ -19,8 +19,8 @@
 #include <unordered_set>
 #include <vector>
 
+#include "ocean/internal/land_quadtree.hpp"
 #include "ocean/land_function.hpp"
-#include "ocean/land_quadtree.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean::preview {

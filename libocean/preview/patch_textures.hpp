@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "ocean/gl/objects.hpp"
+#include "ocean/internal/gl/objects.hpp"
 #include "patch_slots.hpp"
 
 namespace ocean::preview {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/preview/picture.hpp"
+#include "ocean/internal/preview/picture.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/preview/probe.hpp"
+#include "ocean/internal/preview/probe.hpp"
 
 #include <vector>
 
-#include "ocean/preview/canvas.hpp"
+#include "ocean/internal/preview/canvas.hpp"
 
 namespace ocean::preview {
 namespace {

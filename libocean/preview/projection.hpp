@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-#include "ocean/preview/picture.hpp"
+#include "ocean/internal/preview/picture.hpp"
 
 namespace ocean::preview {
 

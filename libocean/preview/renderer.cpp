@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A picture: the values that all drawables share, the sky, then the drawables in front of it.
-#include "ocean/preview/renderer.hpp"
+#include "ocean/internal/preview/renderer.hpp"
 
 #include <algorithm>
 #include <cmath>

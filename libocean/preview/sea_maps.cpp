@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/preview/sea_maps.hpp"
+#include "ocean/internal/preview/sea_maps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "cover_pattern.hpp"
 #include "cover_power.hpp"
 #include "detail_tiles.hpp"
-#include "ocean/foam.hpp"
+#include "ocean/internal/foam.hpp"
 #include "ocean/internal/open_sea.hpp"
 #include "ocean/ocean.hpp"
 #include "uploaded_maps.hpp"

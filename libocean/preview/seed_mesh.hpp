@@ -7,8 +7,8 @@
 #include <glm/glm.hpp>
 #include <map>
 
-#include "ocean/gl/objects.hpp"
-#include "ocean/gl/shader_program.hpp"
+#include "ocean/internal/gl/objects.hpp"
+#include "ocean/internal/gl/shader_program.hpp"
 #include "water_program.hpp"
 
 namespace ocean::preview {

@@ -8,7 +8,7 @@
 
 #include <glm/glm.hpp>
 
-#include "ocean/preview/picture.hpp"
+#include "ocean/internal/preview/picture.hpp"
 
 namespace ocean::preview {
 

@@ -6,8 +6,8 @@
 
 #include <memory>
 
-#include "ocean/gl/objects.hpp"
-#include "ocean/preview/environment.hpp"
+#include "ocean/internal/gl/objects.hpp"
+#include "ocean/internal/preview/environment.hpp"
 
 namespace ocean::preview {
 

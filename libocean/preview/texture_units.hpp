@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "ocean/gl/shader_program.hpp"
+#include "ocean/internal/gl/shader_program.hpp"
 
 namespace ocean::preview {
 

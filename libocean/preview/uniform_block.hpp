@@ -4,7 +4,7 @@
 // A uniform block of shaders/preview and the buffer that holds its values.
 #pragma once
 
-#include "ocean/gl/objects.hpp"
+#include "ocean/internal/gl/objects.hpp"
 
 namespace ocean::preview {
 

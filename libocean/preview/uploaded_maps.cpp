@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "uploaded_maps.hpp"
 
-#include "ocean/cascades.hpp"
-#include "ocean/gl/textures.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/gl/textures.hpp"
 
 namespace ocean::preview {
 

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "ocean/foam.hpp"
-#include "ocean/gl/objects.hpp"
-#include "ocean/gl/sea_textures.hpp"
+#include "ocean/internal/foam.hpp"
+#include "ocean/internal/gl/objects.hpp"
+#include "ocean/internal/gl/sea_textures.hpp"
 #include "ocean/internal/open_sea.hpp"
 
 namespace ocean::preview {

@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "ocean/enum_words.hpp"
-#include "ocean/preview/picture.hpp"
+#include "ocean/internal/preview/picture.hpp"
 
 namespace ocean::preview {
 

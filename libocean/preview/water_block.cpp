@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "frame_block.hpp"
-#include "ocean/foam_texture.hpp"
-#include "ocean/water_types.hpp"
+#include "ocean/internal/foam_texture.hpp"
+#include "ocean/internal/water_types.hpp"
 #include "view_table.hpp"
 #include "wave/wave.hpp"
 

@@ -9,7 +9,7 @@
 #include <array>
 #include <glm/glm.hpp>
 
-#include "ocean/preview/renderer.hpp"
+#include "ocean/internal/preview/renderer.hpp"
 
 namespace ocean::preview {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "ocean/error.hpp"
-#include "ocean/foam_texture.hpp"
+#include "ocean/internal/foam_texture.hpp"
 #include "view_table.hpp"
 
 namespace ocean::preview {

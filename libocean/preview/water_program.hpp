@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <string>
 
-#include "ocean/preview/renderer.hpp"
+#include "ocean/internal/preview/renderer.hpp"
 
 namespace ocean::preview {
 

@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "height_grid_text.hpp"
-#include "ocean/elevation.hpp"
-#include "ocean/elevation_file.hpp"
 #include "ocean/error.hpp"
-#include "ocean/ring_spectrum.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/elevation.hpp"
+#include "ocean/internal/elevation_file.hpp"
+#include "ocean/internal/ring_spectrum.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

@@ -8,15 +8,15 @@
 #include <optional>
 #include <utility>
 
-#include "ocean/elevation.hpp"
-#include "ocean/elevation_file.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/elevation.hpp"
+#include "ocean/internal/elevation_file.hpp"
 #include "ocean/internal/platform.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/sea_bed.hpp"
 #include "ocean/terrain.hpp"
 #include "ocean/terrainfile.hpp"
-#include "ocean/text.hpp"
 #include "toml_text.hpp"
 
 namespace ocean {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "ocean/internal/platform.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::text {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::csv {
 namespace {

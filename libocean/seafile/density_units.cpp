@@ -17,9 +17,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "ocean/grid.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean {
 namespace {

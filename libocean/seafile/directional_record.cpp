@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/seafile.hpp"
 #include "spectrum_format.hpp"
 

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "ocean/elevation.hpp"
 #include "ocean/error.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/elevation.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ocean/internal/record_rules.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean {
 namespace {

@@ -12,14 +12,14 @@
 #include <map>
 
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/directional_record.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/internal/json.hpp"
 #include "ocean/internal/nearest_name.hpp"
+#include "ocean/internal/spreading.hpp"
 #include "ocean/internal/utc_time.hpp"
 #include "ocean/seafile.hpp"
-#include "ocean/spreading.hpp"
 
 namespace ocean {
 namespace {

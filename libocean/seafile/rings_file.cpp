@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include "ocean/elevation_file.hpp"
 #include "ocean/error.hpp"
-#include "ocean/ring_spectrum.hpp"
+#include "ocean/internal/elevation_file.hpp"
+#include "ocean/internal/ring_spectrum.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "ocean/measured_rings.hpp"
+#include "ocean/internal/measured_rings.hpp"
 
 namespace ocean {
 

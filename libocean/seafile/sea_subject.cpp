@@ -12,18 +12,18 @@
 #include <optional>
 #include <utility>
 
-#include "ocean/cascades.hpp"
-#include "ocean/directional_spectrum.hpp"
 #include "ocean/domain.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
+#include "ocean/internal/map_levels.hpp"
 #include "ocean/internal/sea_bytes.hpp"
+#include "ocean/internal/surface_query.hpp"
+#include "ocean/internal/world_heights.hpp"
 #include "ocean/land_mask.hpp"
-#include "ocean/map_levels.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/sea_bed.hpp"
-#include "ocean/surface_query.hpp"
-#include "ocean/world_heights.hpp"
 
 namespace ocean {
 namespace {

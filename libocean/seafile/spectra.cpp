@@ -18,9 +18,9 @@
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/csv_rows.hpp"
 #include "ocean/internal/platform.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/internal/utc_time.hpp"
 #include "ocean/seafile.hpp"
-#include "ocean/text.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean {

@@ -8,10 +8,10 @@
 
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/nearest_name.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/terrain_table.hpp"
-#include "ocean/text.hpp"
 #include "take.hpp"
 
 namespace ocean {

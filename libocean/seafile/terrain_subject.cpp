@@ -12,16 +12,16 @@
 #include <optional>
 #include <utility>
 
-#include "ocean/cascades.hpp"
 #include "ocean/domain.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/cascades.hpp"
 #include "ocean/internal/sea_bytes.hpp"
+#include "ocean/internal/surface_query.hpp"
+#include "ocean/internal/terrain_modes.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/land_function.hpp"
-#include "ocean/surface_query.hpp"
 #include "ocean/terrain.hpp"
-#include "ocean/terrain_modes.hpp"
 #include "ocean/terrain_table.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean {
 namespace {

@@ -14,7 +14,7 @@ const vec3 foam_plume = vec3(0.012, 0.060, 0.066);
 // Height over the water [m] where the cover exceeds the net by 1: 15 mm for foam that is just
 // opaque.
 const float foam_height = 0.043;
-// Sides of the tiles of ocean/foam_texture.hpp and of their widest cells [m].
+// Sides of the tiles of ocean/internal/foam_texture.hpp and of their widest cells [m].
 const float lace_tile = 12.0;
 const float lace_cell = 0.86;
 const float bubble_tile = 1.3;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Foam in detail: which part of a point's neighbourhood is white, from the cover c there, 0 .. 1,
-// and the values T of textures that are uniform in [0, 1] (ocean/foam_texture.hpp). T < c holds on
+// and the values T of textures that are uniform in [0, 1] (ocean/internal/foam_texture.hpp). T < c holds on
 // the share c of the area. All functions here preserve that: combined textures are uniform again,
 // and the mean of a softened or faded mask is c, so that the visible foam is as much as the wind
 // makes. Test: foam_lace_test.cpp.

@@ -9,7 +9,7 @@
 
 #include <limits>
 
-#include "ocean/bake/existing_frames.hpp"
+#include "ocean/internal/bake/existing_frames.hpp"
 
 namespace ocean {
 namespace {

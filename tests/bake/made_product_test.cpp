@@ -3,7 +3,7 @@
 //
 // Claims: a host adds products and families of made products by longer tables, and EXR files store
 // them as their rows state; no format and no product has code for them.
-#include "ocean/bake/made_product.hpp"
+#include "ocean/internal/bake/made_product.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,10 @@
 
 #include "ocean/bake/run.hpp"
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/seafile.hpp"
-#include "ocean/text.hpp"
 #include "temporary_folder.hpp"
 
 namespace ocean {

@@ -14,9 +14,9 @@
 
 #include "ocean/bake/run.hpp"
 #include "ocean/error.hpp"
-#include "ocean/io/read_provenance.hpp"
+#include "ocean/internal/io/read_provenance.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/seafile.hpp"
-#include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
 #include "temporary_folder.hpp"
 

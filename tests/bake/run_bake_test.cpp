@@ -11,8 +11,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "ocean/bake/estimate.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bake/estimate.hpp"
 #include "ocean/seafile.hpp"
 #include "temporary_folder.hpp"
 

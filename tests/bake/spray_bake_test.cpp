@@ -5,10 +5,10 @@
 // file is kept for its own settings only; the forecast is an upper bound.
 #include <gtest/gtest.h>
 
-#include "ocean/bake/estimate.hpp"
-#include "ocean/bake/existing_frames.hpp"
 #include "ocean/bake/run.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bake/estimate.hpp"
+#include "ocean/internal/bake/existing_frames.hpp"
 #include "ocean/io/mesh.hpp"
 #include "ocean/seafile.hpp"
 #include "temporary_folder.hpp"

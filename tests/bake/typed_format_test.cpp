@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "ocean/bake/made_product.hpp"
+#include "ocean/internal/bake/made_product.hpp"
 #include "ocean/seafile.hpp"
 
 namespace ocean {

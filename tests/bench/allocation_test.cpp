@@ -9,10 +9,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "ocean/cascade_map.hpp"
-#include "ocean/directional_spectrum.hpp"
-#include "ocean/foam.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/cascade_map.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
+#include "ocean/internal/foam.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/kernel/map_kernel.hpp"

@@ -12,9 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "ocean/internal/modes.hpp"
+#include "ocean/internal/shoreline_profile.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/sea_bed.hpp"
-#include "ocean/shoreline_profile.hpp"
 #include "ocean/terrain.hpp"
 
 namespace {

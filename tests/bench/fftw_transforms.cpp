@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "huge_array.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "transforms.hpp"
 
 namespace ocean::bench {

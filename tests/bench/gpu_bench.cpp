@@ -15,10 +15,10 @@
 
 #include "map_frame.hpp"
 #include "ocean/error.hpp"
-#include "ocean/gl/context.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/gl/context.hpp"
+#include "ocean/internal/map_request.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/text.hpp"
 #include "thesis_frame.hpp"
 
 using namespace ocean;

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "ocean/gullies.hpp"
+#include "ocean/internal/gullies.hpp"
 
 namespace {
 

@@ -10,10 +10,10 @@
 #include <cstring>
 #include <vector>
 
-#include "ocean/directional_spectrum.hpp"
-#include "ocean/foam.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
+#include "ocean/internal/foam.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/map_request.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/thread_pool.hpp"
 #include "pass_traffic.hpp"

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "ocean/land_mesh.hpp"
-#include "ocean/land_quadtree.hpp"
+#include "ocean/internal/land_mesh.hpp"
+#include "ocean/internal/land_quadtree.hpp"
 
 namespace ocean::bench {
 namespace {

@@ -9,7 +9,7 @@
 #include <initializer_list>
 #include <memory>
 
-#include "ocean/map_request.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "transforms.hpp"
 
 namespace ocean::bench {

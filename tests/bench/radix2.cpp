@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "frame_maps.hpp"
-#include "ocean/fft.hpp"
+#include "ocean/internal/fft.hpp"
 
 namespace ocean::bench {
 

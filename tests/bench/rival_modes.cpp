@@ -4,7 +4,7 @@
 // From Modes of one cascade to the arrays of the rivals.
 #include "rival_modes.hpp"
 
-#include "ocean/directional_spectrum.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
 
 namespace ocean::bench {
 

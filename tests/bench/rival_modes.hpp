@@ -12,7 +12,7 @@
 
 #include "base/simd/simd_level.hpp"
 #include "huge_array.hpp"
-#include "ocean/modes.hpp"
+#include "ocean/internal/modes.hpp"
 
 namespace ocean::bench {
 

@@ -11,7 +11,7 @@
 #include <chrono>
 #include <map>
 
-#include "ocean/stream_power.hpp"
+#include "ocean/internal/stream_power.hpp"
 #include "unit/stream_island.hpp"
 
 namespace ocean::bench {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "frame_maps.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/map_request.hpp"
 
 namespace ocean::bench {
 

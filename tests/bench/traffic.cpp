@@ -7,7 +7,7 @@
 
 #include "frame_maps.hpp"
 #include "machine_speed.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/page_vector.hpp"
 #include "pass_traffic.hpp"
 #include "table.hpp"

@@ -9,7 +9,7 @@
 #include <cstddef>
 
 #include "base/simd/simd_level.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/map_request.hpp"
 
 namespace ocean::bench {
 

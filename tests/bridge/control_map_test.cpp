@@ -3,7 +3,7 @@
 //
 // From a knob to a value: ranges, curves, noise, smoothing, who holds the value; and a map that is
 // wrong says where.
-#include "ocean/bridge/control_map.hpp"
+#include "ocean/internal/bridge/control_map.hpp"
 
 #include <gtest/gtest.h>
 

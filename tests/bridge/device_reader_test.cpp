@@ -5,12 +5,12 @@
 // mistake.
 #include <gtest/gtest.h>
 
-#include "ocean/bridge/control_map_file.hpp"
-#include "ocean/bridge/devices.hpp"
-#include "ocean/bridge/firmata_source.hpp"
-#include "ocean/bridge/k8055_source.hpp"
-#include "ocean/bridge/midi_source.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/control_map_file.hpp"
+#include "ocean/internal/bridge/devices.hpp"
+#include "ocean/internal/bridge/firmata_source.hpp"
+#include "ocean/internal/bridge/k8055_source.hpp"
+#include "ocean/internal/bridge/midi_source.hpp"
 
 namespace ocean::bridge {
 namespace {

@@ -18,8 +18,8 @@
 
 #include "firmata_protocol.hpp"
 #include "listening.hpp"
-#include "ocean/bridge/firmata_source.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/firmata_source.hpp"
 
 namespace ocean::bridge {
 namespace {

@@ -19,9 +19,9 @@
 #include <utility>
 #include <vector>
 
-#include "ocean/bridge/hub.hpp"
-#include "ocean/bridge/line_server.hpp"
-#include "ocean/bridge/source.hpp"
+#include "ocean/internal/bridge/hub.hpp"
+#include "ocean/internal/bridge/line_server.hpp"
+#include "ocean/internal/bridge/source.hpp"
 
 namespace ocean::bridge::test {
 

@@ -3,7 +3,7 @@
 //
 // The hub and the boards that are files: the lines of a script arrive, a recorded take can be read
 // with a sea file, and a map may change at run time.
-#include "ocean/bridge/hub.hpp"
+#include "ocean/internal/bridge/hub.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,9 @@
 #include <mutex>
 
 #include "helpers.hpp"
-#include "ocean/bridge/endpoint.hpp"
-#include "ocean/bridge/script_sources.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/endpoint.hpp"
+#include "ocean/internal/bridge/script_sources.hpp"
 #include "ocean/seafile.hpp"
 
 namespace ocean::bridge {

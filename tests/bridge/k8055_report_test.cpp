@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ocean/bridge/k8055_source.hpp"
+#include "ocean/internal/bridge/k8055_source.hpp"
 
 namespace ocean::bridge {
 namespace {

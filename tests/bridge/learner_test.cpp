@@ -3,14 +3,14 @@
 //
 // The movement of a control becomes the map that fits it, and no other; and every map that is
 // printed is one.
-#include "ocean/bridge/learner.hpp"
+#include "ocean/internal/bridge/learner.hpp"
 
 #include <gtest/gtest.h>
 
 #include "midi_joiner.hpp"
 #include "midi_messages.hpp"
-#include "ocean/bridge/control_map_file.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/control_map_file.hpp"
 
 namespace ocean::bridge {
 namespace {

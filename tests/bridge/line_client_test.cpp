@@ -3,7 +3,7 @@
 //
 // A program's end: values arrive, set ones are sent, and a bridge that goes and comes back costs
 // neither.
-#include "ocean/bridge/line_client.hpp"
+#include "ocean/internal/bridge/line_client.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 //
 // The protocol as text: any bytes, in any pieces, become the same lines; a line becomes one request
 // or one refusal; and the page of the protocol has the commands that the program has.
-#include "ocean/bridge/line_protocol.hpp"
+#include "ocean/internal/bridge/line_protocol.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 //
 // The server with real sockets: what each command does, what hostile clients do not do, and that
 // nothing is left behind.
-#include "ocean/bridge/line_server.hpp"
+#include "ocean/internal/bridge/line_server.hpp"
 
 #include <gtest/gtest.h>
 

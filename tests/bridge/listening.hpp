@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "helpers.hpp"
-#include "ocean/bridge/source.hpp"
+#include "ocean/internal/bridge/source.hpp"
 
 namespace ocean::bridge::test {
 

@@ -21,7 +21,7 @@
 #include <thread>
 
 #include "helpers.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::bridge::test {
 namespace {

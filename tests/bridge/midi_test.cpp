@@ -13,8 +13,8 @@
 #include "midi_joiner.hpp"
 #include "midi_messages.hpp"
 #include "midi_source_of_ports.hpp"
-#include "ocean/bridge/midi_source.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/midi_source.hpp"
 #ifdef OCEAN_HAVE_RTMIDI
 #include <RtMidi.h>
 #endif

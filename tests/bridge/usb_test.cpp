@@ -16,8 +16,8 @@
 #include <thread>
 
 #include "mock_k8055.hpp"
-#include "ocean/bridge/k8055_source.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/k8055_source.hpp"
 
 namespace ocean::bridge {
 namespace {

@@ -3,7 +3,7 @@
 //
 // The table of values: every parameter under every name that it has, the last writer named, nothing
 // refused changed, and no file named from outside.
-#include "ocean/bridge/value_table.hpp"
+#include "ocean/internal/bridge/value_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <random>
 
 #include "ocean/error.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "toy_model.hpp"
 
 namespace ocean::bridge {

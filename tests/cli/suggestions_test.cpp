@@ -14,13 +14,13 @@
 #include "ocean/backend.hpp"
 #include "ocean/bake/catalogue.hpp"
 #include "ocean/internal/nearest_name.hpp"
+#include "ocean/internal/water_types.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
-#include "ocean/water_types.hpp"
 #include "ocean_catalogue.hpp"
-#if __has_include("ocean/bridge/line_protocol.hpp")
-#include "ocean/bridge/line_protocol.hpp"
-#include "ocean/bridge/value_table.hpp"
+#if __has_include("ocean/internal/bridge/line_protocol.hpp")
+#include "ocean/internal/bridge/line_protocol.hpp"
+#include "ocean/internal/bridge/value_table.hpp"
 #endif
 
 namespace ocean::app {
@@ -145,7 +145,7 @@ TEST(Suggestions, OfFormatsProductsBackendsAndPresets) {
     expect_right_suggestions("water", names_of(water_types(), &WaterType::name));
 }
 
-#if __has_include("ocean/bridge/line_protocol.hpp")
+#if __has_include("ocean/internal/bridge/line_protocol.hpp")
 TEST(Suggestions, OfTheWire) {
     expect_right_suggestions("wire", names_of(bridge::command_forms(), &bridge::CommandForm::word));
     expect_right_suggestions("app", names_of(bridge::app_values(), &bridge::AppValue::name));

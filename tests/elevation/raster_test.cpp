@@ -15,7 +15,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/elevation_import.hpp"
-#include "ocean/io/elevation.hpp"
+#include "ocean/internal/io/elevation.hpp"
 #include "raster_wire.hpp"
 #include "temporary_folder.hpp"
 

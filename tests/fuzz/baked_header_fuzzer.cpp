@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "ocean/error.hpp"
-#include "ocean/io/geotiff.hpp"
+#include "ocean/internal/io/geotiff.hpp"
+#include "ocean/internal/io/png.hpp"
+#include "ocean/internal/io/usd.hpp"
 #include "ocean/io/mesh.hpp"
-#include "ocean/io/png.hpp"
-#include "ocean/io/usd.hpp"
 #include "ocean/io/vdb.hpp"
 #include "require.hpp"
 

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "k8055_report.hpp"
-#include "ocean/bridge/k8055_source.hpp"
+#include "ocean/internal/bridge/k8055_source.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace ocean::bridge;

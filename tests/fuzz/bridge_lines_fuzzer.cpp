@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "ocean/bridge/line_protocol.hpp"
-#include "ocean/bridge/value_table.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/line_protocol.hpp"
+#include "ocean/internal/bridge/value_table.hpp"
 #include "require.hpp"
 
 namespace {

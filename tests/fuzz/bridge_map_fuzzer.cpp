@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <string_view>
 
-#include "ocean/bridge/control_map.hpp"
 #include "ocean/error.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/bridge/control_map.hpp"
+#include "ocean/internal/text.hpp"
 #include "require.hpp"
 
 namespace {

@@ -14,8 +14,8 @@
 
 #include "midi_joiner.hpp"
 #include "midi_messages.hpp"
-#include "ocean/bridge/control_map_file.hpp"
-#include "ocean/bridge/learner.hpp"
+#include "ocean/internal/bridge/control_map_file.hpp"
+#include "ocean/internal/bridge/learner.hpp"
 #include "require.hpp"
 
 namespace {

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "ocean/bridge/script_sources.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/script_sources.hpp"
 #include "require.hpp"
 
 using ocean::fuzz::check_message;

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include "ocean/elevation_file.hpp"
+#include "ocean/internal/elevation_file.hpp"
 #include "reader_fuzzer.hpp"
 
 namespace ocean::fuzz {

@@ -4,7 +4,7 @@
 // A file of rings from any bytes gives increasing wavenumbers, or one printable error.
 #include <cmath>
 
-#include "ocean/measured_rings.hpp"
+#include "ocean/internal/measured_rings.hpp"
 #include "reader_fuzzer.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

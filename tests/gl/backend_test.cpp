@@ -14,7 +14,7 @@
 #include "gl/leftovers.hpp"
 #include "ocean/error.hpp"
 #include "ocean/gl/backend.hpp"
-#include "ocean/gl/context.hpp"
+#include "ocean/internal/gl/context.hpp"
 #include "ocean/ocean.hpp"
 #include "paths.hpp"
 #include "temporary_folder.hpp"

@@ -9,12 +9,12 @@
 #include <tuple>
 
 #include "ocean/error.hpp"
-#include "ocean/fft.hpp"
-#include "ocean/foam.hpp"
 #include "ocean/gl/backend.hpp"
-#include "ocean/gl/context.hpp"
-#include "ocean/make_surface.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/fft.hpp"
+#include "ocean/internal/foam.hpp"
+#include "ocean/internal/gl/context.hpp"
+#include "ocean/internal/make_surface.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/ocean.hpp"
 #include "unit/test_seas.hpp"
 #include "waves/surface/map_writer.hpp"

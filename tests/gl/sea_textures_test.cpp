@@ -6,8 +6,8 @@
 
 #include <epoxy/gl.h>
 
-#include "ocean/gl/context.hpp"
-#include "ocean/gl/sea_textures.hpp"
+#include "ocean/internal/gl/context.hpp"
+#include "ocean/internal/gl/sea_textures.hpp"
 #include "ocean/ocean.hpp"
 #include "unit/test_seas.hpp"
 #include "wave/wave.hpp"

@@ -7,9 +7,9 @@
 #include <epoxy/egl.h>
 
 #include "ocean/error.hpp"
-#include "ocean/gl/context.hpp"
-#include "ocean/gl/stages.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/gl/context.hpp"
+#include "ocean/internal/gl/stages.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/ocean.hpp"
 #include "unit/test_seas.hpp"
 

@@ -12,8 +12,8 @@
 #include <cstdint>
 
 #include "ocean/error.hpp"
-#include "ocean/io/df3.hpp"
-#include "ocean/map_levels.hpp"
+#include "ocean/internal/io/df3.hpp"
+#include "ocean/internal/map_levels.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/io/product_image.hpp"
 #include "ocean/io/exr.hpp"
-#include "ocean/io/product_image.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {

@@ -7,11 +7,11 @@
 
 #include <map>
 
-#include "ocean/caustics.hpp"
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/caustics.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/io/product_image.hpp"
 #include "ocean/io/exr.hpp"
-#include "ocean/io/product_image.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {

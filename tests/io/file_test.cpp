@@ -11,7 +11,7 @@
 #include <functional>
 
 #include "ocean/error.hpp"
-#include "ocean/io/output_file.hpp"
+#include "ocean/internal/io/output_file.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {

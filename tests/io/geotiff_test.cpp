@@ -14,8 +14,8 @@
 #include <memory>
 
 #include "ocean/error.hpp"
-#include "ocean/io/geotiff.hpp"
-#include "ocean/io/product_image.hpp"
+#include "ocean/internal/io/geotiff.hpp"
+#include "ocean/internal/io/product_image.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {

@@ -12,9 +12,9 @@
 #include <cstdio>
 
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
-#include "ocean/io/height_field.hpp"
-#include "ocean/io/product_image.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/io/height_field.hpp"
+#include "ocean/internal/io/product_image.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {

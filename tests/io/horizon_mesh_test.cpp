@@ -11,9 +11,9 @@
 
 #include "mesh/map_pyramid.hpp"
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
-#include "ocean/io/horizon_mesh.hpp"
-#include "ocean/io/visible_slope.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/io/horizon_mesh.hpp"
+#include "ocean/internal/io/visible_slope.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {

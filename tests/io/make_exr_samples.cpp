@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Writes the files that test_exr_readers.py judges: make_exr_samples FOLDER.
+#include "ocean/internal/io/product_image.hpp"
 #include "ocean/io/exr.hpp"
-#include "ocean/io/product_image.hpp"
 #include "sample_surface.hpp"
 
 using namespace ocean;

@@ -11,8 +11,8 @@
 #include <random>
 
 #include "ocean/error.hpp"
-#include "ocean/io/read_provenance.hpp"
-#include "ocean/io/usd.hpp"
+#include "ocean/internal/io/read_provenance.hpp"
+#include "ocean/internal/io/usd.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {

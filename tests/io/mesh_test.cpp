@@ -9,9 +9,9 @@
 #include <sstream>
 
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/io/mesh2.hpp"
 #include "ocean/io/mesh.hpp"
-#include "ocean/io/mesh2.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {

@@ -3,7 +3,7 @@
 //
 // Claims: read_exr_panorama returns the written light without negative values and NaN, and throws
 // Error bad_file for any other bytes.
-#include "ocean/io/panorama.hpp"
+#include "ocean/internal/io/panorama.hpp"
 
 #include <gtest/gtest.h>
 

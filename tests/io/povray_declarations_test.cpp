@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Claims: parameters of any table are declared in POV-Ray's spelling.
-#include "ocean/io/povray_declarations.hpp"
+#include "ocean/internal/io/povray_declarations.hpp"
 
 #include <gtest/gtest.h>
 

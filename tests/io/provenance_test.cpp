@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Claims: headers hold the provenance of a file, and it is read back from them.
-#include "ocean/io/provenance.hpp"
+#include "ocean/internal/io/provenance.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/io/output_file.hpp"
+#include "ocean/internal/io/png.hpp"
+#include "ocean/internal/io/read_provenance.hpp"
+#include "ocean/internal/io/subject_words.hpp"
 #include "ocean/io/exr.hpp"
-#include "ocean/io/output_file.hpp"
-#include "ocean/io/png.hpp"
-#include "ocean/io/read_provenance.hpp"
-#include "ocean/io/subject_words.hpp"
 #include "temporary_folder.hpp"
 
 namespace ocean {

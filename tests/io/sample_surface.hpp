@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "../temporary_folder.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/surface.hpp"
 
 namespace ocean::test {

@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <ctime>
 
-#include "ocean/io/usd.hpp"
+#include "ocean/internal/io/usd.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {

@@ -14,6 +14,7 @@
 #include <functional>
 #include <vector>
 
+#include "ocean/internal/modes.hpp"
 #include "ocean/io/vdb.hpp"
 #include "ocean/ocean.hpp"
 

@@ -12,13 +12,13 @@
 #include <initializer_list>
 #include <string>
 
-#include "ocean/grid.hpp"
-#include "ocean/io/height_field.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/io/height_field.hpp"
+#include "ocean/internal/io/mesh2.hpp"
+#include "ocean/internal/io/output_file.hpp"
+#include "ocean/internal/io/product_image.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/io/mesh.hpp"
-#include "ocean/io/mesh2.hpp"
-#include "ocean/io/output_file.hpp"
-#include "ocean/io/product_image.hpp"
-#include "ocean/text.hpp"
 #include "wave/wave.hpp"
 
 using namespace ocean;

@@ -8,9 +8,9 @@
 
 #include "bed_ground.hpp"
 #include "coast_windows.hpp"
+#include "ocean/internal/preview/probe.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/preview/probe.hpp"
 #include "preview/beach_sea.hpp"
 #include "preview/preview_fixture.hpp"
 

@@ -3,7 +3,7 @@
 //
 // Claims: no light of an environment is lost when its sun is taken out, the sun stands where it
 // stood, and water mirrors what is above it.
-#include "ocean/preview/environment.hpp"
+#include "ocean/internal/preview/environment.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 
 #include "gl/leftovers.hpp"
 #include "ocean/error.hpp"
-#include "ocean/water_types.hpp"
+#include "ocean/internal/water_types.hpp"
 #include "preview_fixture.hpp"
 #include "sky.hpp"
 #include "wave/wave.hpp"

@@ -13,9 +13,9 @@
 
 #include "height_ranges.hpp"
 #include "land_vertices.hpp"
-#include "ocean/land_mesh.hpp"
+#include "ocean/internal/land_mesh.hpp"
+#include "ocean/internal/preview/land_maps.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/preview/land_maps.hpp"
 #include "preview_fixture.hpp"
 
 namespace ocean::preview {

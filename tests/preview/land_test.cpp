@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "ocean/error.hpp"
-#include "ocean/preview/land_maps.hpp"
-#include "ocean/preview/probe.hpp"
+#include "ocean/internal/preview/land_maps.hpp"
+#include "ocean/internal/preview/probe.hpp"
 #include "ocean/terrain.hpp"
 #include "preview_fixture.hpp"
 

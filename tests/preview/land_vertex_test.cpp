@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Claim: each vertex of a picture stands where land_vertex() of ocean/land_quadtree.hpp shows it,
-// also where it snaps to another one.
+// Claim: each vertex of a picture stands where land_vertex() of ocean/internal/land_quadtree.hpp
+// shows it, also where it snaps to another one.
 #include <cmath>
 #include <cstdint>
 
 #include "land_vertices.hpp"
-#include "ocean/land_quadtree.hpp"
-#include "ocean/preview/land_maps.hpp"
+#include "ocean/internal/land_quadtree.hpp"
+#include "ocean/internal/preview/land_maps.hpp"
 #include "ocean/terrain.hpp"
 #include "preview_fixture.hpp"
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "ground.hpp"
-#include "ocean/preview/canvas.hpp"
-#include "ocean/preview/renderer.hpp"
+#include "ocean/internal/preview/canvas.hpp"
+#include "ocean/internal/preview/renderer.hpp"
 #include "ocean/terrain_model.hpp"
 #include "shader_text.hpp"
 

@@ -16,7 +16,7 @@
 #include "ocean-preview/live_sea.hpp"
 #include "ocean-preview/workload.hpp"
 #include "ocean/error.hpp"
-#include "ocean/gl/context.hpp"
+#include "ocean/internal/gl/context.hpp"
 #include "ocean/seafile.hpp"
 #include "preview/shown_maps.hpp"
 

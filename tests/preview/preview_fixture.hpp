@@ -8,9 +8,9 @@
 
 #include <vector>
 
-#include "ocean/gl/context.hpp"
-#include "ocean/preview/canvas.hpp"
-#include "ocean/preview/renderer.hpp"
+#include "ocean/internal/gl/context.hpp"
+#include "ocean/internal/preview/canvas.hpp"
+#include "ocean/internal/preview/renderer.hpp"
 #include "unit/test_seas.hpp"
 
 namespace ocean::preview {

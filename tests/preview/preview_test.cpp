@@ -12,9 +12,9 @@
 #include <thread>
 
 #include "gl/leftovers.hpp"
-#include "ocean/cascades.hpp"
-#include "ocean/preview/probe.hpp"
-#include "ocean/water_types.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/preview/probe.hpp"
+#include "ocean/internal/water_types.hpp"
 #include "preview/shown_maps.hpp"
 #include "preview_fixture.hpp"
 #include "sky.hpp"

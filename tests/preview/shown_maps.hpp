@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "ocean/preview/sea_maps.hpp"
+#include "ocean/internal/preview/sea_maps.hpp"
 
 namespace ocean::test {
 

@@ -23,7 +23,7 @@ MACROS = "".join(path.read_text() for path in ROOT.glob("povray_macros/ocean/*.i
 NODES = text("blender_addon/libocean_addon/look/foam_nodes.py") + text(
     "blender_addon/libocean_addon/look/water_shader.py"
 )
-LIBRARY = text("libocean/include/ocean/foam_texture.hpp")
+LIBRARY = text("libocean/include/ocean/internal/foam_texture.hpp")
 EXPORTER = text("libocean/io/povray/foam_declarations.cpp")
 
 

@@ -11,7 +11,7 @@
 
 #include "helpers.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::test {

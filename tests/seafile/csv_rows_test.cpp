@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::csv {
 namespace {

@@ -9,8 +9,8 @@
 #include <tuple>
 
 #include "helpers.hpp"
-#include "ocean/grid.hpp"
 #include "ocean/internal/directional_record.hpp"
+#include "ocean/internal/grid.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::test {

@@ -3,7 +3,7 @@
 //
 // Units of spectral densities: the factor of each spelling to m^2/Hz or m^2/Hz/degree, by hand.
 #include "ocean/internal/density_units.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 
 #include <gtest/gtest.h>
 

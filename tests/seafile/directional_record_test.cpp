@@ -14,7 +14,7 @@
 #include <numeric>
 
 #include "helpers.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::test {

@@ -4,7 +4,7 @@
 // Claims: .asc and .flt + .hdr are read as GIS programs write them, with rows from the south, the
 // origin at the centre of the south-west cell, metres and NaN for holes; each assumption is a note;
 // whatever is not such a file is refused by one sentence, before its memory is allocated.
-#include "ocean/elevation_file.hpp"
+#include "ocean/internal/elevation_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,9 +10,9 @@
 #include <tuple>
 
 #include "helpers.hpp"
-#include "ocean/grid.hpp"
 #include "ocean/internal/directional_record.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/text.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::test {

@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "helpers.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::test {

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "helpers.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::test {

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <random>
 
+#include "ocean/internal/surface_query.hpp"
+#include "ocean/internal/wave_sum.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/query.hpp"
 #include "ocean/seafile.hpp"
-#include "ocean/surface_query.hpp"
-#include "ocean/wave_sum.hpp"
 
 namespace ocean {
 namespace {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "helpers.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/terrain_table.hpp"

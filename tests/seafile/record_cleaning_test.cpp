@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "helpers.hpp"
-#include "ocean/directional_spectrum.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
 #include "ocean/internal/record_rules.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/thread_pool.hpp"

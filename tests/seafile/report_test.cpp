@@ -10,8 +10,8 @@
 #include <numbers>
 
 #include "helpers.hpp"
-#include "ocean/grid.hpp"
 #include "ocean/internal/directional_record.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "helpers.hpp"
-#include "ocean/measured_rings.hpp"
+#include "ocean/internal/measured_rings.hpp"
 #include "temporary_folder.hpp"
 
 namespace ocean {

@@ -11,8 +11,8 @@
 #include <string>
 
 #include "helpers.hpp"
+#include "ocean/internal/measured_rings.hpp"
 #include "ocean/internal/terrain_base.hpp"
-#include "ocean/measured_rings.hpp"
 #include "ocean/terrain.hpp"
 #include "ocean/terrain_table.hpp"
 #include "temporary_folder.hpp"

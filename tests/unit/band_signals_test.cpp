@@ -14,8 +14,8 @@
 
 #include "coast/loops/signal_task.hpp"
 #include "divided_sea.hpp"
-#include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/dispersion.hpp"
 
 namespace ocean {
 namespace {

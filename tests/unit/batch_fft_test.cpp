@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "ocean/fft.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/fft.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 namespace {

@@ -13,9 +13,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "ocean/dispersion.hpp"
-#include "ocean/fft.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/dispersion.hpp"
+#include "ocean/internal/fft.hpp"
+#include "ocean/internal/grid.hpp"
 #include "wave_moments.hpp"
 
 namespace ocean {

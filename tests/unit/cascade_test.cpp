@@ -3,7 +3,7 @@
 //
 // Cascades: the energy does not depend on their number, no wave appears twice or is missing, and
 // small maps add up to the one surface.
-#include "ocean/cascades.hpp"
+#include "ocean/internal/cascades.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,12 +11,12 @@
 #include <cmath>
 #include <cstdint>
 
-#include "ocean/cascade_map.hpp"
-#include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
-#include "ocean/foam.hpp"
-#include "ocean/make_surface.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/cascade_map.hpp"
+#include "ocean/internal/dispersion.hpp"
+#include "ocean/internal/foam.hpp"
+#include "ocean/internal/make_surface.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "test_seas.hpp"
 #include "wave/wave.hpp"
 #include "waves/surface/plane_channels.hpp"

@@ -4,7 +4,7 @@
 // Caustics: flat water changes nothing, light is neither lost nor gained, crests focus where
 // paraxial optics predicts, the sun's bearing and altitude shift the pattern, and the map depends
 // neither on threads nor on where its period begins.
-#include "ocean/caustics.hpp"
+#include "ocean/internal/caustics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "ocean/error.hpp"
-#include "ocean/make_surface.hpp"
+#include "ocean/internal/make_surface.hpp"
+#include "ocean/internal/water_types.hpp"
 #include "ocean/thread_pool.hpp"
-#include "ocean/water_types.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {

@@ -16,7 +16,7 @@
 #include "field/zero_line.hpp"
 #include "land/shoreline/map_seas.hpp"
 #include "ocean/error.hpp"
-#include "ocean/shoreline_profile.hpp"
+#include "ocean/internal/shoreline_profile.hpp"
 
 namespace ocean {
 namespace {

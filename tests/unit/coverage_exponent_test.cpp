@@ -8,8 +8,8 @@
 #include <numeric>
 #include <ostream>
 
-#include "ocean/foam.hpp"
-#include "ocean/map_levels.hpp"
+#include "ocean/internal/foam.hpp"
+#include "ocean/internal/map_levels.hpp"
 #include "ocean/thread_pool.hpp"
 #include "test_seas.hpp"
 

@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "ocean/cascades.hpp"
-#include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
-#include "ocean/fft.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/dispersion.hpp"
+#include "ocean/internal/fft.hpp"
 #include "ocean/ocean.hpp"
 #include "test_seas.hpp"
 #include "wave/wave.hpp"

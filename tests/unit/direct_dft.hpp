@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "ocean/fft.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/fft.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean::test {
 

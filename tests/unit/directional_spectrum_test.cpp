@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The table holds the energy and the density of the spectra that it was made from.
-#include "ocean/directional_spectrum.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 #include <numeric>
 #include <utility>
 
-#include "ocean/spectrum.hpp"
-#include "ocean/spreading.hpp"
+#include "ocean/internal/spectrum.hpp"
+#include "ocean/internal/spreading.hpp"
 #include "ocean/thread_pool.hpp"
 #include "test_seas.hpp"
 

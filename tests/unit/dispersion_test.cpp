@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // One dispersion relation whose limits are the textbook's.
-#include "ocean/dispersion.hpp"
+#include "ocean/internal/dispersion.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "coast/loops/band_signals.hpp"
-#include "ocean/modes.hpp"
+#include "ocean/internal/modes.hpp"
 #include "ocean/thread_pool.hpp"
 #include "test_seas.hpp"
 

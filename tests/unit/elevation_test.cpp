@@ -3,7 +3,7 @@
 //
 // Claims: degrees become the metres of the ellipsoid; filled holes continue the land around them
 // and leave what is known alone.
-#include "ocean/elevation.hpp"
+#include "ocean/internal/elevation.hpp"
 
 #include <gtest/gtest.h>
 

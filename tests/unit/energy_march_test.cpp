@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "coast/statics/breaking.hpp"
-#include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/dispersion.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

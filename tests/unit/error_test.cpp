@@ -9,11 +9,11 @@
 
 #include <functional>
 
-#include "ocean/float_pose.hpp"
-#include "ocean/foam_texture.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/float_pose.hpp"
+#include "ocean/internal/foam_texture.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/spray.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean {
 namespace {

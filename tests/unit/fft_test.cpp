@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The transforms keep the contract of fft.hpp: sign, scale, order.
-#include "ocean/fft.hpp"
+#include "ocean/internal/fft.hpp"
 
 #include <fftw3.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <random>
 
 #include "direct_dft.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 namespace {

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // How floating bodies lie on waves that are known.
-#include "ocean/float_pose.hpp"
+#include "ocean/internal/float_pose.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "ocean/error.hpp"
-#include "ocean/surface_query.hpp"
+#include "ocean/internal/surface_query.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {

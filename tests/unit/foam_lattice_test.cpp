@@ -9,7 +9,7 @@
 #include <cmath>
 #include <ostream>
 
-#include "ocean/foam.hpp"
+#include "ocean/internal/foam.hpp"
 #include "ocean/parameter_table.hpp"
 #include "test_seas.hpp"
 #include "wave/wave.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Foam as mathematics: how much whitecap a threshold gives, the clock, and the state that steps.
-#include "ocean/foam.hpp"
+#include "ocean/internal/foam.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <stdexcept>
 
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/thread_pool.hpp"
 #include "test_seas.hpp"

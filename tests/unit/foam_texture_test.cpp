@@ -4,7 +4,7 @@
 // Textures of foam: a cover equals its share of bilinear reads, textures have no seam, the bits do
 // not depend on the number of threads, a finer texture is the same foam, kinds and seeds are
 // independent, streaks follow the wind.
-#include "ocean/foam_texture.hpp"
+#include "ocean/internal/foam_texture.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 //
 // Gauges: a reading is that of the displayed surface; an estimate from a series lies within its own
 // limits of the modes' statistics, as often as the limits promise.
-#include "ocean/gauge.hpp"
+#include "ocean/internal/gauge.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@
 #include <limits>
 #include <random>
 
-#include "ocean/dispersion.hpp"
-#include "ocean/gauge_series.hpp"
+#include "ocean/internal/dispersion.hpp"
+#include "ocean/internal/gauge_series.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/query.hpp"
 #include "test_seas.hpp"

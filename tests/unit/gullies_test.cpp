@@ -3,7 +3,7 @@
 //
 // Gullies as values of places: every instruction set against the formulas of the shader, and bits
 // that depend on the place alone.
-#include "ocean/gullies.hpp"
+#include "ocean/internal/gullies.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@
 #include "land/gullies/gullies_task.hpp"
 #include "land/land.hpp"
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/thread_pool.hpp"
 #include "simd_levels.hpp"
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "land/gullies/gullies_task.hpp"
-#include "ocean/grid.hpp"
-#include "ocean/gullies.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/gullies.hpp"
 
 namespace ocean::test {
 

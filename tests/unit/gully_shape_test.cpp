@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The shape of gullies, and the land that they make of smooth mountains.
-#include "ocean/gullies.hpp"
+#include "ocean/internal/gullies.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "gully_points.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/terrain.hpp"
 
 namespace ocean {

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "direct_dft.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "simd_levels.hpp"
 #include "test_seas.hpp"
 #include "waves/kernel/frame_parts.hpp"

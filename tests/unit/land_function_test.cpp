@@ -21,9 +21,9 @@
 #include "land/function/fine_waves.hpp"
 #include "land/function/place_hash.hpp"
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/ring_spectrum.hpp"
 #include "ocean/internal/terrain_base.hpp"
-#include "ocean/ring_spectrum.hpp"
 #include "ocean/terrain.hpp"
 #include "ocean/terrain_table.hpp"
 

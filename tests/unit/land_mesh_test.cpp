@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Meshes of a quadtree of land: closed, turned upwards, exact at the edge of land.
-#include "ocean/land_mesh.hpp"
+#include "ocean/internal/land_mesh.hpp"
 
 #include <gtest/gtest.h>
 

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "ocean/dispersion.hpp"
+#include "ocean/internal/dispersion.hpp"
 #include "test_seas.hpp"
 #include "wave/wave.hpp"
 #include "waves/modes/quadrant_sampler.hpp"

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Modes: the lattice, the draw, the band, the clock.
-#include "ocean/modes.hpp"
+#include "ocean/internal/modes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
 
-#include "ocean/dispersion.hpp"
+#include "ocean/internal/dispersion.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/thread_pool.hpp"
 #include "test_seas.hpp"

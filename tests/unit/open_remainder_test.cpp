@@ -9,9 +9,9 @@
 #include <map>
 
 #include "divided_sea.hpp"
-#include "ocean/make_surface.hpp"
+#include "ocean/internal/make_surface.hpp"
+#include "ocean/internal/wave_sum.hpp"
 #include "ocean/surface.hpp"
-#include "ocean/wave_sum.hpp"
 
 namespace ocean {
 namespace {

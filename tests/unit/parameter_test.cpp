@@ -11,8 +11,8 @@
 
 #include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/spectrum.hpp"
 #include "ocean/parameter_table.hpp"
-#include "ocean/spectrum.hpp"
 
 namespace ocean {
 namespace {

@@ -16,7 +16,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "ocean/land_quadtree.hpp"
+#include "ocean/internal/land_quadtree.hpp"
 
 namespace ocean {
 

@@ -12,11 +12,11 @@
 #include <random>
 #include <thread>
 
-#include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/dispersion.hpp"
+#include "ocean/internal/surface_query.hpp"
+#include "ocean/internal/wave_sum.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/surface_query.hpp"
-#include "ocean/wave_sum.hpp"
 #include "test_seas.hpp"
 #include "wave/wave.hpp"
 

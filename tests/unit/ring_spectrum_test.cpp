@@ -4,7 +4,7 @@
 // Claims: rings have the density of the law that made the heights, in m^4; a crop reads its
 // exponent with the window, and about 1.5 whatever it is without; sides need not be powers of two,
 // and a grid that is cut into squares reads as a whole one.
-#include "ocean/ring_spectrum.hpp"
+#include "ocean/internal/ring_spectrum.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@
 #include <span>
 
 #include "ocean/error.hpp"
-#include "ocean/fft.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/fft.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 namespace {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/parameter_table.hpp"
 

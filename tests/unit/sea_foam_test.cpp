@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "ocean/foam.hpp"
+#include "ocean/internal/foam.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {

@@ -13,8 +13,8 @@
 #include <memory>
 #include <set>
 
-#include "ocean/cascades.hpp"
-#include "ocean/dispersion.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/dispersion.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "coast/statics/shore_statics.hpp"
-#include "ocean/directional_spectrum.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/query.hpp"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "ocean/error.hpp"
-#include "ocean/gauge_series.hpp"
+#include "ocean/internal/gauge_series.hpp"
 #include "ocean/internal/open_sea.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/ocean.hpp"

@@ -17,7 +17,7 @@
 #include "coast/statics/shore_bands.hpp"
 #include "coast/statics/shore_delays.hpp"
 #include "coast/statics/slowness.hpp"
-#include "ocean/dispersion.hpp"
+#include "ocean/internal/dispersion.hpp"
 
 namespace ocean {
 

@@ -3,7 +3,7 @@
 //
 // The coast of an island by numbers: beaches where it is sheltered, steep shores where it is
 // exposed, one sea, and a water line that lies where the smoothed shore line does.
-#include "ocean/shoreline_profile.hpp"
+#include "ocean/internal/shoreline_profile.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Frequency spectra against golden values and closed forms.
-#include "ocean/spectrum.hpp"
+#include "ocean/internal/spectrum.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <cmath>
 #include <limits>
 
-#include "ocean/directional_spectrum.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 namespace {

@@ -15,7 +15,7 @@
 #include <set>
 
 #include "ocean/error.hpp"
-#include "ocean/foam.hpp"
+#include "ocean/internal/foam.hpp"
 #include "ocean/sea_bed.hpp"
 #include "test_seas.hpp"
 #include "waves/spray/spray_birth.hpp"

@@ -3,7 +3,7 @@
 //
 // Directional distributions: normalised over the full circle, in the right direction, never
 // negative; and the estimate of measured ones.
-#include "ocean/spreading.hpp"
+#include "ocean/internal/spreading.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <random>
 #include <vector>
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <memory>
 
-#include "ocean/spectrum.hpp"
+#include "ocean/internal/spectrum.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {

@@ -18,7 +18,7 @@
 #include "land/streams/stream_heights.hpp"
 #include "land/streams/stream_tree.hpp"
 #include "ocean/error.hpp"
-#include "ocean/stream_power.hpp"
+#include "ocean/internal/stream_power.hpp"
 
 namespace ocean {
 namespace {

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ocean/stream_power.hpp"
+#include "ocean/internal/stream_power.hpp"
 #include "ocean/terrain.hpp"
 
 namespace ocean::test {

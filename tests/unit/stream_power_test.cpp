@@ -3,7 +3,7 @@
 //
 // Carved land by numbers: an island drains, has the exponent asked for, is the same land on every
 // grid, and its age is the solution of the equation.
-#include "ocean/stream_power.hpp"
+#include "ocean/internal/stream_power.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 
 #include "land/streams/stream_creep.hpp"
 #include "land/streams/stream_land.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "stream_island.hpp"
 
 namespace ocean {

@@ -12,10 +12,10 @@
 #include <thread>
 #include <vector>
 
-#include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
-#include "ocean/fft.hpp"
-#include "ocean/make_surface.hpp"
+#include "ocean/internal/dispersion.hpp"
+#include "ocean/internal/fft.hpp"
+#include "ocean/internal/make_surface.hpp"
 #include "test_seas.hpp"
 #include "waves/synthesis/mode_grid.hpp"
 

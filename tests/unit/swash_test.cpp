@@ -16,7 +16,7 @@
 #include "coast/surface/shore_surface.hpp"
 #include "coast/surface/swash.hpp"
 #include "field/jet.hpp"
-#include "ocean/directional_spectrum.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/sea_bed.hpp"

@@ -12,9 +12,9 @@
 #include <limits>
 #include <random>
 
-#include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
-#include "ocean/make_surface.hpp"
+#include "ocean/internal/dispersion.hpp"
+#include "ocean/internal/make_surface.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {

@@ -5,7 +5,7 @@
 // within 0.05 in log10, judged by seeds that corrected nothing; a broken law gives back the
 // exponents and the break that made the land; the variance of the land is kept within 5 % by every
 // law, but for a tilt; what a law cannot say is a warning.
-#include "ocean/terrain_fit.hpp"
+#include "ocean/internal/terrain_fit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,10 +15,10 @@
 #include <string>
 
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/terrain.hpp"
 #include "ocean/terrain_table.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean {
 namespace {

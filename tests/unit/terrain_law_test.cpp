@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The law of a terrain against its equations, and its rules.
-#include "ocean/terrain_law.hpp"
+#include "ocean/internal/terrain_law.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <string>
 
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
-#include "ocean/measured_rings.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/measured_rings.hpp"
 #include "ocean/terrain_table.hpp"
 
 namespace ocean {

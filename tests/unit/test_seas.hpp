@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "ocean/fft.hpp"
-#include "ocean/grid.hpp"
-#include "ocean/modes.hpp"
+#include "ocean/internal/fft.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/modes.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/surface.hpp"
 

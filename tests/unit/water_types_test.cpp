@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Jerlov's water types against measurements that the table was not made from.
-#include "ocean/water_types.hpp"
+#include "ocean/internal/water_types.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <complex>
 #include <vector>
 
-#include "ocean/fft.hpp"
+#include "ocean/internal/fft.hpp"
 
 namespace ocean {
 

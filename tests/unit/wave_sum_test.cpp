@@ -3,7 +3,7 @@
 //
 // The sum over all modes at a point: against the reference transform, against differences in time,
 // and against Airy's theory of one wave at every depth.
-#include "ocean/wave_sum.hpp"
+#include "ocean/internal/wave_sum.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 #include <functional>
 #include <limits>
 
-#include "ocean/dispersion.hpp"
-#include "ocean/make_surface.hpp"
+#include "ocean/internal/dispersion.hpp"
+#include "ocean/internal/make_surface.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {

@@ -15,9 +15,9 @@
 #include <random>
 #include <string>
 
-#include "ocean/directional_spectrum.hpp"
 #include "ocean/enum_words.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 namespace {

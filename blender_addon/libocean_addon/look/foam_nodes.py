@@ -18,7 +18,7 @@ from . import foam_images
 
 TILE = 12.0
 """Metres of a tile of the net that the lengths below belong to."""
-# m, and the widest cells: kFoamTextures of ocean/foam_texture.hpp
+# m, and the widest cells: kFoamTextures of ocean/internal/foam_texture.hpp
 _LACE_CELL = 0.86
 _BUBBLE_TILE = 1.3
 _BUBBLE_CELL = 0.041

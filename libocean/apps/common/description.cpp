@@ -5,7 +5,7 @@
 #include "description.hpp"
 
 #include "ocean/internal/json.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::app {
 namespace {

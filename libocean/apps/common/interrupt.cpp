@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "ocean/io/output_file.hpp"
+#include "ocean/internal/io/output_file.hpp"
 
 namespace ocean::app {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "parameters_text.hpp"
 
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "text.hpp"
 
 namespace ocean::app {

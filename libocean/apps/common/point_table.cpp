@@ -11,7 +11,7 @@
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/csv_rows.hpp"
 #include "ocean/internal/nearest_name.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "standard_input.hpp"
 
 namespace ocean::app {

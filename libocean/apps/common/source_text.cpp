@@ -9,9 +9,9 @@
 #include "ocean/channel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/io/read_provenance.hpp"
+#include "ocean/internal/io/subject_words.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/io/read_provenance.hpp"
-#include "ocean/io/subject_words.hpp"
 #include "ocean/seafile.hpp"
 #include "standard_input.hpp"
 

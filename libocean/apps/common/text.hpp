@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::app {
 

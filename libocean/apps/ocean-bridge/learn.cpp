@@ -11,13 +11,13 @@
 
 #include "console.hpp"
 #include "interrupt.hpp"
-#include "ocean/bridge/control_map_file.hpp"
-#include "ocean/bridge/devices.hpp"
-#include "ocean/bridge/k8055_source.hpp"
-#include "ocean/bridge/learner.hpp"
-#include "ocean/bridge/midi_source.hpp"
-#include "ocean/bridge/source.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/control_map_file.hpp"
+#include "ocean/internal/bridge/devices.hpp"
+#include "ocean/internal/bridge/k8055_source.hpp"
+#include "ocean/internal/bridge/learner.hpp"
+#include "ocean/internal/bridge/midi_source.hpp"
+#include "ocean/internal/bridge/source.hpp"
 
 namespace ocean::app {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "command_line.hpp"
 #include "learn.hpp"
-#include "ocean/bridge/endpoint.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/endpoint.hpp"
 #include "ocean/version.hpp"
 #include "sea_argument.hpp"
 #include "serve.hpp"

@@ -13,11 +13,11 @@
 
 #include "console.hpp"
 #include "interrupt.hpp"
-#include "ocean/bridge/devices.hpp"
-#include "ocean/bridge/hub.hpp"
-#include "ocean/bridge/line_server.hpp"
-#include "ocean/bridge/script_sources.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/devices.hpp"
+#include "ocean/internal/bridge/hub.hpp"
+#include "ocean/internal/bridge/line_server.hpp"
+#include "ocean/internal/bridge/script_sources.hpp"
 
 namespace ocean::app {
 namespace {

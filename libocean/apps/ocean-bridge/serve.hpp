@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "command.hpp"
-#include "ocean/bridge/source.hpp"
+#include "ocean/internal/bridge/source.hpp"
 #include "ocean/sea.hpp"
 #include "sea_argument.hpp"
 

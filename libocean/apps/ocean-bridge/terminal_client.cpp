@@ -9,9 +9,9 @@
 #include "console.hpp"
 #include "interrupt.hpp"
 #include "line_input.hpp"
-#include "ocean/bridge/line_client.hpp"
-#include "ocean/bridge/line_protocol.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/line_client.hpp"
+#include "ocean/internal/bridge/line_protocol.hpp"
 #include "ocean/internal/checked_text.hpp"
 
 namespace ocean::app {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "command.hpp"
-#include "ocean/bridge/endpoint.hpp"
+#include "ocean/internal/bridge/endpoint.hpp"
 
 namespace ocean::app {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "ocean/bridge/endpoint.hpp"
+#include "ocean/internal/bridge/endpoint.hpp"
 #include "ocean/sea.hpp"
 
 namespace ocean::app {

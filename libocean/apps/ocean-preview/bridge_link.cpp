@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ocean/bridge/line_protocol.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/line_protocol.hpp"
 #include "ocean/internal/line_reader.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/parameter_table.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean::app {
 namespace {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "live_sea.hpp"
-#include "ocean/bridge/line_client.hpp"
+#include "ocean/internal/bridge/line_client.hpp"
 
 namespace ocean::app {
 

@@ -8,7 +8,7 @@
 
 #include "console.hpp"
 #include "live_sea.hpp"
-#include "ocean/bridge/line_client.hpp"
+#include "ocean/internal/bridge/line_client.hpp"
 
 namespace ocean::app {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::app {
 namespace {

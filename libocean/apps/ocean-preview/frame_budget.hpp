@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ocean/gl/sea_textures.hpp"
+#include "ocean/internal/gl/sea_textures.hpp"
 
 namespace ocean::app {
 

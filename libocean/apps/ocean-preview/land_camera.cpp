@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::app {
 

@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "ocean/preview/coast_maps.hpp"
-#include "ocean/preview/land_maps.hpp"
+#include "ocean/internal/preview/coast_maps.hpp"
+#include "ocean/internal/preview/land_maps.hpp"
 #include "preview_options.hpp"
 
 namespace ocean::app {

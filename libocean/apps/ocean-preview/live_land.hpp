@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "ocean/preview/land_maps.hpp"
+#include "ocean/internal/preview/land_maps.hpp"
 #include "ocean/terrain.hpp"
 
 namespace ocean::app {

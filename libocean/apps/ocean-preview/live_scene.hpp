@@ -14,8 +14,8 @@
 
 #include "live_land.hpp"
 #include "live_sea.hpp"
-#include "ocean/gl/context.hpp"
-#include "ocean/preview/renderer.hpp"
+#include "ocean/internal/gl/context.hpp"
+#include "ocean/internal/preview/renderer.hpp"
 #include "preview_options.hpp"
 #include "scene_argument.hpp"
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "ocean/error.hpp"
-#include "ocean/modes.hpp"
+#include "ocean/internal/modes.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/parameter_table.hpp"
-#include "ocean/text.hpp"
 #include "sea_argument.hpp"
 
 namespace ocean::app {

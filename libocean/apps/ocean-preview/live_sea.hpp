@@ -11,8 +11,8 @@
 #include <string>
 
 #include "coast_work.hpp"
+#include "ocean/internal/preview/sea_maps.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/preview/sea_maps.hpp"
 
 namespace ocean::app {
 

@@ -8,10 +8,10 @@
 #include "console.hpp"
 #include "land_camera.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/preview/probe.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/preview/probe.hpp"
 #include "ocean/terrain.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean::app {
 namespace {

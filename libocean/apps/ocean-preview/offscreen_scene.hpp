@@ -9,7 +9,7 @@
 #include <string>
 
 #include "command.hpp"
-#include "ocean/gl/context.hpp"
+#include "ocean/internal/gl/context.hpp"
 #include "preview_options.hpp"
 #include "scene_argument.hpp"
 #include "stage_picture.hpp"

@@ -10,10 +10,10 @@
 #include "ocean/bake/plan.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/io/png.hpp"
 #include "ocean/internal/platform.hpp"
+#include "ocean/internal/preview/canvas.hpp"
 #include "ocean/io/exr.hpp"
-#include "ocean/io/png.hpp"
-#include "ocean/preview/canvas.hpp"
 
 namespace ocean::app {
 namespace {

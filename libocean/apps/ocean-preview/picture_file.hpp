@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "ocean/preview/renderer.hpp"
+#include "ocean/internal/preview/renderer.hpp"
 
 namespace ocean::app {
 

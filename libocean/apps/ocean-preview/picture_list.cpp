@@ -12,7 +12,7 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/nearest_name.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "picture_file.hpp"
 
 namespace ocean::app {

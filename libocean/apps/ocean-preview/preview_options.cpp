@@ -6,10 +6,10 @@
 
 #include "ocean/bake/plan.hpp"
 #include "ocean/error.hpp"
-#include "ocean/gl/context.hpp"
-#include "ocean/io/panorama.hpp"
-#include "ocean/text.hpp"
-#include "ocean/water_types.hpp"
+#include "ocean/internal/gl/context.hpp"
+#include "ocean/internal/io/panorama.hpp"
+#include "ocean/internal/text.hpp"
+#include "ocean/internal/water_types.hpp"
 #include "picture_file.hpp"
 #include "stage_picture.hpp"
 

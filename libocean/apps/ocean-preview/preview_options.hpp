@@ -13,9 +13,9 @@
 
 #include "bridge_host.hpp"
 #include "command.hpp"
-#include "ocean/bridge/line_client.hpp"
-#include "ocean/preview/picture.hpp"
-#include "ocean/preview/sea_maps.hpp"
+#include "ocean/internal/bridge/line_client.hpp"
+#include "ocean/internal/preview/picture.hpp"
+#include "ocean/internal/preview/sea_maps.hpp"
 #include "scene_argument.hpp"
 
 namespace ocean::app {

@@ -6,7 +6,7 @@
 
 #include <variant>
 
-#include "ocean/preview/picture.hpp"
+#include "ocean/internal/preview/picture.hpp"
 #include "ocean/sea.hpp"
 #include "ocean/terrain_model.hpp"
 #include "sea_argument.hpp"

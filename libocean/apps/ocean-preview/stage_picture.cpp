@@ -10,8 +10,8 @@
 
 #include "ocean/backend.hpp"
 #include "ocean/error.hpp"
-#include "ocean/map_request.hpp"
-#include "ocean/preview/picture.hpp"
+#include "ocean/internal/map_request.hpp"
+#include "ocean/internal/preview/picture.hpp"
 
 namespace ocean::app {
 namespace {

@@ -12,10 +12,10 @@
 #include <string_view>
 #include <vector>
 
-#include "ocean/gl/stages.hpp"
+#include "ocean/internal/gl/stages.hpp"
+#include "ocean/internal/preview/picture.hpp"
+#include "ocean/internal/terrain_stages.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/preview/picture.hpp"
-#include "ocean/terrain_stages.hpp"
 
 namespace ocean::app {
 

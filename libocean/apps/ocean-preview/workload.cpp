@@ -7,11 +7,11 @@
 #include <string>
 #include <string_view>
 
-#include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
 #include "ocean/gl/backend.hpp"
+#include "ocean/internal/cascades.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/io/output_file.hpp"
+#include "ocean/internal/io/output_file.hpp"
 #include "picture_file.hpp"
 #include "user_files.hpp"
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "live_sea.hpp"
-#include "ocean/gl/context.hpp"
-#include "ocean/preview/renderer.hpp"
+#include "ocean/internal/gl/context.hpp"
+#include "ocean/internal/preview/renderer.hpp"
 #include "preview_options.hpp"
 
 namespace ocean::app {

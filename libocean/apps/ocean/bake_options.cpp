@@ -12,7 +12,7 @@
 #include "console.hpp"
 #include "console_host.hpp"
 #include "format_help.hpp"
-#include "ocean/bake/estimate.hpp"
+#include "ocean/internal/bake/estimate.hpp"
 
 namespace ocean::app {
 namespace {

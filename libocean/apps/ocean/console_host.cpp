@@ -5,7 +5,7 @@
 #include "console_host.hpp"
 
 #include "console.hpp"
-#include "ocean/bake/estimate.hpp"
+#include "ocean/internal/bake/estimate.hpp"
 #include "text.hpp"
 
 namespace ocean::app {

@@ -9,8 +9,8 @@
 
 #include "command.hpp"
 #include "interrupt.hpp"
-#include "ocean/bake/estimate.hpp"
 #include "ocean/bake/run.hpp"
+#include "ocean/internal/bake/estimate.hpp"
 
 namespace ocean::app {
 

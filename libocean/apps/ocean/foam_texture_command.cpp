@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // `ocean foam-texture`: writes textures of foam as images for other renderers.
-#include "ocean/foam_texture.hpp"
+#include "ocean/internal/foam_texture.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -16,13 +16,13 @@
 #include "console.hpp"
 #include "interrupt.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/io/output_file.hpp"
+#include "ocean/internal/io/png.hpp"
+#include "ocean/internal/io/read_provenance.hpp"
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/internal/platform.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/io/exr.hpp"
-#include "ocean/io/output_file.hpp"
-#include "ocean/io/png.hpp"
-#include "ocean/io/read_provenance.hpp"
-#include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean::app {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "help_text.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::app {
 namespace {

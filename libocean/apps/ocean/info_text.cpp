@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "any_spectra.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/modes.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
 #include "text.hpp"

@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "console_host.hpp"
-#include "ocean/bake/povray_folder.hpp"
 #include "ocean/domain.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bake/povray_folder.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/io/output_file.hpp"
+#include "ocean/internal/io/output_file.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/seafile.hpp"
 #include "povray_files.hpp"

@@ -12,8 +12,8 @@
 #include "command.hpp"
 #include "console.hpp"
 #include "input_files.hpp"
-#include "ocean/bake/estimate.hpp"
-#include "ocean/bake/povray_folder.hpp"
+#include "ocean/internal/bake/estimate.hpp"
+#include "ocean/internal/bake/povray_folder.hpp"
 #include "ocean/sea.hpp"
 #include "region_argument.hpp"
 

@@ -8,7 +8,7 @@
 #include "any_spectra.hpp"
 #include "commands.hpp"
 #include "console.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/seafile.hpp"
 #include "text.hpp"
 

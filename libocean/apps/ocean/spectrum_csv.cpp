@@ -9,8 +9,8 @@
 #include <complex>
 #include <span>
 
-#include "ocean/grid.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::app {
 namespace {

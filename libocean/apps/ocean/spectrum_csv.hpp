@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "ocean/directional_spectrum.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
 
 namespace ocean::app {
 

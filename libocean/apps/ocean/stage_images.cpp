@@ -9,10 +9,10 @@
 
 #include "console.hpp"
 #include "ocean/error.hpp"
-#include "ocean/gl/stages.hpp"
+#include "ocean/internal/gl/stages.hpp"
+#include "ocean/internal/io/output_file.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/io/exr.hpp"
-#include "ocean/io/output_file.hpp"
-#include "ocean/map_request.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/seafile.hpp"
 

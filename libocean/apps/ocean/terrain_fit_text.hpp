@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "ocean/terrain_fit.hpp"
+#include "ocean/internal/terrain_fit.hpp"
 
 namespace ocean::app {
 

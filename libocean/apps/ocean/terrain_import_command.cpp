@@ -18,9 +18,9 @@
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/elevation_import.hpp"
 #include "ocean/internal/elevation_rules.hpp"
+#include "ocean/internal/io/elevation.hpp"
+#include "ocean/internal/io/output_file.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/io/elevation.hpp"
-#include "ocean/io/output_file.hpp"
 #include "text.hpp"
 
 namespace ocean::app {

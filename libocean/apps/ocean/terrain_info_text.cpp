@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "console.hpp"
+#include "ocean/internal/measured_rings.hpp"
 #include "ocean/internal/terrain_base.hpp"
-#include "ocean/measured_rings.hpp"
 #include "text.hpp"
 
 namespace ocean::app {

@@ -4,7 +4,7 @@
 // See terrain_spectrum.hpp.
 #include "terrain_spectrum.hpp"
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "text.hpp"
 
 namespace ocean::app {

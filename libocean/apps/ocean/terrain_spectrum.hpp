@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "ocean/terrain_rings.hpp"
+#include "ocean/internal/terrain_rings.hpp"
 
 namespace ocean::app {
 

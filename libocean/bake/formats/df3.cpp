@@ -9,22 +9,24 @@
 //   sea_0001_detail.df3  slopes of the waves too short for the map, for the light of near water
 //   land_masks.df3       masks of a land, a byte each
 //   sea_0001.df3.inc     their description for a scene; a density file holds no text
-#include "ocean/io/df3.hpp"
+#include "ocean/internal/io/df3.hpp"
 
 #include <algorithm>
 
 #include "formats/formats.hpp"
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/detail.hpp"
+#include "ocean/internal/cascades.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/io/output_file.hpp"
+#include "ocean/internal/io/povray_declarations.hpp"
+#include "ocean/internal/io/subject_words.hpp"
 #include "ocean/internal/sea_bytes.hpp"
-#include "ocean/io/output_file.hpp"
-#include "ocean/io/povray_declarations.hpp"
-#include "ocean/io/subject_words.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/seafile.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean {
 namespace {

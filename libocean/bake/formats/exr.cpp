@@ -10,14 +10,14 @@
 #include <string_view>
 
 #include "formats/formats.hpp"
-#include "ocean/bake/made_product.hpp"
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bake/made_product.hpp"
+#include "ocean/internal/io/product_image.hpp"
 #include "ocean/internal/nearest_name.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/io/exr.hpp"
-#include "ocean/io/product_image.hpp"
 #include "ocean/land_mask.hpp"
-#include "ocean/text.hpp"
 #include "products/requested_families.hpp"
 #include "sha256.hpp"
 #include "source.hpp"

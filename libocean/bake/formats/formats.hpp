@@ -11,7 +11,7 @@
 
 #include "ocean/bake/catalogue.hpp"
 #include "ocean/bake/format.hpp"
-#include "ocean/io/product_image.hpp"
+#include "ocean/internal/io/product_image.hpp"
 
 namespace ocean {
 

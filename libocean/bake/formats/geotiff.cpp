@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // GeoTIFF: the heights of a terrain as floats for GIS programs, with cell, origin and provenance.
-#include "ocean/io/geotiff.hpp"
+#include "ocean/internal/io/geotiff.hpp"
 
 #include "formats/formats.hpp"
 #include "formats/height_image.hpp"

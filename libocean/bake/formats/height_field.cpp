@@ -3,16 +3,16 @@
 //
 // POV-Ray's height_field: a 16-bit PNG of heights at fixed places, with the meaning of its codes
 // beside it, for people (.txt) and for scenes (.inc).
-#include "ocean/io/height_field.hpp"
+#include "ocean/internal/io/height_field.hpp"
 #include "formats/formats.hpp"
 #include "formats/height_image.hpp"
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/io/output_file.hpp"
-#include "ocean/io/png.hpp"
-#include "ocean/io/povray_declarations.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/io/output_file.hpp"
+#include "ocean/internal/io/png.hpp"
+#include "ocean/internal/io/povray_declarations.hpp"
 
 namespace ocean {
 namespace {

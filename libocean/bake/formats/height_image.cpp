@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "ocean/io/product_image.hpp"
+#include "ocean/internal/io/product_image.hpp"
 
 namespace ocean {
 

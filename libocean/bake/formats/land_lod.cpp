@@ -14,12 +14,12 @@
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/land_mesh.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/land_function.hpp"
 #include "ocean/land_mask.hpp"
-#include "ocean/land_mesh.hpp"
 #include "ocean/terrain.hpp"
 #include "ocean/terrainfile.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean {
 namespace {

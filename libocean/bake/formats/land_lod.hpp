@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // --lod: the land around an eye as one mesh, fine near the eye and coarse far from it. Its squares
-// come from the quadtree of land (ocean/land_quadtree.hpp), all round the eye.
+// come from the quadtree of land (ocean/internal/land_quadtree.hpp), all round the eye.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@
 
 #include "ocean/bake/format.hpp"
 #include "ocean/bake/plan.hpp"
+#include "ocean/internal/land_quadtree.hpp"
 #include "ocean/io/mesh.hpp"
-#include "ocean/land_quadtree.hpp"
 
 namespace ocean {
 

@@ -9,11 +9,13 @@
 #include "formats/formats.hpp"
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/cascades.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/io/mesh2.hpp"
+#include "ocean/internal/io/mesh2.hpp"
+#include "ocean/internal/modes.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/seafile.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "formats/formats.hpp"
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/land_mask.hpp"
-#include "ocean/text.hpp"
 #include "source.hpp"
 
 namespace ocean {

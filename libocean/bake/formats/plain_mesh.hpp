@@ -14,8 +14,8 @@
 #include "formats/land_lod.hpp"
 #include "ocean/bake/format.hpp"
 #include "ocean/bake/plan.hpp"
+#include "ocean/internal/io/product_image.hpp"
 #include "ocean/io/mesh.hpp"
-#include "ocean/io/product_image.hpp"
 
 namespace ocean {
 

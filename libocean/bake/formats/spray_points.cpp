@@ -8,9 +8,9 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/sea_bytes.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/seafile.hpp"
-#include "ocean/text.hpp"
 #include "source.hpp"
 
 namespace ocean {

@@ -10,8 +10,8 @@
 
 #include "ocean/bake/format.hpp"
 #include "ocean/bake/plan.hpp"
+#include "ocean/internal/io/product_image.hpp"
 #include "ocean/io/mesh.hpp"
-#include "ocean/io/product_image.hpp"
 #include "ocean/spray.hpp"
 
 namespace ocean {

@@ -4,7 +4,7 @@
 // A USD stage of text, sea.usda. Beside it lie a crate file for each frame, sea.0001.usdc, a crate
 // file with the faces, sea.topology.usdc, and the manifest of the frames' attributes,
 // sea.clips.usda.
-#include "ocean/io/usd.hpp"
+#include "ocean/internal/io/usd.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,8 +14,8 @@
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/io/output_file.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/io/output_file.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean {
 namespace {

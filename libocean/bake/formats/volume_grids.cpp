@@ -10,10 +10,10 @@
 #include "formats/spray_points.hpp"
 #include "formats/volume_settings.hpp"
 #include "formats/volumes.hpp"
-#include "ocean/make_surface.hpp"
+#include "ocean/internal/make_surface.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/seafile.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean {
 namespace {

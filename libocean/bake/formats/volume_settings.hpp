@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "formats/spray_points.hpp"
-#include "ocean/io/product_image.hpp"
+#include "ocean/internal/io/product_image.hpp"
 #include "ocean/io/vdb.hpp"
 
 namespace ocean {

@@ -18,9 +18,9 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/csv_rows.hpp"
+#include "ocean/internal/io/product_image.hpp"
 #include "ocean/internal/nearest_name.hpp"
-#include "ocean/io/product_image.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "refuse.hpp"
 #include "source.hpp"
 

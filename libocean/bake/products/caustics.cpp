@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Caustics among the products of image files: one map of the frame's size.
-#include "ocean/caustics.hpp"
+#include "ocean/internal/caustics.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -10,8 +10,8 @@
 #include "ocean/bake/plan.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/csv_rows.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/seafile.hpp"
-#include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
 #include "products/products.hpp"
 #include "source.hpp"

@@ -4,7 +4,7 @@
 // The made products of this folder.
 #pragma once
 
-#include "ocean/bake/made_product.hpp"
+#include "ocean/internal/bake/made_product.hpp"
 
 namespace ocean {
 

@@ -6,9 +6,9 @@
 #include <iterator>
 #include <string>
 
-#include "ocean/bake/made_product.hpp"
 #include "ocean/bake/plan.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bake/made_product.hpp"
 
 namespace ocean {
 

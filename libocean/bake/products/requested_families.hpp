@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ocean/bake/catalogue.hpp"
-#include "ocean/bake/made_product.hpp"
+#include "ocean/internal/bake/made_product.hpp"
 
 namespace ocean {
 

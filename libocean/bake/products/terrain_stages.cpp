@@ -7,12 +7,12 @@
 #include <memory>
 #include <string>
 
-#include "ocean/bake/made_product.hpp"
 #include "ocean/bake/plan.hpp"
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bake/made_product.hpp"
+#include "ocean/internal/terrain_stages.hpp"
 #include "ocean/terrain.hpp"
-#include "ocean/terrain_stages.hpp"
 #include "ocean/terrainfile.hpp"
 #include "products.hpp"
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The reference transform: radix-2 in the order of the textbook.
-#include "ocean/fft.hpp"
+#include "ocean/internal/fft.hpp"
 
 #include <cmath>
 #include <utility>
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The check of a number of samples; see grid.hpp.
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 
 #include "ocean/error.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean {
 

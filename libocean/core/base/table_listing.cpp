@@ -10,8 +10,8 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/json.hpp"
 #include "ocean/internal/nearest_name.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/table.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean {
 

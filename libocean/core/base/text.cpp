@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Small pieces of text; see text.hpp.
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 #include <charconv>
 #include <cmath>

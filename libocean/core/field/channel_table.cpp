@@ -9,8 +9,8 @@
 #include "ocean/channel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/nearest_name.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/land_mask.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean {
 namespace {

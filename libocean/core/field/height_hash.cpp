@@ -6,9 +6,9 @@
 #include <bit>
 #include <cstdint>
 
-#include "ocean/elevation.hpp"
+#include "ocean/internal/elevation.hpp"
 #include "ocean/internal/sha256.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean {
 

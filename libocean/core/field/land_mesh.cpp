@@ -3,7 +3,7 @@
 //
 // The patches of a view as one mesh. Equal vertices of neighbouring patches are found by the bits
 // of their positions: a border that is not closed stays open instead of being hidden.
-#include "ocean/land_mesh.hpp"
+#include "ocean/internal/land_mesh.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ocean/error.hpp"
-#include "ocean/land_quadtree.hpp"
+#include "ocean/internal/land_quadtree.hpp"
 
 namespace ocean {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "ocean/error.hpp"
-#include "ocean/land_quadtree.hpp"
+#include "ocean/internal/land_quadtree.hpp"
 #include "ocean/table.hpp"
 
 namespace ocean {

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The shown positions of the vertices of a quadtree of land. ocean/land_quadtree.hpp has the
-// argument.
+// The shown positions of the vertices of a quadtree of land. ocean/internal/land_quadtree.hpp has
+// the argument.
 #include <algorithm>
 #include <cmath>
 
-#include "ocean/land_quadtree.hpp"
+#include "ocean/internal/land_quadtree.hpp"
 
 namespace ocean {
 namespace {

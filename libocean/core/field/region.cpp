@@ -7,7 +7,7 @@
 #include <string>
 
 #include "ocean/error.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean {
 

@@ -4,7 +4,7 @@
 // The maps of one time; see surface.hpp.
 #include "ocean/surface.hpp"
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

@@ -4,8 +4,8 @@
 // The facade of a terrain; see terrain.hpp.
 #include "ocean/terrain.hpp"
 #include "ocean/domain.hpp"
-#include "ocean/make_surface.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/make_surface.hpp"
+#include "ocean/internal/map_request.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +17,9 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/sea_bytes.hpp"
+#include "ocean/internal/surface_query.hpp"
 #include "ocean/land_function.hpp"
 #include "ocean/land_mask.hpp"
-#include "ocean/surface_query.hpp"
 #include "ocean/terrain_table.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/surface/map_writer.hpp"

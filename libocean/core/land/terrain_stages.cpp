@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The classic way to a fractional surface; see terrain_stages.hpp.
-#include "ocean/terrain_stages.hpp"
+#include "ocean/internal/terrain_stages.hpp"
 
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
 
-#include "ocean/fft.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/fft.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/internal/memory.hpp"
-#include "ocean/terrain_law.hpp"
-#include "ocean/terrain_modes.hpp"
+#include "ocean/internal/terrain_law.hpp"
+#include "ocean/internal/terrain_modes.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

@@ -12,15 +12,15 @@
 #include <limits>
 #include <span>
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/internal/json.hpp"
+#include "ocean/internal/measured_rings.hpp"
+#include "ocean/internal/modes.hpp"
 #include "ocean/internal/sea_bytes.hpp"
 #include "ocean/internal/terrain_base.hpp"
-#include "ocean/measured_rings.hpp"
-#include "ocean/modes.hpp"
-#include "ocean/terrain_law.hpp"
-#include "ocean/terrain_modes.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/terrain_law.hpp"
+#include "ocean/internal/terrain_modes.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean {
 namespace {

@@ -30,8 +30,8 @@ struct MapRequest;
 /// what they keep until one of them changes it.
 using MapFunction = std::function<bool(const MapRequest&, ThreadPool&)>;
 
-/// Writes the sums over the waves of a coast at labels; see ocean/coast_waves.hpp. It may keep what
-/// does not change with time. One call at a time.
+/// Writes the sums over the waves of a coast at labels; see ocean/internal/coast_waves.hpp. It may
+/// keep what does not change with time. One call at a time.
 using CoastFunction = std::function<void(const CoastRequest&)>;
 
 /// How well a backend suits this machine.

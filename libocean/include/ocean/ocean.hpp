@@ -4,6 +4,15 @@
 // The facade of seas: picks the open sea or, over a bed, its coast. Both keep what they compute,
 // and compute again only what a changed parameter, or the take at another time, dirties. One thread
 // at a time per object; several objects run in parallel.
+//
+//     Ocean ocean(read_sea("storm.toml"));
+//     const Surface surface = ocean.evaluate(12.0, {Channel::height, Channel::foam}, 1024);
+//     const WorldPoint buoy{10.0, 20.0};
+//     QuerySample sample;
+//     ocean.query(12.0, {&buoy, 1}, {&sample, 1});
+//     ocean.set("waves.0.wind_speed", "14");            // another sea
+//     ocean.perform(12.5, "wind_speed", "18");          // a live parameter glides
+//     const SeaState state = ocean.state();
 #pragma once
 
 #include <cstddef>
@@ -15,8 +24,6 @@
 
 #include "ocean/detail.hpp"
 #include "ocean/domain.hpp"
-#include "ocean/float_pose.hpp"
-#include "ocean/modes.hpp"
 #include "ocean/ocean_options.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/query.hpp"
@@ -28,6 +35,8 @@
 
 namespace ocean {
 
+class DirectionalSpectrum;
+struct Modes;
 class Coast;
 class OpenSea;
 class SprayFollower;

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // How a sea is computed, and what a frame of it costs.
+//
+//     Ocean ocean(sea, {.threads = 4, .backend = gl::kBackend, .interrupt = [] {
+//                           if (stopped) throw Error(ErrorKind::interrupted, "stopped");
+//                       }});
 #pragma once
 
 #include <cstdint>
@@ -11,7 +15,7 @@
 
 #include "ocean/backend.hpp"
 #include "ocean/channel.hpp"
-#include "ocean/foam_clock.hpp"
+#include "ocean/parameters.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

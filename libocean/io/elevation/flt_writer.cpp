@@ -12,10 +12,10 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/elevation_rules.hpp"
+#include "ocean/internal/io/elevation.hpp"
+#include "ocean/internal/io/output_file.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/io/elevation.hpp"
-#include "ocean/io/output_file.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::io {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "exr_library.hpp"
 #include "ocean/error.hpp"
-#include "ocean/io/panorama.hpp"
+#include "ocean/internal/io/panorama.hpp"
 
 namespace ocean::io {
 namespace {

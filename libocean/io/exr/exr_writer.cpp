@@ -11,7 +11,7 @@
 
 #include "exr_library.hpp"
 #include "ocean/error.hpp"
-#include "ocean/io/output_file.hpp"
+#include "ocean/internal/io/output_file.hpp"
 
 namespace ocean::io {
 namespace {

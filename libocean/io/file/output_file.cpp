@@ -5,7 +5,7 @@
 // that a later run can distinguish the leftovers of a killed process from a file that another
 // process is writing. Writers do not handle signals: an interrupted program finishes or abandons a
 // file between two frames.
-#include "ocean/io/output_file.hpp"
+#include "ocean/internal/io/output_file.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -25,7 +25,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::io {
 namespace {

@@ -7,7 +7,7 @@
 //   ModelPixelScale  cell sizes along x and y [m]
 //   ModelTiepoint    the first sample of the file, the north-western one, and its place [m]
 //   GeoKeyDirectory  a projected, user-defined system in metres, samples as points
-#include "ocean/io/geotiff.hpp"
+#include "ocean/internal/io/geotiff.hpp"
 
 #include <tiffio.h>
 
@@ -21,8 +21,8 @@
 
 #include "geotiff_header.hpp"
 #include "ocean/error.hpp"
-#include "ocean/io/output_file.hpp"
-#include "ocean/io/provenance.hpp"
+#include "ocean/internal/io/output_file.hpp"
+#include "ocean/internal/io/provenance.hpp"
 
 namespace ocean::io {
 namespace {

@@ -12,9 +12,9 @@
 #include <optional>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/io/geotiff.hpp"
+#include "ocean/internal/io/provenance.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/io/geotiff.hpp"
-#include "ocean/io/provenance.hpp"
 
 namespace ocean::io {
 namespace {

@@ -5,7 +5,7 @@
 // first, under any name, and reads two channels as grey and alpha. Blender drops a channel whose
 // last token is longer than one letter. So a single product is Y or R,G,B, a layered file has bare
 // R,G,B,A for the displacement, and all other names end in one letter.
-#include "ocean/io/product_image.hpp"
+#include "ocean/internal/io/product_image.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/io/subject_words.hpp"
+#include "ocean/internal/io/subject_words.hpp"
 
 #include <algorithm>
 #include <array>

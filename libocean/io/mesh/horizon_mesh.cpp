@@ -5,7 +5,7 @@
 // all quads look about equally large from the camera. Each vertex shows the waves that the spacing
 // of its neighbours can resolve; shorter waves only tilt its normal
 // (shaders/wave/visible_slope.glsl).
-#include "ocean/io/horizon_mesh.hpp"
+#include "ocean/internal/io/horizon_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,8 @@
 
 #include "map_pyramid.hpp"
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
-#include "ocean/io/visible_slope.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/io/visible_slope.hpp"
 #include "wave/wave.hpp"
 
 namespace ocean::io {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ocean/io/provenance.hpp"
+#include "ocean/internal/io/provenance.hpp"
 
 namespace ocean::io {
 

@@ -4,10 +4,10 @@
 #include <array>
 
 #include "mesh_header.hpp"
+#include "ocean/internal/io/output_file.hpp"
+#include "ocean/internal/io/subject_words.hpp"
+#include "ocean/internal/io/text_writer.hpp"
 #include "ocean/io/mesh.hpp"
-#include "ocean/io/output_file.hpp"
-#include "ocean/io/subject_words.hpp"
-#include "ocean/io/text_writer.hpp"
 
 namespace ocean::io {
 namespace {

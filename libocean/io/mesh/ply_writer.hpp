@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "ocean/io/output_file.hpp"
-#include "ocean/io/provenance.hpp"
+#include "ocean/internal/io/output_file.hpp"
+#include "ocean/internal/io/provenance.hpp"
 
 namespace ocean::io {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/io/usd.hpp"
+#include "ocean/internal/io/usd.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 
 #include "attribute_names.hpp"
 #include "ocean/error.hpp"
-#include "ocean/io/output_file.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/io/output_file.hpp"
+#include "ocean/internal/text.hpp"
 #include "usd_crate.hpp"
 
 namespace ocean::io {

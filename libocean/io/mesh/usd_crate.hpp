@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "ocean/io/output_file.hpp"
+#include "ocean/internal/io/output_file.hpp"
 
 namespace ocean::io {
 

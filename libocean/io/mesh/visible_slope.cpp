@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // See visible_slope.hpp; shaders/wave has the formula and its derivation.
-#include "ocean/io/visible_slope.hpp"
+#include "ocean/internal/io/visible_slope.hpp"
 
 #include "wave/wave.hpp"
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include "ocean/error.hpp"
-#include "ocean/io/png.hpp"
+#include "ocean/internal/io/png.hpp"
 
 namespace ocean::io {
 namespace {

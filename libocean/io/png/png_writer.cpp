@@ -3,8 +3,8 @@
 #include <png.h>
 
 #include "ocean/error.hpp"
-#include "ocean/io/output_file.hpp"
-#include "ocean/io/png.hpp"
+#include "ocean/internal/io/output_file.hpp"
+#include "ocean/internal/io/png.hpp"
 
 namespace ocean::io {
 namespace {

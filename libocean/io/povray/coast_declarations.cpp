@@ -8,10 +8,10 @@
 #include <string>
 #include <string_view>
 
-#include "ocean/io/df3.hpp"
-#include "ocean/io/povray_declarations.hpp"
+#include "ocean/internal/io/df3.hpp"
+#include "ocean/internal/io/povray_declarations.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/land_mask.hpp"
-#include "ocean/text.hpp"
 #include "ocean/version.hpp"
 
 namespace ocean::io {

@@ -17,14 +17,14 @@
 //
 // Slope tiles have voxels of 16 bits, slice 2 b the slope of band b along x, slice 2 b + 1 its
 // slope along z, each (code - 2^15) / 2^13.
-#include "ocean/io/df3.hpp"
+#include "ocean/internal/io/df3.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "ocean/error.hpp"
-#include "ocean/io/output_file.hpp"
+#include "ocean/internal/io/output_file.hpp"
 #include "ocean/land_mask.hpp"
 
 namespace ocean::io {

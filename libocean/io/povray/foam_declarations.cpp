@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ocean/io/povray_declarations.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/io/povray_declarations.hpp"
+#include "ocean/internal/text.hpp"
 #include "wave/wave.hpp"
 
 namespace ocean::io {

@@ -4,7 +4,7 @@
 // POV-Ray's height_field as a 16-bit grey PNG, the only image that it reads without loss. Pixel
 // centres are the samples, the first row is the far one; the repeated row and column close the
 // seam. The header of a sea's file has no texts, because files of earlier versions have none.
-#include "ocean/io/height_field.hpp"
+#include "ocean/internal/io/height_field.hpp"
 
 #include <png.h>
 
@@ -13,10 +13,10 @@
 #include <cmath>
 
 #include "ocean/error.hpp"
-#include "ocean/io/output_file.hpp"
-#include "ocean/io/png.hpp"
-#include "ocean/io/subject_words.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/io/output_file.hpp"
+#include "ocean/internal/io/png.hpp"
+#include "ocean/internal/io/subject_words.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::io {
 namespace {

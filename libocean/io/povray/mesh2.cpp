@@ -4,7 +4,7 @@
 // A mesh as a POV-Ray include file. POV-Ray is left-handed with y up: y and z are swapped in points
 // and normals. A number is the shortest text that reads back as the same float, so that common
 // vertices stay common.
-#include "ocean/io/mesh2.hpp"
+#include "ocean/internal/io/mesh2.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,12 +14,12 @@
 #include <filesystem>
 
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/io/output_file.hpp"
+#include "ocean/internal/io/povray_declarations.hpp"
+#include "ocean/internal/io/subject_words.hpp"
+#include "ocean/internal/io/text_writer.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/io/output_file.hpp"
-#include "ocean/io/povray_declarations.hpp"
-#include "ocean/io/subject_words.hpp"
-#include "ocean/io/text_writer.hpp"
 #include "ocean/version.hpp"
 
 namespace ocean::io {

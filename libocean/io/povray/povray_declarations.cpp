@@ -4,7 +4,7 @@
 // The declarations of a sea for POV-Ray scenes: parameters and derived quantities, existing frames,
 // and the optics of the water. They are loops over the parameter table and the table of water
 // types.
-#include "ocean/io/povray_declarations.hpp"
+#include "ocean/internal/io/povray_declarations.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,12 +12,12 @@
 #include <cmath>
 #include <cstdint>
 
-#include "ocean/io/subject_words.hpp"
+#include "ocean/internal/io/subject_words.hpp"
+#include "ocean/internal/text.hpp"
+#include "ocean/internal/water_types.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/terrain_table.hpp"
-#include "ocean/text.hpp"
 #include "ocean/version.hpp"
-#include "ocean/water_types.hpp"
 
 namespace ocean::io {
 namespace {

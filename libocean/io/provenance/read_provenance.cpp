@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The formats whose headers hold a provenance; see read_provenance.hpp.
-#include "ocean/io/read_provenance.hpp"
+#include "ocean/internal/io/read_provenance.hpp"
 
 #include <array>
 #include <fstream>
 #include <string_view>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/io/geotiff.hpp"
+#include "ocean/internal/io/png.hpp"
+#include "ocean/internal/io/usd.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/exr.hpp"
-#include "ocean/io/geotiff.hpp"
 #include "ocean/io/mesh.hpp"
-#include "ocean/io/png.hpp"
-#include "ocean/io/usd.hpp"
 #include "ocean/io/vdb.hpp"
 
 namespace ocean::io {

@@ -10,8 +10,8 @@
 #include <streambuf>
 
 #include "ocean/error.hpp"
-#include "ocean/io/output_file.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/io/output_file.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/version.hpp"
 #include "vdb_grids.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "ocean/error.hpp"
-#include "ocean/io/provenance.hpp"
+#include "ocean/internal/io/provenance.hpp"
 #include "ocean/io/vdb.hpp"
 
 namespace ocean::io {

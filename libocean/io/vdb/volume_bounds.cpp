@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/io/vdb.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean::io {
 

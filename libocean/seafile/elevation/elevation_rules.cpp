@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "ocean/internal/memory.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "grid_header.hpp"
-#include "ocean/elevation_file.hpp"
+#include "ocean/internal/elevation_file.hpp"
 
 namespace ocean::elevation {
 

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::elevation {
 namespace {

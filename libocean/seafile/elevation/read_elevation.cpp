@@ -10,11 +10,11 @@
 #include <system_error>
 
 #include "float_grid.hpp"
-#include "ocean/elevation_file.hpp"
+#include "ocean/internal/elevation_file.hpp"
 #include "ocean/internal/elevation_rules.hpp"
 #include "ocean/internal/line_reader.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean {
 namespace {

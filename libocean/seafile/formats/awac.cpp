@@ -17,8 +17,8 @@
 #include <optional>
 
 #include "free_form.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/seafile.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean {
 namespace {

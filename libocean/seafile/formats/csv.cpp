@@ -39,8 +39,8 @@
 #include "csv_wide.hpp"
 #include "line_checks.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/internal/utc_time.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean {
 namespace {

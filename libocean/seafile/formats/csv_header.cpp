@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "free_form.hpp"
-#include "ocean/grid.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/csv_rows.hpp"
 #include "ocean/internal/density_units.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/internal/nearest_name.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::csv {
 namespace {

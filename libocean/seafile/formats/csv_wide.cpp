@@ -20,7 +20,7 @@
 #include "line_checks.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/density_units.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::csv {
 namespace {

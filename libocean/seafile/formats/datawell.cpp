@@ -17,8 +17,8 @@
 #include <utility>
 
 #include "line_checks.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/internal/utc_time.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean {
 namespace {

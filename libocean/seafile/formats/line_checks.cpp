@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean {
 

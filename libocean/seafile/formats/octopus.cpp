@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "free_form.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean {
 namespace {

@@ -14,8 +14,8 @@
 // line that begins with $ is a comment, and so is any text after the values of the header. A reader
 // of spectra: turns such a file into records in libocean's conventions.
 #include "free_form.hpp"
-#include "ocean/grid.hpp"
-#include "ocean/spreading.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/spreading.hpp"
 #include "swan_header.hpp"
 
 namespace ocean {

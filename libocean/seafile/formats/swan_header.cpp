@@ -7,9 +7,9 @@
 #include <initializer_list>
 #include <utility>
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/internal/record_rules.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean {
 namespace {

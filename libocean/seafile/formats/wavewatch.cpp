@@ -14,7 +14,7 @@
 #include <cctype>
 
 #include "free_form.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 namespace {

@@ -3,9 +3,9 @@
 #include <imgui.h>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/terrainfile.hpp"
-#include "ocean/text.hpp"
 #include "panel/changes.hpp"
 #include "panel/sections.hpp"
 #include "panel/widgets.hpp"

@@ -11,8 +11,8 @@
 
 #include "bridge_host.hpp"
 #include "bridge_link.hpp"
-#include "ocean/preview/picture.hpp"
-#include "ocean/preview/renderer.hpp"
+#include "ocean/internal/preview/picture.hpp"
+#include "ocean/internal/preview/renderer.hpp"
 #include "scene_argument.hpp"
 
 namespace ocean::app {

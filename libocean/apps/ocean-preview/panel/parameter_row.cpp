@@ -9,7 +9,7 @@
 #include <cstring>
 #include <optional>
 
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "panel/panel_length.hpp"
 
 namespace ocean::app {

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "ocean/internal/text.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/terrain_table.hpp"
-#include "ocean/text.hpp"
 #include "panel/changes.hpp"
 #include "panel/parameter_row.hpp"
 #include "panel/sections.hpp"

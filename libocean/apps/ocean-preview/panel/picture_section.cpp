@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ocean/water_types.hpp"
+#include "ocean/internal/water_types.hpp"
 #include "panel/sections.hpp"
 #include "panel/widgets.hpp"
 #include "stage_picture.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <imgui.h>
 
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "panel/changes.hpp"
 #include "panel/sections.hpp"
 #include "panel/widgets.hpp"

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "live_scene.hpp"
-#include "ocean/preview/picture.hpp"
+#include "ocean/internal/preview/picture.hpp"
 
 namespace ocean::app {
 

@@ -15,7 +15,7 @@
 #include <string_view>
 
 #include "ocean/error.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 extern char** environ;  // no header of POSIX declares it
 

@@ -10,10 +10,10 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/io/panorama.hpp"
+#include "ocean/internal/io/read_provenance.hpp"
 #include "ocean/internal/line_reader.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/io/panorama.hpp"
-#include "ocean/io/read_provenance.hpp"
 
 namespace ocean::app {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <variant>
 
-#include "ocean/preview/environment.hpp"
+#include "ocean/internal/preview/environment.hpp"
 #include "scene_argument.hpp"
 
 namespace ocean::app {

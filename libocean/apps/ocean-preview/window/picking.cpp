@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::app {
 

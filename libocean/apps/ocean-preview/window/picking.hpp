@@ -9,7 +9,7 @@
 #include <string>
 
 #include "live_scene.hpp"
-#include "ocean/preview/probe.hpp"
+#include "ocean/internal/preview/probe.hpp"
 
 namespace ocean::app {
 

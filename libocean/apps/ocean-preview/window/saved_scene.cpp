@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "live_scene.hpp"
+#include "ocean/internal/io/output_file.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/io/output_file.hpp"
 #include "ocean/seafile.hpp"
 
 namespace ocean::app {

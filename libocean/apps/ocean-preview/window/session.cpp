@@ -14,9 +14,9 @@
 
 #include "console.hpp"
 #include "land_camera.hpp"
-#include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/text.hpp"
 #include "offscreen_run.hpp"
 #include "panel/changes.hpp"
 #include "panel/panel.hpp"

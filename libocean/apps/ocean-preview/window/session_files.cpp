@@ -11,9 +11,9 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/io/output_file.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/io/output_file.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "offscreen_run.hpp"
 #include "panel/changes.hpp"
 

@@ -10,7 +10,7 @@
 #include <chrono>
 #include <cstddef>
 
-#include "ocean/gl/objects.hpp"
+#include "ocean/internal/gl/objects.hpp"
 
 namespace ocean::app {
 

@@ -10,8 +10,8 @@
 #include <cstdint>
 
 #include "ocean/error.hpp"
-#include "ocean/io/png.hpp"
-#include "ocean/modes.hpp"
+#include "ocean/internal/io/png.hpp"
+#include "ocean/internal/modes.hpp"
 #include "panel/panel_length.hpp"
 #include "picture_file.hpp"
 #include "window/saved_scene.hpp"

@@ -8,10 +8,10 @@
 #include <string>
 
 #include "live_scene.hpp"
-#include "ocean/gl/context.hpp"
-#include "ocean/gl/stages.hpp"
-#include "ocean/preview/canvas.hpp"
-#include "ocean/preview/renderer.hpp"
+#include "ocean/internal/gl/context.hpp"
+#include "ocean/internal/gl/stages.hpp"
+#include "ocean/internal/preview/canvas.hpp"
+#include "ocean/internal/preview/renderer.hpp"
 #include "panel/panel_state.hpp"
 #include "preview_options.hpp"
 #include "stage_layout.hpp"

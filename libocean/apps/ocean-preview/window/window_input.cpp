@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::app {
 

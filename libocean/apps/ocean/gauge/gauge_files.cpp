@@ -7,7 +7,7 @@
 #include <bit>
 #include <span>
 
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "text.hpp"
 
 namespace ocean::app {

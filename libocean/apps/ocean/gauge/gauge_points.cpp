@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "ocean/error.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "point_table.hpp"
 
 namespace ocean::app {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ocean/gauge_series.hpp"
+#include "ocean/internal/gauge_series.hpp"
 
 namespace ocean::app {
 

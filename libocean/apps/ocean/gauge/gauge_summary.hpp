@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "ocean/gauge.hpp"
-#include "ocean/gauge_series.hpp"
+#include "ocean/internal/gauge.hpp"
+#include "ocean/internal/gauge_series.hpp"
 
 namespace ocean::app {
 

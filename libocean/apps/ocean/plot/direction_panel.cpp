@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "spectrum_panels.hpp"
 #include "text.hpp"
 

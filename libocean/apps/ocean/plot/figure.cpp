@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "text.hpp"
 
 namespace ocean::app {

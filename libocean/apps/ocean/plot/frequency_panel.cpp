@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "spectrum_panels.hpp"
 #include "text.hpp"
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "text.hpp"
 
 namespace ocean::app {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "ocean/error.hpp"
-#include "ocean/io/png.hpp"
+#include "ocean/internal/io/png.hpp"
 
 namespace ocean::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "ocean/io/provenance.hpp"
+#include "ocean/internal/io/provenance.hpp"
 
 namespace ocean::app {
 

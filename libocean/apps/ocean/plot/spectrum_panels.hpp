@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "figure.hpp"
-#include "ocean/directional_spectrum.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/sea_state.hpp"
 
 namespace ocean::app {

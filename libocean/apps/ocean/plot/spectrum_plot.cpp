@@ -8,7 +8,9 @@
 #include <cmath>
 
 #include "any_spectra.hpp"
-#include "ocean/dispersion.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/dispersion.hpp"
+#include "ocean/internal/modes.hpp"
 #include "ocean/ocean.hpp"
 #include "spectrum_panels.hpp"
 #include "text.hpp"

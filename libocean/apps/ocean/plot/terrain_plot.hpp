@@ -8,8 +8,8 @@
 #include <span>
 #include <string>
 
+#include "ocean/internal/terrain_rings.hpp"
 #include "ocean/terrain.hpp"
-#include "ocean/terrain_rings.hpp"
 
 namespace ocean::app {
 

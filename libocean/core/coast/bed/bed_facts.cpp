@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ocean/directional_spectrum.hpp"
-#include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
+#include "ocean/internal/dispersion.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/sea_bed.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean {
 namespace {

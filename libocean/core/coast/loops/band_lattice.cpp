@@ -10,7 +10,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 

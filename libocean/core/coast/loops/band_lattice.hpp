@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "coast/statics/shore_bands.hpp"
-#include "ocean/modes.hpp"
+#include "ocean/internal/modes.hpp"
 
 namespace ocean {
 

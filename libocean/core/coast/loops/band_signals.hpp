@@ -21,8 +21,8 @@
 #include "coast/loops/batch_fft.hpp"
 #include "coast/loops/signal_task.hpp"
 #include "coast/statics/shore_bands.hpp"
-#include "ocean/coast_waves.hpp"
-#include "ocean/modes.hpp"
+#include "ocean/internal/coast_waves.hpp"
+#include "ocean/internal/modes.hpp"
 #include "ocean/page_vector.hpp"
 #include "ocean/thread_pool.hpp"
 

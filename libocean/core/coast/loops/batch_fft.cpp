@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Inverse transforms of sixteen columns at once, of spectra that hold few waves: the transform of
-// maps that oversample their waves many times. The reference is Radix2Fft (ocean/fft.hpp), with the
-// same sign and scale.
+// maps that oversample their waves many times. The reference is Radix2Fft (ocean/internal/fft.hpp),
+// with the same sign and scale.
 #pragma once
 
 #include <cstddef>

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "field/ease.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 

@@ -13,8 +13,8 @@
 #include "march_pass.hpp"
 #include "march_waves.hpp"
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

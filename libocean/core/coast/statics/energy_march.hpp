@@ -11,8 +11,8 @@
 
 #include "coast/bed/bed_grid.hpp"
 #include "coast/bed/still_water.hpp"
-#include "ocean/directional_spectrum.hpp"
 #include "ocean/domain.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
 #include "ocean/parameters.hpp"
 #include "shore_bands.hpp"
 #include "shore_progress.hpp"

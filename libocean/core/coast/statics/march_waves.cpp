@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "breaking.hpp"
-#include "ocean/dispersion.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/dispersion.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 namespace {

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "ocean/directional_spectrum.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
 #include "ocean/parameters.hpp"
 #include "shore_bands.hpp"
 

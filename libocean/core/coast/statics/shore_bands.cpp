@@ -8,8 +8,8 @@
 #include <cmath>
 #include <span>
 
-#include "ocean/cascades.hpp"
-#include "ocean/dispersion.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/dispersion.hpp"
 
 namespace ocean {
 

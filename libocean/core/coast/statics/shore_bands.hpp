@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "ocean/directional_spectrum.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/parameters.hpp"
 
 namespace ocean {

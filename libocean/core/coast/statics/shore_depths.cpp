@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "field/quad_grid.hpp"
-#include "ocean/dispersion.hpp"
+#include "ocean/internal/dispersion.hpp"
 
 namespace ocean {
 namespace {

@@ -18,7 +18,7 @@
 #include "coast/statics/shore_depths.hpp"
 #include "coast/statics/shore_progress.hpp"
 #include "field/quad_grid.hpp"
-#include "ocean/directional_spectrum.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
 #include "ocean/parameters.hpp"
 
 namespace ocean {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "ocean/dispersion.hpp"
+#include "ocean/internal/dispersion.hpp"
 
 namespace ocean {
 namespace {

@@ -3,14 +3,14 @@
 //
 // The memory of a coast, known before it is allocated.
 #include "coast/statics/shore_statics.hpp"
-#include "ocean/cascades.hpp"
-#include "ocean/directional_spectrum.hpp"
-#include "ocean/foam.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
+#include "ocean/internal/foam.hpp"
 #include "ocean/internal/sea_bytes.hpp"
+#include "ocean/internal/surface_query.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/query.hpp"
 #include "ocean/sea_bed.hpp"
-#include "ocean/surface_query.hpp"
 
 namespace ocean {
 

@@ -15,10 +15,10 @@
 #include "coast/statics/shore_statics.hpp"
 #include "coast/surface/shore_surface.hpp"
 #include "ocean/backend.hpp"
-#include "ocean/directional_spectrum.hpp"
-#include "ocean/modes.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
+#include "ocean/internal/modes.hpp"
+#include "ocean/internal/revision.hpp"
 #include "ocean/parameters.hpp"
-#include "ocean/revision.hpp"
 
 namespace ocean {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/query/query_bounds.hpp"
 #include "waves/query/query_points.hpp"

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "field/jet.hpp"
-#include "ocean/modes.hpp"
+#include "ocean/internal/modes.hpp"
 #include "waves/query/spline_map.hpp"
 #include "waves/query/spline_strips.hpp"
 

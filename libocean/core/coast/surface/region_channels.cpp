@@ -10,10 +10,10 @@
 
 #include "coast/surface/shore_query.hpp"
 #include "coast/surface/swash.hpp"
-#include "ocean/coast_waves.hpp"
+#include "ocean/internal/coast_waves.hpp"
+#include "ocean/internal/surf_traces.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/page_vector.hpp"
-#include "ocean/surf_traces.hpp"
 #include "ocean/thread_pool.hpp"
 #include "wave/wave.hpp"
 #include "waves/query/query_points.hpp"

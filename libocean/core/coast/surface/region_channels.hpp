@@ -10,7 +10,7 @@
 #include "coast/surface/shore_surface.hpp"
 #include "field/quad_grid.hpp"
 #include "ocean/backend.hpp"
-#include "ocean/foam_layer.hpp"
+#include "ocean/internal/foam_layer.hpp"
 #include "ocean/query.hpp"
 #include "ocean/sea_bed.hpp"
 #include "ocean/surface.hpp"

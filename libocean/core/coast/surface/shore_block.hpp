@@ -15,7 +15,7 @@
 #include "coast/surface/open_surface.hpp"
 #include "field/jet.hpp"
 #include "field/quad_grid.hpp"
-#include "ocean/coast_waves.hpp"
+#include "ocean/internal/coast_waves.hpp"
 
 namespace ocean {
 

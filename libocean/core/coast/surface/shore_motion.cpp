@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "ocean/surface_query.hpp"
+#include "ocean/internal/surface_query.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/query/orbital_decay.hpp"
 

@@ -9,10 +9,10 @@
 #include <span>
 
 #include "coast/surface/shore_surface.hpp"
-#include "ocean/modes.hpp"
+#include "ocean/internal/modes.hpp"
+#include "ocean/internal/surface_query.hpp"
 #include "ocean/parameters.hpp"
 #include "ocean/query.hpp"
-#include "ocean/surface_query.hpp"
 
 namespace ocean {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <string>
 
-#include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/cascades.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/query/query_points.hpp"
 

@@ -12,7 +12,7 @@
 #include "base/simd/simd_level.hpp"
 #include "coast/statics/shore_blend.hpp"
 #include "coast/surface/shore_block.hpp"
-#include "ocean/surf_traces.hpp"
+#include "ocean/internal/surf_traces.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/query/query_bounds.hpp"
 

@@ -23,11 +23,11 @@
 #include "coast/surface/surf_labels.hpp"
 #include "coast/surface/swash.hpp"
 #include "field/jet.hpp"
-#include "ocean/coast_waves.hpp"
-#include "ocean/modes.hpp"
+#include "ocean/internal/coast_waves.hpp"
+#include "ocean/internal/modes.hpp"
+#include "ocean/internal/wave_sum.hpp"
 #include "ocean/parameters.hpp"
 #include "ocean/query.hpp"
-#include "ocean/wave_sum.hpp"
 
 namespace ocean {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "coast/surface/shore_surface.hpp"
-#include "ocean/surf_traces.hpp"
+#include "ocean/internal/surf_traces.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

@@ -15,7 +15,7 @@
 
 #include "coast/surface/surf_labels.hpp"
 #include "ocean/domain.hpp"
-#include "ocean/foam.hpp"
+#include "ocean/internal/foam.hpp"
 #include "ocean/query.hpp"
 
 namespace ocean {

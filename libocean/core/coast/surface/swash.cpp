@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "ocean/surf_traces.hpp"
+#include "ocean/internal/surf_traces.hpp"
 
 namespace ocean {
 

@@ -13,7 +13,7 @@
 #include "coast/statics/breaking.hpp"
 #include "coast/statics/shore_delays.hpp"
 #include "field/quad_grid.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "ocean/domain.hpp"
-#include "ocean/elevation.hpp"
-#include "ocean/ring_spectrum.hpp"
+#include "ocean/internal/elevation.hpp"
+#include "ocean/internal/ring_spectrum.hpp"
+#include "ocean/internal/terrain_fit.hpp"
 #include "ocean/terrain.hpp"
-#include "ocean/terrain_fit.hpp"
 
 namespace ocean {
 

@@ -10,9 +10,9 @@
 #include <cstddef>
 #include <utility>
 
-#include "ocean/grid.hpp"
-#include "ocean/terrain_law.hpp"
-#include "ocean/terrain_modes.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/terrain_law.hpp"
+#include "ocean/internal/terrain_modes.hpp"
 
 namespace ocean {
 namespace {

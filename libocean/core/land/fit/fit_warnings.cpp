@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "relief.hpp"
 
 namespace ocean {

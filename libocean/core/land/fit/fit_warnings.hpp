@@ -4,8 +4,8 @@
 // The warnings of a fit: what the terrain does not keep of its elevation model.
 #pragma once
 
-#include "ocean/elevation.hpp"
-#include "ocean/terrain_fit.hpp"
+#include "ocean/internal/elevation.hpp"
+#include "ocean/internal/terrain_fit.hpp"
 
 namespace ocean {
 

@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "nelder_mead.hpp"
-#include "ocean/grid.hpp"
-#include "ocean/terrain_law.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/terrain_law.hpp"
 
 namespace ocean {
 namespace {

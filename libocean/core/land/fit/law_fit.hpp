@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "ocean/ring_spectrum.hpp"
-#include "ocean/terrain_fit.hpp"
+#include "ocean/internal/ring_spectrum.hpp"
+#include "ocean/internal/terrain_fit.hpp"
 
 namespace ocean {
 

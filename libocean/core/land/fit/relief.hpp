@@ -7,8 +7,8 @@
 #include <span>
 
 #include "ocean/domain.hpp"
-#include "ocean/elevation.hpp"
-#include "ocean/terrain_fit.hpp"
+#include "ocean/internal/elevation.hpp"
+#include "ocean/internal/terrain_fit.hpp"
 
 namespace ocean {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Fits a terrain to an elevation model: see terrain_fit.hpp.
-#include "ocean/terrain_fit.hpp"
+#include "ocean/internal/terrain_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +15,11 @@
 #include "fit_warnings.hpp"
 #include "law_fit.hpp"
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
-#include "ocean/measured_rings.hpp"
-#include "ocean/ring_spectrum.hpp"
-#include "ocean/terrain_law.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/measured_rings.hpp"
+#include "ocean/internal/ring_spectrum.hpp"
+#include "ocean/internal/terrain_law.hpp"
+#include "ocean/internal/text.hpp"
 #include "relief.hpp"
 
 namespace ocean {

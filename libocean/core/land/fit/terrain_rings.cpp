@@ -3,16 +3,16 @@
 //
 // The spectrum of a terrain in rings; see terrain_rings.hpp. Amplitudes are read from the modes:
 // a whole period needs neither a map nor a transform.
-#include "ocean/terrain_rings.hpp"
+#include "ocean/internal/terrain_rings.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 
-#include "ocean/grid.hpp"
-#include "ocean/modes.hpp"
-#include "ocean/terrain_law.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/modes.hpp"
+#include "ocean/internal/terrain_law.hpp"
 
 namespace ocean {
 namespace {

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/internal/terrain_base.hpp"
-#include "ocean/terrain_law.hpp"
+#include "ocean/internal/terrain_law.hpp"
 
 namespace ocean {
 namespace {

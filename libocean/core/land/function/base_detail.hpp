@@ -13,7 +13,7 @@
 #pragma once
 
 #include "land/function/fine_waves.hpp"
-#include "ocean/measured_rings.hpp"
+#include "ocean/internal/measured_rings.hpp"
 #include "ocean/terrain_model.hpp"
 
 namespace ocean {

@@ -15,13 +15,13 @@
 #include "land/function/land_function_parts.hpp"
 #include "land/function/stream_source.hpp"
 #include "ocean/domain.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/make_surface.hpp"
+#include "ocean/internal/shoreline_profile.hpp"
 #include "ocean/internal/terrain_base.hpp"
+#include "ocean/internal/terrain_law.hpp"
 #include "ocean/land_mask.hpp"
-#include "ocean/make_surface.hpp"
-#include "ocean/shoreline_profile.hpp"
 #include "ocean/surface.hpp"
-#include "ocean/terrain_law.hpp"
 
 namespace ocean {
 namespace {

@@ -9,10 +9,10 @@
 #include <memory>
 #include <string_view>
 
+#include "ocean/internal/stream_power.hpp"
+#include "ocean/internal/terrain_modes.hpp"
 #include "ocean/land_function.hpp"
-#include "ocean/stream_power.hpp"
 #include "ocean/terrain_model.hpp"
-#include "ocean/terrain_modes.hpp"
 
 namespace ocean {
 

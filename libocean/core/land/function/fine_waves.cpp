@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "land/function/place_hash.hpp"
-#include "ocean/grid.hpp"
-#include "ocean/make_surface.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/make_surface.hpp"
+#include "ocean/internal/terrain_modes.hpp"
 #include "ocean/surface.hpp"
-#include "ocean/terrain_modes.hpp"
 #include "wave/wave.hpp"
 
 namespace ocean {

@@ -12,7 +12,7 @@
 #include "field/spline_grid.hpp"
 #include "land/function/fine_waves.hpp"
 #include "land/function/shore_ground.hpp"
-#include "ocean/gullies.hpp"
+#include "ocean/internal/gullies.hpp"
 #include "ocean/land_mask.hpp"
 
 namespace ocean {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "field/spline_grid.hpp"
-#include "ocean/stream_power.hpp"
+#include "ocean/internal/stream_power.hpp"
 #include "ocean/terrain_model.hpp"
 
 namespace ocean {

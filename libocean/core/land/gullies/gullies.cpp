@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The octaves of the gullies and the choice of the loop over points; see gullies.hpp.
-#include "ocean/gullies.hpp"
+#include "ocean/internal/gullies.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -11,8 +11,8 @@
 #include "land/gullies/gullies_task.hpp"
 #include "land/land.hpp"
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean {
 

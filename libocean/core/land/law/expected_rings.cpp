@@ -15,11 +15,11 @@
 #include <complex>
 #include <cstdlib>
 
-#include "ocean/fft.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/fft.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/internal/memory.hpp"
+#include "ocean/internal/terrain_law.hpp"
 #include "ocean/page_vector.hpp"
-#include "ocean/terrain_law.hpp"
 #include "ring_sums.hpp"
 
 namespace ocean {

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "ocean/ring_spectrum.hpp"
+#include "ocean/internal/ring_spectrum.hpp"
 #include "ocean/terrain_model.hpp"
 #include "ocean/thread_pool.hpp"
 

@@ -7,7 +7,7 @@
 //   S(kx, ky) = |sum w h exp(-i (kx x + ky y))|^2 dx dy / (4 pi^2 sum w^2)   [m^4].
 // The window is padded with zeros to powers of two, which samples the same density at more
 // wavenumbers and changes no mean, so that a model of any size is transformed as a whole.
-#include "ocean/ring_spectrum.hpp"
+#include "ocean/internal/ring_spectrum.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,8 +18,8 @@
 #include <string>
 
 #include "ocean/error.hpp"
-#include "ocean/fft.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/fft.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/page_vector.hpp"
 #include "ring_sums.hpp"

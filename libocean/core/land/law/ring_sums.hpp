@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The density of a terrain; see terrain_law.hpp.
-#include "ocean/terrain_law.hpp"
+#include "ocean/internal/terrain_law.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "ocean/grid.hpp"
-#include "ocean/measured_rings.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/measured_rings.hpp"
 
 namespace ocean {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // From law and noise to the modes of a terrain; see terrain_modes.hpp.
-#include "ocean/terrain_modes.hpp"
+#include "ocean/internal/terrain_modes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -10,10 +10,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "ocean/fft.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/fft.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/internal/memory.hpp"
-#include "ocean/modes.hpp"
+#include "ocean/internal/modes.hpp"
 
 namespace ocean {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "ocean/channel.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 namespace {

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "field/ease.hpp"
-#include "ocean/shoreline_profile.hpp"
+#include "ocean/internal/shoreline_profile.hpp"
 
 namespace ocean {
 

@@ -3,7 +3,7 @@
 //
 // The stages of a coast: see shoreline_profile.hpp. smoothed heights -> seas -> distances ->
 // shelter and steepness of the nearest shore -> profile.
-#include "ocean/shoreline_profile.hpp"
+#include "ocean/internal/shoreline_profile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +15,9 @@
 #include "field/zero_line.hpp"
 #include "map_seas.hpp"
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/internal/memory.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "shoreline_law.hpp"
 
 namespace ocean {

@@ -10,7 +10,7 @@
 
 #include "land/streams/stream_grid.hpp"
 #include "land/streams/stream_tree.hpp"
-#include "ocean/stream_power.hpp"
+#include "ocean/internal/stream_power.hpp"
 
 namespace ocean {
 

@@ -8,8 +8,8 @@
 #include <memory>
 
 #include "land/streams/stream_tree.hpp"
+#include "ocean/internal/stream_power.hpp"
 #include "ocean/page_vector.hpp"
-#include "ocean/stream_power.hpp"
 
 namespace ocean {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Carved land from its steady state: age, creep, the last flood, masks. See stream_power.hpp.
-#include "ocean/stream_power.hpp"
+#include "ocean/internal/stream_power.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 #include "land/streams/stream_land.hpp"
 #include "land/streams/stream_masks.hpp"
 #include "ocean/error.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean {
 namespace {

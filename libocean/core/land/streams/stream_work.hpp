@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "land/streams/stream_grid.hpp"
-#include "ocean/stream_power.hpp"
+#include "ocean/internal/stream_power.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

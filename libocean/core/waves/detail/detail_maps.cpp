@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ocean/internal/map_request.hpp"
 #include "ocean/internal/sea_bytes.hpp"
-#include "ocean/map_request.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

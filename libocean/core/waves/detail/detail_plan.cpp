@@ -11,10 +11,10 @@
 
 #include "base/noise_streams.hpp"
 #include "ocean/backend.hpp"
-#include "ocean/cascades.hpp"
-#include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/dispersion.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/modes/quadrant_sampler.hpp"
 

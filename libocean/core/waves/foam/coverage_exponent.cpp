@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "ocean/foam.hpp"
+#include "ocean/internal/foam.hpp"
 #include "waves/foam/foam_ages.hpp"
 #include "waves/foam/gradient_process.hpp"
 #include "waves/foam/jacobian_nodes.hpp"

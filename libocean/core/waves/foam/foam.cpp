@@ -4,7 +4,7 @@
 // Foam over time: its clock, how far back it must be followed, and the state of a caller that
 // steps. This is the stage between the whitecap maps of the surface and the foam map that hosts
 // show.
-#include "ocean/foam.hpp"
+#include "ocean/internal/foam.hpp"
 
 #include <algorithm>
 #include <cmath>

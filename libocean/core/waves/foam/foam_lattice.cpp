@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "field/cubic.hpp"
-#include "ocean/foam.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/foam.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/page_vector.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/thread_pool.hpp"

@@ -13,7 +13,7 @@
 // Every step replaces values by their rank, so that its weights are shares of the area. The ranks
 // are learned once from a coarse lattice; after that a texel is a function of its position, so any
 // thread can make a row, and a finer texture is the same foam.
-#include "ocean/foam_texture.hpp"
+#include "ocean/internal/foam_texture.hpp"
 
 #include <algorithm>
 #include <complex>
@@ -24,7 +24,7 @@
 #include "base/noise_streams.hpp"
 #include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/thread_pool.hpp"

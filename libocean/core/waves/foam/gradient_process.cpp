@@ -7,9 +7,9 @@
 
 #include "base/noise_row.hpp"
 #include "base/noise_streams.hpp"
-#include "ocean/cascades.hpp"
-#include "ocean/dispersion.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/dispersion.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 namespace {

@@ -12,9 +12,9 @@
 #include <span>
 #include <vector>
 
-#include "ocean/fft.hpp"
-#include "ocean/foam.hpp"
-#include "ocean/modes.hpp"
+#include "ocean/internal/fft.hpp"
+#include "ocean/internal/foam.hpp"
+#include "ocean/internal/modes.hpp"
 #include "waves/foam/jacobian_nodes.hpp"
 
 namespace ocean {

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "ocean/modes.hpp"
+#include "ocean/internal/modes.hpp"
 
 namespace ocean {
 

@@ -11,8 +11,8 @@
 #include <cmath>
 
 #include "base/noise_row.hpp"
-#include "ocean/fft.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/fft.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 namespace {

@@ -11,8 +11,8 @@
 #include <limits>
 #include <vector>
 
-#include "ocean/foam.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/foam.hpp"
+#include "ocean/internal/grid.hpp"
 #include "waves/foam/jacobian_nodes.hpp"
 
 namespace ocean {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ocean/modes.hpp"
+#include "ocean/internal/modes.hpp"
 #include "ocean/parameters.hpp"
 
 namespace ocean {

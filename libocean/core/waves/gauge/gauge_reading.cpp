@@ -5,9 +5,9 @@
 // there; see gauge.hpp.
 #include <cmath>
 
-#include "ocean/gauge.hpp"
+#include "ocean/internal/gauge.hpp"
+#include "ocean/internal/surface_query.hpp"
 #include "ocean/query.hpp"
-#include "ocean/surface_query.hpp"
 #include "wave/wave.hpp"
 #include "waves/query/inversion.hpp"
 

@@ -3,7 +3,7 @@
 //
 // The readings of all gauges over time; see gauge_series.hpp. Threads share blocks of times, each
 // with its own copy of the modes.
-#include "ocean/gauge_series.hpp"
+#include "ocean/internal/gauge_series.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +14,12 @@
 #include <set>
 #include <utility>
 
-#include "ocean/cascades.hpp"
-#include "ocean/dispersion.hpp"
-#include "ocean/gauge.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/dispersion.hpp"
+#include "ocean/internal/gauge.hpp"
+#include "ocean/internal/surface_query.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/query.hpp"
-#include "ocean/surface_query.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

@@ -8,8 +8,8 @@
 #include <complex>
 #include <numeric>
 
-#include "ocean/fft.hpp"
-#include "ocean/gauge.hpp"
+#include "ocean/internal/fft.hpp"
+#include "ocean/internal/gauge.hpp"
 #include "waves/gauge/chi_squared.hpp"
 #include "waves/gauge/series_moments.hpp"
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-#include "ocean/gauge.hpp"
+#include "ocean/internal/gauge.hpp"
 #include "waves/gauge/chi_squared.hpp"
 #include "waves/gauge/series_moments.hpp"
 

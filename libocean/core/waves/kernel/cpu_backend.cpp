@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "base/shared_value.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "packed_modes.hpp"
 
 namespace ocean {

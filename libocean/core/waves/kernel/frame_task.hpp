@@ -20,7 +20,7 @@
 
 #include "base/simd/simd_level.hpp"
 #include "ocean/channel.hpp"
-#include "ocean/foam_layer.hpp"
+#include "ocean/internal/foam_layer.hpp"
 #include "ocean/surface.hpp"
 
 namespace ocean {

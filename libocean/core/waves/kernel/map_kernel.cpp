@@ -10,8 +10,8 @@
 
 #include "base/prefault_pages.hpp"
 #include "frame_parts.hpp"
-#include "ocean/cascades.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/page_vector.hpp"
 #include "ocean/thread_pool.hpp"
 #include "packed_modes.hpp"

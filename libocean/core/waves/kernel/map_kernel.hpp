@@ -12,8 +12,8 @@
 
 #include "frame_task.hpp"
 #include "ocean/backend.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/map_request.hpp"
 
 namespace ocean {
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "ocean/map_request.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

@@ -11,7 +11,7 @@
 
 #include "frame_task.hpp"
 #include "ocean/backend.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/page_vector.hpp"
 
 namespace ocean {

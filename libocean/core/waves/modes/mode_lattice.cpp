@@ -12,7 +12,7 @@
 
 #include "base/noise_row.hpp"
 #include "base/noise_streams.hpp"
-#include "ocean/dispersion.hpp"
+#include "ocean/internal/dispersion.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "ocean/modes.hpp"
+#include "ocean/internal/modes.hpp"
 #include "ocean/parameters.hpp"
 #include "waves/modes/quadrant_variances.hpp"
 

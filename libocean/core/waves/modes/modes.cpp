@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // From the table E(omega, theta) and the seed to the modes: amplitude, noise, phase rate.
-#include "ocean/modes.hpp"
+#include "ocean/internal/modes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 
-#include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/dispersion.hpp"
 #include "waves/modes/mode_lattice.hpp"
 
 namespace ocean {

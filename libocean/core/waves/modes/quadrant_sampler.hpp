@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ocean/directional_spectrum.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
 
 namespace ocean {
 

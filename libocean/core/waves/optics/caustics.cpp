@@ -19,7 +19,7 @@
 //
 // Sums are of integers, so that they do not depend on the order. Positions are counted from the
 // cell that the light comes from, so that neither bits nor seams depend on that cell's position.
-#include "ocean/caustics.hpp"
+#include "ocean/internal/caustics.hpp"
 
 #include <algorithm>
 #include <array>
@@ -30,10 +30,10 @@
 #include <string>
 
 #include "ocean/error.hpp"
-#include "ocean/grid.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/text.hpp"
+#include "ocean/internal/water_types.hpp"
 #include "ocean/thread_pool.hpp"
-#include "ocean/water_types.hpp"
 
 namespace ocean {
 namespace {

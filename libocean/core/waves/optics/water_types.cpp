@@ -16,7 +16,7 @@
 // nm on repeat those from 300 nm: a renderer with a red absorption of 4.6 1/m probably uses these.
 //
 // Checked by WaterTypes.AttenuateDaylightAsJerlovMeasured against K_d of [Jerlov 1976].
-#include "ocean/water_types.hpp"
+#include "ocean/internal/water_types.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Which cascades a grid has, and which wavenumbers belong to each.
-#include "ocean/cascades.hpp"
+#include "ocean/internal/cascades.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 

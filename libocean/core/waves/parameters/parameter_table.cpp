@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 

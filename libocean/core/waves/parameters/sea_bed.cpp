@@ -8,9 +8,9 @@
 #include <cmath>
 #include <utility>
 
-#include "ocean/elevation.hpp"
 #include "ocean/error.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/elevation.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/cascades.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/sea_bed.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The plane below a floating body; see float_pose.hpp.
-#include "ocean/float_pose.hpp"
+#include "ocean/internal/float_pose.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "ocean/error.hpp"
-#include "ocean/surface_query.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/surface_query.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean {
 namespace {

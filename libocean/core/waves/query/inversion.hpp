@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ocean/wave_sum.hpp"
+#include "ocean/internal/wave_sum.hpp"
 
 namespace ocean {
 

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/surface_query.hpp"
+#include "ocean/internal/wave_sum.hpp"
 #include "ocean/query.hpp"
-#include "ocean/surface_query.hpp"
-#include "ocean/wave_sum.hpp"
 #include "waves/query/orbital_decay.hpp"
 #include "waves/query/query_points.hpp"
 #include "waves/query/spline_map.hpp"

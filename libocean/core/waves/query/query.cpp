@@ -12,9 +12,9 @@
 #include <optional>
 #include <utility>
 
-#include "ocean/surface_query.hpp"
+#include "ocean/internal/surface_query.hpp"
+#include "ocean/internal/wave_sum.hpp"
 #include "ocean/thread_pool.hpp"
-#include "ocean/wave_sum.hpp"
 #include "wave/wave.hpp"
 #include "waves/query/inversion.hpp"
 #include "waves/query/query_bounds.hpp"

@@ -5,7 +5,7 @@
 // of the answers.
 #pragma once
 
-#include "ocean/modes.hpp"
+#include "ocean/internal/modes.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/query.hpp"
-#include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/kernel/map_kernel.hpp"
 #include "waves/query/spline_map.hpp"

@@ -21,8 +21,8 @@
 #include <cstddef>
 
 #include "field/cubic.hpp"
-#include "ocean/grid.hpp"
-#include "ocean/modes.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/modes.hpp"
 #include "ocean/page_vector.hpp"
 #include "ocean/surface.hpp"
 #include "waves/kernel/packed_modes.hpp"

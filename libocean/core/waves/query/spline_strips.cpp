@@ -5,7 +5,7 @@
 #include "waves/query/spline_strips.hpp"
 
 #include "ocean/backend.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

@@ -4,7 +4,7 @@
 // Sums over all modes at single points: of Re(2 h e^(i k x)) over half the plane, since the field
 // is real. Along a row of one ky all terms share e^(i ky y), and e^(i kx x) comes from a table, so
 // that a mode costs multiplications only.
-#include "ocean/wave_sum.hpp"
+#include "ocean/internal/wave_sum.hpp"
 
 #include <algorithm>
 #include <array>

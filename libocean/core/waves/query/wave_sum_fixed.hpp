@@ -9,9 +9,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "ocean/modes.hpp"
+#include "ocean/internal/modes.hpp"
+#include "ocean/internal/wave_sum.hpp"
 #include "ocean/parameters.hpp"
-#include "ocean/wave_sum.hpp"
 
 namespace ocean {
 

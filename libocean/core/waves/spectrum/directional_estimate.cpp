@@ -7,8 +7,8 @@
 #include <cmath>
 #include <complex>
 
-#include "ocean/grid.hpp"
-#include "ocean/spreading.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/spreading.hpp"
 
 namespace ocean {
 

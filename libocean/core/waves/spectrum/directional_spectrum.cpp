@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The table E(omega, theta): adds up the wave systems. All later stages read it.
-#include "ocean/directional_spectrum.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,10 @@
 #include <memory>
 #include <utility>
 
-#include "ocean/cascades.hpp"
-#include "ocean/dispersion.hpp"
-#include "ocean/grid.hpp"
-#include "ocean/spreading.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/dispersion.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/spreading.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/spectrum/spreading_rows.hpp"
 #include "waves/spectrum/wave_system_table.hpp"

@@ -3,7 +3,7 @@
 //
 // The dispersion relation and its inverse; the formulas themselves are
 // shaders/wave/dispersion.glsl.
-#include "ocean/dispersion.hpp"
+#include "ocean/internal/dispersion.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -12,8 +12,8 @@
 #include <memory>
 #include <utility>
 
-#include "ocean/grid.hpp"
-#include "ocean/spreading.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/spreading.hpp"
 #include "waves/spectrum/spreading_rows.hpp"
 #include "waves/spectrum/wave_system_table.hpp"
 

@@ -3,12 +3,12 @@
 //
 // The frequency spectra of [[waves]]: formulas, and the search for peak, support and variance that
 // makes each of them a FrequencySpectrum. Next stage: directional_spectrum.cpp.
-#include "ocean/spectrum.hpp"
+#include "ocean/internal/spectrum.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 

@@ -4,15 +4,15 @@
 // Directional spreading functions and their normalisation. This is the stage between spectrum.cpp,
 // which states the energy of a frequency, and directional_spectrum.cpp, which writes both into the
 // table.
-#include "ocean/spreading.hpp"
+#include "ocean/internal/spreading.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 
-#include "ocean/grid.hpp"
-#include "ocean/spectrum.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/spectrum.hpp"
 #include "waves/spectrum/spreading_rows.hpp"
 
 namespace ocean {

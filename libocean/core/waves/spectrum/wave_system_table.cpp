@@ -10,8 +10,8 @@
 #include <limits>
 #include <utility>
 
-#include "ocean/grid.hpp"
-#include "ocean/spreading.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/spreading.hpp"
 #include "waves/spectrum/spreading_rows.hpp"
 
 namespace ocean {

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "ocean/internal/spectrum.hpp"
 #include "ocean/parameters.hpp"
-#include "ocean/spectrum.hpp"
 
 namespace ocean {
 

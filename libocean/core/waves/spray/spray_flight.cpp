@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "waves/spectrum/wave_system_table.hpp"
 
 namespace ocean {

@@ -9,7 +9,7 @@
 
 #include "ocean/domain.hpp"
 #include "ocean/error.hpp"
-#include "ocean/foam.hpp"
+#include "ocean/internal/foam.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/sea.hpp"
 #include "ocean/sea_bed.hpp"

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "ocean/foam_clock.hpp"
+#include "ocean/internal/foam_clock.hpp"
 #include "waves/spray/spray_birth.hpp"
 
 namespace ocean {

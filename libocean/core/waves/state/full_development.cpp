@@ -10,10 +10,10 @@
 #include <optional>
 #include <utility>
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/spectrum.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/sea_state.hpp"
-#include "ocean/spectrum.hpp"
-#include "ocean/text.hpp"
 #include "waves/spectrum/wave_system_table.hpp"
 
 namespace ocean {

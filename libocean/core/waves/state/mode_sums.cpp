@@ -8,8 +8,8 @@
 #include <bit>
 #include <cmath>
 
-#include "ocean/dispersion.hpp"
-#include "ocean/grid.hpp"
+#include "ocean/internal/dispersion.hpp"
+#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 

@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "ocean/cascades.hpp"
-#include "ocean/directional_spectrum.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
 #include "ocean/parameters.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/modes/mode_lattice.hpp"

@@ -9,12 +9,12 @@
 #include <complex>
 #include <span>
 
-#include "ocean/cascades.hpp"
 #include "ocean/channel.hpp"
-#include "ocean/dispersion.hpp"
-#include "ocean/foam.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/dispersion.hpp"
+#include "ocean/internal/foam.hpp"
 #include "ocean/internal/sea_bytes.hpp"
-#include "ocean/spreading.hpp"
+#include "ocean/internal/spreading.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/state/mode_sums.hpp"
 #include "waves/state/sea_state_text.hpp"

@@ -9,9 +9,9 @@
 #include <complex>
 #include <utility>
 
-#include "ocean/grid.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/internal/json.hpp"
-#include "ocean/spreading.hpp"
+#include "ocean/internal/spreading.hpp"
 #include "waves/modes/mode_lattice.hpp"
 
 namespace ocean {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/sea.hpp"
-#include "ocean/text.hpp"
 
 namespace ocean {
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // From modes to the maps of one time that users see. This is the last stage of the pipeline.
-#include "ocean/make_surface.hpp"
+#include "ocean/internal/make_surface.hpp"
 
 #include "ocean/error.hpp"
-#include "ocean/foam.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/foam.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/surface/map_writer.hpp"
 

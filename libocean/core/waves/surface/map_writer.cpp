@@ -5,7 +5,7 @@
 // linear fields that it writes.
 #include "waves/surface/map_writer.hpp"
 
-#include "ocean/map_request.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "waves/surface/plane_channels.hpp"
 
 namespace ocean {

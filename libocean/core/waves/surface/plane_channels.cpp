@@ -7,8 +7,8 @@
 
 #include <limits>
 
-#include "ocean/make_surface.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/make_surface.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

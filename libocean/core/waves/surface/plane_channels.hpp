@@ -8,8 +8,8 @@
 #include <span>
 
 #include "ocean/backend.hpp"
-#include "ocean/make_surface.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/make_surface.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/surface.hpp"
 
 namespace ocean {

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/internal/nearest_name.hpp"
-#include "ocean/map_request.hpp"
-#include "ocean/text.hpp"
+#include "ocean/internal/text.hpp"
 #include "waves/kernel/cpu_backend.hpp"
 #include "waves/surface/plane_channels.hpp"
 #include "waves/synthesis/synthesis.hpp"

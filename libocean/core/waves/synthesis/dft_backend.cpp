@@ -5,8 +5,8 @@
 // x and then along y. Slow; every other backend is measured against it.
 #include <cmath>
 
-#include "ocean/make_surface.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/make_surface.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/synthesis/mode_grid.hpp"
 

@@ -7,8 +7,8 @@
 #include <complex>
 #include <vector>
 
-#include "ocean/grid.hpp"
-#include "ocean/map_request.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/map_request.hpp"
 #include "wave/wave.hpp"
 #include "waves/synthesis/synthesis.hpp"
 

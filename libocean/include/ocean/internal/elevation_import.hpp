@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "ocean/elevation_file.hpp"
+#include "ocean/internal/elevation_file.hpp"
 
 namespace ocean {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
-#include "ocean/elevation_file.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/elevation_file.hpp"
 
 namespace ocean::elevation {
 

@@ -18,18 +18,18 @@
 
 #include "ocean/detail.hpp"
 #include "ocean/domain.hpp"
-#include "ocean/float_pose.hpp"
-#include "ocean/foam.hpp"
+#include "ocean/internal/float_pose.hpp"
+#include "ocean/internal/foam.hpp"
+#include "ocean/internal/revision.hpp"
+#include "ocean/internal/surface_query.hpp"
 #include "ocean/ocean_options.hpp"
 #include "ocean/page_vector.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/query.hpp"
-#include "ocean/revision.hpp"
 #include "ocean/sea.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/spray.hpp"
 #include "ocean/surface.hpp"
-#include "ocean/surface_query.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

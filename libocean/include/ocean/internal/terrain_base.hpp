@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "ocean/elevation.hpp"
-#include "ocean/measured_rings.hpp"
+#include "ocean/internal/elevation.hpp"
+#include "ocean/internal/measured_rings.hpp"
 
 namespace ocean {
 
