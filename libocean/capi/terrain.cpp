@@ -185,7 +185,7 @@ ocean_result ocean_terrain_query_points(ocean_terrain* terrain,
         require(request, "request");
         const ocean_query_request asked =
             read_struct(request, offsetof(ocean_query_request, resolution), "ocean_query_request");
-        Land& land = *terrain->land;
+        Terrain& land = *terrain->land;
         answer_points(
             asked, false,
             [&](auto points, auto answers, const QueryOptions& options) {

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A vertex of a patch of land, by the arithmetic of land_vertex() in ocean/internal/land_quadtree.hpp, which
-// says why the patches meet without cracks. A label is an integer number of spacings of level 0
-// from the snapped eye, less the eye's own place: all levels give it the same bits.
+// A vertex of a patch of land, by the arithmetic of land_vertex() in
+// ocean/internal/land_quadtree.hpp, which says why the patches meet without cracks. A label is an
+// integer number of spacings of level 0 from the snapped eye, less the eye's own place: all levels
+// give it the same bits.
 #include "preview/land_block.glsl"
 #include "preview/on_screen.glsl"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The sky, as Ocean_Sky of povray_macros/ocean/sky.inc or as the map of an environment: one function
-// for the background and for the mirrored sky.
+// The sky, as Ocean_Sky of povray_macros/ocean/sky.inc or as the map of an environment: one
+// function for the background and for the mirrored sky.
 #include "preview/frame.glsl"
 
 uniform sampler2D sky_map;  // over longitude and latitude, from the horizon to the zenith

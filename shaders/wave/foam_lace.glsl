@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Foam in detail: which part of a point's neighbourhood is white, from the cover c there, 0 .. 1,
-// and the values T of textures that are uniform in [0, 1] (ocean/internal/foam_texture.hpp). T < c holds on
-// the share c of the area. All functions here preserve that: combined textures are uniform again,
-// and the mean of a softened or faded mask is c, so that the visible foam is as much as the wind
-// makes. Test: foam_lace_test.cpp.
+// and the values T of textures that are uniform in [0, 1] (ocean/internal/foam_texture.hpp). T < c
+// holds on the share c of the area. All functions here preserve that: combined textures are uniform
+// again, and the mean of a softened or faded mask is c, so that the visible foam is as much as the
+// wind makes. Test: foam_lace_test.cpp.
 
 // Returns the sum a + share b of two independent textures, 0 < share <= 1, made uniform by its own
 // distribution function, that of the trapezoid: b breaks up the pattern of a. The density of z

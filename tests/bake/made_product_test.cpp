@@ -3,7 +3,7 @@
 //
 // Claims: a host adds products and families of made products by longer tables, and EXR files store
 // them as their rows state; no format and no product has code for them.
-#include "ocean/internal/bake/made_product.hpp"
+#include "ocean/bake/typed_format.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "ocean/internal/bake/made_product.hpp"
 #include "ocean/seafile.hpp"
 
 namespace ocean {

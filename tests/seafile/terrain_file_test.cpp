@@ -11,6 +11,7 @@
 #include <string>
 
 #include "helpers.hpp"
+#include "ocean/domain.hpp"
 #include "ocean/internal/measured_rings.hpp"
 #include "ocean/internal/terrain_base.hpp"
 #include "ocean/terrain.hpp"

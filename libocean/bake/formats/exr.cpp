@@ -12,7 +12,6 @@
 #include "formats/formats.hpp"
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
-#include "ocean/internal/bake/made_product.hpp"
 #include "ocean/internal/io/product_image.hpp"
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/internal/text.hpp"

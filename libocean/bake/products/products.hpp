@@ -4,7 +4,7 @@
 // The made products of this folder.
 #pragma once
 
-#include "ocean/internal/bake/made_product.hpp"
+#include "ocean/bake/typed_format.hpp"
 
 namespace ocean {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "ocean/bake/plan.hpp"
+#include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
-#include "ocean/internal/bake/made_product.hpp"
 
 namespace ocean {
 

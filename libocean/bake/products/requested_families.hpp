@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ocean/bake/catalogue.hpp"
-#include "ocean/internal/bake/made_product.hpp"
+#include "ocean/bake/typed_format.hpp"
 
 namespace ocean {
 

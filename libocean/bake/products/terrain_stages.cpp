@@ -10,7 +10,6 @@
 #include "ocean/bake/plan.hpp"
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
-#include "ocean/internal/bake/made_product.hpp"
 #include "ocean/internal/terrain_stages.hpp"
 #include "ocean/terrain.hpp"
 #include "ocean/terrainfile.hpp"

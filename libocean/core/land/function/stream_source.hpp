@@ -21,8 +21,8 @@ namespace ocean {
 StreamSource stream_source(const TerrainModel& terrain, const SplinePyramid& base, double offset,
                            const Domain& domain, double level, ThreadPool& pool);
 
-/// Returns the carved heights with the bed of the sea, the uncarved land below `level`, in its
-/// outlets.
+/// Returns the carved heights. Its outlets have the bed of the sea: the uncarved land below
+/// `level`.
 std::vector<float> with_sea_bed(const StreamLand& land, const SplinePyramid& base, double offset,
                                 const Domain& domain, double level, ThreadPool& pool);
 

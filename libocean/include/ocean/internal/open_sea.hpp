@@ -54,7 +54,7 @@ class OpenSea {
     ThreadPool& pool() { return pool_; }
     StageRuns& stage_runs() { return runs_; }
 
-    /// What a change of the sea ends for those who keep results of it.
+    /// The kept results that a change of the sea makes invalid.
     struct Ended {
         bool past = false;  // what was followed over time
         bool grid = false;
