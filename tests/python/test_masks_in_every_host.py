@@ -28,7 +28,7 @@ PLACES = [
     (f"{PYTHON}/_surface.py", r"class Surface\(.*?def __init__", "{name}: Array", EVERY),
     (f"{PYTHON}/_sea.py", r"def region\(.*?def fill_region", '"{name}"', SEA),
     (f"{PYTHON}/_sea.py", r"def fill_region\(.*?self\._call", '"{name}"', SEA),
-    ("libocean/core/land/land.cpp", r"ChannelSet terrain_channels\(.*?\n\}", "{name}", LAND),
+    ("libocean/core/land/terrain.cpp", r"ChannelSet terrain_channels\(.*?\n\}", "{name}", LAND),
     ("povray_macros/terrain.inc.in", r"^//.*?#ifndef", "Terrain_{title}", LAND_BYTES),
     ("povray_macros/terrain.inc.in", r"// -+ At a place.*?#macro", "Terrain_{title}", LAND_BYTES),
     ("povray_macros/README.md", r"## Terrain.*", "Terrain_{title}", LAND_BYTES),
