@@ -78,6 +78,11 @@ OpenSea::Ended OpenSea::change(Sea sea) {
     return ended;
 }
 
+void OpenSea::take_foam(OpenSea& before) {
+    const auto first = first_dirty_stage(before.sea_.parameters, sea_.parameters);
+    if (!first || *first == Stage::clock) foam_ = std::move(before.foam_);
+}
+
 void OpenSea::perform(double time, std::string_view name, std::string_view value) {
     const bool checked = checked_ == revision_;
     if (!checked) validate(sea_);

@@ -302,6 +302,31 @@ TEST(ShoreSurface, SeaAroundACoastIsTheSeaWithoutABedAndHasItsModesOnce) {
     EXPECT_EQ(coast.stage_runs().spectrum, 1);
 }
 
+TEST(ShoreSurface, SeaAroundACoastGoesOnWithTheFoamOfAnObjectOfTheSameWaves) {
+    const OceanOptions options{.foam_start = FoamStart::empty};
+    const auto foam_at = [](Ocean& ocean, double time) {
+        const Surface map = ocean.open_sea().evaluate(time, Channel::foam, 256);
+        const auto foam = map.channel(Channel::foam);
+        return std::vector<float>(foam.begin(), foam.end());
+    };
+    Ocean before(beach_sea(), options);
+    for (const double time : {0.0, 1.0, 2.0}) foam_at(before, time);
+    Ocean next(before, options), anew(before, options);
+    next.open_sea().take_foam(before.open_sea());
+    const std::vector<float> taken = foam_at(next, 3.0);
+    EXPECT_NE(taken, foam_at(anew, 3.0));
+
+    Ocean whole(beach_sea(), options);
+    for (const double time : {0.0, 1.0, 2.0}) foam_at(whole, time);
+    EXPECT_EQ(taken, foam_at(whole, 3.0));
+
+    Ocean other(before, options);
+    other.set("waves.0.wind_speed", "9");
+    other.open_sea().take_foam(next.open_sea());
+    Ocean fresh(other, options);
+    EXPECT_EQ(foam_at(other, 3.0), foam_at(fresh, 3.0));
+}
+
 TEST(ShoreSurface, WhatDoesNotKnowTheBedIsRefused) {
     Ocean ocean(beach_sea());
     const auto refuses = [](const char* sentence, auto&& call) {

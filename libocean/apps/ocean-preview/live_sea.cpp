@@ -8,6 +8,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/modes.hpp"
+#include "ocean/internal/open_sea.hpp"
 #include "ocean/internal/text.hpp"
 #include "ocean/parameter_table.hpp"
 #include "sea_argument.hpp"
@@ -136,7 +137,8 @@ void LiveSea::end_coast() {
         auto next = std::make_unique<Ocean>(made, ocean_options(computing));
         const double time = work_time_.value_or(time_);
         if (ocean_->parameters().water.bed && !has_coast_) {
-            // Nothing to fade from.
+            // Nothing to fade from. The open sea goes on as it was shown.
+            next->open_sea().take_foam(ocean_->open_sea());
             ocean_ = std::move(next);
             time_ = time;
         } else {

@@ -61,6 +61,8 @@ class OpenSea {
     };
     Ended change(Sea sea);
     void perform(double time, std::string_view name, std::string_view value);
+    /// Takes the foam that another object has followed, if it has the same waves.
+    void take_foam(OpenSea& before);
 
     // The chain at a time [s]. Each result is valid until the next call that computes.
     const Parameters& parameters_at(double time);
