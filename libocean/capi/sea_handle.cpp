@@ -18,6 +18,7 @@
 #include "ocean/parameter_table.hpp"
 #include "ocean/sea_bed.hpp"
 #include "ocean/sea_state.hpp"
+#include "ocean/seafile.hpp"
 #include "ocean/version.hpp"
 
 using namespace ocean;

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +15,6 @@
 #include "libocean.h"
 #include "ocean/ocean.hpp"
 #include "ocean/sea.hpp"
-#include "ocean/seafile.hpp"
 
 namespace ocean::capi {
 

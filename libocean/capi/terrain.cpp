@@ -5,7 +5,6 @@
 // arguments checked and its result copied out.
 #include <algorithm>
 #include <cstddef>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>

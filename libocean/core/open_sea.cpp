@@ -32,6 +32,14 @@ std::unique_ptr<MapWriter> writer_like(const MapWriter& other, const OceanOption
     return std::make_unique<MapWriter>(options.backend, options.channels);
 }
 
+/// Returns true if what was followed over time in one sea holds in the other.
+bool have_same_past(const Sea& a, const Sea& b) {
+    // A take's past may have changed anything.
+    if (!a.take.empty() || !b.take.empty()) return false;
+    const auto first = first_dirty_stage(a.parameters, b.parameters);
+    return !first || *first == Stage::clock;
+}
+
 }  // namespace
 
 OpenSea::OpenSea(Sea sea, OceanOptions options)
@@ -58,10 +66,7 @@ OpenSea::OpenSea(const OpenSea& built, OceanOptions options)
 OpenSea::~OpenSea() = default;
 
 OpenSea::Ended OpenSea::change(Sea sea) {
-    // A take's past may have changed anything.
-    const bool performed = !sea_.take.empty() || !sea.take.empty();
-    const auto first = first_dirty_stage(sea_.parameters, sea.parameters);
-    const Ended ended{.past = performed || (first && *first != Stage::clock),
+    const Ended ended{.past = !have_same_past(sea_, sea),
                       .grid = sea_.parameters.grid != sea.parameters.grid};
     if (ended.past) {
         foam_.clear();
@@ -79,8 +84,7 @@ OpenSea::Ended OpenSea::change(Sea sea) {
 }
 
 void OpenSea::take_foam(OpenSea& before) {
-    const auto first = first_dirty_stage(before.sea_.parameters, sea_.parameters);
-    if (!first || *first == Stage::clock) foam_ = std::move(before.foam_);
+    if (have_same_past(before.sea_, sea_)) foam_ = std::move(before.foam_);
 }
 
 void OpenSea::perform(double time, std::string_view name, std::string_view value) {
@@ -131,8 +135,7 @@ const SurfaceSettings& OpenSea::shown_settings(double time, int resolution) {
 }
 
 const Modes& OpenSea::modes(double time) {
-    require_time(time);
-    go_to(time);
+    parameters_at(time);
     return current_modes();
 }
 
