@@ -326,6 +326,14 @@ def test_an_interrupt_saves_the_take_and_lets_all_go(start, tmp_path):
     assert "waves.0.wind_speed 12" in (tmp_path / "take_1.take").read_text()
 
 
+def test_an_interrupt_of_a_bridge_that_has_just_begun_to_listen_ends_it_in_order(start):
+    """A client may connect, and a signal come, before the program's first thread runs on."""
+    for _ in range(20):
+        bridge = start("--dummy")
+        assert bridge.stop() == 130
+        bridge.log.wait_for("stopped")
+
+
 def test_a_log_that_nobody_reads_stops_nobody(tmp_path):
     process = subprocess.Popen(
         [BRIDGE, "--listen", "127.0.0.1:0"], stderr=subprocess.PIPE, text=True, bufsize=1

@@ -7,6 +7,7 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -147,12 +148,15 @@ void serve(const ServeWords& words, const std::string& token, const Context& con
     options.osc = osc_of(words);
     options.log_reports = context.options.verbose;
     options.log = [&log](std::string line) { log.add(std::move(line)); };
+    // The server serves clients at once; a signal waits until its last act is known.
+    std::optional<InterruptWatch::Hold> starting(std::in_place, context.interrupts);
     bridge::LineServer server(std::move(options), hub);
     const InterruptWatch::LastAct last(context.interrupts, [&] {
         server.stop();
         // A reader that does not read the log blocks every further message.
         if (!log.finish()) std::_Exit(kInterruptedExit);
     });
+    starting.reset();
     // All work, and the end, happens in other threads.
     std::mutex mutex;
     std::unique_lock lock(mutex);
