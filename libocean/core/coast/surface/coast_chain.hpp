@@ -47,7 +47,7 @@ class CoastChain {
           known_over_(built.known_over_) {}
     CoastChain& operator=(const CoastChain&) = delete;
 
-    /// Max bytes of the delays that are kept of the seas before, those of the last one included.
+    /// Max bytes of kept delays: those of the last sea and of seas before it.
     static constexpr std::uint64_t kKnownBytes = std::uint64_t{256} << 20;
 
     /// Returns the statics. When the bed or its water has changed it makes them; when the sea has,

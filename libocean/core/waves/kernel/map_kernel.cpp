@@ -309,7 +309,7 @@ struct MapKernel::Impl {
         look_ahead(part.back(), part.front(), 1);
     }
 
-    /// Notes which sources are read after a part's sources, `items` later.
+    /// Notes the sources that `next` reads, `items` items after the sources of `here`.
     static void look_ahead(FrameTask& here, const FrameTask& next, int items) {
         here.ahead_items = items;
         here.ahead_count = 0;

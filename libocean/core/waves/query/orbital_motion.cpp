@@ -105,7 +105,7 @@ class MotionStrips {
   private:
     SplineMap map_;
     SplineStrips along_;
-    SplineStrips up_;  // made after along_, which overwrites its field: once up_ is ready, both are
+    SplineStrips up_;  // made last, because along_ writes over vz; its strips are ready in both
 };
 
 }  // namespace
