@@ -68,7 +68,8 @@ def zipped(files: dict[str, bytes]) -> bytes:
 
 
 def addon_files() -> dict[str, bytes]:
-    there = [*ADDON.rglob("*.py"), *ADDON.glob("*.po"), *ADDON.glob("thumbnails/*.jpg")]
+    kinds = ("*.py", "*.json", "*.po", "thumbnails/*.jpg")
+    there = [path for kind in kinds for path in ADDON.rglob(kind)]
     files = {path.relative_to(ADDON).as_posix(): path.read_bytes() for path in there}
     for name in ("LICENSE", "README.md"):  # F1 opens the latter
         files[name] = (HERE / name).read_bytes()

@@ -65,7 +65,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/package/c ${PROJECT_SOURCE_DIR}/te
 set(addon ${PROJECT_SOURCE_DIR}/blender_addon)
 install(DIRECTORY ${addon}/libocean_addon DESTINATION share/blender/scripts/addons
         COMPONENT blender EXCLUDE_FROM_ALL
-        FILES_MATCHING PATTERN "*.py" PATTERN "*.po" PATTERN "*.jpg" PATTERN "__pycache__" EXCLUDE)
+        FILES_MATCHING PATTERN "*.py" PATTERN "*.po" PATTERN "*.json" PATTERN "*.jpg" PATTERN "__pycache__" EXCLUDE)
 install(FILES ${addon}/examples/scene.py DESTINATION share/doc/blender-ocean/examples
         COMPONENT blender EXCLUDE_FROM_ALL)
 install(FILES ${addon}/README.md DESTINATION share/blender/scripts/addons/libocean_addon

@@ -48,7 +48,7 @@ def parts() -> list:
     """The modules that have something to register, in that order."""
     if native.libocean is None:
         return [translations]
-    from . import handlers, hints, manual, operators, panels, properties, whole_sea
+    from . import handlers, manual, subjects, whole_sea
     from .assets import asset_library
     from .bake import bake
     from .coast import operators as coast_operators
@@ -56,7 +56,7 @@ def parts() -> list:
     from .coast import properties as coast_properties
     from .floating import floating
     from .look import first_view, material
-    from .sea import records
+    from .sea import hints, operators, panels, properties, records
     from .terrain import look_panels as terrain_look_panels
     from .terrain import material as terrain_material
     from .terrain import operators as terrain_operators
@@ -88,6 +88,7 @@ def parts() -> list:
         coast_panels,
         asset_library,
         floating,
+        subjects,
         handlers,
         manual,
     ]

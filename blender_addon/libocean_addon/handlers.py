@@ -1,28 +1,19 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender's handlers: seas, terrains and coasts follow its frames, edits, undo, files and
+"""Blender's handlers: the objects of all subjects follow its frames, edits, undo, files and
 renders."""
 
 from __future__ import annotations
 
-import threading
-
 import bpy
 from bpy.app.handlers import persistent
 
-from . import versions
 from .bake import render_check
-from .coast import coast_job, open_coast
-from .coast import live as coast_live
-from .coast import node_group as coast_group
 from .floating import floating
 from .look import foam_images
-from .sea import live, node_group, open_sea, stored_horizon
-from .shared import compat, drafts, failures, hooks, meshes, modifier_groups
+from .shared import compat, drafts, failures, hooks, life, meshes
+from .shared.life import complete
 from .spray import spray
-from .terrain import live as terrain_live
-from .terrain import node_group as terrain_group
-from .terrain import open_terrain
 
 _locked_by_us: set[str] = set()  # scenes
 
@@ -33,9 +24,7 @@ def _frame_changed(scene, depsgraph=None) -> None:
     rendering = depsgraph is not None and depsgraph.mode == "RENDER"
     if rendering:
         render_check.require_stopped()
-    live.show_all(live.ocean_objects(), scene, depsgraph, rendering=rendering, passing=True)
-    terrain_live.show_all(depsgraph, rendering=rendering, passing=True)
-    coast_live.show_all(scene, depsgraph, rendering=rendering, passing=True)
+    life.show_all(life.all_shown(), scene, depsgraph, rendering=rendering, passing=True)
 
 
 @persistent
@@ -46,19 +35,14 @@ def _depsgraph_updated(scene, depsgraph) -> None:
     # A collection or the scene changes when an object comes or goes.
     kinds = (bpy.types.Object, bpy.types.Collection, bpy.types.Scene)
     if any(isinstance(update.id, kinds) for update in depsgraph.updates):
-        oceans, terrains = live.ocean_objects(), terrain_live.terrain_objects()
-        coasts = coast_live.coast_objects()
-        drafts.keep_only({ob.name_full for ob in [*oceans, *terrains, *coasts]})
-        stored_horizon.make_whole(oceans)  # linked, appended, or of a file that was not written
-        modifier_groups.own_images(oceans, node_group.live_modifiers, node_group.image_inputs)
-        modifier_groups.own_images(terrains, terrain_group.modifiers, terrain_group.image_inputs)
-        modifier_groups.own_images(coasts, coast_group.modifiers, coast_group.image_inputs)
-        live.show_all(oceans, scene, depsgraph)
-        terrain_live.show_all(depsgraph)
-        coast_live.show_all(scene, depsgraph)
-        for ob in oceans:
-            if meshes.is_stand_in(ob.data):  # out of the asset library
-                live.follow_mesh(ob)
+        objects = life.all_shown()
+        life.keep_only(objects)
+        life.make_whole(objects)  # linked, appended, or of a file that was not written
+        life.own_images(objects)
+        life.show_all(objects, scene, depsgraph)
+        for shown in objects:
+            if meshes.is_stand_in(shown.ob.data):  # out of the asset library
+                shown.subject.follow_mesh(shown)
                 foam_images.share()
 
 
@@ -66,76 +50,28 @@ def _depsgraph_updated(scene, depsgraph) -> None:
 @failures.log_once
 def _data_replaced(*_) -> None:
     render_check.forget()
-    oceans, terrains = live.ocean_objects(), terrain_live.terrain_objects()
-    coasts = coast_live.coast_objects()
-    drafts.keep_only({ob.name_full for ob in [*oceans, *terrains, *coasts]})
-    drafts.forget_stops()
-    open_sea.forget({ob.name_full for ob in oceans})
-    open_terrain.forget({ob.name_full for ob in terrains})
-    open_coast.forget({ob.name_full for ob in coasts})
-    stored_horizon.make_whole(oceans)
-    for ob in oceans:
-        versions.upgrade(ob)
-    live.show_all(oceans, bpy.context.scene)
-    for ob in oceans:  # one that was not there yet when the values of an undo step were kept
-        live.follow_mesh(ob)
-    # From 4.0 on nothing knows where it is in the world before it is evaluated.
-    seen_by_camera = any(ob.libocean_terrain.use_lod for ob in terrains)
-    terrain_live.show_all(bpy.context.evaluated_depsgraph_get() if seen_by_camera else None)
-    for ob in terrains:
-        terrain_live.follow_mesh(ob)
-    coast_live.show_all(bpy.context.scene)
-    if oceans or coasts:
-        live.follow(bpy.context.evaluated_depsgraph_get(), bpy.context.scene)
+    life.replaced(bpy.context.scene)
 
 
 @persistent
 @failures.log_once
 def _saving(*_) -> None:
     render_check.restore()
-    live.complete_meshes()
-    terrain_live.complete_meshes()
+    life.complete_meshes()
     spray.empty_all()  # which is an update: it comes again
-    stored_horizon.put_aside(live.ocean_objects())
+    life.put_aside()
 
 
 @persistent
 @failures.log_once
 def _saved(*_) -> None:
-    stored_horizon.make_whole(live.ocean_objects())
+    life.make_whole(life.all_shown())
 
 
 @persistent
 @failures.log_once
 def _before_frame(scene, *_) -> None:
     render_check.check(scene)
-
-
-def complete() -> None:
-    """Blocks until nothing is a draft, before a render. Says so in the console if that fails."""
-    is_whole = drafts.complete()
-    if threading.current_thread() is threading.main_thread():
-        stored_horizon.make_whole(live.ocean_objects())
-        live.complete_meshes()
-        terrain_live.complete_meshes()
-        return
-    if not is_whole or live.has_draft_meshes() or terrain_live.has_draft_meshes():
-        subjects = " and the ".join(_subjects_in_draft()) or "scene"
-        print(f"libocean: the render shows a draft of the {subjects}", flush=True)
-
-
-def _subjects_in_draft() -> list[str]:
-    """Returns the names of the subjects that have a draft in place of maps or of a mesh."""
-
-    def is_any_draft(objects) -> bool:
-        return any(drafts.is_draft(ob.name_full) for ob in objects)
-
-    has_draft = {
-        "sea": is_any_draft(live.ocean_objects()) or live.has_draft_meshes(),
-        "terrain": is_any_draft(terrain_live.terrain_objects()) or terrain_live.has_draft_meshes(),
-        "coast": is_any_draft(coast_live.coast_objects()),
-    }
-    return [subject for subject, found in has_draft.items() if found]
 
 
 @persistent
@@ -145,11 +81,8 @@ def _lock_interface(scene, *_) -> None:
     rewrites."""
     render_check.begin()
     complete()
-    terrain_live.begin_render()
-    has_subjects = (
-        live.ocean_objects() or terrain_live.terrain_objects() or coast_live.coast_objects()
-    )
-    if has_subjects and not scene.render.use_lock_interface:
+    life.begin_render()
+    if life.all_shown() and not scene.render.use_lock_interface:
         scene.render.use_lock_interface = True
         _locked_by_us.add(scene.name_full)
 
@@ -157,7 +90,7 @@ def _lock_interface(scene, *_) -> None:
 @persistent
 @failures.log_once
 def _unlock_interface(scene, *_) -> None:
-    terrain_live.end_render()
+    life.end_render()
     render_check.restore()
     if scene.name_full in _locked_by_us:
         _locked_by_us.remove(scene.name_full)
@@ -186,32 +119,9 @@ def _remove_handlers() -> None:
             handlers.remove(handler)
 
 
-def _sea_changed(ob) -> None:
-    """Shows an object whose sea was changed: an ocean, or the water of a coast."""
-    if not live.parameters_changed(ob):
-        coast_live.parameters_changed(ob)
-
-
-_MAKERS = (live.make_draft_job, terrain_live.make_draft_job, coast_live.make_draft_job)
-
-
-def _make_draft_job(name: str) -> drafts.Job | None:
-    jobs = (make(name) for make in _MAKERS)
-    return next((job for job in jobs if job is not None), None)
-
-
-def _finish_draft_job(name: str, job: drafts.Job) -> None:
-    finish = live.finish_draft_job
-    if isinstance(job, open_terrain.TerrainJob):
-        finish = terrain_live.finish_draft_job
-    elif isinstance(job, coast_job.CoastJob):
-        finish = coast_live.finish_draft_job
-    finish(name, job)
-
-
 def _wake() -> None:
-    """Shows the seas and lands of a file that was opened before the add-on was switched on."""
-    if live.ocean_objects() or terrain_live.terrain_objects() or coast_live.coast_objects():
+    """Shows the objects of a file that was opened before the add-on was switched on."""
+    if life.all_shown():
         _data_replaced()
 
 
@@ -230,13 +140,9 @@ def register() -> None:
         getattr(bpy.app.handlers, name).append(handler)
     hooks.connect(
         hooks.Hooks(
-            property_changed={
-                "sea": _sea_changed,
-                "terrain": terrain_live.parameters_changed,
-                "coast": coast_live.parameters_changed,
-            },
-            make_draft_job=_make_draft_job,
-            finish_draft_job=_finish_draft_job,
+            property_changed=life.changed,
+            make_draft_job=life.make_job,
+            finish_draft_job=life.finish_job,
             followers=(floating.ride_all, spray.show_all),
         )
     )
@@ -249,6 +155,4 @@ def unregister() -> None:
         bpy.app.timers.unregister(_wake)
     _remove_handlers()
     hooks.disconnect()
-    open_sea.close_all()
-    open_terrain.close_all()
-    open_coast.close_all()
+    drafts.close()

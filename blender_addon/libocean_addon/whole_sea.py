@@ -7,8 +7,7 @@ from __future__ import annotations
 
 import bpy
 
-from .shared import drafts
-from .shared.compat import tr_label
+from .shared import drafts, registration
 from .shared.drawing import BUTTON, never_raises, say
 
 
@@ -41,14 +40,6 @@ class FinishDraft(bpy.types.Operator):
         return {"FINISHED"}
 
 
-def draw(layout, name: str) -> None:
-    """Draws the progress behind a draft of the object with that full name; nothing without a
-    draft."""
-    share = drafts.progress(name) or 0.0
-    working = tr_label("A draft; the whole sea: {:.0%}", share)
-    draw_draft(layout, name, working, tr_label("A draft, without the past of its foam"))
-
-
 def draw_draft(layout, name: str, working: str, stopped: str) -> None:
     """Draws the button that stops the work on the whole of a draft, or goes on with it, each behind
     its sentence; nothing without a draft."""
@@ -74,13 +65,6 @@ def _draw_progress(self, _context) -> None:
         row.operator(StopDraft.bl_idname, text="", icon="X").name = name
 
 
-def register() -> None:
-    for cls in CLASSES:
-        bpy.utils.register_class(cls)
-    bpy.types.STATUSBAR_HT_header.append(_draw_progress)
-
-
-def unregister() -> None:
-    bpy.types.STATUSBAR_HT_header.remove(_draw_progress)
-    for cls in reversed(CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = registration.functions(
+    CLASSES, menus={"STATUSBAR_HT_header": _draw_progress}
+)

@@ -67,6 +67,16 @@ def test_a_bake_plays_what_was_live_to_the_bit(shot):
     assert_same(live, at_frames(shot))
 
 
+def test_a_copy_plays_the_bake_too(shot):
+    assert bpy.ops.libocean.bake() == {"FINISHED"}
+    other = shot.copy()
+    bpy.context.collection.objects.link(other)
+    bpy.context.view_layer.update()
+    for ob in (shot, other):
+        assert bake_record.shown_image(ob) is not None
+    assert np.array_equal(positions(other), positions(shot))
+
+
 def test_the_files_are_those_of_the_command(shot, tmp_path):
     command = os.environ.get("OCEAN")
     if not command:

@@ -163,7 +163,7 @@ def test_points_carry_the_jacobian(scene, kind):
     if kind == "PATCH":
         side = facts.map_resolution(ob)
         found = np.empty((side, side, 1), np.float32)
-        open_sea.sea_of(ob.name_full).sea.fill(29 / 24, [(found, ("jacobian",))])
+        open_sea.sea_of(ob.name_full).handle.fill(29 / 24, [(found, ("jacobian",))])
         mesh = jacobian.reshape(side + 1, side + 1)[:-1, :-1]
         assert np.abs(np.sort(mesh.ravel()) - np.sort(found.ravel())).max() < 1e-6
 

@@ -12,7 +12,8 @@ from conftest import attribute, evaluated_mesh, positions
 from libocean_addon.bundled import libocean
 from libocean_addon.sea import live, open_sea
 from libocean_addon.sea.sea_job import SeaJob
-from libocean_addon.shared import drafts, modifier_groups
+from libocean_addon.sea.subject import SEA
+from libocean_addon.shared import drafts, life, modifier_groups
 
 
 @pytest.fixture
@@ -149,9 +150,9 @@ def test_a_draft_has_as_many_samples_as_time_allows():
 def test_a_render_is_whole_whatever_is_shown(scene, ocean, waiting):
     scene.frame_set(50)
     ocean.libocean.choppiness = 0.7
-    live.show_all([ocean], scene, rendering=True)
+    life.show_all([SEA.look_up(ocean)], scene, rendering=True)
     foam = attribute(ocean, "foam")
-    with libocean.parse(open_sea.sea_of(ocean.name_full).sea.text) as sea:
+    with libocean.parse(open_sea.sea_of(ocean.name_full).handle.text) as sea:
         want = sea.surface(49 / 24).foam
     side = round(len(foam) ** 0.5)
     index = (np.arange(side) - side // 2) % (side - 1)
@@ -187,7 +188,7 @@ def test_time_that_plays_goes_on_without_its_foam_until_it_is_there(
         scene.frame_set(frame)
         drafts.step()
     assert drafts.progress(ocean.name_full) is None
-    with libocean.parse(open_sea.sea_of(ocean.name_full).sea.text) as sea:
+    with libocean.parse(open_sea.sea_of(ocean.name_full).handle.text) as sea:
         assert attribute(ocean, "foam").mean() == pytest.approx(
             sea.surface(4 / 24).foam.mean(), rel=0.02
         )
@@ -197,7 +198,7 @@ def test_a_frame_that_is_asked_for_by_name_is_whole(scene, ocean, waiting):
     """A render of the viewport goes through the frames so."""
     scene.frame_set(200)
     foam = attribute(ocean, "foam").mean()
-    with libocean.parse(open_sea.sea_of(ocean.name_full).sea.text) as sea:
+    with libocean.parse(open_sea.sea_of(ocean.name_full).handle.text) as sea:
         assert foam == pytest.approx(sea.surface(199 / 24).foam.mean(), rel=0.02)
 
 
@@ -223,7 +224,7 @@ def test_the_mesh_does_not_grow_without_being_asked(ocean):
     ocean.libocean.resolution = 512
     ocean.libocean.use_foam = False
     ocean.libocean.cascades = 2
-    assert open_sea.sea_of(ocean.name_full).sea.map_resolution() == 2048
+    assert open_sea.sea_of(ocean.name_full).handle.map_resolution() == 2048
     assert len(ocean.data.vertices) == before
     ocean.libocean.mesh_resolution = 1024
     assert len(ocean.data.vertices) == 1025**2

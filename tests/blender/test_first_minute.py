@@ -12,12 +12,13 @@ from types import SimpleNamespace
 import bpy
 import pytest
 from conftest import add_ocean, factory_settings, presets_with, start_another_process
-from libocean_addon import handlers, hints
+from libocean_addon import handlers
 from libocean_addon.bundled import libocean
 from libocean_addon.look import detail, start_up
-from libocean_addon.sea import horizon_mesh, live, open_sea
+from libocean_addon.sea import hints, horizon_mesh, open_sea
 from libocean_addon.sea.resolutions import OF_SEA
-from libocean_addon.shared import compat, console, drafts, meshes
+from libocean_addon.sea.subject import SEA
+from libocean_addon.shared import compat, console, drafts, life, meshes
 
 
 @pytest.fixture
@@ -117,7 +118,7 @@ def test_a_frame_that_blender_shows_again_stays_a_draft(scene, waiting, small):
     ocean = add_ocean(64, sea=PAST, kind="PATCH", use_material=False)
     rest()
     ocean.libocean.choppiness = 0.7
-    live.show_all([ocean], scene, passing=True)
+    life.show_all([SEA.look_up(ocean)], scene, passing=True)
     assert not is_whole(ocean) and drafts.progress(ocean.name_full) is not None
     scene.frame_set(scene.frame_current + 30)
     assert is_whole(ocean)
@@ -152,7 +153,7 @@ def test_the_work_goes_on_while_something_else_changes(scene, waiting, small, sl
     ocean = add_ocean(64, kind="PATCH", use_material=False)
     job = start_job(ocean)
     bpy.ops.object.empty_add()
-    live.show_all([ocean], scene)  # as the handler does after any change of the scene
+    life.show_all([SEA.look_up(ocean)], scene)  # as the handler does after any change of the scene
     assert not job.is_cancelled() and drafts.at_work()[1] is job
     ocean.libocean.choppiness = 0.7
     assert job.is_cancelled()
@@ -176,7 +177,7 @@ def test_the_work_can_be_stopped_and_finished_after_all(scene, waiting, small, s
     job.join()
     while drafts.at_work() is not None:
         drafts.step()
-    live.show_all([ocean], scene)  # without a change it stays stopped
+    life.show_all([SEA.look_up(ocean)], scene)  # without a change it stays stopped
     assert drafts.is_stopped("Ocean") and drafts.progress("Ocean") is None
     assert not is_whole(ocean)
     slow.set()

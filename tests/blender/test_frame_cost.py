@@ -49,7 +49,7 @@ def frame_seconds(scene, ob) -> tuple[float, int]:
 
 def library_seconds(ob, side: int) -> float:
     """The library's part of such a frame, into buffers like the add-on's."""
-    sea = open_sea.sea_of(ob.name_full).sea
+    sea = open_sea.sea_of(ob.name_full).handle
     buffers = [(images.aligned((side, side)), channels) for channels in open_sea.CHANNELS.values()]
     times = []
     for frame in FRAMES:

@@ -11,9 +11,8 @@ import numpy as np
 from in_window import needs_window, run_steps
 
 STEPS = """
-from libocean_addon.sea import open_sea
+from libocean_addon.sea import open_sea, panels
 from libocean_addon.shared import drafts
-from libocean_addon import panels
 
 for panel in panels.CLASSES:  # all of them open
     if getattr(panel, "bl_options", None):

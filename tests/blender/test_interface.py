@@ -11,12 +11,12 @@ import bpy
 import libocean_addon
 import pytest
 from conftest import plane
-from libocean_addon import manual, operators, panels, whole_sea
+from libocean_addon import manual, whole_sea
 from libocean_addon.assets import asset_library
 from libocean_addon.bundled import libocean
 from libocean_addon.coast import operators as coast_operators
 from libocean_addon.look import first_view
-from libocean_addon.sea import parameter_values
+from libocean_addon.sea import operators, panels, parameter_values, sea_text
 from libocean_addon.sea.resolutions import OF_SEA
 from libocean_addon.shared import changes, property_texts, table_properties
 from libocean_addon.shared.parameter_table import is_optional
@@ -201,7 +201,7 @@ def test_f1_leads_to_a_section_of_the_documentation(cls):
 def test_every_preset_comes_back_from_properties_as_it_was(ocean):
     for preset in libocean.presets():
         with libocean.preset(preset) as sea, changes.quiet():
-            operators.adopt(ocean, sea)
+            parameter_values.assign(ocean.libocean, sea_text.read(sea))
             with libocean.parse(text_of(ocean)) as again:
                 assert again.text == sea.text
 

@@ -11,8 +11,9 @@ import numpy as np
 import pytest
 from conftest import attribute, pixels, positions, rest, shine
 from libocean_addon import handlers
-from libocean_addon.shared import drafts, meshes
+from libocean_addon.shared import drafts, life, meshes
 from libocean_addon.terrain import camera_mesh, live, material, node_group, open_terrain
+from libocean_addon.terrain.subject import TERRAIN
 from test_land import CARVED, PLACED, add_land, assert_is_land, library_of
 from test_terrain_drafts import rest as finish
 from test_terrain_drafts import waiting  # noqa: F401, a fixture
@@ -139,7 +140,7 @@ def test_a_tile_of_an_earlier_version_gets_todays_nodes():
     (modifier,) = node_group.modifiers(ob)
     modifier.node_group[node_group.FAMILY.mark] = 1
     modifier.node_group.name = ".libocean.terrain.v1"
-    live.show(ob)
+    life.show_now(TERRAIN, ob)
     assert modifier.node_group[node_group.FAMILY.mark] == node_group.VERSION
     assert np.array_equal(positions(ob), want)
 

@@ -9,9 +9,9 @@ import blf
 import bpy
 import pytest
 from conftest import add_ocean, evaluated_mesh, plane, positions
-from libocean_addon import hints, panels, translations
+from libocean_addon import translations
 from libocean_addon.floating import floating
-from libocean_addon.sea import facts, node_group, parameter_values
+from libocean_addon.sea import facts, hints, node_group, panels, parameter_values
 from libocean_addon.shared import compat, drafts, drawing, failures, resolutions
 
 PANELS = [cls for cls in panels.CLASSES if issubclass(cls, bpy.types.Panel)]

@@ -22,7 +22,7 @@ def ocean():
 
 
 def height_of(ob) -> float:
-    return open_sea.sea_of(ob.name_full).sea.state["significant_wave_height"]["asked"]
+    return open_sea.sea_of(ob.name_full).handle.state["significant_wave_height"]["asked"]
 
 
 @pytest.mark.parametrize("path", [BUOY, MODEL])

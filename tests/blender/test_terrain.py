@@ -11,6 +11,7 @@ from libocean_addon.bundled import libocean
 from libocean_addon.shared import changes
 from libocean_addon.terrain import live, node_group, parameter_values, terrain_text
 from libocean_addon.terrain.parameters import PARAMETERS
+from libocean_addon.terrain.subject import TERRAIN
 
 
 def add_terrain(resolution: int = 64, preset: str = "seed_smooth", **arguments):
@@ -217,10 +218,10 @@ def test_a_measured_spectrum_is_kept_without_its_file(measured, tmp_path):
 def test_the_spectrum_of_a_file_is_kept_in_the_settings(measured):
     settings = measured.libocean_terrain
     kept = settings.measured_rings
-    assert not live._keep_spectrum(measured)  # it is
+    assert not live.keep_spectrum(TERRAIN.look_up(measured))  # it is
     with changes.quiet():
         settings.measured_rings = ""  # as the property of the file's name leaves it
-    assert live._keep_spectrum(measured)
+    assert live.keep_spectrum(TERRAIN.look_up(measured))
     assert settings.measured_rings == kept
 
 

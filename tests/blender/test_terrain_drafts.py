@@ -11,7 +11,7 @@ import pytest
 from conftest import positions
 from libocean_addon import handlers
 from libocean_addon.bundled import libocean
-from libocean_addon.shared import drafts, meshes, modifier_groups
+from libocean_addon.shared import drafts, life, meshes, modifier_groups
 from libocean_addon.terrain import facts, live, node_group, open_terrain, parameter_values
 
 WHOLE = 512
@@ -159,7 +159,7 @@ def test_a_render_never_holds_a_draft(terrain, waiting, scene):
     handlers.complete()
     assert_is_whole(terrain)
     terrain.libocean_terrain.beta = 1.7
-    live.show_all(rendering=True, passing=True)
+    life.show_all(life.all_shown(), scene, rendering=True, passing=True)
     assert_is_whole(terrain)
 
 
@@ -208,6 +208,9 @@ def test_a_failure_in_the_background_has_the_words_of_the_panel(terrain, waiting
     terrain.libocean_terrain.seed = 8
     rest()
     assert terrain.libocean_terrain.problem == "lower Resolution"
+    bpy.context.view_layer.update()  # does not begin the work anew
+    assert terrain.libocean_terrain.problem == "lower Resolution"
+    assert not drafts.is_draft(terrain.name_full)
     monkeypatch.undo()
     terrain.libocean_terrain.seed = 9
     assert terrain.libocean_terrain.problem == ""

@@ -12,11 +12,11 @@ import bpy
 import libocean_addon
 import pytest
 from conftest import add_ocean, plane
-from libocean_addon import operators, panels, translations
+from libocean_addon import translations
 from libocean_addon.bake import bake_state
 from libocean_addon.floating import floating
 from libocean_addon.look import water_shader
-from libocean_addon.sea import facts, parameter_values
+from libocean_addon.sea import facts, operators, panels, parameter_values
 from libocean_addon.shared import compat
 from libocean_addon.shared.parameter_table import is_optional
 from libocean_addon.terrain import facts as terrain_facts

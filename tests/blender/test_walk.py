@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A slider's walk: how often an object is handed on between the property and the mesh.
 
-A place is a call of one of the add-on's functions that is given the object, or the Ocean that it
-was looked up as. sys.setprofile counts them from the property's update to its end.
+A place is a call of one of the add-on's functions that is given the object, or what it was
+looked up as. sys.setprofile counts them from the property's update to its end.
 """
 
 import sys
@@ -13,8 +13,8 @@ import bpy
 import libocean_addon
 import pytest
 from conftest import add_ocean, parallel_camera
-from libocean_addon.sea.ocean import Ocean
 from libocean_addon.shared import hooks
+from libocean_addon.shared.subject import Shown
 
 ROOT = Path(libocean_addon.__file__).parent
 MOST_PLACES = 20
@@ -26,7 +26,7 @@ def walk(ob, name: str, value) -> list[str]:
     places = []
 
     def is_it(given) -> bool:
-        given = given.ob if isinstance(given, Ocean) else given
+        given = given.ob if isinstance(given, Shown) else given
         return isinstance(given, bpy.types.Object) and given == ob
 
     def note(frame, event, _argument) -> None:
@@ -64,7 +64,7 @@ def test_it_is_short(scene, kind, name, value):
 def test_the_modifiers_are_looked_up_once_for_a_change(scene):
     ob = add_ocean(64, sea=SEA, kind="PATCH", preset="beaufort_6")
     places = walk(ob, "choppiness", 0.5)
-    assert places.count("ocean.look_up") == 1
+    assert places.count("subject.look_up") == 1
     # Spray looks for all oceans of the file.
     assert places.count("modifier_groups.modifiers") == 2
 
@@ -79,4 +79,4 @@ def test_without_the_add_on_nothing_is_called(monkeypatch):
         )
     ob = add_ocean(64, sea=SEA, kind="PATCH", preset="beaufort_6")
     monkeypatch.setattr(hooks, "_connected", hooks._NONE)
-    assert walk(ob, "choppiness", 0.25) == ["changes.tell", "hooks.<lambda>"]
+    assert walk(ob, "choppiness", 0.25) == ["hooks.<lambda>"]

@@ -15,10 +15,9 @@ from pathlib import Path
 
 import bpy
 
-from .. import operators
 from ..look import first_view, material
 from ..look.water_shader import DEFAULT_TYPE
-from ..sea import live, parameter_values, sea_text
+from ..sea import live, operators, parameter_values, sea_text
 from ..shared import changes, meshes
 from ..shared.native import libocean
 

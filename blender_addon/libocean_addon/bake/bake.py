@@ -8,10 +8,9 @@ import threading
 
 import bpy
 
-from .. import operators
 from ..coast import node_group as coast_group
 from ..coast.coast_bake import CoastBake
-from ..sea import messages
+from ..sea import messages, operators
 from ..shared import changes, compat, console, overrides
 from ..shared.compat import tr, tr_label
 from . import bake_files, bake_job, bake_record, exr_files
@@ -228,7 +227,7 @@ class FreeBake(_OnOwnSea, bpy.types.Operator):
             ob.libocean.use_bake = False
             ob.libocean.bake.fields = ""
             ob.libocean.problem = ob.libocean_coast.problem = ""
-        changes.tell(ob)
+        changes.tell(ob.libocean)
         if not self.delete_files:
             return {"FINISHED"}
         if others:

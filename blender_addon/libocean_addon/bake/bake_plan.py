@@ -17,7 +17,7 @@ import bpy
 
 from ..look import detail
 from ..sea import live, messages, node_group, sea_text
-from ..shared import changes, paths
+from ..shared import changes, life, paths
 from ..shared.compat import tr
 from ..shared.native import libocean
 from . import bake_files, bake_job, bake_record, baked, exr_files
@@ -78,7 +78,7 @@ def for_each_frame(context, ob, first: int, last: int, take: Callable[..., None]
         return
     now, part = scene.frame_current, scene.frame_subframe
     try:
-        with live.paused():
+        with life.paused():
             for number in numbers:
                 scene.frame_set(number)
                 seen = ob.evaluated_get(context.evaluated_depsgraph_get())
@@ -286,5 +286,5 @@ class Bake(Work):
             record.recipes = json.dumps(self.recipes)
             record.marks = " ".join(job.marks)
             settings.use_bake = True
-        changes.tell(ob)
+        changes.tell(ob.libocean)
         return self.told()

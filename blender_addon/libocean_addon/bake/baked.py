@@ -83,7 +83,7 @@ def _serves(ob, modifier) -> bool:
     """Returns whether a modifier shows the sea that the settings choose: live, on a mesh of their
     kind, or the bake of the record."""
     wanted, group = ob.libocean.use_bake, modifier.node_group
-    if node_group.is_baked(group) != wanted:
+    if modifier_groups.is_baked(group) != wanted:
         return False
     if not wanted:
         return node_group.kind_of(group) == ob.libocean.kind
@@ -160,7 +160,7 @@ def upgrade(ob) -> None:
         return
     for modifier in node_group.modifiers(ob):
         if node_group.is_old(modifier.node_group):
-            playing = node_group.is_baked(modifier.node_group)
+            playing = modifier_groups.is_baked(modifier.node_group)
             _change_group(ob, modifier, to_baked=playing)
             if playing:
                 _set_inputs(ob, modifier)

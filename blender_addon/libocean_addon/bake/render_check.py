@@ -19,9 +19,7 @@ import sys
 
 import bpy
 
-from ..coast import node_group as coast_group
-from ..sea import live
-from ..shared import compat, paths
+from ..shared import compat, life, paths
 from ..shared.compat import tr, tr_label
 from ..shared.native import ADDON
 from ..volumes import volumes
@@ -147,8 +145,7 @@ class Found:
 def find(scene, frames) -> Found:
     """Returns the faults of these frames of the scene."""
     frames, found = list(frames), Found([], [])
-    seas = [*live.ocean_objects(), *coast_group.FAMILY.objects()]
-    playing = [ob for ob in seas if _is_playing(ob)]
+    playing = [shown.ob for shown in life.all_shown() if _is_playing(shown.ob)]
     for ob in _rendered(playing, scene):
         faults = _faults_of_bake(ob, scene, frames)
         found.errors += bake_record.fault_texts(ob, faults)

@@ -92,7 +92,7 @@ def _play(ob, modifier, files: list[str]) -> None:
 
 def _follow_water(ob, is_playing: bool) -> None:
     for modifier in node_group.modifiers(ob):
-        if node_group.is_baked(modifier.node_group) != is_playing:
+        if modifier_groups.is_baked(modifier.node_group) != is_playing:
             _change(modifier, node_group.get(baked=is_playing))
         if is_playing:
             record = ob.libocean.bake
@@ -114,7 +114,7 @@ def _follow_land(ob, is_playing: bool) -> None:
         land_nodes.follow(ground, None)
     elif has_files or modifier is not None:
         modifier = land_nodes.require(ground)
-        if node_group.is_baked(modifier.node_group) != is_playing:
+        if modifier_groups.is_baked(modifier.node_group) != is_playing:
             _change(modifier, land_nodes.get(baked=is_playing))
         if is_playing:
             _play(ob, modifier, list(FILES[WETNESS]))

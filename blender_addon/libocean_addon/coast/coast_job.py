@@ -153,25 +153,21 @@ class CoastJob(drafts.Job):
         self._is_owned = is_owned
 
     def work(self) -> None:
-        self._require_wanted()
+        self.require_wanted()
         self.lent.adopt(self.values, self.base_dir)
         try:
             self.extent = self.view.region.extent(self.lent.own)
         except ExtentError as failure:
             raise libocean.Error(str(failure), 0) from failure
-        self._require_wanted()
+        self.require_wanted()
         if self.bed_known != self.extent:
             self.is_plain = False
             self.bed = make_bed(self.lent.sea, self.extent)
-        self._require_wanted()
+        self.require_wanted()
         view = self.view
         if self.is_quick:
             view = dataclasses.replace(view, fields=quick_fields(view.fields))
         self.maps = fill_maps(self.lent.sea, view, self.extent, quick=self.is_quick)
-
-    def _require_wanted(self) -> None:
-        if self.is_cancelled():
-            raise drafts.CancelledError
 
     @property
     def share(self) -> float:

@@ -7,15 +7,13 @@ place in the axes of the coast -> bed there -> pose, or the reason why nothing f
 
 from __future__ import annotations
 
+from ..sea import live as sea_live
 from ..shared.compat import tr_label
+from ..shared.failures import NotReadyError, NotShownError
 from ..terrain.extent import Extent
 from . import live
 from .coast_job import Bed
 from .open_coast import coast_of
-
-
-class NoWaterError(Exception):
-    """Nothing floats at a place, in a sentence for the user."""
 
 
 def _height_of_bed(bed: Bed, extent: Extent, place: tuple[float, float]) -> float | None:
@@ -35,24 +33,24 @@ def _height_of_bed(bed: Bed, extent: Extent, place: tuple[float, float]) -> floa
 
 
 def require_water(name: str, bed: Bed, extent: Extent, place: tuple[float, float]) -> None:
-    """Raises NoWaterError where the bed lies above still water, or is not shown. name: of the
+    """Raises NotShownError where the bed lies above still water, or is not shown. name: of the
     coast."""
     height = _height_of_bed(bed, extent, place)
     where = (*place, name)
     if height is None:
-        raise NoWaterError(tr_label("At {:.1f}, {:.1f} m {} shows no water", *where))
+        raise NotShownError(tr_label("At {:.1f}, {:.1f} m {} shows no water", *where))
     if height >= 0.0:
         text = tr_label("At {:.1f}, {:.1f} m {} is dry land, {:.1f} m over water", *where, height)
-        raise NoWaterError(text)
+        raise NotShownError(text)
 
 
 def float_pose(ob, body: tuple[float, ...], moment):
-    """Returns the libocean.FloatPose of one body; None while the coast is in the making and the
-    moment does not wait for it. Raises NoWaterError and libocean.Error."""
+    """Returns the libocean.FloatPose of one body. Raises NotReadyError while the coast is in the
+    making and the moment does not wait for it, NotShownError and libocean.Error."""
     coast = coast_of(ob.name_full)
-    coast.follow(live.sea_live.current_values(ob.libocean, moment.scene))
+    coast.follow(sea_live.current_values(ob.libocean, moment.scene))
     if moment.moving and not coast.is_cheap():
-        return None
+        raise NotReadyError
     view = live.view_of(coast, ob.original, ob, moment)
     with coast.lock:
         coast.open()

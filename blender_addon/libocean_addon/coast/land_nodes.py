@@ -6,8 +6,8 @@ ground, as the attribute `shore_wetness`; `wetness` is a mask of the streams of 
 
 from __future__ import annotations
 
-from ..shared import compat, modifier_groups
-from ..shared.modifier_groups import BAKED, Family
+from ..shared import compat, field_nodes, modifier_groups
+from ..shared.modifier_groups import Family
 from ..shared.node_builder import Builder
 from .node_group import (
     WETNESS,
@@ -15,39 +15,34 @@ from .node_group import (
     PlayedFields,
     declare_frames,
     declare_place,
-    map_inputs,
-    place_in_map,
 )
 
 FAMILY = Family("libocean_coast_land", 1)
 ATTRIBUTE = "shore_wetness"
 
 
-def get(*, baked: bool = False):
-    """Returns the group, made if it is missing. baked: one that plays a bake."""
-    name = f".libocean.coast_land.v1{' baked' if baked else ''}"
-    group = FAMILY.find(name)
-    if group is not None:
-        return group
-    group = FAMILY.new(name)
+def _build(group, *, baked: bool) -> None:
     compat.add_socket(group, "Geometry", "NodeSocketGeometry")
     compat.add_socket(group, WETNESS, "NodeSocketImage")
     declare_place(group)
     if baked:
-        group[BAKED] = True
         declare_frames(group)
     compat.add_socket(group, "Geometry", "NodeSocketGeometry", output=True)
     compat.hide_inputs(group)
     b = Builder(group)
     inputs = b.node("NodeGroupInput").outputs
     fields = PlayedFields(b, inputs) if baked else LiveFields(b, inputs)
-    geometry, _, (wetness, *_) = fields.captured(
-        inputs["Geometry"], WETNESS, place_in_map(b, inputs), "Linear"
-    )
+    place = field_nodes.place_in_map(b, field_nodes.Turn(b, None), inputs)
+    geometry, _, (wetness, *_) = fields.captured(inputs["Geometry"], WETNESS, place, "Linear")
     stored = b.store(geometry, ATTRIBUTE, "FLOAT", wetness)
     b.link(stored, b.node("NodeGroupOutput").inputs[0])
     b.arrange(rows=4, height=240)
-    return group
+
+
+def get(*, baked: bool = False):
+    """Returns the group, made if it is missing. baked: one that plays a bake."""
+    name = f".libocean.coast_land.v1{' baked' if baked else ''}"
+    return FAMILY.get(name, lambda group: _build(group, baked=baked), baked=baked)
 
 
 def modifier_of(land):
@@ -67,4 +62,4 @@ def follow(land, extent) -> None:
     if modifier is not None and extent is None:
         land.modifiers.remove(modifier)
     elif modifier is not None:
-        modifier_groups.assign(modifier, map_inputs(extent))
+        modifier_groups.assign(modifier, extent.inputs())

@@ -13,7 +13,7 @@ from __future__ import annotations
 from ..bake.baked_nodes import BakedFields
 from ..shared import compat, field_nodes, meshes
 from ..shared.field_nodes import Turn
-from ..shared.modifier_groups import BAKED, Family
+from ..shared.modifier_groups import Family
 from ..shared.node_builder import Builder
 from ..terrain.extent import Extent
 
@@ -72,7 +72,7 @@ BLANKS = {
 
 
 def declare_place(group) -> None:
-    """Adds the inputs of place_in_map()."""
+    """Adds the inputs of Extent.inputs() and field_nodes.place_in_map()."""
     vectors = {
         "Map Size": "Sides of all texels of an image together [m]",
         "Half Texels": "As shares of the map",
@@ -82,18 +82,6 @@ def declare_place(group) -> None:
     }
     for name, description in vectors.items():
         compat.add_socket(group, name, "NodeSocketVector", description=description)
-
-
-def map_inputs(extent: Extent) -> dict:
-    """Returns the values of these inputs. extent: the samples of the images."""
-    half = tuple(0.5 / count for count in extent.samples)
-    return {
-        "Map Size": (*extent.map_size, 1.0),
-        "Half Texels": (*half, 0.0),
-        "Low": (*half, 0.0),
-        "High": (*(1.0 - part for part in half), 0.0),
-        "Origin": (*(-first for first in extent.origin), 0.0),
-    }
 
 
 def grid_words(extent: Extent) -> str:
@@ -106,7 +94,7 @@ def water_inputs(ob, extent: Extent, fields) -> dict:
     the inputs that are in use."""
     settings = ob.libocean_coast
     return {
-        **map_inputs(extent),
+        **extent.inputs(),
         "On Samples": meshes.made_of(ob.data) == grid_words(extent),
         "Use Velocity": VELOCITY in fields,
         "Use Normal": NORMAL in fields,
@@ -114,18 +102,6 @@ def water_inputs(ob, extent: Extent, fields) -> dict:
         "Use Clip": settings.use_clip,
         "Clip Depth": settings.clip_depth,
     }
-
-
-def place_in_map(b: Builder, inputs):
-    """Returns the texture coordinates of a vertex, which end at the outer samples."""
-    place = field_nodes.place_on_map(
-        b,
-        Turn(b, None),
-        origin=inputs["Origin"],
-        period=inputs["Map Size"],
-        half_texel=inputs["Half Texels"],
-    )
-    return b.math("MINIMUM", b.math("MAXIMUM", place, inputs["Low"]), inputs["High"])
 
 
 def image_of(file: str) -> str:
@@ -243,7 +219,7 @@ def _without_dry(b: Builder, geometry, inputs, depth):
 
 def _displaced(b: Builder, inputs, fields, interpolation: str):
     """Returns the geometry with its attributes, moved and clipped."""
-    place = place_in_map(b, inputs)
+    place = field_nodes.place_in_map(b, Turn(b, None), inputs)
     geometry = _stored(b, inputs, fields, place, interpolation)
     geometry, offset, (depth,) = fields.captured(geometry, DISPLACEMENT, place, interpolation)
     geometry = b.store(geometry, "depth", "FLOAT", depth)
@@ -257,25 +233,7 @@ def _displaced(b: Builder, inputs, fields, interpolation: str):
     return _without_dry(b, moved.outputs["Geometry"], inputs, depth)
 
 
-def is_baked(group) -> bool:
-    """Returns whether a node group plays a bake."""
-    return BAKED in group
-
-
-def live_modifiers(ob) -> list:
-    """Returns the modifiers of a coast that play no bake."""
-    return [modifier for modifier in modifiers(ob) if not is_baked(modifier.node_group)]
-
-
-def get(*, baked: bool = False):
-    """Returns the group, made if it is missing. baked: one that plays a bake."""
-    name = f".libocean.coast.v{VERSION}{' baked' if baked else ''}"
-    group = FAMILY.find(name)
-    if group is not None:
-        return group
-    group = FAMILY.new(name)
-    if baked:
-        group[BAKED] = True
+def _build(group, *, baked: bool) -> None:
     _declare(group, baked=baked)
     compat.hide_inputs(group)
     b = Builder(group)
@@ -288,13 +246,18 @@ def get(*, baked: bool = False):
             inside = dict(zip(given, sockets, strict=True))
             return [_displaced(b, inside, make_fields(b, inside), interpolation)]
 
-        part = f"{name.removeprefix('.libocean.')} {interpolation.lower()}"
+        part = f"{group.name.removeprefix('.libocean.')} {interpolation.lower()}"
         return b.nested(part, make, *given.values())[0]
 
     shown = b.switch("GEOMETRY", inputs["On Samples"], branch("Linear"), branch("Closest"))
     b.link(shown, b.node("NodeGroupOutput").inputs[0])
     b.arrange(rows=4, height=240)
-    return group
+
+
+def get(*, baked: bool = False):
+    """Returns the group, made if it is missing. baked: one that plays a bake."""
+    name = f".libocean.coast.v{VERSION}{' baked' if baked else ''}"
+    return FAMILY.get(name, lambda group: _build(group, baked=baked), baked=baked)
 
 
 def image_inputs(group) -> list[str]:

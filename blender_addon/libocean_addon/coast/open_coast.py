@@ -10,14 +10,13 @@ from __future__ import annotations
 
 import dataclasses
 import math
-import threading
 import time
 
 from ..sea import messages
 from ..sea.clock import Clock
 from ..sea.sea_text import SeaValues
-from ..shared import drafts, images, paths
-from ..shared.open_by_object import OpenByObject
+from ..shared import drafts, paths
+from ..shared.open_subject import OpenByObject, ShownImages
 from ..shared.progress import Progress
 from ..terrain.extent import Extent
 from .bed_sea import BedSea
@@ -34,17 +33,13 @@ def _pasts(view: View) -> tuple[str, ...]:
     return tuple(name for name in view.fields if name in (FOAM, WETNESS))
 
 
-class OpenCoast:
+class OpenCoast(ShownImages):
     """The library's sea over the bed of one object, its maps, and the content of its images."""
 
     def __init__(self) -> None:
-        self.lock = threading.RLock()  # renders run in a thread of their own
+        super().__init__()
         self.values: SeaValues | None = None
         """The values to show, which the handle takes when it is free."""
-        self.changes = 0
-        self.failed: tuple | None = None
-        """The key of a view that could not be made, and the sentence that says why."""
-        self.pace = drafts.Pace()
         self._held = BedSea()
         self._clock = Clock()
         self._base_dir: str | None = None
@@ -56,7 +51,6 @@ class OpenCoast:
         self._bed_of: tuple | None = None  # its values and extent
         self._maps: Maps = {}
         self._filled: tuple | None = None  # the key of the maps
-        self._shown: dict[str, tuple] = {}  # by image: key and extent of its content
         self._seconds = math.inf  # a sample of the last whole maps
 
     # The sea --------------------------------------------------------------------
@@ -144,13 +138,13 @@ class OpenCoast:
             self._end_job(key)
             self.open()
             extent = view.region.extent(self.own)
-            stale = self._stale(image_named, key)
+            stale = self.stale(image_named, (key, extent))
             if (stale or self.bed(extent) is None) and self._filled != key:
                 self.require_bed(extent)
                 is_plain, begun = self._is_plain(view, extent), time.perf_counter()
                 self._maps = fill_maps(self.sea, view, extent, self._maps)
                 self._note(view, extent, time.perf_counter() - begun, is_plain)
-            self._put(image_named, stale, key, extent, self._maps)
+            self.put(image_named, stale, self._maps, (key, extent))
         return extent
 
     def _is_plain(self, view: View, extent: Extent) -> bool:
@@ -189,52 +183,33 @@ class OpenCoast:
         draft = dataclasses.replace(view, fields=tuple(image_named))
         key = (_COARSE, coarse, *self.key(draft))
         with self.lock:
-            stale = self._stale(image_named, key)
+            stale = self.stale(image_named, (key, coarse))
             if stale:
                 begun = time.perf_counter()
                 self._maps = fill_maps(self.sea, draft, coarse, self._maps, quick=True)
                 self._filled = None
                 seconds = time.perf_counter() - begun
                 self.pace.note(self.pace.size, seconds, max(whole.samples) // 2)
-            self._put(image_named, stale, key, coarse, self._maps)
+            self.put(image_named, stale, self._maps, (key, coarse))
         return coarse
 
     def _put_draft(self, image_named: dict) -> Extent:
         """Fills the images with the maps of the quick job."""
         job = self._draft
-        key = (_QUICK, *job.key)
+        content = ((_QUICK, *job.key), job.extent)
         with self.lock:
-            self._put(image_named, self._stale(image_named, key), key, job.extent, job.maps)
+            self.put(image_named, self.stale(image_named, content), job.maps, content)
         return job.extent
 
     def is_whole(self, image) -> bool:
         """Returns whether an image holds a whole map, of this view or of one before."""
-        shown = self._shown.get(image.name_full)
+        shown = self.shown.get(image.name_full)
         return shown is not None and shown[0][0] not in (_COARSE, _QUICK)
 
     def extent_in(self, image) -> Extent | None:
         """Returns the samples that an image holds; None for one that nothing has filled."""
-        shown = self._shown.get(image.name_full)
+        shown = self.shown.get(image.name_full)
         return None if shown is None else shown[1]
-
-    def _stale(self, image_named: dict, key: tuple) -> list[str]:
-        for image in image_named.values():
-            if images.let_go(image):
-                self._shown.pop(image.name_full, None)
-        return [
-            name
-            for name, image in image_named.items()
-            if self._shown.get(image.name_full, (None,))[0] != key
-        ]
-
-    def _put(
-        self, image_named: dict, stale: list[str], key: tuple, extent: Extent, maps: Maps
-    ) -> None:
-        for name in stale:
-            image, pixels = image_named[name], maps[name]
-            images.resize(image, pixels.shape[:2])
-            images.fill(image, pixels)
-            self._shown[image.name_full] = (key, extent)
 
     # In the background ----------------------------------------------------------
 
@@ -283,10 +258,6 @@ class OpenCoast:
             self._note(job.view, job.extent, job.seconds, job.is_plain)
         return True
 
-    def forget_images(self) -> None:
-        """Forgets the content of images, after undo and loading."""
-        self._shown.clear()
-
     def close(self) -> None:
         held, self._held = self._held, BedSea()
         if not self.is_busy():
@@ -294,7 +265,5 @@ class OpenCoast:
         self._clock.close()
 
 
-_coasts = OpenByObject(OpenCoast)
-coast_of = _coasts.of
-forget = _coasts.forget
-close_all = _coasts.close_all
+COASTS = OpenByObject(OpenCoast)
+coast_of = COASTS.of

@@ -6,20 +6,27 @@ from __future__ import annotations
 
 import bpy
 from bpy_extras import object_utils
-from bpy_extras.io_utils import ExportHelper, ImportHelper
+from bpy_extras.io_utils import ImportHelper
 
 from ..look import foam_images
 from ..look import material as water_material
-from ..sea import live as sea_live
-from ..sea import messages, parameter_values, sea_text
 from ..sea import node_group as sea_group
+from ..sea import sea_text
 from ..sea.sea_text import SeaValues
-from ..shared import changes, console, modifier_groups, paths
+from ..shared import changes, console, paths, registration
 from ..shared.compat import tr
-from ..shared.messages import of_file
 from ..shared.native import libocean
+from ..shared.subject_operators import (
+    LoadFile,
+    OnSubject,
+    SaveFile,
+    give_material,
+    new_object,
+    read_or_report,
+)
 from . import first_coast, land, node_group
 from .open_coast import coast_of
+from .subject import COAST
 
 DEFAULT_PRESET = "beaufort_5"
 """The sea over a bed that is added while no ocean is active."""
@@ -59,24 +66,21 @@ def _sea_of(ob, scene):
     has_sea = ob is not None and (sea_group.modifiers(ob) or node_group.modifiers(ob))
     if not has_sea:
         return libocean.preset(DEFAULT_PRESET)
-    text = sea_live.current_values(ob.libocean, scene).text()
+    text = COAST.parameters.values_of(ob, scene).text()
     return libocean.parse(text, base_dir=paths.blend_folder())
 
 
-class OnCoast:
+class OnCoast(OnSubject):
     """Base of operators on the active object's coast."""
 
-    @classmethod
-    def poll(cls, context) -> bool:
-        if context.object is not None and node_group.modifiers(context.object):
-            return True
-        cls.poll_message_set(
-            tr(
-                "The active object is no water of a coast; Object > Ocean mends one whose modifier "
-                "was removed"
-            )
+    subject = COAST
+
+    @staticmethod
+    def absent() -> str:
+        return tr(
+            "The active object is no water of a coast; Object > Ocean mends one whose modifier "
+            "was removed"
         )
-        return False
 
 
 class AddCoast(bpy.types.Operator, ImportHelper, object_utils.AddObjectHelper):
@@ -112,13 +116,12 @@ class AddCoast(bpy.types.Operator, ImportHelper, object_utils.AddObjectHelper):
 
     def execute(self, context):
         has_file = self.filepath and not paths.absolute(self.filepath).is_dir()
-        try:
-            if has_file:
-                values = read(self.filepath, context.object, context.scene)
-            else:
-                values = first_coast.values()
-        except libocean.Error as failure:
-            self.report({"ERROR"}, str(failure))
+
+        def values_of_file() -> SeaValues:
+            return read(self.filepath, context.object, context.scene)
+
+        values = read_or_report(self, values_of_file if has_file else first_coast.values)
+        if values is None:
             return {"CANCELLED"}
         with console.work("Coast", "a new coast"):
             self._make(context, values)
@@ -127,18 +130,15 @@ class AddCoast(bpy.types.Operator, ImportHelper, object_utils.AddObjectHelper):
     def _make(self, context, values: SeaValues) -> None:
         if self.use_material:
             foam_images.prepare()
-        mesh = bpy.data.meshes.new("Water")
-        ob = object_utils.object_data_add(context, mesh, operator=self)
-        modifier_groups.add(ob, "Coast", node_group.get)
+        ob = new_object(self, context, "Water", "Coast", node_group.get)
         with changes.quiet():
             ob.libocean_coast.cell = self.cell
             if self.use_land:
                 ob.libocean_coast.land = land.new(ob)
-        parameter_values.assign(ob.libocean, values)
+        COAST.parameters.assign(ob, values)
         state = coast_of(ob.name_full).state
-        if self.use_material and state is not None:
-            with console.work(ob.name_full, "material"):
-                self._give_materials(context, ob, state)
+        if state is not None:
+            give_material(self, ob, lambda: self._give_materials(context, ob, state))
 
     def _give_materials(self, context, ob, state: dict) -> None:
         made = water_material.make(self.water_type)
@@ -150,7 +150,7 @@ class AddCoast(bpy.types.Operator, ImportHelper, object_utils.AddObjectHelper):
             land.give(ob.libocean_coast.land, land.look_of(state, size), context.scene.world)
 
 
-class LoadCoast(OnCoast, bpy.types.Operator, ImportHelper):
+class LoadCoast(OnCoast, LoadFile, bpy.types.Operator):
     """Load the sea of a sea file that has a bed; a file that holds a bed alone, a terrain or an
     elevation model, lays it below the present sea"""
 
@@ -160,38 +160,15 @@ class LoadCoast(OnCoast, bpy.types.Operator, ImportHelper):
 
     filter_glob: bpy.props.StringProperty(default=_FILES, options={"HIDDEN"})
 
-    def execute(self, context):
-        try:
-            values = read(self.filepath, context.object, context.scene)
-        except libocean.Error as failure:
-            self.report({"ERROR"}, str(failure))
-            return {"CANCELLED"}
-        parameter_values.assign(context.object.libocean, values)
-        return {"FINISHED"}
+    def read(self, context):
+        return read(self.filepath, context.object, context.scene)
 
 
-class SaveCoast(OnCoast, bpy.types.Operator, ExportHelper):
+class SaveCoast(OnCoast, SaveFile, bpy.types.Operator):
     """Write the sea and its bed as a file that every libocean tool reads"""
 
     bl_idname = "libocean.save_coast"
     bl_label = "Save Coast"
-
-    filename_ext = ".toml"
-    filter_glob: bpy.props.StringProperty(default="*.toml", options={"HIDDEN"})
-
-    def execute(self, context):
-        values = sea_live.current_values(context.object.libocean, context.scene)
-        try:
-            with libocean.parse(values.text(), base_dir=paths.blend_folder()) as sea:
-                text = sea.text
-            paths.write_text(self.filepath, text)
-        except libocean.Error as failure:
-            self.report({"ERROR"}, messages.of_error(failure, len(values.waves)))
-            return {"CANCELLED"}
-        except OSError as failure:
-            self.report({"ERROR"}, of_file(failure))
-            return {"CANCELLED"}
-        return {"FINISHED"}
 
 
 CLASSES = (AddCoast, LoadCoast, SaveCoast)
@@ -201,13 +178,4 @@ def _draw_add(self, _context) -> None:
     self.layout.operator(AddCoast.bl_idname, icon="MOD_OCEAN")
 
 
-def register() -> None:
-    for cls in CLASSES:
-        bpy.utils.register_class(cls)
-    bpy.types.VIEW3D_MT_mesh_add.append(_draw_add)
-
-
-def unregister() -> None:
-    bpy.types.VIEW3D_MT_mesh_add.remove(_draw_add)
-    for cls in reversed(CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = registration.functions(CLASSES, menus={"VIEW3D_MT_mesh_add": _draw_add})

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import bpy
 
-from .. import panels as sea_panels
 from .. import translations, whole_sea
+from ..sea import panels as sea_panels
 from ..sea import parameter_values
-from ..shared import drafts, meshes
+from ..shared import drafts, meshes, subject_panel
 from ..shared.compat import tr_label
-from ..shared.drawing import field, never_raises, place_labels, say, say_state
+from ..shared.drawing import draws, field, never_raises, place_labels, say
 from ..shared.modifier_panel import ModifierPanel
 from ..terrain.look_panels import SIDES
 from . import facts, node_group, operators
@@ -33,37 +33,18 @@ class CoastPanel(_Panel, bpy.types.Panel):
     bl_idname = "LIBOCEAN_PT_coast"
     bl_label = "Coast (libocean)"
 
-    @never_raises
-    def draw(self, context) -> None:
-        layout, ob = self.layout, context.object
-        place_labels(layout)
+    @draws
+    def draw(self, layout, ob, context) -> None:
         row = layout.row(align=True)
         row.operator(operators.LoadCoast.bl_idname, text="Load", icon="IMPORT")
         row.operator(operators.SaveCoast.bl_idname, text="Save", icon="EXPORT")
-        if ob.libocean_coast.problem:
-            say(layout, ob.libocean_coast.problem, "ERROR")
-        if context.scene.unit_settings.scale_length != 1.0:
-            say(layout, tr_label("The sea takes a Blender unit for a metre"), "INFO")
-        share = drafts.progress(ob.name_full)
-        whole_sea.draw_draft(
-            layout,
-            ob.name_full,
-            tr_label("A draft; the whole coast follows: {:.0%}", share or 0.0),
-            tr_label("A draft: the coast as it was"),
-        )
-        _draw_state(layout, ob)
-
-
-def _draw_state(layout, ob) -> None:
-    state = facts.state_of(ob)
-    if state is None:
-        return
-    box = layout.box().column(align=True)
-    say_state(box, state)
-    for text in facts.sizes_of(ob):
-        say(box, text)
-    for warning in facts.warnings_of(ob):
-        say(box, warning, "ERROR")
+        units = tr_label("The sea takes a Blender unit for a metre")
+        subject_panel.draw_problems(layout, context.scene, [ob.libocean_coast.problem], units)
+        share = drafts.progress(ob.name_full) or 0.0
+        working = tr_label("A draft; the whole coast follows: {:.0%}", share)
+        stopped = tr_label("A draft: the coast as it was")
+        whole_sea.draw_draft(layout, ob.name_full, working, stopped)
+        subject_panel.draw_facts(layout, ob, facts)
 
 
 class CoastWavesPanel(_Panel, bpy.types.Panel):
@@ -98,10 +79,8 @@ class CoastBedPanel(_Panel, bpy.types.Panel):
     bl_parent_id = CoastPanel.bl_idname
     bl_label = "Bed"
 
-    @never_raises
-    def draw(self, context) -> None:
-        layout, ob = self.layout, context.object
-        place_labels(layout)
+    @draws
+    def draw(self, layout, ob, _context) -> None:
         _draw_parameters(layout, ob.libocean, (*BED, *SHORE))
         field(layout, ob.libocean_coast, "land")
 
@@ -113,11 +92,9 @@ class CoastLookPanel(_Panel, bpy.types.Panel):
     bl_parent_id = CoastPanel.bl_idname
     bl_label = "Look"
 
-    @never_raises
-    def draw(self, context) -> None:
-        layout, ob = self.layout, context.object
+    @draws
+    def draw(self, layout, ob, _context) -> None:
         settings = ob.libocean_coast
-        place_labels(layout)
         layout.prop(settings, "cell")
         layout.prop(settings, "use_region")
         if settings.use_region:

@@ -13,11 +13,12 @@ import contextlib
 
 import bpy
 
-from ..sea import live
-from ..shared import changes, drafts, meshes
+from ..shared import changes, meshes
 from ..shared.compat import tr
 from ..shared.drawing import field, never_raises, place_labels, say
 from ..shared.limits import Limited
+from ..shared.subject import Moment
+from ..shared.table_properties import settings_of
 from . import riding
 
 
@@ -32,53 +33,25 @@ def _changed(self, context) -> None:
         riding.detach(self.id_data)
         return
     self.version = 1
-    ride(self.id_data, None, live.Moment(context.scene, rendering=False))
+    ride(self.id_data, None, Moment(context.scene, rendering=False))
 
 
 class FloatSettings(Limited, bpy.types.PropertyGroup):
     """How an object floats: it lies on the plane that fits the surface below it best"""
 
-    ocean: bpy.props.PointerProperty(
-        name="Ocean",
-        description="The sea that the object rides",
-        type=bpy.types.Object,
-        poll=_is_ocean,
-        update=_changed,
-    )
-    length: bpy.props.FloatProperty(
-        name="Length",
-        description="Along the object's own x axis: shorter waves pass below it",
-        min=0.0,
-        soft_max=400.0,
-        default=10.0,
-        unit="LENGTH",
-        update=_changed,
-    )
-    width: bpy.props.FloatProperty(
-        name="Width",
-        description="Across its own x axis",
-        min=0.0,
-        soft_max=60.0,
-        default=3.0,
-        unit="LENGTH",
-        update=_changed,
-    )
-    use_tilt: bpy.props.BoolProperty(
-        name="Tilt",
-        description="Pitch and roll with the waves, not only rise and fall",
-        default=True,
-        update=_changed,
-    )
-
-    problem: bpy.props.StringProperty(
-        name="Problem", description="Why the object does not float", options={"HIDDEN"}
-    )
-    motion: bpy.props.PointerProperty(
-        type=bpy.types.Object, options={"HIDDEN"}, description="What the waves do to it"
-    )
-    version: bpy.props.IntProperty(options={"HIDDEN"})  # 0: of when it was moved by its delta
-    baked_first: bpy.props.IntProperty(options={"HIDDEN"})
-    baked_last: bpy.props.IntProperty(options={"HIDDEN"}, default=-1)  # no frames: not baked
+    __annotations__ = {
+        **settings_of(__file__, _changed)["FloatSettings"],
+        "ocean": bpy.props.PointerProperty(
+            name="Ocean",
+            description="The sea that the object rides",
+            type=bpy.types.Object,
+            poll=_is_ocean,
+            update=_changed,
+        ),
+        "motion": bpy.props.PointerProperty(
+            type=bpy.types.Object, options={"HIDDEN"}, description="What the waves do to it"
+        ),
+    }
 
 
 def is_baked(ob) -> bool:
@@ -180,7 +153,7 @@ class AddFloat(bpy.types.Operator):
                 settings.length, settings.width = ob.dimensions.xy
                 settings.version = 1
                 settings.ocean = ocean
-            ride(ob, None, live.Moment(context.scene, rendering=False, moving=drafts.allowed))
+            ride(ob, None, Moment.of_change())
             if settings.problem:
                 text = f"{ob.name}: {settings.problem}"
                 self.report({"ERROR"}, text)
@@ -224,7 +197,7 @@ class BakeFloat(_OnFloating, bpy.types.Operator):
 
     def execute(self, context):
         scene = context.scene
-        moment = live.Moment(scene, rendering=False)
+        moment = Moment(scene, rendering=False)
         floating = [ob for ob in context.selected_objects if ob.libocean_float.ocean]
         for ob in floating:
             _free(ob)
@@ -264,7 +237,7 @@ class FreeFloat(bpy.types.Operator):
             if is_baked(ob):
                 _free(ob)
                 if ob.libocean_float.ocean is not None:
-                    ride(ob, None, live.Moment(context.scene, rendering=False))
+                    ride(ob, None, Moment(context.scene, rendering=False))
         return {"FINISHED"}
 
 

@@ -16,9 +16,8 @@ import math
 import bpy
 from mathutils import Matrix, Vector
 
-from ..coast import floats as coast_floats
-from ..coast import node_group as coast_group
-from ..sea import live, node_group
+from ..shared import subject
+from ..shared.failures import NotReadyError, NotShownError
 from ..shared.native import libocean
 
 CONSTRAINT = "Waves (libocean)"
@@ -28,8 +27,8 @@ _NOISE = 2.0**-20
 
 
 def is_water(ob) -> bool:
-    """Returns whether things float on an object: an ocean, or the water of a coast."""
-    return bool(node_group.modifiers(ob) or coast_group.modifiers(ob))
+    """Returns whether things float on an object."""
+    return subject.water_of(ob) is not None
 
 
 def constraint_of(ob):
@@ -104,17 +103,18 @@ def _heading(rotation: Matrix) -> float:
 
 
 def _pose(settings, ocean, heading: float, location: Vector, moment):
-    """Height and axes of the plane below; None where there is no sea. Raises NoWaterError."""
+    """Returns height and axes of the plane below; None where there is no sea. Raises NotShownError
+    and NotReadyError."""
     to_world = ocean.matrix_world
     scale = to_world.median_scale
     if not scale > 0.0:
         return None
     local = to_world.inverted() @ Vector((*location.xy, to_world.translation.z))
     place, turn = local, to_world.to_3x3().normalized()
-    is_coast = bool(coast_group.modifiers(ocean))
-    if (
-        ocean.libocean.follow_world and not is_coast
-    ):  # the sea is that of the world, however the mesh lies in it
+    water = subject.water_of(ocean)
+    if water is None:
+        return None
+    if water.is_in_world(ocean):
         place, turn = turn @ local + to_world.translation, Matrix.Identity(3)
     level = Matrix.Rotation(math.radians(heading), 3, "Z")
     body = (
@@ -123,8 +123,7 @@ def _pose(settings, ocean, heading: float, location: Vector, moment):
         settings.length / scale,
         settings.width / scale,
     )
-    find = coast_floats.float_pose if is_coast else live.float_pose
-    pose = find(ocean, body, moment)
+    pose = water.float_pose(ocean, body, moment)
     if pose is None:
         return None
     position, up, forward = (Vector(row[0].tolist()) for row in pose[:3])
@@ -171,13 +170,10 @@ def ride(ob, depsgraph, moment) -> None:
     heading = _heading(rotation)
     pose, problem = None, ""
     try:
-        if is_water(ocean):
-            pose = _pose(seen.libocean_float, sea, heading, place.translation, moment)
-            if pose is None and coast_group.modifiers(ocean):
-                return  # until the coast is made, the object stays as it is
-    except coast_floats.NoWaterError as failure:
+        pose = _pose(seen.libocean_float, sea, heading, place.translation, moment)
+    except NotShownError as failure:
         problem = str(failure)
-    except libocean.Error:  # the coast says which
+    except (NotReadyError, libocean.Error):  # the object stays as it is; the water says which
         return
     if settings.problem != problem:
         settings.problem = problem

@@ -267,9 +267,10 @@ def play(
     _attach(waters, group)
 
 
-def follow(ocean, settings, at: float, size: int) -> None:
-    """Brings the slopes of a time [s] up to date. size: samples per side of the shown maps."""
-    ob, sea = ocean.ob, ocean.sea
+def follow(one, settings, at: float, size: int) -> None:
+    """Brings the slopes of a time [s] up to date. one: the object as it was looked up; size: of the
+    shown maps, in samples per side."""
+    ob, sea = one.ob, one.opened
     waters = _waters(ob) if is_wanted(settings) and ob.library is None else []
     if not waters:
         leave(ob.name_full)
@@ -281,7 +282,7 @@ def follow(ocean, settings, at: float, size: int) -> None:
         _attach(waters, group)
         return
     with sea.lock:
-        found = sea.sea.detail(at, size, samples=SAMPLES)
+        found = sea.handle.detail(at, size, samples=SAMPLES)
         shown = _images(ob.name_full, ob.name, len(found.bands))
         if sea.detail_pixels is None:  # as much time goes into new memory as into the slopes
             sea.detail_pixels = images.aligned((SAMPLES, SAMPLES))

@@ -8,8 +8,8 @@ import math
 
 import bpy
 
-from .. import operators
-from ..shared import compat, console
+from ..sea import operators
+from ..shared import compat, console, registration
 from ..shared.compat import tr
 from . import material, start_up
 
@@ -211,13 +211,4 @@ def _draw_add(self, _context) -> None:
     self.layout.operator(AddScene.bl_idname, icon="MOD_OCEAN")
 
 
-def register() -> None:
-    for cls in CLASSES:
-        bpy.utils.register_class(cls)
-    bpy.types.VIEW3D_MT_add.append(_draw_add)
-
-
-def unregister() -> None:
-    bpy.types.VIEW3D_MT_add.remove(_draw_add)
-    for cls in reversed(CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = registration.functions(CLASSES, menus={"VIEW3D_MT_add": _draw_add})

@@ -10,8 +10,9 @@ import math
 
 import bpy
 
-from ..sea import facts, live, node_group
-from ..shared import compat
+from ..sea import facts, node_group
+from ..sea.subject import SEA
+from ..shared import compat, life
 from ..shared.compat import tr
 from ..shared.shader_builder import Tree
 from . import air, detail, sun_focus, sunlight
@@ -272,7 +273,7 @@ class AddMaterial(bpy.types.Operator):
         for ob in oceans:
             assign(ob, material)
             give_body(ob, wanted=self.underwater)
-        live.show_all(oceans, context.scene)
+        life.show_all(map(SEA.look_up, oceans), context.scene)
         return {"FINISHED"}
 
 

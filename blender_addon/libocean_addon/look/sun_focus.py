@@ -132,9 +132,10 @@ def _sun(water) -> tuple[float, float, float]:
     return tuple(part / length for part in sun)
 
 
-def follow(ocean, at: float) -> None:
-    """Brings the image of an object's material up to date with a time of its sea [s]."""
-    ob, sea = ocean.ob, ocean.sea
+def follow(shown, at: float) -> None:
+    """Brings the image of a material up to date with a time of a sea [s]. shown: the object as it
+    was looked up."""
+    ob, sea = shown.ob, shown.opened
     made = ob.material_slots[0].material if ob.material_slots else None
     if made is None or made.library is not None or made.node_tree is None:
         return
@@ -164,9 +165,9 @@ def _fill(image, sea, at: float, depth: float, sun) -> None:
     side = SAMPLES * _RAYS
     displacement, normal = (np.empty((side, side, 4), np.float32) for _ in range(2))
     with sea.lock:
-        period = float(sea.sea.get("patch_size"))
+        period = float(sea.handle.get("patch_size"))
         maps = (displacement, ("dx", "dy", "height", "height")), (normal, atlas.FINEST["Normal"])
-        sea.sea.fill(at, maps)
+        sea.handle.fill(at, maps)
     lit = focus(displacement, normal, period, depth, sun, SAMPLES)
     images.let_go(image)
     pixels = np.ones((SAMPLES, SAMPLES, 4), np.float32)

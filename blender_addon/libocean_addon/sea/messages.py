@@ -9,10 +9,10 @@ from ..shared.messages import Words
 from ..shared.native import libocean
 from . import parameter_values, sea_text
 
-_WORDS = Words(parameter_values.PARAMETERS)
-label_of = _WORDS.label_of
-in_words = _WORDS.in_words
-of_error = _WORDS.of_error
+WORDS = Words(parameter_values.PARAMETERS)
+label_of = WORDS.label_of
+in_words = WORDS.in_words
+of_error = WORDS.of_error
 
 
 def require_files(values: sea_text.SeaValues) -> None:

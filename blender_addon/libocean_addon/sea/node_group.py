@@ -28,7 +28,6 @@ from .ring_nodes import far_image
 VERSION = 6
 MARK = "libocean"  # custom property of a group: the version that built it
 _KIND = "libocean_kind"
-_BAKED = modifier_groups.BAKED
 
 FIELDS = ("Displacement", "Velocity", "Normal")
 """The maps; each image has a twin for renders. The alpha of the first map is the cover of foam,
@@ -230,11 +229,6 @@ all_modifiers = FAMILY.all_modifiers
 modifiers = FAMILY.modifiers
 
 
-def is_baked(group) -> bool:
-    """Returns whether a node group plays a bake."""
-    return is_ours(group) and _BAKED in group
-
-
 def kind_of(group) -> str:
     return group[_KIND]
 
@@ -243,15 +237,12 @@ def get(kind: str, *, baked: bool = False):
     """Returns the group for meshes of one kind, made if it is missing. baked: one that plays a
     bake."""
     name = f".libocean.v{VERSION} {kind.capitalize()}{' Baked' if baked else ''}"
-    group = FAMILY.find(name)
-    if group is not None:
-        return group
-    group = FAMILY.new(name)
-    group[_KIND] = kind
-    if baked:
-        group[_BAKED] = True
-    _build(group, kind, baked=baked)
-    return group
+
+    def build(group) -> None:
+        group[_KIND] = kind
+        _build(group, kind, baked=baked)
+
+    return FAMILY.get(name, build, baked=baked)
 
 
 def image_inputs(group) -> list[str]:
@@ -260,8 +251,3 @@ def image_inputs(group) -> list[str]:
     names = {name for field in fields for name in (field, far_image(field))}
     names |= {render_twin(name) for name in names}
     return [name for name in compat.input_identifiers(group) if name in names]
-
-
-def live_modifiers(ob) -> list:
-    """Returns the ocean modifiers of an object that play no bake."""
-    return [m for m in modifiers(ob) if not is_baked(m.node_group)]

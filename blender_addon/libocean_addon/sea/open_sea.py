@@ -6,7 +6,6 @@ that each image was last filled with.
 
 from __future__ import annotations
 
-import threading
 import time
 
 import bpy
@@ -14,7 +13,7 @@ import numpy as np
 
 from ..shared import drafts, images, paths
 from ..shared.native import libocean
-from ..shared.open_by_object import OpenByObject
+from ..shared.open_subject import OpenByObject, OpenSubject
 from . import atlas, messages, node_group, sea_text
 from .sea_job import SeaJob
 
@@ -34,51 +33,30 @@ def _channels(field: str, cover: str) -> tuple[str, ...]:
     return tuple(cover if channel == COVER else channel for channel in CHANNELS[field])
 
 
-class OpenSea:
+class OpenSea(OpenSubject):
     """The library's sea of one object, its buffers, and the content of its images."""
 
     def __init__(self) -> None:
-        self.lock = threading.Lock()  # renders run in a thread of their own
-        self.sea = None
-        self.values: sea_text.SeaValues | None = None
-        self.changes = 0
-        self.state: dict | None = None  # read_state()
-        self.share: float | None = None  # share_within_limits()
-        self.state_before: dict | None = None  # of the values before these
+        super().__init__()
+        self.share: tuple[int, float] | None = None  # changes, share_within_limits()
         self.point_sea = None
         self.point_changes = 0
         self.buffers: dict[tuple[str, int], np.ndarray] = {}
         self.detail_pixels: np.ndarray | None = None  # the pixels for the image of a band
-        self.shown: dict[str, tuple] = {}  # by image: its content
         self.ready: tuple | None = (
             None  # changes, size, channel of cover, time: of the last whole map
         )
         self.took: tuple | None = None  # settings, seconds a sample from the start
         self.spray_ready: tuple | None = None  # changes, settings, time: of the last spray
-        self.pace = drafts.Pace()
+
+    def _open(self, values: sea_text.SeaValues):
+        base_dir = paths.blend_folder()
+        return libocean.parse(values.text(), base_dir=base_dir, progress=drafts.tell_watcher)
 
     def follow(self, values: sea_text.SeaValues) -> None:
-        """Gives the sea these values. Raises libocean.Error, and leaves the sea unchanged then."""
-        if values == self.values:
-            return
-        messages.require_files(values)
-        if self.sea is None or values.structure() != self.values.structure():
-            self._open(values)
-        else:
-            before = self.values.by_name()
-            changed = dict(values.by_name().items() - before.items())
-            self.sea.set_all(changed)
-        self.values = values
-        self.state_before = self.state or self.state_before
-        self.state = self.share = None
-        self.changes += 1
-
-    def _open(self, values: sea_text.SeaValues) -> None:
-        base_dir = paths.blend_folder()
-        opened = libocean.parse(values.text(), base_dir=base_dir, progress=drafts.tell_watcher)
-        if self.sea is not None:
-            self.sea.close()
-        self.sea = opened
+        if values != self.values:
+            messages.require_files(values)
+        super().follow(values)
 
     def for_points(self):
         """Returns a second handle of the sea: requests for maps and for points in turn would each
@@ -86,7 +64,7 @@ class OpenSea:
         if self.point_sea is None or self.point_changes != self.changes:
             if self.point_sea is not None:
                 self.point_sea.close()
-            self.point_sea = self.sea.clone()
+            self.point_sea = self.handle.clone()
             self.point_changes = self.changes
         return self.point_sea
 
@@ -101,14 +79,9 @@ class OpenSea:
             self.buffers[name, size] = images.aligned(shape)
         return self.buffers[name, size]
 
-    def read_state(self) -> dict:
-        if self.state is None:
-            self.state = self.sea.state
-        return self.state
-
     def cover_power(self, at: float, size: int, channel: str) -> float:
         """Returns the exponent that turns foam into the cover in that channel; 1 for whitecaps."""
-        return self.sea.cover_power(at, size) if channel == COVER else 1.0
+        return self.handle.cover_power(at, size) if channel == COVER else 1.0
 
     def has_limits(self) -> bool:
         """Returns whether waves of some lengths are left out."""
@@ -116,13 +89,13 @@ class OpenSea:
 
     def share_within_limits(self) -> float:
         """Returns its significant wave height as a share of the height without limits."""
-        if self.share is None:
+        if self.share is None or self.share[0] != self.changes:
             height = self.read_state()["significant_wave_height"]["resolved"]
-            with self.sea.clone() as free:
+            with self.handle.clone() as free:
                 free.set_all(dict.fromkeys(_LIMITS, "0"))
                 whole = free.state["significant_wave_height"]["resolved"]
-            self.share = height / whole if whole > 0.0 else 1.0
-        return self.share
+            self.share = self.changes, height / whole if whole > 0.0 else 1.0
+        return self.share[1]
 
     # Images ---------------------------------------------------------------------
 
@@ -165,7 +138,7 @@ class OpenSea:
 
     def job(self, at: float, size: int, channel: str, spray: dict | None) -> SeaJob:
         """Returns the job that makes the whole map of a time, and its spray if it has any."""
-        return SeaJob(self.sea.clone(), self.changes, at, size, channel, spray)
+        return SeaJob(self.handle.clone(), self.changes, at, size, channel, spray)
 
     def adopt(self, job: SeaJob) -> bool:
         """Replaces the handle by the handle of a job that has ended. Returns False if the job is of
@@ -174,8 +147,8 @@ class OpenSea:
             job.sea.close()
             return False
         with self.lock:
-            self.sea.close()
-            self.sea = job.sea
+            self.handle.close()
+            self.handle = job.sea
             self.took = (self._costs(job.channel), job.seconds / job.size**2)
             self.ready = (job.changes, job.size, job.channel, job.time)
             self.spray_ready = None if job.spray is None else (job.changes, job.spray, job.time)
@@ -186,7 +159,7 @@ class OpenSea:
     def spray(self, at: float, settings: dict):
         """Returns the libocean.Spray of a time [s]."""
         with self.lock:
-            found = self.sea.spray(at, **settings)
+            found = self.handle.spray(at, **settings)
             self.spray_ready = (self.changes, settings, at)
         return found
 
@@ -197,49 +170,29 @@ class OpenSea:
 
     def _show(self, at: float, size: int, targets: dict, channel: str) -> bool:
         """Fills stale images. Returns whether there were any."""
-        for image in targets.values():
-            if images.let_go(image):
-                self.shown.pop(image.name_full, None)
         state = (self.changes, at, size, channel)
-        stale = {
-            name: image
-            for name, image in targets.items()
-            if self.shown.get(image.name_full) != state
-        }
+        stale = self.stale(targets, state)
         if not stale:
             return False
         far = [field for field in CHANNELS if node_group.far_image(field) in stale]
         fields = [field for field in CHANNELS if field in stale or field in far]
         maps = [(self.buffer(field, size), _channels(field, channel)) for field in fields]
-        self.sea.fill(at, maps)
+        self.handle.fill(at, maps)
         if far:
             if "Normal" in far:
                 self.buffer("Normal", size)[..., 3] = atlas.lost_slopes(self.read_state(), size)
             finest = {field: self.buffer(field, size) for field in far}
             atlases = {field: self.buffer(node_group.far_image(field), size) for field in far}
-            atlas.fill(self.sea, at, size, finest, atlases, self.read_state())
-        for name, image in stale.items():
-            pixels = self.buffer(name, size)
-            images.resize(image, pixels.shape[:2])
-            images.fill(image, pixels)
-            self.shown[image.name_full] = state
+            atlas.fill(self.handle, at, size, finest, atlases, self.read_state())
+        self.put(targets, stale, {name: self.buffer(name, size) for name in stale}, state)
         return True
 
-    def forget_images(self) -> None:
-        """Forgets the content of images, after undo and loading."""
-        self.shown.clear()
-
     def close(self) -> None:
-        for handle in (self.sea, self.point_sea):
-            if handle is not None:
-                handle.close()
+        if self.point_sea is not None:
+            self.point_sea.close()
+        self.point_sea = None
+        super().close()
 
 
-_seas = OpenByObject(OpenSea)
-sea_of = _seas.of
-forget = _seas.forget
-
-
-def close_all() -> None:
-    drafts.close()
-    _seas.close_all()
+SEAS = OpenByObject(OpenSea)
+sea_of = SEAS.of

@@ -76,4 +76,4 @@ def assign(group, sea: sea_text.SeaValues) -> None:
             added.measured_record = system.record
             property_texts.set_texts(added, system.values, PARAMETERS, items=True)
         group.active_wave = 0
-    changes.tell(group.id_data)
+    changes.tell(group)

@@ -13,11 +13,10 @@ import os
 import bpy
 from bpy_extras.io_utils import ImportHelper
 
-from .. import operators
-from ..shared import paths
+from ..shared import changes, paths
 from ..shared.messages import of_file
 from ..shared.native import libocean
-from . import live, messages, parameter_values
+from . import messages, operators, parameter_values, sea_text
 
 
 def place_of(record: dict) -> str:
@@ -124,9 +123,9 @@ class PickRecord(operators.OnOcean, bpy.types.Operator, ImportHelper):
             wind_speed="", wind_direction="", significant_wave_height="", peak_period=""
         )
         with libocean.parse(values.text(), base_dir=paths.blend_folder()) as sea:
-            operators.adopt(ob, sea)
+            parameter_values.assign(settings, sea_text.read(sea))
         settings.active_wave = number
-        live.parameters_changed(ob)
+        changes.tell(settings)
 
 
 CLASSES = (PickRecord,)

@@ -27,7 +27,8 @@ def is_quiet() -> bool:
     return _silence > 0
 
 
-def tell(ob, subject: str = "sea") -> None:
-    """Has the sea or the terrain of an object shown whose properties were set."""
+def tell(group) -> None:
+    """Has an object shown whose properties were set. group: its group of properties, which has the
+    attribute `subject`."""
     if not is_quiet():
-        hooks.connected().property_changed[subject](ob)
+        hooks.connected().property_changed(group.id_data, group.subject)

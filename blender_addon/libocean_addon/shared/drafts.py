@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drafts: a sea or a terrain is shown at once while values move or time plays, and the whole one
+"""Drafts: a subject is shown at once while values move or time plays, and the whole one
 when they rest.
 
 A draft has fewer samples where these take long, that of a sea whitecaps in the place of foam, whose
@@ -17,6 +17,7 @@ import dataclasses
 import threading
 import time
 from collections.abc import Callable
+from typing import Any
 
 import bpy
 
@@ -31,6 +32,11 @@ _SMALLEST = 64  # samples a side of a draft
 _FIRST = 256
 
 allowed = not bpy.app.background
+
+
+def is_main_thread() -> bool:
+    """Returns whether Blender's data may be changed here: a render may have a thread of its own."""
+    return threading.current_thread() is threading.main_thread()
 
 
 def is_playing() -> bool:
@@ -85,6 +91,8 @@ class Job:
     def __init__(self, key: tuple) -> None:
         self.key = key
         """The settings of the map: a request with the same key wants this job's map."""
+        self.subject: Any = None
+        """The row of the subject that is made."""
         self.ticks: tuple[int, int] | None = None
         """The finished ticks of foam and their number; None before the first one."""
         self.seconds = 0.0
@@ -126,8 +134,7 @@ class Job:
     def _watch(self, done: int, total: int) -> None:
         if total > 0:
             self.ticks = (done, total)
-        if self._stop.is_set():
-            raise CancelledError
+        self.require_wanted()
 
     def is_alive(self) -> bool:
         return self._thread.is_alive()
@@ -137,6 +144,11 @@ class Job:
 
     def is_cancelled(self) -> bool:
         return self._stop.is_set()
+
+    def require_wanted(self) -> None:
+        """Raises CancelledError between two parts of the work."""
+        if self.is_cancelled():
+            raise CancelledError
 
     def join(self) -> None:
         self._thread.join()
@@ -337,7 +349,7 @@ def complete() -> bool:
         resume(name)
     for wish in list(_wishes.values()):
         wish.rest = 0.0
-    if threading.current_thread() is threading.main_thread():
+    if is_main_thread():
         while (pause := step()) is not None and (_wishes or _running is not None):
             time.sleep(min(pause, 0.02))
         return True

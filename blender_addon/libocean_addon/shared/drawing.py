@@ -37,6 +37,17 @@ def never_raises(draw):
     return drawn
 
 
+def draws(fields):
+    """Returns the draw function of a panel, with labels in their places, whose fields the method
+    fields(self, layout, object, context) draws."""
+
+    def draw(self, context) -> None:
+        place_labels(self.layout)
+        fields(self, self.layout, context.object, context)
+
+    return never_raises(draw)
+
+
 def width() -> float:
     """Returns the width of the region that is drawn [pixels at a resolution scale of 1]."""
     region = bpy.context.region

@@ -13,6 +13,14 @@ from .compat import tr_label
 _logged: set[str] = set()
 
 
+class NotShownError(Exception):
+    """An object cannot be shown as its settings say, in a sentence for the user."""
+
+
+class NotReadyError(Exception):
+    """The answer is still in the making, and the caller does not wait for it."""
+
+
 def sentence(failure: Exception) -> str:
     """Returns the sentence of a panel on an exception, and prints its traceback unless that was
     done before."""

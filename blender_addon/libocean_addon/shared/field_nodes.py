@@ -40,6 +40,19 @@ def place_on_map(b: Builder, turn: Turn, *, origin, period, half_texel):
     return b.math("ADD", place, half_texel)
 
 
+def place_in_map(b: Builder, turn: Turn, inputs):
+    """Returns the texture coordinates of a vertex, which stay between Low and High: those of a map
+    that does not repeat end at its outer samples."""
+    place = place_on_map(
+        b,
+        turn,
+        origin=inputs["Origin"],
+        period=inputs["Map Size"],
+        half_texel=inputs["Half Texels"],
+    )
+    return b.math("MINIMUM", b.math("MAXIMUM", place, inputs["Low"]), inputs["High"])
+
+
 def mask(b: Builder, inputs):
     """Returns the value of the attribute in the input Mask; 1 unless Use Mask is set."""
     named = b.node("GeometryNodeInputNamedAttribute", data_type="FLOAT")

@@ -3,13 +3,13 @@
 """The functions of modules above that modules below call: one value, connected when the add-on
 registers. So no module imports one that imports it.
 
-    handlers.register -> connect(Hooks(...)) -> changes, drafts, live: connected()
+    handlers.register -> connect(Hooks(...)) -> changes, drafts, life: connected()
 """
 
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any
 
 
@@ -17,8 +17,8 @@ from typing import Any
 class Hooks:
     """Each of them is required: a module that is left out fails when the add-on registers."""
 
-    property_changed: Mapping[str, Callable[[Any], None]]
-    """Shows an object whose properties were set, by the subject, "sea", "terrain" or "coast"."""
+    property_changed: Callable[[Any, str], None]
+    """Shows an object whose properties were set, in the group of this name."""
     make_draft_job: Callable[[str], Any]
     """Returns the job of the whole subject of an object, by its full name; None without a job."""
     finish_draft_job: Callable[[str, Any], None]
@@ -28,7 +28,7 @@ class Hooks:
 
 
 _NONE = Hooks(
-    property_changed={subject: lambda _ob: None for subject in ("sea", "terrain", "coast")},
+    property_changed=lambda _ob, _name: None,
     make_draft_job=lambda _name: None,
     finish_draft_job=lambda _name, job: job.close(),
     followers=(),

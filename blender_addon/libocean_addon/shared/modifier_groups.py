@@ -7,9 +7,12 @@ Blender's data is never held from call to call: objects are found again by the g
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import bpy
 
-from . import compat, console, meshes
+from . import compat, console, images, meshes
 
 DISPLACED = {"MESH", "CURVE", "SURFACE", "FONT"}
 """Types of objects whose points such a modifier moves."""
@@ -17,6 +20,11 @@ DISPLACED = {"MESH", "CURVE", "SURFACE", "FONT"}
 
 BAKED = "libocean_baked"
 """The custom property of a group that plays a bake."""
+
+
+def is_baked(group) -> bool:
+    """Returns whether a node group of the add-on plays a bake."""
+    return BAKED in group
 
 
 class Family:
@@ -48,6 +56,17 @@ class Family:
             group.is_modifier = True
         return group
 
+    def get(self, name: str, build: Callable[[Any], None], *, baked: bool = False):
+        """Returns the group of that name in the open file, a new one that build(group) fills if it
+        is missing. baked: it plays a bake."""
+        group = self.find(name)
+        if group is None:
+            group = self.new(name)
+            if baked:
+                group[BAKED] = True
+            build(group)
+        return group
+
     def selected(self, context) -> list:
         """Returns the selected objects with such a modifier, and the active object if it has
         one."""
@@ -65,6 +84,10 @@ class Family:
         found = [m for m in ob.modifiers if m.type == "NODES" and self.is_ours(m.node_group)]
         own = [m for m in found if ob.override_library is None or not m.is_override_data]
         return own or found
+
+    def live_modifiers(self, ob) -> list:
+        """Returns the modifiers of an object that play no bake."""
+        return [m for m in self.modifiers(ob) if not is_baked(m.node_group)]
 
     def objects(self) -> list[bpy.types.Object]:
         """Returns every object with such a modifier, linked ones first. Stand-ins in no scene, of
@@ -103,15 +126,20 @@ def value(modifier, name: str):
     return compat.get_input(modifier, compat.input_identifiers(modifier.node_group)[name])
 
 
-def own_images(objects, modifiers_of, inputs_of) -> None:
-    """Takes the images of another object out of the modifiers of its copies, which then get some
-    of their own. modifiers_of(ob): the modifiers; inputs_of(group): the names of image inputs."""
-    owners: dict[str, str] = {}
-    for ob in objects:
-        for modifier in modifiers_of(ob):
-            for name in inputs_of(modifier.node_group):
-                image = value(modifier, name)
-                if image is None:
-                    continue
-                if owners.setdefault(image.name_full, ob.name_full) != ob.name_full:
-                    assign(modifier, {name: None})
+def image(modifier, name: str, owner: str, blank: tuple[float, float, float, float]):
+    """Returns the image in an input of a modifier, a new one if it is missing. owner: the name of
+    the object; blank: the colour of an image that nothing fills."""
+    found = value(modifier, name)
+    if found is None:
+        found = images.make(owner, name.lower(), (1, 1), blank)
+        assign(modifier, {name: found})
+    return found
+
+
+def disown(ob, modifier, names: list[str], owners: dict[str, str]) -> None:
+    """Takes the images of another object out of the inputs of these names. owners: the full names
+    of objects by those of the images that they own, which are added here."""
+    for name in names:
+        found = value(modifier, name)
+        if found is not None and owners.setdefault(found.name_full, ob.name_full) != ob.name_full:
+            assign(modifier, {name: None})

@@ -57,7 +57,7 @@ def _update(name: str):
         if allowed != value:
             setattr(self, name, allowed)  # which comes back here
             return
-        changes.tell(self.id_data, self.subject)
+        changes.tell(self)
 
     return update
 

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The Blender properties of a subject's parameters, made from the library's table.
+"""The Blender properties of a subject's parameters, made from the library's table, and of its other
+settings, made from a table of the add-on.
 
 Numbers have the units of the subject's file: metres, seconds, degrees. Giving a value to a
 parameter that may be left out turns it on.
@@ -8,7 +9,10 @@ parameter that may be left out turns it on.
 
 from __future__ import annotations
 
+import json
 import math
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import bpy
@@ -28,7 +32,7 @@ def _description(entry: dict[str, Any], file_kind: str) -> str:
 
 def changed(self, _context) -> None:
     """The update function of a property. The group has the attribute `subject`."""
-    changes.tell(self.id_data, self.subject)
+    changes.tell(self)
 
 
 def _switched_on(switch: str):
@@ -159,3 +163,39 @@ def annotations(table: ParameterTable, resolutions: Resolutions, *, items: bool)
     for entry in table.entries(items=items):
         made.update(properties_of(entry, table, resolutions))
     return made
+
+
+_MAKERS = {
+    "bool": bpy.props.BoolProperty,
+    "int": bpy.props.IntProperty,
+    "float": bpy.props.FloatProperty,
+    "floats": bpy.props.FloatVectorProperty,
+    "text": bpy.props.StringProperty,
+    "enum": bpy.props.EnumProperty,
+}
+_KEYWORDS = {"label": "name", "help": "description"}
+
+
+def _setting(row: dict[str, Any], update: Callable[[Any, Any], None]) -> Any:
+    """Returns the Blender property of a row: `key`, `type`, `label`, `help`, Blender's keywords for
+    limits and units, `update` if a change counts at once, and a `note` for readers."""
+    keywords = {_KEYWORDS.get(word, word): value for word, value in row.items()}
+    make = _MAKERS[keywords.pop("type")]
+    for word in ("key", "note"):
+        keywords.pop(word, None)
+    if "options" in keywords:
+        keywords["options"] = set(keywords["options"])
+    if "items" in keywords:
+        keywords["items"] = [tuple(item) for item in keywords["items"]]
+    if "update" in keywords:
+        keywords["update"] = update
+    return make(**keywords)
+
+
+def settings_of(module: str, update: Callable[[Any, Any], None] = changed) -> dict[str, dict]:
+    """Returns the properties in the table settings.json beside a module, by group and name. update:
+    the function that Blender calls after a change."""
+    tables = json.loads(Path(module).with_name("settings.json").read_text(encoding="utf-8"))
+    return {
+        group: {row["key"]: _setting(row, update) for row in rows} for group, rows in tables.items()
+    }

@@ -149,7 +149,7 @@ def _show(ob, modifier, depsgraph, moment) -> None:
     if carrier is None or carrier.library is not None:
         carrier = _new_carrier(ob, modifier)
     _follow_baked(ob, sea, moment)
-    if sea.sea is None:
+    if sea.handle is None:
         _empty(ob, modifier)
         return
     camera = moment.scene.camera
@@ -157,7 +157,7 @@ def _show(ob, modifier, depsgraph, moment) -> None:
     if camera is not None and depsgraph:
         camera = camera.evaluated_get(depsgraph)
     settings, wanted = seen.libocean, live.spray_settings(seen.libocean)
-    at = moment.time(settings, sea)
+    at = live.time_of(moment, settings, sea)
     may_wait = moment.moving or (moment.is_redraw and drafts.is_draft(ob.name_full))
     if may_wait and not ob.libocean.use_bake and not sea.is_spray_ready(at, wanted):
         _empty(ob, modifier)
@@ -230,7 +230,7 @@ def show_all(depsgraph, moment) -> None:
         try:
             _show(ob, modifier, depsgraph, moment)
         except (libocean.Error, MemoryError) as failure:
-            problem = messages.of_error(failure)
+            problem = messages.of_error(failure, len(ob.libocean.waves))
             _empty(ob, modifier)
         if ob.libocean.spray_problem != problem:
             ob.libocean.spray_problem = problem
@@ -255,7 +255,7 @@ def state_of(ob) -> tuple[str, str]:
     modifier, sea = spray_nodes.modifier_of(ob), sea_of(ob.name_full)
     if ob.libocean.spray_problem:
         return ob.libocean.spray_problem, "ERROR"
-    if modifier is None or sea.sea is None or drafts.progress(ob.name_full) is not None:
+    if modifier is None or sea.handle is None or drafts.progress(ob.name_full) is not None:
         return "", "NONE"
     count = len(_carrier(modifier).data.vertices)
     if count > 0:

@@ -13,13 +13,15 @@ import math
 import numpy as np
 
 from ..shared.compat import tr_label
+from ..shared.failures import NotShownError
 
 MAX_VERTICES = 4096 * 4096
 """The max number of samples, and so of vertices, of a region."""
+_ENDLESS = 1e9  # periods: more than a mesh has
 _SLACK = 1e-6  # of a cell: rounding error of a division
 
 
-class ExtentError(Exception):
+class ExtentError(NotShownError):
     """A region that cannot be shown, in a sentence for the user."""
 
 
@@ -56,6 +58,29 @@ class Extent:
         """Returns the sides of the land that the samples cover [m]."""
         less = 0 if self.wraps else 1
         return self.cell * (self.samples[0] - less), self.cell * (self.samples[1] - less)
+
+    def inputs(self, place: tuple[float, float] = (0.0, 0.0)) -> dict:
+        """Returns the inputs by which a node group finds a place on maps of these samples. place:
+        of the object in the world, where it counts [m]."""
+        half = tuple(0.5 / count for count in self.samples)
+        size = self.map_size
+        if self.wraps:
+            # Only the place within a tile counts, and in single precision it counts most near 0.
+            origin = tuple(part % period for part, period in zip(place, size, strict=True))
+            low, high = (-_ENDLESS,) * 2, (_ENDLESS,) * 2
+        else:
+            origin = tuple(part - first for part, first in zip(place, self.origin, strict=True))
+            low, high = half, tuple(1.0 - part for part in half)
+        return {
+            "Map Size": (*size, 1.0),
+            "Half Texels": (*half, 0.0),
+            "Low": (*low, 0.0),
+            "High": (*high, 0.0),
+            "Origin": (*origin, 0.0),
+            # A linked node group of an earlier version reads these.
+            "Tile Size": size[0],
+            "Half Texel": half[0],
+        }
 
     def coarser(self, step: int) -> Extent:
         """Returns the same rectangle with every step-th sample; the last ones may be left out."""

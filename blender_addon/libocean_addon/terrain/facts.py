@@ -30,7 +30,7 @@ def _metres(value: float) -> str:
 def state_of(ob) -> list[tuple[str, str]] | None:
     """Returns labels and texts that describe the terrain of an object; None without a terrain."""
     terrain = terrain_of(ob.name_full)
-    if terrain.terrain is None:
+    if terrain.handle is None:
         return None
     state = _state(ob, terrain)
     middle, _, steep = (angle["resolved"] for angle in state["slope_angles"])
@@ -48,7 +48,7 @@ def sizes_of(ob) -> list[str]:
     if ob.type == "MESH":
         lines.append(tr_label("Mesh: {:,} vertices", len(ob.data.vertices)))
     terrain = terrain_of(ob.name_full)
-    if terrain.terrain is None:
+    if terrain.handle is None:
         return lines
     try:
         extent = terrain.extent
@@ -66,7 +66,7 @@ def sizes_of(ob) -> list[str]:
 def warnings_of(ob) -> list[str]:
     """Returns the library's warnings about the terrain of an object."""
     terrain = terrain_of(ob.name_full)
-    if terrain.terrain is None:
+    if terrain.handle is None:
         return []
     layers = len(terrain.values.layers)
     return [WORDS.in_words(text, layers) for text in _state(ob, terrain)["warnings"]]

@@ -11,7 +11,7 @@ import bpy
 from .. import translations
 from ..shared import resolutions
 from ..shared.compat import tr_label
-from ..shared.drawing import field, mask_field, never_raises, place_labels, say
+from ..shared.drawing import draws, field, mask_field, never_raises, say
 from . import material, trees
 from .panels import ObjectPanel, TerrainPanel
 from .parameter_values import is_placed, is_shaped
@@ -27,11 +27,9 @@ class TerrainLookPanel(ObjectPanel, bpy.types.Panel):
     bl_parent_id = TerrainPanel.bl_idname
     bl_label = "Look"
 
-    @never_raises
-    def draw(self, context) -> None:
-        layout, ob = self.layout, context.object
+    @draws
+    def draw(self, layout, ob, context) -> None:
         settings = ob.libocean_terrain
-        place_labels(layout)
         layout.operator(material.AddTerrainMaterial.bl_idname, text="Material", icon="MATERIAL")
         if settings.shape == "TILE" and not (settings.use_lod or settings.use_region):
             listed = resolutions.listed("mesh_resolution")
@@ -64,10 +62,9 @@ class RegionPanel(ObjectPanel, bpy.types.Panel):
         self.layout.active = not settings.use_lod
         self.layout.prop(settings, "use_region", text="")
 
-    @never_raises
-    def draw(self, context) -> None:
-        layout, settings = self.layout, context.object.libocean_terrain
-        place_labels(layout)
+    @draws
+    def draw(self, layout, ob, _context) -> None:
+        settings = ob.libocean_terrain
         column = layout.column(align=True)
         column.active = settings.use_region and not settings.use_lod
         for index, text in enumerate(SIDES):
@@ -92,10 +89,9 @@ class DetailPanel(ObjectPanel, bpy.types.Panel):
     def draw_header(self, context) -> None:
         self.layout.prop(context.object.libocean_terrain, "use_lod", text="")
 
-    @never_raises
-    def draw(self, context) -> None:
-        layout, settings = self.layout, context.object.libocean_terrain
-        place_labels(layout)
+    @draws
+    def draw(self, layout, ob, context) -> None:
+        settings = ob.libocean_terrain
         column = layout.column()
         column.active = settings.use_lod
         for name in ("lod_spacing", "lod_farthest", "lod_snap"):
@@ -116,12 +112,10 @@ class GroundPanel(ObjectPanel, bpy.types.Panel):
     def poll(cls, context) -> bool:
         return super().poll(context) and bool(material.grounds(context.object))
 
-    @never_raises
-    def draw(self, context) -> None:
-        layout = self.layout
-        place_labels(layout)
+    @draws
+    def draw(self, layout, ob, context) -> None:
         column = layout.column()
-        for ground in material.grounds(context.object)[:1]:
+        for ground in material.grounds(ob)[:1]:
             for socket in ground.inputs:
                 if socket.is_linked:
                     continue

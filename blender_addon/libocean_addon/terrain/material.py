@@ -10,11 +10,12 @@ import bpy
 
 from ..look import air
 from ..look.material import put_in_first_slot, visibility_property
-from ..shared import compat
+from ..shared import compat, life
 from ..shared.compat import tr
 from ..shared.shader_builder import Tree
-from . import ground_shader, live, node_group
+from . import ground_shader, node_group
 from .open_terrain import terrain_of
+from .subject import TERRAIN
 from .terrain_text import TerrainValues
 
 _RELIEF = 185.0  # [m] rms height of the land for which the widths of the sockets were chosen
@@ -95,7 +96,7 @@ def give(ob, world, *, visibility: float = 0.0) -> None:
     the haze its light; visibility: the distance at which haze hides the land [m], 0: no haze."""
     terrain = terrain_of(ob.name_full)
     values = {}
-    if terrain.terrain is not None:
+    if terrain.handle is not None:
         values = look_of(terrain.state_for_look(), water_of(terrain.values))
     material = make({**values, "Visibility": visibility})
     assign(ob, material)
@@ -126,7 +127,7 @@ class AddTerrainMaterial(bpy.types.Operator):
             self.report({"ERROR"}, tr("Linked data keeps its material"))
             return {"CANCELLED"}
         for ob in terrains:
-            live.show(ob)
+            life.show_now(TERRAIN, ob)
             give(ob, context.scene.world, visibility=self.visibility)
         return {"FINISHED"}
 

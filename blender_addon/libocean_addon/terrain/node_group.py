@@ -148,14 +148,7 @@ def _with_masks(b: Builder, geometry, inputs, place, interpolation: str):
 def _raised(b: Builder, inputs, turned: bool, interpolation: str):
     """Returns the geometry with its attributes, raised."""
     turn = Turn(b, inputs["Turn"] if turned else None)
-    place = field_nodes.place_on_map(
-        b,
-        turn,
-        origin=inputs["Origin"],
-        period=inputs["Map Size"],
-        half_texel=inputs["Half Texels"],
-    )
-    place = b.math("MINIMUM", b.math("MAXIMUM", place, inputs["Low"]), inputs["High"])
+    place = field_nodes.place_in_map(b, turn, inputs)
     color = b.texture(inputs[GROUND], place, interpolation)
     geometry = _with_masks(b, inputs["Geometry"], inputs, place, interpolation)
     geometry, color = compat.capture(b.group, geometry, color)
@@ -178,13 +171,7 @@ def _raised(b: Builder, inputs, turned: bool, interpolation: str):
     return b.switch("GEOMETRY", inputs["Is Raised"], moved.outputs["Geometry"], geometry)
 
 
-def get():
-    """Returns the group, made if it is missing."""
-    name = f".libocean.terrain.v{VERSION}"
-    group = FAMILY.find(name)
-    if group is not None:
-        return group
-    group = FAMILY.new(name)
+def _build(group) -> None:
     _declare(group)
     compat.hide_inputs(group)
     b = Builder(group)
@@ -193,14 +180,18 @@ def get():
         b,
         inputs,
         _raised,
-        name=name.removeprefix(".libocean."),
+        name=group.name.removeprefix(".libocean."),
         on_samples=inputs["On Samples"],
         euler=inputs["Turn"],
         geometry=_or_draft(b, inputs),
     )
     b.link(raised, b.node("NodeGroupOutput").inputs[0])
     b.arrange(rows=4, height=240)
-    return group
+
+
+def get():
+    """Returns the group, made if it is missing."""
+    return FAMILY.get(f".libocean.terrain.v{VERSION}", _build)
 
 
 def image_inputs(group) -> list[str]:

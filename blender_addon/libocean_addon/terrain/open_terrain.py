@@ -8,7 +8,6 @@ the images hold.
 
 from __future__ import annotations
 
-import threading
 import time
 
 import numpy as np
@@ -16,7 +15,7 @@ import numpy as np
 from ..shared import drafts, images, paths
 from ..shared.compat import tr_label
 from ..shared.native import libocean
-from ..shared.open_by_object import OpenByObject
+from ..shared.open_subject import OpenByObject, OpenSubject, changed
 from . import extent as extents
 from .camera_mesh import CameraVertices, CameraView, make_vertices
 from .extent import Extent
@@ -72,22 +71,18 @@ class TerrainJob(drafts.Job):
         self.seconds_a_sample = 0.0
 
     def work(self) -> None:
-        self._require_wanted()
+        self.require_wanted()
         maps = self.maps
         if maps is None:
             begun = time.perf_counter()
             maps = fill_maps(self.terrain, self.extent, self.groups)
             self.seconds_a_sample = (time.perf_counter() - begun) / self.extent.count
-        self._require_wanted()
+        self.require_wanted()
         if self.view is not None:
             self.vertices = make_vertices(self.terrain, self.view)
-        self._require_wanted()
+        self.require_wanted()
         self.state = self.terrain.state
         self.maps = maps
-
-    def _require_wanted(self) -> None:
-        if self.is_cancelled():
-            raise drafts.CancelledError
 
     def close(self) -> None:
         self.terrain.close()
@@ -98,23 +93,17 @@ class TerrainJob(drafts.Job):
         return f"{text}, {self.share:.0%}" if self.ticks else text
 
 
-class OpenTerrain:
+class OpenTerrain(OpenSubject):
     """The library's terrain of one object, its maps, and the content of its images."""
 
     def __init__(self) -> None:
-        self.lock = threading.RLock()  # renders run in a thread of their own
-        self.terrain = None
-        self.values: TerrainValues | None = None
+        super().__init__()
         self.groups: tuple[str, ...] = ()
         """The groups of parameters whose masks the land has."""
         self.region: tuple[tuple[float, ...], float] | None = None
         """Corners and cell of the region to show; None: the land's own samples."""
         self.view: CameraView | None = None
         """The camera around which the mesh was requested last."""
-        self.changes = 0
-        self.state: dict | None = None  # read_state()
-        self.state_before: dict | None = None  # of the values before these
-        self.pace = drafts.Pace()
         self.vertices: CameraVertices | None = None
         """The mesh around the camera that was made last."""
         self.vertices_of: tuple | None = None  # its changes and view
@@ -125,7 +114,6 @@ class OpenTerrain:
         self._maps: Maps = {}
         self._filled: tuple | None = None  # changes, extent and groups of the maps
         self._whole: tuple | None = None  # the same of the last whole map
-        self._shown: dict[str, tuple] = {}  # by image: the same of its content
         self._seconds = _FIRST  # a sample of the last whole map
 
     @property
@@ -135,7 +123,7 @@ class OpenTerrain:
 
     @property
     def own(self) -> Extent:
-        return own_extent(self.terrain)
+        return own_extent(self.handle)
 
     @property
     def extent(self) -> Extent:
@@ -149,29 +137,14 @@ class OpenTerrain:
         """Returns the values that the whole map depends on. Raises ExtentError."""
         return self.changes, self.extent, self.groups
 
-    def follow(self, values: TerrainValues) -> None:
-        """Gives the terrain these values. Raises libocean.Error, and leaves the terrain unchanged
-        then."""
-        if values == self.values:
-            return
-        if self.terrain is None or values.structure() != self.values.structure():
-            base_dir = paths.blend_folder()
-            opened = libocean.parse_terrain(
-                values.text(), base_dir=base_dir, progress=drafts.tell_watcher_of_share
-            )
-            self.close()
-            self.terrain = opened
-        else:
-            self.terrain.set_all(_changed(self.values, values))
-        self.values, self.groups = values, values.groups()
-        self.state_before = self.state or self.state_before
-        self.state = None
-        self.changes += 1
+    def _open(self, values: TerrainValues):
+        return libocean.parse_terrain(
+            values.text(), base_dir=paths.blend_folder(), progress=drafts.tell_watcher_of_share
+        )
 
-    def read_state(self) -> dict:
-        if self.state is None:
-            self.state = self.terrain.state
-        return self.state
+    def follow(self, values: TerrainValues) -> None:
+        super().follow(values)
+        self.groups = values.groups()
 
     def state_for_look(self) -> dict:
         """Returns the state of the terrain; in a draft, the state of the terrain with fewer
@@ -199,30 +172,30 @@ class OpenTerrain:
         """Fills the images with the whole maps. image_named: images by inputs."""
         extent, key = self.extent, self.key
         with self.lock:
-            stale = [name for name, image in image_named.items() if self._is_stale(image, key)]
+            stale = self.stale(image_named, key)
             if stale and self._filled != key:
                 begun = time.perf_counter()
-                self._fill(self.terrain, extent, key)
+                self._fill(self.handle, extent, key)
                 self._seconds = (time.perf_counter() - begun) / extent.count
                 self._built = self.changes
-            self._put(image_named, stale, key)
+            self.put(image_named, stale, self._maps, key)
             self._whole = key
         return extent
 
     def show_draft(self, image_named: dict) -> Extent:
         """Fills the images with maps of the same terrain with fewer samples, and so without its
         shortest waves. If that takes too long, the images keep their content."""
-        held = self._shown.get(image_named[GROUND].name_full)
+        held = self.shown.get(image_named[GROUND].name_full)
         if held is not None and self._draft_seconds > _SLOW_DRAFT:
             return held[1]
         with self.lock:
             begun = time.perf_counter()
             draft, extent = self._draft_and_extent()
             key = (self.changes, extent, self.groups)
-            stale = [name for name, image in image_named.items() if self._is_stale(image, key)]
+            stale = self.stale(image_named, key)
             if stale:
                 self._fill(draft, extent, key)
-                self._put(image_named, stale, key)
+                self.put(image_named, stale, self._maps, key)
                 self._draft_seconds = time.perf_counter() - begun
                 self.pace.note(self.pace.size, self._draft_seconds, max(self.extent.samples) // 2)
         return extent
@@ -234,42 +207,29 @@ class OpenTerrain:
         while max(whole.samples) > self.pace.size * step:
             step *= 2
         if self._built == self.changes or self.values.values["base"]:
-            return self.terrain, whole.coarser(step)
+            return self.handle, whole.coarser(step)
         resolution = int(self.values.values["resolution"])
         side = resolution // step if whole.is_own else min(resolution, self.pace.size)
         draft = self._draft_of(max(_SMALLEST, side))
         return draft, own_extent(draft) if whole.is_own else whole.coarser(step)
-
-    def _is_stale(self, image, key: tuple) -> bool:
-        """Returns whether an image holds other maps than these."""
-        if images.let_go(image):
-            self._shown.pop(image.name_full, None)
-        return self._shown.get(image.name_full) != key
 
     def _fill(self, terrain, extent: Extent, key: tuple) -> None:
         self._filled = None  # until the library has returned
         self._maps = fill_maps(terrain, extent, self.groups, self._maps)
         self._filled = key
 
-    def _put(self, image_named: dict, names: list[str], key: tuple) -> None:
-        for name in names:
-            images.resize(image_named[name], self._maps[name].shape[:2])
-            images.fill(image_named[name], self._maps[name])
-            self._shown[image_named[name].name_full] = key
-
     def _draft_of(self, size: int):
         """Returns the handle of the same terrain with so many samples per side."""
         if self._draft is None:
-            self._draft, self._draft_values = self.terrain.clone(), self.values
-        changed = _changed(self._draft_values, self.values)
-        self._draft.set_all({**changed, _RESOLUTION: str(size)})
+            self._draft, self._draft_values = self.handle.clone(), self.values
+        self._draft.set_all({**changed(self._draft_values, self.values), _RESOLUTION: str(size)})
         self._draft_values = self.values
         return self._draft
 
     def job(self, view: CameraView | None = None) -> TerrainJob:
         """Returns the job that makes the whole maps, and the mesh around a camera. Raises
         ExtentError."""
-        job = TerrainJob(self.terrain.clone(), (self.key, view), self.extent, self.groups)
+        job = TerrainJob(self.handle.clone(), (self.key, view), self.extent, self.groups)
         job.view = view
         if self._filled == self.key:
             job.maps = self._maps
@@ -282,8 +242,8 @@ class OpenTerrain:
             job.close()
             return False
         with self.lock:
-            self.terrain.close()
-            self.terrain, self.state = job.terrain, job.state
+            self.handle.close()
+            self.handle, self.state, self.view = job.terrain, job.state, job.view
             self._maps, self._filled, self._whole = job.maps, self.key, self.key
             self._built = self.changes
             if job.seconds_a_sample > 0.0:
@@ -295,7 +255,7 @@ class OpenTerrain:
     def mesh_around(self, view: CameraView) -> CameraVertices:
         """Returns the mesh around a camera, made if it is another than the last one."""
         if not self.has_mesh_around(view):
-            self.vertices = make_vertices(self.terrain, view)
+            self.vertices = make_vertices(self.handle, view)
             self.vertices_of = (self.changes, view)
         return self.vertices
 
@@ -305,26 +265,15 @@ class OpenTerrain:
 
     def extent_in(self, image) -> Extent | None:
         """Returns the samples of the map that an image holds; None if it is unknown."""
-        held = self._shown.get(image.name_full)
+        held = self.shown.get(image.name_full)
         return None if held is None else held[1]
 
-    def forget_images(self) -> None:
-        """Forgets the content of images, after undo and loading."""
-        self._shown.clear()
-
     def close(self) -> None:
-        for handle in (self.terrain, self._draft):
-            if handle is not None:
-                handle.close()
-        self.terrain = self._draft = None
+        if self._draft is not None:
+            self._draft.close()
+        self._draft = None
+        super().close()
 
 
-def _changed(before: TerrainValues, now: TerrainValues) -> dict[str, str]:
-    """Returns the parameters that differ, by their paths."""
-    return dict(now.by_name().items() - before.by_name().items())
-
-
-_terrains = OpenByObject(OpenTerrain)
-terrain_of = _terrains.of
-forget = _terrains.forget
-close_all = _terrains.close_all
+TERRAINS = OpenByObject(OpenTerrain)
+terrain_of = TERRAINS.of

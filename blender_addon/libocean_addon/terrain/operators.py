@@ -6,17 +6,27 @@ from __future__ import annotations
 
 import bpy
 from bpy_extras import object_utils
-from bpy_extras.io_utils import ExportHelper, ImportHelper
 
 from .. import translations
+from ..coast import node_group as coast_group
 from ..sea import node_group as sea_group
-from ..shared import changes, compat, console, meshes, modifier_groups, paths
+from ..shared import changes, compat, console, meshes, modifier_groups, registration
 from ..shared.compat import tr
-from ..shared.messages import of_file
 from ..shared.native import libocean
 from ..shared.property_texts import pairs_of
-from . import material, node_group, parameter_values, terrain_text
-from .parameters import PAIRS, RESOLUTIONS, WORDS
+from ..shared.subject_operators import (
+    LoadFile,
+    LoadPreset,
+    OnSubject,
+    SaveFile,
+    can_displace,
+    give_material,
+    new_object,
+    preset_values,
+)
+from . import material, node_group
+from .parameters import PAIRS, RESOLUTIONS
+from .subject import TERRAIN
 
 DEFAULT_PRESET = "tujunga"
 
@@ -26,26 +36,14 @@ PRESETS = [
 ]
 
 
-def adopt(ob, terrain) -> None:
-    """Puts an open terrain into an object."""
-    parameter_values.assign(ob.libocean_terrain, terrain_text.read(terrain))
-
-
-def add_modifier(ob) -> None:
-    """Adds the terrain modifier to an object."""
-    modifier_groups.add(ob, "Terrain", node_group.get)
-
-
-class OnTerrain:
+class OnTerrain(OnSubject):
     """Base of operators on the active object's terrain."""
 
-    @classmethod
-    def poll(cls, context) -> bool:
-        ob = context.object
-        if ob is not None and node_group.modifiers(ob):
-            return True
-        cls.poll_message_set(tr("The active object has no terrain modifier"))
-        return False
+    subject = TERRAIN
+
+    @staticmethod
+    def absent() -> str:
+        return tr("The active object has no terrain modifier")
 
 
 def _show_all_of(context, size: float) -> None:
@@ -103,8 +101,7 @@ class AddTerrain(bpy.types.Operator, object_utils.AddObjectHelper):
     use_material: _material_property()
 
     def execute(self, context):
-        with libocean.terrain_preset(self.preset) as terrain:
-            values = terrain_text.read(terrain)
+        values = preset_values(TERRAIN.parameters, self.preset)
         _add(self, context, values, int(self.mesh_resolution), self.tiles)
         return {"FINISHED"}
 
@@ -113,41 +110,30 @@ def _add(operator, context, values, mesh_resolution: int, tiles: int = 1) -> Non
     """Adds an object with the terrain of these values. operator: one that adds objects, and has
     `use_material`."""
     with console.work("Terrain", "a new terrain"):
-        mesh = bpy.data.meshes.new("Terrain")
-        ob = object_utils.object_data_add(context, mesh, operator=operator)
-        add_modifier(ob)
+        ob = new_object(operator, context, "Terrain", "Terrain", node_group.get)
         settings = ob.libocean_terrain
         with changes.quiet():
             settings.shape = "TILE"
             settings.mesh_resolution = mesh_resolution
             settings.tiles = tiles
-        parameter_values.assign(settings, values)
-        if operator.use_material:
-            with console.work(ob.name_full, "material"):
-                material.give(ob, context.scene.world)
+        TERRAIN.parameters.assign(ob, values)
+        give_material(operator, ob, lambda: material.give(ob, context.scene.world))
     _show_all_of(context, settings.patch_size * tiles)
 
 
-class AddTerrainFile(bpy.types.Operator, ImportHelper, object_utils.AddObjectHelper):
+class AddTerrainFile(LoadFile, bpy.types.Operator, object_utils.AddObjectHelper):
     """Add the terrain of a terrain file: a tile, or a land that lies where the file places it"""
 
     bl_idname = "libocean.add_terrain_file"
     bl_label = "Terrain File"
     bl_options = {"REGISTER", "UNDO"}
 
-    filter_glob: bpy.props.StringProperty(default="*.toml", options={"HIDDEN"})
+    subject = TERRAIN
     mesh_resolution: _mesh_resolution_property()
     use_material: _material_property()
 
-    def execute(self, context):
-        try:
-            with libocean.open_terrain(str(paths.absolute(self.filepath))) as terrain:
-                values = terrain_text.read(terrain)
-        except libocean.Error as failure:
-            self.report({"ERROR"}, str(failure))
-            return {"CANCELLED"}
+    def use(self, context, values) -> None:
         _add(self, context, values, int(self.mesh_resolution))
-        return {"FINISHED"}
 
 
 class AddTerrainModifier(bpy.types.Operator):
@@ -160,67 +146,38 @@ class AddTerrainModifier(bpy.types.Operator):
     @classmethod
     def poll(cls, context) -> bool:
         ob = context.object
-        if ob is None or ob.type not in modifier_groups.DISPLACED:
-            cls.poll_message_set(tr("The active object is no mesh, curve or text"))
+        if not can_displace(cls, ob):
             return False
         if node_group.modifiers(ob) or sea_group.modifiers(ob):
             cls.poll_message_set(tr("The active object has a terrain or an ocean"))
             return False
+        if coast_group.modifiers(ob):
+            cls.poll_message_set(tr("The active object has a coast"))
+            return False
         return True
 
     def execute(self, context):
-        ob = context.object
-        add_modifier(ob)
-        with libocean.terrain_preset(DEFAULT_PRESET) as terrain:
-            adopt(ob, terrain)
+        modifier_groups.add(context.object, "Terrain", node_group.get)
+        TERRAIN.parameters.assign(context.object, preset_values(TERRAIN.parameters, DEFAULT_PRESET))
         return {"FINISHED"}
 
 
-class LoadTerrain(OnTerrain, bpy.types.Operator, ImportHelper):
+class LoadTerrain(OnTerrain, LoadFile, bpy.types.Operator):
     """Load the terrain of a terrain file"""
 
     bl_idname = "libocean.load_terrain"
     bl_label = "Load Terrain"
     bl_options = {"REGISTER", "UNDO"}
 
-    filter_glob: bpy.props.StringProperty(default="*.toml", options={"HIDDEN"})
 
-    def execute(self, context):
-        try:
-            with libocean.open_terrain(str(paths.absolute(self.filepath))) as terrain:
-                adopt(context.object, terrain)
-        except libocean.Error as failure:
-            self.report({"ERROR"}, str(failure))
-            return {"CANCELLED"}
-        return {"FINISHED"}
-
-
-class SaveTerrain(OnTerrain, bpy.types.Operator, ExportHelper):
+class SaveTerrain(OnTerrain, SaveFile, bpy.types.Operator):
     """Write the terrain as a file that every libocean tool reads"""
 
     bl_idname = "libocean.save_terrain"
     bl_label = "Save Terrain"
 
-    filename_ext = ".toml"
-    filter_glob: bpy.props.StringProperty(default="*.toml", options={"HIDDEN"})
 
-    def execute(self, context):
-        values = parameter_values.values_of(context.object.libocean_terrain)
-        base_dir = paths.blend_folder()
-        try:
-            with libocean.parse_terrain(values.text(), base_dir=base_dir) as terrain:
-                text = terrain.text
-            paths.write_text(self.filepath, text)
-        except libocean.Error as failure:
-            self.report({"ERROR"}, WORDS.of_error(failure, len(values.layers)))
-            return {"CANCELLED"}
-        except OSError as failure:
-            self.report({"ERROR"}, of_file(failure))
-            return {"CANCELLED"}
-        return {"FINISHED"}
-
-
-class LoadTerrainPreset(OnTerrain, bpy.types.Operator):
+class LoadTerrainPreset(OnTerrain, LoadPreset, bpy.types.Operator):
     """Load the terrain of a preset"""
 
     bl_idname = "libocean.load_terrain_preset"
@@ -228,12 +185,6 @@ class LoadTerrainPreset(OnTerrain, bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     preset: bpy.props.EnumProperty(name="Preset", description="The terrain to load", items=PRESETS)
-
-    def execute(self, context):
-        ob = context.object
-        with libocean.terrain_preset(self.preset) as terrain:
-            adopt(ob, terrain)
-        return {"FINISHED"}
 
 
 # Items of the parameters ------------------------------------------------------
@@ -255,7 +206,7 @@ class AddTerrainLayer(OnTerrain, bpy.types.Operator):
             layer = settings.layers.add()
             layer.period = settings.patch_size / 2.0
             layer.seed = 1 + len(settings.layers)
-        changes.tell(context.object, settings.subject)
+        changes.tell(settings)
         return {"FINISHED"}
 
 
@@ -276,7 +227,7 @@ class RemoveTerrainLayer(OnTerrain, bpy.types.Operator):
             self.report({"ERROR"}, tr("The terrain has no layer {}", self.number + 1))
             return {"CANCELLED"}
         settings.layers.remove(self.number)
-        changes.tell(context.object, settings.subject)
+        changes.tell(settings)
         return {"FINISHED"}
 
 
@@ -348,15 +299,6 @@ def _draw_modifier(self, _context) -> None:
     self.layout.operator(AddTerrainModifier.bl_idname, icon="RNDCURVE")
 
 
-def register() -> None:
-    for cls in CLASSES:
-        bpy.utils.register_class(cls)
-    bpy.types.VIEW3D_MT_mesh_add.append(_draw_add)
-    bpy.types.VIEW3D_MT_object.append(_draw_modifier)
-
-
-def unregister() -> None:
-    bpy.types.VIEW3D_MT_object.remove(_draw_modifier)
-    bpy.types.VIEW3D_MT_mesh_add.remove(_draw_add)
-    for cls in reversed(CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = registration.functions(
+    CLASSES, menus={"VIEW3D_MT_mesh_add": _draw_add, "VIEW3D_MT_object": _draw_modifier}
+)

@@ -10,9 +10,9 @@ from __future__ import annotations
 import bpy
 
 from .. import translations, whole_sea
-from ..shared import drafts, file_row, parameter_fields
+from ..shared import drafts, file_row, parameter_fields, subject_panel
 from ..shared.compat import tr_label
-from ..shared.drawing import never_raises, place_labels, say, say_state
+from ..shared.drawing import draws, never_raises, place_labels, say
 from ..shared.modifier_panel import ModifierPanel
 from ..shared.property_texts import pairs_of
 from . import facts, node_group, operators
@@ -106,46 +106,26 @@ class TerrainPanel(ObjectPanel, bpy.types.Panel):
     bl_idname = "LIBOCEAN_PT_terrain"
     bl_label = "Terrain (libocean)"
 
-    @never_raises
-    def draw(self, context) -> None:
-        layout, ob = self.layout, context.object
-        place_labels(layout)
+    @draws
+    def draw(self, layout, ob, context) -> None:
         file_row.draw(
             layout,
             operators.LoadTerrainPreset,
             load=operators.LoadTerrain,
             save=operators.SaveTerrain,
         )
-        if ob.libocean_terrain.problem:
-            say(layout, ob.libocean_terrain.problem, "ERROR")
-        if context.scene.unit_settings.scale_length != 1.0:
-            say(layout, tr_label("The land takes a Blender unit for a metre"), "INFO")
+        units = tr_label("The land takes a Blender unit for a metre")
+        subject_panel.draw_problems(layout, context.scene, [ob.libocean_terrain.problem], units)
         share = drafts.progress(ob.name_full)
         follows = tr_label("A draft; the whole land follows")
         if share:
             follows = tr_label("A draft; the whole land follows: {:.0%}", share)
-        whole_sea.draw_draft(
-            layout,
-            ob.name_full,
-            follows,
-            tr_label("A draft, with fewer samples"),
-        )
-        _draw_state(layout, ob)
+        stopped = tr_label("A draft, with fewer samples")
+        whole_sea.draw_draft(layout, ob.name_full, follows, stopped)
+        subject_panel.draw_facts(layout, ob, facts)
         seen = ob.evaluated_get(context.view_layer.depsgraph)
         for text in facts.hints_of(ob, seen, context.scene):
             say(layout, text, "ERROR")
-
-
-def _draw_state(layout, ob) -> None:
-    state = facts.state_of(ob)
-    if state is None:
-        return
-    box = layout.box().column(align=True)
-    say_state(box, state)
-    for text in facts.sizes_of(ob):
-        say(box, text)
-    for warning in facts.warnings_of(ob):
-        say(box, warning, "ERROR")
 
 
 class LandPanel(ObjectPanel, bpy.types.Panel):
@@ -155,10 +135,9 @@ class LandPanel(ObjectPanel, bpy.types.Panel):
     bl_parent_id = TerrainPanel.bl_idname
     bl_label = "Land"
 
-    @never_raises
-    def draw(self, context) -> None:
-        place_labels(self.layout)
-        _draw_parameters(self.layout, context.object.libocean_terrain, LAND)
+    @draws
+    def draw(self, layout, ob, _context) -> None:
+        _draw_parameters(layout, ob.libocean_terrain, LAND)
 
 
 class PlacedPanel(ObjectPanel, bpy.types.Panel):
@@ -172,10 +151,9 @@ class PlacedPanel(ObjectPanel, bpy.types.Panel):
     def poll(cls, context) -> bool:
         return super().poll(context) and is_placed(context.object.libocean_terrain)
 
-    @never_raises
-    def draw(self, context) -> None:
-        place_labels(self.layout)
-        _draw_parameters(self.layout, context.object.libocean_terrain, PLACED)
+    @draws
+    def draw(self, layout, ob, _context) -> None:
+        _draw_parameters(layout, ob.libocean_terrain, PLACED)
 
 
 def _draw_group(layout, settings, group: str) -> None:
@@ -241,10 +219,9 @@ class SpectrumPanel(ObjectPanel, bpy.types.Panel):
     bl_parent_id = TerrainPanel.bl_idname
     bl_label = "Spectrum"
 
-    @never_raises
-    def draw(self, context) -> None:
-        layout, settings = self.layout, context.object.libocean_terrain
-        place_labels(layout)
+    @draws
+    def draw(self, layout, ob, _context) -> None:
+        settings = ob.libocean_terrain
         if is_measured(settings):
             say(layout, tr_label("The spectrum is measured: it has no law"), "INFO")
         _draw_parameters(layout, settings, SPECTRUM)
@@ -258,10 +235,9 @@ class LayersPanel(ObjectPanel, bpy.types.Panel):
     bl_label = "Layers"
     bl_options = {"DEFAULT_CLOSED"}
 
-    @never_raises
-    def draw(self, context) -> None:
-        layout, settings = self.layout, context.object.libocean_terrain
-        place_labels(layout)
+    @draws
+    def draw(self, layout, ob, _context) -> None:
+        settings = ob.libocean_terrain
         for number, layer in enumerate(settings.layers):
             row = layout.row(align=True)
             column = row.column(align=True)

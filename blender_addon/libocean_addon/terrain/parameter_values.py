@@ -80,4 +80,4 @@ def assign(group, terrain: TerrainValues) -> None:
         group.layers.clear()
         for layer in terrain.layers:
             property_texts.set_texts(group.layers.add(), layer, PARAMETERS, items=True)
-    changes.tell(group.id_data, group.subject)
+    changes.tell(group)

@@ -10,12 +10,13 @@ from __future__ import annotations
 
 import bpy
 
-from ..shared import compat, modifier_groups
+from ..shared import compat, life, modifier_groups
 from ..shared.compat import tr
 from ..shared.modifier_groups import Family
 from ..shared.node_builder import Builder
-from . import live, material, node_group, tree_meshes
+from . import material, node_group, tree_meshes
 from .open_terrain import terrain_of
+from .subject import TERRAIN
 
 VERSION = 1
 FAMILY = Family("libocean_scatter", VERSION)
@@ -144,7 +145,7 @@ def _fitted(ob) -> dict[str, float]:
     be shown."""
     terrain = terrain_of(ob.name_full)
     values = {}
-    if terrain.terrain is None:
+    if terrain.handle is None:
         return values
     water = material.water_of(terrain.values)
     if water is not None:
@@ -180,7 +181,7 @@ class AddTrees(bpy.types.Operator):
         ob = context.object
         if not ob.libocean_terrain.use_slope:
             ob.libocean_terrain.use_slope = True
-        live.show(ob)
+        life.show_now(TERRAIN, ob)
         modifier = modifier_groups.add(ob, "Trees", get_group)
         modifier.show_expanded = True
         modifier_groups.assign(modifier, {"Trees": tree_meshes.get(), **_fitted(ob)})

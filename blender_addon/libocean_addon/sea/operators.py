@@ -6,18 +6,27 @@ from __future__ import annotations
 
 import bpy
 from bpy_extras import object_utils
-from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from . import translations
-from .coast import node_group as coast_group
-from .look import foam_images, material
-from .sea import live, messages, node_group, parameter_values, sea_text
-from .sea.resolutions import OF_SEA
-from .shared import changes, compat, console, meshes, modifier_groups, paths
-from .shared.compat import tr
-from .shared.messages import of_file
-from .shared.native import libocean
-from .terrain import node_group as terrain_group
+from .. import translations
+from ..coast import node_group as coast_group
+from ..look import foam_images, material
+from ..shared import changes, compat, console, meshes, modifier_groups, registration
+from ..shared.compat import tr
+from ..shared.native import libocean
+from ..shared.subject_operators import (
+    LoadFile,
+    LoadPreset,
+    OnSubject,
+    SaveFile,
+    can_displace,
+    give_material,
+    new_object,
+    preset_values,
+)
+from ..terrain import node_group as terrain_group
+from . import live, node_group
+from .resolutions import OF_SEA
+from .subject import SEA
 
 DEFAULT_PRESET = "beaufort_5"
 
@@ -28,34 +37,19 @@ PRESETS = [
 ]
 
 
-def adopt(ob, sea) -> None:
-    """Puts an open sea into an object."""
-    parameter_values.assign(ob.libocean, sea_text.read(sea))
-
-
 def add_modifier(ob, kind: str = "MESH"):
     """The ocean modifier on an object that has no sea, or already one."""
     return modifier_groups.add(ob, "Ocean", lambda: node_group.get(kind))
 
 
-def _start_sea(ob, preset: str) -> None:
-    """A sea for an object without one."""
-    if len(ob.libocean.waves) == 0:
-        with libocean.preset(preset) as sea:
-            adopt(ob, sea)
-    live.parameters_changed(ob)
-
-
-class OnOcean:
+class OnOcean(OnSubject):
     """Base of operators on the active object's sea."""
 
-    @classmethod
-    def poll(cls, context) -> bool:
-        ob = context.object
-        if ob is not None and node_group.modifiers(ob):
-            return True
-        cls.poll_message_set(tr("The active object has no ocean modifier"))
-        return False
+    subject = SEA
+
+    @staticmethod
+    def absent() -> str:
+        return tr("The active object has no ocean modifier")
 
 
 class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
@@ -102,20 +96,18 @@ class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
     def _make(self, context) -> None:
         if self.use_material:
             foam_images.prepare()
-        with libocean.preset(self.preset) as sea:
-            values = sea_text.read(sea)
-        mesh = bpy.data.meshes.new("Ocean")
-        ob = object_utils.object_data_add(context, mesh, operator=self)
-        add_modifier(ob, self.kind)
+        values = preset_values(SEA.parameters, self.preset)
+        ob = new_object(self, context, "Ocean", "Ocean", lambda: node_group.get(self.kind))
         with changes.quiet():
             ob.libocean.kind = self.kind
             ob.libocean.mesh_resolution = int(self.mesh_resolution)
-        parameter_values.assign(ob.libocean, values)
-        if self.use_material:
-            with console.work(ob.name_full, "material"):
-                water = material.make(self.water_type)
-                material.fit(water, ob, context.scene)
-                material.assign(ob, water)
+        SEA.parameters.assign(ob, values)
+        give_material(self, ob, lambda: self._give_water(context, ob))
+
+    def _give_water(self, context, ob) -> None:
+        water = material.make(self.water_type)
+        material.fit(water, ob, context.scene)
+        material.assign(ob, water)
 
 
 class AddModifier(bpy.types.Operator):
@@ -128,8 +120,7 @@ class AddModifier(bpy.types.Operator):
     @classmethod
     def poll(cls, context) -> bool:
         ob = context.object
-        if ob is None or ob.type not in modifier_groups.DISPLACED:
-            cls.poll_message_set(tr("The active object is no mesh, curve or text"))
+        if not can_displace(cls, ob):
             return False
         if node_group.modifiers(ob):
             cls.poll_message_set(tr("The active object has an ocean: add wave systems to it"))
@@ -150,7 +141,9 @@ class AddModifier(bpy.types.Operator):
             if not meshes.is_made(ob.data):
                 ob.libocean.kind = "MESH"
         add_modifier(ob, ob.libocean.kind)
-        _start_sea(ob, DEFAULT_PRESET)
+        if len(ob.libocean.waves) == 0:
+            SEA.parameters.assign(ob, preset_values(SEA.parameters, DEFAULT_PRESET))
+        changes.tell(ob.libocean)
         return {"FINISHED"}
 
     def _mend_coast(self, ob) -> set[str]:
@@ -162,63 +155,35 @@ class AddModifier(bpy.types.Operator):
             self.report({"ERROR"}, text)
             return {"CANCELLED"}
         modifier_groups.add(ob, "Coast", coast_group.get)
-        changes.tell(ob)
+        changes.tell(ob.libocean)
         return {"FINISHED"}
 
 
-class LoadSea(OnOcean, bpy.types.Operator, ImportHelper):
+class LoadSea(OnOcean, LoadFile, bpy.types.Operator):
     """Load the sea of a sea file"""
 
     bl_idname = "libocean.load_sea"
     bl_label = "Load Sea"
     bl_options = {"REGISTER", "UNDO"}
 
-    filter_glob: bpy.props.StringProperty(default="*.toml", options={"HIDDEN"})
-
-    def execute(self, context):
-        ob = context.object
-        try:
-            with libocean.open(str(paths.absolute(self.filepath))) as sea:
-                adopt(ob, sea)
-        except libocean.Error as failure:
-            self.report({"ERROR"}, str(failure))
-            return {"CANCELLED"}
-        rate = live.frame_rate(context.scene)
-        if ob.libocean.fps != rate and ob.libocean.use_scene_frame_rate:
+    def use(self, context, values) -> None:
+        super().use(context, values)
+        settings, rate = context.object.libocean, live.frame_rate(context.scene)
+        if settings.fps != rate and settings.use_scene_frame_rate:
             text = tr(
-                "The file says {:g} frames a second; the scene's {:g} are used",
-                ob.libocean.fps,
-                rate,
+                "The file says {:g} frames a second; the scene's {:g} are used", settings.fps, rate
             )
             self.report({"INFO"}, text)
-        return {"FINISHED"}
 
 
-class SaveSea(OnOcean, bpy.types.Operator, ExportHelper):
+class SaveSea(OnOcean, SaveFile, bpy.types.Operator):
     """Write the sea as a file that every libocean tool reads"""
 
     bl_idname = "libocean.save_sea"
     bl_label = "Save Sea"
 
-    filename_ext = ".toml"
-    filter_glob: bpy.props.StringProperty(default="*.toml", options={"HIDDEN"})
 
-    def execute(self, context):
-        values = live.current_values(context.object.libocean, context.scene)
-        try:
-            with libocean.parse(values.text(), base_dir=paths.blend_folder()) as sea:
-                text = sea.text
-            paths.write_text(self.filepath, text)
-        except libocean.Error as failure:
-            self.report({"ERROR"}, messages.of_error(failure))
-            return {"CANCELLED"}
-        except OSError as failure:
-            self.report({"ERROR"}, of_file(failure))
-            return {"CANCELLED"}
-        return {"FINISHED"}
-
-
-class LoadPreset(OnOcean, bpy.types.Operator):
+class LoadSeaPreset(OnOcean, LoadPreset, bpy.types.Operator):
     """Load the sea of a preset"""
 
     bl_idname = "libocean.load_preset"
@@ -226,11 +191,6 @@ class LoadPreset(OnOcean, bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     preset: bpy.props.EnumProperty(name="Preset", description="The sea to take", items=PRESETS)
-
-    def execute(self, context):
-        with libocean.preset(self.preset) as sea:
-            adopt(context.object, sea)
-        return {"FINISHED"}
 
 
 class OnSea(OnOcean):
@@ -254,7 +214,7 @@ class AddWaves(OnSea, bpy.types.Operator):
         with changes.quiet():
             settings.waves.add().spectrum = "jonswap"
             settings.active_wave = len(settings.waves) - 1
-        changes.tell(context.object)
+        changes.tell(settings)
         return {"FINISHED"}
 
 
@@ -272,11 +232,11 @@ class RemoveWaves(OnSea, bpy.types.Operator):
             return {"CANCELLED"}
         settings.waves.remove(settings.active_wave)
         settings.active_wave = min(settings.active_wave, len(settings.waves) - 1)
-        changes.tell(context.object)
+        changes.tell(settings)
         return {"FINISHED"}
 
 
-CLASSES = (AddOcean, AddModifier, LoadSea, SaveSea, LoadPreset, AddWaves, RemoveWaves)
+CLASSES = (AddOcean, AddModifier, LoadSea, SaveSea, LoadSeaPreset, AddWaves, RemoveWaves)
 
 
 def _draw_add(self, _context) -> None:
@@ -287,15 +247,6 @@ def _draw_modifier(self, _context) -> None:
     self.layout.operator(AddModifier.bl_idname, icon="MOD_OCEAN")
 
 
-def register() -> None:
-    for cls in CLASSES:
-        bpy.utils.register_class(cls)
-    bpy.types.VIEW3D_MT_mesh_add.append(_draw_add)
-    bpy.types.VIEW3D_MT_object.append(_draw_modifier)
-
-
-def unregister() -> None:
-    bpy.types.VIEW3D_MT_object.remove(_draw_modifier)
-    bpy.types.VIEW3D_MT_mesh_add.remove(_draw_add)
-    for cls in reversed(CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = registration.functions(
+    CLASSES, menus={"VIEW3D_MT_mesh_add": _draw_add, "VIEW3D_MT_object": _draw_modifier}
+)

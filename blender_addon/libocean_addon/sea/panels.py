@@ -9,25 +9,17 @@ from __future__ import annotations
 
 import bpy
 
-from . import hints, operators, translations, whole_sea
-from .bake import bake, bake_record, bake_state
-from .look import material
-from .sea import facts, node_group, parameter_values, records
-from .sea.parameter_values import PARAMETERS
-from .shared import file_row, parameter_fields, resolutions
-from .shared.compat import tr_label
-from .shared.drawing import (
-    field,
-    is_narrow,
-    mask_field,
-    never_raises,
-    place_labels,
-    say,
-    say_state,
-)
-from .shared.modifier_panel import ModifierPanel
-from .spray import spray
-from .volumes import volumes
+from .. import translations, whole_sea
+from ..bake import bake, bake_record, bake_state
+from ..look import material
+from ..shared import drafts, file_row, parameter_fields, registration, resolutions, subject_panel
+from ..shared.compat import tr_label
+from ..shared.drawing import draws, field, is_narrow, mask_field, never_raises, place_labels, say
+from ..shared.modifier_panel import ModifierPanel
+from ..spray import spray
+from ..volumes import volumes
+from . import facts, hints, node_group, operators, parameter_values, records
+from .parameter_values import PARAMETERS
 
 SHORT = {
     "peak_enhancement": "Enhancement",
@@ -155,33 +147,21 @@ class OceanPanel(_Panel, bpy.types.Panel):
     bl_idname = "LIBOCEAN_PT_ocean"
     bl_label = "Ocean (libocean)"
 
-    @never_raises
-    def draw(self, context) -> None:
-        layout, ob = self.layout, context.object
-        place_labels(layout)
-        file_row.draw(layout, operators.LoadPreset, load=operators.LoadSea, save=operators.SaveSea)
+    @draws
+    def draw(self, layout, ob, context) -> None:
+        file_row.draw(
+            layout, operators.LoadSeaPreset, load=operators.LoadSea, save=operators.SaveSea
+        )
         playing = ob.libocean.use_bake and bake_record.exists(ob)
         problems = bake_state.faults(ob) if playing else [ob.libocean.problem]
-        for text in filter(None, problems):
-            say(layout, text, "ERROR")
-        if context.scene.unit_settings.scale_length != 1.0:
-            say(layout, tr_label("The sea takes a Blender unit for a metre"), "INFO")
-        _draw_state(layout, ob)
+        units = tr_label("The sea takes a Blender unit for a metre")
+        subject_panel.draw_problems(layout, context.scene, problems, units)
+        share = drafts.progress(ob.name_full) or 0.0
+        working = tr_label("A draft; the whole sea: {:.0%}", share)
+        stopped = tr_label("A draft, without the past of its foam")
+        whole_sea.draw_draft(layout, ob.name_full, working, stopped)
+        subject_panel.draw_facts(layout, ob, facts)
         _draw_hints(layout, ob, ob.evaluated_get(context.view_layer.depsgraph))
-
-
-def _draw_state(layout, ob) -> None:
-    """Draws the state of the sea and the progress of a draft."""
-    whole_sea.draw(layout, ob.name_full)
-    state = facts.state_of(ob)
-    if state is None:
-        return
-    box = layout.box().column(align=True)
-    say_state(box, state)
-    for text in hints.of_size(ob):
-        say(box, text)
-    for warning in facts.warnings_of(ob):
-        say(box, warning, "ERROR")
 
 
 def _draw_hints(layout, ob, seen) -> None:
@@ -219,11 +199,9 @@ class LookPanel(_Panel, bpy.types.Panel):
     bl_parent_id = OceanPanel.bl_idname
     bl_label = "Look"
 
-    @never_raises
-    def draw(self, context) -> None:
-        layout, ob = self.layout, context.object
+    @draws
+    def draw(self, layout, ob, context) -> None:
         settings = ob.libocean
-        place_labels(layout)
         layout.operator_menu_enum(
             material.AddMaterial.bl_idname, "water_type", text="Material", icon="MATERIAL"
         )
@@ -262,10 +240,8 @@ class SprayPanel(_Panel, bpy.types.Panel):
     def draw_header(self, context) -> None:
         self.layout.prop(context.object.libocean, "use_spray", text="")
 
-    @never_raises
-    def draw(self, context) -> None:
-        layout, ob = self.layout, context.object
-        place_labels(layout)
+    @draws
+    def draw(self, layout, ob, _context) -> None:
         layout.active = ob.libocean.use_spray
         for name in ("lifetime", "density", "most", "size"):
             layout.prop(ob.libocean, f"spray_{name}")
@@ -316,11 +292,9 @@ class VolumesPanel(_Panel, bpy.types.Panel):
     bl_label = "Volumes"
     bl_options = {"DEFAULT_CLOSED"}
 
-    @never_raises
-    def draw(self, context) -> None:
-        layout, ob = self.layout, context.object
+    @draws
+    def draw(self, layout, ob, context) -> None:
         settings = ob.libocean.volumes
-        place_labels(layout)
         field(layout, settings, "directory")
         field(layout, settings, "box")
         if settings.box == "OBJECT":
@@ -345,10 +319,9 @@ class AdvancedPanel(_Panel, bpy.types.Panel):
     bl_label = "Advanced"
     bl_options = {"DEFAULT_CLOSED"}
 
-    @never_raises
-    def draw(self, context) -> None:
-        layout, settings = self.layout, context.object.libocean
-        place_labels(layout)
+    @draws
+    def draw(self, layout, ob, _context) -> None:
+        settings = ob.libocean
         layout.prop(settings, "use_custom_time")
         if settings.use_custom_time:
             layout.prop(settings, "custom_time")
@@ -356,7 +329,7 @@ class AdvancedPanel(_Panel, bpy.types.Panel):
         _draw_parameters(layout, settings, TIME)
         layout.separator()
         _draw_parameters(layout, settings, ADVANCED)
-        _draw_map_size(layout, context.object)
+        _draw_map_size(layout, ob)
 
 
 CLASSES = (
@@ -370,4 +343,4 @@ CLASSES = (
     AdvancedPanel,
 )
 
-register, unregister = bpy.utils.register_classes_factory(CLASSES)
+register, unregister = registration.functions(CLASSES)

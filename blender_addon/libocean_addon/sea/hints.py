@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hints about an object's sea before a user wonders: its size, and settings that do something else
-than they seem to.
+"""Hints about an object's sea before a user wonders: settings that do something else than they seem
+to.
 """
 
 from __future__ import annotations
@@ -10,31 +10,10 @@ import math
 
 import bpy
 
-from .look import detail
-from .sea import facts, node_group, open_sea
-from .shared import compat, meshes, object_faults
-from .shared.compat import tr, tr_label
-
-
-def of_size(ob) -> list[str]:
-    """Vertices and samples, in words."""
-    lines = []
-    if ob.type == "MESH":
-        lines.append(tr_label("Mesh: {:,} vertices", len(ob.data.vertices)))
-    sizes = facts.map_sizes(ob)
-    if sizes is None:
-        return lines
-    megabytes = facts.image_bytes(ob) / 1e6
-    text = tr_label("Maps: {} x {} samples, {:,.0f} MB", sizes[0], sizes[0], megabytes)
-    if sizes[0] != sizes[1]:
-        text = tr_label("Maps: {} and, rendered, {}, {:,.0f} MB", sizes[0], sizes[1], megabytes)
-    lines.append(text)
-    made_for = meshes.samples_of(ob.data)
-    if made_for is not None and made_for < min(sizes) and ob.libocean.kind == "PATCH":
-        lines.append(
-            tr_label("The mesh shows one in {} of their samples", (sizes[0] // made_for) ** 2)
-        )
-    return lines
+from ..look import detail
+from ..shared import compat, meshes, object_faults
+from ..shared.compat import tr, tr_label
+from . import facts, node_group, open_sea
 
 
 def _of_scale(ob) -> str:

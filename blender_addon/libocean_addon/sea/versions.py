@@ -4,9 +4,9 @@
 
 from __future__ import annotations
 
-from .bake import baked
-from .sea import parameter_values
-from .shared import changes, meshes, resolutions
+from ..bake import baked
+from ..shared import changes, meshes, resolutions
+from . import parameter_values
 
 
 def upgrade(ob) -> None:

@@ -1,0 +1,25 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The row of the coast: its parameters are those of a sea."""
+
+from __future__ import annotations
+
+from ..sea.subject import PARAMETERS
+from ..shared.subject import Subject
+from . import floats, live, node_group, open_coast
+
+COAST = Subject(
+    name="coast",
+    family=node_group.FAMILY,
+    settings="libocean_coast",
+    parameters=PARAMETERS,
+    listens=("coast", "sea"),
+    opened=open_coast.COASTS,
+    image_inputs=node_group.image_inputs,
+    follow=live.follow,
+    picture=live.CoastPicture,
+    job=live.job,
+    has_water=True,
+    float_pose=floats.float_pose,
+    before_change=live.before_change,
+)

@@ -1,0 +1,53 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The row of the sea."""
+
+from __future__ import annotations
+
+from ..bake import baked
+from ..shared.native import libocean
+from ..shared.subject import Parameters, Subject
+from . import (
+    live,
+    messages,
+    node_group,
+    open_sea,
+    parameter_values,
+    sea_text,
+    stored_horizon,
+    versions,
+)
+
+PARAMETERS = Parameters(
+    settings="libocean",
+    items="waves",
+    words=messages.WORDS,
+    parse=libocean.parse,
+    open_file=libocean.open,
+    preset=lambda name: libocean.preset(name),
+    read=sea_text.read,
+    values_of=lambda ob, scene: live.current_values(ob.libocean, scene),
+    assign=lambda ob, values: parameter_values.assign(ob.libocean, values),
+)
+SEA = Subject(
+    name="sea",
+    family=node_group.FAMILY,
+    settings="libocean",
+    parameters=PARAMETERS,
+    listens=("sea",),
+    opened=open_sea.SEAS,
+    image_inputs=node_group.image_inputs,
+    picture=live.SeaPicture,
+    job=live.job,
+    follow_mesh=live.follow_mesh,
+    has_water=True,
+    float_pose=live.float_pose,
+    is_in_world=lambda ob: ob.libocean.follow_world,
+    place=live.place,
+    show_played=lambda shown: baked.show_detail(shown.ob),
+    fault=live.fault_of,
+    before_change=live.before_change,
+    upgrade=versions.upgrade,
+    put_aside=stored_horizon.put_aside,
+    make_whole=stored_horizon.make_whole,
+)
