@@ -4,9 +4,11 @@
 
 import contextlib
 import dataclasses
+from pathlib import Path
 
 import bpy
 import numpy as np
+from libocean_addon.bake import bake_job, bake_plan
 from libocean_addon.bundled import libocean
 from libocean_addon.shared import (
     compat,
@@ -54,7 +56,7 @@ class ToyHandle:
 
     def set_all(self, values) -> None:
         if float(values["toy.slope"]) > 10.0:
-            raise libocean.Error("toy.slope = 11: is too steep", 0)
+            raise libocean.Error("toy.slope is too steep", 0)
         self.slope = float(values["toy.slope"])
 
     @property
@@ -121,6 +123,36 @@ class ToyPicture(Picture):
         self._show(self.opened.handle.slope)
 
 
+@dataclasses.dataclass(kw_only=True)
+class ToyFiles(bake_job.Job):
+    folder: Path
+
+    def _run(self, tell) -> None:
+        for frame in self.frames:
+            (self.folder / f"{frame.number}.txt").write_text(frame.sea)
+            self.done += 1
+            tell()
+
+
+class ToyBake(bake_plan.Work):
+    modifiers = staticmethod(FAMILY.modifiers)
+
+    def __init__(self, context, ob, asked, shot, *, overwrite) -> None:
+        super().__init__(ob, shot)
+        self.folder, frames = asked, []
+
+        def note(number, shown, settings) -> None:
+            text = TOY.parameters.values_of(settings.id_data, context.scene).text()
+            frames.append(bake_job.Frame(number, shown, text))
+
+        bake_plan.for_each_frame(context, ob, *shot, note)
+        folder = bake_plan.make_folder(asked)
+        self.job = ToyFiles(frames=frames, base_dir=None, overwrite=overwrite, folder=folder)
+
+    def finish(self) -> str:
+        return self.told()
+
+
 def build(group) -> None:
     compat.add_socket(group, "Geometry", "NodeSocketGeometry")
     compat.add_socket(group, "Heights", "NodeSocketImage")
@@ -170,6 +202,7 @@ TOY = Subject(
     picture=ToyPicture,
     job=lambda shown: ToyJob((shown.opened.changes,)),
     follow_mesh=follow_mesh,
+    bake=ToyBake,
 )
 
 

@@ -8,13 +8,11 @@ import threading
 
 import bpy
 
-from ..coast import node_group as coast_group
-from ..coast.coast_bake import CoastBake
 from ..sea import messages, operators
-from ..shared import changes, compat, console, overrides
+from ..shared import changes, compat, console, overrides, subject
 from ..shared.compat import tr, tr_label
 from . import bake_files, bake_job, bake_record, exr_files
-from .bake_plan import Bake, BakeError, Work, asked_range
+from .bake_plan import BakeError, Work, asked_range
 
 
 def _words(failure: Exception) -> str:
@@ -46,12 +44,15 @@ class _OnOwnOcean(operators.OnOcean):
         return super().poll(context) and _is_own(cls, context)
 
 
-class _OnOwnSea(operators.OnSea):
-    """Base of operators on an ocean or the water of a coast."""
+class _OnBaked:
+    """Base of operators on an object of a subject that can be baked."""
 
     @classmethod
     def poll(cls, context) -> bool:
-        return super().poll(context) and _is_own(cls, context)
+        if context.object is not None and subject.that_bakes(context.object) is not None:
+            return _is_own(cls, context)
+        cls.poll_message_set(operators.OnOcean.absent())
+        return False
 
 
 class Frames(_OnOwnOcean):
@@ -181,19 +182,19 @@ class Frames(_OnOwnOcean):
             context.workspace.status_text_set(None)
 
 
-class BakeOcean(_OnOwnSea, Frames, bpy.types.Operator):
+class BakeOcean(_OnBaked, Frames, bpy.types.Operator):
     """Write the sea of each frame as files, and play those: rendering them takes neither the
     add-on nor the library. Existing files of the same sea are kept. ESC stops it"""
 
     bl_idname = "libocean.bake"
     bl_label = "Bake Ocean"
 
-    def begin(self, context, shot: tuple[int, int]) -> Bake:
-        kind = CoastBake if coast_group.modifiers(context.object) else Bake
-        return kind(context, context.object, self.directory, shot, overwrite=self.overwrite)
+    def begin(self, context, shot: tuple[int, int]) -> Work:
+        bake = subject.that_bakes(context.object).bake
+        return bake(context, context.object, self.directory, shot, overwrite=self.overwrite)
 
 
-class FreeBake(_OnOwnSea, bpy.types.Operator):
+class FreeBake(_OnBaked, bpy.types.Operator):
     """Show the live sea again and forget the bake"""
 
     bl_idname = "libocean.free_bake"
@@ -226,7 +227,7 @@ class FreeBake(_OnOwnSea, bpy.types.Operator):
         with changes.quiet():
             ob.libocean.use_bake = False
             ob.libocean.bake.fields = ""
-            ob.libocean.problem = ob.libocean_coast.problem = ""
+            getattr(ob, subject.that_bakes(ob).settings).problem = ""
         changes.tell(ob.libocean)
         if not self.delete_files:
             return {"FINISHED"}

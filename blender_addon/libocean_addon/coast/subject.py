@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from ..sea.subject import PARAMETERS
 from ..shared.subject import Subject
-from . import floats, live, node_group, open_coast
+from . import coast_bake, floats, live, node_group, open_coast
 
 COAST = Subject(
     name="coast",
@@ -21,5 +21,6 @@ COAST = Subject(
     job=live.job,
     has_water=True,
     float_pose=floats.float_pose,
+    bake=coast_bake.CoastBake,
     before_change=live.before_change,
 )

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from ..bake import baked
+from ..bake import bake_plan, baked
 from ..shared.native import libocean
 from ..shared.subject import Parameters, Subject
 from . import (
@@ -43,6 +43,7 @@ SEA = Subject(
     has_water=True,
     float_pose=live.float_pose,
     is_in_world=lambda ob: ob.libocean.follow_world,
+    bake=bake_plan.Bake,
     place=live.place,
     show_played=lambda shown: baked.show_detail(shown.ob),
     fault=live.fault_of,

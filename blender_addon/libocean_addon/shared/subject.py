@@ -171,6 +171,9 @@ class Subject:
     moment. Raises NotShownError, NotReadyError, libocean.Error. None: nothing floats."""
     is_in_world: Callable[[Any], bool] = lambda _ob: False
     """Returns whether the water lies in the world, however the object lies in it."""
+    bake: Callable[..., Any] | None = None
+    """Returns the bake_plan.Work that bakes an object. Arguments: context, object, folder, frames;
+    overwrite. Raises BakeError. None: it has no bake."""
     place: Callable[..., None] = _nothing
     """Sets inputs of all modifiers, also while a bake plays. Arguments: shown, moment."""
     show_played: Callable[..., None] = _nothing
@@ -209,6 +212,11 @@ def water_of(ob) -> Subject | None:
     """Returns the subject of an object on which things float; None for other objects."""
     water = (row for row in rows if row.float_pose is not None)
     return next((row for row in water if row.family.modifiers(ob)), None)
+
+
+def that_bakes(ob) -> Subject | None:
+    """Returns the subject of an object that can be baked; None for other objects."""
+    return next((row for row in rows if row.bake is not None and row.family.modifiers(ob)), None)
 
 
 def add(row: Subject) -> None:
