@@ -3,37 +3,48 @@
 """Broken spectrum files end in one line that names file and line, and in exit code 2. Where one
 record is broken and others are not, a warning has that line.
 
-The files are made by hand in broken_spectra/, a module for each format.
+Of the corpus in tests/seafile, whose sentences are compared in process, one of each kind of each
+file; of NetCDF all that broken_netcdf.py makes.
 """
 
-import runpy
+import tomllib
 from pathlib import Path
 
 import pytest
+from broken_netcdf import CASES as NETCDF
 
-FOLDER = Path(__file__).with_name("broken_spectra")
-CASES = [
-    pytest.param(files, line, fragment, id=f"{path.stem}-{name}")
-    for path in sorted(FOLDER.glob("*.py"))
-    for name, files, line, fragment in runpy.run_path(str(path))["CASES"]
+CORPUS = Path(__file__).parents[1] / "seafile/corpus"
+
+
+def edited():
+    """The first edit that costs the file, and the first that costs a record, of each file."""
+    for table in sorted(CORPUS.glob("*/**/*.toml")):
+        rows = tomllib.loads(table.read_text()).get("broken", [])
+        for kind in ("refused", "fault"):
+            row = next((row for row in rows if row.keys() == {"edit", kind}), None)
+            if row is not None:
+                old, new = (text.encode("latin-1") for text in row["edit"])
+                content = table.with_suffix("").read_bytes().replace(old, new, 1)
+                yield pytest.param(table.stem, content, row[kind], id=f"{table.stem}-{kind}")
+
+
+CASES = list(edited()) + [
+    pytest.param("sea.nc", files["sea.nc"], f"sea.nc: {words}", id=f"netcdf-{name}")
+    for name, files, _, words in NETCDF
 ]
 
 
-def test_there_are_two_hundred_distinct_broken_files():
-    assert len(CASES) >= 200
-    assert len({str(case.values[0]) for case in CASES}) == len(CASES)
-    without_line = [case.id for case in CASES if case.values[1] is None]
-    assert len([name for name in without_line if not name.startswith("netcdf")]) <= 30
+def test_there_are_broken_files_of_each_format():
+    assert len(CASES) >= 75
+    assert len({case.values[1] for case in CASES}) == len(CASES)
 
 
-@pytest.mark.parametrize(("files", "line", "fragment"), CASES)
-def test_the_error_of_a_broken_file_names_its_line(ocean, files, line, fragment):
-    for name, content in files.items():
-        ocean.write(name, content)
-    first = next(iter(files))
-    result = ocean("records", first)
+@pytest.mark.parametrize(("name", "content", "sentence"), CASES)
+def test_the_error_of_a_broken_file_names_its_line(ocean, name, content, sentence):
+    ocean.write(name, content)
+    result = ocean("records", name)
     assert result.returncode in (0, 2), result
-    message = next(text for text in result.stderr.splitlines() if fragment in text)
-    where = f"{first}: " if line is None else f":{line}: "
-    assert where in message, message
+    where, _, words = sentence.partition(": ")
+    message = next(text for text in result.stderr.splitlines() if words in text)
+    assert f"{where}: " in message, message
     assert len(message) < 1200 and message.isprintable()

@@ -161,6 +161,66 @@ TEST(HostileSpectrum, AbsurdNumbersOfColumnsAndRowsAreRefused) {
     EXPECT_TRUE(refusal_of_spectrum(header + rows).says(":100002: more than 100000 records"));
 }
 
+/// `head`, then a row for each number from 1 to `count`.
+template <typename Row>
+std::string rows(const std::string& head, int count, Row row) {
+    std::string text = head;
+    for (int i = 1; i <= count; ++i) text += row(std::to_string(i));
+    return text;
+}
+
+TEST(HostileSpectrum, ManyFrequenciesDirectionsAndRecordsAreRefusedInEachFormat) {
+    const auto says = [](const std::string& content, const std::string& words) {
+        const Refusal refusal = refusal_of_spectrum(content);
+        EXPECT_TRUE(refusal.says("b.data_spec" + words)) << refusal.message;
+    };
+    const auto pair = [](const std::string& i) {
+        return " ." + std::string(5 - i.size(), '0') + i;
+    };
+    says(rows("#YY MM DD hh mm", 4097, pair) + "\n", ":1: more than 4096 frequencies");
+    says("#YY MM DD hh mm .1 .2\n" + repeated("2019 01 02 03 40 1 2\n", 100001),
+         ":100002: more than 100000 records");
+    const auto csv = [](const std::string& i) { return i + "e-3,1\n"; };
+    says(rows("frequency,density\n", 4097, csv), ":4098: more rows");
+    const auto at = [](const char* f) {
+        return [f](const std::string& d) { return f + d + "e-1,1\n"; };
+    };
+    const std::string one = rows("frequency,direction,density\n", 721, at(".1,"));
+    says(rows(one, 721, at(".2,")),
+         ":1443: in the record that ends here: a spectrum has at most 720 directions");
+    const std::string head = "10\n85\n4.5\n0.5\n25\n19\n7\n-.1\n.3\n.2\n213.8\n68.2\n";
+    const auto share = [](const std::string& i) { return i + "e-3,0.5,300.9,58.8,1.49,2.34\n"; };
+    says(rows(head, 4097, share), ":4109: more than 4096 frequencies");
+    const auto number = [](const std::string& i) { return i + "e-2\n"; };
+    const std::string swan = rows("SWAN 1\nLONLAT\n1\n0 0\nAFREQ\n400\n", 400, number);
+    says(swan + "NDIR\n720\n", ":408: a spectrum has at most 131072 values");
+}
+
+TEST(HostileSpectrum, ShortWordsForHugeSpectraAreRefused) {
+    const auto number = [](const std::string& i) { return i + "e-2\n"; };
+    std::string file = "SWAN 1\nLONLAT\n2000\n" + repeated("0 0\n", 2000);
+    const auto angle = [](const std::string& i) { return i + "e-1\n"; };
+    file = rows(rows(file + "AFREQ\n180\n", 180, number) + "CDIR\n720\n", 720, angle);
+    file += "QUANT\n1\nVaDens\nm2/Hz/degr\n-99\n" + repeated("ZERO\n", 2000);
+    const Refusal refusal = refusal_of_spectrum(file);
+    EXPECT_TRUE(refusal.says("more than 67108864 values over all records")) << refusal.message;
+}
+
+TEST(HostileSpectrum, NestingAndListsOfJsonAreRefusedAtOnce) {
+    const std::string key = "{\"spotterId\": ";
+    EXPECT_TRUE(refusal_of_spectrum(key + repeated("[", 1000000))
+                    .says("b.data_spec:1: is nested more than 64 deep"));
+    EXPECT_TRUE(
+        refusal_of_spectrum(repeated("{\"spotterId\":", 1000000)).says("more than 64 deep"));
+    const std::string many =
+        "{\"frequencyData\": [{\"frequency\": [" + repeated("1,", 5000) + "1]}]}";
+    EXPECT_TRUE(refusal_of_spectrum(many).says(":1: more than 4096 frequencies"));
+    const Refusal garbage =
+        refusal_of_spectrum("{\"spotterId\": \x1B[31m\xFF" + std::string(9000, 'x'));
+    EXPECT_LT(garbage.message.size(), 200u);
+    expect_one_printable_line(garbage);
+}
+
 TEST(HostileSpectrum, GarbageInALineIsNotRepeated) {
     const std::string header = "#YY MM DD hh mm Sep_Freq < spec_1 (freq_1) ... >\n";
     const Refusal refusal =
