@@ -251,51 +251,7 @@ TEST(ElevationFile, ProgressIsToldWhileRowsAreRead) {
                 }).says("stopped"));
 }
 
-TEST(ElevationFile, EachBadGridGetsItsSentence) {
-    struct Bad {
-        std::string text;
-        std::string sentence;
-    };
-    const std::string big = "ncols 65536\nnrows 65536\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3";
-    const Bad all[] = {
-        {"", "bed.asc:1: the file ends within the header, before any height"},
-        {"hello world", "bed.asc:1: 'hello' is neither a key of a grid's header nor a number"},
-        {kHeader, "bed.asc:5: the file ends within the header, before any height"},
-        {"ncols", "bed.asc:1: the file ends after the key ncols"},
-        {"ncols 3\nncols 3\n1", "bed.asc:2: the key ncols is repeated"},
-        {"ncols three\n1", "bed.asc:1: ncols = 'three'; allowed is a number"},
-        {"ncols 2.5\n1", "bed.asc:1: ncols = 2.5; allowed is a whole number"},
-        {"nrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2", "bed.asc:5: the header lacks ncols"},
-        {"ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\n1 2 3 4",
-         "bed.asc:5: the header lacks the size of a cell (cellsize)"},
-        {"ncols 2\nnrows 2\nxllcorner 0\ncellsize 1\n1 2 3 4",
-         "bed.asc:5: the header lacks yllcorner or yllcenter"},
-        {"ncols 1\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2",
-         "bed.asc: has 1 x 2 cells; allowed: 2 .. 65536 along each side"},
-        {"ncols 2\nnrows 1e9\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2",
-         "bed.asc: has 2 x 1000000000 cells; allowed: 2 .. 65536 along each side"},
-        {"ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize -1\n1 2 3 4",
-         "bed.asc: has cells of -1 x -1; allowed are positive sizes"},
-        {"ncols 2\nnrows 2\nxllcorner 1e12\nyllcorner 0\ncellsize 1\n1 2 3 4",
-         "bed.asc: has an origin of (1000000000000.5, 0.5); allowed: -1e9 .. 1e9"},
-        {kHeader + "1 2 x 4 5 6", "bed.asc:6: 'x' is not a height"},
-        {kHeader + "1 2 3\n4 5000000\n", "bed.asc:7: the file ends after 5 of 6 heights"},
-        {kHeader + "1 2 3\n4 5\n",
-         "bed.asc:6: the file is cut off: 3 x 2 heights need at least 11 bytes, 10 follow"},
-        {kHeader + "1 2 3\n4 5 6 7\n", "bed.asc:7: more than the 6 heights of the header"},
-        {kHeader + "1 2 3\n4 5 1e6\n",
-         "bed.asc: the height 1e+06 in row 2 from the north, column 3 is out of range; allowed: "
-         "-100000 .. 100000 m, or the file's own value for a missing height"},
-        {kHeader + "-9999 -9999 -9999\n-9999 -9999 -9999\n", "bed.asc: has no heights, only holes"},
-        {kHeader + std::string(100, '1'),
-         "bed.asc:6: '" + std::string(30, '1') + "...' is no number of a grid"},
-        {big,
-         "bed.asc:6: the file is cut off: 65536 x 65536 heights need at least 8589934591 bytes, 5 "
-         "follow"},
-        {"ncols 3\nnrows 2\nxllcorner 0\nyllcorner 89\ncellsize 1\nnodata 0\n1 2 3 4 5 6",
-         ""},  // metres: allowed
-    };
-    for (const Bad& bad : all) EXPECT_EQ(refusal(bad.text).message, bad.sentence);
+TEST(ElevationFile, CellsOfDegreesEndAtThePoles) {
     EXPECT_EQ(refusal("ncols 3\nnrows 2\nxllcorner 0\nyllcorner 89\ncellsize 1\n" + kHeights,
                       {.degrees = CellsInDegrees::yes})
                   .message,

@@ -68,54 +68,6 @@ TEST(TakeFile, MayBeEmptyAndBeginBeforeZero) {
     EXPECT_EQ(take_of("-3.5 swell 1\n").events.front().seconds, -3.5);
 }
 
-struct TakeMistake {
-    const char* name;
-    std::string line;  // the third
-    std::vector<std::string> says;
-};
-class TakeLine : public testing::TestWithParam<TakeMistake> {};
-
-TEST_P(TakeLine, IsRefusedWithFileLineAndWhatIsAllowed) {
-    const Refusal refusal =
-        refusal_of_take("# take\n5 swell 0.5\n" + GetParam().line + "\n6 swell 9\n");
-    EXPECT_TRUE(refusal.refused);
-    EXPECT_EQ(refusal.kind, ErrorKind::invalid_value);
-    EXPECT_TRUE(refusal.says("storm.take:3: ")) << refusal.message;
-    for (const std::string& words : GetParam().says) {
-        EXPECT_TRUE(refusal.says(words)) << words << " in: " << refusal.message;
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Mistakes, TakeLine,
-    testing::Values(
-        TakeMistake{"OutOfRange",
-                    "7 wind_speed 76",
-                    {"waves.0.wind_speed = 76: is out of range", "allowed: 0 .. 75 m/s"}},
-        TakeMistake{
-            "NotANumber", "7 wind_speed fast", {"waves.0.wind_speed = \"fast\"", "0 .. 75"}},
-        TakeMistake{"NanValue", "7 swell nan", {"waves.0.swell = nan", "-1 .. 1"}},
-        TakeMistake{
-            "UnknownWord", "7 spreading wide", {"\"wide\"", "allowed: one of cosine_squared"}},
-        TakeMistake{"UnknownName", "7 wind_sped 3", {"'wind_sped'", "waves.0.wind_speed?"}},
-        TakeMistake{"NoSuchSystem", "7 waves.1.swell 0", {"waves.1.swell", "1 wave systems"}},
-        TakeMistake{"Rebuild",
-                    "7 grid.resolution 256",
-                    {"grid.resolution = 256: is not live", "allowed: choppiness, "}},
-        TakeMistake{"FoamStep", "7 foam_step 0.1", {"surface.foam_step = 0.1: is not live"}},
-        TakeMistake{"Seed", "7 seed 3", {"random.seed = 3: is not live"}},
-        TakeMistake{"BackInTime", "4.9 swell 0", {"4.9: is before the line above, at 5 s"}},
-        TakeMistake{"NoTime", "soon swell 0", {"soon: is not a time", "SECONDS NAME VALUE"}},
-        TakeMistake{"EndlessTime", "inf swell 0", {"inf: is not a time"}},
-        TakeMistake{"NanTime", "nan swell 0", {"nan: is not a time"}},
-        TakeMistake{
-            "NoValue", "7 peak_period", {"7 peak_period: is not an event", "SECONDS NAME VALUE"}},
-        TakeMistake{"TrailingWord", "7 wind_speed 14 m/s", {"= 14: is followed by m/s"}},
-        TakeMistake{"ControlCharacter", "7 wind\x01 3", {"'wind?'"}},
-        TakeMistake{"NulByte", std::string("7 swell 0\0", 10), {"0?"}},
-        TakeMistake{"BrokenUtf8", "7 swell \xFF\xFE", {"??"}}),
-    [](const auto& info) { return std::string(info.param.name); });
-
 TEST(TakeFile, TooManyEventsOrBytesAreRefused) {
     std::string many;
     for (int i = 0; i < 32768; ++i) many += "1 swell 0\n";
@@ -190,20 +142,6 @@ TEST(SeaWithTake, MayHoldItFromTheBeginning) {
     ASSERT_EQ(sea.take.events.size(), 1u);
     EXPECT_EQ(sea.take.events.front().parameter.item, 1u);
     EXPECT_EQ(difference(sea, parse(write_sea(sea).substr(write_sea(sea).find("[water]")))), "");
-}
-
-TEST(SeaWithTake, RefusesInlinedLinesWithFileAndLine) {
-    const auto says = [](const std::string& body, const char* words) {
-        const Refusal refusal = refusal_of_sea(body);
-        EXPECT_TRUE(refusal.says(words)) << refusal.message;
-    };
-    says("[take]\nlines = [\n  \"1 swell 0\",\n  \"2 swell 7\",\n]\n",
-         "test.toml:5: waves.0.swell = 7: is out of range; allowed: -1 .. 1");
-    says("[take]\nlines = [\"1 swell 0\", 3]\n", "test.toml:3: take.lines: holds 3");
-    says("[take]\nlines = \"1 swell 0\"\n", "test.toml:2: take = a table: is not a take");
-    says("[take]\n", "test.toml:2: take = a table: is not a take");
-    says("[take]\nlines = []\nevents = []\n", "test.toml:2: take = a table: is not a take");
-    says("take = 3\n", "test.toml:2: take = 3: is not a take");
 }
 
 TEST(SeaWithTake, DoesNotLoop) {
