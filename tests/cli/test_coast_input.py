@@ -24,18 +24,9 @@ BACK = '[[waves]]\nspectrum = "jonswap"\nwind_speed = 6.0\nwind_direction = 180\
     [
         (grid(HOLES), "26 of 1196 heights that are holes"),
         (grid(BEACH).replace("-11.667", "nan", 1), "column 1, row 25 from the south-west"),
-        (grid(BEACH).replace("-11.667", "inf", 1), "1 of 1196 heights"),
-        (grid([[-3.0]]), "has 1 x 1 cells"),
-        (grid(BEACH[:1]), "has 46 x 1 cells"),
-        (grid(BEACH).replace("cellsize 4", "dx 4\ndy 5"), "4 m long to the east and 5 m to the"),
-        (grid(BEACH, 4000.0), "is 180000 m x 1e+05 m large; allowed: sides of at most 100000 m"),
         (grid(BEACH)[:-2000], "the file ends after 907 of 1196 heights"),
-        (grid(BEACH).replace("nrows 26", "nrows 27"), "the file ends after 1196 of 1242 heights"),
-        (grid(BEACH).replace("nrows 26", "nrows 25"), "more than the 1150 heights of the header"),
-        (grid(BEACH).replace("cellsize 4", "cellsize -4"), "allowed are positive sizes"),
-        ("", "the file ends within the header"),
     ],
-    ids=range(12),
+    ids=range(3),
 )
 def test_a_bad_grid_is_refused(coast, bed, sentence):
     coast.write("bed.asc", bed)
@@ -47,10 +38,6 @@ def test_a_bad_grid_is_refused(coast, bed, sentence):
     ("floats", "header", "sentence"),
     [
         (FLOATS[:-5], HEADER, "has 4779 bytes, its header says 46 x 26 floats, which are 4784"),
-        (FLOATS + b"abcd", HEADER, "has 4788 bytes"),
-        (FLOATS, HEADER.replace("46", "47"), "its header says 47 x 26 floats"),
-        (FLOATS, HEADER.replace("46", "1000000"), "has 1000000 x 26 cells; allowed: 2 .. 65536"),
-        (FLOATS, HEADER.replace("LSB", "MSB"), "or the byteorder of the header is wrong"),
         (FLOATS, None, "has no header beside it"),
     ],
 )

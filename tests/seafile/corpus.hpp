@@ -13,6 +13,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ocean/internal/checked_text.hpp"
@@ -40,12 +41,24 @@ inline std::string text_of(const toml::node& node) {
     return bytes;
 }
 
-/// Expects a sentence; one of a table that ends in "..." is its beginning.
+/// Expects a sentence of a table, in which "(...)" stands for any words.
 inline void expect_sentence(const std::string& actual, const toml::node* expected) {
-    std::string wanted = expected == nullptr ? "?" : text_of(*expected);
-    const bool goes_on = wanted.ends_with("...");
-    if (goes_on) wanted.resize(wanted.size() - 3);
-    EXPECT_EQ(goes_on ? actual.substr(0, wanted.size()) : actual, wanted);
+    constexpr std::string_view kAny = "(...)";
+    const std::string wanted = expected == nullptr ? "?" : text_of(*expected);
+    const std::size_t any = wanted.find(kAny);
+    if (any == std::string::npos) {
+        EXPECT_EQ(actual, wanted);
+        return;
+    }
+    std::size_t at = 0;
+    for (std::size_t from = 0, to = any; from < wanted.size();) {
+        const std::string piece = wanted.substr(from, to - from);
+        at = actual.find(piece, at);
+        ASSERT_TRUE(at != std::string::npos && (from > 0 || at == 0)) << wanted << "\n" << actual;
+        at += piece.size();
+        from = std::min(to, wanted.size() - kAny.size()) + kAny.size();
+        to = std::min(wanted.find(kAny, from), wanted.size());
+    }
 }
 
 inline toml::table read_table(const std::filesystem::path& path) {

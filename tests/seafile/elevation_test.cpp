@@ -280,6 +280,9 @@ TEST(ElevationFile, EachBadFileGetsItsSentence) {
     write(folder.file("short.hdr"), kHeader);
     EXPECT_EQ(message("short.flt"),
               "short.flt: has 20 bytes, its header says 3 x 2 floats, which are 24");
+    write(folder.file("short.flt"), floats({1, 2, 3, 4, 5, 6, 7}));
+    EXPECT_EQ(message("short.flt"),
+              "short.flt: has 28 bytes, its header says 3 x 2 floats, which are 24");
     write(folder.file("int.flt"), floats({1, 2, 3}));
     write(folder.file("int.hdr"), kHeader + "nbits 16\npixeltype SIGNEDINT\n");
     EXPECT_EQ(message("int.flt"), "int.hdr:6: nbits = 16; allowed: 32, the bits of a float");
