@@ -3,7 +3,8 @@
 """Broken NetCDF spectra, written byte by byte: the classic format needs no library.
 
 A file is (dimensions, variables): {name: size} and a list of
-(name, dimension names, attributes, type, values). HDF5 is here as ruins only.
+(name, dimension names, attributes, type, values). HDF5 is here as ruins only. What readers refuse
+of a content that arrives whole is tested in process (BrokenContentsAreRefusedAndNamed).
 """
 
 import struct
@@ -140,7 +141,6 @@ CASES = [
     case("hdf5_with_zeros", b"\x89HDF\r\n\x1a\n" + bytes(4096), LIBRARY),
     case("hdf5_with_ones", b"\x89HDF\r\n\x1a\n" + b"\xff" * 4096, LIBRARY),
     case("no_variables", classic(DIMENSIONS, []), "holds no wave spectrum"),
-    case("no_spectrum", sea(drop=("efth",)), "holds no wave spectrum"),
     case("a_billion_times", sea(dimensions={"time": 1_000_000_000}), "sea.nc: "),
     case("a_million_directions", sea(dimensions={"time": 1, "dir": 1_000_000}), "sea.nc: "),
     case(
@@ -148,11 +148,6 @@ CASES = [
         efth(*[0.1, -0.5] * 12),
         "efth: record 2020-02-13T00:00: a density of -0.5",
     ),
-    case("huge_density", efth(*[1e30] * 24), "efth: "),
-    case("infinite_density", efth(*[float("inf")] * 24), "a density of inf"),
-    case("all_missing", efth(*[NAN] * 24), "efth: all values are missing"),
-    case("density_without_angle", sea(efth=({"units": "m2 s"}, None)), "efth: units 'm2 s'"),
-    case("density_in_joules", sea(efth=({"units": "J m-2"}, None)), "efth: units 'J m-2'"),
     case(
         "latin_1_units", sea(efth=({"units": b"m\xb5 s deg-1"}, None)), "efth: units 'm? s deg-1'"
     ),
@@ -162,35 +157,8 @@ CASES = [
         "scale_factor",
     ),
     case("frequency_below_zero", sea(freq=(None, [-0.1, 0.1, 0.2])), "freq: a frequency of -0.1"),
-    case("frequency_nan", sea(freq=(None, [0.1, NAN, 0.2])), "freq: a frequency of nan"),
-    case("frequency_twice", sea(freq=(None, [0.1, 0.2, 0.1])), "freq: a frequency is there twice"),
-    case("frequency_in_seconds", sea(freq=({"units": "s"}, None)), "freq: units 's'"),
-    case("no_frequencies", sea(drop=("freq",)), "no variable with its frequencies"),
-    case("no_directions", sea(drop=("dir",)), "no variable with its directions"),
-    case(
-        "direction_twice",
-        sea(dir=(None, [0.0, 90.0, 90.0, 270.0])),
-        "dir: a direction appears twice",
-    ),
-    case(
-        "direction_out_of_range",
-        sea(dir=(None, [0.0, 90.0, 180.0, 1e6])),
-        "dir: a direction is not",
-    ),
-    case("direction_in_metres", sea(dir=({"units": "m"}, None)), "dir: units 'm'"),
-    case("latitude_95", sea(lat=(None, [95.0])), "lat: 95"),
     case("longitude_400", sea(lon=(None, [400.0])), "lon: 400"),
-    case("time_without_origin", sea(time=({"units": "days"}, None)), "time: units 'days'"),
-    case(
-        "time_on_february_30", sea(time=({"units": "days since 1990-02-30"}, None)), "time: units"
-    ),
-    case("time_nan", sea(time=(None, [NAN, NAN])), "time: nan is no time"),
-    case("time_in_the_year_5000", sea(time=(None, [1.1e6, 1.1e6])), "is no time in 1800 .. 2999"),
-    case(
-        "calendar_of_360_days",
-        sea(time=({"units": "days since 1990-01-01", "calendar": "360_day"}, None)),
-        "calendar '360_day'",
-    ),
+    case("no_directions", sea(drop=("dir",)), "no variable with its directions"),
     case(
         "buoy_density_negative",
         ndbc(spectral_wave_density=(None, [1.0, -2.0, 3.0])),
