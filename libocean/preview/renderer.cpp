@@ -165,12 +165,6 @@ void Renderer::draw(const DrawnLand& land, const Camera& camera, const Look& loo
     impl_->draw_perspective(land, camera, look, options);
 }
 
-void Renderer::draw(const DrawnScene& scene, const Camera& camera, const Look& look,
-                    const DrawOptions& options) {
-    std::visit([&](const auto& shown) { impl_->draw_perspective(shown, camera, look, options); },
-               scene);
-}
-
 void Renderer::draw_from_above(const DrawnSea& sea, const Camera& camera, double x, double y,
                                double metres, const DrawOptions& options) {
     const Look look;
@@ -184,10 +178,6 @@ void Renderer::draw_from_above(const DrawnLand& land, const Camera& camera, doub
     const double highest = std::max(std::abs(land.heights[0]), std::abs(land.heights[1]));
     const Projection projection = from_above(camera, x, y, metres, highest);
     impl_->draw(land, {camera, look, options, projection}, false);
-}
-
-SceneKind kind_of(const DrawnScene& scene) {
-    return std::holds_alternative<DrawnSea>(scene) ? SceneKind::sea : SceneKind::land;
 }
 
 std::string text(const LeftOut& left_out) {

@@ -138,6 +138,19 @@ def test_a_sea_is_drawn_as_the_board_has_it(folder, bridge):
     assert moved.stdout.splitlines()[0] == expected.stdout.strip()
 
 
+def test_a_coast_is_drawn_as_without_a_bridge(folder, bridge):
+    beach = " ".join(str(0.25 * column - 4.0) for column in range(25))
+    head = "ncols 25\nnrows 25\nxllcenter 0\nyllcenter 0\ncellsize 4\n"
+    (folder / "bed.asc").write_text(head + f"{beach}\n" * 25)
+    coast = ("sea.toml", "--set", "water.seabed=bed.asc", "--set", "grid.resolution=32")
+    coast += ("--size", "64x36", "--offscreen")
+    for name, *join in (("alone.png",), ("joined.png", "--bridge", bridge.address)):
+        drawn = preview(folder, *coast, name, *join)
+        assert drawn.returncode == 0, drawn.stderr
+    alone, joined = (oiio.ImageBuf(str(folder / f"{n}.png")) for n in ("alone", "joined"))
+    assert numpy.array_equal(alone.get_pixels(), joined.get_pixels())
+
+
 def test_a_knob_moves_the_sea_that_is_shown(folder, bridge):
     join = ("sea.toml", "--bridge", bridge.address, "--time", 5, "--probe", "3,4", "--follow")
     follows = subprocess.Popen(

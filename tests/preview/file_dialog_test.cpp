@@ -24,7 +24,7 @@ namespace ocean::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Purpose = FileDialog::Purpose;
+using Purpose = FilePurpose;
 
 /// A folder that is all of PATH, for programs that only this test has.
 class FileDialogTest : public testing::Test {

@@ -11,6 +11,7 @@
 #include "ocean-preview/land_camera.hpp"
 #include "ocean-preview/live_scene.hpp"
 #include "ocean-preview/stage_picture.hpp"
+#include "ocean-preview/terrain_scene.hpp"
 #include "ocean-preview/window/camera_control.hpp"
 #include "ocean/error.hpp"
 #include "ocean/terrainfile.hpp"
@@ -45,14 +46,14 @@ class LiveLandTest : public ::testing::Test {
 };
 
 TEST_F(LiveLandTest, ASliderRedoesTheStagesThatItDirties) {
-    LiveScene scene(hills(), options());
-    ASSERT_NE(scene.land(), nullptr);
+    LiveScene scene(make_subject(hills()), options());
+    auto& land = dynamic_cast<TerrainScene&>(*scene);
     const auto runs_of = [&](const char* name, const char* value) {
-        const TerrainRuns before = scene.land()->terrain().runs();
-        scene.set(name, value);
-        scene.show({});
-        scene.show({});
-        const TerrainRuns after = scene.land()->terrain().runs();
+        const TerrainRuns before = land.terrain().runs();
+        land.set(name, value);
+        land.show();
+        land.show();
+        const TerrainRuns after = land.terrain().runs();
         return TerrainRuns{after.noise - before.noise, after.filter - before.filter,
                            after.maps - before.maps, after.shape - before.shape};
     };
@@ -68,38 +69,40 @@ TEST_F(LiveLandTest, ASliderRedoesTheStagesThatItDirties) {
     EXPECT_EQ(runs_of("mean", "20"), (TerrainRuns{0, 0, 1, 1}));
     EXPECT_EQ(runs_of("seed", "9"), (TerrainRuns{1, 1, 1, 1}));
     EXPECT_EQ(runs_of("seed", "9"), (TerrainRuns{0, 0, 0}));
-    EXPECT_THROW(scene.set("beta", "99"), Error);
-    EXPECT_EQ(scene.land()->model().beta, 2.4);
+    EXPECT_THROW(land.set("beta", "99"), Error);
+    EXPECT_EQ(land.terrain().model().beta, 2.4);
     // Undo unsets a number that was unset.
-    scene.set("rms", "");
-    EXPECT_FALSE(scene.land()->model().rms);
+    land.set("rms", "");
+    EXPECT_FALSE(land.terrain().model().rms);
 }
 
 TEST_F(LiveLandTest, ASeaAndATerrainTakeEachOthersPlace) {
     Parameters parameters = test::wind_sea(32, 200.0);
-    LiveScene scene(Sea{parameters, {}}, options());
-    scene.show({});
-    EXPECT_EQ(scene.kind(), preview::SceneKind::sea);
-    scene.open(hills());
-    EXPECT_EQ(scene.kind(), preview::SceneKind::land);
-    EXPECT_TRUE(scene.is_still());
-    EXPECT_EQ(text_of(scene.opened()), write_terrain(hills()));
-    EXPECT_TRUE(std::holds_alternative<preview::DrawnLand>(scene.shown()));
+    LiveScene scene(make_subject(Sea{parameters, {}}), options());
+    scene->show({});
+    EXPECT_EQ(&scene.row(), &kSeaScene);
+    EXPECT_NE(scene->performed(), nullptr);
+    scene.open(make_subject(hills()));
+    EXPECT_EQ(&scene.row(), &kTerrainScene);
+    EXPECT_EQ(scene->performed(), nullptr);
+    EXPECT_TRUE(scene->is_still());
+    EXPECT_EQ(scene->opened()->text(), write_terrain(hills()));
+    EXPECT_GT(scene->ground().rise, 0.0);  // it is shown
     // A terrain that is refused leaves the scene as it is.
     TerrainModel wrong = hills();
     wrong.beta = -1.0;
     wrong.rms = 2.0;
     wrong.range = {0.0, 1.0};
-    EXPECT_THROW(scene.open(wrong), Error);
-    EXPECT_EQ(scene.land()->model().beta, 2.0);
-    scene.open(Sea{parameters, {}});
-    EXPECT_EQ(scene.kind(), preview::SceneKind::sea);
-    scene.show({});
+    EXPECT_THROW(scene.open(make_subject(wrong)), Error);
+    EXPECT_EQ(find_terrain(*scene->opened())->beta, 2.0);
+    scene.open(make_subject(Sea{parameters, {}}));
+    EXPECT_EQ(&scene.row(), &kSeaScene);
+    scene->show({});
 }
 
 TEST_F(LiveLandTest, TheCameraWalksOnTheGroundAndIsNeverInIt) {
-    LiveScene scene(hills(), options());
-    const CameraGround ground = scene.ground();
+    LiveScene scene(make_subject(hills()), options());
+    const CameraGround ground = scene->ground();
     CameraControl camera(preview_.camera);
     for (const CameraMode mode : {CameraMode::walk, CameraMode::fly, CameraMode::orbit}) {
         camera.mode = mode;
@@ -119,23 +122,23 @@ TEST_F(LiveLandTest, TheCameraWalksOnTheGroundAndIsNeverInIt) {
     }
     // Ground that rises lifts the eye.
     camera.mode = CameraMode::fly;
-    scene.set("mean", "800");
-    scene.show({});
-    camera.stay_above(scene.ground());
+    scene->set("mean", "800");
+    scene->show({});
+    camera.stay_above(scene->ground());
     EXPECT_GT(camera.camera().eye[2], 500.0);
 }
 
 TEST_F(LiveLandTest, AFirstEyeStandsOnTheGroundWhereverThatIs) {
-    LiveScene scene(hills(), options());
-    const auto& land = std::get<preview::DrawnLand>(scene.shown());
+    LiveScene scene(make_subject(hills()), options());
+    const CameraGround land = scene->ground();
     const auto eye_of = [&](EyePlace place, std::array<double, 3> eye, std::string& warning) {
         preview_.eye_place = place;
         preview_.camera.eye = eye;
         preview::Camera camera = preview_.camera;
-        warning = place_on_land(preview_, land, camera);
+        warning = place_on_ground(preview_, land, camera);
         return camera.eye[2];
     };
-    const double ground = land.ground_at(30.0, 40.0);
+    const double ground = land.height(30.0, 40.0);
     std::string warning;
     EXPECT_NEAR(eye_of(EyePlace::on_ground, {30.0, 40.0, 0.0}, warning), ground + 1.7, 1e-9);
     EXPECT_EQ(warning, "");

@@ -11,8 +11,11 @@
 #include <filesystem>
 #include <fstream>
 
+#include "ocean/channel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/exr.hpp"
+#include "ocean/seafile.hpp"
+#include "ocean/terrainfile.hpp"
 
 namespace ocean::app {
 namespace {
@@ -30,7 +33,7 @@ class OpenedFileTest : public testing::Test {
     }
     std::string refusal(const std::string& path) const {
         try {
-            read_opened_file(path, Sea{});
+            read_opened_file(path, *make_subject(Sea{}));
         } catch (const Error& error) {
             return error.what();
         }
@@ -42,27 +45,24 @@ class OpenedFileTest : public testing::Test {
 };
 
 TEST_F(OpenedFileTest, ASeaFileIsASea) {
-    const OpenedFile opened =
-        read_opened_file(file("any.name", "libocean = 1\n[[waves]]\nwind_speed = 7.5\n"), Sea{});
-    ASSERT_TRUE(std::holds_alternative<OpenedModel>(opened));
-    const OpenedScene& scene = std::get<OpenedModel>(opened).scene;
-    ASSERT_TRUE(std::holds_alternative<Sea>(scene));
-    EXPECT_EQ(std::get<Sea>(scene).parameters.waves.front().wind_speed, 7.5);
+    const OpenedFile opened = read_opened_file(
+        file("any.name", "libocean = 1\n[[waves]]\nwind_speed = 7.5\n"), *make_subject(Sea{}));
+    EXPECT_FALSE(opened.take_changes);
+    EXPECT_EQ(sea_of(*opened.scene).parameters.waves.front().wind_speed, 7.5);
 }
 
 TEST_F(OpenedFileTest, ATerrainFileIsATerrain) {
     const OpenedFile opened = read_opened_file(
-        file("hills.toml", "libocean = 1\n[terrain]\nkind = \"tile\"\nbeta = 2.25\n"), Sea{});
-    ASSERT_TRUE(std::holds_alternative<OpenedModel>(opened));
-    const OpenedScene& scene = std::get<OpenedModel>(opened).scene;
-    ASSERT_TRUE(std::holds_alternative<TerrainModel>(scene));
-    EXPECT_EQ(std::get<TerrainModel>(scene).beta, 2.25);
+        file("hills.toml", "libocean = 1\n[terrain]\nkind = \"tile\"\nbeta = 2.25\n"),
+        *make_subject(Sea{}));
+    ASSERT_EQ(opened.scene->kind(), kTerrainKind);
+    EXPECT_EQ(find_terrain(*opened.scene)->beta, 2.25);
 }
 
 TEST_F(OpenedFileTest, ATerrainHasNoTake) {
     const std::string path = file("storm.txt", "1.5 wind_speed 12\n");
     try {
-        read_opened_file(path, TerrainModel{});
+        read_opened_file(path, *make_subject(TerrainModel{}));
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.what(), path + ": is a take, and a terrain has none; open its sea first");
@@ -73,10 +73,10 @@ TEST_F(OpenedFileTest, ATakeIsForTheShownSea) {
     Sea shown;
     shown.parameters.waves.resize(1);
     shown.parameters.seed = 7;
-    const OpenedFile opened =
-        read_opened_file(file("storm.txt", "# gusts\n1.5 wind_speed 12\n3 wind_speed 4\n"), shown);
-    ASSERT_TRUE(std::holds_alternative<OpenedTake>(opened));
-    const Sea& sea = std::get<OpenedTake>(opened).sea;
+    const OpenedFile opened = read_opened_file(
+        file("storm.txt", "# gusts\n1.5 wind_speed 12\n3 wind_speed 4\n"), *make_subject(shown));
+    EXPECT_EQ(opened.take_changes, 2u);
+    const Sea& sea = sea_of(*opened.scene);
     EXPECT_EQ(sea.take.events.size(), 2u);
     EXPECT_EQ(sea.parameters.seed, 7u);
 }

@@ -35,14 +35,20 @@ LiveSea::LiveSea(Sea sea, LiveSeaOptions options)
       time_(kept_.parameters.time.start),
       performed_until_(end_of(kept_)),
       ocean_(std::make_unique<Ocean>(kept_, ocean_options(computing_))),
-      maps_(std::make_unique<preview::SeaMaps>(computing_.maps)) {
-    if (kept_.parameters.water.bed) begin_coast(kept_, std::nullopt);
+      maps_(make_maps(computing_)),
+      has_coast_(options_.waits_for_coast && kept_.parameters.water.bed) {
+    if (kept_.parameters.water.bed && !has_coast_) begin_coast(kept_, std::nullopt);
 }
 
 OceanOptions LiveSea::ocean_options(const Computing& computing) const {
     return {.threads = options_.threads,
             .backend = computing.backend,
-            .foam_start = options_.foam_start};
+            .foam_start = options_.foam_start,
+            .foam_progress = options_.foam_progress};
+}
+
+std::unique_ptr<preview::SeaMaps> LiveSea::make_maps(const Computing& computing) const {
+    return std::make_unique<preview::SeaMaps>(computing.maps, options_.after_stage);
 }
 
 preview::DrawnSea LiveSea::show(const std::array<double, 3>& eye) {
@@ -105,7 +111,7 @@ void LiveSea::fade_to(const Sea& sea, double time) {
 void LiveSea::fade_in(std::unique_ptr<Ocean> next, const Computing& computing, double correlation,
                       double time) {
     if (!maps_before_ || computing != computing_) {
-        maps_before_ = std::make_unique<preview::SeaMaps>(computing.maps);
+        maps_before_ = make_maps(computing);
     }
     std::swap(maps_, maps_before_);
     maps_->foam_changed();
@@ -223,7 +229,7 @@ void LiveSea::settle() {
 void LiveSea::compute_anew() {
     const Computing computing = options_.computing(sea());
     if (computing == computing_) return;
-    auto maps = std::make_unique<preview::SeaMaps>(computing.maps);
+    auto maps = make_maps(computing);
     ocean_ = std::make_unique<Ocean>(*ocean_, ocean_options(computing));
     maps_ = std::move(maps);
     computing_ = computing;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -31,6 +32,10 @@ struct LiveSeaOptions {
     std::function<Computing(const Sea&)> computing;
     /// Start of the foam of the sea's own backend; `computing` has that of compute shaders.
     FoamStart foam_start = FoamStart::empty;
+    std::function<void(std::int64_t done, std::int64_t total)> foam_progress = {};
+    gl::AfterStage after_stage = {};  // of SeaMaps
+    /// The first picture waits for the coast of a sea over a bed; else the open sea stands for it.
+    bool waits_for_coast = false;
 };
 
 /// The OpenGL context of the constructor must be current in every call, also in the destructor. A
@@ -105,6 +110,7 @@ class LiveSea {
 
   private:
     OceanOptions ocean_options(const Computing& computing) const;
+    std::unique_ptr<preview::SeaMaps> make_maps(const Computing& computing) const;
     /// Shows another sea with its clock at a time, into which the sea before fades. The change
     /// waits if a fade is in progress and would jump.
     void fade_to(const Sea& sea, double time);

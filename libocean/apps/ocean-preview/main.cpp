@@ -8,7 +8,6 @@
 #include "command_line.hpp"
 #include "console.hpp"
 #include "ocean/error.hpp"
-#include "ocean/sea_state.hpp"
 #include "ocean/version.hpp"
 #include "offscreen_run.hpp"
 #include "picture_list.hpp"
@@ -53,10 +52,7 @@ Exit codes: 0 done, 1 failed at run time (no GPU, disk), 2 wrong usage or bad
 sea file, 130 interrupted.)";
 
 void warn_of(const OpenedScene& scene, const Context& context) {
-    const auto* const sea = std::get_if<Sea>(&scene);
-    if (sea == nullptr) return;
-    const Parameters parameters = sea->at(sea->parameters.time.start);
-    for (const std::string& warning : full_development_warnings(parameters)) {
+    for (const std::string& warning : row_of(*scene).warnings(*scene)) {
         context.console.warning(warning);
     }
 }
@@ -91,7 +87,10 @@ void run(const PreviewWords& words, const Context& context) {
 
 Command preview_command() {
     auto words = std::make_shared<PreviewWords>();
-    std::vector<OptionGroup> groups = preview_option_groups(*words);
+    std::vector<OptionGroup> groups = {scene_options(words->sea)};
+    for (const auto& [name, options] : preview_option_groups(*words)) {
+        groups.push_back({name, {options.begin(), options.end()}});
+    }
     groups.push_back(run_options(""));
     return {.name = "ocean-preview",
             .summary = "A sea or a terrain to its horizon, in a window or as a picture.",

@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -24,9 +23,8 @@
 #include "ocean/internal/platform.hpp"
 #include "ocean/internal/preview/canvas.hpp"
 #include "ocean/internal/text.hpp"
-#include "ocean/ocean.hpp"
-#include "offscreen_scene.hpp"
 #include "picture_file.hpp"
+#include "scene.hpp"
 #include "stage_layout.hpp"
 #include "workload.hpp"
 
@@ -51,166 +49,14 @@ Device open_device(const std::string& name) {
     return {std::make_unique<gl::HeadlessContext>(), *backend};
 }
 
-preview::DrawOptions draw_options(const PreviewOptions& options, preview::SceneKind kind) {
+preview::DrawOptions draw_options(const PreviewOptions& options) {
     preview::DrawOptions draw;
     draw.width = options.size[0];
     draw.height = options.size[1];
-    draw.view = preview::view_of(options.view, kind);
+    draw.view = preview::view_of(options.view);
     draw.wireframe = options.wireframe;
     draw.cascade = options.cascade.value_or(-1);
     return draw;
-}
-
-/// Pictures of one scene in the current context.
-class OffscreenRun {
-  public:
-    OffscreenRun(const PreviewOptions& options, const OpenedScene& scene, const Context& context,
-                 const Device& device)
-        : options_(options),
-          context_(context),
-          kind_(kind_of(scene)),
-          scene_(make_offscreen_scene(scene, options, device.backend, device.context->info(),
-                                      context)),
-          renderer_(renderer_for(options, device.context->info(), false)) {}
-
-    void print_probes() {
-        for (const auto& place : options_.probes) {
-            context_.console.data(
-                scene_->probe_line(renderer_, options_, place, scene_->time_of(options_)));
-            warn_of_left_out();
-        }
-    }
-
-    void draw(const PreviewOptions& options, const std::string& path) {
-        draw(options, scene_->time_of(options), path);
-    }
-
-    void record(const std::string& stem) {
-        const OutputPattern pattern(options_.record + "/" + stem + ".####.png");
-        io::make_folder(options_.record);
-        begin(options_.frames.size());
-        for (const int frame : options_.frames) {
-            draw_step(frame, options_, scene_->time_of_frame(frame), pattern.file(frame));
-        }
-        context_.console.finish();
-    }
-
-    void draw_list(const std::vector<ListedPicture>& pictures) {
-        begin(pictures.size());
-        int number = 0;
-        for (const auto& [path, options] : pictures) {
-            draw_step(++number, options, scene_->time_of(options), path);
-        }
-        context_.console.finish();
-    }
-
-  private:
-    void begin(std::size_t pictures) {
-        context_.console.begin(static_cast<int>(pictures), std::to_string(pictures) + " pictures",
-                               {});
-    }
-    void draw_step(int number, const PreviewOptions& options, double time,
-                   const std::string& path) {
-        const auto start = std::chrono::steady_clock::now();
-        draw(options, time, path);
-        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-        context_.console.step(number, seconds.count(), {path});
-    }
-    void draw(const PreviewOptions& options, double time, const std::string& path) {
-        if (is_stage_picture(options.view)) {
-            const auto [width, height] = options.size;
-            const StagePicture stage = laid_out(scene_->stage(options, time), width, height);
-            const InterruptWatch::Hold whole = context_.interrupts.hold();
-            return io::write_png(path, stage.width, stage.height, stage.rgb);
-        }
-        const preview::DrawnScene& shown = scene_->shown_at(options, time);
-        std::string warning;
-        const preview::Camera camera = scene_->camera_of(options, warning);
-        if (!warning.empty()) context_.console.warning(warning);
-        const InterruptWatch::Hold whole = context_.interrupts.hold();
-        write_picture(path, renderer_, shown, camera, options.look, draw_options(options, kind_),
-                      options.samples.value_or(kSamples));
-        warn_of_left_out();
-    }
-    /// Warns once of the parts of the last picture that the driver has too few texture units for.
-    void warn_of_left_out() {
-        const std::string words = preview::text(renderer_.left_out());
-        if (words.empty() || std::exchange(warned_, true)) return;
-        context_.console.warning(words);
-    }
-
-    const PreviewOptions& options_;
-    const Context& context_;
-    preview::SceneKind kind_;
-    std::unique_ptr<OffscreenScene> scene_;
-    preview::Renderer renderer_;
-    bool warned_ = false;
-};
-
-double time_of(const PreviewOptions& options, const Sea& sea) {
-    if (options.frame) return sea.time_of(*options.frame);
-    return options.time.value_or(sea.parameters.time.start);
-}
-
-/// Draws the sea with the values that a bridge has, and follows its changes.
-void draw_with_bridge(const PreviewOptions& options, const Sea& sea, const Context& context,
-                      const Device& device, double time) {
-    const gl::ContextInfo& info = device.context->info();
-    // A probe that follows a knob does not wait for foam to settle.
-    const FoamStart foam = options.follow > 0.0 ? FoamStart::empty : FoamStart::settled;
-    const auto computing = [&](const Sea& of) {
-        Computing computing = computing_for(device.backend, options, of, info);
-        computing.maps.foam_start = foam;
-        computing.maps.live = options.follow > 0.0;
-        return computing;
-    };
-    LiveSea live(sea,
-                 {.threads = context.options.threads, .computing = computing, .foam_start = foam});
-    live.near_detail = options.detail;
-    live.go_to(time);
-    preview::Renderer renderer(renderer_for(options, info, options.follow > 0.0));
-    bool first = true;
-    const auto show = [&](double milliseconds) {
-        const preview::DrawnSea shown = live.show(options.camera.eye);
-        for (const auto& place : options.probes) {
-            const std::string when =
-                options.follow > 0.0 ? format_text("%.1f,", milliseconds) : std::string();
-            context.console.data(when + sea_probe_line(renderer, shown, options, place));
-        }
-        if (!std::exchange(first, false) || options.offscreen.empty()) return;
-        const InterruptWatch::Hold whole = context.interrupts.hold();
-        write_picture(options.offscreen, renderer, shown, options.camera, options.look,
-                      draw_options(options, preview::SceneKind::sea),
-                      options.samples.value_or(kSamples));
-        context.console.data(options.offscreen + "\n");
-    };
-    run_with_bridge(*options.bridge, options.follow, live, context.console, show);
-}
-
-/// A function that makes the scene of a frame, counted from 0.
-using ShowFrame = std::function<preview::DrawnScene(int frame)>;
-
-/// Returns the frames of a running sea, at its own rate from a time on [s].
-ShowFrame frames_of(const Sea& sea, const Computing& computing, const Context& context,
-                    const PreviewOptions& options, const gl::AfterStage& after_stage) {
-    const auto live = std::make_shared<Ocean>(sea, OceanOptions{.threads = context.options.threads,
-                                                                .backend = computing.backend,
-                                                                .foam_start = FoamStart::empty});
-    const auto maps = std::make_shared<preview::SeaMaps>(computing.maps, after_stage);
-    std::array<double, 3> eye = options.camera.eye;
-    if (const auto& bed = sea.parameters.water.bed) eye = eye_on_coast(options, *bed);
-    return [live, maps, eye, start = time_of(options, sea), fps = sea.parameters.time.fps](
-               int frame) { return maps->show(*live, start + frame / fps, eye); };
-}
-
-/// Returns the frames of a land, which stands still.
-ShowFrame frames_of(const TerrainModel& terrain, const PreviewOptions& options,
-                    const Device& device, const Context& context) {
-    const auto land = std::make_shared<Terrain>(
-        terrain, TerrainOptions{.threads = context.options.threads, .backend = device.backend});
-    const auto maps = std::make_shared<preview::LandMaps>();
-    const int resolution = land_map_for(options, terrain, device.context->info(), true);
-    return [land, maps, resolution](int) { return maps->show(*land, resolution); };
 }
 
 /// Moves the eye ahead by a frame of a flight.
@@ -227,50 +73,176 @@ std::string mesh_line(const preview::LandStatistics& mesh) {
                        mesh.triangles, static_cast<double>(mesh.resident_bytes) / (1 << 20));
 }
 
-/// Draws frames like a window into a canvas of the picture's size, and prints the time of their
-/// stages. Over land the eye flies ahead.
-void print_budget(const PreviewOptions& options, const OpenedScene& scene, const Context& context,
-                  const Device& device) {
-    constexpr int kBefore = 10;  // frames that compile shaders and allocate memory
-    FrameBudget warm, budget;
-    FrameBudget* measured = &warm;
-    const gl::AfterStage after_stage = [&](std::string_view stage) {
-        measured->after_stage()(stage);
-    };
-    const gl::ContextInfo& info = device.context->info();
-    ShowFrame show;
-    preview::Camera camera = options.camera;
-    if (const auto* const sea = std::get_if<Sea>(&scene)) {
-        show = frames_of(*sea, computing_for(device.backend, options, *sea, info), context, options,
-                         after_stage);
-        if (sea->parameters.water.bed) {
-            const preview::DrawnScene first = show(0);
-            place_on_coast(options, *std::get<preview::DrawnSea>(first).coast, camera);
+/// Pictures of one scene in the current context.
+class OffscreenRun {
+  public:
+    OffscreenRun(const PreviewOptions& options, const OpenedScene& opened, const Context& context,
+                 const Device& device)
+        : options_(options),
+          context_(context),
+          opened_(opened),
+          backend_{device.backend, device.context->info()},
+          // A probe that follows a knob does not wait for foam to settle.
+          scene_(make_scene(options.follow > 0.0 ? Pace::frames : Pace::stills)),
+          renderer_(renderer_for(options, backend_.info, options.follow > 0.0)) {}
+
+    /// Prints the probes, and draws the picture of --offscreen.
+    void show_place() {
+        print_probes(time_of(options_));
+        draw_picture(time_of(options_));
+    }
+
+    /// Draws the scene with the values that a bridge has, and follows its changes.
+    void follow_bridge() {
+        LiveSea& sea = *scene_->performed();
+        sea.go_to(time_of(options_));
+        bool first = true;
+        const auto changed = [&](double milliseconds) {
+            shown_.reset();
+            print_probes(sea.time(),
+                         options_.follow > 0.0 ? format_text("%.1f,", milliseconds) : "");
+            if (std::exchange(first, false)) draw_picture(sea.time());
+        };
+        run_with_bridge(*options_.bridge, options_.follow, sea, context_.console, changed);
+    }
+
+    void record(const std::string& stem) {
+        const OutputPattern pattern(options_.record + "/" + stem + ".####.png");
+        io::make_folder(options_.record);
+        begin(options_.frames.size());
+        for (const int frame : options_.frames) {
+            draw_step(frame, options_, opened_->timeline().time_of(frame), pattern.file(frame));
         }
-    } else {
-        show = frames_of(std::get<TerrainModel>(scene), options, device, context);
-        place_on_land(options, std::get<preview::DrawnLand>(show(0)), camera);
+        context_.console.finish();
     }
-    const bool flies = kind_of(scene) == preview::SceneKind::land;
-    preview::RendererOptions renderer_options = renderer_for(options, info, true);
-    renderer_options.after_stage = after_stage;
-    renderer_options.live = flies;
-    preview::Renderer renderer(renderer_options);
-    const preview::DrawOptions draw = draw_options(options, kind_of(scene));
-    const preview::Canvas canvas(draw.width, draw.height, GL_RGBA8, live_samples(options, info));
-    for (int frame = 0; frame < kBefore + options.budget; ++frame) {
-        measured = frame < kBefore ? &warm : &budget;
-        measured->begin();
-        const preview::DrawnScene shown = show(frame);
-        after_stage("state");
-        if (flies) fly(camera);
-        canvas.bind();
-        renderer.draw(shown, camera, options.look, draw);
-        measured->end_frame();
+
+    void draw_list(const std::vector<ListedPicture>& pictures) {
+        begin(pictures.size());
+        int number = 0;
+        for (const auto& [path, options] : pictures) {
+            draw_step(++number, options, time_of(options), path);
+        }
+        context_.console.finish();
     }
-    context.console.data(budget.table());
-    if (flies) context.console.note(mesh_line(renderer.land_statistics()));
-}
+
+    /// Draws frames like a window into a canvas of the picture's size, and prints the time of their
+    /// stages. Over a scene that stands still the eye flies ahead.
+    void print_budget() {
+        constexpr int kBefore = 10;  // frames that compile shaders and allocate memory
+        FrameBudget warm, budget;
+        FrameBudget* measured = &warm;
+        const gl::AfterStage after_stage = [&](std::string_view stage) {
+            measured->after_stage()(stage);
+        };
+        const auto scene = make_scene(Pace::frames, after_stage);
+        const Timeline timeline = opened_->timeline();
+        const auto eye = scene->first_eye(options_).value_or(options_.camera.eye);
+        scene->go_to(time_of(options_));
+        scene->show(eye);
+        preview::Camera camera = options_.camera;
+        place_on_ground(options_, scene->ground(), camera);
+        preview::RendererOptions renderer_options = renderer_for(options_, backend_.info, true);
+        renderer_options.after_stage = after_stage;
+        renderer_options.live = !timeline.moves;
+        preview::Renderer renderer(renderer_options);
+        const preview::DrawOptions draw = draw_options(options_);
+        const preview::Canvas canvas(draw.width, draw.height, GL_RGBA8,
+                                     live_samples(options_, backend_.info));
+        for (int frame = 0; frame < kBefore + options_.budget; ++frame) {
+            measured = frame < kBefore ? &warm : &budget;
+            measured->begin();
+            scene->go_to(time_of(options_) + frame / timeline.frame_rate);
+            scene->show(eye);
+            after_stage("state");
+            if (!timeline.moves) fly(camera);
+            canvas.bind();
+            scene->draw(renderer, camera, options_.look, draw);
+            measured->end_frame();
+        }
+        context_.console.data(budget.table());
+        if (!timeline.moves) context_.console.note(mesh_line(renderer.land_statistics()));
+    }
+
+  private:
+    std::unique_ptr<Scene> make_scene(Pace pace, const gl::AfterStage& after_stage = {}) {
+        return row_of(*opened_).show(*opened_, {.preview = options_,
+                                                .backend = backend_,
+                                                .threads = context_.options.threads,
+                                                .pace = pace,
+                                                .foam_progress = foam_progress_on(context_.console),
+                                                .after_stage = after_stage});
+    }
+    double time_of(const PreviewOptions& options) const {
+        const Timeline timeline = opened_->timeline();
+        if (options.frame) return timeline.time_of(*options.frame);
+        return options.time.value_or(timeline.start);
+    }
+    void print_probes(double time, const std::string& before = "") {
+        for (const auto& place : options_.probes) {
+            show(options_, time);
+            context_.console.data(before + scene_->probe_line(renderer_, options_, place));
+            warn_of_left_out();
+        }
+    }
+    void draw_picture(double time) {
+        if (options_.offscreen.empty()) return;
+        draw(options_, time, options_.offscreen);
+        context_.console.data(options_.offscreen + "\n");
+    }
+    /// Computes the scene of a picture; pictures of one time and of one first eye share it.
+    void show(const PreviewOptions& options, double time) {
+        const auto eye = scene_->first_eye(options).value_or(std::array<double, 3>{});
+        const auto shown = std::pair(time, eye);
+        scene_->go_to(time);
+        if (shown_ == shown) return;
+        scene_->show(eye);
+        shown_ = shown;
+    }
+    void begin(std::size_t pictures) {
+        context_.console.begin(static_cast<int>(pictures), std::to_string(pictures) + " pictures",
+                               {});
+    }
+    void draw_step(int number, const PreviewOptions& options, double time,
+                   const std::string& path) {
+        const auto start = std::chrono::steady_clock::now();
+        draw(options, time, path);
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        context_.console.step(number, seconds.count(), {path});
+    }
+    void draw(const PreviewOptions& options, double time, const std::string& path) {
+        if (is_stage_picture(options.view)) {
+            const auto [width, height] = options.size;
+            scene_->go_to(time);
+            const StagePicture stage =
+                laid_out(scene_->stage(options.view, options.cascade.value_or(0)), width, height);
+            const InterruptWatch::Hold whole = context_.interrupts.hold();
+            return io::write_png(path, stage.width, stage.height, stage.rgb);
+        }
+        show(options, time);
+        preview::Camera camera = options.camera;
+        const std::string warning = place_on_ground(options, scene_->ground(), camera);
+        if (!warning.empty()) context_.console.warning(warning);
+        const InterruptWatch::Hold whole = context_.interrupts.hold();
+        write_picture(path, renderer_, *scene_, camera, options.look, draw_options(options),
+                      options.samples.value_or(kSamples));
+        warn_of_left_out();
+    }
+    /// Warns once of the parts of the last picture that the driver has too few texture units for.
+    void warn_of_left_out() {
+        const std::string words = preview::text(renderer_.left_out());
+        if (words.empty() || std::exchange(warned_, true)) return;
+        context_.console.warning(words);
+    }
+
+    const PreviewOptions& options_;
+    const Context& context_;
+    const OpenedScene& opened_;
+    ChosenBackend backend_;
+    std::unique_ptr<Scene> scene_;
+    preview::Renderer renderer_;
+    std::optional<std::pair<double, std::array<double, 3>>> shown_;  // time and eye of the scene
+    bool warned_ = false;
+};
 
 }  // namespace
 
@@ -288,20 +260,13 @@ void run_offscreen(const PreviewOptions& options, const std::vector<ListedPictur
     const Device device = open_device(options.backend);
     const gl::HeadlessContext::Current current(*device.context);
     context.console.note("drawn by " + device.context->info().text() + "; the " +
-                         noun_of(kind_of(scene)) + " by " + std::string(device.backend.name));
-    if (options.bridge) {
-        const Sea& sea = std::get<Sea>(scene);
-        return draw_with_bridge(options, sea, context, device, time_of(options, sea));
-    }
+                         std::string(scene->kind()) + " by " + std::string(device.backend.name));
     OffscreenRun run(options, scene, context, device);
-    run.print_probes();
-    if (!options.offscreen.empty()) {
-        run.draw(options, options.offscreen);
-        context.console.data(options.offscreen + "\n");
-    }
+    if (options.bridge) return run.follow_bridge();
+    run.show_place();
     if (!options.record.empty()) run.record(stem_of(source));
     if (!pictures.empty()) run.draw_list(pictures);
-    if (options.budget > 0) print_budget(options, scene, context, device);
+    if (options.budget > 0) run.print_budget();
 }
 
 }  // namespace ocean::app

@@ -48,17 +48,14 @@ void require_picture_folder(const std::string& path) {
                 "cannot write '" + path + "': there is no folder " + text::to_utf8(folder));
 }
 
-void write_picture(const std::string& path, preview::Renderer& renderer,
-                   const preview::DrawnScene& scene, const preview::Camera& camera,
-                   const preview::Look& look, preview::DrawOptions options, int samples) {
+void write_picture(const std::string& path, preview::Renderer& renderer, const Scene& scene,
+                   const preview::Camera& camera, const preview::Look& look,
+                   preview::DrawOptions options, int samples) {
     options.linear = OutputPattern(path).extension() == ".exr";
     const preview::Canvas canvas(options.width, options.height,
                                  options.linear ? GL_RGBA32F : GL_RGBA8, samples);
-    // Near detail is finer than pixels; without it one light for all samples is as smooth and four
-    // times as fast.
-    const auto* const sea = std::get_if<preview::DrawnSea>(&scene);
-    if (sea != nullptr && !sea->tiles.empty()) options.shaded_samples = canvas.samples();
-    renderer.draw(scene, camera, look, options);
+    if (scene.is_finer_than_pixels()) options.shaded_samples = canvas.samples();
+    scene.draw(renderer, camera, look, options);
     if (options.linear) {
         write_light(path, options.width, options.height, canvas.rgba());
     } else {

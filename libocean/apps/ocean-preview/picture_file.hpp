@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ocean/internal/preview/renderer.hpp"
+#include "scene.hpp"
 
 namespace ocean::app {
 
@@ -23,8 +24,8 @@ inline constexpr int kSamples = 4;
 /// screen shows it; .exr linear, Rec. 709, times the exposure, R, G, B of 32 bits. samples: of a
 /// pixel, up to the driver's limit. The renderer's context must be current; its framebuffer is the
 /// window's afterwards. Throws Error.
-void write_picture(const std::string& path, preview::Renderer& renderer,
-                   const preview::DrawnScene& scene, const preview::Camera& camera,
-                   const preview::Look& look, preview::DrawOptions options, int samples);
+void write_picture(const std::string& path, preview::Renderer& renderer, const Scene& scene,
+                   const preview::Camera& camera, const preview::Look& look,
+                   preview::DrawOptions options, int samples);
 
 }  // namespace ocean::app

@@ -3,15 +3,17 @@
 #include "preview_options.hpp"
 
 #include <algorithm>
+#include <type_traits>
+#include <variant>
 
 #include "ocean/bake/plan.hpp"
+#include "ocean/channel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/gl/context.hpp"
 #include "ocean/internal/io/panorama.hpp"
 #include "ocean/internal/text.hpp"
 #include "ocean/internal/water_types.hpp"
 #include "picture_file.hpp"
-#include "stage_picture.hpp"
 
 namespace ocean::app {
 namespace {
@@ -57,8 +59,8 @@ std::array<int, 2> picture_size(const std::string& text) {
             parse_whole_number(parts[1], "--size", 16, 16384)};
 }
 
-int power_of_two(int value, const std::string& option) {
-    if (value >= 32 && value <= 4096 && (value & (value - 1)) == 0) return value;
+void require_power_of_two(int value, const std::string& option) {
+    if (value >= 32 && value <= 4096 && (value & (value - 1)) == 0) return;
     throw Error(ErrorKind::invalid_value,
                 option + " is " + std::to_string(value) + "; allowed: 32, 64, 128 .. 4096");
 }
@@ -140,148 +142,162 @@ void place_environment(const PreviewWords& words, EnvironmentFiles& environments
         within(words.environment_turn.value_or(0.0), "--environment-turn", -3600.0, 3600.0);
 }
 
-/// Lists the given options that only one kind of scene has.
-void list_special(const PreviewWords& words, PreviewOptions& options) {
-    const auto add = [](std::vector<std::string>& list, bool given, const std::string& option) {
-        if (given) list.push_back(option);
-    };
-    std::vector<std::string>& sea = options.only_of_sea;
-    add(sea, words.time.has_value(), "--time");
-    add(sea, words.frame.has_value(), "--frame");
-    add(sea, !words.record.empty(), "--record");
-    add(sea, !words.water.empty(), "--water");
-    add(sea, words.crest_light.has_value(), "--crest-light");
-    add(sea, words.look != "physical", "--look " + words.look);
-    add(sea, words.cascade.has_value(), "--cascade");
-    add(sea, words.foam_map.has_value(), "--foam-map");
-    add(sea, words.no_detail, "--no-detail");
-    add(sea, words.cells.has_value(), "--cells");
-    add(sea, !words.bridge.empty(), "--bridge");
-    add(sea, !words.serve.empty(), "--serve");
-    add(options.only_of_land, options.eye_place == EyePlace::on_ground, "--eye X,Y");
-    add(options.only_of_land, words.colours != "land", "--colours");
-    add(options.only_of_land, words.snow_line.has_value(), "--snow-line");
+bool same_value(const OptionTarget& a, const OptionTarget& b) {
+    return std::visit(
+        [&](auto target) {
+            if constexpr (std::is_pointer_v<decltype(target)>) {
+                return *target == *std::get<decltype(target)>(b);
+            } else {
+                return true;
+            }
+        },
+        a);
+}
+
+/// Lists the given options that only one kind of subject has: those that are not as by default.
+void list_special(PreviewWords words, PreviewOptions& options) {
+    if (options.eye_place == EyePlace::on_ground) {
+        options.special.push_back({kTerrainKind, "--eye X,Y"});
+    }
+    PreviewWords defaults;
+    const std::vector<PreviewGroup> plain = preview_option_groups(defaults);
+    std::size_t at = 0;
+    for (const PreviewGroup& group : preview_option_groups(words)) {
+        const std::vector<PreviewOption>& by_default = plain[at++].options;
+        for (std::size_t i = 0; i < by_default.size(); ++i) {
+            const PreviewOption& option = group.options[i];
+            if (option.kind.empty() || same_value(option.target, by_default[i].target)) continue;
+            const std::string value = option.names == "--look" ? " " + words.look : "";
+            options.special.push_back({option.kind, option.names + value});
+        }
+    }
 }
 
 }  // namespace
 
-std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
+std::vector<PreviewGroup> preview_option_groups(PreviewWords& words) {
     return {
-        scene_options(words.sea),
         {"When",
-         {{"--time", &words.time, "T", "Seconds; default: the start of the sea"},
-          {"--frame",
-           &words.frame,
-           "N",
-           "A frame of the sea instead of a time",
-           kOptional,
-           {},
-           "--time"}}},
+         {{{"--time", &words.time, "T", "Seconds; default: the start of the sea"}, kSeaKind},
+          {{"--frame", &words.frame, "N", "A frame of the sea instead of a time", kOptional,
+            ValueRule(), "--time"},
+           kSeaKind}}},
         {"Camera",
-         {{"--eye", &words.eye, "X,Y,Z",
-           "Place of the camera, metres; Z above still water (default 0,0,8). X,Y alone stands on "
-           "land, 1.7 m above its ground; the default there is higher"},
-          {"--look-at", &words.look_at, "X,Y,Z", "A point in the middle of the picture"},
-          {"--heading", &words.heading, "DEG",
-           "Direction of the view, counter-clockwise from +x (default 0)"},
-          {"--pitch", &words.pitch, "DEG", "Angle of the view above the horizontal (default -4)"},
-          {"--angle", &words.angle, "DEG", "Horizontal field of view (default 60)"}}},
+         {{{"--eye", &words.eye, "X,Y,Z",
+            "Place of the camera, metres; Z above still water (default 0,0,8). X,Y alone stands on "
+            "land, 1.7 m above its ground; the default there is higher"}},
+          {{"--look-at", &words.look_at, "X,Y,Z", "A point in the middle of the picture"}},
+          {{"--heading", &words.heading, "DEG",
+            "Direction of the view, counter-clockwise from +x (default 0)"}},
+          {{"--pitch", &words.pitch, "DEG", "Angle of the view above the horizontal (default -4)"}},
+          {{"--angle", &words.angle, "DEG", "Horizontal field of view (default 60)"}}}},
         {"Light",
-         {{"--sun", &words.sun, "ALTITUDE,BEARING",
-           "Degrees above the horizon, and counter-clockwise from +x (default 35,70)"},
-          {"--environment", &words.environment, "FILE.exr",
-           "A sky over longitude and latitude, with its sun: its top row is the zenith, its middle "
-           "column lies along +x, columns right of it clockwise from above"},
-          {"--environment-turn", &words.environment_turn, "DEG",
-           "Turns that sky counter-clockwise, seen from above"},
-          {"--exposure", &words.exposure, "E", "Factor of the light (default 1)"},
-          {"--visibility", &words.visibility, "M",
-           "Distance at which haze leaves 2 % of contrasts, metres; clear air 40000, 0: no haze "
-           "(default 60000)"},
-          {"--crest-light", &words.crest_light, "F",
-           "Factor of the sun's light through crests in front of it (default 1)"},
-          {"--water", &words.water, "TYPE", "Optical type of the water (default jerlov_ii)",
-           kOptional, OneOf{water_names()}},
-          {"--colours", &words.colours, "COLOURS",
-           "Colours of land: land (default), by height, slope and a snow line, or seed, the ramp "
-           "of "
-           "two colours of teaching programs",
-           kOptional, OneOf{preview::land_colour_names()}},
-          {"--snow-line", &words.snow_line, "M",
-           "Height above which snow lies on level ground, metres (default: 1.3 rms heights above "
-           "the mean, none on land with a coast)"}}},
+         {{{"--sun", &words.sun, "ALTITUDE,BEARING",
+            "Degrees above the horizon, and counter-clockwise from +x (default 35,70)"}},
+          {{"--environment", &words.environment, "FILE.exr",
+            "A sky over longitude and latitude, with its sun: its top row is the zenith, its "
+            "middle column lies along +x, columns right of it clockwise from above"}},
+          {{"--environment-turn", &words.environment_turn, "DEG",
+            "Turns that sky counter-clockwise, seen from above"}},
+          {{"--exposure", &words.exposure, "E", "Factor of the light (default 1)"}},
+          {{"--visibility", &words.visibility, "M",
+            "Distance at which haze leaves 2 % of contrasts, metres; clear air 40000, 0: no haze "
+            "(default 60000)"}},
+          {{"--crest-light", &words.crest_light, "F",
+            "Factor of the sun's light through crests in front of it (default 1)"},
+           kSeaKind},
+          {{"--water", &words.water, "TYPE", "Optical type of the water (default jerlov_ii)",
+            kOptional, OneOf{water_names()}},
+           kSeaKind},
+          {{"--colours", &words.colours, "COLOURS",
+            "Colours of land: land (default), by height, slope and a snow line, or seed, the ramp "
+            "of two colours of teaching programs",
+            kOptional, OneOf{preview::land_colour_names()}},
+           kTerrainKind},
+          {{"--snow-line", &words.snow_line, "M",
+            "Height above which snow lies on level ground, metres (default: 1.3 rms heights above "
+            "the mean, none on land with a coast)"},
+           kTerrainKind}}},
         {"Picture",
-         {{"--offscreen", &words.offscreen, "FILE",
-           "Write one picture; needs no display: FILE.png as a screen shows it, FILE.exr as "
-           "linear light times the exposure"},
-          {"--record", &words.record, "FOLDER",
-           "Write a picture for each of --frames: FOLDER/sea.0001.png; needs no display", kOptional,
-           NotEmpty{}, "--offscreen"},
-          {"--frames", &words.frames, "LIST",
-           "Frames of --record, for example 1-250x2; a comma separates ranges"},
-          {"--pictures", &words.pictures, "LIST.txt",
-           "Write a picture for each line of a file: FILE and its options of when, camera, light "
-           "and picture, such as north.png --heading 90",
-           kOptional, NotEmpty{}, "--offscreen"},
-          {"--size", &words.size, "WxH",
-           "Pixels (default 1280x720; a window multiplies this by its screen's scale, up to the "
-           "screen's size)"},
-          {"--samples", &words.samples, "N",
-           "Samples of a pixel, 1 .. 64, up to the driver's limit (default 4; 1 in a window "
-           "without "
-           "a GPU)",
-           kOptional, Within{1, 64}},
-          {"--view", &words.view, "VIEW",
-           "The field to show (default shaded); below are those of a sea and of a terrain",
-           kOptional, OneOf{all_view_names()}},
-          {"--look", &words.look, "LOOK",
-           "physical (default), or seed: ten by ten periods in plain light and fog, as teaching "
-           "programs draw the sea",
-           kOptional, OneOf{preview::look_names()}},
-          {"--wireframe", &words.wireframe, "", "Draw the mesh without surfaces"},
-          {"--cascade", &words.cascade, "N", "Show only the waves of one cascade, from 0"},
-          {"--probe", &words.probes, "X,Y",
-           "Print the drawn height at a place of the world, metres, and the height of the maps "
-           "there, of land first that of all its waves; may be repeated"}}},
+         {{{"--offscreen", &words.offscreen, "FILE",
+            "Write one picture; needs no display: FILE.png as a screen shows it, FILE.exr as "
+            "linear light times the exposure"}},
+          {{"--record", &words.record, "FOLDER",
+            "Write a picture for each of --frames: FOLDER/sea.0001.png; needs no display",
+            kOptional, NotEmpty{}, "--offscreen"},
+           kSeaKind},
+          {{"--frames", &words.frames, "LIST",
+            "Frames of --record, for example 1-250x2; a comma separates ranges"}},
+          {{"--pictures", &words.pictures, "LIST.txt",
+            "Write a picture for each line of a file: FILE and its options of when, camera, light "
+            "and picture, such as north.png --heading 90",
+            kOptional, NotEmpty{}, "--offscreen"}},
+          {{"--size", &words.size, "WxH",
+            "Pixels (default 1280x720; a window multiplies this by its screen's scale, up to the "
+            "screen's size)"}},
+          {{"--samples", &words.samples, "N",
+            "Samples of a pixel, 1 .. 64, up to the driver's limit (default 4; 1 in a window "
+            "without a GPU)",
+            kOptional, Within{1, 64}}},
+          {{"--view", &words.view, "VIEW",
+            "The field to show (default shaded); below are those of a sea and of a terrain",
+            kOptional, OneOf{all_view_names()}}},
+          {{"--look", &words.look, "LOOK",
+            "physical (default), or seed: ten by ten periods in plain light and fog, as teaching "
+            "programs draw the sea",
+            kOptional, OneOf{preview::look_names()}},
+           kSeaKind},
+          {{"--wireframe", &words.wireframe, "", "Draw the mesh without surfaces"}},
+          {{"--cascade", &words.cascade, "N", "Show only the waves of one cascade, from 0"},
+           kSeaKind},
+          {{"--probe", &words.probes, "X,Y",
+            "Print the drawn height at a place of the world, metres, and the height of the maps "
+            "there, of land first that of all its waves; may be repeated"}}}},
         {"Window",
-         {{"--scale", &words.scale, "F",
-           "Letters and controls F times as large, 0.5 .. 8 (default: the scale of the window's "
-           "screen)"}}},
+         {{{"--scale", &words.scale, "F",
+            "Letters and controls F times as large, 0.5 .. 8 (default: the scale of the window's "
+            "screen)"}}}},
         {"Bridge",
-         {{"--bridge", &words.bridge, "HOST:PORT",
-           "Join an ocean-bridge: its knobs and clients change the sea, and receive changes made "
-           "here"},
-          {"--serve", &words.serve, "HOST:PORT",
-           "Run a bridge in this window: boards and clients connect to it; the panel starts and "
-           "stops it too",
-           kOptional, NotEmpty{}},
-          {"--board-map", &words.board_map, "FILE",
-           "Control map of its boards: which knob sets which parameter", kOptional, NotEmpty{}},
-          {"--dummy", &words.dummy, "", "Simulate its board"},
-          {"--token-file", &words.token_file, "FILE", "File with the bridge's token"},
-          {"--follow", &words.follow, "S",
-           "For S seconds print the probes again after each change by the bridge, behind the "
-           "milliseconds since the change arrived"}}},
+         {{{"--bridge", &words.bridge, "HOST:PORT",
+            "Join an ocean-bridge: its knobs and clients change the sea, and receive changes made "
+            "here"},
+           kSeaKind},
+          {{"--serve", &words.serve, "HOST:PORT",
+            "Run a bridge in this window: boards and clients connect to it; the panel starts and "
+            "stops it too",
+            kOptional, NotEmpty{}},
+           kSeaKind},
+          {{"--board-map", &words.board_map, "FILE",
+            "Control map of its boards: which knob sets which parameter", kOptional, NotEmpty{}}},
+          {{"--dummy", &words.dummy, "", "Simulate its board"}},
+          {{"--token-file", &words.token_file, "FILE", "File with the bridge's token"}},
+          {{"--follow", &words.follow, "S",
+            "For S seconds print the probes again after each change by the bridge, behind the "
+            "milliseconds since the change arrived"}}}},
         {"Computing",
-         {{"--backend", &words.backend, "NAME",
-           "Backend that computes the sea: auto (default) is gl on a GPU with OpenGL 4.3, else "
-           "cpu; radix2, dft and thesis are for comparison",
-           kOptional, OneOf{{"auto", "gl", "cpu", "radix2", "dft", "thesis"}}},
-          {"--map", &words.map, "N", "Samples of a cascade's map along a side"},
-          {"--foam-map", &words.foam_map, "N", "Samples of the foam's map along a side"},
-          {"--cells", &words.cells, "N",
-           "Cells of a level of the mesh of a sea, 16 .. 512 in steps of 8"},
-          {"--no-detail", &words.no_detail, "",
-           "Show the waves too short for the maps as roughness only"},
-          {"--budget", &words.budget, "N",
-           "Draw N frames after a few to warm up, and print the time of each stage, ms", kOptional,
-           Within{1, 100000}},
-          {"--egl-device", &words.egl_device, "N", "Device to draw on, of EGL's list, from 0"}}},
+         {{{"--backend", &words.backend, "NAME",
+            "Backend that computes the sea: auto (default) is gl on a GPU with OpenGL 4.3, else "
+            "cpu; radix2, dft and thesis are for comparison",
+            kOptional, OneOf{{"auto", "gl", "cpu", "radix2", "dft", "thesis"}}}},
+          {{"--map", &words.map, "N", "Samples of a cascade's map along a side"}},
+          {{"--foam-map", &words.foam_map, "N", "Samples of the foam's map along a side"},
+           kSeaKind},
+          {{"--cells", &words.cells, "N",
+            "Cells of a level of the mesh of a sea, 16 .. 512 in steps of 8"},
+           kSeaKind},
+          {{"--no-detail", &words.no_detail, "",
+            "Show the waves too short for the maps as roughness only"},
+           kSeaKind},
+          {{"--budget", &words.budget, "N",
+            "Draw N frames after a few to warm up, and print the time of each stage, ms", kOptional,
+            Within{1, 100000}}},
+          {{"--egl-device", &words.egl_device, "N", "Device to draw on, of EGL's list, from 0"}}}},
     };
 }
 
 PreviewOptions preview_options(const PreviewWords& words, EnvironmentFiles& environments) {
     PreviewOptions options;
+    static_cast<PlainOptions&>(options) = words;
     place_camera(words, options);
     list_special(words, options);
     preview::Look& look = options.look;
@@ -302,26 +318,18 @@ PreviewOptions preview_options(const PreviewWords& words, EnvironmentFiles& envi
     if (words.snow_line) {
         look.snow_line = within(*words.snow_line, "--snow-line", -1e6, 1e6);
     }
-    options.view = words.view;
     options.has_size = !words.size.empty();
     if (options.has_size) options.size = picture_size(words.size);
-    if (words.scale) options.scale = within(*words.scale, "--scale", kMinScale, kMaxScale);
-    options.backend = words.backend;
-    if (words.map) options.map = power_of_two(*words.map, "--map");
-    if (words.foam_map) options.foam_map = power_of_two(*words.foam_map, "--foam-map");
-    if (words.cells) {
-        if (*words.cells % 8 != 0 || *words.cells < 16 || *words.cells > 512) {
-            throw Error(ErrorKind::invalid_value, "--cells is " + std::to_string(*words.cells) +
-                                                      "; allowed: 16, 24, 32 .. 512");
-        }
-        options.cells = *words.cells;
+    if (words.scale) within(*words.scale, "--scale", kMinScale, kMaxScale);
+    if (words.map) require_power_of_two(*words.map, "--map");
+    if (words.foam_map) require_power_of_two(*words.foam_map, "--foam-map");
+    if (words.cells && (*words.cells % 8 != 0 || *words.cells < 16 || *words.cells > 512)) {
+        throw Error(ErrorKind::invalid_value,
+                    "--cells is " + std::to_string(*words.cells) + "; allowed: 16, 24, 32 .. 512");
     }
     if (words.egl_device) gl::use_egl_device(*words.egl_device);
     join_bridge(words, options);
-    options.samples = words.samples;
     options.budget = words.budget.value_or(0);
-    options.time = words.time;
-    options.frame = words.frame;
     if (!words.offscreen.empty()) {
         require_picture_name(words.offscreen, "--offscreen");
         if (is_stage_picture(words.view) && OutputPattern(words.offscreen).extension() != ".png") {
@@ -331,15 +339,11 @@ PreviewOptions preview_options(const PreviewWords& words, EnvironmentFiles& envi
                             "numbers");
         }
     }
-    options.offscreen = words.offscreen;
     if (words.record.empty() != words.frames.empty()) {
         throw Error(ErrorKind::invalid_value, "--record FOLDER and --frames LIST go together");
     }
-    options.record = words.record;
     if (!words.frames.empty()) options.frames = parse_frames(words.frames);
-    options.wireframe = words.wireframe;
     options.detail = !words.no_detail;
-    options.cascade = words.cascade;
     for (const std::string& probe : words.probes) {
         options.probes.push_back(
             numbers<2>(probe, "--probe", {{{-kFarthest, kFarthest}, {-kFarthest, kFarthest}}}));
@@ -348,31 +352,20 @@ PreviewOptions preview_options(const PreviewWords& words, EnvironmentFiles& envi
 }
 
 void require_fit(const PreviewOptions& options, const OpenedScene& scene) {
-    const preview::SceneKind kind = kind_of(scene);
-    const auto& missing =
-        kind == preview::SceneKind::sea ? options.only_of_land : options.only_of_sea;
-    const auto* const sea = std::get_if<Sea>(&scene);
-    const bool is_coast = sea != nullptr && sea->parameters.water.bed != nullptr;  // with land
-    if (!missing.empty() && !is_coast) {
-        const auto other =
-            kind == preview::SceneKind::sea ? preview::SceneKind::land : preview::SceneKind::sea;
-        throw Error(ErrorKind::invalid_value, missing.front() + " is for a " + noun_of(other) +
-                                                  "; this is a " + noun_of(kind));
+    const SceneRow& row = row_of(*scene);
+    const std::string noun(row.kind);
+    for (const auto& [kind, text] : options.special) {
+        if (kind == row.kind || kind == row.includes(*scene)) continue;
+        throw Error(ErrorKind::invalid_value,
+                    text + " is for a " + std::string(kind) + "; this is a " + noun);
     }
-    const std::vector<std::string> views = all_view_names(kind);
+    const std::vector<std::string> views = all_view_names(row);
     if (std::ranges::find(views, options.view) == views.end()) {
-        throw Error(ErrorKind::invalid_value, std::string("--view: a ") + noun_of(kind) +
-                                                  " has no view '" + options.view +
+        throw Error(ErrorKind::invalid_value, "--view: a " + noun + " has no view '" +
+                                                  options.view +
                                                   "'; allowed: " + joined(views, ", "));
     }
-    if (sea == nullptr || !options.cascade) return;
-    const int cascades = sea->parameters.grid.cascades;
-    if (*options.cascade >= 0 && *options.cascade < cascades) return;
-    throw Error(
-        ErrorKind::invalid_value,
-        "--cascade is " + std::to_string(*options.cascade) + "; the sea has " +
-            (cascades == 1 ? "one, 0"
-                           : std::to_string(cascades) + ", 0 .. " + std::to_string(cascades - 1)));
+    row.require_fit(*scene, options);
 }
 
 }  // namespace ocean::app

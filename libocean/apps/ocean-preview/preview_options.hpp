@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bridge_host.hpp"
@@ -20,21 +21,30 @@
 
 namespace ocean::app {
 
+/// The options whose values are used as they were typed.
+struct PlainOptions {
+    std::string view = "shaded";   // or a stage of the transform
+    std::string backend = "auto";  // of the maps
+    std::string offscreen;
+    std::string record;  // folder of a sequence
+    std::optional<double> time;
+    std::optional<double> scale;                 // of the panel; default: that of the screen
+    std::optional<int> map, foam_map, cells;     // samples of maps, cells of the mesh
+    std::optional<int> frame, samples, cascade;  // samples of a pixel; the cascade shown alone
+    bool wireframe = false;
+};
+
 /// The options as they were typed.
-struct PreviewWords {
+struct PreviewWords : PlainOptions {
     SeaArgument sea;
-    std::string eye, look_at, sun, size, view = "shaded", look = "physical", backend = "auto";
-    std::optional<double> heading, pitch, angle, exposure, visibility, crest_light, time,
-        environment_turn, scale;
-    std::optional<int> frame, budget, samples, egl_device, map, foam_map, cells, cascade;
-    std::string colours = "land";
-    std::optional<double> snow_line;
-    std::string water, offscreen, record, frames, pictures, environment, bridge, token_file, serve,
-        board_map;
-    bool dummy = false;
-    std::optional<double> follow;
+    std::string eye, look_at, sun, size, look = "physical", colours = "land", water, frames,
+                                         pictures, environment, bridge, token_file, serve,
+                                         board_map;
+    std::optional<double> heading, pitch, angle, exposure, visibility, crest_light, snow_line,
+        environment_turn, follow;
+    std::optional<int> budget, egl_device;
     std::vector<std::string> probes;
-    bool wireframe = false, no_detail = false;
+    bool dummy = false, no_detail = false;
 };
 
 // Scales of the panel.
@@ -48,40 +58,41 @@ enum class EyePlace {
     on_ground,  // X,Y
 };
 
-struct PreviewOptions {
+/// A given option that only one kind of subject has.
+struct SpecialOption {
+    std::string_view kind;
+    std::string text;
+};
+
+struct PreviewOptions : PlainOptions {
     preview::Camera camera;
     EyePlace eye_place = EyePlace::not_given;
     std::optional<std::array<double, 3>> look_at;  // the camera looks there from any eye
     preview::Look look;
-    std::string view = "shaded";  // or a stage of the transform
     std::array<int, 2> size = {1280, 720};
-    bool has_size = false;         // --size was given
-    std::optional<double> scale;   // of the panel; default: the scale of the window's screen
-    std::string backend = "auto";  // of the maps
-    std::optional<int> map;
-    std::optional<int> foam_map;
-    std::optional<int> cells;
-    std::optional<double> time;
-    std::optional<int> frame;
-    std::optional<int> samples;  // of a pixel
-    int budget = 0;              // frames to measure
-    std::string offscreen;
-    std::string record;       // folder of a sequence
-    std::vector<int> frames;  // of the sequence
+    bool has_size = false;    // --size was given
+    int budget = 0;           // frames to measure
+    std::vector<int> frames;  // of a sequence
     std::vector<std::array<double, 2>> probes;
-    bool wireframe = false;
     bool detail = true;                               // shows waves too short for the maps
-    std::optional<int> cascade;                       // shown alone
     std::optional<bridge::LineClientOptions> bridge;  // to join
     double follow = 0.0;                              // [s]
     BridgeHostOptions host;                           // of a bridge in this process
     bool serve = false;                               // that bridge runs from the start
-    std::vector<std::string> only_of_sea;             // the given options that land lacks
-    std::vector<std::string> only_of_land;            // and those that a sea lacks
+    std::vector<SpecialOption> special;
 };
 
-/// Returns the options of the program, which write into `words`.
-std::vector<OptionGroup> preview_option_groups(PreviewWords& words);
+/// An option, and the only kind of subject that has it; "": all have.
+struct PreviewOption : Option {
+    std::string_view kind = {};
+};
+struct PreviewGroup {
+    std::string name;
+    std::vector<PreviewOption> options;
+};
+
+/// Returns the options of the program beside its argument, which write into `words`.
+std::vector<PreviewGroup> preview_option_groups(PreviewWords& words);
 /// Skies by the names of their files: a sky of several pictures is read once.
 using EnvironmentFiles = std::map<std::string, std::shared_ptr<const preview::Environment>>;
 /// Returns the values of the options, and reads the sky that they name. Throws Error.

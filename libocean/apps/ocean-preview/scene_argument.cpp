@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene_argument.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "terrain_argument.hpp"
 
 namespace ocean::app {
-
-preview::SceneKind kind_of(const OpenedScene& scene) {
-    return std::holds_alternative<Sea>(scene) ? preview::SceneKind::sea : preview::SceneKind::land;
-}
 
 OptionGroup scene_options(SeaArgument& argument) {
     return {"Scene",
@@ -23,14 +22,31 @@ OptionGroup scene_options(SeaArgument& argument) {
 
 OpenedScene open_scene(const SeaArgument& argument) {
     refuse_unknown_preset(argument.source);
-    if (names_terrain(argument.source)) {
-        return open_terrain({argument.source, argument.assignments});
-    }
-    return open_sea(argument);
+    const std::vector<const SceneRow*>& rows = scene_rows();
+    const auto names_it = [&](const SceneRow* row) { return row->is_named(argument.source); };
+    return (*std::find_if(rows.rbegin(), rows.rend(), names_it))->open(argument);
 }
 
-const char* noun_of(preview::SceneKind kind) {
-    return kind == preview::SceneKind::sea ? "sea" : "terrain";
+std::vector<std::string> all_view_names(const SceneRow& row) {
+    std::vector<std::string> names = row.views();
+    names.insert(names.end(), row.stages.begin(), row.stages.end());
+    return names;
+}
+
+std::vector<std::string> all_view_names() {
+    std::vector<std::string> names;
+    for (const SceneRow* const row : scene_rows()) {
+        std::ranges::copy_if(
+            all_view_names(*row), std::back_inserter(names),
+            [&](const std::string& name) { return std::ranges::find(names, name) == names.end(); });
+    }
+    return names;
+}
+
+bool is_stage_picture(const std::string& view) {
+    return std::ranges::any_of(scene_rows(), [&](const SceneRow* row) {
+        return std::ranges::find(row->stages, view) != row->stages.end();
+    });
 }
 
 }  // namespace ocean::app

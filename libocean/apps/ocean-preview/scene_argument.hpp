@@ -4,24 +4,21 @@
 // The argument of `ocean-preview`: a sea or a terrain, recognised by the file.
 #pragma once
 
-#include <variant>
-
-#include "ocean/internal/preview/picture.hpp"
-#include "ocean/sea.hpp"
-#include "ocean/terrain_model.hpp"
+#include "scene.hpp"
 #include "sea_argument.hpp"
 
 namespace ocean::app {
 
-/// A resolved and validated sea or terrain.
-using OpenedScene = std::variant<Sea, TerrainModel>;
-
-preview::SceneKind kind_of(const OpenedScene& scene);
 /// Returns the argument and --set as options.
 OptionGroup scene_options(SeaArgument& argument);
-/// Returns the sea or the terrain that an argument names. Throws Error.
+/// Returns the subject that an argument names. Throws Error.
 OpenedScene open_scene(const SeaArgument& argument);
-/// Returns "sea" or "terrain".
-const char* noun_of(preview::SceneKind kind);
+
+/// Returns the views that a person can choose: those of the renderer, then the stages.
+std::vector<std::string> all_view_names(const SceneRow& row);
+/// Returns the names of all views of all rows, each once.
+std::vector<std::string> all_view_names();
+/// Returns true for a stage of any row.
+bool is_stage_picture(const std::string& view);
 
 }  // namespace ocean::app

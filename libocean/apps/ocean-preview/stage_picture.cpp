@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <numeric>
 
 #include "ocean/backend.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/map_request.hpp"
-#include "ocean/internal/preview/picture.hpp"
 
 namespace ocean::app {
 namespace {
@@ -92,31 +90,6 @@ double log_place(double value, double low, double high) {
 }
 
 }  // namespace
-
-std::vector<std::string> stage_picture_names(preview::SceneKind kind) {
-    if (kind == preview::SceneKind::land) return {"noise", "transform", "filter", "spectrum"};
-    return {"h0", "spectrum", "butterfly"};
-}
-
-bool is_stage_picture(const std::string& view) {
-    return std::ranges::any_of(
-        std::array{preview::SceneKind::sea, preview::SceneKind::land},
-        [&](auto kind) { return std::ranges::count(stage_picture_names(kind), view) != 0; });
-}
-
-std::vector<std::string> all_view_names(preview::SceneKind kind) {
-    std::vector<std::string> names = preview::view_names(kind);
-    std::ranges::move(stage_picture_names(kind), std::back_inserter(names));
-    return names;
-}
-
-std::vector<std::string> all_view_names() {
-    std::vector<std::string> names = all_view_names(preview::SceneKind::sea);
-    for (std::string& name : all_view_names(preview::SceneKind::land)) {
-        if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
-    }
-    return names;
-}
 
 StagePicture make_stage_picture(gl::StageMaker& maker, Ocean& sea, double time, std::size_t cascade,
                                 std::string_view name) {

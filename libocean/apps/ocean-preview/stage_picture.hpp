@@ -8,26 +8,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "ocean/internal/gl/stages.hpp"
-#include "ocean/internal/preview/picture.hpp"
 #include "ocean/internal/terrain_stages.hpp"
 #include "ocean/ocean.hpp"
 
 namespace ocean::app {
-
-/// Returns the names of a scene's stages: "h0", "spectrum", "butterfly" of a sea; "noise",
-/// "transform", "filter", "spectrum" of a terrain.
-std::vector<std::string> stage_picture_names(preview::SceneKind kind);
-/// Returns true for a stage of either kind of scene.
-bool is_stage_picture(const std::string& view);
-/// Returns the names of the renderer's views of a kind of scene, and then those of its stages.
-std::vector<std::string> all_view_names(preview::SceneKind kind);
-/// Returns the names of all views of all kinds, each once.
-std::vector<std::string> all_view_names();
 
 /// Pixels in red, green and blue of sRGB, the bottom row first.
 struct StagePicture {

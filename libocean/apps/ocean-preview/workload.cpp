@@ -89,12 +89,18 @@ const Backend& best_backend(const gl::ContextInfo& context) {
     return has_compute(context) && !context.software ? gl::kBackend : Backend::cpu;
 }
 
+const Backend& ChosenBackend::fitting(const std::string& why_not) {
+    if (why_not.empty()) return chosen;
+    const std::string name(chosen.name);
+    if (!fell_back) throw Error(ErrorKind::invalid_value, "backend " + name + ": " + why_not);
+    chosen = best_backend(info);
+    fell_back(name + " " + why_not);
+    return chosen;
+}
+
 Computing computing_for(const Backend& backend, const PreviewOptions& options, const Sea& sea,
                         const gl::ContextInfo& context) {
-    if (const std::string reason = why_not(backend, sea, context); !reason.empty()) {
-        throw Error(ErrorKind::invalid_value,
-                    "backend " + std::string(backend.name) + ": " + reason);
-    }
+    ChosenBackend{backend, context}.fitting(why_not(backend, sea, context));
     Computing computing{backend, {}};
     preview::SeaMapsOptions& maps = computing.maps;
     maps.compute = backend == gl::kBackend;

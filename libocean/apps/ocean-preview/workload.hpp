@@ -4,6 +4,7 @@
 // The backends, and the work that a machine can do within a frame.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,6 +26,19 @@ bool computes_by_shaders(const Backend& backend);
 std::string why_not(const Backend& backend, const Sea& sea, const gl::ContextInfo& context);
 /// Returns gl for a GPU with OpenGL 4.3, else cpu.
 const Backend& best_backend(const gl::ContextInfo& context);
+
+/// The backend that a person has chosen for the scenes of a context.
+struct ChosenBackend {
+    Backend chosen;
+    gl::ContextInfo info;
+    /// Called with the reason when the best backend takes the place of the chosen one; empty: an
+    /// Error says it.
+    std::function<void(const std::string& reason)> fell_back = {};
+
+    /// Returns the backend for a model. why_not: why the chosen one cannot compute it, for example
+    /// because a grid has grown too large for it; "": it can. Throws Error invalid_value.
+    const Backend& fitting(const std::string& why_not);
+};
 
 /// Returns live maps of the requested sizes, or of sizes that the machine can make within a frame.
 /// Throws Error invalid_value if the backend cannot compute the sea.

@@ -12,13 +12,13 @@ void draw_camera_section(LiveScene& scene, CameraControl& camera, PanelState& st
     static constexpr const char* kModes[] = {"fly", "walk", "orbit", "float"};
     ImGui::PushItemWidth(panel_length(kWidgetWidth));
     int mode = static_cast<int>(camera.mode);
-    if (ImGui::Combo("Camera (C)", &mode, kModes, camera_modes(scene.kind()))) {
+    const CameraGround ground = scene->ground();
+    if (ImGui::Combo("Camera (C)", &mode, kModes, camera_modes(ground))) {
         camera.mode = static_cast<CameraMode>(mode);
         state.requests.touched = true;
     }
     slider(state, "Field of view", camera.camera().field_of_view, 5.0f, 120.0f, "%.0f deg");
     std::array<double, 3>& eye = camera.camera().eye;
-    const CameraGround ground = scene.ground();
     // Over the ground, or over still water.
     const double level = ground.is_solid ? ground.height(eye[0], eye[1]) : 0.0;
     const double before = eye[2] - level;

@@ -13,7 +13,7 @@ bool try_to_set(LiveScene& scene, PanelState& state, const std::string& path,
                 const std::string& value) {
     state.requests.touched = true;
     try {
-        scene.set(path, value);
+        scene->set(path, value);
         state.message.clear();
         return true;
     } catch (const Error& error) {
@@ -23,12 +23,14 @@ bool try_to_set(LiveScene& scene, PanelState& state, const std::string& path,
 }
 
 void open_with_undo(LiveScene& scene, PanelState& state, const OpenedScene& opened) {
-    OpenedScene before = scene.opened();
-    const std::string what = std::string("the ") + noun_of(scene.kind());
+    OpenedScene before = scene->opened();
+    const std::string_view kind = scene.row().kind;
     std::optional<double> time;
-    if (scene.sea() != nullptr && !std::holds_alternative<Sea>(opened)) time = scene.sea()->time();
+    const LiveSea* const sea = scene->performed();
+    if (sea != nullptr && opened->kind() != kind) time = sea->time();
     scene.open(opened);
-    state.changes.push_back({what, "what it was", std::move(before), {}, time});
+    state.changes.push_back(
+        {"the " + std::string(kind), "what it was", std::move(before), {}, time});
 }
 
 void toggle_recording(LiveSea& sea, PanelState& state) {
@@ -42,7 +44,7 @@ void toggle_recording(LiveSea& sea, PanelState& state) {
                 format_text("recorded: the take has %zu changes; save the sea to keep it", changes);
             return;
         }
-        Sea before = sea.sea();
+        OpenedScene before = make_subject(sea.sea());
         sea.start_recording();
         const std::size_t dropped = changes - sea.sea().take.events.size();
         state.message = "recording";
@@ -61,10 +63,11 @@ void undo(LiveScene& scene, PanelState& state) {
     }
     const Change change = state.changes.back();
     if (change.scene) {
+        const LiveSea* const sea = scene->performed();
         const std::optional<double> time =
-            scene.sea() != nullptr ? std::optional(scene.sea()->time()) : change.time;
-        scene.open(*change.scene);
-        if (time && scene.sea() != nullptr) scene.sea()->go_to(*time);
+            sea != nullptr ? std::optional(sea->time()) : change.time;
+        scene.open(change.scene);
+        if (time) scene->go_to(*time);
         if (change.source) state.source = *change.source;
         state.requests.touched = true;
     } else if (!try_to_set(scene, state, change.path, change.before)) {

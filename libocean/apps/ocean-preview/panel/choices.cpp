@@ -4,24 +4,21 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/text.hpp"
-#include "ocean/seafile.hpp"
-#include "ocean/terrainfile.hpp"
 #include "panel/changes.hpp"
 #include "panel/sections.hpp"
 #include "panel/widgets.hpp"
+#include "source_text.hpp"
 
 namespace ocean::app {
 namespace {
 
-/// Draws presets of one kind of scene; parse() makes a scene of one.
-template <typename Parse>
-void list_presets(std::span<const Preset> presets, const Parse& parse, LiveScene& scene,
-                  PanelState& state) {
-    for (const Preset& preset : presets) {
+void list_presets(const SceneRow& row, LiveScene& scene, PanelState& state) {
+    for (const Preset& preset : row.presets()) {
         if (ImGui::Selectable(preset.name.c_str())) {
             state.requests.touched = true;
             try {
-                open_with_undo(scene, state, parse(preset));
+                open_with_undo(scene, state,
+                               row.open({std::string(kPresetPrefix) + preset.name, {}}));
                 state.message = preset.name + ": " + preset.description;
             } catch (const Error& error) {
                 state.message = error.what();
@@ -31,23 +28,17 @@ void list_presets(std::span<const Preset> presets, const Parse& parse, LiveScene
     }
 }
 
-/// The presets of the shown kind of scene, and below a line those of the other kind.
+/// The presets of the shown kind of scene, and below a line each those of the other kinds.
 void choose_preset(LiveScene& scene, PanelState& state) {
     ImGui::SetNextItemWidth(panel_length(kWidgetWidth));
     if (!ImGui::BeginCombo("Preset", "choose ...")) return;
-    const auto seas = [&] {
-        list_presets(
-            presets(), [](const Preset& p) { return parse_sea(p.toml, p.name, ""); }, scene, state);
-    };
-    const auto terrains = [&] {
-        list_presets(
-            terrain_presets(), [](const Preset& p) { return parse_terrain(p.toml, p.name, ""); },
-            scene, state);
-    };
-    const bool sea_first = scene.sea() != nullptr;
-    sea_first ? seas() : terrains();
-    ImGui::Separator();
-    sea_first ? terrains() : seas();
+    const SceneRow& shown = scene.row();
+    list_presets(shown, scene, state);
+    for (const SceneRow* const row : scene_rows()) {
+        if (row == &shown) continue;
+        ImGui::Separator();
+        list_presets(*row, scene, state);
+    }
     ImGui::EndCombo();
 }
 

@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <array>
-#include <utility>
 
 #include "panel/sections.hpp"
 #include "panel/widgets.hpp"
@@ -11,8 +10,6 @@
 namespace ocean::app {
 namespace {
 
-constexpr const char* kOpenPopup = "open a file";
-constexpr const char* kSavePopup = "save as";
 constexpr const char* kRecentPopup = "recent files";
 
 /// Closes the open popup when Escape is pressed, also while its field has the keys.
@@ -54,49 +51,40 @@ void draw_recent(PanelState& state) {
 }
 
 /// Asks for a path in the dialog of the desktop, or in a field.
-void ask(PanelState& state, FileRows::Ask purpose) {
-    const bool opens = purpose == FileRows::Ask::open;
-    if (!state.files.has_dialog) {
-        state.files.ask = purpose;
-    } else if (opens) {
-        state.requests.ask_open = true;
-    } else {
-        state.requests.ask_save = true;
-    }
+void ask(PanelState& state, FilePurpose purpose) {
+    (state.files.has_dialog ? state.requests.ask : state.files.ask) = purpose;
 }
 
-void draw_path_fields(PanelState& state) {
-    FileRows& files = state.files;
-    const FileRows::Ask asked = std::exchange(files.ask, FileRows::Ask::nothing);
-    if (asked == FileRows::Ask::open) ImGui::OpenPopup(kOpenPopup);
-    if (asked == FileRows::Ask::save) ImGui::OpenPopup(kSavePopup);
-    if (ImGui::BeginPopup(kOpenPopup)) {
-        if (path_field(files, "Open")) state.requests.open = files.typed;
-        ImGui::EndPopup();
+/// Draws the field of a purpose while its popup is open, and opens the popup if it is asked for.
+void draw_path_field(FileRows& files, FilePurpose purpose, const char* popup, const char* button,
+                     std::string& path) {
+    if (files.ask == purpose) {
+        files.ask.reset();
+        ImGui::OpenPopup(popup);
     }
-    if (ImGui::BeginPopup(kSavePopup)) {
-        if (path_field(files, "Save")) state.requests.save_as = files.typed;
-        ImGui::EndPopup();
-    }
+    if (!ImGui::BeginPopup(popup)) return;
+    if (path_field(files, button)) path = files.typed;
+    ImGui::EndPopup();
 }
 
 }  // namespace
 
 void draw_open_buttons(const LiveScene& scene, PanelState& state) {
-    if (ImGui::Button("Open ...")) ask(state, FileRows::Ask::open);
+    if (ImGui::Button("Open ...")) ask(state, FilePurpose::open);
     tooltip(
         "A sea, a terrain, a take, a baked file or a sky (Ctrl O);\n"
         "files can be dropped on the window too");
     ImGui::SameLine();
-    if (ImGui::Button("Save as ...")) ask(state, FileRows::Ask::save);
-    tooltip(scene.sea() != nullptr ? "Save the sea under a chosen name (Ctrl S)"
-                                   : "Save the terrain under a chosen name (Ctrl S)");
+    if (ImGui::Button("Save as ...")) ask(state, FilePurpose::save);
+    tooltip(
+        ("Save the " + std::string(scene.row().kind) + " under a chosen name (Ctrl S)").c_str());
     ImGui::SameLine();
     if (ImGui::Button("Recent")) {
         state.requests.list_recent = true;
         ImGui::OpenPopup(kRecentPopup);
     }
-    draw_path_fields(state);
+    draw_path_field(state.files, FilePurpose::open, "open a file", "Open", state.requests.open);
+    draw_path_field(state.files, FilePurpose::save, "save as", "Save", state.requests.save_as);
     draw_recent(state);
 }
 

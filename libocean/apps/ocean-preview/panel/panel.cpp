@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <string>
-#include <vector>
 
-#include "ocean/sea_state.hpp"
 #include "panel/panel.hpp"
 #include "panel/sections.hpp"
 #include "panel/widgets.hpp"
@@ -15,18 +13,13 @@
 namespace ocean::app {
 namespace {
 
-std::vector<std::string> warnings_of(LiveScene& scene) {
-    if (scene.sea() != nullptr) return full_development_warnings(scene.sea()->now());
-    return scene.land()->warnings();
-}
-
 /// Draws warnings of the scene and the last message at the foot of the window, and the values of
 /// the place under the mouse beside it.
 void draw_message(LiveScene& scene, const PanelState& state) {
     if (!state.under_mouse.empty()) ImGui::SetTooltip("%s", state.under_mouse.c_str());
     std::string text;
     if (state.shown) {
-        for (const std::string& warning : warnings_of(scene)) text += warning + "\n";
+        for (const std::string& warning : scene->warnings()) text += warning + "\n";
     }
     if (state.shown && !state.left_out.empty()) text += state.left_out + "\n";
     text += state.message;
@@ -83,7 +76,8 @@ void draw_search(PanelState& state) {
 }
 
 void draw_sections(LiveScene& scene, CameraControl& camera, PanelState& state) {
-    if (scene.sea() != nullptr) draw_transport(*scene.sea(), state);
+    LiveSea* const sea = scene->performed();
+    if (sea != nullptr) draw_transport(*sea, state);
     draw_readings(scene, state);
     draw_file_buttons(scene, state);
     draw_open_buttons(scene, state);
@@ -91,13 +85,13 @@ void draw_sections(LiveScene& scene, CameraControl& camera, PanelState& state) {
         draw_picture_section(scene, state);
     }
     if (ImGui::CollapsingHeader("Camera")) draw_camera_section(scene, camera, state);
-    if (scene.sea() != nullptr && ImGui::CollapsingHeader("Bridge")) {
+    if (sea != nullptr && ImGui::CollapsingHeader("Bridge")) {
         draw_bridge_section(state.bridge, state.requests);
     }
     ImGui::Separator();
     draw_search(state);
     draw_choices(scene, state);
-    draw_parameter_sections(scene, state);
+    scene->draw_parameters(scene, state);
 }
 
 }  // namespace
@@ -106,8 +100,8 @@ void draw_panel(LiveScene& scene, CameraControl& camera, PanelState& state) {
     draw_message(scene, state);
     if (!state.shown) return;
     place_panel(state.place);
-    const bool is_open = ImGui::Begin(scene.sea() != nullptr ? "Sea (Tab hides)###panel"
-                                                             : "Terrain (Tab hides)###panel");
+    const std::string title = capitalised(scene.row().kind) + " (Tab hides)###panel";
+    const bool is_open = ImGui::Begin(title.c_str());
     state.place.corner = {ImGui::GetWindowPos().x, ImGui::GetWindowPos().y};
     if (is_open) {
         state.place.size = {ImGui::GetWindowSize().x, ImGui::GetWindowSize().y};

@@ -13,7 +13,8 @@
 #include "bridge_link.hpp"
 #include "ocean/internal/preview/picture.hpp"
 #include "ocean/internal/preview/renderer.hpp"
-#include "scene_argument.hpp"
+#include "scene.hpp"
+#include "window/file_dialog.hpp"
 
 namespace ocean::app {
 
@@ -35,9 +36,10 @@ struct BackendRow {
 struct Change {
     std::string path;
     std::string before;
-    std::optional<OpenedScene> scene = {};
+    OpenedScene scene = {};
     std::optional<SeaArgument> source = {};  // of that scene, if another file was opened
-    std::optional<double> time = {};         // of the clock of a sea that a terrain replaced [s]
+    std::optional<double> time =
+        {};  // of the clock of a scene that one without a clock replaced [s]
 };
 
 /// The bridge: one that the window has joined, or one of its own.
@@ -69,8 +71,7 @@ struct FileRows {
     bool has_dialog = false;     // the desktop has a program that asks for a file
     std::vector<Recent> recent;  // the newest first, as they were when the list was requested
     // Where no dialog asks for a path, a field of the panel does.
-    enum class Ask { nothing, open, save };
-    Ask ask = Ask::nothing;  // the field that appears in the next frame
+    std::optional<FilePurpose> ask;  // the field that appears in the next frame
     std::string typed;
 };
 
@@ -80,8 +81,8 @@ struct PanelRequests {
 
     bool touched = false;  // anything at all: the picture has changed
     bool save_scene = false;
-    bool ask_open = false, ask_save = false;  // by the desktop's dialog
-    std::string open, save_as;                // paths
+    std::optional<FilePurpose> ask;
+    std::string open, save_as;  // paths
     bool list_recent = false;
     std::string save_picture;  // ".png", ".exr" or ""
     bool reload = false;
@@ -93,7 +94,7 @@ struct PanelRequests {
 
 struct PanelState {
     preview::Look look;
-    std::string view = "shaded";  // one of all_view_names(kind)
+    std::string view = "shaded";  // one of all_view_names(row)
     int cascade = -1;             // the only one shown; -1: all
     int cascades = 1;
     bool wireframe = false;

@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +14,8 @@
 #include "panel/parameter_row.hpp"
 #include "panel/sections.hpp"
 #include "panel/widgets.hpp"
+#include "sea_scene.hpp"
+#include "terrain_scene.hpp"
 
 namespace ocean::app {
 namespace {
@@ -87,7 +88,7 @@ class Rows {
     }
 
     std::string_view note_of(const RefOf<Model>& ref) const {
-        if (scene_.sea() == nullptr) return "";
+        if (scene_->performed() == nullptr) return "";
         return ref.info->change == ParameterClass::live
                    ? "Glides"
                    : "Makes another sea; a take cannot have it";
@@ -110,9 +111,11 @@ class Rows {
     PanelState& state_;
 };
 
-void draw_sea_sections(LiveSea& sea, LiveScene& scene, PanelState& state) {
-    Rows<Parameters> rows(sea_table(), sea.now(), scene, state);
-    const std::size_t systems = sea.sea().parameters.waves.size();
+}  // namespace
+
+void SeaScene::draw_parameters(LiveScene& scene, PanelState& state) {
+    Rows<Parameters> rows(sea_table(), live_.now(), scene, state);
+    const std::size_t systems = live_.sea().parameters.waves.size();
     for (std::size_t wave = 0; wave < systems; ++wave) {
         rows.section("Waves " + std::to_string(wave), "waves", wave, true);
     }
@@ -125,12 +128,11 @@ void draw_sea_sections(LiveSea& sea, LiveScene& scene, PanelState& state) {
 }
 
 /// Draws all sections of the table, under their own names.
-void draw_land_sections(LiveLand& land, LiveScene& scene, PanelState& state) {
-    const TerrainModel shown = land.model();  // a change replaces it
+void TerrainScene::draw_parameters(LiveScene& scene, PanelState& state) {
+    const TerrainModel shown = terrain_->model();  // a change replaces it
     Rows<TerrainModel> rows(terrain_table(), shown, scene, state);
     for (const TableSection& section : terrain_table().sections) {
-        std::string title(section.item.empty() ? section.name : section.item);
-        title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+        const std::string title = capitalised(section.item.empty() ? section.name : section.item);
         if (!section.is_list()) {
             rows.section(title, section.name, 0, true);
             continue;
@@ -138,16 +140,6 @@ void draw_land_sections(LiveLand& land, LiveScene& scene, PanelState& state) {
         for (std::size_t item = 0; item < items_of(section, shown); ++item) {
             rows.section(title + " " + std::to_string(item), section.name, item, false);
         }
-    }
-}
-
-}  // namespace
-
-void draw_parameter_sections(LiveScene& scene, PanelState& state) {
-    if (scene.sea() != nullptr) {
-        draw_sea_sections(*scene.sea(), scene, state);
-    } else {
-        draw_land_sections(*scene.land(), scene, state);
     }
 }
 

@@ -10,62 +10,53 @@
 #include "ocean/internal/water_types.hpp"
 #include "panel/sections.hpp"
 #include "panel/widgets.hpp"
-#include "stage_picture.hpp"
+#include "scene_argument.hpp"
+#include "sea_scene.hpp"
+#include "terrain_scene.hpp"
 
 namespace ocean::app {
 namespace {
 
-void choose_cascade(PanelState& state) {
-    const std::string all = state.cascade < 0 ? "all" : std::to_string(state.cascade);
-    if (!ImGui::BeginCombo("Cascade", all.c_str())) return;
-    for (int cascade = -1; cascade < state.cascades; ++cascade) {
-        const std::string name = cascade < 0 ? "all" : std::to_string(cascade);
-        if (ImGui::Selectable(name.c_str(), cascade == state.cascade)) {
-            state.cascade = cascade;
-            state.requests.touched = true;
-        }
-    }
-    ImGui::EndCombo();
-}
-
-/// Draws a list of words; `chosen` is set to the word that a person chooses. Returns true then.
+/// Draws a list of words with their tips, if any; `chosen` is set to the word that a person
+/// chooses. Returns true then.
 bool choose_word(const char* label, const std::vector<std::string>& words, std::string& chosen,
-                 PanelState& state) {
+                 PanelState& state, const std::vector<std::string>& tips = {}) {
     bool changed = false;
     if (!ImGui::BeginCombo(label, chosen.c_str())) return false;
-    for (const std::string& word : words) {
-        if (!ImGui::Selectable(word.c_str(), word == chosen)) continue;
-        chosen = word;
-        state.requests.touched = changed = true;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (ImGui::Selectable(words[i].c_str(), words[i] == chosen)) {
+            chosen = words[i];
+            state.requests.touched = changed = true;
+        }
+        if (!tips.empty()) tooltip(tips[i].c_str());
     }
     ImGui::EndCombo();
     return changed;
 }
 
-void choose_water(PanelState& state) {
-    preview::Look& look = state.look;
-    if (!ImGui::BeginCombo("Water", look.water_type.c_str())) return;
-    for (const WaterType& type : water_types()) {
-        const std::string name(type.name);
-        if (ImGui::Selectable(name.c_str(), name == look.water_type)) {
-            look.water_type = name;
-            state.requests.touched = true;
-        }
-        tooltip(std::string(type.help).c_str());
-    }
-    ImGui::EndCombo();
-}
+}  // namespace
 
-void draw_sea_look(PanelState& state) {
+void SeaScene::draw_look(PanelState& state) {
     preview::Look& look = state.look;
-    choose_cascade(state);
+    std::vector<std::string> cascades = {"all"};
+    for (int n = 0; n < state.cascades; ++n) cascades.push_back(std::to_string(n));
+    std::string cascade = cascades[static_cast<std::size_t>(state.cascade + 1)];
+    if (choose_word("Cascade", cascades, cascade, state)) {
+        state.cascade = cascade == "all" ? -1 : std::stoi(cascade);
+    }
     const std::vector<std::string> looks = preview::look_names();
     std::string name = looks[static_cast<std::size_t>(look.kind)];
     if (choose_word("Look", looks, name, state)) look.kind = preview::look_of(name);
-    choose_water(state);
+    std::vector<std::string> waters, tips;
+    for (const WaterType& type : water_types()) {
+        waters.emplace_back(type.name);
+        tips.emplace_back(type.help);
+    }
+    choose_word("Water", waters, look.water_type, state, tips);
 }
 
-void draw_land_look(const preview::DrawnLand& land, PanelState& state) {
+void TerrainScene::draw_look(PanelState& state) {
+    const preview::DrawnLand& land = shown_;
     preview::Look& look = state.look;
     const std::vector<std::string> names = preview::land_colour_names();
     std::string name = names[static_cast<std::size_t>(look.land_colours)];
@@ -84,6 +75,8 @@ void draw_land_look(const preview::DrawnLand& land, PanelState& state) {
     slider(state, "Snow from", *look.snow_line, static_cast<float>(land.mean - 3.0 * land.rms),
            static_cast<float>(land.mean + 5.0 * land.rms), "%.0f m");
 }
+
+namespace {
 
 void draw_light(PanelState& state) {
     preview::Look& look = state.look;
@@ -114,12 +107,10 @@ void draw_foam_and_crests(PanelState& state) {
 }  // namespace
 
 void draw_picture_section(LiveScene& scene, PanelState& state) {
-    LiveSea* const sea = scene.sea();
+    LiveSea* const sea = scene->performed();
     ImGui::PushItemWidth(panel_length(kWidgetWidth));
-    choose_word("View (V)", all_view_names(scene.kind()), state.view, state);
-    if (sea != nullptr) draw_sea_look(state);
-    const auto* const land = std::get_if<preview::DrawnLand>(&scene.shown());
-    if (land != nullptr) draw_land_look(*land, state);
+    choose_word("View (V)", all_view_names(scene.row()), state.view, state);
+    scene->draw_look(state);
     draw_light(state);
     ImGui::PopItemWidth();
     if (sea != nullptr) draw_foam_and_crests(state);

@@ -24,7 +24,5 @@ void draw_camera_section(LiveScene& scene, CameraControl& camera, PanelState& st
 void draw_bridge_section(BridgeRows& bridge, PanelRequests& requests);
 /// Presets and backends.
 void draw_choices(LiveScene& scene, PanelState& state);
-/// Every parameter of the scene.
-void draw_parameter_sections(LiveScene& scene, PanelState& state);
 
 }  // namespace ocean::app

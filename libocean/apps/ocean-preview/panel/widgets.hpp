@@ -6,6 +6,10 @@
 
 #include <imgui.h>
 
+#include <cctype>
+#include <string>
+#include <string_view>
+
 #include "panel/panel_length.hpp"
 #include "panel/panel_state.hpp"
 
@@ -25,6 +29,12 @@ inline void slider(PanelState& state, const char* label, double& value, float lo
 
 inline void tooltip(const char* text) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
+}
+
+inline std::string capitalised(std::string_view word) {
+    std::string text(word);
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text;
 }
 
 }  // namespace ocean::app

@@ -4,15 +4,15 @@
 // The camera's movements by keys, mouse and gamepad.
 #pragma once
 
-#include "live_scene.hpp"
 #include "ocean/internal/preview/picture.hpp"
+#include "scene.hpp"
 
 namespace ocean::app {
 
 enum class CameraMode { fly, walk, orbit, floating };
-/// Returns the number of modes over a kind of scene: nothing floats on land.
-constexpr int camera_modes(preview::SceneKind kind) {
-    return kind == preview::SceneKind::sea ? 4 : 3;
+/// Returns the number of modes over a ground: without a boat none floats.
+inline int camera_modes(const CameraGround& ground) {
+    return ground.boat ? 4 : 3;
 }
 
 /// The requested movement of the camera in one step; directions are -1 .. 1.

@@ -50,9 +50,9 @@ std::string best_program() {
     return "";
 }
 
-std::vector<std::string> arguments(const std::string& program, FileDialog::Purpose purpose,
+std::vector<std::string> arguments(const std::string& program, FilePurpose purpose,
                                    const std::string& suggested) {
-    const bool saves = purpose == FileDialog::Purpose::save;
+    const bool saves = purpose == FilePurpose::save;
     const std::string title = saves ? "Save the sea" : "Open a sea, a take or a sky";
     if (program.ends_with("/kdialog")) {
         return {program,   "--title",
@@ -124,7 +124,7 @@ FileDialog::~FileDialog() {
     ::waitpid(child_, &ignored, 0);
 }
 
-void FileDialog::ask(Purpose purpose, const std::string& suggested) {
+void FileDialog::ask(FilePurpose purpose, const std::string& suggested) {
     if (is_open()) return;
     program_ = best_program();
     if (program_.empty()) {

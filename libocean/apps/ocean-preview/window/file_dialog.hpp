@@ -11,11 +11,12 @@
 
 namespace ocean::app {
 
+enum class FilePurpose { open, save };
+
 class FileDialog {
   public:
-    enum class Purpose { open, save };
     struct Answer {
-        Purpose purpose;
+        FilePurpose purpose;
         std::string path;  // "" if the user cancelled
     };
 
@@ -33,7 +34,7 @@ class FileDialog {
     bool is_open() const { return child_ > 0; }
     /// Opens the dialog; does nothing while one is open. suggested: a folder ending in a slash, or
     /// the name of a file. A dialog that saves asks before it replaces a file. Throws Error.
-    void ask(Purpose purpose, const std::string& suggested);
+    void ask(FilePurpose purpose, const std::string& suggested);
     /// Returns the answer once there is one; never blocks. Throws Error unsupported if the program
     /// failed.
     std::optional<Answer> poll();
@@ -43,7 +44,7 @@ class FileDialog {
 
     int child_ = 0;    // its process; 0 while no dialog is open
     int output_ = -1;  // of the child, as it is read here
-    Purpose purpose_ = Purpose::open;
+    FilePurpose purpose_ = FilePurpose::open;
     std::string program_;
     std::string answer_;
 };

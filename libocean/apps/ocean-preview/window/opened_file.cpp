@@ -14,6 +14,7 @@
 #include "ocean/internal/io/read_provenance.hpp"
 #include "ocean/internal/line_reader.hpp"
 #include "ocean/internal/platform.hpp"
+#include "scene_argument.hpp"
 
 namespace ocean::app {
 namespace {
@@ -42,7 +43,7 @@ bool is_binary(std::string_view head) {
 OpenedFile read_exr(const std::string& path) {
     std::optional<io::Panorama> sphere;
     try {
-        if (io::read_provenance(path)) return OpenedModel{open_scene({path, {}})};
+        if (io::read_provenance(path)) return {.scene = open_scene({path, {}})};
     } catch (const Error& no_sea) {
         try {
             sphere = io::read_exr_panorama(path);
@@ -52,13 +53,13 @@ OpenedFile read_exr(const std::string& path) {
         }
     }
     if (!sphere) throw Error(ErrorKind::bad_file, path + ": " + kKinds);
-    return OpenedSky{std::make_shared<const preview::Environment>(
-        preview::make_environment(sphere->width, sphere->height, sphere->rgb))};
+    return {.sky = std::make_shared<const preview::Environment>(
+                preview::make_environment(sphere->width, sphere->height, sphere->rgb))};
 }
 
 }  // namespace
 
-OpenedFile read_opened_file(const std::string& path, const OpenedScene& shown) {
+OpenedFile read_opened_file(const std::string& path, const Subject& shown) {
     std::error_code error;
     if (std::filesystem::is_directory(utf8_path(path), error)) {
         throw Error(ErrorKind::bad_file, path + ": is a folder; " + kKinds);
@@ -69,20 +70,23 @@ OpenedFile read_opened_file(const std::string& path, const OpenedScene& shown) {
     const std::string head = text::first_bytes(path, kHeadBytes);
     if (head.starts_with(kExrMagic)) return read_exr(path);
     if (looks_like_a_take(head)) {
-        if (!std::holds_alternative<Sea>(shown)) {
-            throw Error(ErrorKind::bad_file,
-                        path + ": is a take, and a terrain has none; open its sea first");
+        const Sea* const of = find_sea(shown);
+        if (of == nullptr) {
+            throw Error(ErrorKind::bad_file, path + ": is a take, and a " +
+                                                 std::string(shown.kind()) +
+                                                 " has none; open its sea first");
         }
-        Sea sea = std::get<Sea>(shown);
+        Sea sea = *of;
         sea.take = {};
         set_in_sea(sea, "time.take", path);
-        return OpenedTake{std::move(sea)};
+        const std::size_t changes = sea.take.events.size();
+        return {.scene = make_subject(std::move(sea)), .take_changes = changes};
     }
     const bool is_baked = io::read_header(path).has_value();
     if (!is_baked && is_binary(head)) {
         throw Error(ErrorKind::bad_file, path + ": is none of these; " + kKinds);
     }
-    return OpenedModel{open_scene({path, {}})};
+    return {.scene = open_scene({path, {}})};
 }
 
 }  // namespace ocean::app

@@ -5,31 +5,24 @@
 // sea, or a sky.
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
-#include <variant>
 
 #include "ocean/internal/preview/environment.hpp"
-#include "scene_argument.hpp"
+#include "scene.hpp"
 
 namespace ocean::app {
 
-/// A sea or a terrain, from its own file or from a baked file.
-struct OpenedModel {
-    OpenedScene scene;
+struct OpenedFile {
+    OpenedScene scene = {};  // from its own file or from a baked one; null: the file is a sky
+    std::optional<std::size_t> take_changes = {};  // the scene is the shown sea with another take
+    std::shared_ptr<const preview::Environment> sky = {};  // in place of the computed one
 };
-/// The shown sea with another take.
-struct OpenedTake {
-    Sea sea;
-};
-/// A panorama in place of the computed sky.
-struct OpenedSky {
-    std::shared_ptr<const preview::Environment> environment;
-};
-using OpenedFile = std::variant<OpenedModel, OpenedTake, OpenedSky>;
 
 /// Reads a file; `shown` is the scene that a take is for. Throws Error with the reason why the file
 /// cannot be opened, safe on hostile files.
-OpenedFile read_opened_file(const std::string& path, const OpenedScene& shown);
+OpenedFile read_opened_file(const std::string& path, const Subject& shown);
 
 }  // namespace ocean::app

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "scene_argument.hpp"
+#include "scene.hpp"
 
 namespace ocean::app {
 
@@ -23,11 +23,11 @@ class SavedScene {
     const std::string& stem() const { return stem_; }
     /// Writes STEM-changed-1.toml or STEM-performed-1.toml ..., or a file of the requested name if
     /// that is free. Returns the name. Throws Error.
-    std::string save(const OpenedScene& scene, const std::string& requested = "");
+    std::string save(const Subject& scene, const std::string& requested = "");
     /// The scene was read from a file.
-    void set_read(const OpenedScene& scene);
+    void set_read(const Subject& scene);
     /// Returns whether the scene is a sea with a take that no file has.
-    bool lacks(const OpenedScene& scene) const;
+    bool lacks(const Subject& scene) const;
 
   private:
     std::string stem_;

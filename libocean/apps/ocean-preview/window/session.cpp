@@ -15,21 +15,15 @@
 #include "console.hpp"
 #include "land_camera.hpp"
 #include "ocean/error.hpp"
-#include "ocean/internal/cascades.hpp"
 #include "ocean/internal/text.hpp"
 #include "offscreen_run.hpp"
 #include "panel/changes.hpp"
 #include "panel/panel.hpp"
-#include "window/picking.hpp"
+#include "scene_argument.hpp"
 #include "workload.hpp"
 
 namespace ocean::app {
 namespace {
-
-bool is_coast(const LiveScene& scene) {
-    const auto* const sea = std::get_if<preview::DrawnSea>(&scene.shown());
-    return sea != nullptr && sea->coast != nullptr;
-}
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
@@ -48,8 +42,8 @@ Session::Session(const PreviewOptions& options, const OpenedScene& scene, const 
       info_(gl::context_info()),
       viewport_(options, info_),
       scene_(scene, scene_options(options)),
-      first_(scene_.kind()),
-      kind_(first_),
+      first_(&scene_.row()),
+      fitted_(first_),
       saved_(stem_of(source.source), scene),
       files_(source, scene_, state_, saved_, context.console),
       titled_(source.source),
@@ -58,34 +52,30 @@ Session::Session(const PreviewOptions& options, const OpenedScene& scene, const 
               {.record = [this](bool on, const std::string& name) { record(on, name); },
                .logged =
                    [this](const std::string& line) { context_.console.note("bridge: " + line); }}) {
-    begin(scene);
+    begin();
 }
 
 LiveSceneOptions Session::scene_options(const PreviewOptions& options) {
     return {.preview = options,
             .info = info_,
             .threads = context_.options.threads,
-            .on_sea = [this](LiveSea& sea) { set_up(sea); },
+            .on_sea =
+                [this](LiveSea& sea) {
+                    sea.after_set = [this](const std::string& name, const std::string& value) {
+                        bridge_.send(name, value);
+                    };
+                    sea.after_open = [this, &sea] { bridge_.send_values(sea); };
+                },
             .fell_back = [this](const std::string& reason) { state_.message = reason; }};
 }
 
-void Session::set_up(LiveSea& sea) {
-    sea.after_set = [this](const std::string& name, const std::string& value) {
-        bridge_.send(name, value);
-    };
-    sea.after_open = [this, &sea] { bridge_.send_values(sea); };
-    sea.near_detail = options_.detail && !info_.software;  // half as much again for its water
-}
-
-void Session::begin(const OpenedScene& scene) {
+void Session::begin() {
     state_.bridge.host = options_.host;
     state_.bridge.is_own = !options_.bridge;
     if (options_.bridge) bridge_.join(*options_.bridge);
     if (options_.serve) serve();
-    if (LiveSea* const sea = scene_.sea()) {
-        if (options_.time) sea->go_to(*options_.time);
-        if (options_.frame) sea->go_to(std::get<Sea>(scene).time_of(*options_.frame));
-    }
+    if (options_.time) scene_->go_to(*options_.time);
+    if (options_.frame) scene_->go_to(scene_->opened()->timeline().time_of(*options_.frame));
     state_.look = options_.look;
     state_.view = options_.view;
     state_.cascade = options_.cascade.value_or(-1);
@@ -104,30 +94,32 @@ void Session::run() {
         wait_for_input();
         const double seconds = std::min(0.25, milliseconds_since(before) / 1000.0);
         before = Clock::now();
-        if (!guarded([&] { scene_.advance(seconds); })) scene_.sea()->paused = true;
+        if (!guarded([&] { scene_->advance(seconds); })) scene_->pause();
         if (step(seconds)) frames_to_draw_ = kFramesToSettle;
-        if (scene_.sea() != nullptr && bridge_.apply(*scene_.sea())) {
+        if (LiveSea* const sea = scene_->performed(); sea != nullptr && bridge_.apply(*sea)) {
             frames_to_draw_ = kFramesToSettle;
         }
         if (!input_.dropped.empty()) files_.open(input_.dropped);
         if (files_.run({})) frames_to_draw_ = kFramesToSettle;
         show_title();
         follow_kind();
-        if (frames_to_draw_ > 0 || !scene_.is_still()) draw();
+        if (frames_to_draw_ > 0 || !scene_->is_still()) draw();
         if (frames_to_draw_ > 0) --frames_to_draw_;
         if (!std::exchange(began_, true)) context_.console.note("the window is open");
         input_.forget();
     }
     // Never discard a recording when the window closes.
-    if (saved_.lacks(scene_.opened())) save_scene();
+    if (saved_.lacks(*scene_->opened())) save_scene();
 }
 
 void Session::follow_kind() {
-    if (scene_.kind() == std::exchange(kind_, scene_.kind())) return;
-    const std::vector<std::string> views = all_view_names(kind_);
+    if (&scene_.row() == std::exchange(fitted_, &scene_.row())) return;
+    const std::vector<std::string> views = all_view_names(*fitted_);
     if (std::ranges::find(views, state_.view) == views.end()) state_.view = "shaded";
-    if (static_cast<int>(camera_.mode) >= camera_modes(kind_)) camera_.mode = CameraMode::fly;
-    if (kind_ == preview::SceneKind::land && bridge_.is_joined()) {
+    if (static_cast<int>(camera_.mode) >= camera_modes(scene_->ground())) {
+        camera_.mode = CameraMode::fly;
+    }
+    if (scene_->performed() == nullptr && bridge_.is_joined()) {
         bridge_.leave();
         context_.console.note("left the bridge: it is for a sea");
     }
@@ -138,21 +130,10 @@ void Session::follow_kind() {
 /// Puts the camera where it began, or at the default place of a scene of the other kind.
 void Session::reset_camera() {
     guarded([&] {
-        PreviewOptions start = options_;
-        const bool is_first = first_ == kind_;
-        if (scene_.sea() != nullptr && scene_.sea()->sea().parameters.water.bed) {
-            scene_.show(start.camera.eye);  // its ground
-        }
-        if (!is_first) start = PreviewOptions();
-        if (const auto* const land = std::get_if<preview::DrawnLand>(&scene_.shown())) {
-            const std::string warning = place_on_land(start, *land, start.camera);
-            if (!warning.empty()) state_.message = warning;
-        }
-        const auto* const sea = std::get_if<preview::DrawnSea>(&scene_.shown());
-        if (sea != nullptr && sea->coast) {
-            const std::string warning = place_on_coast(start, *sea->coast, start.camera);
-            if (!warning.empty()) state_.message = warning;
-        }
+        PreviewOptions start = first_ == fitted_ ? options_ : PreviewOptions();
+        if (const auto eye = scene_->first_eye(start)) scene_->show(*eye);  // its ground
+        const std::string warning = place_on_ground(start, scene_->ground(), start.camera);
+        if (!warning.empty()) state_.message = warning;
         camera_.reset(start.camera);
     });
 }
@@ -161,8 +142,8 @@ void Session::reset_camera() {
 /// another thread makes wake nobody up: they are polled.
 void Session::wait_for_input() {
     const bool iconified = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0;
-    bool still = scene_.is_still() && frames_to_draw_ == 0;
-    const preview::Pending pending = std::max(viewport_.renderer().pending(), scene_.pending());
+    bool still = scene_->is_still() && frames_to_draw_ == 0;
+    const preview::Pending pending = std::max(viewport_.renderer().pending(), scene_->pending());
     if (still && pending == preview::Pending::ready) {
         frames_to_draw_ = 1;
         still = false;
@@ -191,8 +172,8 @@ bool Session::step(double seconds) {
     for (const WindowCommand command : input.commands) carry_out(command);
     const bool acted = !input.commands.empty();
     const bool rides = camera_.mode == CameraMode::walk || camera_.mode == CameraMode::floating;
-    if (input.moves_camera() || (rides && !scene_.is_still()) || acted) {
-        guarded([&] { camera_.step(input.camera, seconds, scene_.ground()); });
+    if (input.moves_camera() || (rides && !scene_->is_still()) || acted) {
+        guarded([&] { camera_.step(input.camera, seconds, scene_->ground()); });
     }
     return input.moves_camera() || acted;
 }
@@ -209,28 +190,27 @@ void Session::draw() {
     draw_scene();
     draw_panels();
     const double milliseconds = milliseconds_since(std::exchange(drawn_, Clock::now()));
-    if (LiveSea* const sea = scene_.sea()) {
+    if (const LiveSea* const sea = scene_->performed()) {
         bridge_.send_clock(*sea, 1000.0 / std::max(milliseconds, 0.1));
     }
 }
 
 void Session::draw_scene() {
-    const bool shown =
-        guarded([&] { scene_timer_.measure([&] { scene_.show(camera_.camera().eye); }); });
-    if (LiveSea* const sea = scene_.sea()) {
-        if (!shown) sea->paused = true;
-        // The water rises too, and the ground of another bed.
-        if (is_coast(scene_)) guarded([&] { camera_.stay_above(scene_.ground()); });
-        state_.cascades = static_cast<int>(cascade_divisors(sea->ocean().parameters().grid).size());
-        if (state_.cascade >= state_.cascades) state_.cascade = -1;  // of another sea
-    } else {
-        // A change may have raised the ground above the eye.
-        guarded([&] { camera_.stay_above(scene_.ground()); });
+    if (!guarded([&] { scene_timer_.measure([&] { scene_->show(camera_.camera().eye); }); })) {
+        scene_->pause();
     }
+    // Water rises, and a change may have raised the ground above the eye.
+    guarded([&] {
+        if (const CameraGround ground = scene_->ground(); ground.is_solid) {
+            camera_.stay_above(ground);
+        }
+    });
+    state_.cascades = scene_->cascades();
+    if (state_.cascade >= state_.cascades) state_.cascade = -1;  // of another scene
     state_.times.scene = scene_timer_.milliseconds();
     list_backends();
     draw_timer_.measure([&] {
-        const auto draw_view = [&] { viewport_.draw(scene_, camera_.camera(), state_); };
+        const auto draw_view = [&] { viewport_.draw(*scene_, camera_.camera(), state_); };
         if (!is_stage_picture(state_.view)) return draw_view();
         if (!guarded(draw_view)) state_.view = "shaded";
     });
@@ -275,30 +255,22 @@ void Session::look_under_mouse() {
     const preview::Camera& camera = camera_.camera();
     const std::array<double, 2> place{x / width, y / height};
     const double aspect = static_cast<double>(width) / height;
-    if (const auto* const land = std::get_if<preview::DrawnLand>(&scene_.shown())) {
-        const auto picked = pick_ground(*land, camera, place, aspect);
-        if (picked) state_.under_mouse = describe(*picked, *scene_.land());
-        return;
-    }
-    if (!scene_.sea()->can_query()) return;
-    const auto picked = pick_water(*scene_.sea(), camera, place, aspect);
-    if (!picked) return;
     state_.under_mouse =
-        describe(*picked, viewport_.renderer(), std::get<preview::DrawnSea>(scene_.shown()), camera,
-                 state_.cascade);
+        scene_->under_mouse(viewport_.renderer(), camera, place, aspect, state_.cascade);
     viewport_.bind_window();
 }
 
 /// Lists the backends, with the time of a frame once a chosen one has compiled its shaders.
 void Session::list_backends() {
-    const std::string now(scene_.backend().name);
+    const std::string now(scene_->backend().name);
     frames_of_backend_ = now == state_.backend ? frames_of_backend_ + 1 : 0;
     state_.backend = now;
-    const bool fades = scene_.sea() != nullptr && scene_.sea()->fading();
+    const LiveSea* const sea = scene_->performed();
+    const bool fades = sea != nullptr && sea->fading();
     const std::span<const Backend> all = preview_backends();
     for (std::size_t i = 0; i < all.size(); ++i) {
         BackendRow& row = state_.backends[i];
-        row.why_not = scene_.why_not(all[i]);
+        row.why_not = scene_->why_not(all[i]);
         if (row.name == now && frames_of_backend_ > 2 && !fades) {
             row.milliseconds = state_.times.scene;
         }

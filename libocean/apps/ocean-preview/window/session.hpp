@@ -37,8 +37,7 @@ class Session {
     using Clock = std::chrono::steady_clock;
 
     LiveSceneOptions scene_options(const PreviewOptions& options);
-    void set_up(LiveSea& sea);
-    void begin(const OpenedScene& scene);
+    void begin();
     /// Fits camera, view and bridge to a scene of another kind.
     void follow_kind();
     void wait_for_input();
@@ -95,8 +94,8 @@ class Session {
     PanelState state_;
     Viewport viewport_;
     LiveScene scene_;
-    preview::SceneKind first_;  // the kind that the options are for
-    preview::SceneKind kind_;   // that camera and view fit
+    const SceneRow* first_;   // that the options are for
+    const SceneRow* fitted_;  // that camera and view fit
     SavedScene saved_;
     SessionFiles files_;
     std::string titled_;  // the source in the window's title

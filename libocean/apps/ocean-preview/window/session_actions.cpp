@@ -12,6 +12,7 @@
 
 #include "console.hpp"
 #include "panel/changes.hpp"
+#include "scene_argument.hpp"
 #include "window/session.hpp"
 #include "workload.hpp"
 
@@ -36,8 +37,8 @@ void Session::carry_out(WindowCommand command) {
         case WindowCommand::next_view:
             return next_view();
         case WindowCommand::next_camera:
-            camera_.mode =
-                static_cast<CameraMode>((static_cast<int>(camera_.mode) + 1) % camera_modes(kind_));
+            camera_.mode = static_cast<CameraMode>((static_cast<int>(camera_.mode) + 1) %
+                                                   camera_modes(scene_->ground()));
             return;
         case WindowCommand::reset_camera:
             return reset_camera();
@@ -47,9 +48,9 @@ void Session::carry_out(WindowCommand command) {
         case WindowCommand::reload:
             return reload();
         case WindowCommand::open:
-            return files_.ask_open();
+            return files_.ask(FilePurpose::open);
         case WindowCommand::save_as:
-            return files_.ask_save();
+            return files_.ask(FilePurpose::save);
         case WindowCommand::save_png:
             picture_requested_ = ".png";
             return;
@@ -60,9 +61,10 @@ void Session::carry_out(WindowCommand command) {
 }
 
 void Session::carry_out_on_sea(WindowCommand command) {
-    LiveSea* const sea = scene_.sea();
+    LiveSea* const sea = scene_->performed();
     if (sea == nullptr) {
-        state_.message = "a terrain does not move: it has no clock and no recording";
+        state_.message =
+            "a " + std::string(fitted_->kind) + " does not move: it has no clock and no recording";
     } else if (command == WindowCommand::pause) {
         sea->paused = !sea->paused;
     } else {
@@ -71,7 +73,7 @@ void Session::carry_out_on_sea(WindowCommand command) {
 }
 
 void Session::next_view() {
-    const std::vector<std::string> views = all_view_names(kind_);
+    const std::vector<std::string> views = all_view_names(*fitted_);
     const auto at = std::ranges::find(views, state_.view) - views.begin();
     state_.view = views[static_cast<std::size_t>(at + 1) % views.size()];
 }
@@ -94,20 +96,19 @@ void Session::run_requests() {
 void Session::choose_backend(const std::string& name) {
     guarded([&] {
         scene_.choose_backend(name);
-        context_.console.note(std::string("the ") + noun_of(kind_) + " by " +
-                              std::string(scene_.backend().name));
+        context_.console.note("the " + std::string(fitted_->kind) + " by " +
+                              std::string(scene_->backend().name));
     });
 }
 
 void Session::serve() {
-    if (scene_.sea() == nullptr) return;
-    const std::string address = bridge_.serve(scene_.sea()->sea());
-    context_.console.note("a bridge at " + address);
+    const LiveSea* const sea = scene_->performed();
+    if (sea != nullptr) context_.console.note("a bridge at " + bridge_.serve(sea->sea()));
 }
 
 /// Records as the bridge requests; a recording is saved when it ends, under the name of its take.
 void Session::record(bool on, const std::string& name) {
-    LiveSea* const sea = scene_.sea();
+    LiveSea* const sea = scene_->performed();
     if (sea == nullptr || on == sea->recording()) return;
     toggle_recording(*sea, state_);
     if (!on) save_scene(name.substr(0, name.find('.')));
@@ -115,20 +116,18 @@ void Session::record(bool on, const std::string& name) {
 }
 
 void Session::save_scene(const std::string& requested) {
-    write([&] { return saved_.save(scene_.opened(), requested); });
+    write([&] { return saved_.save(*scene_->opened(), requested); });
 }
 
 void Session::save_picture(const std::string& ending) {
-    write([&] {
-        return viewport_.save(saved_.stem(), ending, scene_.shown(), camera_.camera(), state_);
-    });
+    write([&] { return viewport_.save(saved_.stem(), ending, *scene_, camera_.camera(), state_); });
 }
 
 /// Reads the file of the scene again; the shown scene stays if the file is missing or bad.
 void Session::reload() {
     guarded([&] {
         open_with_undo(scene_, state_, open_scene(state_.source));
-        saved_.set_read(scene_.opened());
+        saved_.set_read(*scene_->opened());
         state_.message = "opened: " + state_.source.source;
     });
     frames_to_draw_ = kFramesToSettle;

@@ -27,18 +27,6 @@ void SessionBridge::leave() {
     host_.stop();
 }
 
-void SessionBridge::send(const std::string& name, const std::string& value) {
-    if (link_) link_->send(name, value);
-}
-
-void SessionBridge::send_values(const LiveSea& sea) {
-    if (link_) link_->send_values(sea, true);
-}
-
-void SessionBridge::send_clock(const LiveSea& sea, double frame_rate) {
-    if (link_) link_->send_clock(sea, frame_rate);
-}
-
 void SessionBridge::update_rows() {
     rows_.is_running = host_.is_running();
     rows_.log = rows_.is_own ? host_.log() : link_->log();

@@ -27,11 +27,17 @@ class SessionBridge {
     void leave();
     bool is_joined() const { return link_.has_value(); }
 
-    /// Applies values that others have set. Returns whether the sea has changed.
+    // As BridgeLink; nothing happens while there is no connection.
     bool apply(LiveSea& sea) { return link_ && link_->apply(sea); }
-    void send(const std::string& name, const std::string& value);
-    void send_values(const LiveSea& sea);
-    void send_clock(const LiveSea& sea, double frame_rate);
+    void send(const std::string& name, const std::string& value) {
+        if (link_) link_->send(name, value);
+    }
+    void send_values(const LiveSea& sea) {
+        if (link_) link_->send_values(sea, true);
+    }
+    void send_clock(const LiveSea& sea, double frame_rate) {
+        if (link_) link_->send_clock(sea, frame_rate);
+    }
     /// Brings the panel's rows up to date.
     void update_rows();
 

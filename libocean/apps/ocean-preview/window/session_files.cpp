@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <new>
-#include <optional>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -16,6 +16,7 @@
 #include "ocean/internal/text.hpp"
 #include "offscreen_run.hpp"
 #include "panel/changes.hpp"
+#include "scene_argument.hpp"
 
 namespace ocean::app {
 namespace {
@@ -26,10 +27,10 @@ bool is_file(const std::string& source) {
     return std::filesystem::is_regular_file(utf8_path(source), error);
 }
 
-/// Returns true if the file has a scene of that kind, which another one may replace.
-bool has_a_scene(const std::string& path, preview::SceneKind kind) {
+/// Returns true if the file has a subject of that kind, which another one may replace.
+bool has_subject(const std::string& path, std::string_view kind) {
     try {
-        return kind_of(open_scene({path, {}})) == kind;
+        return open_scene({path, {}})->kind() == kind;
     } catch (const Error&) {
         return false;
     }
@@ -60,7 +61,7 @@ void SessionFiles::open(const std::vector<std::string>& paths) {
 
 bool SessionFiles::open_one(const std::string& path) {
     try {
-        show(path, read_opened_file(path, scene_.opened()));
+        show(path, read_opened_file(path, *scene_->opened()));
         remember(path);
         console_.note("opened: " + path);
         return true;
@@ -73,36 +74,34 @@ bool SessionFiles::open_one(const std::string& path) {
 }
 
 void SessionFiles::show(const std::string& path, OpenedFile opened) {
-    if (auto* const sky = std::get_if<OpenedSky>(&opened)) {
-        state_.look.environment = std::move(sky->environment);
+    if (opened.sky) {
+        state_.look.environment = std::move(opened.sky);
         state_.message = "opened: " + path + ", a sky";
         return;
     }
     save_recording();
-    if (auto* const take = std::get_if<OpenedTake>(&opened)) {
-        const std::size_t changes = take->sea.take.events.size();
-        open_with_undo(scene_, state_, std::move(take->sea));
-        saved_.set_read(scene_.opened());
-        state_.message = "opened: " + path + format_text(", a take of %zu changes", changes);
+    const std::string before(scene_.row().kind);
+    open_with_undo(scene_, state_, opened.scene);
+    if (opened.take_changes) {
+        saved_.set_read(*opened.scene);
+        state_.message =
+            "opened: " + path + format_text(", a take of %zu changes", *opened.take_changes);
         return;
     }
-    const char* const before = noun_of(scene_.kind());
-    open_with_undo(scene_, state_, std::get<OpenedModel>(opened).scene);
     state_.changes.back().source = std::exchange(state_.source, {path, {}});
-    saved_ = SavedScene(stem_of(path), scene_.opened());
+    saved_ = SavedScene(stem_of(path), opened.scene);
     state_.message = "opened: " + path + "; Undo brings back the " + before + " before";
 }
 
 /// Saves a take that no file has, before another scene replaces it.
 void SessionFiles::save_recording() {
-    if (!saved_.lacks(scene_.opened())) return;
-    console_.note("written: " + saved_.save(scene_.opened()));
+    const OpenedScene scene = scene_->opened();
+    if (saved_.lacks(*scene)) console_.note("written: " + saved_.save(*scene));
 }
 
 bool SessionFiles::run(const PanelRequests& requests) {
     if (requests.list_recent) list_recent();
-    if (requests.ask_open) ask_open();
-    if (requests.ask_save) ask_save();
+    if (requests.ask) ask(*requests.ask);
     if (!requests.open.empty()) open({requests.open});
     if (!requests.save_as.empty()) save_as(requests.save_as, false);
     bool changed = !requests.open.empty() || !requests.save_as.empty() || requests.list_recent;
@@ -111,7 +110,7 @@ bool SessionFiles::run(const PanelRequests& requests) {
             changed = true;
             state_.message.clear();
             if (answer->path.empty()) return true;
-            if (answer->purpose == FileDialog::Purpose::open) {
+            if (answer->purpose == FilePurpose::open) {
                 open({answer->path});
             } else {
                 save_as(answer->path, true);
@@ -125,36 +124,26 @@ bool SessionFiles::run(const PanelRequests& requests) {
     return changed;
 }
 
-/// Shows the panel's field for a path, where no dialog is installed.
-void SessionFiles::show_field(FileRows::Ask ask) {
-    state_.files.ask = ask;
-    state_.shown = true;
-}
-
-void SessionFiles::ask_open() {
+void SessionFiles::ask(FilePurpose purpose) {
     if (dialog_.is_open()) return;
-    if (!state_.files.has_dialog) return show_field(FileRows::Ask::open);
-    try {
-        const std::string folder =
-            is_file(state_.source.source)
-                ? text::to_utf8(
-                      std::filesystem::absolute(utf8_path(state_.source.source)).parent_path())
-                : text::to_utf8(std::filesystem::current_path());
-        dialog_.ask(FileDialog::Purpose::open, folder + "/");
-        state_.message = "choose a file in the dialog";
-    } catch (const Error& error) {
-        warn(error.what());
+    if (!state_.files.has_dialog) {
+        state_.files.ask = purpose;
+        state_.shown = true;
+        return;
     }
-}
-
-void SessionFiles::ask_save() {
-    if (dialog_.is_open()) return;
-    if (!state_.files.has_dialog) return show_field(FileRows::Ask::save);
     try {
-        const std::string name = text::to_utf8(
-            std::filesystem::absolute(utf8_path(free_name(saved_.stem() + "-changed", ".toml"))));
-        dialog_.ask(FileDialog::Purpose::save, name);
-        state_.message = "choose a name in the dialog";
+        const std::filesystem::path source = utf8_path(state_.source.source);
+        if (purpose == FilePurpose::save) {
+            const std::string name = free_name(saved_.stem() + "-changed", ".toml");
+            dialog_.ask(purpose, text::to_utf8(std::filesystem::absolute(utf8_path(name))));
+            state_.message = "choose a name in the dialog";
+        } else {
+            dialog_.ask(purpose, text::to_utf8(is_file(state_.source.source)
+                                                   ? std::filesystem::absolute(source).parent_path()
+                                                   : std::filesystem::current_path()) +
+                                     "/");
+            state_.message = "choose a file in the dialog";
+        }
     } catch (const Error& error) {
         warn(error.what());
     }
@@ -163,18 +152,19 @@ void SessionFiles::ask_save() {
 void SessionFiles::save_as(const std::string& requested, bool may_replace) {
     try {
         const std::string path = with_extension(requested);
+        const std::string kind(scene_.row().kind);
         std::error_code error;
         const bool exists = std::filesystem::exists(utf8_path(path), error);
-        if (exists && (!may_replace || path != requested || !has_a_scene(path, scene_.kind()))) {
+        if (exists && (!may_replace || path != requested || !has_subject(path, kind))) {
             throw Error(ErrorKind::output,
                         path + " exists" +
-                            (may_replace ? std::string(", and no ") + noun_of(scene_.kind()) +
-                                               " is in it: choose another name"
-                                         : std::string(": choose another name")));
+                            (may_replace ? ", and no " + kind + " is in it" : std::string()) +
+                            ": choose another name");
         }
-        io::write_file_atomically(path, text_of(scene_.opened()));
+        const OpenedScene scene = scene_->opened();
+        io::write_file_atomically(path, scene->text());
         state_.source = {path, {}};
-        saved_ = SavedScene(stem_of(path), scene_.opened());
+        saved_ = SavedScene(stem_of(path), scene);
         state_.message = "written: " + path;
         console_.note(state_.message);
         remember(path);

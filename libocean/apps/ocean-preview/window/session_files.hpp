@@ -31,12 +31,11 @@ class SessionFiles {
     /// Carries out what the panel requested, and reads the answer of a dialog. Returns true if
     /// something has changed.
     bool run(const PanelRequests& requests);
-    void ask_open();
-    void ask_save();
+    /// Asks for a path in the dialog of the desktop, or in a field of the panel.
+    void ask(FilePurpose purpose);
     bool is_asking() const { return dialog_.is_open(); }
 
   private:
-    void show_field(FileRows::Ask ask);
     bool open_one(const std::string& path);
     void show(const std::string& path, OpenedFile opened);
     void save_as(const std::string& requested, bool may_replace);

@@ -9,11 +9,10 @@
 #include <cmath>
 #include <cstdint>
 
-#include "ocean/error.hpp"
 #include "ocean/internal/io/png.hpp"
-#include "ocean/internal/modes.hpp"
 #include "panel/panel_length.hpp"
 #include "picture_file.hpp"
+#include "scene_argument.hpp"
 #include "window/saved_scene.hpp"
 #include "workload.hpp"
 
@@ -44,53 +43,28 @@ void Viewport::resize(int width, int height) {
     canvas_height_ = drawn_height;
 }
 
-void Viewport::draw(LiveScene& scene, const preview::Camera& camera, const PanelState& state) {
+void Viewport::draw(Scene& scene, const preview::Camera& camera, const PanelState& state) {
     if (is_stage_picture(state.view)) return draw_stage(scene, state);
     canvas_->bind();
-    renderer_.draw(scene.shown(), camera, state.look, draw_options(state, scene.kind()));
+    scene.draw(renderer_, camera, state.look, draw_options(state));
     canvas_->copy_to_window(width_, height_);
 }
 
-preview::DrawOptions Viewport::draw_options(const PanelState& state,
-                                            preview::SceneKind kind) const {
+preview::DrawOptions Viewport::draw_options(const PanelState& state) const {
     preview::DrawOptions options;
     options.width = canvas_width_;
     options.height = canvas_height_;
-    options.view = preview::view_of(state.view, kind);
+    options.view = preview::view_of(state.view);
     options.wireframe = state.wireframe;
     options.cascade = state.cascade;
     return options;
 }
 
-StagePicture Viewport::make_stage(LiveScene& scene, const PanelState& state) {
-    if (scene.land() != nullptr) return make_land_stage(scene.land()->terrain(), state.view);
-    LiveSea& sea = *scene.sea();
-    const auto cascade = static_cast<std::size_t>(std::max(0, state.cascade));
-    return make_stage_picture(stages_, sea.ocean(), sea.time(), cascade, state.view);
-}
-
-const StagePicture& Viewport::make_land_stage(Terrain& land, const std::string& view) {
-    constexpr int kMaxResolution = 2048;  // a few seconds
-    const int resolution = land.model().resolution;
-    if (resolution > kMaxResolution) {
-        throw Error(ErrorKind::invalid_value,
-                    "view " + view + ": a window shows stages of at most " +
-                        std::to_string(kMaxResolution) + " samples a side; resolution is " +
-                        std::to_string(resolution) + "; --offscreen shows any");
-    }
-    const Revision revision = land.modes().revision;
-    if (revision == land_revision_ && view == land_view_) return land_stage_;
-    land_stage_ = make_stage_picture(terrain_stages(land), view);
-    land_view_ = view;
-    land_revision_ = revision;
-    return land_stage_;
-}
-
-void Viewport::draw_stage(LiveScene& scene, const PanelState& state) {
+void Viewport::draw_stage(Scene& scene, const PanelState& state) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glClear(GL_COLOR_BUFFER_BIT);
     stage_ = laid_out(
-        make_stage(scene, state),
+        scene.stage(state.view, state.cascade),
         std::max(1, static_cast<int>(std::lround(static_cast<float>(width_) * beside_panel_))),
         height_);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -119,16 +93,15 @@ void Viewport::bind_window() const {
     glViewport(0, 0, width_, height_);
 }
 
-std::string Viewport::save(const std::string& stem, const std::string& ending,
-                           const preview::DrawnScene& shown, const preview::Camera& camera,
-                           const PanelState& state) {
+std::string Viewport::save(const std::string& stem, const std::string& ending, const Scene& scene,
+                           const preview::Camera& camera, const PanelState& state) {
     if (is_stage_picture(state.view)) {
         const std::string name = free_name(stem, ".png");
         io::write_png(name, stage_.width, stage_.height, stage_.rgb);
         return name;
     }
     const std::string name = free_name(stem, ending);
-    write_picture(name, renderer_, shown, camera, state.look, draw_options(state, kind_of(shown)),
+    write_picture(name, renderer_, scene, camera, state.look, draw_options(state),
                   options_.samples.value_or(kSamples));
     return name;
 }

@@ -7,13 +7,12 @@
 #include <memory>
 #include <string>
 
-#include "live_scene.hpp"
 #include "ocean/internal/gl/context.hpp"
-#include "ocean/internal/gl/stages.hpp"
 #include "ocean/internal/preview/canvas.hpp"
 #include "ocean/internal/preview/renderer.hpp"
 #include "panel/panel_state.hpp"
 #include "preview_options.hpp"
+#include "scene.hpp"
 #include "stage_layout.hpp"
 
 namespace ocean::app {
@@ -30,22 +29,19 @@ class Viewport {
     void resize(int width, int height);
     /// Draws the view of `state` and copies it into the window's framebuffer, which is bound then.
     /// A stage appears with show_stage. Throws Error.
-    void draw(LiveScene& scene, const preview::Camera& camera, const PanelState& state);
+    void draw(Scene& scene, const preview::Camera& camera, const PanelState& state);
     /// Adds the drawn stage to a frame of ImGui, beside the panel.
     void show_stage(const PanelState& state);
     /// Binds the window's framebuffer, all of it.
     void bind_window() const;
     /// Writes the shown picture to a file that is free, ending .png or .exr (a stage is a .png).
     /// Returns its name. Throws Error.
-    std::string save(const std::string& stem, const std::string& ending,
-                     const preview::DrawnScene& shown, const preview::Camera& camera,
-                     const PanelState& state);
+    std::string save(const std::string& stem, const std::string& ending, const Scene& scene,
+                     const preview::Camera& camera, const PanelState& state);
 
   private:
-    preview::DrawOptions draw_options(const PanelState& state, preview::SceneKind kind) const;
-    StagePicture make_stage(LiveScene& scene, const PanelState& state);
-    const StagePicture& make_land_stage(Terrain& land, const std::string& view);
-    void draw_stage(LiveScene& scene, const PanelState& state);
+    preview::DrawOptions draw_options(const PanelState& state) const;
+    void draw_stage(Scene& scene, const PanelState& state);
 
     const PreviewOptions& options_;
     int samples_;
@@ -54,12 +50,7 @@ class Viewport {
     std::unique_ptr<preview::Canvas> canvas_;
     int canvas_width_ = 0, canvas_height_ = 0;
     int width_ = 0, height_ = 0;
-    gl::StageMaker stages_;
     StagePicture stage_;
-    // A stage of a land, which takes longer than a frame, and of which modes it is.
-    StagePicture land_stage_;
-    std::string land_view_;
-    Revision land_revision_;
     gl::Texture stage_texture_;
     float beside_panel_ = 1.0f;  // share of the window's width that the panel left free
 };

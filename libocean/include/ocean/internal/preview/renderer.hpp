@@ -11,7 +11,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <variant>
 
 #include "ocean/internal/preview/land_maps.hpp"
 #include "ocean/internal/preview/picture.hpp"
@@ -79,10 +78,6 @@ struct LandStatistics {
 /// A part of the scene other than water or land; defined in libocean/preview/drawable.hpp.
 class Drawable;
 
-/// A scene, as its maps return it.
-using DrawnScene = std::variant<DrawnSea, DrawnLand>;
-SceneKind kind_of(const DrawnScene& scene);
-
 struct DrawOptions {
     int width = 0;  // [pixels]
     int height = 0;
@@ -128,8 +123,6 @@ class Renderer {
     void draw(const DrawnSea& sea, const Camera& camera, const Look& look,
               const DrawOptions& options);
     void draw(const DrawnLand& land, const Camera& camera, const Look& look,
-              const DrawOptions& options);
-    void draw(const DrawnScene& scene, const Camera& camera, const Look& look,
               const DrawOptions& options);
     /// Draws for probes: the square of `metres` a side with its middle at (x, y), from straight
     /// above, orthographic, with the mesh of the camera and without the sky. Throws Error.
