@@ -39,8 +39,7 @@ configure_cross() {
     else
         offer_headers tomlplusplus toml++
         offer_headers nlohmann_json nlohmann
-        offer_headers CLI11 CLI
-        for package in tomlplusplus nlohmann_json CLI11; do
+        for package in tomlplusplus nlohmann_json; do
             options+=("-D${package}_DIR=$PWD/build/cross/headers/$package")
         done
         options+=(-DCMAKE_COMPILE_WARNING_AS_ERROR=ON -DOCEAN_BUILD_TESTS=OFF)

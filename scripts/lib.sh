@@ -12,7 +12,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck disable=SC2034
 {
     build_packages=(
-        cmake g++ ninja-build pkg-config python3 libtomlplusplus-dev libcli11-dev libopenexr-dev
+        cmake g++ ninja-build pkg-config python3 libtomlplusplus-dev libopenexr-dev
         libpng-dev libtiff-dev zlib1g-dev libcairo2-dev libnetcdf-dev libssl-dev nlohmann-json3-dev libepoxy-dev
         libglm-dev libglfw3-dev libimgui-dev libstb-dev fonts-dejavu-core libasio-dev libedit-dev
         libusb-1.0-0-dev liblo-dev librtmidi-dev libopenvdb-dev libboost-iostreams-dev)

@@ -178,7 +178,6 @@ LIBRARIES = {
     "apps": Library(
         below=("core", "seafile", "io", "netcdf", "elevation", "gl", "preview", "bridge", "bake"),
         foreign={
-            "common/command_line.cpp": ("CLI/",),  # and no other file
             "common/interrupt_windows.cpp": ("windows.h",),
             "common/standard_streams.cpp": ("fcntl.h", "io.h", "unistd.h"),
             "ocean/plot": ("cairo.h",),
@@ -187,7 +186,6 @@ LIBRARIES = {
             "ocean-preview": ("GLFW/", "epoxy/", "imgui", "backends/"),
         },
         links=(
-            "CLI11::CLI11",
             "PkgConfig::cairo",
             "PkgConfig::epoxy",
             "PkgConfig::imgui",
@@ -549,7 +547,7 @@ def test_a_bridge_writes_files_and_no_images():
         ("netcdf", "ocean::io_file"),
         ("bake", "ocean::app_common"),
         ("bake", "ocean::netcdf"),
-        ("bake", "CLI11::CLI11"),
+        ("bake", "PkgConfig::cairo"),
         ("apps", "ocean::c"),
         ("apps", "PNG::PNG"),
     ],

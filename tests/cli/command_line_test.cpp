@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Claims: every kind of option reaches its target, a command with a refused value does not run, a
-// failure becomes one line with the program's name and an exit code, and a program may be a single
-// command without a name. test_usage.py tests the options of `ocean` itself.
+// Claims: every kind of option reaches its target, each mistake gets the sentence that says what is
+// wrong and a command with one does not run, a failure becomes one line with the program's name and
+// an exit code, and a program may be a single command without a name. test_usage.py tests the
+// options of `ocean` itself.
 #include "command_line.hpp"
 
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@
 
 #include "console.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::app {
 namespace {
@@ -174,6 +176,142 @@ TEST(CommandLine, ACommandRunsAloneWithItsOwnOptions) {
     EXPECT_EQ(ran, "second");
 }
 
+/// The kinds of options that `ocean bake` has.
+struct BakeProgram {
+    Values values;
+    std::string sea, output, frames, backend;
+    std::optional<std::string> learnt;
+    bool ran = false;
+    Program program{
+        .main = {.name = "ocean", .options = {run_options("")}, .run = {}},
+        .version = "ocean 1.2",
+        .commands = {{.name = "bake",
+                      .options = {{"",
+                                   {{"SEA", &sea, "", "", kRequired},
+                                    {"-o,--output", &output, "FILE", "", kRequired},
+                                    {"--frames", &frames, "RANGES", "", kOptional, NotEmpty{}},
+                                    {"--backend", &backend, "NAME", "", kOptional,
+                                     OneOf{{"auto", "gl", "cpu"}}},
+                                    {"--time", &values.maybe_number, "T"},
+                                    {.names = "--frame",
+                                     .target = &values.maybe_whole,
+                                     .type = "N",
+                                     .excludes = "--time"},
+                                    {"--set", &values.list, "NAME=VALUE"},
+                                    {"--learn", &learnt, "[NAME]"},
+                                    {"!--no-foam", &values.foam}}},
+                                  run_options("JSON")},
+                      .run = [this](const Context&) { ran = true; }}}};
+
+    /// Runs the words of a line, in which '' is an empty word.
+    Outcome operator()(const std::string& line) {
+        std::vector<std::string> words = split(line, ' ');
+        for (std::string& word : words) {
+            if (word == "''") word.clear();
+        }
+        if (line.empty()) words.clear();
+        return run(program, words);
+    }
+};
+
+TEST(CommandLine, EachMistakeHasItsSentence) {
+    struct Mistake {
+        const char* line;
+        const char* sentence;
+        const char* usage = "ocean bake";
+    };
+    constexpr Mistake kMistakes[] = {
+        {"", "a command is required", "ocean"},
+        {"bak a", "unknown command 'bak'; did you mean bake?", "ocean"},
+        {"paint", "unknown command 'paint'", "ocean"},
+        {"--thread 1 bake a", "unknown option '--thread'; did you mean --threads?", "ocean"},
+        {"-- bake", "a command is required", "ocean"},
+        {"bake", "SEA is required"},
+        {"bake a", "--output is required"},
+        {"bake a -o", "--output needs a value, FILE"},
+        {"bake a -o b c", "The following argument was not expected: c"},
+        {"bake a -o b c d", "The following arguments were not expected: c d"},
+        {"bake a -o b -5", "The following argument was not expected: -5"},
+        {"bake a --farmes 1", "unknown option '--farmes'; did you mean --frames?"},
+        {"bake a --farmes=1 -o b", "unknown option '--farmes'; did you mean --frames?"},
+        {"bake a -o b -frames 1", "unknown option '-frames'; did you mean --frames?"},
+        {"bake a -o b -V", "unknown option '-V'; did you mean -v?"},
+        {"bake a -o b -q-v", "unknown option '-q-v'"},
+        {"bake a -o b -qx", "unknown option '-qx'; did you mean -q?"},
+        {"bake a -o b --version", "'--version' stands before the command"},
+        {"bake a --frames= -o b", "--frames: an empty value is not allowed"},
+        {"bake a -o b --frames=", "--frames: an empty value is not allowed"},
+        {"bake a -o b --frames ''", "--frames: an empty value is not allowed"},
+        {"bake a -o b --frames", "--frames needs a value, RANGES"},
+        {"bake a -o b --frames --json", "--frames needs a value, RANGES"},
+        {"bake a -o --frames 1", "--output needs a value, FILE"},
+        {"bake a -o b --set -q", "--set needs a value, NAME=VALUE"},
+        {"bake a -o b -o c", "--output is given 2 times; allowed is once"},
+        {"bake a -o b --frames 1 --frames 2", "--frames is given 2 times; allowed is once"},
+        {"bake a -o b --threads x", "--threads = x; allowed: a number, 0 .. 1024"},
+        {"bake a -o b --threads -1", "--threads = -1; allowed: a number, 0 .. 1024"},
+        {"bake a -o b --threads 1.5", "--threads = 1.5; allowed: a whole number"},
+        {"bake a -o b --frame x", "--frame = x; allowed: a whole number"},
+        {"bake a -o b --frame 0x2", "--frame = 0x2; allowed: a whole number"},
+        {"bake a -o b --time x", "--time = x: allowed is a finite number"},
+        {"bake a -o b --time nan", "--time = nan: allowed is a finite number"},
+        {"bake a -o b --time 1 --frame 2", "--time excludes --frame"},
+        {"bake a -o b --backend gpu",
+         "--backend: 'gpu' is none of auto, gl, cpu; did you mean cpu?"},
+        {"bake a -o b --quiet=maybe", "--quiet = maybe: a flag has no value"},
+        {"bake a -o b --help=exr", "--help of ocean bake has no page 'exr'"},
+    };
+    for (const auto& [line, sentence, usage] : kMistakes) {
+        BakeProgram bake;
+        const Outcome outcome = bake(line);
+        EXPECT_EQ(outcome.error,
+                  std::string("ocean: ") + sentence + " (see `" + usage + " --help`)\n");
+        EXPECT_EQ(outcome.code, 2) << line;
+        EXPECT_EQ(outcome.output, "") << line;
+        EXPECT_FALSE(bake.ran) << line;
+    }
+    for (const char* flag : {"-q=3", "-v=yes", "-o=b"}) {
+        EXPECT_EQ(BakeProgram()(std::string("bake a -o b ") + flag).error,
+                  std::string("ocean: ") + flag +
+                      ": the value of a short option follows after a blank, and a flag has none\n");
+    }
+}
+
+TEST(CommandLine, UnusualSpellingsKeepTheirMeaning) {
+    struct Spelling {
+        const char* line;
+        std::function<bool(const BakeProgram&)> is_right;
+    };
+    const Spelling spellings[] = {
+        {"bake a -ob", [](const auto& bake) { return bake.output == "b"; }},
+        {"bake -qvob a", [](const auto& bake) { return bake.output == "b" && bake.sea == "a"; }},
+        {"bake --output=b=c a", [](const auto& bake) { return bake.output == "b=c"; }},
+        {"bake -o -odd.exr a", [](const auto& bake) { return bake.output == "-odd.exr"; }},
+        {"bake -o b -- -a", [](const auto& bake) { return bake.sea == "-a"; }},
+        {"bake -o b -", [](const auto& bake) { return bake.sea == "-"; }},
+        {"bake a -o b --time -5",
+         [](const auto& bake) { return bake.values.maybe_number == -5.0; }},
+        {"bake a -o b --frame 010", [](const auto& bake) { return bake.values.maybe_whole == 10; }},
+        {"bake a -o b --learn", [](const auto& bake) { return bake.learnt == ""; }},
+        {"bake a -o b --learn -q", [](const auto& bake) { return bake.learnt == ""; }},
+        {"bake --learn knob a -o b", [](const auto& bake) { return bake.learnt == "knob"; }},
+        {"bake a -o b", [](const auto& bake) { return bake.values.foam && !bake.learnt; }},
+        {"bake a -o b -q -v -q -q", [](const auto& bake) { return bake.sea == "a"; }},
+        {"bake a -o b --no-foam", [](const auto& bake) { return !bake.values.foam; }},
+        {"bake a -o b --no-foam=false", [](const auto& bake) { return bake.values.foam; }},
+        {"--threads 2 -q bake a -o b -q", [](const auto& bake) { return bake.sea == "a"; }},
+    };
+    for (const auto& [line, is_right] : spellings) {
+        BakeProgram bake;
+        const Outcome outcome = bake(line);
+        EXPECT_EQ(outcome.error, "") << line;
+        EXPECT_TRUE(bake.ran && is_right(bake)) << line;
+    }
+    EXPECT_EQ(BakeProgram()("--version bake").output, "ocean 1.2\n");
+    EXPECT_TRUE(BakeProgram()("bake --threads x -qh").output.find("Usage: ocean bake") !=
+                std::string::npos);
+}
+
 /// A program as `ocean` is: `terrain` runs by itself, `terrain import` is a command beside it, and
 /// `shore` only begins the name of `shore wash`.
 struct TwoWordProgram {
@@ -237,7 +375,6 @@ TEST(CommandLine, AMistypedSecondWordIsNoFile) {
     const Outcome alone = run(two.program, {"shore"});
     EXPECT_EQ(alone.error,
               "ocean: a command is required after 'shore': wash (see `ocean shore --help`)\n");
-    // The parser's own name of a command is no word of the command line.
     EXPECT_EQ(run(two.program, {"terrain.import", "a.tif"}).code, 2);
     EXPECT_EQ(two.ran, "");
     const Outcome option = run(two.program, {"terrain", "import", "--ouptut", "x"});

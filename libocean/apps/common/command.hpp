@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A command as a value: its name, the table of its options and its function. It does not depend on
-// the parser of command lines, which run_program() (command_line.hpp) hides.
+// A command as a value: its name, the table of its options and its function. command_parser.hpp
+// reads a command line by it, help_text.hpp describes it.
 #pragma once
 
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -104,7 +105,34 @@ struct Command {
     std::function<void(const Context&)> run = {};
 };
 
+struct Program {
+    /// The program itself: its name, and the options before the command's name. It runs if the
+    /// program has no commands.
+    Command main;
+    std::string version;  // what --version prints
+    std::vector<Command> commands = {};
+};
+
 /// Returns --threads, -q and -v, and --json unless `json_help` is "".
 OptionGroup run_options(const std::string& json_help);
+
+/// Returns true for an argument without a name, such as SEA.
+bool is_positional(const Option& option);
+/// Returns the names of an option, "-o" and "--output".
+std::vector<std::string> names_of(const Option& option);
+/// Returns the name that messages show, the long one if there is one.
+std::string name_of(const Option& option);
+/// The value that follows an option.
+enum class Takes { nothing, optional_value, value };
+Takes takes(const Option& option);
+/// Returns true for an option that may be given more than once.
+bool takes_several(const Option& option);
+/// Returns the options of all groups, in their order.
+std::vector<const Option*> options_of(const Command& command);
+
+/// Returns the second word of a command's name, "import"; "" if it has one word.
+std::string_view second_word(const Command& command);
+/// Returns the commands whose names begin with the name of `first` and have a second word.
+std::vector<const Command*> commands_below(const Program& program, const Command& first);
 
 }  // namespace ocean::app

@@ -4,20 +4,9 @@
 // The main function of a program with commands.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "command.hpp"
 
 namespace ocean::app {
-
-struct Program {
-    /// The program itself: its name, and the options before the command's name. It runs if the
-    /// program has no commands.
-    Command main;
-    std::string version;  // what --version prints
-    std::vector<Command> commands = {};
-};
 
 /// Parses the command line and runs one command. Prints an error as one line on standard error and
 /// returns the exit code: 0 done, 1 failed at run time, 2 wrong usage or bad sea file, 130

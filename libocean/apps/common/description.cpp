@@ -5,29 +5,20 @@
 #include "description.hpp"
 
 #include "ocean/internal/json.hpp"
-#include "ocean/internal/text.hpp"
 
 namespace ocean::app {
 namespace {
 
-std::string_view taken_by(const OptionTarget& target) {
-    if (std::holds_alternative<bool*>(target) ||
-        std::holds_alternative<bool RunOptions::*>(target)) {
-        return "nothing";
-    }
-    return std::holds_alternative<std::optional<std::string>*>(target) ? "optional value" : "value";
-}
-
 JsonObject described(const Option& option) {
-    const std::string names = option.names.substr(option.names.starts_with('!') ? 1 : 0);
+    constexpr std::string_view kTakes[] = {"nothing", "optional value", "value"};
     const auto* const one_of = std::get_if<OneOf>(&option.rule);
     return JsonObject()
-        .add("names", json_array(split(names, ',')))
+        .add("names", json_array(names_of(option)))
         .add("type", option.type)
         .add("help", option.help)
         .add("required", option.required)
-        .add("takes", taken_by(option.target))
-        .add("repeats", std::holds_alternative<std::vector<std::string>*>(option.target))
+        .add("takes", kTakes[static_cast<std::size_t>(takes(option))])
+        .add("repeats", takes_several(option))
         .add("words", one_of != nullptr ? json_array(one_of->words) : JsonArray())
         .add("excludes", option.excludes);
 }

@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "command_line.hpp"
+#include "command.hpp"
 
 namespace ocean::app {
 

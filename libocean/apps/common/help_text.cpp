@@ -16,10 +16,6 @@ namespace {
 constexpr std::size_t kIndent = 2;
 constexpr std::size_t kTextColumn = 28;
 
-bool is_positional(const Option& option) {
-    return !option.names.starts_with('-') && !option.names.starts_with('!');
-}
-
 /// Returns the lines of a row; a long name has its text on the next line.
 std::string row_text(const HelpRow& row) {
     std::string line = std::string(kIndent, ' ') + row.name;
@@ -42,7 +38,7 @@ HelpRow row_of(const Option& option) {
     return {option_name(option), text};
 }
 
-std::vector<HelpSection> sections_of(const std::vector<OptionGroup>& groups, bool has_version) {
+std::vector<HelpSection> sections_of(const Command& command, bool has_version) {
     HelpSection positionals{"Positionals", {}};
     HelpSection unnamed{"Options", {{"-h, --help", "Print this help message and exit"}}};
     if (has_version) {
@@ -50,7 +46,7 @@ std::vector<HelpSection> sections_of(const std::vector<OptionGroup>& groups, boo
             {"--version", "Print the versions of this program and of its libraries"});
     }
     std::vector<HelpSection> named;
-    for (const OptionGroup& group : groups) {
+    for (const OptionGroup& group : command.options) {
         for (const Option& option : group.options) {
             if (is_positional(option)) {
                 positionals.rows.push_back(row_of(option));
@@ -67,6 +63,12 @@ std::vector<HelpSection> sections_of(const std::vector<OptionGroup>& groups, boo
     }
     std::vector<HelpSection> all;
     if (!positionals.rows.empty()) all.push_back(std::move(positionals));
+    if (!command.pages.empty()) {
+        HelpSection& pages = all.emplace_back(HelpSection{command.pages_title, {}});
+        for (const HelpPage& page : command.pages) {
+            pages.rows.push_back({page.names.front(), page.summary});
+        }
+    }
     all.push_back(std::move(unnamed));
     std::ranges::move(named, std::back_inserter(all));
     return all;
@@ -75,45 +77,58 @@ std::vector<HelpSection> sections_of(const std::vector<OptionGroup>& groups, boo
 std::string usage_text(const Command& command, const std::string& usage, bool has_commands) {
     std::string text = "Usage: " + usage + " [OPTIONS]";
     if (has_commands && !command.run) text += " COMMAND";
-    for (const OptionGroup& group : command.options) {
-        for (const Option& option : group.options) {
-            if (!is_positional(option)) continue;
-            text += option.required ? " " + option.names : " [" + option.names + "]";
-        }
+    for (const Option* option : options_of(command)) {
+        if (!is_positional(*option)) continue;
+        text += option->required ? " " + option->names : " [" + option->names + "]";
     }
     text += "\n";
     if (has_commands && command.run) text += "       " + usage + " COMMAND [OPTIONS]\n";
     return text;
 }
 
+/// Returns the commands that may follow: all of a program, or those with a second word. In a
+/// program's list each command is followed by those whose names begin with its name.
+std::vector<HelpRow> rows_of_commands(const Program& program, const Command& command) {
+    std::vector<HelpRow> rows;
+    if (&command != &program.main) {
+        for (const Command* below : commands_below(program, command)) {
+            rows.push_back({std::string(second_word(*below)), below->summary});
+        }
+        return rows;
+    }
+    for (const Command& first : program.commands) {
+        if (!second_word(first).empty()) continue;
+        rows.push_back({first.name, first.summary});
+        for (const Command* below : commands_below(program, first)) {
+            rows.push_back({below->name, below->summary});
+        }
+    }
+    return rows;
+}
+
 }  // namespace
 
 std::string option_name(const Option& option) {
-    std::string name = option.names.substr(option.names.starts_with('!') ? 1 : 0);
-    if (const std::size_t comma = name.find(','); comma != std::string::npos) {
-        name.insert(comma + 1, " ");
-    }
+    std::string name = joined(names_of(option), ", ");
     if (!option.type.empty()) name += " " + option.type;
-    if (std::holds_alternative<std::vector<std::string>*>(option.target)) name += " ...";
+    if (takes_several(option)) name += " ...";
     return name;
 }
 
-std::string command_help(const Command& command, const std::string& usage,
-                         const std::vector<HelpRow>& commands, bool has_version) {
+std::string usage_of(const Program& program, const Command& command) {
+    const bool is_main = &command == &program.main;
+    return is_main ? command.name : program.main.name + " " + command.name;
+}
+
+std::string command_help(const Program& program, const Command& command) {
+    const std::vector<HelpRow> commands = rows_of_commands(program, command);
     std::string text = wrapped(command.summary, 0, kHelpColumns);
-    text += usage_text(command, usage, !commands.empty());
-    std::vector<HelpSection> sections = sections_of(command.options, has_version);
-    if (!command.pages.empty()) {
-        HelpSection pages{command.pages_title, {}};
-        for (const HelpPage& page : command.pages) {
-            pages.rows.push_back({page.names.front(), page.summary});
-        }
-        const bool has_positionals = sections.front().title == "Positionals";
-        sections.insert(sections.begin() + (has_positionals ? 1 : 0), std::move(pages));
-    }
+    text += usage_text(command, usage_of(program, command), !commands.empty());
+    std::vector<HelpSection> sections = sections_of(command, &command == &program.main);
     if (!commands.empty()) sections.push_back({"Commands", commands});
     for (const HelpSection& section : sections) text += section_text(section);
-    if (!command.footer.empty()) text += "\n" + command.footer + "\n";
+    const std::string& footer = command.footer.empty() ? program.main.footer : command.footer;
+    if (!footer.empty()) text += "\n" + footer + "\n";
     return text;
 }
 

@@ -6,8 +6,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "command.hpp"
 
@@ -15,10 +13,11 @@ namespace ocean::app {
 
 inline constexpr std::size_t kHelpColumns = 80;
 
-/// Returns the help of a command, with `usage` as its name: "ocean bake". `commands` are those that
-/// may follow it; the program itself has --version among its options.
-std::string command_help(const Command& command, const std::string& usage,
-                         const std::vector<HelpRow>& commands, bool has_version);
+/// Returns the name by which a user calls a command, "ocean bake"; of the program's main, "ocean".
+std::string usage_of(const Program& program, const Command& command);
+
+/// Returns the help of a command of the program, or of its main.
+std::string command_help(const Program& program, const Command& command);
 
 /// Returns the text of one page.
 std::string page_help(const HelpPage& page);

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string_view>
-#include <type_traits>
-#include <variant>
 
+#include "command_parser.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/nearest_name.hpp"
@@ -19,8 +17,6 @@ namespace ocean::app {
 namespace {
 
 constexpr std::size_t kMaxListBytes = std::size_t{16} << 20;
-constexpr double kMaxNumber = 1e300;
-constexpr int kMaxWholeNumber = 1'000'000'000;
 
 std::vector<std::string> words_of(std::string_view line) {
     constexpr std::string_view kBlanks = " \t\r";
@@ -60,36 +56,6 @@ void clear_excluded(const std::string& name, PreviewWords& words) {
     if (name == "--sun") words.environment.clear(), words.environment_turn.reset();
 }
 
-void require_allowed(const Option& option, const std::string& value) {
-    if (const auto* rule = std::get_if<OneOf>(&option.rule)) {
-        const std::string fault = rule->fault_of(value);
-        if (fault.empty()) return;
-        throw Error(ErrorKind::invalid_value, option.names + ": " + fault);
-    }
-    if (const auto* rule = std::get_if<Within>(&option.rule)) {
-        parse_whole_number(value, option.names, rule->lowest, rule->highest);
-    }
-}
-
-void assign(const Option& option, const std::string& value) {
-    require_allowed(option, value);
-    std::visit(
-        [&](auto target) {
-            using Target = decltype(target);
-            if constexpr (std::is_same_v<Target, bool*>) {
-                *target = true;
-            } else if constexpr (std::is_same_v<Target, std::string*>) {
-                *target = value;
-            } else if constexpr (std::is_same_v<Target, std::optional<double>*>) {
-                *target = parse_number(value, option.names, -kMaxNumber, kMaxNumber);
-            } else if constexpr (std::is_same_v<Target, std::optional<int>*>) {
-                *target =
-                    parse_whole_number(value, option.names, -kMaxWholeNumber, kMaxWholeNumber);
-            }
-        },
-        option.target);
-}
-
 const Option& option_of(const std::vector<PreviewGroup>& groups, const std::string& name) {
     std::vector<std::string_view> names;
     for (const PreviewGroup& group : groups) {
@@ -105,11 +71,6 @@ const Option& option_of(const std::vector<PreviewGroup>& groups, const std::stri
                                               "picture");
 }
 
-struct GivenOption {
-    const Option& option;
-    std::string value;
-};
-
 /// "--heading 90", "--heading=90", "--wireframe".
 std::vector<GivenOption> given_options(const std::vector<std::string>& line,
                                        const std::vector<PreviewGroup>& groups) {
@@ -118,7 +79,7 @@ std::vector<GivenOption> given_options(const std::vector<std::string>& line,
         const std::size_t equals = line[i].find('=');
         const Option& option = option_of(groups, line[i].substr(0, equals));
         std::string value;
-        if (std::holds_alternative<bool*>(option.target)) {
+        if (takes(option) == Takes::nothing) {
             // A flag has no value.
         } else if (equals != std::string::npos) {
             value = line[i].substr(equals + 1);
@@ -127,7 +88,7 @@ std::vector<GivenOption> given_options(const std::vector<std::string>& line,
         } else {
             throw Error(ErrorKind::invalid_value, option.names + " has no value");
         }
-        given.push_back({option, std::move(value)});
+        given.push_back({&option, std::move(value)});
     }
     return given;
 }
@@ -138,8 +99,9 @@ ListedPicture picture_of(const std::vector<std::string>& line, PreviewWords word
     words.offscreen = line[0];
     const std::vector<PreviewGroup> groups = preview_option_groups(words);
     const std::vector<GivenOption> given = given_options(line, groups);
-    for (const auto& [option, value] : given) clear_excluded(option.names, words);
-    for (const auto& [option, value] : given) assign(option, value);
+    for (const auto& [option, value] : given) clear_excluded(option->names, words);
+    RunOptions of_no_picture;
+    for (const auto& [option, value] : given) assign(*option, value, of_no_picture);
     if (words.time && words.frame) {
         throw Error(ErrorKind::invalid_value, "--frame excludes --time");
     }

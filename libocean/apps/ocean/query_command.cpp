@@ -47,8 +47,6 @@ class QueryRun {
             throw Error(ErrorKind::invalid_value, "either --time or --frame is required");
         }
         time_ = options.time ? *options.time : sea_.time_of(*options.frame);
-        require_finite("--time", time_);
-        if (options.orbital_z) require_finite("--orbital", *options.orbital_z);
         InputFiles inputs(options.sea.source, named_files(sea_));
         inputs.add(options.points);
         inputs.spare(options.output);
@@ -95,12 +93,6 @@ class QueryRun {
     }
 
   private:
-    static void require_finite(const char* name, double value) {
-        if (std::isfinite(value)) return;
-        throw Error(ErrorKind::invalid_value,
-                    std::string(name) + format_text(" = %g: allowed is a finite number", value));
-    }
-
     void write(const std::string& text) {
         if (options_.output.empty()) return context_.console.data(text);
         text_ += text;
