@@ -83,7 +83,7 @@ class PlaneScene final : public Scene {
     Plane plane_;
 };
 
-OpenedScene read_plane(const SeaArgument& argument) {
+OpenedScene read_plane(const SubjectArgument& argument) {
     std::string key, equals, value;
     std::ifstream(argument.source) >> key >> equals >> value;
     auto plane = std::make_shared<Plane>(0.0);

@@ -19,6 +19,15 @@ std::string OneOf::fault_of(const std::string& value) const {
            did_you_mean(value, known);
 }
 
+std::vector<OptionGroup> options_for(std::string_view kind, std::vector<OptionGroup> groups) {
+    for (OptionGroup& group : groups) {
+        std::erase_if(group.options, [&](const Option& option) {
+            return !option.subject.empty() && option.subject != kind;
+        });
+    }
+    return groups;
+}
+
 OptionGroup run_options(const std::string& json_help) {
     OptionGroup group{"Running",
                       {{"--threads", &RunOptions::threads, "N", "Threads to use; 0 = all cores",

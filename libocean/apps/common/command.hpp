@@ -25,9 +25,18 @@ struct RunOptions {
     bool json = false;
 };
 
+struct Option;
+
+/// An option of a command line with its value, "" for a flag.
+struct GivenOption {
+    const Option* option;
+    std::string value;
+};
+
 /// The services of a running command; they live as long as the program.
 struct Context {
     const RunOptions& options;
+    const std::vector<GivenOption>& given;
     Console& console;
     InterruptWatch& interrupts;
 };
@@ -64,8 +73,14 @@ struct Option {
     std::string help = {};
     bool required = kOptional;
     ValueRule rule = {};
-    std::string excludes = {};  // an earlier option that cannot be combined with it
+    std::string excludes = {};      // an earlier option that cannot be combined with it
+    std::string_view subject = {};  // the kind of subject that alone has it, "sea"; "" = all
 };
+/// Returns the option as one that subjects of a kind alone have.
+inline Option only_of(std::string_view kind, Option option) {
+    option.subject = kind;
+    return option;
+}
 
 /// A group of options in the help; groups with the same name are merged.
 struct OptionGroup {
@@ -112,6 +127,9 @@ struct Program {
     std::string version;  // what --version prints
     std::vector<Command> commands = {};
 };
+
+/// Returns the groups with the options that subjects of a kind have.
+std::vector<OptionGroup> options_for(std::string_view kind, std::vector<OptionGroup> groups);
 
 /// Returns --threads, -q and -v, and --json unless `json_help` is "".
 OptionGroup run_options(const std::string& json_help);

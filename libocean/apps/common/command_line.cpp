@@ -56,7 +56,7 @@ int parse_and_run(int argc, char** argv, const Program& program) {
         if (parsed.text) {
             console.data(*parsed.text);
         } else {
-            parsed.command.run({options, console, interrupts});
+            parsed.command.run({options, parsed.given, console, interrupts});
         }
         return 0;
     } catch (const ClosedPipe&) {

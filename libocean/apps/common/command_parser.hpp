@@ -14,12 +14,6 @@
 
 namespace ocean::app {
 
-/// An option of a command line with its value, "" for a flag.
-struct GivenOption {
-    const Option* option;
-    std::string value;
-};
-
 struct ParsedCommand {
     const Command& command;           // of the program; the program's main if it has no commands
     std::optional<std::string> text;  // of --help or --version, to print in place of a run

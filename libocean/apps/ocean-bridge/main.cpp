@@ -6,11 +6,12 @@
 
 #include "command_line.hpp"
 #include "learn.hpp"
+#include "ocean/channel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/bridge/endpoint.hpp"
 #include "ocean/version.hpp"
-#include "sea_argument.hpp"
 #include "serve.hpp"
+#include "subject_argument.hpp"
 #include "terminal_client.hpp"
 
 namespace ocean::app {
@@ -56,7 +57,7 @@ void run(const Words& words, const Context& context) {
 Command bridge_command() {
     auto words = std::make_shared<Words>();
     ServeWords& serve = words->serve;
-    std::vector<OptionGroup> groups = {sea_options(serve.sea, kOptional)};
+    std::vector<OptionGroup> groups = {subject_options(serve.sea, kSeaKind, kOptional)};
     groups.push_back(
         {"Boards",
          {{"--map", &serve.map, "FILE", "Map of controls to values", kOptional, NotEmpty{}},

@@ -12,12 +12,12 @@
 #include "command.hpp"
 #include "ocean/internal/bridge/source.hpp"
 #include "ocean/sea.hpp"
-#include "sea_argument.hpp"
+#include "subject_argument.hpp"
 
 namespace ocean::app {
 
 struct ServeWords {
-    SeaArgument sea;
+    SubjectArgument sea;
     std::string map;
     std::optional<std::string> dummy;  // "" for no script
     std::string replay;

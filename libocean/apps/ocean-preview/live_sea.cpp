@@ -11,7 +11,7 @@
 #include "ocean/internal/open_sea.hpp"
 #include "ocean/internal/text.hpp"
 #include "ocean/parameter_table.hpp"
-#include "sea_argument.hpp"
+#include "subject_argument.hpp"
 
 namespace ocean::app {
 namespace {

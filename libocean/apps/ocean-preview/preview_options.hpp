@@ -36,7 +36,7 @@ struct PlainOptions {
 
 /// The options as they were typed.
 struct PreviewWords : PlainOptions {
-    SeaArgument sea;
+    SubjectArgument sea;
     std::string eye, look_at, sun, size, look = "physical", colours = "land", water, frames,
                                          pictures, environment, bridge, token_file, serve,
                                          board_map;

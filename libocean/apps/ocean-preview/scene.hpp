@@ -20,8 +20,8 @@
 #include "ocean/internal/preview/renderer.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/subject.hpp"
-#include "sea_argument.hpp"
 #include "stage_picture.hpp"
+#include "subject_argument.hpp"
 
 namespace ocean::app {
 
@@ -140,7 +140,7 @@ struct SceneRow {
     /// Returns whether a source names a subject of this kind: a preset, a file or a baked file.
     bool (*is_named)(const std::string& source);
     /// Returns the subject that an argument names. Throws Error.
-    OpenedScene (*open)(const SeaArgument& argument);
+    OpenedScene (*open)(const SubjectArgument& argument);
     std::unique_ptr<Scene> (*show)(const Subject& subject, const SceneOptions& options);
     /// Returns the names of the renderer's views of such a scene.
     std::vector<std::string> (*views)();

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "terrain_argument.hpp"
-
 namespace ocean::app {
 
-OptionGroup scene_options(SeaArgument& argument) {
+OptionGroup scene_options(SubjectArgument& argument) {
     return {"Scene",
             {{"SEA", &argument.source, "",
               "A sea file or a terrain file, - for a sea on standard input, an EXR file that was "
@@ -20,8 +18,7 @@ OptionGroup scene_options(SeaArgument& argument) {
               "of a terrain; may be repeated"}}};
 }
 
-OpenedScene open_scene(const SeaArgument& argument) {
-    refuse_unknown_preset(argument.source);
+OpenedScene open_scene(const SubjectArgument& argument) {
     const std::vector<const SceneRow*>& rows = scene_rows();
     const auto names_it = [&](const SceneRow* row) { return row->is_named(argument.source); };
     return (*std::find_if(rows.rbegin(), rows.rend(), names_it))->open(argument);

@@ -5,14 +5,14 @@
 #pragma once
 
 #include "scene.hpp"
-#include "sea_argument.hpp"
+#include "subject_argument.hpp"
 
 namespace ocean::app {
 
 /// Returns the argument and --set as options.
-OptionGroup scene_options(SeaArgument& argument);
+OptionGroup scene_options(SubjectArgument& argument);
 /// Returns the subject that an argument names. Throws Error.
-OpenedScene open_scene(const SeaArgument& argument);
+OpenedScene open_scene(const SubjectArgument& argument);
 
 /// Returns the views that a person can choose: those of the renderer, then the stages.
 std::vector<std::string> all_view_names(const SceneRow& row);

@@ -78,7 +78,7 @@ void require_cascade(const Subject& subject, const PreviewOptions& options) {
 const SceneRow kSeaScene = {
     .kind = kSeaKind,
     .is_named = [](const std::string&) { return true; },
-    .open = [](const SeaArgument& argument) -> OpenedScene {
+    .open = [](const SubjectArgument& argument) -> OpenedScene {
         return make_subject(open_sea(argument));
     },
     .show = [](const Subject& subject, const SceneOptions& options) -> std::unique_ptr<Scene> {

@@ -15,7 +15,7 @@
 #include "ocean/terrain_table.hpp"
 #include "ocean/terrainfile.hpp"
 #include "preview_options.hpp"
-#include "terrain_argument.hpp"
+#include "subject_argument.hpp"
 #include "workload.hpp"
 
 namespace ocean::app {
@@ -58,9 +58,9 @@ std::optional<WorldPoint> pick_ground(const preview::DrawnLand& land, const prev
 
 const SceneRow kTerrainScene = {
     .kind = kTerrainKind,
-    .is_named = names_terrain,
-    .open = [](const SeaArgument& argument) -> OpenedScene {
-        return make_subject(open_terrain({argument.source, argument.assignments}));
+    .is_named = [](const std::string& source) { return kind_of_source(source) == kTerrainKind; },
+    .open = [](const SubjectArgument& argument) -> OpenedScene {
+        return make_subject(open_terrain(argument));
     },
     .show = [](const Subject& subject, const SceneOptions& options) -> std::unique_ptr<Scene> {
         return std::make_unique<TerrainScene>(*find_terrain(subject), options);

@@ -13,18 +13,19 @@
 #include "gauge/gauge_points.hpp"
 #include "input_files.hpp"
 #include "interrupt.hpp"
+#include "ocean/channel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/seafile.hpp"
-#include "sea_argument.hpp"
+#include "subject_argument.hpp"
 #include "text.hpp"
 
 namespace ocean::app {
 namespace {
 
 struct GaugeOptions {
-    SeaArgument sea;
+    SubjectArgument sea;
     std::string points;
     std::string from;
     std::string to;
@@ -171,7 +172,7 @@ Command gauge_command() {
     return {
         .name = "gauge",
         .summary = "Read virtual wave gauges over time, and estimate wave statistics",
-        .options = {sea_options(options->sea),
+        .options = {subject_options(options->sea, kSeaKind),
                     {"Record",
                      {{"--points", &options->points, "FILE",
                        "Table of the gauges, see below; - = standard input", kRequired},

@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "info_text.hpp"
+#include "ocean/channel.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/io/read_provenance.hpp"
 #include "ocean/internal/text.hpp"
@@ -17,17 +18,16 @@
 #include "ocean/seafile.hpp"
 #include "ocean/terrain.hpp"
 #include "ocean/terrainfile.hpp"
-#include "sea_argument.hpp"
 #include "source_text.hpp"
 #include "standard_input.hpp"
-#include "terrain_argument.hpp"
+#include "subject_argument.hpp"
 #include "terrain_info_text.hpp"
 
 namespace ocean::app {
 namespace {
 
 struct InfoOptions {
-    SeaArgument sea;
+    SubjectArgument subject;
     bool sea_file = false;
 };
 
@@ -55,34 +55,30 @@ BakedFrame baked_frame_of(const std::string& source) {
     return provenance ? BakedFrame{provenance->frame, provenance->time} : BakedFrame{};
 }
 
-void run_for_terrain(const InfoOptions& info, const Context& context) {
-    const TerrainModel terrain = open_terrain({info.sea.source, info.sea.assignments});
+void describe(const TerrainModel& terrain, const InfoOptions& info, const Context& context) {
     if (info.sea_file) return context.console.data(write_terrain(terrain));
     Terrain land(terrain, {.threads = context.options.threads});
     const TerrainState state = land.state();
-    const BakedFrame baked = baked_frame_of(info.sea.source);
+    const BakedFrame baked = baked_frame_of(info.subject.source);
     if (context.options.json) {
         context.console.data(baked.added_to(terrain_state_json(state)) + "\n");
     } else {
-        context.console.data(terrain_info_text(terrain, baked.named(info.sea.source), state));
+        context.console.data(terrain_info_text(terrain, baked.named(info.subject.source), state));
     }
     for (const std::string& warning : state.warnings) context.console.warning(warning);
 }
 
-void run(const InfoOptions& info, const Context& context) {
-    refuse_unknown_preset(info.sea.source);
-    if (names_terrain(info.sea.source)) return run_for_terrain(info, context);
-    const Sea sea = open_sea(info.sea);
+void describe(const Sea& sea, const InfoOptions& info, const Context& context) {
     if (info.sea_file) return context.console.data(write_sea(sea));
     Ocean ocean(sea, {.threads = context.options.threads});
     const SeaState state = ocean.state();
-    const BakedFrame baked = baked_frame_of(info.sea.source);
+    const BakedFrame baked = baked_frame_of(info.subject.source);
     if (context.options.json) {
         context.console.data(baked.added_to(sea_state_json(state)) + "\n");
     } else {
         // A map of one period, which is measured, says nothing of a sea over a bed.
         const FrameCost cost = state.bed ? FrameCost{} : ocean.measure_frame_cost();
-        context.console.data(info_text(sea, baked.named(info.sea.source), state, cost));
+        context.console.data(info_text(sea, baked.named(info.subject.source), state, cost));
     }
     for (const std::string& warning : state.warnings) context.console.warning(warning);
 }
@@ -101,13 +97,17 @@ Command info_command() {
     return {
         .name = "info",
         .summary = "Describe a sea or a terrain: heights, periods, slopes, grid",
-        .options = {sea_options(info->sea),
+        .options = {subject_options(info->subject, kSeaKind),
                     {"Output",
                      {{"--sea-file", &info->sea_file, "",
                        "Print the resolved sea file instead, the text that baked files hold"}}},
                     run_options("Print one JSON object; warnings as JSON lines")},
         .footer = kInfoFooter,
-        .run = [info](const Context& context) { run(*info, context); },
+        .run =
+            [info](const Context& context) {
+                const OpenedSubject subject = open_subject(info->subject);
+                std::visit([&](const auto& model) { describe(model, *info, context); }, subject);
+            },
     };
 }
 

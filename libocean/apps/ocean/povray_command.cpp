@@ -22,8 +22,7 @@
 #include "ocean/seafile.hpp"
 #include "povray_files.hpp"
 #include "region_argument.hpp"
-#include "sea_argument.hpp"
-#include "terrain_argument.hpp"
+#include "subject_argument.hpp"
 #include "text.hpp"
 #include "user_files.hpp"
 
@@ -32,7 +31,7 @@ namespace {
 
 struct Typed {
     BakeOptions bake;
-    SeaArgument sea;
+    SubjectArgument sea;
     std::string folder;
     std::string format = "df3";
     RegionArgument region;  // of a terrain or a coast
@@ -91,8 +90,8 @@ void refuse_options_of_seas(const Typed& typed) {
 
 void run(const Typed& typed, const Context& context) {
     const std::string folder = typed.folder.empty() ? "." : typed.folder;
-    refuse_unknown_preset(typed.sea.source);
-    if (names_terrain(typed.sea.source)) {
+    const OpenedSubject subject = open_subject(typed.sea);
+    if (std::holds_alternative<TerrainModel>(subject)) {
         refuse_options_of_seas(typed);
         BakeOptions options = typed.bake;
         options.source = typed.sea.source;
@@ -100,7 +99,7 @@ void run(const Typed& typed, const Context& context) {
             {options, typed.sea.assignments, folder, typed.format, typed.region, typed.dry_run},
             context);
     }
-    const Sea given = open_sea({typed.sea.source, typed.sea.assignments});
+    const Sea& given = std::get<Sea>(subject);
     refuse_folder_of(folder, "terrain.ini", "a terrain", "a sea");
     if (given.parameters.water.bed) {
         return write_povray_coast({typed.bake, given, typed.sea.source, folder, typed.format,
@@ -133,7 +132,7 @@ void run(const Typed& typed, const Context& context) {
 
 std::vector<OptionGroup> povray_options(Typed& typed) {
     BakeOptions& bake = typed.bake;
-    OptionGroup source = sea_options(typed.sea);
+    OptionGroup source = subject_options(typed.sea, kSeaKind);
     source.options.front().help =
         "A sea file or a terrain file, - for standard input (a sea), a file that was baked from "
         "one, or preset:NAME";

@@ -20,7 +20,7 @@
 #include "ocean/terrain.hpp"
 #include "ocean/terrainfile.hpp"
 #include "povray_files.hpp"
-#include "terrain_argument.hpp"
+#include "subject_argument.hpp"
 #include "text.hpp"
 
 namespace ocean::app {

@@ -2,33 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // `ocean presets`: lists the built-in seas and terrains.
-#include <array>
 #include <memory>
-#include <span>
-#include <vector>
 
 #include "commands.hpp"
 #include "console.hpp"
 #include "ocean/channel.hpp"
-#include "ocean/error.hpp"
-#include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/json.hpp"
-#include "ocean/internal/nearest_name.hpp"
+#include "ocean/internal/text.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/terrainfile.hpp"
+#include "subject_argument.hpp"
 
 namespace ocean::app {
 namespace {
-
-struct PresetList {
-    std::string_view kind;
-    std::string_view title;
-    std::span<const Preset> presets;
-};
-
-std::array<PresetList, 2> preset_lists() {
-    return {{{kSeaKind, "Seas", presets()}, {kTerrainKind, "Terrains", terrain_presets()}}};
-}
 
 std::string presets_text() {
     std::string text;
@@ -56,16 +42,8 @@ std::string presets_json() {
 
 /// Returns the file of a preset of any kind. Throws Error not_found naming the nearest.
 const std::string& preset_file(const std::string& name) {
-    std::vector<std::string_view> names;
-    for (const PresetList& list : preset_lists()) {
-        for (const Preset& preset : list.presets) {
-            if (preset.name == name) return preset.toml;
-            names.push_back(preset.name);
-        }
-    }
-    throw Error(ErrorKind::not_found, "no preset is called '" + text::printable(name) + "'" +
-                                          did_you_mean(name, names) +
-                                          "; `ocean presets` lists them");
+    const bool is_sea = kind_of_preset(name, "lists them") == kSeaKind;
+    return (is_sea ? find_preset(name) : find_terrain_preset(name)).toml;
 }
 
 }  // namespace

@@ -13,11 +13,12 @@
 #include "console.hpp"
 #include "input_files.hpp"
 #include "interrupt.hpp"
+#include "ocean/channel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/seafile.hpp"
 #include "point_table.hpp"
-#include "sea_argument.hpp"
+#include "subject_argument.hpp"
 #include "text.hpp"
 
 namespace ocean::app {
@@ -30,7 +31,7 @@ constexpr char kHeader[] =
 constexpr char kOrbitalHeader[] = ",orbital_velocity_x,orbital_velocity_y,orbital_velocity_z";
 
 struct QueryCommandOptions {
-    SeaArgument sea;
+    SubjectArgument sea;
     std::string points;
     std::string output;
     std::optional<double> time;
@@ -172,7 +173,7 @@ Command query_command() {
         .name = "query",
         .summary = "Height, normal, velocity and foam at points of the world, as CSV",
         .options =
-            {sea_options(options->sea),
+            {subject_options(options->sea, kSeaKind),
              {"Where and when",
               {{"--points", &options->points, "FILE",
                 "Table with a header line and the columns x,y in metres, see below; - = standard "

@@ -25,9 +25,8 @@
 #include "plot/plot_file.hpp"
 #include "plot/spectrum_plot.hpp"
 #include "plot/terrain_plot.hpp"
-#include "sea_argument.hpp"
 #include "spectrum_csv.hpp"
-#include "terrain_argument.hpp"
+#include "subject_argument.hpp"
 #include "terrain_spectrum.hpp"
 
 namespace ocean::app {
@@ -36,7 +35,7 @@ namespace {
 constexpr std::string_view kPlotCommand = "spectrum";
 
 struct SpectrumOptions {
-    SeaArgument sea;
+    SubjectArgument subject;
     bool directional = false;
     std::string output;
     std::string plot;
@@ -54,7 +53,7 @@ std::vector<io::HeaderString> plot_strings(std::string_view kind, const std::str
 
 /// Throws Error if an output is an input or replaces a file that is no plot.
 void check_outputs(const SpectrumOptions& options, const std::vector<std::string>& named) {
-    const InputFiles inputs(options.sea.source, named);
+    const InputFiles inputs(options.subject.source, named);
     for (const std::string& output : {options.output, options.plot}) inputs.spare(output);
     const std::filesystem::path picture = utf8_path(options.plot);
     if (picture.has_extension() && picture.extension() != ".png") {
@@ -81,19 +80,18 @@ void write_results(const SpectrumOptions& options, const Context& context, const
     write(options.output, csv());
 }
 
-void run_for_terrain(const SpectrumOptions& options, const Context& context) {
+void run_for(const TerrainModel& terrain, const SpectrumOptions& options, const Context& context) {
     if (options.directional) {
         throw Error(ErrorKind::unsupported,
                     "--directional: only a sea has it; a terrain is printed in rings");
     }
-    const TerrainModel terrain = open_terrain({options.sea.source, options.sea.assignments});
     check_outputs(options, named_files(terrain));
     const int seeds = options.seeds.empty()
                           ? kDefaultSeeds
                           : parse_whole_number(options.seeds, "--seeds", 1, kMaxSpectrumSeeds);
     if (terrain.base_model != nullptr) {
         throw Error(ErrorKind::unsupported,
-                    options.sea.source +
+                    options.subject.source +
                         ": the land of an elevation model has no law; `ocean "
                         "terrain fit " +
                         terrain.base + "` measures its spectrum");
@@ -109,19 +107,14 @@ void run_for_terrain(const SpectrumOptions& options, const Context& context) {
     write_results(
         options, context,
         [&] {
-            return io::with_png_strings(plot_terrain(land, rings, seeds, options.sea.source),
+            return io::with_png_strings(plot_terrain(land, rings, seeds, options.subject.source),
                                         plot_strings(kTerrainKind, write_terrain(terrain)));
         },
         [&] { return terrain_rings_csv(rings); });
 }
 
-void run(const SpectrumOptions& options, const Context& context) {
-    refuse_unknown_preset(options.sea.source);
-    if (names_terrain(options.sea.source)) return run_for_terrain(options, context);
-    if (!options.seeds.empty()) {
-        throw Error(ErrorKind::unsupported, "--seeds: only a terrain has it, and this is a sea");
-    }
-    const Sea sea = open_sea(options.sea);
+void run_for(const Sea& sea, const SpectrumOptions& options, const Context& context) {
+    refuse_options_of_others(context, kSeaKind);
     check_outputs(options, named_files(sea));
     Ocean ocean(sea, {.threads = context.options.threads});
     const DirectionalSpectrum& spectrum = ocean.spectrum();
@@ -129,7 +122,7 @@ void run(const SpectrumOptions& options, const Context& context) {
         options, context,
         [&] {
             const std::string png =
-                plot_spectrum(ocean, options.sea.source, context.options.threads);
+                plot_spectrum(ocean, options.subject.source, context.options.threads);
             return io::with_png_strings(png, plot_strings(kSeaKind, write_sea(sea)));
         },
         [&] { return options.directional ? directional_csv(spectrum) : frequency_csv(spectrum); });
@@ -157,18 +150,23 @@ Command spectrum_command() {
         .name = "spectrum",
         .summary = "Print the spectrum as CSV, or draw it with --plot",
         .options =
-            {sea_options(options->sea),
+            {subject_options(options->subject, kSeaKind),
              {"Output",
               {{"--directional", &options->directional, "",
                 "Print the two-dimensional spectrum, with a line for each frequency and direction"},
-               {"--seeds", &options->seeds, "N",
-                "Tiles of a terrain that are made for mean and scatter; default 16"},
+               only_of(kTerrainKind,
+                       {"--seeds", &options->seeds, "N",
+                        "Tiles of a terrain that are made for mean and scatter; default 16"}),
                {"-o,--output", &options->output, "FILE", "Write the CSV here"},
                {"--plot", &options->plot, "FILE.png",
                 "Draw both spectra as a PNG file; CSV is then written with -o only"}}},
              run_options("")},
         .footer = kSpectrumFooter,
-        .run = [options](const Context& context) { run(*options, context); },
+        .run =
+            [options](const Context& context) {
+                const OpenedSubject subject = open_subject(options->subject);
+                std::visit([&](const auto& model) { run_for(model, *options, context); }, subject);
+            },
     };
 }
 

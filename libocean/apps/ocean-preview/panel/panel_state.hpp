@@ -37,7 +37,7 @@ struct Change {
     std::string path;
     std::string before;
     OpenedScene scene = {};
-    std::optional<SeaArgument> source = {};  // of that scene, if another file was opened
+    std::optional<SubjectArgument> source = {};  // of that scene, if another file was opened
     std::optional<double> time =
         {};  // of the clock of a scene that one without a clock replaced [s]
 };
@@ -111,7 +111,7 @@ struct PanelState {
     FrameTimes times;
     BridgeRows bridge;
     FileRows files;
-    SeaArgument source;  // of the shown scene, for Reload and the window's title
+    SubjectArgument source;  // of the shown scene, for Reload and the window's title
     PanelPlace place;
     std::vector<Change> changes;  // the newest last
     PanelRequests requests;

@@ -32,8 +32,9 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-Session::Session(const PreviewOptions& options, const OpenedScene& scene, const SeaArgument& source,
-                 const Context& context, GLFWwindow* window, WindowInput& input, Gui& gui)
+Session::Session(const PreviewOptions& options, const OpenedScene& scene,
+                 const SubjectArgument& source, const Context& context, GLFWwindow* window,
+                 WindowInput& input, Gui& gui)
     : options_(options),
       context_(context),
       window_(window),

@@ -27,7 +27,7 @@ namespace ocean::app {
 class Session {
   public:
     /// All arguments outlive the session. Throws Error.
-    Session(const PreviewOptions& options, const OpenedScene& scene, const SeaArgument& source,
+    Session(const PreviewOptions& options, const OpenedScene& scene, const SubjectArgument& source,
             const Context& context, GLFWwindow* window, WindowInput& input, Gui& gui);
 
     /// Blocks until the window is closed. A recording that is in no file is saved then.

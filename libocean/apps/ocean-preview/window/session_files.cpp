@@ -43,7 +43,7 @@ std::string with_extension(const std::string& name) {
 
 }  // namespace
 
-SessionFiles::SessionFiles(const SeaArgument& source, LiveScene& scene, PanelState& state,
+SessionFiles::SessionFiles(const SubjectArgument& source, LiveScene& scene, PanelState& state,
                            SavedScene& saved, Console& console)
     : scene_(scene), state_(state), saved_(saved), console_(console) {
     state_.source = source;

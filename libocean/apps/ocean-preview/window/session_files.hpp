@@ -21,8 +21,8 @@ namespace ocean::app {
 class SessionFiles {
   public:
     /// source: of the scene. All other arguments outlive the object.
-    SessionFiles(const SeaArgument& source, LiveScene& scene, PanelState& state, SavedScene& saved,
-                 Console& console);
+    SessionFiles(const SubjectArgument& source, LiveScene& scene, PanelState& state,
+                 SavedScene& saved, Console& console);
 
     /// Opens files: a sea or a terrain, takes for a sea, a sky. One that cannot be opened says why
     /// in the window and on standard error, and changes nothing. The scene before can be brought

@@ -76,8 +76,8 @@ Window open_window(const PreviewOptions& options, const std::string& title) {
 
 }  // namespace
 
-void run_window(const PreviewOptions& options, const OpenedScene& scene, const SeaArgument& source,
-                const Context& context) {
+void run_window(const PreviewOptions& options, const OpenedScene& scene,
+                const SubjectArgument& source, const Context& context) {
     const WindowLibrary library;
     const Window window = open_window(options, "ocean-preview: " + source.source);
     glfwMakeContextCurrent(window.get());

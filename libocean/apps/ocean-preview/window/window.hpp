@@ -12,7 +12,7 @@ namespace ocean::app {
 
 /// Blocks until the window is closed. `source` is read again when a person requests it. Throws
 /// Error no_gpu if no window with OpenGL 4.1 can be opened.
-void run_window(const PreviewOptions& options, const OpenedScene& scene, const SeaArgument& source,
-                const Context& context);
+void run_window(const PreviewOptions& options, const OpenedScene& scene,
+                const SubjectArgument& source, const Context& context);
 
 }  // namespace ocean::app
