@@ -267,3 +267,10 @@ def test_queries_agree_with_the_region_whatever_the_choppiness(coast):
     )  # fmt: skip
     heights = np.array([float(row["height"]) for row in csv.DictReader(io.StringIO(answer))])
     assert np.abs(heights - offsets[..., 2].ravel()).max() < 1e-4
+
+
+def test_a_coast_with_more_samples_than_pov_ray_takes_is_refused(coast):
+    part = ("--region", "0,40,160,40.5", "--cell", "0.0625")
+    message = coast.bad("povray", "sea.toml", "-o", "d", *part)
+    assert "--region: it has 2561 samples along its longer side; allowed are at most" in message
+    assert not (coast.folder / "d").exists()
