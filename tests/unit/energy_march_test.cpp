@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "coast/statics/breaking.hpp"
+#include "coast/statics/march_land.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/dispersion.hpp"
 #include "ocean/thread_pool.hpp"
@@ -404,6 +405,80 @@ TEST(EnergyMarch, AThinWallShadowsAsAThickOneDoesFromAnyDirection) {
         const double thin = height(0.0);
         EXPECT_LT(thin, 1.25 * height(16.0)) << cell << " " << turn;
         EXPECT_LT(thin, 0.4 * kHeight) << cell << " " << turn;
+    }
+}
+
+/// A mole of 200 m about the middle of a bed of 640 m, its direction turned from y by `turn`.
+/// Places are counted from its middle: across, away from the sea, and along.
+struct Mole {
+    double cell, turn;
+    int width;  // [samples]
+
+    BedGrid bed(bool is_thick) const {
+        const int samples = static_cast<int>(640.0 / cell) + 1;
+        return make_bed(samples, samples, cell, [&](double x, double y) {
+            const double c = std::cos(turn), s = std::sin(turn);
+            const double across = (x - 320.0) * c + (y - 320.0) * s;
+            const double along = (y - 320.0) * c - (x - 320.0) * s;
+            // The thick mole has the samples of the thin one and those in 72 m towards the sea, so
+            // that the faces to their lees are the same.
+            const bool stands = across <= face() && across >= (is_thick ? -72.0 : -face());
+            return stands && std::abs(along) <= 100.0 ? 4.0 : -8.0;
+        });
+    }
+    /// Returns half the width of the thin mole, which is closed by corners [m].
+    double face() const {
+        return 0.5 * cell * width * std::max(std::abs(std::cos(turn)), std::abs(std::sin(turn))) +
+               1e-9;
+    }
+    std::array<double, 2> behind(double across, double along) const {
+        const double u = face() + across, c = std::cos(turn), s = std::sin(turn);
+        return {320.0 + u * c - along * s, 320.0 + u * s + along * c};
+    }
+};
+
+TEST(EnergyMarch, WavesBehindAMoleFeelNoDepthsOfLandThatTheyDidNotCross) {
+    // At each place from 25 m behind, with one and two samples against five cells of the march; the
+    // waves behind both are those that a straight view of the open sea lets in. Waves that feel the
+    // thick mole's land break on it and turn to it, and waves do not see the thin one's.
+    const Water water{.depth = 8.0};
+    struct Case {
+        double cell, turn, oblique;  // of the waves to the mole [degrees]
+        int width;
+    };
+    for (const auto& [cell, turn, oblique, width] : {Case{4.0, 22.5, 30.0, 1},
+                                                     {2.0, 22.5, 30.0, 2},
+                                                     {5.0, 22.5, 30.0, 1},
+                                                     {4.0, 75.0, -30.0, 1},
+                                                     {5.0, 60.0, -45.0, 1}}) {
+        const Mole mole{cell, turn * kDegree, width};
+        const double main = (turn + oblique) * kDegree, spread = 5.0;
+        const DirectionalSpectrum sea = make_sea({{.direction = main, .spread = spread}});
+        const BedGrid thin_bed = mole.bed(false), thick_bed = mole.bed(true);
+        const EnergyMaps thin = march(thin_bed, sea, water), thick = march(thick_bed, sea, water);
+        const MarchLand land(thick_bed, {});
+        const auto seen = [&](const std::array<double, 2>& place) {
+            double sum = 0.0, all = 0.0;
+            for (double off = -170.0; off <= 170.0; off += 1.0) {
+                const double angle = main + off * kDegree;
+                const double energy = std::pow(std::cos(0.5 * off * kDegree), 2.0 * spread);
+                all += energy;
+                sum += energy * double{land.through(place, {place[0] - 500.0 * std::cos(angle),
+                                                            place[1] - 500.0 * std::sin(angle)})};
+            }
+            return std::sqrt(sum / all);
+        };
+        for (double across = 25.0; across <= 150.0; across += 25.0) {
+            for (double along = -95.0; along <= 95.0; along += 10.0) {
+                const std::array<double, 2> place = mole.behind(across, along);
+                const double of_thin = read(thin, thin.rms_height, place[0], place[1]);
+                const double of_thick = read(thick, thick.rms_height, place[0], place[1]);
+                EXPECT_LT(of_thin, 1.25 * of_thick) << cell << " " << turn << " " << oblique << " "
+                                                    << width << " at " << across << " " << along;
+                EXPECT_NEAR(of_thick / kHeight, seen(place), 0.1)
+                    << cell << " " << turn << " " << oblique << " at " << across << " " << along;
+            }
+        }
     }
 }
 

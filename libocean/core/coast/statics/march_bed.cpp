@@ -67,9 +67,14 @@ class NearLand {
 
 MarchWays ways_to(const MarchLand& land, const MarchGrid& grid, int i, int j) {
     MarchWays ways;
+    const std::array<double, 2> place = grid.place(i, j);
     for (int m = -kWayRows; m <= kWayRows; ++m) {
-        ways[at(kWayRows + m)] = land.through(grid.place(i - 1, j - m), grid.place(i, j));
+        ways.share[at(kWayRows + m)] = land.through(grid.place(i - 1, j - m), place);
     }
+    if (land.is_land(place)) return ways;
+    ways.before = ways.share[at(kWayRows)] > 0.0f;
+    ways.below = land.through(grid.place(i, j - 1), place) > 0.0f;
+    ways.above = land.through(grid.place(i, j + 1), place) > 0.0f;
     return ways;
 }
 
@@ -84,7 +89,7 @@ void find_ways(const MarchLand& land, MarchBed& bed, ThreadPool& pool) {
         for (int j = 0; j < grid.rows; ++j) {
             if (!near(i, j)) continue;
             const MarchWays to = ways_to(land, grid, i, j);
-            if (std::ranges::all_of(to, [](float share) { return share == 1.0f; })) continue;
+            if (to.is_open()) continue;
             bed.way[grid.index(i, j)] = static_cast<std::uint32_t>(ways[at(i)].size());
             ways[at(i)].push_back(to);
         }
@@ -100,6 +105,11 @@ void find_ways(const MarchLand& land, MarchBed& bed, ThreadPool& pool) {
 }
 
 }  // namespace
+
+bool MarchWays::is_open() const {
+    return before && below && above &&
+           std::ranges::all_of(share, [](float s) { return s == 1.0f; });
+}
 
 double bed_at(const BedGrid& bed, const std::array<double, 2>& place) {
     std::array<int, 2> low{};
@@ -172,26 +182,33 @@ MarchBed make_march_bed(const BedGrid& bed_height, const MarchLand& land, const 
     const auto felt_depth = [&](double height) {
         return std::clamp(-height, depths.min_depth(), depths.max_depth());
     };
+    find_ways(land, bed, pool);
     pool.for_each_range(grid.columns, [&](int first, int end) {
         for (int i = first; i < end; ++i) {
             for (int j = 0; j < grid.rows; ++j) {
                 const std::size_t cell = grid.index(i, j);
+                const std::array<double, 2> place = grid.place(i, j);
+                const double here = felt_depth(bed_at(bed_height, place));
+                const bool may_have_land =
+                    !bed.way.empty() && bed.way[cell] != MarchBed::kOpen && !land.is_land(place);
+                // Waves that come round land have not crossed its depths.
+                const auto depth_at = [&](double back) {
+                    const std::array<double, 2> at_part = grid.place(i - back, j);
+                    return may_have_land && land.through(at_part, place) <= 0.0f
+                               ? here
+                               : felt_depth(bed_at(bed_height, at_part));
+                };
                 for (int part = 0; part < kMarchParts; ++part) {
-                    const double back = 1.0 - (part + 0.5) / kMarchParts;
-                    const double height = bed_at(bed_height, grid.place(i - back, j));
-                    bed.depth[cell][at(part)] = static_cast<float>(felt_depth(height));
-                    bed.position[cell][at(part)] = depths.position(felt_depth(height));
+                    const double depth = depth_at(1.0 - (part + 0.5) / kMarchParts);
+                    bed.depth[cell][at(part)] = static_cast<float>(depth);
+                    bed.position[cell][at(part)] = depths.position(depth);
                 }
-                const double height = bed_at(bed_height, grid.place(i, j));
-                const double after = bed_at(bed_height, grid.place(i + 0.5 / kMarchParts, j));
-                bed.place[cell] = depths.position(felt_depth(height));
+                bed.place[cell] = depths.position(here);
                 bed.refracting[cell] = depths.position(
-                    (double{bed.depth[cell].back()} + felt_depth(height) + felt_depth(after)) /
-                    3.0);
+                    (double{bed.depth[cell].back()} + here + depth_at(-0.5 / kMarchParts)) / 3.0);
             }
         }
     });
-    find_ways(land, bed, pool);
     find_inflow(land, bins, bed, pool);
     return bed;
 }

@@ -55,10 +55,19 @@ inline constexpr int kMarchParts = 4;
 /// The rows to each side from which waves come within one column: from directions within 75 degrees
 /// of the march's.
 inline constexpr int kWayRows = 4;
-/// The shares of the energy that the bed lets through on the straight ways to a place from the rows
-/// j - kWayRows .. j + kWayRows of the column before, in reversed order: way[kWayRows + m] is from
-/// row j - m.
-using MarchWays = std::array<float, 2 * kWayRows + 1>;
+/// The land about a place of a march.
+struct MarchWays {
+    /// The shares of the energy that the bed lets through on the straight ways to the place from
+    /// the rows j - kWayRows .. j + kWayRows of the column before, in reversed order:
+    /// share[kWayRows + m] is from row j - m.
+    std::array<float, 2 * kWayRows + 1> share;
+    /// False if the place is in water, and the next place before it, below or above is on land or
+    /// behind land, so that its depth does not turn the waves here.
+    bool before = true, below = true, above = true;
+
+    /// Returns true if no land is about the place.
+    bool is_open() const;
+};
 
 /// The bed under a march, [i][j]. Positions are the positions of depths in the depth tables.
 struct MarchBed {
@@ -69,7 +78,7 @@ struct MarchBed {
     std::vector<float> refracting;  // position of the mean depth about the place
     std::vector<std::array<float, kMarchParts>> position;  // in the middle of each part before
     std::vector<std::array<float, kMarchParts>> depth;     // the same in [m], as waves feel it
-    /// Index in `ways`, or kOpen if no land is on the ways. Empty: there is no land.
+    /// Index in `ways`, or kOpen if no land is near. Empty: there is no land.
     std::vector<std::uint32_t> way;
     std::vector<MarchWays> ways;
     /// The share of the open sea's energy that land beyond the border of the bed lets through to

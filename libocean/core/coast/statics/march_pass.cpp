@@ -118,9 +118,9 @@ void shift_past_land(TagState& state, const std::vector<BinShift>& shifts,
         float* const to = &state.next[n * rows];
         for (const auto& [j, ways] : beside_land) {
             const float near =
-                ways[at(kWayRows + shift.rows)] * from[std::clamp(j - shift.rows, 0, last)];
-            const float far =
-                ways[at(kWayRows + shift.rows + 1)] * from[std::clamp(j - shift.rows - 1, 0, last)];
+                ways.share[at(kWayRows + shift.rows)] * from[std::clamp(j - shift.rows, 0, last)];
+            const float far = ways.share[at(kWayRows + shift.rows + 1)] *
+                              from[std::clamp(j - shift.rows - 1, 0, last)];
             to[j] = shift.fading * (near + shift.share * (far - near));
         }
     }
@@ -154,14 +154,22 @@ void turn_row(float* flux, std::size_t stride, const DirectionBins& bins, float 
 
 /// Turns the waves of a tag in column i.
 void turn(TagState& state, const MarchBed& bed, int i, const std::vector<float>& log_speed,
-          const DirectionBins& bins, const std::vector<float>& edge_tangents) {
+          const DirectionBins& bins, const std::vector<float>& edge_tangents,
+          const std::vector<RowWays>& beside_land) {
     const int rows = bed.grid.rows;
     const auto speed = [&](int column, int j) {
         return read_table(log_speed, bed.refracting[bed.grid.index(column, j)]);
     };
+    auto land = beside_land.begin();
     for (int j = 0; j < rows; ++j) {
-        const int low = std::max(j - 1, 0), high = std::min(j + 1, rows - 1);
-        const float along = speed(i, j) - speed(i - 1, j);
+        int before = i - 1, low = std::max(j - 1, 0), high = std::min(j + 1, rows - 1);
+        if (land != beside_land.end() && land->row == j) {
+            if (!land->ways.before) before = i;
+            if (!land->ways.below) low = j;
+            if (!land->ways.above) high = j;
+            ++land;
+        }
+        const float along = speed(i, j) - speed(before, j);
         const float across =
             high > low ? (speed(i, high) - speed(i, low)) / static_cast<float>(high - low) : 0.0f;
         if (along == 0.0f && across == 0.0f) continue;
@@ -269,7 +277,7 @@ void advance(March& march, int tag, int i, const std::vector<RowWays>& beside_la
         shift_across(state, march.shifts, march.kept);
         shift_past_land(state, march.shifts, beside_land);
         turn(state, march.bed, i, march.depths.band(march.group.waves[at(tag)].band).log_speed,
-             march.bins, march.edge_tangents);
+             march.bins, march.edge_tangents, beside_land);
         std::swap(state.flux, state.next);
     }
     sum_bins(state, march.shifts);
