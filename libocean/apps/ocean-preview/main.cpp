@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // `ocean-preview`: from a sea file or a terrain file to its picture.
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <vector>
 
@@ -88,9 +90,7 @@ void run(const PreviewWords& words, const Context& context) {
 Command preview_command() {
     auto words = std::make_shared<PreviewWords>();
     std::vector<OptionGroup> groups = {scene_options(words->sea)};
-    for (const auto& [name, options] : preview_option_groups(*words)) {
-        groups.push_back({name, {options.begin(), options.end()}});
-    }
+    std::ranges::move(preview_option_groups(*words), std::back_inserter(groups));
     groups.push_back(run_options(""));
     return {.name = "ocean-preview",
             .summary = "A sea or a terrain to its horizon, in a window or as a picture.",

@@ -39,7 +39,7 @@ std::vector<std::string> words_of(std::string_view line) {
 }
 
 /// Returns whether an option belongs to one picture, and not to the sea or the whole run.
-bool is_of_a_picture(const PreviewGroup& group, const Option& option) {
+bool is_of_a_picture(const OptionGroup& group, const Option& option) {
     constexpr std::array kGroups{"When", "Camera", "Light", "Picture"};
     constexpr std::array kOthers{"--offscreen", "--record", "--frames", "--pictures", "--probe"};
     return std::ranges::count(kGroups, group.name) != 0 &&
@@ -56,9 +56,9 @@ void clear_excluded(const std::string& name, PreviewWords& words) {
     if (name == "--sun") words.environment.clear(), words.environment_turn.reset();
 }
 
-const Option& option_of(const std::vector<PreviewGroup>& groups, const std::string& name) {
+const Option& option_of(const std::vector<OptionGroup>& groups, const std::string& name) {
     std::vector<std::string_view> names;
-    for (const PreviewGroup& group : groups) {
+    for (const OptionGroup& group : groups) {
         for (const Option& option : group.options) {
             if (!is_of_a_picture(group, option)) continue;
             if (option.names == name) return option;
@@ -73,7 +73,7 @@ const Option& option_of(const std::vector<PreviewGroup>& groups, const std::stri
 
 /// "--heading 90", "--heading=90", "--wireframe".
 std::vector<GivenOption> given_options(const std::vector<std::string>& line,
-                                       const std::vector<PreviewGroup>& groups) {
+                                       const std::vector<OptionGroup>& groups) {
     std::vector<GivenOption> given;
     for (std::size_t i = 1; i < line.size(); ++i) {
         const std::size_t equals = line[i].find('=');
@@ -97,7 +97,7 @@ ListedPicture picture_of(const std::vector<std::string>& line, PreviewWords word
                          EnvironmentFiles& environments) {
     require_picture_name(line[0], "a line begins with the file of its picture");
     words.offscreen = line[0];
-    const std::vector<PreviewGroup> groups = preview_option_groups(words);
+    const std::vector<OptionGroup> groups = preview_option_groups(words);
     const std::vector<GivenOption> given = given_options(line, groups);
     for (const auto& [option, value] : given) clear_excluded(option->names, words);
     RunOptions of_no_picture;

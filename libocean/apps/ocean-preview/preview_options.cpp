@@ -160,138 +160,135 @@ void list_special(PreviewWords words, PreviewOptions& options) {
         options.special.push_back({kTerrainKind, "--eye X,Y"});
     }
     PreviewWords defaults;
-    const std::vector<PreviewGroup> plain = preview_option_groups(defaults);
+    const std::vector<OptionGroup> plain = preview_option_groups(defaults);
     std::size_t at = 0;
-    for (const PreviewGroup& group : preview_option_groups(words)) {
-        const std::vector<PreviewOption>& by_default = plain[at++].options;
+    for (const OptionGroup& group : preview_option_groups(words)) {
+        const std::vector<Option>& by_default = plain[at++].options;
         for (std::size_t i = 0; i < by_default.size(); ++i) {
-            const PreviewOption& option = group.options[i];
-            if (option.kind.empty() || same_value(option.target, by_default[i].target)) continue;
+            const Option& option = group.options[i];
+            if (option.subject.empty() || same_value(option.target, by_default[i].target)) continue;
             const std::string value = option.names == "--look" ? " " + words.look : "";
-            options.special.push_back({option.kind, option.names + value});
+            options.special.push_back({option.subject, option.names + value});
         }
     }
 }
 
 }  // namespace
 
-std::vector<PreviewGroup> preview_option_groups(PreviewWords& words) {
+std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
     return {
         {"When",
-         {{{"--time", &words.time, "T", "Seconds; default: the start of the sea"}, kSeaKind},
-          {{"--frame", &words.frame, "N", "A frame of the sea instead of a time", kOptional,
-            ValueRule(), "--time"},
-           kSeaKind}}},
+         {only_of(kSeaKind, {"--time", &words.time, "T", "Seconds; default: the start of the sea"}),
+          only_of(kSeaKind, {"--frame", &words.frame, "N", "A frame of the sea instead of a time",
+                             kOptional, ValueRule(), "--time"})}},
         {"Camera",
-         {{{"--eye", &words.eye, "X,Y,Z",
-            "Place of the camera, metres; Z above still water (default 0,0,8). X,Y alone stands on "
-            "land, 1.7 m above its ground; the default there is higher"}},
-          {{"--look-at", &words.look_at, "X,Y,Z", "A point in the middle of the picture"}},
-          {{"--heading", &words.heading, "DEG",
-            "Direction of the view, counter-clockwise from +x (default 0)"}},
-          {{"--pitch", &words.pitch, "DEG", "Angle of the view above the horizontal (default -4)"}},
-          {{"--angle", &words.angle, "DEG", "Horizontal field of view (default 60)"}}}},
+         {{"--eye", &words.eye, "X,Y,Z",
+           "Place of the camera, metres; Z above still water (default 0,0,8). X,Y alone stands on "
+           "land, 1.7 m above its ground; the default there is higher"},
+          {"--look-at", &words.look_at, "X,Y,Z", "A point in the middle of the picture"},
+          {"--heading", &words.heading, "DEG",
+           "Direction of the view, counter-clockwise from +x (default 0)"},
+          {"--pitch", &words.pitch, "DEG", "Angle of the view above the horizontal (default -4)"},
+          {"--angle", &words.angle, "DEG", "Horizontal field of view (default 60)"}}},
         {"Light",
-         {{{"--sun", &words.sun, "ALTITUDE,BEARING",
-            "Degrees above the horizon, and counter-clockwise from +x (default 35,70)"}},
-          {{"--environment", &words.environment, "FILE.exr",
-            "A sky over longitude and latitude, with its sun: its top row is the zenith, its "
-            "middle column lies along +x, columns right of it clockwise from above"}},
-          {{"--environment-turn", &words.environment_turn, "DEG",
-            "Turns that sky counter-clockwise, seen from above"}},
-          {{"--exposure", &words.exposure, "E", "Factor of the light (default 1)"}},
-          {{"--visibility", &words.visibility, "M",
-            "Distance at which haze leaves 2 % of contrasts, metres; clear air 40000, 0: no haze "
-            "(default 60000)"}},
-          {{"--crest-light", &words.crest_light, "F",
-            "Factor of the sun's light through crests in front of it (default 1)"},
-           kSeaKind},
-          {{"--water", &words.water, "TYPE", "Optical type of the water (default jerlov_ii)",
-            kOptional, OneOf{water_names()}},
-           kSeaKind},
-          {{"--colours", &words.colours, "COLOURS",
-            "Colours of land: land (default), by height, slope and a snow line, or seed, the ramp "
-            "of two colours of teaching programs",
-            kOptional, OneOf{preview::land_colour_names()}},
-           kTerrainKind},
-          {{"--snow-line", &words.snow_line, "M",
-            "Height above which snow lies on level ground, metres (default: 1.3 rms heights above "
-            "the mean, none on land with a coast)"},
-           kTerrainKind}}},
+         {{"--sun", &words.sun, "ALTITUDE,BEARING",
+           "Degrees above the horizon, and counter-clockwise from +x (default 35,70)"},
+          {"--environment", &words.environment, "FILE.exr",
+           "A sky over longitude and latitude, with its sun: its top row is the zenith, its "
+           "middle column lies along +x, columns right of it clockwise from above"},
+          {"--environment-turn", &words.environment_turn, "DEG",
+           "Turns that sky counter-clockwise, seen from above"},
+          {"--exposure", &words.exposure, "E", "Factor of the light (default 1)"},
+          {"--visibility", &words.visibility, "M",
+           "Distance at which haze leaves 2 % of contrasts, metres; clear air 40000, 0: no haze "
+           "(default 60000)"},
+          only_of(kSeaKind,
+                  {"--crest-light", &words.crest_light, "F",
+                   "Factor of the sun's light through crests in front of it (default 1)"}),
+          only_of(kSeaKind,
+                  {"--water", &words.water, "TYPE", "Optical type of the water (default jerlov_ii)",
+                   kOptional, OneOf{water_names()}}),
+          only_of(kTerrainKind, {"--colours", &words.colours, "COLOURS",
+                                 "Colours of land: land (default), by height, slope and a snow "
+                                 "line, or seed, the ramp "
+                                 "of two colours of teaching programs",
+                                 kOptional, OneOf{preview::land_colour_names()}}),
+          only_of(kTerrainKind, {"--snow-line", &words.snow_line, "M",
+                                 "Height above which snow lies on level ground, metres (default: "
+                                 "1.3 rms heights above "
+                                 "the mean, none on land with a coast)"})}},
         {"Picture",
-         {{{"--offscreen", &words.offscreen, "FILE",
-            "Write one picture; needs no display: FILE.png as a screen shows it, FILE.exr as "
-            "linear light times the exposure"}},
-          {{"--record", &words.record, "FOLDER",
-            "Write a picture for each of --frames: FOLDER/sea.0001.png; needs no display",
-            kOptional, NotEmpty{}, "--offscreen"},
-           kSeaKind},
-          {{"--frames", &words.frames, "LIST",
-            "Frames of --record, for example 1-250x2; a comma separates ranges"}},
-          {{"--pictures", &words.pictures, "LIST.txt",
-            "Write a picture for each line of a file: FILE and its options of when, camera, light "
-            "and picture, such as north.png --heading 90",
-            kOptional, NotEmpty{}, "--offscreen"}},
-          {{"--size", &words.size, "WxH",
-            "Pixels (default 1280x720; a window multiplies this by its screen's scale, up to the "
-            "screen's size)"}},
-          {{"--samples", &words.samples, "N",
-            "Samples of a pixel, 1 .. 64, up to the driver's limit (default 4; 1 in a window "
-            "without a GPU)",
-            kOptional, Within{1, 64}}},
-          {{"--view", &words.view, "VIEW",
-            "The field to show (default shaded); below are those of a sea and of a terrain",
-            kOptional, OneOf{all_view_names()}}},
-          {{"--look", &words.look, "LOOK",
-            "physical (default), or seed: ten by ten periods in plain light and fog, as teaching "
-            "programs draw the sea",
-            kOptional, OneOf{preview::look_names()}},
-           kSeaKind},
-          {{"--wireframe", &words.wireframe, "", "Draw the mesh without surfaces"}},
-          {{"--cascade", &words.cascade, "N", "Show only the waves of one cascade, from 0"},
-           kSeaKind},
-          {{"--probe", &words.probes, "X,Y",
-            "Print the drawn height at a place of the world, metres, and the height of the maps "
-            "there, of land first that of all its waves; may be repeated"}}}},
+         {{"--offscreen", &words.offscreen, "FILE",
+           "Write one picture; needs no display: FILE.png as a screen shows it, FILE.exr as "
+           "linear light times the exposure"},
+          only_of(kSeaKind,
+                  {"--record", &words.record, "FOLDER",
+                   "Write a picture for each of --frames: FOLDER/sea.0001.png; needs no display",
+                   kOptional, NotEmpty{}, "--offscreen"}),
+          {"--frames", &words.frames, "LIST",
+           "Frames of --record, for example 1-250x2; a comma separates ranges"},
+          {"--pictures", &words.pictures, "LIST.txt",
+           "Write a picture for each line of a file: FILE and its options of when, camera, light "
+           "and picture, such as north.png --heading 90",
+           kOptional, NotEmpty{}, "--offscreen"},
+          {"--size", &words.size, "WxH",
+           "Pixels (default 1280x720; a window multiplies this by its screen's scale, up to the "
+           "screen's size)"},
+          {"--samples", &words.samples, "N",
+           "Samples of a pixel, 1 .. 64, up to the driver's limit (default 4; 1 in a window "
+           "without a GPU)",
+           kOptional, Within{1, 64}},
+          {"--view", &words.view, "VIEW",
+           "The field to show (default shaded); below are those of a sea and of a terrain",
+           kOptional, OneOf{all_view_names()}},
+          only_of(kSeaKind, {"--look", &words.look, "LOOK",
+                             "physical (default), or seed: ten by ten periods in plain light and "
+                             "fog, as teaching "
+                             "programs draw the sea",
+                             kOptional, OneOf{preview::look_names()}}),
+          {"--wireframe", &words.wireframe, "", "Draw the mesh without surfaces"},
+          only_of(kSeaKind,
+                  {"--cascade", &words.cascade, "N", "Show only the waves of one cascade, from 0"}),
+          {"--probe", &words.probes, "X,Y",
+           "Print the drawn height at a place of the world, metres, and the height of the maps "
+           "there, of land first that of all its waves; may be repeated"}}},
         {"Window",
-         {{{"--scale", &words.scale, "F",
-            "Letters and controls F times as large, 0.5 .. 8 (default: the scale of the window's "
-            "screen)"}}}},
+         {{"--scale", &words.scale, "F",
+           "Letters and controls F times as large, 0.5 .. 8 (default: the scale of the window's "
+           "screen)"}}},
         {"Bridge",
-         {{{"--bridge", &words.bridge, "HOST:PORT",
-            "Join an ocean-bridge: its knobs and clients change the sea, and receive changes made "
-            "here"},
-           kSeaKind},
-          {{"--serve", &words.serve, "HOST:PORT",
-            "Run a bridge in this window: boards and clients connect to it; the panel starts and "
-            "stops it too",
-            kOptional, NotEmpty{}},
-           kSeaKind},
-          {{"--board-map", &words.board_map, "FILE",
-            "Control map of its boards: which knob sets which parameter", kOptional, NotEmpty{}}},
-          {{"--dummy", &words.dummy, "", "Simulate its board"}},
-          {{"--token-file", &words.token_file, "FILE", "File with the bridge's token"}},
-          {{"--follow", &words.follow, "S",
-            "For S seconds print the probes again after each change by the bridge, behind the "
-            "milliseconds since the change arrived"}}}},
+         {only_of(kSeaKind, {"--bridge", &words.bridge, "HOST:PORT",
+                             "Join an ocean-bridge: its knobs and clients change the sea, and "
+                             "receive changes made "
+                             "here"}),
+          only_of(kSeaKind, {"--serve", &words.serve, "HOST:PORT",
+                             "Run a bridge in this window: boards and clients connect to it; the "
+                             "panel starts and "
+                             "stops it too",
+                             kOptional, NotEmpty{}}),
+          {"--board-map", &words.board_map, "FILE",
+           "Control map of its boards: which knob sets which parameter", kOptional, NotEmpty{}},
+          {"--dummy", &words.dummy, "", "Simulate its board"},
+          {"--token-file", &words.token_file, "FILE", "File with the bridge's token"},
+          {"--follow", &words.follow, "S",
+           "For S seconds print the probes again after each change by the bridge, behind the "
+           "milliseconds since the change arrived"}}},
         {"Computing",
-         {{{"--backend", &words.backend, "NAME",
-            "Backend that computes the sea: auto (default) is gl on a GPU with OpenGL 4.3, else "
-            "cpu; radix2, dft and thesis are for comparison",
-            kOptional, OneOf{{"auto", "gl", "cpu", "radix2", "dft", "thesis"}}}},
-          {{"--map", &words.map, "N", "Samples of a cascade's map along a side"}},
-          {{"--foam-map", &words.foam_map, "N", "Samples of the foam's map along a side"},
-           kSeaKind},
-          {{"--cells", &words.cells, "N",
-            "Cells of a level of the mesh of a sea, 16 .. 512 in steps of 8"},
-           kSeaKind},
-          {{"--no-detail", &words.no_detail, "",
-            "Show the waves too short for the maps as roughness only"},
-           kSeaKind},
-          {{"--budget", &words.budget, "N",
-            "Draw N frames after a few to warm up, and print the time of each stage, ms", kOptional,
-            Within{1, 100000}}},
-          {{"--egl-device", &words.egl_device, "N", "Device to draw on, of EGL's list, from 0"}}}},
+         {{"--backend", &words.backend, "NAME",
+           "Backend that computes the sea: auto (default) is gl on a GPU with OpenGL 4.3, else "
+           "cpu; radix2, dft and thesis are for comparison",
+           kOptional, OneOf{{"auto", "gl", "cpu", "radix2", "dft", "thesis"}}},
+          {"--map", &words.map, "N", "Samples of a cascade's map along a side"},
+          only_of(kSeaKind,
+                  {"--foam-map", &words.foam_map, "N", "Samples of the foam's map along a side"}),
+          only_of(kSeaKind, {"--cells", &words.cells, "N",
+                             "Cells of a level of the mesh of a sea, 16 .. 512 in steps of 8"}),
+          only_of(kSeaKind, {"--no-detail", &words.no_detail, "",
+                             "Show the waves too short for the maps as roughness only"}),
+          {"--budget", &words.budget, "N",
+           "Draw N frames after a few to warm up, and print the time of each stage, ms", kOptional,
+           Within{1, 100000}},
+          {"--egl-device", &words.egl_device, "N", "Device to draw on, of EGL's list, from 0"}}},
     };
 }
 

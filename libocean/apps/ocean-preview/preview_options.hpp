@@ -82,17 +82,8 @@ struct PreviewOptions : PlainOptions {
     std::vector<SpecialOption> special;
 };
 
-/// An option, and the only kind of subject that has it; "": all have.
-struct PreviewOption : Option {
-    std::string_view kind = {};
-};
-struct PreviewGroup {
-    std::string name;
-    std::vector<PreviewOption> options;
-};
-
 /// Returns the options of the program beside its argument, which write into `words`.
-std::vector<PreviewGroup> preview_option_groups(PreviewWords& words);
+std::vector<OptionGroup> preview_option_groups(PreviewWords& words);
 /// Skies by the names of their files: a sky of several pictures is read once.
 using EnvironmentFiles = std::map<std::string, std::shared_ptr<const preview::Environment>>;
 /// Returns the values of the options, and reads the sky that they name. Throws Error.
