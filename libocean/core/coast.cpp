@@ -114,7 +114,7 @@ void Coast::begin_region(double time, const Domain& domain, ChannelSet channels,
 }
 
 Surface Coast::region(double time, const Domain& domain, ChannelSet channels) {
-    begin_region(time, domain, channels, channels.size());
+    begin_region(time, domain, channels, static_cast<std::size_t>(channels.size()));
     Surface map(domain, time, channels);
     write_region(time, domain, outputs_of(map));
     return map;

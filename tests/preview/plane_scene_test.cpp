@@ -131,7 +131,9 @@ TEST_F(PlaneSceneTest, APictureWithoutAWindowShowsItAndProbesPrintIt) {
     Console console("test", run_options);
     InterruptWatch interrupts([] {});
     ::testing::internal::CaptureStdout();
-    run_offscreen(options, {}, open_scene({file_, {}}), file_, {run_options, console, interrupts});
+    const std::vector<GivenOption> given;
+    run_offscreen(options, {}, open_scene({file_, {}}), file_,
+                  {run_options, given, console, interrupts});
     EXPECT_EQ(::testing::internal::GetCapturedStdout(), "10,3,5\n" + options.offscreen + "\n");
     EXPECT_FALSE(test::read_bytes(options.offscreen).empty());
 }
