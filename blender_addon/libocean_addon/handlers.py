@@ -5,6 +5,8 @@ renders."""
 
 from __future__ import annotations
 
+import time
+
 import bpy
 from bpy.app.handlers import persistent
 
@@ -16,6 +18,7 @@ from .shared.life import complete
 from .spray import spray
 
 _locked_by_us: set[str] = set()  # scenes
+_LONGEST_DRAWING = 5.0  # [s]
 
 
 @persistent
@@ -74,6 +77,21 @@ def _before_frame(scene, *_) -> None:
     render_check.check(scene)
 
 
+def _set_lock(scene, is_locked: bool) -> None:
+    """Locks or unlocks the interface. Blender refuses that, with an AttributeError, while its main
+    thread draws: the drawing is waited for."""
+    end = time.monotonic() + _LONGEST_DRAWING
+    while True:
+        try:
+            scene.render.use_lock_interface = is_locked
+        except AttributeError:
+            if drafts.is_main_thread() or time.monotonic() > end:
+                raise
+            time.sleep(0.001)
+        else:
+            return
+
+
 @persistent
 @failures.log_once
 def _lock_interface(scene, *_) -> None:
@@ -83,7 +101,7 @@ def _lock_interface(scene, *_) -> None:
     complete()
     life.begin_render()
     if life.all_shown() and not scene.render.use_lock_interface:
-        scene.render.use_lock_interface = True
+        _set_lock(scene, True)
         _locked_by_us.add(scene.name_full)
 
 
@@ -94,7 +112,7 @@ def _unlock_interface(scene, *_) -> None:
     render_check.restore()
     if scene.name_full in _locked_by_us:
         _locked_by_us.remove(scene.name_full)
-        scene.render.use_lock_interface = False
+        _set_lock(scene, False)
 
 
 _HANDLERS = {

@@ -2,9 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pictures: another process renders a file as this one does; each frame shows its own time."""
 
+import threading
+import types
+
 import bpy
 import numpy as np
 from conftest import in_another_process, pixels, plane, rendered
+from libocean_addon import handlers
 
 RENDER = """
 path, frame, picture = arguments
@@ -85,6 +89,26 @@ def test_the_locked_interface_is_given_back(scene, shot, tmp_path):
         look.pop()
     assert locked == [True]
     assert not scene.render.use_lock_interface
+
+
+def test_the_interface_is_locked_when_the_window_has_been_drawn():
+    """Renders of a window run in a thread, where Blender refuses to write while its main thread
+    draws."""
+
+    class Render:
+        refusals = 3
+
+        def __setattr__(self, name, value):
+            if self.refusals > 0:
+                Render.refusals -= 1
+                raise AttributeError("Writing to ID classes in this context is not allowed")
+            super().__setattr__(name, value)
+
+    scene = types.SimpleNamespace(render=Render())
+    thread = threading.Thread(target=handlers._set_lock, args=(scene, True))
+    thread.start()
+    thread.join()
+    assert scene.render.use_lock_interface
 
 
 def test_without_the_add_on_the_sea_is_at_rest(scene, shot, tmp_path):

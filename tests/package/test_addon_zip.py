@@ -117,7 +117,7 @@ def test_the_manifest_lists_what_is_there_and_asks_for_files_alone(manifest, ext
 
 def test_the_extension_holds_sources_pictures_texts_and_wheels_alone(extension):
     kinds = {Path(name).suffix for name in extension}
-    assert kinds == {".py", ".jpg", ".md", ".po", ".toml", ".whl", ""}
+    assert kinds == {".py", ".jpg", ".json", ".md", ".po", ".toml", ".whl", ""}
     assert [name for name in extension if not Path(name).suffix] == ["LICENSE"]
     assert not [name for name in extension if name.startswith(("legacy/", "bundled/"))]
 
@@ -161,9 +161,10 @@ def test_its_code_changes_no_path_of_modules_and_writes_nothing_beside_itself(co
         allowed = {"assets/asset_library.py", "assets/write_assets.py"}
         assert "sys.path" not in text or name in allowed, name
         files = [node for node in nodes if isinstance(node, ast.Name) and node.id == "__file__"]
-        # Thumbnails, the page that F1 opens, German texts, the script for the second Blender: they
-        # are read.
+        # Thumbnails, the page that F1 opens, German texts, tables of settings, the script for the
+        # second Blender: they are read.
         readers = {"assets/assets.py", "manual.py", "translations.py"} | allowed
+        readers.add("shared/table_properties.py")
         assert not files or name in readers, name
 
 

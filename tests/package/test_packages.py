@@ -151,7 +151,7 @@ def expected_files(component: str) -> list[str]:
         return own + below("povray_macros/examples", folder, "*.pov", "*.toml")
     assert component == "blender"
     folder = "usr/share/blender/scripts/addons/libocean_addon"
-    own = below("blender_addon/libocean_addon", folder, "*.py", "*.po", "*.jpg")
+    own = below("blender_addon/libocean_addon", folder, "*.py", "*.json", "*.po", "*.jpg")
     own.append("usr/share/doc/blender-ocean/examples/scene.py")
     return [*own, f"{folder}/README.md", *guides("blender-ocean", "blender", *SEA_GUIDES)]
 

@@ -24,7 +24,7 @@ class CoastSettings(Limited, bpy.types.PropertyGroup):
     subject = "coast"
 
     __annotations__ = {
-        **settings_of(__file__)["CoastSettings"],
+        **settings_of("coast")["CoastSettings"],
         "cell": bpy.props.FloatProperty(
             name="Cell",
             description="Distance of the samples and vertices of water and land; 0: so that the "

@@ -40,7 +40,7 @@ class FloatSettings(Limited, bpy.types.PropertyGroup):
     """How an object floats: it lies on the plane that fits the surface below it best"""
 
     __annotations__ = {
-        **settings_of(__file__, _changed)["FloatSettings"],
+        **settings_of("floating", _changed)["FloatSettings"],
         "ocean": bpy.props.PointerProperty(
             name="Ocean",
             description="The sea that the object rides",

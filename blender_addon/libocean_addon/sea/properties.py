@@ -16,7 +16,7 @@ from ..shared.table_properties import annotations, changed, settings_of
 from . import facts, parameter_values
 from .resolutions import OF_SEA
 
-_SETTINGS = settings_of(__file__)
+_SETTINGS = settings_of("sea")
 
 
 def _parameters(*, waves: bool) -> dict:

@@ -22,6 +22,7 @@ from . import changes, compat
 from .parameter_table import ParameterTable, is_optional, path_of
 from .resolutions import Resolutions
 
+_ADDON = Path(__file__).parents[1]
 _UNITS = {"m": "LENGTH", "m/s": "VELOCITY", "m/s^2": "ACCELERATION", "s": "TIME_ABSOLUTE"}
 
 
@@ -192,10 +193,10 @@ def _setting(row: dict[str, Any], update: Callable[[Any, Any], None]) -> Any:
     return make(**keywords)
 
 
-def settings_of(module: str, update: Callable[[Any, Any], None] = changed) -> dict[str, dict]:
-    """Returns the properties in the table settings.json beside a module, by group and name. update:
-    the function that Blender calls after a change."""
-    tables = json.loads(Path(module).with_name("settings.json").read_text(encoding="utf-8"))
+def settings_of(folder: str, update: Callable[[Any, Any], None] = changed) -> dict[str, dict]:
+    """Returns the properties in the table settings.json of a folder of the add-on, by group and
+    name. update: the function that Blender calls after a change."""
+    tables = json.loads((_ADDON / folder / "settings.json").read_text(encoding="utf-8"))
     return {
         group: {row["key"]: _setting(row, update) for row in rows} for group, rows in tables.items()
     }

@@ -73,7 +73,7 @@ class TerrainSettings(Limited, bpy.types.PropertyGroup):
 
     __annotations__ = {
         **annotations(PARAMETERS, RESOLUTIONS, items=False),
-        **settings_of(__file__)["TerrainSettings"],
+        **settings_of("terrain")["TerrainSettings"],
         "exact": _HIDDEN_TEXT,
         **{f"use_{group}": _section_switch(group) for group in SWITCHES},
         "layers": bpy.props.CollectionProperty(type=TerrainLayer),
