@@ -210,6 +210,46 @@ Parameters walled_sea(const std::function<bool(int i, int j)>& is_wall) {
     return parameters;
 }
 
+TEST(ShoreChannels, TheLastWaterOfABeachHasTheWavesOfTheWaterBeforeIt) {
+    // A beach of 1:30 that is oblique to the samples of its bed. Ground less than 0.15 m below
+    // still water keeps some energy back, as a wall does, but lies before the land.
+    Parameters parameters = beach_sea();
+    parameters.water.depth = 8.0;
+    parameters.water.bed = nullptr;
+    const double turn = 0.4, c = std::cos(turn), s = std::sin(turn);
+    GivenBed given;
+    given.grid = {{0.0, 0.0}, {480.0, 480.0}, {161, 161}, false};
+    for (int j = 0; j < 161; ++j) {
+        for (int i = 0; i < 161; ++i) {
+            const double across = (3.0 * i - 240.0) * c + (3.0 * j - 240.0) * s;
+            given.heights.push_back(static_cast<float>(std::clamp(across / 30.0, -8.0, 3.0)));
+        }
+    }
+    parameters.water.bed = make_sea_bed(std::move(given), parameters.water);
+    Ocean ocean(parameters);
+    // The rms height of the least place of a line along the beach.
+    const auto least_rms = [&](double bed) {
+        std::vector<WorldPoint> points;
+        for (double along = -150.0; along <= 150.0; along += 3.0) {
+            const double across = 30.0 * bed;
+            points.push_back({240.0 + across * c - along * s, 240.0 + across * s + along * c});
+        }
+        std::vector<QuerySample> samples(points.size());
+        std::vector<double> squares(points.size());
+        constexpr int times = 12;
+        for (int n = 0; n < times; ++n) {
+            ocean.query(17.0 * n, points, samples, {.foam = false});
+            for (std::size_t p = 0; p < points.size(); ++p) {
+                squares[p] += samples[p].height * samples[p].height / times;
+            }
+        }
+        return std::sqrt(*std::ranges::min_element(squares));
+    };
+    const double before = least_rms(-0.3);
+    EXPECT_GT(before, 0.1);
+    for (const double bed : {-0.12, -0.08, -0.04}) EXPECT_GT(least_rms(bed), 0.8 * before) << bed;
+}
+
 TEST(ShoreChannels, APondBehindWallsOfOneSampleIsLevelFromTheirFootOn) {
     // The maps of energy have cells of 16 m, which a cubic joins over a wall.
     Ocean ocean(walled_sea([](int i, int j) {

@@ -91,7 +91,7 @@ class Surroundings {
         for (int n = 0; n < kStencil * kStencil; ++n) {
             const std::size_t sample = index(i, j, n);
             const std::size_t source = maps_.source.empty() ? sample : maps_.source[sample];
-            if (land_.through(place, place_of(source)) < 1.0f) {
+            if (land_.parts(place, place_of(source))) {
                 is_parted = true;
                 continue;
             }
@@ -128,7 +128,7 @@ class Surroundings {
             return false;
         }
         const std::size_t a = index(i, j, n), b = index(i, j, other);
-        if (a != b && land_.through(place_of(a), place_of(b)) < 1.0f) return false;
+        if (a != b && land_.parts(place_of(a), place_of(b))) return false;
         group[at(n)] = group[at(other)] = std::min(group[at(n)], group[at(other)]);
         return true;
     }

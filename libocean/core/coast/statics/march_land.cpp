@@ -100,6 +100,16 @@ bool MarchLand::is_land(const std::array<double, 2>& place) const {
     return has_shore(i, j) && height(i, j, x, y) >= 0.0f;
 }
 
+float MarchLand::passing_at(const std::array<double, 2>& place) const {
+    const auto [x, y] = in_samples(place);
+    const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
+    return has_shore(i, j) ? passing(double{height(i, j, x, y)}) : 1.0f;
+}
+
+bool MarchLand::parts(const std::array<double, 2>& from, const std::array<double, 2>& to) const {
+    return through(from, to) < std::min(passing_at(from), passing_at(to));
+}
+
 /// The bed is straight between the edges of triangles, so that its heights at the edges suffice.
 float MarchLand::through(const std::array<double, 2>& from, const std::array<double, 2>& to) const {
     const auto [x, y] = in_samples(from);

@@ -35,11 +35,16 @@ class MarchLand {
     /// Returns the share of the energy that the bed on the straight way between two places [m]
     /// lets through. Energy arrives on the first land that it meets and goes no further.
     float through(const std::array<double, 2>& from, const std::array<double, 2>& to) const;
+    /// Returns true if the bed between two places [m] lets less energy through than both places
+    /// themselves let pass. Water shallower than 0.15 m is not parted from the water before it.
+    bool parts(const std::array<double, 2>& from, const std::array<double, 2>& to) const;
 
   private:
     static constexpr float kDeepEnough = -0.15f;  // passing() is 1 below it [m]
 
     std::array<double, 2> in_samples(const std::array<double, 2>& place) const;
+    /// Returns the share of the energy that the bed at a place [m] lets pass.
+    float passing_at(const std::array<double, 2>& place) const;
     /// Returns the height of the triangles at a place within square (i, j) [m].
     float height(int i, int j, double x, double y) const;
     float at(int i, int j) const;
