@@ -306,5 +306,3 @@ def test_lists_may_have_blanks_and_rates_be_fractions(ocean):
     assert ocean.hashes("a") == ocean.hashes("b")
     bake(ocean, "-o", "t.exr", "--products", "height", "--fps", "24000/1001", "--frames", "25")
     assert ocean.manifest("t.manifest.json")["t.exr"]["time"] == pytest.approx(1.001, abs=1e-12)
-    for rate in ("24/", "/2", "24/0", "a/b", "1/2/3"):
-        assert "--fps" in ocean.bad("bake", "sea.toml", "-o", "u.exr", "--fps", rate)

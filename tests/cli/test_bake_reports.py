@@ -101,23 +101,6 @@ def test_a_dry_run_of_a_million_frames_answers_at_once(ocean, more):
     assert plan["bytes"] == pytest.approx((1000000 - kept) * one["bytes"], rel=0.01)
 
 
-@pytest.mark.parametrize(
-    "pattern_, frames, name",
-    [
-        ("s.####.png", "1-1000000", "s.700000.png"),
-        ("s2####.png", "1-9", "s20007.png"),
-        ("s.$F12.png", "2,3", "s.000000000002.png"),
-        ("s.#.png", "-5--1", "s.-003.png"),
-    ],
-)
-def test_a_dry_run_finds_the_foreign_file_among_its_frames(ocean, pattern_, frames, name):
-    ocean.write(name, "mine")
-    for more in ([], ["-n"]):
-        message = ocean.bad("bake", "sea.toml", "-o", pattern_, "--frames", frames, *more)
-        assert f"'{name}' exists and was not written by a bake" in message
-    assert (ocean.folder / name).read_text() == "mine"
-
-
 def test_a_dry_run_warns_of_a_disk_that_is_too_small(ocean, request):
     if ran_in_a_namespace(ocean, request):
         return

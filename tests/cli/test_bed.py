@@ -38,26 +38,15 @@ def test_a_bed_of_depths_is_warned_of(ocean):
     assert any("check seabed_unit" in warning for warning in state["warnings"])
 
 
-def test_a_missing_bed_is_named_with_the_line_of_the_sea_file(ocean):
-    ocean.write("sea.toml", SEA)
-    message = ocean.bad("info", "sea.toml")
-    assert "sea.toml:4: water.seabed" in message and "no such file" in message
-
-
 def test_set_takes_a_bed_from_where_the_user_stands(ocean):
     ocean.write("coast/sea.toml", "libocean = 1\n[grid]\nresolution = 64\n")
     ocean.write("bed.asc", grid())
     assert "21 x 5" in ocean.good("info", "coast/sea.toml", "--set", "seabed=bed.asc")
 
 
-def test_a_folder_for_povray_has_the_coast_and_refuses_what_a_coast_has_not(ocean):
+def test_a_folder_for_povray_has_the_coast(ocean):
     ocean.write("sea.toml", SEA)
     ocean.write("bed.asc", grid())
     files = ocean.good("povray", "sea.toml", "-o", "f", "-n").split()
     for name in ("coast.inc", "coast_0001.df3", "land.df3", "sea_0001.df3", "scene.pov"):
         assert f"f/{name}" in files, name
-    message = ocean.bad("povray", "sea.toml", "-o", "f", "--format", "height_field")
-    assert "--format height_field: a sea over a bed (water.seabed) has df3 alone" in message
-    ocean.write("open.toml", "libocean = 1\n[grid]\nresolution = 64\n")
-    message = ocean.bad("povray", "open.toml", "-o", "f", "--region", "0,0,9,9", "--cell", "1")
-    assert "only a terrain and a sea over a bed (water.seabed) have them" in message

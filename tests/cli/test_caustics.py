@@ -4,7 +4,6 @@
 
 import numpy as np
 import OpenImageIO
-import pytest
 
 
 def image(ocean, name):
@@ -79,28 +78,3 @@ def test_only_files_that_would_be_written_again_are_kept(ocean):
     assert ocean.hashes("o") == before
     bake(ocean, *frames, "--sun", "50,0")
     assert all(ocean.hashes("o")[name] != before[name] for name in before if name.endswith("exr"))
-
-
-@pytest.mark.parametrize(
-    ("arguments", "said"),
-    [
-        (["--caustics-depth", "3"], "needs caustics among the --products"),
-        (["--products", "height", "--sun", "30,0"], "needs caustics among the --products"),
-        (["--products", "caustics", "--sun", "30"], "ALTITUDE,BEARING"),
-        (["--products", "caustics", "--sun", "4,0"], "5 .. 90"),
-        (["--products", "caustics", "--sun", "30,x"], "bearing"),
-        (["--products", "caustics", "--caustics-depth", "0"], "0.01 .. 100"),
-        (
-            ["--products", "caustics", "--caustics-depth", "9", "--set", "depth=8"],
-            "the sea is 8 m deep",
-        ),
-    ],
-)
-def test_refusals(ocean, arguments, said):
-    assert said in ocean.bad("bake", "sea.toml", "-o", "s.exr", *arguments)
-    assert not (ocean.folder / "s.exr").exists()
-
-
-def test_other_formats_refuse_the_product(ocean):
-    for name, arguments in (("s.ply", ["--products", "caustics"]), ("s.df3", ["--sun", "30,0"])):
-        ocean.bad("bake", "sea.toml", "-o", name, *arguments)

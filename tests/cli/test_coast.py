@@ -1,14 +1,12 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""A sea over a bed as its users bake and query it: regions, the same from any start, and a sentence
-for all that knows one period only."""
+"""A sea over a bed as its users bake and query it: regions, the same from any start."""
 
 import csv
 import io
 
 import numpy as np
-import pytest
-from coasts import REGION, SEA, image
+from coasts import REGION, image
 
 
 def test_a_region_is_the_surface_that_queries_find(coast):
@@ -61,42 +59,6 @@ def test_beds_that_do_not_suit_their_waves_are_warned_of(coast):
     assert "no wave reaches the bed" in shown.stderr
     shown = coast("info", "sea.toml", "--set", "grid.patch_size=100")
     assert "repeat every 100 m" in shown.stderr
-
-
-@pytest.mark.parametrize(
-    ("arguments", "sentence"),
-    [
-        (("--region", "0,0,10"), "give both"),
-        (("--region", "0,0,10", "--cell", "1"), "four numbers are needed"),
-        (("--region", "10,0,0,10", "--cell", "1"), "X1 must be above X0"),
-        (("--region", "0,0,10,10", "--cell", "0"), "--cell"),
-        (("--region", "0,0,10,10", "--cell", "nan"), "--cell"),
-        (("--region", "0,0,1e5,10", "--cell", "1"), "the region has 100001 samples along x"),
-        (("--region", "0,0,10,10", "--cell", "20"), "the region has 1 samples along x"),
-        ((*REGION, "--resolution", "64"), "--resolution is for whole maps"),
-        ((*REGION, "--products", "wear"), "only a terrain has it"),
-        ((*REGION, "--products", "caustics"), "this sea has a bed"),
-        ((*REGION, "--products", "detail"), "this sea has a bed"),
-        ((*REGION, "--backend", "dft"), "made on the CPU alone"),
-        (("--set", "seabed=none.asc"), "no such file"),
-        (("--set", "seabed_unit=yard"), "seabed_unit"),
-        (("--set", "seabed_sign=left"), "seabed_sign"),
-        (("--set", "seabed_origin=[1]"), "seabed_origin"),
-        (("--set", "level=nan"), "level"),
-        (("--set", "time.take=some.take"), "some.take"),
-        (("--set", "waves.0.wind_speed=0"), "no waves"),
-    ],
-)
-def test_what_cannot_be_baked_is_one_sentence(coast, arguments, sentence):
-    done = coast("bake", "sea.toml", "-o", "out/s.exr", *arguments)
-    assert done.returncode == 2
-    assert sentence in done.stderr.splitlines()[-1]
-    assert not (coast.folder / "out").exists() or not list((coast.folder / "out").glob("*.exr"))
-
-
-def test_an_open_sea_has_no_region(coast):
-    coast.write("open.toml", SEA.replace('seabed = "bed.asc"\n', ""))
-    assert "has no bed" in coast.bad("bake", "open.toml", "-o", "s.exr", *REGION)
 
 
 def test_an_exact_query_and_a_gauge_find_the_surface_of_the_region(coast):

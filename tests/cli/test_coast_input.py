@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""What users give a coast: each bad bed, sea or option is one sentence with its number, and what is
-odd but possible is computed, with a warning where it matters."""
+"""What users give a coast: a bad file of a bed is one sentence with its number, and what is odd but
+possible is computed, with a warning where it matters. Other refusals are in refusals/coast.toml."""
 
 import csv
 import io
@@ -13,25 +13,9 @@ from conftest import BUOY
 
 HEADER = "ncols 46\nnrows 26\nxllcenter 0\nyllcenter 0\ncellsize 4\nbyteorder LSBFIRST\n"
 FLOATS = BEACH[::-1].astype("<f4").tobytes()
-HOLES = np.where(np.arange(46) == 7, -9999.0, BEACH)
 DEEP = np.full((26, 46), -400.0)
 MEASURED = f'[[waves]]\nspectrum = "measured"\nfile = "{BUOY}"\n'
 BACK = '[[waves]]\nspectrum = "jonswap"\nwind_speed = 6.0\nwind_direction = 180\nfetch = 20000.0\n'
-
-
-@pytest.mark.parametrize(
-    ("bed", "sentence"),
-    [
-        (grid(HOLES), "26 of 1196 heights that are holes"),
-        (grid(BEACH).replace("-11.667", "nan", 1), "column 1, row 25 from the south-west"),
-        (grid(BEACH)[:-2000], "the file ends after 907 of 1196 heights"),
-    ],
-    ids=range(3),
-)
-def test_a_bad_grid_is_refused(coast, bed, sentence):
-    coast.write("bed.asc", bed)
-    message = coast.bad("bake", "sea.toml", "-o", "s.exr", *REGION)
-    assert "sea.toml:4: water.seabed" in message and sentence in message, message
 
 
 @pytest.mark.parametrize(
@@ -58,44 +42,6 @@ def test_rows_and_columns_in_exchange_are_another_coast(coast):
     shown = coast("bake", "sea.toml", "-o", "s.exr", *REGION, "--products", "height")
     assert "the waves come in over 73.9 % of those sides in water shallower" in shown.stderr
     assert "48.4 % of the region lies beyond the bed, 0 .. 100 m along x" in shown.stderr
-
-
-@pytest.mark.parametrize(
-    ("arguments", "sentence"),
-    [
-        (("--set", "level=1e9"), "water.level = 1000000000: is out of range"),
-        (("--set", "seabed_origin=[1e9,0]"), "water.seabed_origin = 1000000000"),
-        (("--set", "water.shore.swash=2"), "one of on, off"),
-        (("--set", "water.shore.surf_foam_lifetime=-1"), "surf_foam_lifetime = -1"),
-        ((*REGION[:3], "-1"), "--cell = -1; allowed: a number, 0.001 .. 1e+06"),
-        (
-            (*REGION[:3], "0.001"),
-            "120001 samples along x at a cell of 0.001 m; allowed: 2 .. 32768",
-        ),
-        (("--region", "160,80,40,20", "--cell", "1"), "X1 must be above X0"),
-        (("--region", "nan,0,9,9", "--cell", "1"), "--region = nan"),
-        (("--region", "1e12,0,1.1e12,9", "--cell", "1"), "--region = 1e12"),
-        ((*REGION, "--products", "displacement_x"), "did you mean displacement?"),
-        ((*REGION, "--stage", "h0"), "made on the CPU alone"),
-        (("-o", "s.inc", "--eye", "0,0,5"), "needs maps that repeat"),
-        (("-o", "s.df3", "--detail-map"), "a power of two"),
-        (("-o", "s.tif"), "its heights by place are a height field"),
-        (("--shard", "5/4"), "--shard 5/4"),
-    ],
-)
-def test_what_is_out_of_range_or_knows_no_coast_is_refused(coast, arguments, sentence):
-    output = () if "-o" in arguments else ("-o", "s.exr")
-    done = coast("bake", "sea.toml", *output, *arguments)
-    assert done.returncode == 2
-    assert sentence in done.stderr.splitlines()[-1], done.stderr
-    assert not list(coast.folder.glob("s.*"))
-
-
-def test_memory_is_told_before_it_is_taken(coast):
-    done = coast("bake", "sea.toml", "-o", "s.exr", *REGION[:3], "0.004")
-    assert done.returncode == 1
-    assert "a bake of 30001 x 30001 samples needs" in done.stderr.splitlines()[-1], done.stderr
-    assert "are available" in done.stderr.splitlines()[-1]
 
 
 def test_a_changed_or_missing_bed_is_told_by_its_hash(coast):
@@ -267,10 +213,3 @@ def test_queries_agree_with_the_region_whatever_the_choppiness(coast):
     )  # fmt: skip
     heights = np.array([float(row["height"]) for row in csv.DictReader(io.StringIO(answer))])
     assert np.abs(heights - offsets[..., 2].ravel()).max() < 1e-4
-
-
-def test_a_coast_with_more_samples_than_pov_ray_takes_is_refused(coast):
-    part = ("--region", "0,40,160,40.5", "--cell", "0.0625")
-    message = coast.bad("povray", "sea.toml", "-o", "d", *part)
-    assert "--region: it has 2561 samples along its longer side; allowed are at most" in message
-    assert not (coast.folder / "d").exists()

@@ -59,9 +59,6 @@ def test_bands_begin_where_the_map_ends(ocean):
     assert pixels.shape[0] == 256 and spec.getattribute("ocean:map_resolution") == "256"
     # The sea's own modes end first: 64 of them.
     assert numbers(spec, "longest_wave") == [pytest.approx(200 / 31.5)]
-    finer = ("--set", "resolution=1024", "--set", "patch_size=5")
-    said = ocean.bad("bake", "sea.toml", "-o", "f.exr", "--products", "detail", *finer)
-    assert "no waves left" in said
 
 
 def test_from_bakes_the_same_file(ocean):
@@ -101,27 +98,3 @@ def test_a_take_changes_the_tiles_of_each_frame(ocean):
     calm, windy = (image(ocean, f"o/s.detail1.00{n}.exr") for n in ("01", "25"))
     assert numbers(windy[0], "slope_variance")[0] > 1.1 * numbers(calm[0], "slope_variance")[0]
     assert windy[1].std() > 1.05 * calm[1].std()
-
-
-@pytest.mark.parametrize(
-    ("arguments", "said"),
-    [
-        (["--detail-samples", "256"], "needs detail among the --products"),
-        (["--products", "detail", "--detail-samples", "300"], "allowed: a power of two"),
-        (["--products", "detail", "--detail-samples", "128"], "256 .. 1024"),
-        (["--products", "detail,detail1"], "detail1 is repeated"),
-        (["--products", "detail3", "--set", "patch_size=40"], "has 2 bands"),
-        (
-            ["--products", "detail,height", "--layout", "layered"],
-            "do not have the size",
-        ),
-    ],
-)
-def test_refusals(ocean, arguments, said):
-    assert said in ocean.bad("bake", "sea.toml", "-o", "s.exr", *arguments)
-    assert not (ocean.folder / "s.exr").exists()
-
-
-def test_other_formats_refuse_the_product(ocean):
-    for name, arguments in (("s.ply", ["--products", "detail1"]), ("s.df3", SMALL)):
-        ocean.bad("bake", "sea.toml", "-o", name, *arguments)

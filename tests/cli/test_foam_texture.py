@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""`ocean foam-texture`: covers that hold in the file, headers, the same bytes, refusals."""
+"""`ocean foam-texture`: covers that hold in the file, headers, the same bytes."""
 
 import numpy as np
 import OpenImageIO
@@ -78,36 +78,7 @@ def test_quiet_says_nothing_and_the_help_all(ocean):
         assert words in text
 
 
-@pytest.mark.parametrize(
-    ("arguments", "said"),
-    [
-        (["laces", "-o", "a.png"], "did you mean lace?"),
-        (["-o", "a.png"], "KIND"),
-        (["lace"], "--output"),
-        (["lace", "-o", "a"], "NAME.png and NAME.exr"),
-        (["lace", "-o", "a.jpg"], "NAME.png and NAME.exr"),
-        (["lace", "-o", "a.png", "--size", "1000"], "64 .. 4096"),
-        (["lace", "-o", "a.png", "--size", "8192"], "64 .. 4096"),
-        (["lace", "-o", "a.png", "--size", "0"], "64 .. 4096"),
-        (["lace", "-o", "a.png", "--size", "nan"], "--size"),
-        (["lace", "-o", "a.png", "--size", "1e3"], "--size"),
-        (["lace", "-o", "a.png", "--size", "99999999999"], "--size"),
-        (["lace", "-o", "a.png", "--seed", "-1"], "0 .. 4294967295"),
-        (["lace", "-o", "a.png", "--seed", "1.5"], "whole number"),
-        (["lace", "-o", "a.png", "--seed", "nan"], "--seed"),
-        (["lace", "-o", "a.png", "--type", "half"], "EXR files"),
-        (["lace", "-o", "a.exr", "--type", "double"], "half, float"),
-    ],
-)
-def test_refusals(ocean, arguments, said):
-    before = ocean.files(".")
-    assert said in ocean.bad("foam-texture", *arguments)
-    assert ocean.files(".") == before
-
-
 def test_a_folder_that_cannot_be_written(ocean):
-    ocean.write("file", "")
-    assert "is not a folder" in ocean.bad("foam-texture", "lace", "-o", "file/a.png", code=1)
     assert "/dev/full" in ocean.shell(
         "ln -s /dev/full full.png; $OCEAN foam-texture lace --size 64 -o full.png"
     ).stderr.replace("full.png", "/dev/full")

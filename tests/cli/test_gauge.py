@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""`ocean gauge`: records of virtual wave gauges, their files, statistics and refusals."""
+"""`ocean gauge`: records of virtual wave gauges, their files and statistics."""
 
 import csv
 import io
@@ -159,7 +159,6 @@ def test_a_short_record_has_no_limits_and_says_so(ocean):
     assert "too short" in done.stderr
     (gauge,) = json.loads(done.stdout)["gauges"]
     assert gauge["significant_wave_height"]["lower"] is None
-    assert "41 samples" in ocean.bad(*run, "--spectrum", "s.csv")
 
 
 def test_a_flat_sea_has_no_waves(ocean):
@@ -181,70 +180,11 @@ def test_a_small_patch_is_warned_of(ocean):
     assert ocean(*run, "--set", "patch_size=20000").stderr == ""
 
 
-@pytest.mark.parametrize(
-    "points, expected",
-    [
-        ("x,y\n", "the table has no points"),
-        ("", "the header line is missing"),
-        ("x\n1\n", "lacks the column y"),
-        ("x,y,tine\n1,2,3\n", "unknown column 'tine'; did you mean time?"),
-        ("x,y,time [h]\n1,2,3\n", "the unit 'h' of time is unknown; allowed: s"),
-        ("x,y\n1,nan\n", "points.csv:2: y = 'nan'"),
-        ("x,y,name\n1,2,a\n3,4,a\n", "'a' is repeated"),
-        ("x,y,z\n1,2,5\n", "z = 5"),
-        ("x,y,z\n1,2,-30\n", "z = -30"),
-        ("x,y,time,velocity_x\n1,2,0,1\n", "not both"),
-        ("x,y,time\n1,2,0\n1,2,5\n", "covers the times 0 .. 5 s"),
-        ("x,y,time\n1,2,0\n1,2,20\n1,2,15\n", "must increase: 15 follows 20"),
-    ],
-)
-def test_bad_points_are_refused_in_a_line(ocean, points, expected):
-    ocean.write("points.csv", points)
-    run = ["gauge", "sea.toml", "--set", "depth=25", "--points", "points.csv", *RECORD]
-    message = ocean.bad(*run, "-o", "g.csv")
-    assert expected in message and "points.csv" in message
-    assert not (ocean.folder / "g.csv").exists()
-
-
 def test_unknown_columns_are_ignored_with_a_warning(ocean):
     ocean.write("points.csv", "x;y;depth\n1,5;2;3\n")
     done = ocean("gauge", "sea.toml", "--points", "points.csv", *RECORD, "-o", "g.csv")
     assert done.returncode == 0 and "ignored unknown columns: 'depth'" in done.stderr
     assert (ocean.folder / "g.csv").read_text().splitlines()[1].startswith("0,1,1.5,2,")
-
-
-@pytest.mark.parametrize(
-    "record, expected",
-    [
-        (["--from", "0", "--to", "1", "--rate", "0"], "--rate = 0"),
-        (["--from", "0", "--to", "1", "--rate", "-4"], "--rate = -4"),
-        (["--from", "0", "--to", "nan", "--rate", "4"], "--to = nan"),
-        (["--from", "x", "--to", "1", "--rate", "4"], "--from = x"),
-        (["--from", "2", "--to", "1", "--rate", "4"], "--to = 1"),
-        (["--from", "0", "--to", "1e8", "--rate", "1000"], "1e+11 samples"),
-        (["--from", "0", "--to", "9", "--rate", "4", "--degrees-of-freedom", "1"], "= 1; allowed"),
-        (["--from", "0", "--to", "9"], "--rate"),
-    ],
-)
-def test_bad_times_are_refused_in_a_line(ocean, record, expected):
-    ocean.write("points.csv", "x,y\n0,0\n")
-    assert expected in ocean.bad("gauge", "sea.toml", "--points", "points.csv", *record)
-
-
-def test_a_record_too_large_for_the_memory_says_its_size(ocean):
-    ocean.write("points.csv", "x,y\n0,0\n")
-    message = ocean.bad("gauge", "sea.toml", "--points", "points.csv", "--from", "0",
-                        "--to", "9e8", "--rate", "1", code=1)  # fmt: skip
-    assert "900000001 times at 1 gauges needs" in message and "MiB" in message
-
-
-def test_an_unwritable_output_fails_and_leaves_nothing(ocean):
-    ocean.write("points.csv", "x,y\n0,0\n")
-    ocean.write("file", "")
-    run = ["gauge", "sea.toml", "--points", "points.csv", *RECORD, "-q"]
-    assert "file" in ocean.bad(*run, "-o", "file/g.csv", code=1)
-    assert ocean.files(".") == ["buoy.toml", "file", "points.csv", "sea.toml"]
-    assert "points.txt" in ocean.bad(*run[:3], "points.txt", *RECORD)
 
 
 def test_an_interrupted_run_leaves_nothing(ocean):

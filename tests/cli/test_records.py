@@ -123,30 +123,6 @@ def test_a_buoy_whose_companions_are_packed_keeps_its_directions(ocean):
     assert {record["directions"] for record in without} == {"none"}
 
 
-def test_wrong_use_says_what_is_wrong(ocean):
-    assert "FILE is required" in ocean.bad("records")
-    assert "no such file" in ocean.bad("records", "nowhere.spec")
-    assert "is a directory" in ocean.bad("records", ".")
-    message = ocean.bad("records", "sea.toml")
-    assert "not a spectrum file of a known format" in message
-    for known in ("NDBC", "Spotter", "Datawell", "TRIAXYS", "WAVEWATCH", "SWAN", "CSV"):
-        assert known in message
-
-
-def test_a_place_or_time_that_is_not_there_names_the_nearest(ocean):
-    file = SPECTRA / "ww3_station_44097.spec"
-
-    def refused(line):
-        sea = f'libocean = 1\n[[waves]]\nspectrum = "measured"\nfile = "{file}"\n{line}\n'
-        ocean.write("measured.toml", sea)
-        return ocean.bad("info", "measured.toml")
-
-    assert "did you mean 44097?" in refused('place = "44079"')
-    assert "the nearest is at 40.9800,-71.1200, 69 km away" in refused('place = "40.5,-70.6"')
-    assert "the nearest is 2022-09-12T09:00" in refused('record = "2022-09-12T12:00"')
-    assert "measured.toml:4: " in refused('place = "44079"')
-
-
 def test_a_bomb_is_refused_in_little_memory(ocean):
     """3 MiB that unpack to 3 GiB, in a process that may have a quarter of one."""
     bomb = gzip.compress(bytes(64 << 20)) * 48  # members in a row

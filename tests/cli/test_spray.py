@@ -191,17 +191,3 @@ def test_a_dry_run_says_what_it_takes(gale):
     # A calm sea has none, and its file says so.
     gale.good("bake", "gale.toml", "-o", "calm.ply", *SPRAY, "--set", "wind_speed=5")
     assert b"element vertex 0\n" in (gale.folder / "calm.ply").read_bytes()
-
-
-def test_wrong_options_are_refused(gale):
-    def refused(*options):
-        return gale.bad("bake", "gale.toml", "-o", "s.ply", *options)
-
-    assert "spray is a file of points" in refused("--products", "spray,normal")
-    assert "--products spray" in refused("--spray-density", "2")
-    assert "0.05" in refused(*SPRAY, "--spray-lifetime", "0")
-    assert "1000" in refused(*SPRAY, "--spray-density", "1e6")
-    assert "--spray-most" in refused(*SPRAY, "--spray-most", "0")
-    assert "tnb" in refused(*SPRAY, "--axes", "tnb")
-    assert "spray" in gale.bad("bake", "gale.toml", "-o", "s.obj", *SPRAY)
-    assert ".ply" in gale.bad("bake", "gale.toml", "-o", "s.exr", "--spray-density", "2")

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
 """A mistyped name is refused with the one that was probably meant, wherever it stands.
-suggestions_test.cpp has the rule over all tables; here each place uses it."""
+suggestions_test.cpp has the rule over all tables, refusals the places of `ocean`; here the other
+programs use it."""
 
 import os
 import subprocess
@@ -10,77 +11,6 @@ import pytest
 
 PREVIEW = os.environ.get("OCEAN_PREVIEW", "")
 BRIDGE = os.environ.get("OCEAN_BRIDGE", "")
-BAKE = ("bake", "sea.toml", "-o")
-
-PLACES = {
-    "commands": (["spectrun", "sea.toml"], "spectrum"),
-    "options": ([*BAKE, "s.exr", "--farmes", "1"], "--frames"),
-    "options before what is required": (["bake", "sea.toml", "--farmes", "1"], "--frames"),
-    "options with an equals sign": ([*BAKE, "s.exr", "--fraems=1"], "--frames"),
-    "short options": (["info", "sea.toml", "-V"], "-v"),
-    "one dash": ([*BAKE, "s.exr", "-frames", "1"], "--frames"),
-    "parameters": (["info", "sea.toml", "--set", "wnd_speed=1"], "waves.0.wind_speed"),
-    "paths of parameters": (["info", "sea.toml", "--set", "waves.1.ftch=1"], "waves.0.fetch"),
-    "a lost dot": (["info", "sea.toml", "--set", "timefps=1"], "time.fps"),
-    "words of parameters": (["info", "sea.toml", "--set", "spectrum=jonswp"], "jonswap"),
-    "formats": ([*BAKE, "s.exs"], ".exr"),
-    "products": ([*BAKE, "s.exr", "--products", "foam,slpoe"], "slope"),
-    "the beginning of a product": ([*BAKE, "s.exr", "--products", "disp"], "displacement"),
-    "products of a mesh": ([*BAKE, "s.ply", "--products", "positqon"], "position"),
-    "compression": ([*BAKE, "s.exr", "--compression", "pxr42"], "pxr24"),
-    "axes": ([*BAKE, "s.exr", "--axes", "zpu"], "zup"),
-    "type": ([*BAKE, "s.exr", "--type", "flqoat"], "float"),
-    "layout": ([*BAKE, "s.exr", "--layout", "layred"], "layered"),
-    "backend": ([*BAKE, "s.exr", "--backend", "radix"], "radix2"),
-    "povray": (["povray", "sea.toml", "-o", "d", "--format", "mesh"], "mesh2"),
-    "presets": (["presets", "seed_lanz"], "seed_lantz"),
-    "preset: in a SEA": (["info", "preset:seed_thesi"], "seed_thesis"),
-    "foam textures": (["foam-texture", "lce", "-o", "a.png"], "lace"),
-}
-SEA_FILES = {
-    "[grd]\nresolution = 64\n": "grid",
-    "[taek]\n": "take",
-    "[grid]\nresoluton = 64\n": "grid.resolution",
-    '[[waves]]\nspreading = "mitsyasu"\n': "mitsuyasu",
-}
-
-
-@pytest.mark.parametrize("place", PLACES)
-def test_ocean_suggests(ocean, place):
-    words, meant = PLACES[place]
-    assert f"; did you mean {meant}?" in ocean.bad(*words)
-    assert [path.name for path in ocean.folder.iterdir() if path.suffix != ".toml"] == []
-
-
-@pytest.mark.parametrize("text", SEA_FILES)
-def test_a_sea_file_suggests(ocean, text):
-    ocean.write("k.toml", "libocean = 1\n" + text)
-    assert f"; did you mean {SEA_FILES[text]}?" in ocean.bad("info", "k.toml")
-
-
-def test_all_names_that_are_equally_near_are_listed(ocean):
-    message = ocean.bad("presets", "beaufort_13")
-    assert (
-        "did you mean beaufort_1, beaufort_3, beaufort_10, beaufort_11 or beaufort_12?" in message
-    )
-
-
-@pytest.mark.parametrize(
-    "words",
-    [
-        ["foam_textures_x"],
-        ["info", "sea.toml", "--set", "wind_directions_x=1"],
-        [*BAKE, "s.exr", "--compressors", "1"],
-        [*BAKE, "s.exr", "--products", "nothing"],
-        ["presets", "storm"],
-    ],
-)
-def test_another_word_gets_no_suggestion(ocean, words):
-    assert "did you mean" not in ocean.bad(*words)
-
-
-def test_a_known_option_of_the_program_itself_is_named(ocean):
-    assert "'--version' stands before the command" in ocean.bad("info", "--version")
 
 
 def refusal(program: str, folder, *words: str) -> str:

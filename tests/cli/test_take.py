@@ -1,47 +1,10 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""A sea with a take: found beside the sea file or where the user stands, refused in one line."""
+"""A sea with a take: found beside the sea file or where the user stands."""
 
 import pytest
 
 SEA = 'libocean = 1\n[time]\ntake = "storm.take"\n[grid]\nresolution = 64\npatch_size = 200.0\n'
-
-
-@pytest.mark.parametrize(
-    ("text", "parts"),
-    [
-        (
-            "1 wind_speed 12\n2 resolution 128\n",
-            ["storm.take:2: ", "grid.resolution = 128", "live"],
-        ),
-        ("1 foam_step 0.1\n", ["storm.take:1: ", "surface.foam_step = 0.1", "live"]),
-        ("1 wind_sped 12\n", ["storm.take:1: ", "wind_sped", "waves.0.wind_speed"]),
-        ("1 waves.3.swell 0\n", ["storm.take:1: ", "waves.3.swell", "1 wave systems"]),
-        ("# calm\n\n1 wind_speed 80\n", ["storm.take:3: ", "80", "0 .. 75 m/s"]),
-        ("2 swell 0\n1 swell 1\n", ["storm.take:2: ", "before the line above", "order"]),
-        ("1 wind_speed\n", ["storm.take:1: ", "SECONDS NAME VALUE"]),
-        ("1 wind_speed 12 knots\n", ["storm.take:1: ", "knots"]),
-        (b"\x00\xff\xfe\x80", ["storm.take:1: "]),
-    ],
-)
-def test_a_bad_take_is_named_with_line_name_value_and_range(ocean, text, parts):
-    ocean.write("folder/sea.toml", SEA)
-    ocean.write("folder/storm.take", text)
-    message = ocean.bad("info", "folder/sea.toml")
-    for part in parts:
-        assert part in message
-
-
-def test_a_missing_take_is_named_with_the_line_of_the_sea_file(ocean):
-    ocean.write("take.toml", SEA)
-    message = ocean.bad("info", "take.toml")
-    assert "take.toml:3: time.take" in message and "no such file" in message
-
-
-def test_a_take_and_a_loop_exclude_each_other(ocean):
-    ocean.write("take.toml", SEA)
-    ocean.write("storm.take", "1 swell 0\n")
-    assert "a loop repeats" in ocean.bad("info", "take.toml", "--set", "loop_period=10")
 
 
 def test_info_says_how_long_the_performance_is(ocean):

@@ -5,7 +5,7 @@
 Claims: each inner edge of a written mesh has two triangles, in opposite directions, and no triangle
 looks down; the open border is that of the land, or beyond --farthest; a vertex has the height and
 the normal of the land at its place, for its level; masks are attributes; PLY, OBJ and USD hold one
-mesh; --from makes it again; what cannot be is refused in one sentence.
+mesh; --from makes it again.
 """
 
 import re
@@ -16,7 +16,6 @@ import meshio
 import numpy
 import OpenImageIO as oiio
 import pytest
-from conftest import check_failure
 from lands import ISLAND, TILE
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -179,34 +178,3 @@ def test_ply_obj_and_usd_hold_one_mesh_and_make_it_again(ocean):
     primvars = UsdGeom.PrimvarsAPI(prim)
     assert (numpy.array(primvars.GetPrimvar("cliff").Get(1)) == mesh.data["cliff"]).all()
     assert len(primvars.GetPrimvar("st").Get(1)) == len(mesh.points)
-
-
-@pytest.mark.parametrize(
-    ("output", "arguments", "reason"),
-    [
-        ("x.tif", ["--lod", EYE], "only files of type .ply, .obj and .usda have it"),
-        ("x.exr", ["--lod", EYE], "only files of type .ply, .obj and .usda have it"),
-        ("x.png", ["--lod", EYE], "only files of type .ply, .obj and .usda have it"),
-        ("x.vdb", ["--lod", EYE], "only files of type .ply, .obj and .usda have it"),
-        ("x.ply", ["--lod", "1,2"], "--lod 1,2: allowed is EX,EY,EZ in metres"),
-        ("x.ply", ["--lod", "1,2,up"], "--lod = up; allowed"),
-        ("x.ply", ["--lod", "1,2,1e9"], "--lod = 1e9; allowed"),
-        ("x.ply", ["--farthest", "100"], "needs --lod EX,EY,EZ"),
-        ("x.ply", ["--lod", EYE, "--farthest", "0"], "--farthest = 0; allowed"),
-        ("x.ply", ["--lod", "90000,0,9", "--farthest", "100"], "no land lies within --farthest"),
-        ("x.ply", ["--lod", EYE, "--region", "0,900,9,909", "--cell", "1"], "--region is for maps"),
-        ("x.ply", ["--lod", EYE, "--tiles", "2x2"], "--tiles is for maps"),
-        ("x.ply", ["--lod", EYE, "--resolution", "64"], "--resolution is for maps"),
-        ("x.ply", ["--lod", EYE, "--products", "wear"], "this terrain has no mask wear"),
-    ],
-)
-def test_what_cannot_be_is_refused(ocean, output, arguments, reason):
-    ocean.write("land.toml", ISLAND)
-    line = check_failure(ocean("terrain", "land.toml", "-o", output, *arguments), 2)
-    assert reason in line, line
-    assert not (ocean.folder / output).exists()
-
-
-def test_a_sea_has_no_lod(ocean):
-    line = check_failure(ocean("bake", "sea.toml", "-o", "x.ply", "--lod", EYE), 2)
-    assert "--lod" in line

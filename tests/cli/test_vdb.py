@@ -328,42 +328,9 @@ def test_volumes_are_split_resumed_and_baked_again(ocean, bake):
     assert {grid["name"] for grid in grids} == {"surface", "vel"} and "n.0004.vdb" in told
 
 
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (("--products", "foam"), "surface, vel and density, each once"),
-        (("--products", "spray,vel"), "--products spray alone"),
-        (("--products", "spray", "--box", "0,0,-9,9,9,9"), "spray is points"),
-        (("--products", "spray", "--mist", "1"), "spray is points"),
-        (("--mist", "1"), "needs --products density"),
-        (("--spray-density", "1"), "needs --products spray or density"),
-        (("--products", "density", "--mist", "-1"), "--mist -1"),
-        (("--products", "density", "--spray-lifetime", "99"), "--spray-lifetime"),
-        (("--products", "vel,vel"), "each once"),
-        (("--box", "1,2,3"), "six numbers"),
-        (("--box", "0,0,0,10,10,nan"), "--box"),
-        (("--box", "0,0,0,10,0,5"), "the box is empty"),
-        (("--box", "0,0,crest,10,10,5"), "--box"),
-        (("--voxel", "0"), "--voxel"),
-        (("--velocity-voxel", "1e99"), "--velocity-voxel"),
-        (("--axes", "tnb"), "zup and yup"),
-        (("--type", "double"), "float, half"),
-        (("--box", "0,0,-5,1e7,1e7,5", "--voxel", "1e-4"), "voxels"),
-        (("--layout", "layered"), "--layout"),
-    ],
-)
-def test_wrong_options_are_refused(ocean, arguments, words):
-    assert words in ocean.bad("bake", "sea.toml", "-o", "s.vdb", *arguments)
-
-
 def test_a_box_without_water_is_warned_of(ocean):
     done = ocean("bake", "sea.toml", "-o", "s.vdb", "--box", "0,0,20,40,40,30")
     assert done.returncode == 0 and "no water reaches the box" in done.stderr
-
-
-def test_more_than_the_memory_is_refused_at_once(ocean):
-    error = ocean.bad("bake", "sea.toml", "-o", "s.vdb", "--voxel", "0.001", code=1)
-    assert "memory" in error
 
 
 @pytest.mark.parametrize("size", [4, 30, 60, 200])

@@ -26,19 +26,23 @@ namespace ocean::test {
 inline const bool kPrints = std::getenv("OCEAN_CORPUS_PRINT") != nullptr;
 
 /// Returns the bytes that a text of a table stands for: U+00E9 for the byte E9.
-inline std::string text_of(const toml::node& node) {
-    const std::string utf8 = node.value<std::string>().value();
+inline std::string bytes_of(std::string_view utf8) {
     std::string bytes;
     for (std::size_t i = 0; i < utf8.size(); ++i) {
         const auto lead = static_cast<unsigned char>(utf8[i]);
         if (lead < 0x80) {
             bytes += utf8[i];
         } else {
-            if (lead > 0xC3) throw std::runtime_error("a character beyond U+00FF: " + utf8);
+            if (lead > 0xC3) {
+                throw std::runtime_error("a character beyond U+00FF: " + std::string(utf8));
+            }
             bytes += static_cast<char>((lead & 3) << 6 | (utf8[++i] & 0x3F));
         }
     }
     return bytes;
+}
+inline std::string text_of(const toml::node& node) {
+    return bytes_of(node.value<std::string>().value());
 }
 
 /// Expects a sentence of a table, in which "(...)" stands for any words.
