@@ -72,7 +72,7 @@ void expect_refusal(const std::string& line, int code, const toml::node& sentenc
     if (kPrints) std::cout << line << "\n    " << outcome.error;
     EXPECT_EQ(outcome.code, code);
     EXPECT_EQ(outcome.output, "");
-    EXPECT_EQ(contents(), before);
+    EXPECT_TRUE(contents() == before) << "a file is another than before";
     ASSERT_TRUE(outcome.error.starts_with("ocean: ")) << outcome.error;
     EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
     expect_sentence(outcome.error.substr(7, outcome.error.size() - 8), &sentence);
