@@ -156,26 +156,13 @@ def test_the_report_can_be_read(ocean, bed):
     assert max(len(line) for line in lines) <= 80
 
 
-def test_what_cannot_be_fitted_is_a_sentence(ocean, bed):
+def test_land_that_cannot_be_fitted_is_a_sentence(ocean):
     folder = ocean.folder
     header = "ncols {0}\nnrows {0}\nxllcorner 0\nyllcorner 0\ncellsize 9\n"
     (folder / "flat.asc").write_text(header.format(40) + "5 " * 1600)
-    (folder / "small.asc").write_text(header.format(20) + "5 " * 400)
     (folder / "hole.asc").write_text(header.format(40) + "5 " * 1599 + "-9999")
-    (folder / "mine.toml").write_text("# mine\n")
-    (folder / "mine.csv").write_text("a,b\n")
-    for arguments, words in {
-        ("flat.asc",): "flat land has no spectrum to fit",
-        ("small.asc",): "a fit needs at least 32 x 32 cells, not 20 x 20",
-        ("hole.asc",): "`ocean terrain import hole.asc --holes fill -o bed.flt`",
-        ("gone.asc",): "gone.asc: no such file",
-        (bed, "--law", "brken"): "did you mean broken?",
-        (bed, "--ridge"): "--ridge is for --law broken",
-        (bed, "--seeds", "2"): "--seeds",
-        (bed, "-o", "land.tml"): "-o land.tml: allowed is NAME.toml",
-        (bed, "-o", "mine.toml"): "'mine.toml' exists",
-        (bed, "--rings", "mine.csv"): "'mine.csv' exists",
-        (): "BED is required",
+    for file, words in {
+        "flat.asc": "flat land has no spectrum to fit",
+        "hole.asc": "`ocean terrain import hole.asc --holes fill -o bed.flt`",
     }.items():
-        assert words in ocean.bad("terrain", "fit", *arguments), arguments
-    assert (folder / "mine.toml").read_text() == "# mine\n"
+        assert words in ocean.bad("terrain", "fit", file), file
