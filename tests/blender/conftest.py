@@ -7,11 +7,13 @@ import os
 import subprocess
 import sys
 import textwrap
+import time
 from pathlib import Path
 
 import bpy
 import numpy as np
 import pytest
+from libocean_addon.shared import drafts
 
 
 def pytest_configure(config):
@@ -194,19 +196,82 @@ def in_another_process(folder: Path, body: str, *arguments, **environment) -> No
     assert started.returncode == 0, said
 
 
+def reopen(path: Path) -> None:
+    """Saves the file and opens it."""
+    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    bpy.ops.wm.open_mainfile(filepath=str(path))
+
+
+# Work in the background --------------------------------------------------------
+
+
+@pytest.fixture
+def waiting(monkeypatch):
+    """As with a window in which somebody waits; the timer is called by hand."""
+    monkeypatch.setattr(drafts, "allowed", True)
+    yield
+    drafts.close()
+
+
+def finish() -> None:
+    """Calls the timer until it has nothing more to do."""
+    while (pause := drafts.step()) is not None:
+        time.sleep(min(pause, 0.02))
+
+
+def work_on() -> drafts.Job:
+    """Waits until the whole of an object is in the making; returns the job."""
+    while drafts.at_work() is None:
+        time.sleep(min(drafts.step(), 0.02))
+    return drafts.at_work()[1]
+
+
+# A coast of test_coast.py -------------------------------------------------------
+
+
+@pytest.fixture
+def sea_file(tmp_path):
+    from test_coast import SEA, write_bed
+
+    write_bed(tmp_path)
+    (tmp_path / "sea.toml").write_text(SEA)
+    return tmp_path / "sea.toml"
+
+
+@pytest.fixture
+def coast(sea_file):
+    from test_coast import add_coast
+
+    return add_coast(sea_file)
+
+
+@pytest.fixture
+def slow(monkeypatch):
+    """As where the maps of a coast take long."""
+    from subjects import Coast
+
+    Coast().make_slow(monkeypatch)
+
+
+# Pictures -----------------------------------------------------------------------
+
+
 @pytest.fixture
 def shot(scene):
     """A small sea seen from above, its heights as light."""
-    return shot_of(scene, add_ocean(64, kind="PATCH", preset="beaufort_6", use_material=False))
+    ob = add_ocean(64, kind="PATCH", preset="beaufort_6", use_material=False)
+    shot_of(scene, ob)
+    return ob
 
 
-def shot_of(scene, ob):
-    """A view of a sea from above, its heights as light."""
+def shot_of(scene, ob, place=(0.0, 0.0, 100.0), width: float | None = None):
+    """Shows an object from above, its positions as light; returns the camera. width: of the view
+    [m]; None: nearly a period of a sea."""
     camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
     bpy.context.collection.objects.link(camera)
-    camera.location.z = 100.0
+    camera.location = place
     camera.data.type = "ORTHO"
-    camera.data.ortho_scale = ob.libocean.patch_size * 0.9
+    camera.data.ortho_scale = width or ob.libocean.patch_size * 0.9
     scene.camera = camera
     scene.render.engine = "CYCLES"
     scene.cycles.samples = 1
@@ -223,7 +288,7 @@ def shot_of(scene, ob):
     links.new(place.outputs["Position"], light.inputs["Color"])
     links.new(light.outputs[0], nodes.new("ShaderNodeOutputMaterial").inputs["Surface"])
     ob.data.materials.append(material)
-    return ob
+    return camera
 
 
 def pixels(path: Path) -> np.ndarray:
@@ -290,6 +355,18 @@ def parallel_camera(scene):
     camera.data.type = "ORTHO"
     camera.data.clip_end = 1000.0
     scene.camera = camera
+    return camera
+
+
+@pytest.fixture
+def eye(scene):
+    """The scene's camera, low over the land of test_land.py."""
+    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+    camera.location = (512.0, 1024.0, 64.0)
+    camera.data.clip_end = 1e5
+    scene.collection.objects.link(camera)
+    scene.camera = camera
+    bpy.context.view_layer.update()
     return camera
 
 

@@ -46,13 +46,6 @@ def write_bed(folder) -> None:
     (folder / "bed.asc").write_text(head + "\n".join(rows) + "\n")
 
 
-@pytest.fixture
-def sea_file(tmp_path):
-    write_bed(tmp_path)
-    (tmp_path / "sea.toml").write_text(SEA)
-    return tmp_path / "sea.toml"
-
-
 def add_coast(path, **arguments):
     """Adds the coast of a file, without materials."""
     arguments = {"cell": CELL, "use_material": False, **arguments}
@@ -60,11 +53,6 @@ def add_coast(path, **arguments):
     ob = bpy.context.object
     assert ob.libocean_coast.problem == ""
     return ob
-
-
-@pytest.fixture
-def coast(sea_file):
-    return add_coast(sea_file)
 
 
 def library_of(ob):
@@ -91,6 +79,12 @@ def region_of(ob, frame: float) -> dict[str, np.ndarray]:
 def assert_is_sea(ob) -> None:
     """Asserts that the water, all of it, is the library's region at the scene's frame."""
     ob.libocean_coast.use_clip = False
+    assert_is_region(ob)
+    ob.libocean_coast.use_clip = True
+
+
+def assert_is_region(ob) -> None:
+    """Asserts that water that is not clipped is the library's region at the scene's frame."""
     want = region_of(ob, bpy.context.scene.frame_current)
     tolerance = 1e-5 * want["Hs"]
     assert np.abs(positions(ob) - rest(ob) - want["displacement"]).max() <= tolerance
@@ -98,7 +92,11 @@ def assert_is_sea(ob) -> None:
     for name in ("foam", "breaking", "jacobian", "velocity"):
         assert np.abs(attribute(ob, name) - want[name]).max() <= 1e-5, name
     assert np.abs(attribute(ob, "ocean_normal") - want["normal"]).max() <= 1e-5
-    ob.libocean_coast.use_clip = True
+
+
+def assert_is_bed(ob, level: float = 0.0) -> None:
+    heights = positions(ob.libocean_coast.land)[:, 2].reshape(ROWS, COLUMNS)
+    assert np.abs(heights - bed() + level).max() <= 1e-5
 
 
 # Water and land -------------------------------------------------------------------
@@ -215,18 +213,7 @@ def test_another_wind_and_another_level_make_another_coast(coast):
     assert_is_sea(coast)
     settings.level = 1.0
     assert_is_sea(coast)
-    heights = positions(coast.libocean_coast.land)[:, 2].reshape(ROWS, COLUMNS)
-    assert np.abs(heights - bed() + 1.0).max() <= 1e-5
-
-
-def test_keyframes_move_the_waves(coast, scene):
-    waves = coast.libocean.waves[0]
-    for frame, wind in ((1, 6.0), (11, 9.0)):
-        waves.wind_speed = wind
-        coast.keyframe_insert("libocean.waves[0].wind_speed", frame=frame)
-    for frame in (11, 1):
-        scene.frame_set(frame)
-        assert_is_sea(coast)
+    assert_is_bed(coast, 1.0)
 
 
 def test_a_bed_alone_gets_the_sea_of_the_active_ocean(sea_file):
@@ -238,37 +225,50 @@ def test_a_bed_alone_gets_the_sea_of_the_active_ocean(sea_file):
     assert ob.libocean_coast.land is not None
 
 
-BAD = {
-    "no bed": "libocean = 1\n[grid]\nresolution = 64\n",
-    "patch_size": "libocean = 1\n[grid]\npatch_size = -3\n",
-    "no such file": 'libocean = 1\n[water]\nseabed = "gone.asc"\n',
-    "libocean": "",
-}
+def test_a_sea_without_a_bed_is_said(coast):
+    coast.libocean.seabed = ""
+    assert "has no bed" in coast.libocean_coast.problem
 
 
-@pytest.mark.parametrize("said", BAD)
-def test_a_bad_file_is_a_sentence_and_changes_nothing(coast, tmp_path, said):
-    path, before = tmp_path / "bad.toml", len(bpy.data.objects)
-    path.write_text(BAD[said])
-    lines = coast.libocean.bed_lines
-    for operator in (bpy.ops.libocean.add_coast, bpy.ops.libocean.load_coast):
-        with pytest.raises(RuntimeError, match=said):
-            operator(filepath=str(path))
-    assert len(bpy.data.objects) == before and coast.libocean.bed_lines == lines
+# Objects and files ----------------------------------------------------------------
+
+
+def test_a_land_that_is_deleted_stays_away(coast):
+    land = coast.libocean_coast.land
+    with bpy.context.temp_override(selected_objects=[land]):
+        bpy.ops.object.delete()
+    before = bpy.data.meshes["Land"]["libocean_mesh"]
+    coast.libocean.level = 0.5
+    assert coast.libocean_coast.problem == "" and len(bpy.context.scene.objects) == 1
+    assert bpy.data.meshes["Land"]["libocean_mesh"] == before
     assert_is_sea(coast)
 
 
-def test_a_sea_that_cannot_be_is_said_and_the_water_stays(coast):
-    before = positions(coast)
-    settings = coast.libocean
-    settings.waves[0].wind_speed = 0.0
-    assert "no waves" in coast.libocean_coast.problem
-    assert np.array_equal(positions(coast), before)
-    settings.waves[0].wind_speed = 8.0
+def test_a_modifier_that_was_removed_comes_back(coast):
+    coast.modifiers.clear()
+    bpy.context.view_layer.objects.active = coast
+    assert bpy.ops.libocean.add_modifier() == {"FINISHED"}
     assert coast.libocean_coast.problem == ""
     assert_is_sea(coast)
-    settings.seabed = ""
-    assert "has no bed" in coast.libocean_coast.problem
+    assert_is_bed(coast)
+
+
+def test_a_mesh_of_the_user_is_never_replaced_by_a_coast(coast):
+    coast.modifiers.clear()
+    coast.data = bpy.data.meshes.new("Own")
+    coast.data.from_pydata([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [], [(0, 1, 2)])
+    with pytest.raises(RuntimeError, match="add a coast instead"):
+        bpy.ops.libocean.add_modifier()
+    assert not coast.modifiers and len(coast.data.vertices) == 3
+
+
+def test_a_coast_is_saved_as_a_sea_file(coast, tmp_path):
+    path = tmp_path / "elsewhere" / "saved.toml"
+    path.parent.mkdir()
+    coast.libocean.level = 0.25
+    assert bpy.ops.libocean.save_coast(filepath=str(path)) == {"FINISHED"}
+    again = add_coast(path)
+    assert np.array_equal(positions(again), positions(coast))
 
 
 # The panel ------------------------------------------------------------------------

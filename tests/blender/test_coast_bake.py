@@ -14,7 +14,7 @@ from conftest import attribute, in_another_process, positions, start_another_pro
 from libocean_addon.bake import bake_record, exr_files, render_check
 from libocean_addon.bundled import libocean
 from libocean_addon.coast import coast_bake, panels
-from test_coast import CELL, COLUMNS, ROWS, SEA, add_coast, coast, sea_file, write_bed  # noqa: F401
+from test_coast import CELL, COLUMNS, ROWS
 from test_terrain_panel import drawn_by
 
 OF_WATER = ("foam", "cover", "jacobian", "ocean_velocity", "ocean_normal", "breaking", "depth")

@@ -8,14 +8,11 @@ import math
 import bpy
 import numpy as np
 import pytest
-from conftest import plane
+from conftest import finish, plane, reopen, work_on
 from libocean_addon.floating import floating
 from libocean_addon.shared import drafts
-from test_coast import coast, library_of, sea_file  # noqa: F401, fixtures
-from test_coast_steps import slow, work_on  # noqa: F401, a fixture
+from test_coast import library_of
 from test_floating import assert_rides
-from test_terrain_drafts import rest as finish
-from test_terrain_drafts import waiting  # noqa: F401, a fixture
 from test_terrain_panel import drawn_by
 
 BODY = (50.0, 60.0, 30.0, 8.0, 3.0)
@@ -31,7 +28,7 @@ def add_boat(place=BODY[:2]):
 
 
 @pytest.fixture
-def boat(coast):  # noqa: F811
+def boat(coast):
     ob = add_boat()
     assert bpy.ops.libocean.add_float(ocean=coast.name) == {"FINISHED"}
     return ob
@@ -42,7 +39,7 @@ def assert_rides_coast(boat, ob, frame: int, body=BODY) -> None:
         assert_rides(boat, sea.float_pose([body], sea.time_of_frame(frame)))
 
 
-def test_a_boat_lies_where_the_library_says(coast, boat, scene):  # noqa: F811
+def test_a_boat_lies_where_the_library_says(coast, boat, scene):
     heights = set()
     for frame in (1, 30, 200, 31):
         scene.frame_set(frame)
@@ -52,13 +49,13 @@ def test_a_boat_lies_where_the_library_says(coast, boat, scene):  # noqa: F811
     assert boat.libocean_float.problem == ""
 
 
-def test_a_boat_follows_another_wind(coast, boat):  # noqa: F811
+def test_a_boat_follows_another_wind(coast, boat):
     coast.libocean.waves[0].wind_speed = 6.0
     bpy.context.view_layer.update()
     assert_rides_coast(boat, coast, 1)
 
 
-def test_a_coast_that_is_moved_takes_its_boats_along(coast, boat):  # noqa: F811
+def test_a_coast_that_is_moved_takes_its_boats_along(coast, boat):
     coast.location, coast.rotation_euler.z = (3.0, -7.0, 1.5), math.radians(90)
     place = coast.matrix_basis @ bpy.data.objects["Boat"].location.to_3d()
     boat.location = (*place.xy, 0.0)
@@ -73,7 +70,7 @@ DRY = {"dry land": (160.0, 80.0), "no water": (-40.0, 60.0)}
 
 
 @pytest.mark.parametrize("said", DRY)
-def test_land_is_refused_in_a_sentence(coast, said):  # noqa: F811
+def test_land_is_refused_in_a_sentence(coast, said):
     ob = add_boat(DRY[said])
     with pytest.raises(RuntimeError, match=rf"Boat: At {DRY[said][0]:.1f}.*{said}"):
         bpy.ops.libocean.add_float(ocean=coast.name)
@@ -81,7 +78,7 @@ def test_land_is_refused_in_a_sentence(coast, said):  # noqa: F811
     assert tuple(ob.matrix_world.translation) == (*DRY[said], 0.0)
 
 
-def test_a_boat_that_runs_aground_stays_at_its_place_and_says_so(coast, boat):  # noqa: F811
+def test_a_boat_that_runs_aground_stays_at_its_place_and_says_so(coast, boat):
     boat.location = (*DRY["dry land"], 0.0)
     bpy.context.view_layer.update()
     bpy.context.view_layer.update()
@@ -95,7 +92,7 @@ def test_a_boat_that_runs_aground_stays_at_its_place_and_says_so(coast, boat):  
     assert_rides_coast(boat, coast, 1)
 
 
-def test_a_boat_stays_until_the_new_water_is_made(coast, boat, waiting, slow):  # noqa: F811
+def test_a_boat_stays_until_the_new_water_is_made(coast, boat, waiting, slow):
     before = boat.matrix_world.copy()
     coast.libocean.waves[0].wind_speed = 6.0
     work_on()
@@ -108,7 +105,7 @@ def test_a_boat_stays_until_the_new_water_is_made(coast, boat, waiting, slow):  
     assert_rides_coast(boat, coast, 1)
 
 
-def test_floating_is_undone_and_redone(coast):  # noqa: F811
+def test_floating_is_undone_and_redone(coast):
     add_boat()
     bpy.ops.ed.undo_push(message="Before")
     bpy.ops.libocean.add_float(ocean=coast.name)
@@ -119,15 +116,13 @@ def test_floating_is_undone_and_redone(coast):  # noqa: F811
     assert_rides_coast(bpy.data.objects["Boat"], bpy.data.objects["Water"], 1)
 
 
-def test_a_file_is_opened_with_its_boats(coast, boat, tmp_path):  # noqa: F811
-    path = tmp_path / "boat.blend"
-    bpy.ops.wm.save_as_mainfile(filepath=str(path))
-    bpy.ops.wm.open_mainfile(filepath=str(path))
+def test_a_file_is_opened_with_its_boats(coast, boat, tmp_path):
+    reopen(tmp_path / "boat.blend")
     bpy.context.scene.frame_set(20)
     assert_rides_coast(bpy.data.objects["Boat"], bpy.data.objects["Water"], 20)
 
 
-def test_the_motion_of_a_boat_is_baked(coast, boat, scene):  # noqa: F811
+def test_the_motion_of_a_boat_is_baked(coast, boat, scene):
     scene.frame_start, scene.frame_end = 1, 4
     assert bpy.ops.libocean.bake_float() == {"FINISHED"}
     scene.frame_set(3)

@@ -8,16 +8,11 @@ import threading
 import bpy
 import numpy as np
 import pytest
-from conftest import positions
-from libocean_addon import handlers
+from conftest import finish, positions, work_on
 from libocean_addon.bundled import libocean
-from libocean_addon.coast import open_coast
-from libocean_addon.coast.coast_job import CoastJob
-from libocean_addon.shared import drafts
-from test_coast import assert_is_sea, coast, sea_file  # noqa: F401, fixtures
-from test_coast_steps import slow, work_on  # noqa: F401, a fixture
-from test_terrain_drafts import rest as finish
-from test_terrain_drafts import waiting  # noqa: F401, a fixture
+from libocean_addon.coast import coast_job, node_group, open_coast
+from libocean_addon.shared import drafts, modifier_groups
+from test_coast import COLUMNS, ROWS, add_coast, assert_is_bed, assert_is_sea
 
 
 @pytest.fixture
@@ -50,9 +45,9 @@ SLIDES = {
 
 @pytest.mark.parametrize("name", SLIDES)
 def test_nothing_that_slides_has_the_main_thread_wait(
-    coast,  # noqa: F811
-    waiting,  # noqa: F811
-    slow,  # noqa: F811
+    coast,
+    waiting,
+    slow,
     calls,
     name,
 ):
@@ -72,7 +67,7 @@ def test_nothing_that_slides_has_the_main_thread_wait(
     assert_is_sea(coast)
 
 
-def test_another_bed_is_opened_in_the_background(coast, waiting, slow, calls, sea_file):  # noqa: F811
+def test_another_bed_is_opened_in_the_background(coast, waiting, slow, calls, sea_file):
     other = sea_file.with_name("other.asc")
     text = sea_file.with_name("bed.asc").read_text()
     other.write_text(text.replace("cellsize 4.0", "cellsize 2.0"))
@@ -90,38 +85,7 @@ def test_another_bed_is_opened_in_the_background(coast, waiting, slow, calls, se
     assert coast.libocean_coast.problem == ""
 
 
-def test_a_lack_of_memory_is_said_in_the_panel(coast, waiting, slow, monkeypatch):  # noqa: F811
-    def fail(_job):
-        raise MemoryError
-
-    with monkeypatch.context() as patch:
-        patch.setattr(CoastJob, "work", fail)
-        coast.libocean.level = 0.3
-        finish()
-    sentence = "There is not enough memory: choose fewer samples"
-    assert coast.libocean_coast.problem == sentence
-    coast.libocean.level = 0.4
-    finish()
-    assert coast.libocean_coast.problem == ""
-
-
-def test_a_render_without_a_timer_says_that_it_shows_a_draft_of_the_coast(
-    coast,  # noqa: F811
-    waiting,  # noqa: F811
-    slow,  # noqa: F811
-    monkeypatch,
-    capsys,
-):
-    coast.libocean.level = 0.3
-    assert drafts.is_draft(coast.name_full)
-    monkeypatch.setattr(drafts, "_PATIENCE", 0.05)
-    render = threading.Thread(target=handlers.complete)
-    render.start()
-    render.join()
-    assert "the render shows a draft of the coast\n" in capsys.readouterr().out
-
-
-def test_the_time_of_a_frame_is_the_librarys(coast, monkeypatch):  # noqa: F811
+def test_the_time_of_a_frame_is_the_librarys(coast, monkeypatch):
     opened = open_coast.coast_of(coast.name_full)
     for rate in (24.0, 30000.0 / 1001.0):
         coast.libocean.use_scene_frame_rate = False
@@ -132,7 +96,7 @@ def test_the_time_of_a_frame_is_the_librarys(coast, monkeypatch):  # noqa: F811
     assert opened.time_of(7.5) == 107.5
 
 
-def test_new_water_comes_before_the_past_of_its_foam(coast, waiting, slow):  # noqa: F811
+def test_new_water_comes_before_the_past_of_its_foam(coast, waiting, slow):
     before = positions(coast)
     coast.libocean.waves[0].wind_speed = 6.0
     job = work_on()
@@ -150,7 +114,7 @@ def test_new_water_comes_before_the_past_of_its_foam(coast, waiting, slow):  # n
     assert_is_sea(coast)
 
 
-def test_the_way_of_the_waves_is_followed_and_stopped(coast, waiting, slow, monkeypatch):  # noqa: F811
+def test_the_way_of_the_waves_is_followed_and_stopped(coast, waiting, slow, monkeypatch):
     """The library says how far it is, and ends when the work is stopped meanwhile."""
     seen = []
 
@@ -176,5 +140,75 @@ def test_the_way_of_the_waves_is_followed_and_stopped(coast, waiting, slow, monk
     drafts.allowed = True
     finish()
     assert open_coast.coast_of(coast.name_full)._held.sea is handle
+    drafts.allowed = False
+    assert_is_sea(coast)
+
+
+def test_a_new_coast_is_water_at_rest_until_its_whole_is_made(
+    sea_file,
+    waiting,
+    monkeypatch,
+):
+    threads = []
+
+    def fill(*arguments, **settings):
+        threads.append(threading.current_thread())
+        return fill_maps(*arguments, **settings)
+
+    fill_maps = coast_job.fill_maps
+    monkeypatch.setattr(coast_job, "fill_maps", fill)
+    ob = add_coast(sea_file)
+    assert drafts.is_draft(ob.name_full)
+    assert len(ob.data.vertices) == COLUMNS * ROWS
+    assert len(positions(ob)) == COLUMNS * ROWS and np.abs(positions(ob)[:, 2]).max() == 0.0
+    work_on()
+    assert "waves over the bed" in drafts.line()[0] or "foam" in drafts.line()[0]
+    finish()
+    assert threads and threading.main_thread() not in threads
+    assert drafts.progress(ob.name_full) is None
+    assert_is_bed(ob)
+    drafts.allowed = False
+    assert_is_sea(ob)
+
+
+def test_a_frame_of_a_known_sea_is_a_coarser_draft_first(coast, waiting, slow):
+    opened = open_coast.coast_of(coast.name_full)
+    opened.pace.size = 16
+    coast.libocean_coast.use_clip = False
+    finish()
+    coast.libocean.use_custom_time, coast.libocean.custom_time = True, 3.0
+    (modifier,) = node_group.modifiers(coast)
+    image = modifier_groups.value(modifier, node_group.DISPLACEMENT)
+    assert max(image.size) <= 16 + 1
+    draft = positions(coast)
+    finish()
+    whole = positions(coast)
+    assert 0.0 < np.abs(draft - whole).max() < 4.0
+    drafts.allowed = coast.libocean.use_custom_time = False
+    assert_is_sea(coast)
+
+
+def test_a_frame_that_is_set_meanwhile_is_whole(coast, scene, waiting, slow):
+    coast.libocean.waves[0].wind_speed = 6.0
+    work_on()
+    scene.frame_set(4)
+    assert not drafts.is_draft(coast.name_full) or drafts.at_work()[1].is_cancelled()
+    drafts.allowed = False
+    assert_is_sea(coast)
+
+
+def test_a_failure_in_the_background_is_a_sentence(coast, waiting, slow):
+    before = positions(coast)
+    coast.libocean.waves[0].wind_speed = 0.0
+    finish()
+    assert "no waves" in coast.libocean_coast.problem
+    assert np.array_equal(positions(coast), before)
+    bpy.context.view_layer.update()
+    coast.libocean_coast.clip_depth = 0.4  # does not begin the work anew
+    assert "no waves" in coast.libocean_coast.problem
+    assert not drafts.is_draft(coast.name_full)
+    coast.libocean.waves[0].wind_speed = 8.0
+    finish()
+    assert coast.libocean_coast.problem == ""
     drafts.allowed = False
     assert_is_sea(coast)

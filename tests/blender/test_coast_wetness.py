@@ -5,13 +5,10 @@
 import bpy
 import numpy as np
 import pytest
-from conftest import attribute, evaluated_mesh, shine, taken
+from conftest import attribute, evaluated_mesh, finish, shine, taken
 from libocean_addon.coast import land_nodes, panels
 from libocean_addon.shared import drafts
-from test_coast import CELL, COLUMNS, ROWS, add_coast, coast, library_of, sea_file  # noqa: F401
-from test_coast_steps import slow  # noqa: F401, a fixture
-from test_terrain_drafts import rest as finish
-from test_terrain_drafts import waiting  # noqa: F401, a fixture
+from test_coast import CELL, COLUMNS, ROWS, add_coast, library_of
 from test_terrain_panel import drawn_by
 
 
@@ -28,7 +25,7 @@ def assert_is_wet(ob, frame: float) -> None:
 
 
 @pytest.fixture
-def wet(coast):  # noqa: F811
+def wet(coast):
     coast.libocean_coast.use_wetness = True
     return coast
 
@@ -61,26 +58,7 @@ def test_without_it_the_land_has_no_modifier(wet):
     assert "shore_wetness" not in evaluated_mesh(wet.libocean_coast.land).attributes
 
 
-def test_a_step_is_undone_and_redone(coast):  # noqa: F811
-    bpy.ops.ed.undo_push(message="Before")
-    coast.libocean_coast.use_wetness = True
-    bpy.ops.ed.undo_push(message="After")
-    bpy.ops.ed.undo()
-    ob = bpy.data.objects["Water"]
-    assert "shore_wetness" not in evaluated_mesh(ob.libocean_coast.land).attributes
-    bpy.ops.ed.redo()
-    assert_is_wet(bpy.data.objects["Water"], 1)
-
-
-def test_a_file_is_opened_wet(wet, scene, tmp_path):
-    scene.frame_set(5)
-    path = tmp_path / "coast.blend"
-    bpy.ops.wm.save_as_mainfile(filepath=str(path))
-    bpy.ops.wm.open_mainfile(filepath=str(path))
-    assert_is_wet(bpy.data.objects["Water"], 5)
-
-
-def test_it_is_made_in_the_background(wet, waiting, slow):  # noqa: F811
+def test_it_is_made_in_the_background(wet, waiting, slow):
     before = attribute(wet.libocean_coast.land, "shore_wetness")
     wet.libocean.waves[0].wind_speed = 5.0
     assert np.array_equal(attribute(wet.libocean_coast.land, "shore_wetness"), before)
@@ -97,7 +75,7 @@ def test_a_land_that_is_deleted_takes_its_wetness_along(wet):
 
 
 @pytest.fixture
-def ground(sea_file, studio):  # noqa: F811
+def ground(sea_file, studio):
     """The node of the land's material, all of sand without the damp band, seen from above."""
     ob = add_coast(sea_file, use_material=True)
     ob.hide_render = True

@@ -8,26 +8,16 @@ import time
 import bpy
 import numpy as np
 import pytest
-from conftest import attribute, evaluated_mesh, positions
+from conftest import attribute, evaluated_mesh, positions, work_on
 from libocean_addon.bundled import libocean
 from libocean_addon.sea import live, open_sea
-from libocean_addon.sea.sea_job import SeaJob
-from libocean_addon.sea.subject import SEA
-from libocean_addon.shared import drafts, life, modifier_groups
+from libocean_addon.shared import drafts, modifier_groups
 
 
 @pytest.fixture
 def ocean():
     bpy.ops.libocean.add(kind="PATCH", preset="beaufort_6", use_material=False)
     return bpy.context.object
-
-
-@pytest.fixture
-def waiting(monkeypatch):
-    """As with a window in which somebody waits; the timer is called by hand."""
-    monkeypatch.setattr(drafts, "allowed", True)
-    yield
-    drafts.close()
 
 
 @pytest.fixture
@@ -108,18 +98,13 @@ def test_a_draft_shows_the_waves_where_they_are(scene, ocean, waiting):
     assert np.std(draft - whole) < 0.2 * np.std(whole[:, 2])
 
 
-def test_the_next_change_stops_the_work_for_the_last(scene, ocean, waiting):
+def test_foam_is_left_in_the_middle_of_its_past(ocean, waiting):
     ocean.libocean.resolution = 1024
     ocean.libocean.choppiness = 0.7
-    while drafts._running is None:
-        time.sleep(drafts.step())
-    _, job = drafts._running
+    job = work_on()
     ocean.libocean.choppiness = 0.6
     job.join()
     assert isinstance(job.failure, drafts.CancelledError)
-    rest(ocean)
-    assert open_sea.sea_of(ocean.name_full).ready[0] == open_sea.sea_of(ocean.name_full).changes
-    assert ocean.libocean.problem == ""
 
 
 @pytest.mark.parametrize("kind", ["PATCH", "HORIZON"])
@@ -145,18 +130,6 @@ def test_a_draft_has_as_many_samples_as_time_allows():
     assert pace.size == 1024
     pace.note(1024, drafts.SECONDS / 3, 1024)
     assert pace.size == 1024
-
-
-def test_a_render_is_whole_whatever_is_shown(scene, ocean, waiting):
-    scene.frame_set(50)
-    ocean.libocean.choppiness = 0.7
-    life.show_all([SEA.look_up(ocean)], scene, rendering=True)
-    foam = attribute(ocean, "foam")
-    with libocean.parse(open_sea.sea_of(ocean.name_full).handle.text) as sea:
-        want = sea.surface(49 / 24).foam
-    side = round(len(foam) ** 0.5)
-    index = (np.arange(side) - side // 2) % (side - 1)
-    assert np.abs(foam.reshape(side, side) - want[np.ix_(index, index)]).max() <= 1e-6
 
 
 def test_without_foam_nobody_pays_for_its_past(scene, ocean, past):
@@ -200,19 +173,6 @@ def test_a_frame_that_is_asked_for_by_name_is_whole(scene, ocean, waiting):
     foam = attribute(ocean, "foam").mean()
     with libocean.parse(open_sea.sea_of(ocean.name_full).handle.text) as sea:
         assert foam == pytest.approx(sea.surface(199 / 24).foam.mean(), rel=0.02)
-
-
-def test_a_lack_of_memory_is_said_in_the_panel(ocean, waiting, monkeypatch):
-    def fail(_job):
-        raise MemoryError
-
-    with monkeypatch.context() as patch:
-        patch.setattr(SeaJob, "work", fail)
-        ocean.libocean.choppiness = 0.7
-        rest(ocean)
-    assert ocean.libocean.problem == "There is not enough memory: choose fewer samples"
-    ocean.libocean.choppiness = 0.8
-    assert ocean.libocean.problem == ""
 
 
 def test_the_mesh_does_not_grow_without_being_asked(ocean):

@@ -11,7 +11,7 @@ from types import SimpleNamespace
 
 import bpy
 import pytest
-from conftest import add_ocean, factory_settings, presets_with, start_another_process
+from conftest import add_ocean, factory_settings, finish, presets_with, start_another_process
 from libocean_addon import handlers
 from libocean_addon.bundled import libocean
 from libocean_addon.look import detail, start_up
@@ -19,20 +19,6 @@ from libocean_addon.sea import hints, horizon_mesh, open_sea
 from libocean_addon.sea.resolutions import OF_SEA
 from libocean_addon.sea.subject import SEA
 from libocean_addon.shared import compat, console, drafts, life, meshes
-
-
-@pytest.fixture
-def waiting(monkeypatch):
-    """As with a window in which somebody waits; the timer is called by hand."""
-    monkeypatch.setattr(drafts, "allowed", True)
-    yield
-    drafts.close()
-
-
-def rest() -> None:
-    """Calls the timer until it has nothing more to do."""
-    while (pause := drafts.step()) is not None:
-        time.sleep(min(pause, 0.02))
 
 
 def is_whole(ob) -> bool:
@@ -59,7 +45,7 @@ def test_a_scene_begins_with_few_vertices_and_is_saved_with_fewer(waiting, small
     assert not is_whole(ocean) and drafts.is_draft(ocean.name_full)
     assert meshes.is_draft(ocean.data)
     assert len(ocean.data.vertices) <= horizon_mesh.DRAFT_VERTICES
-    rest()
+    finish()
     assert is_whole(ocean) and not meshes.is_draft(ocean.data)
     assert not drafts.is_draft(ocean.name_full)
     path = tmp_path / "sea.blend"
@@ -104,97 +90,15 @@ def test_a_render_in_a_thread_leaves_the_data_to_the_main_thread(waiting, small,
     assert "draft" not in capsys.readouterr().out
 
 
-def test_a_render_without_a_timer_says_that_it_shows_a_draft(waiting, small, monkeypatch, capsys):
-    bpy.ops.libocean.add(kind="HORIZON", use_material=False)
-    monkeypatch.setattr(drafts, "_PATIENCE", 0.05)
-    render = threading.Thread(target=handlers.complete)
-    render.start()
-    render.join()
-    assert "the render shows a draft of the sea" in capsys.readouterr().out
-
-
 def test_a_frame_that_blender_shows_again_stays_a_draft(scene, waiting, small):
     """An edit of a driver has Blender show its frame once more, without any user."""
     ocean = add_ocean(64, sea=PAST, kind="PATCH", use_material=False)
-    rest()
+    finish()
     ocean.libocean.choppiness = 0.7
     life.show_all([SEA.look_up(ocean)], scene, passing=True)
     assert not is_whole(ocean) and drafts.progress(ocean.name_full) is not None
     scene.frame_set(scene.frame_current + 30)
     assert is_whole(ocean)
-
-
-def start_job(ob):
-    """Returns the running job of an object's sea."""
-    while drafts.at_work() is None:
-        time.sleep(drafts.step())
-    name, job = drafts.at_work()
-    assert name == ob.name_full
-    return job
-
-
-@pytest.fixture
-def slow(monkeypatch):
-    """Makes no job end before it is cancelled or `slow` is set."""
-    go_on = threading.Event()
-    run = drafts.Job._run
-
-    def wait_first(job) -> None:
-        while not job.is_cancelled() and not go_on.wait(0.005):
-            pass
-        run(job)
-
-    monkeypatch.setattr(drafts.Job, "_run", wait_first)
-    yield go_on
-    go_on.set()
-
-
-def test_the_work_goes_on_while_something_else_changes(scene, waiting, small, slow):
-    ocean = add_ocean(64, kind="PATCH", use_material=False)
-    job = start_job(ocean)
-    bpy.ops.object.empty_add()
-    life.show_all([SEA.look_up(ocean)], scene)  # as the handler does after any change of the scene
-    assert not job.is_cancelled() and drafts.at_work()[1] is job
-    ocean.libocean.choppiness = 0.7
-    assert job.is_cancelled()
-
-
-def test_the_work_for_a_deleted_object_ends(waiting, small, slow):
-    ocean = add_ocean(64, kind="PATCH", use_material=False)
-    job = start_job(ocean)
-    bpy.data.objects.remove(ocean)
-    bpy.context.view_layer.update()
-    assert job.is_cancelled()
-    rest()
-    assert drafts.at_work() is None
-
-
-def test_the_work_can_be_stopped_and_finished_after_all(scene, waiting, small, slow):
-    ocean = add_ocean(64, kind="PATCH", use_material=False)
-    job = start_job(ocean)
-    assert drafts.line() == ("Ocean: foam 0%", "Ocean")
-    assert bpy.ops.libocean.stop_draft(name="Ocean") == {"FINISHED"}
-    job.join()
-    while drafts.at_work() is not None:
-        drafts.step()
-    life.show_all([SEA.look_up(ocean)], scene)  # without a change it stays stopped
-    assert drafts.is_stopped("Ocean") and drafts.progress("Ocean") is None
-    assert not is_whole(ocean)
-    slow.set()
-    assert bpy.ops.libocean.finish_draft(name="Ocean") == {"FINISHED"}
-    rest()
-    assert is_whole(ocean) and not drafts.is_draft("Ocean")
-
-
-def test_a_file_that_is_opened_has_no_stopped_work(waiting, small, tmp_path):
-    add_ocean(64, kind="PATCH", use_material=False)
-    bpy.ops.libocean.stop_draft(name="Ocean")
-    assert drafts.is_stopped("Ocean")
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "sea.blend"))
-    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "sea.blend"))
-    assert drafts.progress("Ocean") is not None
-    rest()
-    assert is_whole(bpy.data.objects["Ocean"])
 
 
 # Without a window --------------------------------------------------------------------

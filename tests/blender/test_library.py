@@ -7,7 +7,7 @@ import shutil
 import bpy
 import numpy as np
 import pytest
-from conftest import add_ocean, factory_settings, in_another_process, positions, rest
+from conftest import add_ocean, factory_settings, in_another_process, positions, reopen, rest
 
 
 @pytest.fixture
@@ -39,8 +39,7 @@ def test_a_linked_object_shows_its_sea(asset, tmp_path):
     assert np.abs(positions(ob) - want).max() <= 1e-6
     bpy.context.scene.frame_set(30)
     assert np.abs(positions(ob) - want).max() > 0.1
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
-    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "shot.blend"))
+    reopen(tmp_path / "shot.blend")
     bpy.context.scene.frame_set(10)
     assert np.abs(positions(bpy.data.objects["Ocean"]) - want).max() <= 1e-6
 
@@ -106,8 +105,7 @@ def overriding(path):
 
 
 def opened_again(tmp_path, name: str = "Ocean"):
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
-    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "shot.blend"))
+    reopen(tmp_path / "shot.blend")
     ob = next(ob for ob in bpy.data.objects if ob.override_library and ob.name == name)
     bpy.context.view_layer.objects.active = ob
     return ob

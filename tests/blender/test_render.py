@@ -55,16 +55,6 @@ def test_the_render_resolution_is_what_is_rendered(scene, shot, tmp_path):
     assert not np.array_equal(coarse, fine)
 
 
-def test_every_frame_of_an_animation_shows_its_own_time(scene, shot, tmp_path):
-    scene.frame_start, scene.frame_end = 1, 3
-    scene.render.filepath = str(tmp_path / "frame_####.exr")
-    bpy.ops.render.render(animation=True)
-    for frame in (1, 2, 3):
-        scene.frame_set(frame)
-        still = rendered(scene, tmp_path / f"still_{frame}.exr")
-        assert np.array_equal(pixels(tmp_path / f"frame_{frame:04}.exr"), still)
-
-
 def test_persistent_data_shows_every_frame_its_own_time(scene, shot, tmp_path):
     scene.render.use_persistent_data = True
     scene.frame_start, scene.frame_end = 1, 3

@@ -279,7 +279,8 @@ def test_volumes_of_another_sea_stop_it(scene, tmp_path, capfd, monkeypatch):
         "_by_module",
         lambda _job, _sea, _frame, path, strings, _period: path.write_text(json.dumps(strings)),
     )
-    ob = shot_of(scene, add_ocean(32, kind="PATCH", preset="beaufort_6", use_material=False))
+    ob = add_ocean(32, kind="PATCH", preset="beaufort_6", use_material=False)
+    shot_of(scene, ob)
     scene.render.resolution_x = scene.render.resolution_y = 4
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
     scene.frame_start, scene.frame_end = FIRST, LAST

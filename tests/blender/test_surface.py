@@ -169,17 +169,6 @@ def test_a_mesh_finer_or_coarser_than_its_maps(scene, load):
     assert np.abs(positions(ob) - rest(ob) - want).max() <= limit
 
 
-def test_copies_show_seas_of_their_own(scene, load):
-    ob, sea = patch(load)
-    twin = ob.copy()
-    bpy.context.collection.objects.link(twin)
-    bpy.context.view_layer.update()
-    other = load(twin, seed=2)
-    scene.frame_set(10)
-    assert_patch(ob, sea, 9 / 24)
-    assert_patch(twin, other, 9 / 24)
-
-
 def test_copies_that_share_a_mesh_part_when_their_periods_do(scene, load):
     ob, sea = patch(load)
     twin = ob.copy()
@@ -191,39 +180,6 @@ def test_copies_that_share_a_mesh_part_when_their_periods_do(scene, load):
     scene.frame_set(10)
     assert_patch(ob, sea, 9 / 24)
     assert_patch(twin, other, 9 / 24)
-
-
-def test_undo_and_redo_bring_the_surface_back(scene, load):
-    ob, sea = patch(load)
-    scene.frame_set(10)
-    bpy.ops.ed.undo_push(message="patch")
-    ob.libocean.seed = 7
-    bpy.ops.ed.undo_push(message="seed")
-    changed = positions(ob)
-    bpy.ops.ed.undo()
-    assert_patch(bpy.data.objects["Ocean"], sea, 9 / 24)
-    bpy.ops.ed.redo()
-    assert np.array_equal(positions(bpy.data.objects["Ocean"]), changed)
-
-
-def test_a_saved_file_opens_with_the_same_surface(scene, load, tmp_path):
-    ob, sea = patch(load)
-    scene.frame_set(10)
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
-    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "shot.blend"))
-    assert_patch(bpy.data.objects["Ocean"], sea, 9 / 24)
-
-
-def test_an_add_on_that_comes_after_the_file_shows_its_sea(scene, load, tmp_path):
-    """As with `blender --background FILE --addons libocean_addon --python SCRIPT`."""
-    ob, sea = patch(load)
-    scene.frame_set(10)
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
-    bpy.ops.preferences.addon_disable(module="libocean_addon")
-    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "shot.blend"))
-    assert np.abs(positions(bpy.data.objects["Ocean"])[:, 2]).max() == 0.0
-    bpy.ops.preferences.addon_enable(module="libocean_addon")
-    assert_patch(bpy.data.objects["Ocean"], sea, 9 / 24)
 
 
 def test_images_that_blender_packed_at_the_end_are_let_go(scene, load, tmp_path):
@@ -254,22 +210,6 @@ def test_a_mask_keeps_the_mesh_where_it_is(scene, load):
     got = (positions(ob) - rest(ob))[: 65 * 32]
     assert np.abs(got - want).max() <= 1e-5 * significant_wave_height(sea)
     assert attribute(ob, "foam")[65 * 32 :].max() == 0
-
-
-def test_keyframes_and_drivers_move_the_sea(scene, load):
-    ob, sea = patch(load)
-    settings = ob.libocean
-    settings.choppiness = 0.0
-    settings.keyframe_insert("choppiness", frame=1)
-    settings.choppiness = 1.0
-    settings.keyframe_insert("choppiness", frame=25)
-    curve = ob.driver_add("libocean.waves[0].wind_direction").driver
-    curve.expression = "frame * 2"
-    scene.frame_set(25)
-    sea.set("wind_direction", 50)
-    assert_patch(ob, sea, 1.0)
-    scene.frame_set(1)
-    assert np.abs((positions(ob) - rest(ob))[:, :2]).max() == 0
 
 
 def test_a_take_is_played_kept_and_let_go(scene, load, tmp_path):

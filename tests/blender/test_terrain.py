@@ -268,34 +268,6 @@ def test_breaks_and_layers_come_and_go(terrain):
     assert_is_land(terrain)
 
 
-BAD = {
-    "beta": "libocean = 1\n[terrain]\nbeta = 9\n",
-    "sea": "libocean = 1\n[grid]\n",
-    "hills": "libocean = 1\n[terrain]\nhills = 3\n",
-    "libocean": "",
-}
-
-
-@pytest.mark.parametrize("said", BAD)
-def test_a_bad_file_is_refused_and_changes_nothing(terrain, tmp_path, said):
-    path = tmp_path / "bad.toml"
-    path.write_text(BAD[said])
-    before = parameter_values.values_of(terrain.libocean_terrain)
-    with pytest.raises(RuntimeError, match=said):
-        bpy.ops.libocean.load_terrain(filepath=str(path))
-    assert parameter_values.values_of(terrain.libocean_terrain) == before
-
-
-def test_what_the_library_refuses_is_said_and_the_land_stays(terrain):
-    before = positions(terrain)
-    settings = terrain.libocean_terrain
-    settings.breaks = [20.0, 2.0, 90.0, 2.5, *[0.0] * 12]
-    assert "Breaks" in settings.problem and "longest" in settings.problem
-    assert np.array_equal(positions(terrain), before)
-    settings.breaks = [0.0] * 16
-    assert settings.problem == ""
-
-
 def test_every_parameter_is_a_property(terrain):
     bpy.ops.libocean.add_terrain_layer()
     for entry in PARAMETERS.rows:
