@@ -22,7 +22,7 @@ FRAMES = (1, 2, 4)
 
 
 @pytest.fixture
-def shot(coast, scene, tmp_path):  # noqa: F811
+def shot(coast, scene, tmp_path):
     """A coast in a saved file, with all that a bake has."""
     coast.libocean_coast.use_wetness = True
     scene.frame_start, scene.frame_end = 1, 4
@@ -54,29 +54,6 @@ def folder_of(ob):
     return bake_record.place_of(ob).path
 
 
-def test_a_bake_plays_what_was_live_to_the_bit(shot):
-    live = at_frames(shot)
-    assert not np.array_equal(live[0]["place"], live[2]["place"])
-    assert bpy.ops.libocean.bake() == {"FINISHED"}
-    assert shot.libocean.use_bake and bake_record.playing(shot)
-    assert_same(live, at_frames(shot))
-    shot.libocean.use_bake = False
-    assert not bake_record.playing(shot)
-    assert_same(live, at_frames(shot))
-    shot.libocean.use_bake = True
-    assert_same(live, at_frames(shot))
-
-
-def test_a_copy_plays_the_bake_too(shot):
-    assert bpy.ops.libocean.bake() == {"FINISHED"}
-    other = shot.copy()
-    bpy.context.collection.objects.link(other)
-    bpy.context.view_layer.update()
-    for ob in (shot, other):
-        assert bake_record.shown_image(ob) is not None
-    assert np.array_equal(positions(other), positions(shot))
-
-
 def test_the_files_are_those_of_the_command(shot, tmp_path):
     command = os.environ.get("OCEAN")
     if not command:
@@ -103,27 +80,6 @@ def test_the_files_are_those_of_the_command(shot, tmp_path):
             image.pixels.foreach_get(pixels)
             values.append(pixels)
         assert np.abs(values[0] - values[1]).max() <= 1e-5, field
-
-
-def test_files_that_are_whole_are_kept_and_others_are_mended(shot):
-    bpy.ops.libocean.bake()
-    folder, stem = folder_of(shot), shot.libocean.bake.stem
-    paths = sorted(folder.glob("*.exr"))
-    assert len(paths) == 6 * 9
-    whole = {path: path.read_bytes() for path in paths}
-    times = {path: path.stat().st_mtime_ns for path in paths}
-    exr_files.path(folder, stem, "depth", 3).write_bytes(b"")
-    cut = exr_files.path(folder, stem, "foam", 4)
-    cut.write_bytes(cut.read_bytes()[:-200])
-    exr_files.path(folder, stem, "wetness", 5).unlink()
-    assert bpy.ops.libocean.bake() == {"FINISHED"}
-    assert {path: path.read_bytes() for path in paths} == whole
-    changed = [path.name for path in paths if path.stat().st_mtime_ns != times[path]]
-    assert changed == [
-        f"{stem}.depth.0003.exr",
-        f"{stem}.foam.0004.exr",
-        f"{stem}.wetness.0005.exr",
-    ]
 
 
 def test_a_bake_that_is_stopped_goes_on(shot, monkeypatch):
@@ -227,30 +183,6 @@ def test_keyframes_are_baked(shot, scene):
     live = at_frames(shot)
     assert bpy.ops.libocean.bake() == {"FINISHED"}
     assert_same(live, at_frames(shot))
-
-
-def test_freeing_gives_the_live_coast_back(shot):
-    live = at_frames(shot)
-    bpy.ops.libocean.bake()
-    folder = folder_of(shot)
-    assert bpy.ops.libocean.free_bake(delete_files=True) == {"FINISHED"}
-    assert not folder.exists() and not bake_record.exists(shot)
-    assert_same(live, at_frames(shot))
-
-
-def test_a_step_is_undone_and_redone(shot):
-    bpy.ops.ed.undo_push(message="Before")
-    bpy.ops.libocean.bake()
-    bpy.ops.ed.undo_push(message="After")
-    want = at_frames(shot)
-    bpy.ops.ed.undo()
-    ob = bpy.data.objects["Water"]
-    assert not ob.libocean.use_bake and not bake_record.playing(ob)
-    assert_same(want, at_frames(ob))
-    bpy.ops.ed.redo()
-    ob = bpy.data.objects["Water"]
-    assert bake_record.playing(ob)
-    assert_same(want, at_frames(ob))
 
 
 WITHOUT = """
