@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "bed_points.hpp"
 #include "commands.hpp"
@@ -69,15 +70,18 @@ class QueryRun {
         }
         Ocean ocean(sea_, {.threads = context_.options.threads,
                            .foam_progress = foam_progress_on(context_.console)});
-        write(std::string(kHeader) + (options_.orbital_z ? kOrbitalHeader : "") +
-              (table.has("name") ? ",name\n" : "\n"));
+        // The header waits for the first rows, whose query may be refused.
+        std::string text = std::string(kHeader) + (options_.orbital_z ? kOrbitalHeader : "") +
+                           (table.has("name") ? ",name\n" : "\n");
         for (std::size_t first = 0; first < table.size(); first += kBatch) {
             const std::size_t count = std::min(kBatch, table.size() - first);
             const auto names = table.has("name") ? table.texts("name").subspan(first, count)
                                                  : std::span<const std::string>();
-            write(rows(ocean, table.numbers("x").subspan(first, count),
-                       table.numbers("y").subspan(first, count), names));
+            text += rows(ocean, table.numbers("x").subspan(first, count),
+                         table.numbers("y").subspan(first, count), names);
+            write(std::exchange(text, ""));
         }
+        if (!text.empty()) write(text);  // there are no points
         if (!options_.output.empty()) write_output(context_.interrupts, options_.output, text_);
         if (folded_ > 0) {
             context_.console.warning(format_text(
