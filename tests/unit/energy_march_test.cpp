@@ -387,8 +387,10 @@ TEST(EnergyMarch, AThinWallShadowsAsAThickOneDoesFromAnyDirection) {
     struct Case {
         double cell, turn;
     };
-    for (const auto& [cell, turn] :
+    for (const Case& wall_case :
          {Case{4.0, 0.0}, {4.0, 20.0}, {4.0, 70.0}, {2.0, 45.0}, {8.0, 20.0}}) {
+        // Lambdas of clang 14 capture no structured bindings.
+        const double cell = wall_case.cell, turn = wall_case.turn;
         const double c = std::cos(turn * kDegree), s = std::sin(turn * kDegree);
         const int samples = static_cast<int>(640.0 / cell) + 1;
         const DirectionalSpectrum sea = make_sea({{.direction = turn * kDegree, .spread = 5.0}});
