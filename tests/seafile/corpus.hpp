@@ -22,7 +22,7 @@
 
 namespace ocean::test {
 
-/// Whether tests print what readers give, for new rows of a table.
+/// If true, tests print what readers give: the author of a new row copies it from there.
 inline const bool kPrints = std::getenv("OCEAN_CORPUS_PRINT") != nullptr;
 
 /// Returns the bytes that a text of a table stands for: U+00E9 for the byte E9.

@@ -44,7 +44,7 @@ constexpr Part<double (*)(const RecordSummary&)> kSums[] = {
     {"from", [](const RecordSummary& s) { return coming_from(s.mean_direction / kDegree); }, 1e-9},
     {"spread", [](const RecordSummary& s) { return s.directional_spread / kDegree; }, 1e-9}};
 
-/// What a record should be: the first of two tables that has a key says it.
+/// The expected record: a key has the value of the first of two tables that holds it.
 class Expected {
   public:
     Expected(const toml::table* own, const toml::table* base, const toml::table& file)

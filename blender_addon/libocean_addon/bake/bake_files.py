@@ -34,10 +34,6 @@ class Fault(enum.Enum):
     """Its header names no sea: an older or another program wrote the file. Such files play."""
 
 
-STOPS = (Fault.MISSING, Fault.BROKEN, Fault.FOREIGN)
-"""The faults that stop a render."""
-
-
 def sea_mark(sea: str) -> str:
     """Returns a short text that stands for a resolved sea file."""
     return hashlib.sha256(sea.encode()).hexdigest()[:12]

@@ -85,10 +85,6 @@ class Family:
         own = [m for m in found if ob.override_library is None or not m.is_override_data]
         return own or found
 
-    def live_modifiers(self, ob) -> list:
-        """Returns the modifiers of an object that play no bake."""
-        return [m for m in self.modifiers(ob) if not is_baked(m.node_group)]
-
     def objects(self) -> list[bpy.types.Object]:
         """Returns every object with such a modifier, linked ones first. Stand-ins in no scene, of
         an asset library that is open, are left out: they show nothing."""

@@ -94,20 +94,18 @@ float MarchLand::height(int i, int j, double x, double y) const {
                         : d + (1.0f - u) * (c - d) + (1.0f - v) * (b - d);
 }
 
-bool MarchLand::is_land(const std::array<double, 2>& place) const {
+float MarchLand::height_at(const std::array<double, 2>& place) const {
     const auto [x, y] = in_samples(place);
     const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
-    return has_shore(i, j) && height(i, j, x, y) >= 0.0f;
+    return has_shore(i, j) ? height(i, j, x, y) : std::numeric_limits<float>::lowest();
 }
 
-float MarchLand::passing_at(const std::array<double, 2>& place) const {
-    const auto [x, y] = in_samples(place);
-    const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
-    return has_shore(i, j) ? passing(double{height(i, j, x, y)}) : 1.0f;
+bool MarchLand::is_land(const std::array<double, 2>& place) const {
+    return height_at(place) >= 0.0f;
 }
 
 bool MarchLand::parts(const std::array<double, 2>& from, const std::array<double, 2>& to) const {
-    return through(from, to) < std::min(passing_at(from), passing_at(to));
+    return through(from, to) < passing(double{std::max(height_at(from), height_at(to))});
 }
 
 /// The bed is straight between the edges of triangles, so that its heights at the edges suffice.

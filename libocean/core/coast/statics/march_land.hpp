@@ -43,8 +43,9 @@ class MarchLand {
     static constexpr float kDeepEnough = -0.15f;  // passing() is 1 below it [m]
 
     std::array<double, 2> in_samples(const std::array<double, 2>& place) const;
-    /// Returns the share of the energy that the bed at a place [m] lets pass.
-    float passing_at(const std::array<double, 2>& place) const;
+    /// Returns the height of the triangles at a place [m], and far below still water where no shore
+    /// is near.
+    float height_at(const std::array<double, 2>& place) const;
     /// Returns the height of the triangles at a place within square (i, j) [m].
     float height(int i, int j, double x, double y) const;
     float at(int i, int j) const;
