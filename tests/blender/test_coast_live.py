@@ -117,11 +117,13 @@ def test_new_water_comes_before_the_past_of_its_foam(coast, waiting, slow):
 def test_the_way_of_the_waves_is_followed_and_stopped(coast, waiting, slow, monkeypatch):
     """The library says how far it is, and ends when the work is stopped meanwhile."""
     seen = []
+    begun, stopped = threading.Event(), threading.Event()
 
     def watch(job, done, total):
         if total > 0:
             seen.append((done, total))
-            drafts.stop(coast.name_full)
+            begun.set()
+            stopped.wait(60)
         unwatched(job, done, total)
 
     unwatched = drafts.Job._watch
@@ -130,6 +132,9 @@ def test_the_way_of_the_waves_is_followed_and_stopped(coast, waiting, slow, monk
     before = positions(coast)
     coast.libocean.level = 0.3
     job = work_on()
+    assert begun.wait(60)
+    drafts.stop(coast.name_full)  # of the main thread: no other may touch Blender's windows
+    stopped.set()
     job.join()
     assert len(seen) == 1 and seen[0][1] == 1000
     assert isinstance(job.failure, drafts.CancelledError)

@@ -349,13 +349,14 @@ def test_messages_speak_of_the_panels_fields(ocean, tmp_path):
     "name", ["/grid.resolution", "/waves.0.fetch = 5", "/nowhere surface.x", "waves.0.fetch = 5"]
 )
 def test_messages_take_no_file_for_a_field(ocean, name):
-    """A file may be named as a parameter is, or as a whole message."""
-    settings = ocean.libocean
+    """A file may be named as a parameter is, or as a whole message. A sea that is open looks where
+    Blender was started, and says so."""
+    settings, path = ocean.libocean, Path.cwd() / name
     settings.take = name
-    assert settings.problem == f'Take = "{name}": {name}: no such file'
+    assert settings.problem == f'Take = "{name}": {path}: no such file'
     settings.take = ""
     settings.waves[0].spectrum, settings.waves[0].file = "measured", name
-    assert settings.problem == f'Spectrum file = "{name}": {name}: no such file'
+    assert settings.problem == f'Spectrum file = "{name}": {path}: no such file'
     bpy.ops.libocean.add_waves()  # the sea is opened anew, from a text
     assert settings.problem == f'Spectrum file (1) = "{name}": {name}: no such file'
 
