@@ -45,12 +45,12 @@ ValueTable::ValueTable(Parameters parameters) : parameters_(std::move(parameters
         entries_.push_back({ref.info->path(ref.item), text, "", 0, 0});
         refs_.push_back(ref);
     };
-    for (const ParameterInfo& info : parameter_table()) {
-        if (!info.in_list()) add({&info, 0});
-    }
-    for (std::size_t wave = 0; wave < parameters_.waves.size(); ++wave) {
-        for (const ParameterInfo& info : parameter_table()) {
-            if (info.in_list()) add({&info, wave});
+    for (const TableSection& section : sea_table().sections) {
+        for (std::size_t item = 0; item < items_of(sea_table(), section.name, parameters_);
+             ++item) {
+            for (const ParameterInfo& info : parameter_table()) {
+                if (info.section == section.name) add({&info, item});
+            }
         }
     }
     for (const AppValue& value : kAppValues) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "ocean/internal/crests.hpp"
 #include "ocean/internal/foam.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/sea_bytes.hpp"
@@ -77,7 +78,7 @@ void Chain::make_modes(ThreadPool& pool, StageRuns& runs) {
     }
     Modes& modes = *modes_.own();
     modes.revision = {};  // while they are neither the old ones nor the new
-    lattice_->set_waves(spectrum, strongest_wind(parameters_).value_or(0.0), pool, modes);
+    make_waves(*lattice_, spectrum, parameters_, pool, modes);
     modes.revision = revision(Stage::modes);
 }
 

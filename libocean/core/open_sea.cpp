@@ -12,6 +12,7 @@
 
 #include "chain.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/crests.hpp"
 #include "ocean/internal/map_request.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/sea_bytes.hpp"
@@ -147,6 +148,7 @@ SeaState OpenSea::state() {
     const DirectionalSpectrum& spectrum = this->spectrum(sea_.parameters.time.start);
     SeaState state = sea_state(spectrum, now(), pool_);
     add_whitecaps(current_modes(), now().surface, state);
+    add_crests(chain_->spectrum(pool_, runs_), now(), pool_, state);
     return state;
 }
 

@@ -71,7 +71,7 @@ class ValueList {
         std::string out = "libocean = " + std::to_string(kSeaFileVersion) + "\n";
         for (const TableSection& section : sea_table().sections) {
             if (section.is_list()) {
-                out += wave_systems(section.name);
+                out += list_items(section.name);
             } else if (const std::string lines = section_lines(section.name, 0); !lines.empty()) {
                 out += "\n[" + std::string(section.name) + "]\n" + lines;
             }
@@ -86,7 +86,8 @@ class ValueList {
     std::size_t system_of_record(std::string_view name) {
         for (std::size_t system = 0; system < kMaxWaveSystems; ++system) {
             if (name != record_name(system)) continue;
-            systems_ = std::max(systems_, system + 1);
+            std::size_t& systems = items_["waves"];
+            systems = std::max(systems, system + 1);
             return system;
         }
         refuse("name", name,
@@ -98,13 +99,19 @@ class ValueList {
     void add_parameter(const NamedValue& given) {
         const ParameterRef ref = find_parameter(given.name);
         if (ref.info->in_list()) {
-            if (ref.item >= kMaxWaveSystems) refuse_item(*ref.info, ref.item, kMaxWaveSystems);
-            systems_ = std::max(systems_, ref.item + 1);
+            const std::size_t max = section_of(*ref.info).max_items;
+            if (ref.item >= max) refuse_item(*ref.info, ref.item, max);
+            std::size_t& items = items_[ref.info->section];
+            items = std::max(items, ref.item + 1);
         }
         if (!is_word(*ref.info) && given.value.find_first_of("\r\n") != std::string_view::npos) {
             refuse(given.name, given.value, "one line");
         }
         values_[{ref.info, ref.item}] = given.value;
+    }
+
+    static const TableSection& section_of(const ParameterSpec& spec) {
+        return *std::ranges::find(sea_table().sections, spec.section, &TableSection::name);
     }
 
     static bool is_word(const ParameterSpec& spec) {
@@ -123,8 +130,10 @@ class ValueList {
         if (found == values_.end()) return "";
         const std::string_view value = found->second;
         if ((value.empty() && row.type() != "text") || is_neutral(row, value)) return "";
-        return std::string(row.key) + " = " +
-               (is_word(row) ? toml_string(value) : std::string(value)) + "\n";
+        const bool is_text =
+            is_word(row) || (row.type() == "wave_height" && !text::parse_number(value));
+        return std::string(row.key) + " = " + (is_text ? toml_string(value) : std::string(value)) +
+               "\n";
     }
 
     std::string section_lines(std::string_view section, std::size_t item) const {
@@ -135,12 +144,15 @@ class ValueList {
         return out;
     }
 
-    std::string wave_systems(std::string_view section) const {
+    std::string list_items(std::string_view section) const {
         std::string out;
-        for (std::size_t system = 0; system < systems_; ++system) {
-            out += "\n[[" + std::string(section) + "]]\n" + section_lines(section, system);
-            const auto record = records_.find(system);
-            if (record != records_.end()) out += "\n" + std::string(record->second);
+        const auto items = items_.find(section);
+        for (std::size_t item = 0; items != items_.end() && item < items->second; ++item) {
+            out += "\n[[" + std::string(section) + "]]\n" + section_lines(section, item);
+            const auto record = records_.find(item);
+            if (section == "waves" && record != records_.end()) {
+                out += "\n" + std::string(record->second);
+            }
         }
         return out;
     }
@@ -149,7 +161,7 @@ class ValueList {
     std::map<std::size_t, std::string_view> records_;
     std::string_view take_;
     std::string_view bed_;
-    std::size_t systems_ = 0;
+    std::map<std::string_view, std::size_t> items_;  // of each section that is a list
 };
 
 }  // namespace
@@ -158,7 +170,7 @@ std::vector<NamedText> sea_values(const Sea& sea) {
     std::vector<NamedText> values;
     const Parameters& parameters = sea.parameters;
     for (const TableSection& section : sea_table().sections) {
-        const std::size_t items = section.is_list() ? parameters.waves.size() : 1;
+        const std::size_t items = items_of(sea_table(), section.name, parameters);
         for (std::size_t item = 0; item < items; ++item) {
             for (const ParameterInfo& row : parameter_table()) {
                 if (row.section != section.name) continue;

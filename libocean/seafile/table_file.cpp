@@ -173,6 +173,10 @@ ParameterValue TableFile::value_for(const ParameterSpec& spec, std::size_t item,
         if (auto pairs = pairs_of(node)) return *std::move(pairs);
         throw wrong("is not a list of pairs, [[a, b], [c, d]]");
     }
+    if (type == "wave_height") {
+        if (const std::optional<double> number = number_of(node)) return *number;
+        if (!node.is_string()) throw wrong("is not a height");
+    }
     if (!node.is_string()) throw wrong("is not a text in quotes");
     return node.as_string()->get();
 }

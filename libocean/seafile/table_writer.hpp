@@ -40,14 +40,6 @@ std::string section_lines(const Table<Model>& table, std::string_view section, s
     return out;
 }
 
-template <typename Model>
-std::size_t items_of(const Table<Model>& table, std::string_view section, const Model& model) {
-    for (const TableRow<Model>& row : table.rows) {
-        if (row.section == section) return row.member.items(model);
-    }
-    return 0;
-}
-
 /// Returns "libocean = 1", then each section of the table that has a line, and each item of a list.
 template <typename Model>
 std::string table_text(const Table<Model>& table, const Model& model,

@@ -41,6 +41,29 @@ def load(tmp_path):
     return put
 
 
+def test_crests_of_a_file_are_shown_kept_and_saved(load, tmp_path):
+    """The panel does not show them yet; nothing that it does loses them."""
+    ob = add_ocean(64, kind="PATCH")
+    path = tmp_path / "hero.toml"
+    crest = '[[crests]]\ntime = 3.0\nx = 40.0\ny = 50.0\nheight = "1.2 Hs"\n'
+    path.write_text(SEA.format(period=ROUND, seed=1) + crest)
+    bpy.context.view_layer.objects.active = ob
+    assert bpy.ops.libocean.load_sea(filepath=str(path)) == {"FINISHED"}
+    ob.libocean.choppiness = 0.8
+    saved = tmp_path / "saved.toml"
+    assert bpy.ops.libocean.save_sea(filepath=str(saved)) == {"FINISHED"}
+    assert crest in saved.read_text()
+    with libocean.open(saved) as sea:
+        (told,) = sea.state["crests"]
+        (there,) = sea.query([(40.0, 50.0)], 3.0, foam=False)
+        assert there[2] == pytest.approx(told["height"], rel=1e-2)
+    name, blend = ob.name, tmp_path / "hero.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(blend))
+    bpy.ops.wm.open_mainfile(filepath=str(blend))
+    settings = bpy.data.objects[name].libocean
+    assert "crests.0.height" in settings.crest_values and settings.problem == ""
+
+
 def significant_wave_height(sea) -> float:
     return sea.state["significant_wave_height"]["resolved"]
 

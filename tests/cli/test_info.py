@@ -320,3 +320,58 @@ def test_plot_shows_as_much_resolved_as_asked_energy(ocean):
     orange = (panel[..., 0] - panel[..., 2]) > 30
     resolved = (panel.shape[0] - orange.argmax(axis=0))[orange.any(axis=0)].sum()
     assert resolved / asked == pytest.approx(1.0, abs=0.1)
+
+
+HERO = """libocean = 1
+[grid]
+resolution = 64
+patch_size = 400.0
+[[waves]]
+spectrum = "jonswap"
+significant_wave_height = 3.0
+peak_period = 8.0
+wind_speed = 12.0
+[[crests]]
+time = 7.5
+x = 120.0
+y = 250.0
+height = "1.3 Hs"
+"""
+
+
+def test_a_crest_on_cue_is_told_and_found_where_it_was_asked_for(ocean):
+    ocean.write("hero.toml", HERO)
+    state = state_of(ocean, "hero.toml")
+    (crest,) = state["crests"]
+    assert crest["height"] == pytest.approx(3.9, abs=1e-3)
+    assert 1e5 < crest["one_in_forristall"] < crest["one_in_rayleigh"] < 1e6
+    assert any("1.30 Hs: one crest in" in warning for warning in state["warnings"])
+    text = ocean.good("info", "hero.toml")
+    assert re.search(r"Crest +3\.9 m, 1\.3 Hs, at \(120, 250\) m and 7\.5 s", text)
+    ocean.write("points.csv", "x,y\n120,250\n")
+    table = columns(
+        ocean.good("query", "hero.toml", "--time", "7.5", "--points", "points.csv", "--exact")
+    )
+    assert table["height"][0] == pytest.approx(3.9, abs=1e-4)
+
+    window = ("--find-crest", "--from", "0", "--to", "20")
+    found = json.loads(ocean.good("info", "hero.toml", "--json", *window))
+    assert found["height"] == pytest.approx(3.9, rel=0.03)
+    assert math.hypot(found["x"] - 120.0, found["y"] - 250.0) < 8.0
+    assert found["time"] == pytest.approx(7.5, abs=0.5)
+    elsewhere = json.loads(
+        ocean.good("info", "hero.toml", "--json", *window, "--box", "220,0,320,100")
+    )
+    assert elsewhere["height"] < 3.0 and 220.0 <= elsewhere["x"] <= 320.0
+    assert "Highest crest" in ocean.good("info", "hero.toml", *window)
+    ocean.write("swell.toml", SWELL)
+    assert "crests" not in state_of(ocean, "swell.toml"), "a sea without them"
+
+
+def test_a_crest_has_the_same_bytes_in_every_shard(ocean):
+    ocean.write("hero.toml", HERO)
+    bake = ("bake", "hero.toml", "--frames", "1-4", "--products", "displacement", "-o")
+    ocean.good(*bake, "whole/s.####.exr", "--threads", "3")
+    for shard in ("2/2", "1/2"):
+        ocean.good(*bake, "parts/s.####.exr", "--shard", shard, "--threads", "1")
+    assert ocean.hashes("whole") == ocean.hashes("parts")

@@ -228,9 +228,17 @@ def test_presets_and_parameters_are_listed():
     assert {f"beaufort_{n}" for n in range(13)} <= set(names) and "seed_lantz" in names
     with libocean.preset("beaufort_6") as sea:
         assert 1.0 < sea.state["significant_wave_height"]["asked"] < 6.0
+        text = sea.text + "\n[[crests]]\ntime = 5.0\n"
+    with libocean.parse(text) as sea:
         for parameter in libocean.parameters():
-            section = parameter["section"].replace("waves", "waves.0")
+            section = {"waves": "waves.0", "crests": "crests.0"}.get(
+                parameter["section"], parameter["section"]
+            )
             sea.get(f"{section}.{parameter['key']}")
+        assert sea.get("crests.0.height") == "1 Hs"
+        sea.set("crests.0.height", 3.5)
+        (there,) = sea.query([(0.0, 0.0)], 5.0, foam=False)
+        assert abs(there[2] - 3.5) < 5e-3, "the open sea follows its crest"
 
 
 def test_true_and_false_pass_as_the_library_spells_them():

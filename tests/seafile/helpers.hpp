@@ -105,12 +105,12 @@ inline bool same_value(const ParameterValue& a, const ParameterValue& b) {
 /// Returns the first parameter in which two seas differ in any bit; empty if they are equal.
 inline std::string difference(const Sea& a, const Sea& b) {
     if (a.parameters.waves.size() != b.parameters.waves.size()) return "waves";
+    if (a.parameters.crests.size() != b.parameters.crests.size()) return "crests";
     for (const ParameterInfo& info : parameter_table()) {
-        const std::size_t systems = info.in_list() ? a.parameters.waves.size() : 1;
-        for (std::size_t wave = 0; wave < systems; ++wave) {
-            const ParameterRef ref{&info, wave};
+        for (std::size_t item = 0; item < info.member.items(a.parameters); ++item) {
+            const ParameterRef ref{&info, item};
             if (!same_value(value_of(a.parameters, ref), value_of(b.parameters, ref))) {
-                return info.path(wave);
+                return info.path(item);
             }
         }
     }

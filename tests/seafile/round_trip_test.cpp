@@ -32,6 +32,7 @@ ParameterValue other_value(const ParameterInfo& info, const ParameterValue& usua
         return usual == ParameterValue(last) ? std::string(info.choices().front()) : last;
     }
     if (info.type() == "numbers") return std::vector<double>{1.0 / 3.0, -2.0e6 / 7.0};
+    if (info.type() == "wave_height") return std::string("-0.7 Hs");
     if (info.type() == "text") return std::string("a \"b\"\\ \xC3\xA9 #'.x");
     if (info.rule == NumberRule::power_of_two) return std::int64_t{128};
     if (info.rule == NumberRule::even) return std::int64_t{14};
@@ -48,10 +49,13 @@ bool refused_until_later(const ParameterInfo& info) {
 TEST(SeaFileRoundTrip, EveryKeyNonDefaultKeepsEveryBit) {
     Sea sea;
     sea.parameters.waves.assign(3, WaveSystem{});
+    sea.parameters.crests.resize(1);
+    Parameters defaults;
+    defaults.crests.resize(1);
     for (const ParameterInfo& info : parameter_table()) {
         if (refused_until_later(info)) continue;
-        for (std::size_t wave = 0; wave < (info.in_list() ? 3u : 1u); ++wave) {
-            const ParameterRef ref{&info, wave};
+        for (std::size_t item = 0; item < info.member.items(sea.parameters); ++item) {
+            const ParameterRef ref{&info, item};
             assign(sea.parameters, ref, other_value(info, value_of(sea.parameters, ref)));
         }
     }
@@ -60,7 +64,7 @@ TEST(SeaFileRoundTrip, EveryKeyNonDefaultKeepsEveryBit) {
     for (const ParameterInfo& info : parameter_table()) {
         if (refused_until_later(info)) continue;
         const bool usual =
-            same_value(value_of(sea.parameters, {&info, 0}), value_of(Parameters{}, {&info, 0}));
+            same_value(value_of(sea.parameters, {&info, 0}), value_of(defaults, {&info, 0}));
         EXPECT_FALSE(usual) << info.path();
     }
     EXPECT_EQ(difference(written_and_read(sea), sea), "") << write_sea(sea);
@@ -134,6 +138,7 @@ TEST(SeaFileRoundTrip, EachSystemKeepsItsOwnRecord) {
 TEST(SeaFileRoundTrip, EveryKeyThatIsSetAndNotNeutralIsWritten) {
     const std::string text = "\n" + write_sea(buoy_sea());
     for (const ParameterInfo& info : parameter_table()) {
+        if (info.section == "crests") continue;  // the sea has none
         const bool left_out = info.member_type.optional || info.neutral.has_value();
         const bool written = text.find("\n" + std::string(info.key) + " = ") != std::string::npos;
         EXPECT_EQ(written, !left_out) << info.key;
@@ -259,6 +264,26 @@ TEST(MeasuredRecord, WithAFaultIsRefusedWithItsLine) {
         ASSERT_TRUE(refusal.refused) << body;
         EXPECT_TRUE(refusal.says(words) && refusal.says("test.toml:")) << refusal.message;
     }
+}
+
+TEST(SeaFileRoundTrip, CrestsKeepEveryBitInTextAndInValues) {
+    const Sea sea = parse(
+        "[[waves]]\n[[crests]]\ntime = 12.5\nx = 0.1\nheight = \"1.3 Hs\"\n[[crests]]\n"
+        "height = -2\ndirection = 30\n");
+    ASSERT_EQ(sea.parameters.crests.size(), 2u);
+    EXPECT_EQ(sea.parameters.crests[0], (Crest{12.5, 0.1, 0.0, {1.3, true}, {}}));
+    EXPECT_EQ(sea.parameters.crests[1], (Crest{0.0, 0.0, 0.0, {-2.0, false}, 30.0}));
+    EXPECT_EQ(difference(written_and_read(sea), sea), "");
+    EXPECT_NE(write_sea(sea).find("\n[[crests]]\ntime = 12.5\nx = 0.1\ny = 0.0\n"
+                                  "height = \"1.3 Hs\"\n"),
+              std::string::npos)
+        << write_sea(sea);
+    std::vector<NamedValue> values;
+    const std::vector<NamedText> kept = sea_values(sea);
+    for (const NamedText& text : kept) values.push_back({text.name, text.value});
+    const Sea again = parse_sea(text_of_values(values), "values", "/nowhere");
+    EXPECT_EQ(write_sea(again), write_sea(sea));
+    EXPECT_EQ(write_sea(Sea{}).find("crest"), std::string::npos) << "no crest, no word";
 }
 
 /// A host keeps the values alone: records of several systems, with a take behind them.

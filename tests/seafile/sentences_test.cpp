@@ -42,9 +42,10 @@ TEST_P(Sentences, AreThoseOfTheTable) {
         expect_sentence(refusal.message, row.get("says"));
         const auto kind = row["kind"].value_or(table["kind"].value_or(std::string()));
         if (!refusal.refused) continue;
-        EXPECT_EQ(refusal.kind, kind == "bad_file"    ? ErrorKind::bad_file
-                                : kind == "not_found" ? ErrorKind::not_found
-                                                      : ErrorKind::invalid_value);
+        EXPECT_EQ(refusal.kind, kind == "bad_file"      ? ErrorKind::bad_file
+                                : kind == "not_found"   ? ErrorKind::not_found
+                                : kind == "unsupported" ? ErrorKind::unsupported
+                                                        : ErrorKind::invalid_value);
     }
 }
 

@@ -123,6 +123,8 @@ std::vector<std::string> other_texts(const ParameterSpec& spec, const ParameterV
         others = other_whole_numbers(spec, std::get<std::int64_t>(now));
     } else if (spec.type() == "float") {
         others = other_numbers(spec, now);
+    } else if (spec.type() == "wave_height") {
+        others = {std::string("0.7 Hs"), 0.25};
     } else {
         others = other_lists(spec, now);
     }
@@ -404,6 +406,14 @@ TEST(SetKey, OfAnOpenSeaGivesWhatItsTextGives) {
         "foam_step = 0.1\n[[waves]]\nspectrum = \"measured\"\nfile = \"" +
         data_dir() + "/spectra/ndbc_41010.data_spec\"\n";
     keys.walk({"measured", measured.c_str()});
+    keys.walk({"crests",
+               "[grid]\nresolution = 32\npatch_size = 100.0\n"
+               "[surface]\nfoam_lifetime = 0.2\nfoam_step = 0.1\n"
+               "[[waves]]\nspectrum = \"jonswap\"\nspreading = \"mitsuyasu\"\nswell = -1.0\n"
+               "wind_speed = 9.0\n"
+               "[[crests]]\ntime = 0.4\nx = 30.0\ny = 45.0\nheight = \"0.6 Hs\"\n"
+               "direction = 20.0\n"},
+              "crests");
     keys.expect_all({}, {{"waves.N.place", "the only place of the file is the nearest one"}});
 }
 

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 from ..shared import changes, property_texts
@@ -11,7 +12,8 @@ from ..shared.native import libocean
 from ..shared.parameter_table import ParameterTable, is_optional
 from . import sea_text
 
-TABLE: list[dict[str, Any]] = libocean.parameters()
+TABLE: list[dict[str, Any]] = [row for row in libocean.parameters() if row["section"] != "crests"]
+"""The parameters that are properties; crests are kept as they are in the file."""
 
 DIVISORS = 5  # of a list of cascades, at most
 
@@ -48,6 +50,7 @@ def values_of(group) -> sea_text.SeaValues:
         ],
         group.take_lines,
         group.bed_lines,
+        json.loads(group.crest_values or "{}"),
     )
 
 
@@ -69,6 +72,7 @@ def assign(group, sea: sea_text.SeaValues) -> None:
         group.exact = ""
         group.take_lines = sea.take
         group.bed_lines = sea.bed
+        group.crest_values = json.dumps(sea.crests) if sea.crests else ""
         property_texts.set_texts(group, sea.values, PARAMETERS, items=False)
         group.waves.clear()
         for system in sea.waves:

@@ -33,14 +33,17 @@ class SeaValues:
     """The lines of its take."""
     bed: str = ""
     """The lines of its bed."""
+    crests: dict[str, str] = dataclasses.field(default_factory=dict)
+    """The values of its crests by name, "crests.0.time"; the add-on passes them on."""
 
     def structure(self) -> tuple[Any, ...]:
         """Returns the part that cannot be changed parameter by parameter in an open sea."""
-        return (self.take, self.bed, *(system.record for system in self.waves))
+        crests = tuple(self.crests.items())
+        return (self.take, self.bed, crests, *(system.record for system in self.waves))
 
     def by_name(self) -> dict[str, str]:
         """Returns every parameter under the name that the library knows it by: "waves.1.fetch"."""
-        named = dict(self.values)
+        named = {**self.values, **self.crests}
         for number, system in enumerate(self.waves):
             named.update({f"waves.{number}.{key}": text for key, text in system.values.items()})
         return named
@@ -71,6 +74,8 @@ def read(sea) -> SeaValues:
             found.take = text
         elif name in _BEDS:
             found.bed = text
+        elif section == "crests":
+            found.crests[name] = text
         elif section != "waves":
             found.values[key.rpartition(".")[2]] = text
         else:

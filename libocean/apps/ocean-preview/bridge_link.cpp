@@ -152,7 +152,8 @@ void BridgeLink::send_values(const LiveSea& sea, bool moved_too) {
     for (const auto& [name, value] : values_) {
         if (!is_of_the_sea(name) || (movers_.contains(name) && !moved_too)) continue;
         ParameterRef parameter = find_parameter(name);
-        if (parameter.item >= parameters.waves.size() || !is_shared(*parameter.info)) continue;
+        if (parameter.item >= parameter.info->member.items(parameters)) continue;
+        if (!is_shared(*parameter.info)) continue;
         const std::string ours = to_text(value_of(parameters, parameter));
         if (!ours.empty() && ours != value) send(name, ours);
     }

@@ -3,15 +3,20 @@
 //
 // `ocean info`: prints the quantities of a sea that oceanographers use, or those of a terrain, as
 // the spectrum asks for and as the grid resolves. Also reads them back from a baked file.
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "console.hpp"
 #include "info_text.hpp"
 #include "ocean/channel.hpp"
+#include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/find_crest.hpp"
 #include "ocean/internal/io/read_provenance.hpp"
 #include "ocean/internal/text.hpp"
 #include "ocean/ocean.hpp"
@@ -29,7 +34,38 @@ namespace {
 struct InfoOptions {
     SubjectArgument subject;
     bool sea_file = false;
+    bool find_crest = false;
+    std::optional<double> from;  // [s]
+    std::optional<double> to;
+    std::string box;
 };
+
+/// Returns the window of --find-crest: by default ten minutes from the start, or a loop, and all of
+/// the period.
+CrestWindow window_of(const InfoOptions& info, const Timing& time) {
+    constexpr double kSearched = 600.0;  // [s]
+    CrestWindow window;
+    window.from = info.from.value_or(time.start);
+    const double span = time.loop_period > 0.0 ? std::min(time.loop_period, kSearched) : kSearched;
+    window.to = info.to.value_or(window.from + span);
+    for (const double end : {window.from, window.to}) require_time(end);
+    if (window.to < window.from) {
+        throw Error(ErrorKind::invalid_value, "--to = " + plain_text(window.to) +
+                                                  ": allowed is --from or later, " +
+                                                  plain_text(window.from));
+    }
+    if (info.box.empty()) return window;
+    const std::vector<std::string> numbers = split(info.box, ',');
+    std::array<double, 4>& place = window.place.emplace();
+    for (std::size_t i = 0; i < place.size() && numbers.size() == place.size(); ++i) {
+        place[i] = parse_number(numbers[i], "--box", -1e7, 1e7);
+    }
+    if (numbers.size() == place.size() && place[0] < place[2] && place[1] < place[3]) return window;
+    throw Error(ErrorKind::invalid_value,
+                "--box " + info.box +
+                    ": allowed are X0,Y0,X1,Y1, the south-western and the "
+                    "north-eastern corner");
+}
 
 /// The frame of a baked file; nothing of a sea or terrain file, of a preset and of a pipe.
 struct BakedFrame {
@@ -68,8 +104,25 @@ void describe(const TerrainModel& terrain, const InfoOptions& info, const Contex
     for (const std::string& warning : state.warnings) context.console.warning(warning);
 }
 
+void find_crest(const Sea& sea, const InfoOptions& info, const Context& context) {
+    const Timing& time = sea.parameters.time;
+    const CrestWindow window = window_of(info, time);
+    Ocean ocean(sea, {.threads = context.options.threads});
+    const std::size_t maps = crest_search_maps(ocean, window);
+    const FoundCrest crest =
+        find_highest_crest(ocean, window, progress_on(context.console, "maps", maps));
+    const double frame = time.first_frame + (crest.time - time.start) * time.fps;
+    const FoundCrestText text{crest, frame, window, ocean.state()};
+    context.console.data(context.options.json ? found_crest_json(text) : found_crest_text(text));
+}
+
 void describe(const Sea& sea, const InfoOptions& info, const Context& context) {
     if (info.sea_file) return context.console.data(write_sea(sea));
+    if (info.find_crest) return find_crest(sea, info, context);
+    if (info.from || info.to || !info.box.empty()) {
+        throw Error(ErrorKind::invalid_value,
+                    "--from, --to and --box belong to --find-crest, which is not given");
+    }
     Ocean ocean(sea, {.threads = context.options.threads});
     const SeaState state = ocean.state();
     const BakedFrame baked = baked_frame_of(info.subject.source);
@@ -101,6 +154,18 @@ Command info_command() {
                     {"Output",
                      {{"--sea-file", &info->sea_file, "",
                        "Print the resolved sea file instead, the text that baked files hold"}}},
+                    {"Highest crest",
+                     {only_of(kSeaKind, {"--find-crest", &info->find_crest, "",
+                                         "Print the highest crest that the sea has in a window of "
+                                         "time and place instead"}),
+                      only_of(kSeaKind, {"--from", &info->from, "SECONDS",
+                                         "First time of the window (default the start) [s]"}),
+                      only_of(kSeaKind, {"--to", &info->to, "SECONDS",
+                                         "Last time (default 600 s later, or the end of a loop) "
+                                         "[s]"}),
+                      only_of(kSeaKind, {"--box", &info->box, "X0,Y0,X1,Y1",
+                                         "South-western and north-eastern corner of the window "
+                                         "(default the whole period) [m]"})}},
                     run_options("Print one JSON object; warnings as JSON lines")},
         .footer = kInfoFooter,
         .run =

@@ -4,10 +4,13 @@
 // See info_text.hpp.
 #include "info_text.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "any_spectra.hpp"
 #include "ocean/internal/cascades.hpp"
+#include "ocean/internal/crests.hpp"
+#include "ocean/internal/json.hpp"
 #include "ocean/internal/modes.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
@@ -147,6 +150,24 @@ std::string grid_text(const SeaState& state, const Parameters& parameters) {
     return text;
 }
 
+std::string crests_text(const SeaState& state) {
+    std::string text;
+    for (const CrestSummary& crest : state.crests) {
+        text += row(crest.height > 0.0 ? "Crest" : "Trough",
+                    format_text("%.4g m, %.3g Hs, at (%g, %g) m and %g s", std::abs(crest.height),
+                                std::abs(crest.relative_height), crest.x, crest.y, crest.time));
+        std::string rarity = format_text("one in %.2g (Rayleigh)", crest.one_in_rayleigh);
+        if (crest.height > 0.0) {
+            rarity =
+                format_text("one crest in %.2g (Forristall), ", crest.one_in_forristall) + rarity;
+        }
+        text += row("", rarity + format_text("; steepness %.2f", crest.steepness));
+    }
+    if (state.crests.empty()) return text;
+    return text + row("", format_text("the patch's variance is %.3f of that without crests",
+                                      state.crest_variance));
+}
+
 std::string take_text(const Sea& sea) {
     if (sea.take.empty()) return "";
     const std::vector<TakeEvent>& events = sea.take.events;
@@ -157,13 +178,46 @@ std::string take_text(const Sea& sea) {
            row("", "numbers here are those of the start");
 }
 
+struct Rarity {
+    double relative_height = 0.0;  // in units of Hs
+    double one_in = 0.0;           // one crest in so many is as high
+};
+
+Rarity rarity_of(double height, const SeaState& state) {
+    const double hs = state.significant_wave_height.asked;
+    return {height / hs, 1.0 / rayleigh_exceedance(height, hs)};
+}
+
 }  // namespace
 
 std::string info_text(const Sea& sea, const std::string& source, const SeaState& state,
                       const FrameCost& cost) {
     return row("Sea", source) + waves_text(sea.parameters) + state_text(state) +
-           grid_text(state, sea.parameters) + take_text(sea) +
+           grid_text(state, sea.parameters) + take_text(sea) + crests_text(state) +
            foam_text(state, sea.parameters.surface, cost);
+}
+
+std::string found_crest_text(const FoundCrestText& found) {
+    const auto& [crest, frame, window, state] = found;
+    const Rarity rarity = rarity_of(crest.height, state);
+    std::string text =
+        row("Highest crest", format_text("%.4g m, %.3g Hs, at (%.1f, %.1f) m", crest.height,
+                                         rarity.relative_height, crest.x, crest.y));
+    text += row("", format_text("at %.2f s, frame %.1f", crest.time, frame));
+    text += row("", format_text("one crest in %.2g (Rayleigh)", rarity.one_in));
+    const std::array<double, 4> all = {0.0, 0.0, state.period, state.period};
+    const auto [west, south, east, north] = window.place.value_or(all);
+    return text + row("Searched", format_text("%g to %g s, from (%g, %g) to (%g, %g) m",
+                                              window.from, window.to, west, south, east, north));
+}
+
+std::string found_crest_json(const FoundCrestText& found) {
+    const Rarity rarity = rarity_of(found.crest.height, found.state);
+    JsonObject json;
+    json.add("time", found.crest.time).add("frame", found.frame);
+    json.add("x", found.crest.x).add("y", found.crest.y).add("height", found.crest.height);
+    json.add("relative_height", rarity.relative_height).add("one_in_rayleigh", rarity.one_in);
+    return json.text() + "\n";
 }
 
 }  // namespace ocean::app

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "ocean/internal/find_crest.hpp"
 #include "ocean/ocean.hpp"
 
 namespace ocean::app {
@@ -13,5 +14,16 @@ namespace ocean::app {
 /// Returns a description of the sea in the quantities of oceanography; `source` is its name.
 std::string info_text(const Sea& sea, const std::string& source, const SeaState& state,
                       const FrameCost& cost);
+
+/// The result of --find-crest.
+struct FoundCrestText {
+    FoundCrest crest;
+    double frame = 0.0;  // at its time
+    CrestWindow window;
+    SeaState state;
+};
+std::string found_crest_text(const FoundCrestText& found);
+/// Returns one JSON object.
+std::string found_crest_json(const FoundCrestText& found);
 
 }  // namespace ocean::app

@@ -66,7 +66,7 @@ std::string ParameterSpec::path(std::size_t number) const {
 }
 
 std::optional<std::size_t> item_named(const ParameterSpec& spec, std::string_view name) {
-    if (name == spec.key) return 0;
+    if (name == spec.key && spec.has_bare_key) return 0;
     if (!name.ends_with(spec.key)) return std::nullopt;
     name.remove_suffix(spec.key.size());
     if (!name.ends_with('.')) return std::nullopt;
@@ -84,7 +84,7 @@ void refuse_name(std::string_view name, std::span<const ParameterSpec* const> sp
     for (const ParameterSpec* spec : specs) {
         const std::string_view path = texts.emplace_back(spec->path());
         known.push_back({path, path});
-        known.push_back({spec->key, path});
+        if (spec->has_bare_key) known.push_back({spec->key, path});
         known.push_back({texts.emplace_back(without_item(path)), path});
     }
     std::string meant = did_you_mean(without_item(name), known);

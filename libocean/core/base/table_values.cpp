@@ -136,6 +136,17 @@ std::string checked_word(const Place& place, const ParameterValue& value) {
     return *text;
 }
 
+/// Returns metres as a number, a multiple of Hs as its text.
+ParameterValue checked_wave_height(const Place& place, const ParameterValue& value) {
+    const auto* text = std::get_if<std::string>(&value);
+    if (text == nullptr) return checked_number(place, value);
+    const auto height = parse_wave_height(*text);
+    if (!height) refuse(place, quoted_text(value), "is not a height");
+    if (!height->is_relative) return checked_number(place, height->value);
+    if (!std::isfinite(height->value)) refuse(place, quoted_text(value), "is not a finite height");
+    return to_text(*height);
+}
+
 bool checked_truth(const Place& place, const ParameterValue& value) {
     const auto* truth = std::get_if<bool>(&value);
     if (truth == nullptr) refuse(place, quoted_text(value), "is neither true nor false");
@@ -196,6 +207,20 @@ std::string range_text(double min, double max) {
 
 }  // namespace
 
+std::optional<WaveHeight> parse_wave_height(std::string_view text) {
+    WaveHeight height;
+    const std::size_t length = length_of_number(text, height.value);
+    text.remove_prefix(length);
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+    height.is_relative = text == "Hs";
+    if (length == 0 || (!height.is_relative && !text.empty())) return std::nullopt;
+    return height;
+}
+
+std::string to_text(const WaveHeight& height) {
+    return plain_text(height.value) + (height.is_relative ? " Hs" : "");
+}
+
 bool ParameterSpec::is_unset(const ParameterValue& value) const {
     return type() == "float" && std::holds_alternative<std::string>(value);
 }
@@ -215,6 +240,7 @@ ParameterValue checked_value(const ParameterSpec& spec, std::size_t item,
     if (type == "list") return checked_list(place, value);
     if (type == "numbers") return checked_numbers(place, value);
     if (type == "pairs") return checked_pairs(place, value);
+    if (type == "wave_height") return checked_wave_height(place, value);
     const auto* text = std::get_if<std::string>(&value);
     if (spec.member_type.optional && text != nullptr && text->empty()) return value;
     return checked_number(place, value);
@@ -236,7 +262,9 @@ ParameterValue parse_value(const ParameterSpec& spec, std::size_t item, std::str
     const Place place{spec, item};
     const std::string_view type = spec.type();
     const bool unset = spec.member_type.optional && text.empty();
-    if (type == "enum" || type == "text" || unset) return std::string(text);
+    if (type == "enum" || type == "text" || type == "wave_height" || unset) {
+        return std::string(text);
+    }
     if (type == "list") return parse_list(place, text);
     if (type == "numbers") return parse_numbers(place, text, "is not a list of numbers");
     if (type == "pairs") return parse_pairs(place, text);
@@ -289,6 +317,7 @@ std::string allowed_values(const ParameterSpec& spec) {
     if (spec.rule == NumberRule::power_of_two) return "a power of two, " + range;
     if (spec.rule == NumberRule::even) return "an even number, " + range;
     if (type == "int") return "a whole number, " + range;
+    if (type == "wave_height") return range + ", or a multiple of Hs such as \"1.3 Hs\"";
     const std::string at_most = "at most " + std::to_string(spec.max_length);
     if (type == "list") return at_most + " whole numbers, " + range;
     if (type == "numbers") return at_most + " numbers, " + range;

@@ -24,6 +24,8 @@
 #include <string>
 #include <vector>
 
+#include "ocean/table.hpp"
+
 namespace ocean {
 
 // The words of sea files are the enumerators (enum_words.hpp).
@@ -161,6 +163,19 @@ struct WaveSystem {
     }
 };
 
+/// A crest, or a trough, at a place and a time: [[crests]].
+struct Crest {
+    double time = 0.0;                     // [s]
+    double x = 0.0;                        // [m]
+    double y = 0.0;                        // [m]
+    WaveHeight height = {};                // over still water; below 0: a trough
+    std::optional<double> direction = {};  // that it travels to [degrees]; unset: the sea's own
+    bool operator==(const Crest&) const = default;
+};
+inline constexpr std::size_t kMaxCrests = 16;
+/// Max height of a crest, in units of the significant wave height: one crest in 10^14 exceeds it.
+inline constexpr double kMaxCrestHeight = 2.0;
+
 /// Times lie within -kLatestTime .. kLatestTime [s]: 31 years. A double resolves a tenth of a
 /// microsecond there.
 inline constexpr double kLatestTime = 1e9;
@@ -174,6 +189,7 @@ struct Parameters {
     Timing time;
     std::uint32_t seed = 1;
     std::vector<WaveSystem> waves = {WaveSystem{}};  // 1 .. kMaxWaveSystems
+    std::vector<Crest> crests = {};                  // 0 .. kMaxCrests
 };
 inline constexpr std::size_t kMaxWaveSystems = 16;
 

@@ -53,6 +53,21 @@ struct MapSlope {
     double mean_square_slope = 0.0;
 };
 
+/// A crest of [[crests]], or a trough, and how likely the sea makes it by itself.
+struct CrestSummary {
+    double time = 0.0;             // [s]
+    double x = 0.0;                // [m]
+    double y = 0.0;                // [m]
+    double height = 0.0;           // over still water [m]; below 0: a trough
+    double relative_height = 0.0;  // in units of the significant wave height
+    /// One crest in this many is as high, by Rayleigh's distribution of linear waves and by
+    /// [Forristall 2000], second order.
+    double one_in_rayleigh = 0.0;
+    double one_in_forristall = 0.0;
+    double steepness =
+        0.0;  // height times m2 / (m0 g); the Jacobian at the crest is about 1 less it
+};
+
 struct SeaState {
     AskedResolved significant_wave_height;  // [m]
     AskedResolved peak_period;              // [s]; 0 = flat
@@ -82,8 +97,11 @@ struct SeaState {
     /// Errors in octaves from the longest wave held to the shortest; empty for a sea without a
     /// loop.
     std::vector<LoopError> loop_errors;
-    std::optional<SeaBedSummary> bed;   // absent in an open sea
-    double loop_error = 0.0;            // rms over the modes, weighted by energy
+    std::optional<SeaBedSummary> bed;  // absent in an open sea
+    double loop_error = 0.0;           // rms over the modes, weighted by energy
+    std::vector<CrestSummary> crests;  // those of the sea file
+    /// Expected variance of the patch's heights with its crests, over that without them.
+    double crest_variance = 1.0;
     std::vector<std::string> warnings;  // full sentences, for people
 };
 

@@ -34,6 +34,25 @@ namespace ocean {
 /// Pairs of numbers, such as a wavelength and an exponent.
 using NumberPairs = std::vector<std::array<double, 2>>;
 
+/// The height of a wave as a file gives it: 5.2 [m], or "1.3 Hs", a multiple of the sea's
+/// significant wave height.
+struct WaveHeight {
+    double value = 1.0;
+    bool is_relative = true;  // in units of the significant wave height; else metres
+    bool operator==(const WaveHeight&) const = default;
+
+    /// Returns the height in metres for a sea of that significant wave height [m].
+    double metres(double significant_wave_height) const {
+        return is_relative ? value * significant_wave_height : value;
+    }
+};
+
+/// Returns the height that a text spells, "5.2" or "1.3 Hs"; nothing for any other text.
+std::optional<WaveHeight> parse_wave_height(std::string_view text);
+/// Returns "1.3 Hs" for a relative height, else the number alone. parse_wave_height reads it back
+/// to the same bits.
+std::string to_text(const WaveHeight& height);
+
 /// A typed value between text or TOML and a member. Words are texts; an unset optional number is
 /// the empty text.
 using ParameterValue = std::variant<double, std::int64_t, std::string, std::vector<std::int64_t>,
@@ -41,7 +60,8 @@ using ParameterValue = std::variant<double, std::int64_t, std::string, std::vect
 
 /// The type of a member, independent of its model.
 struct MemberType {
-    /// "float", "int", "bool", "enum", "text", "list" (whole numbers), "numbers" or "pairs".
+    /// "float", "int", "bool", "enum", "text", "list" (whole numbers), "numbers", "pairs" or
+    /// "wave_height" (a number, or a text such as "1.3 Hs").
     std::string_view word;
     std::span<const std::string_view> choices;  // the words of an enum, in its order
     bool optional = false;                      // may be unset
@@ -105,6 +125,8 @@ ParameterValue to_value(const Value& value) {
         return std::string(word_of(value));
     } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
         return value ? ParameterValue(*value) : ParameterValue(std::string());
+    } else if constexpr (std::is_same_v<Value, WaveHeight>) {
+        return value.is_relative ? ParameterValue(to_text(value)) : ParameterValue(value.value);
     } else if constexpr (std::is_same_v<Value, std::vector<int>>) {
         return std::vector<std::int64_t>(value.begin(), value.end());
     } else if constexpr (std::is_integral_v<Value> && !std::is_same_v<Value, bool>) {
@@ -123,6 +145,10 @@ void from_value(Value& target, const ParameterValue& checked) {
     } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
         const auto* number = std::get_if<double>(&checked);
         target = number != nullptr ? std::optional(*number) : std::nullopt;
+    } else if constexpr (std::is_same_v<Value, WaveHeight>) {
+        const auto* number = std::get_if<double>(&checked);
+        target = number != nullptr ? WaveHeight{*number, false}
+                                   : *parse_wave_height(std::get<std::string>(checked));
     } else if constexpr (std::is_same_v<Value, std::vector<int>>) {
         const auto& numbers = std::get<std::vector<std::int64_t>>(checked);
         target.clear();
@@ -144,6 +170,7 @@ constexpr MemberType type_of(bool in_list) {
     if constexpr (std::is_same_v<Value, std::vector<double>>)
         return {"numbers", {}, false, in_list};
     if constexpr (std::is_same_v<Value, NumberPairs>) return {"pairs", {}, false, in_list};
+    if constexpr (std::is_same_v<Value, WaveHeight>) return {"wave_height", {}, false, in_list};
     if constexpr (std::is_same_v<Value, double>) return {"float", {}, false, in_list};
     return {"float", {}, std::is_same_v<Value, std::optional<double>>, in_list};
 }
@@ -208,6 +235,7 @@ struct TableSection {
     std::string_view name;
     std::string_view item = "";  // the word for an item of a list, "wave system"; "": not a list
     std::size_t max_items = 1;
+    bool has_bare_keys = true;  // a key alone names a parameter of the section
 
     constexpr bool is_list() const { return !item.empty(); }
 };
@@ -235,6 +263,7 @@ struct OptionalColumns {
 struct ParameterSpec : OptionalColumns {
     std::string_view section;
     std::string_view item;  // the section's item, see TableSection
+    bool has_bare_key;
     std::string_view key;
     std::string_view unit;  // "" for a pure number or a word
     std::string_view label;
@@ -278,8 +307,9 @@ struct TableRow : ParameterSpec {
                        const Member<Model>& way, double hard_min, double hard_max,
                        double slider_min, double slider_max, ParameterClass row_class,
                        Stage first_stage, const OptionalColumns& more = {})
-        : ParameterSpec{more,     of.name,  of.item,  row_key,    row_unit,   row_label, row_help,
-                        way.type, hard_min, hard_max, slider_min, slider_max, row_class},
+        : ParameterSpec{more,     of.name,    of.item,    of.has_bare_keys, row_key,
+                        row_unit, row_label,  row_help,   way.type,         hard_min,
+                        hard_max, slider_min, slider_max, row_class},
           member(way),
           dirties(first_stage) {}
 
@@ -345,6 +375,15 @@ std::string no_number_reason(const ParameterSpec& spec, std::string_view text);
 /// Returns "0.01 .. inf m", "one of monahan, threshold", "a power of two, 32 .. 8192".
 std::string allowed_values(const ParameterSpec& spec);
 
+/// Returns the number of items of a section: 1 unless it is a list, 0 without rows.
+template <typename Model>
+std::size_t items_of(const Table<Model>& table, std::string_view section, const Model& model) {
+    for (const TableRow<Model>& row : table.rows) {
+        if (row.section == section) return row.member.items(model);
+    }
+    return 0;
+}
+
 /// Throws Error invalid_value: the list has only `items` items.
 [[noreturn]] void refuse_item(const ParameterSpec& spec, std::size_t item, std::size_t items);
 
@@ -375,7 +414,7 @@ ParameterValue value_of(const Model& model, const RefOf<Model>& ref) {
 // ---- Names
 
 /// Returns the item's number if `name` names the parameter: "water.depth", "waves.1.fetch", or the
-/// bare key, which means item 0.
+/// bare key, which means item 0; sections whose keys are common words have no bare keys.
 std::optional<std::size_t> item_named(const ParameterSpec& spec, std::string_view name);
 /// Throws Error invalid_value with the nearest of the parameters' names.
 [[noreturn]] void refuse_name(std::string_view name, std::span<const ParameterSpec* const> specs);

@@ -34,14 +34,6 @@ bool is_used(const Table<Model>& table, const RefOf<Model>& ref, const Model& mo
     return false;
 }
 
-/// Returns the number of items of a section that is a list.
-std::size_t items_of(const TableSection& section, const TerrainModel& terrain) {
-    for (const TerrainRow& row : terrain_table().rows) {
-        if (row.section == section.name) return row.member.items(terrain);
-    }
-    return 0;
-}
-
 /// The rows of a model's table.
 template <typename Model>
 class Rows {
@@ -119,6 +111,9 @@ void SeaScene::draw_parameters(LiveScene& scene, PanelState& state) {
     for (std::size_t wave = 0; wave < systems; ++wave) {
         rows.section("Waves " + std::to_string(wave), "waves", wave, true);
     }
+    for (std::size_t crest = 0; crest < live_.sea().parameters.crests.size(); ++crest) {
+        rows.section("Crest " + std::to_string(crest), "crests", crest, false);
+    }
     rows.section("Surface and foam", "surface", 0, false);
     rows.section("Water body", "water", 0, false);
     rows.section("Shore", "water.shore", 0, false);
@@ -137,7 +132,7 @@ void TerrainScene::draw_parameters(LiveScene& scene, PanelState& state) {
             rows.section(title, section.name, 0, true);
             continue;
         }
-        for (std::size_t item = 0; item < items_of(section, shown); ++item) {
+        for (std::size_t item = 0; item < items_of(terrain_table(), section.name, shown); ++item) {
             rows.section(title + " " + std::to_string(item), section.name, item, false);
         }
     }

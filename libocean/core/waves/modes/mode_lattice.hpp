@@ -82,9 +82,10 @@ class ModeLattice {
     /// Returns the modes of still water: rates and displacements, no waves.
     Modes still_modes(ThreadPool& pool) const;
     /// Sets the waves of `modes`, which must belong to this lattice; overwrites previous waves. The
-    /// bits are the same for any number of threads, and with or without kept data.
-    void set_waves(const DirectionalSpectrum& spectrum, double wind_speed, ThreadPool& pool,
-                   Modes& modes) const;
+    /// bits are the same for any number of threads, and with or without kept data. Returns the gain
+    /// of the energy of each cascade, band_gain().
+    std::vector<double> set_waves(const DirectionalSpectrum& spectrum, double wind_speed,
+                                  ThreadPool& pool, Modes& modes) const;
 
     /// Writes modal_variance of row m >= 0 of a cascade, to rounding.
     void variances(const QuadrantSampler& spectrum, std::size_t cascade, int m,

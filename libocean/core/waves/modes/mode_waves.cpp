@@ -109,16 +109,19 @@ void ModeLattice::variances(const QuadrantSampler& spectrum, std::size_t cascade
     row_variances(spectrum, row, m, parameters_.grid.resolution / 2, variances);
 }
 
-void ModeLattice::set_waves(const DirectionalSpectrum& spectrum, double wind_speed,
-                            ThreadPool& pool, Modes& modes) const {
+std::vector<double> ModeLattice::set_waves(const DirectionalSpectrum& spectrum, double wind_speed,
+                                           ThreadPool& pool, Modes& modes) const {
     modes.wind_speed = wind_speed;
     const QuadrantSampler sampler(spectrum);
+    std::vector<double> gains;
     for (std::size_t c = 0; c < cascades_.size(); ++c) {
         const Cascade& cascade = cascades_[c];
         CascadeModes& waves = modes.cascades[c];
         const double measured = set_cascade(cascade, sampler, pool, waves);
-        scale(waves, band_gain(spectrum, parameters_, cascade.band, measured), pool);
+        gains.push_back(band_gain(spectrum, parameters_, cascade.band, measured));
+        scale(waves, gains.back(), pool);
     }
+    return gains;
 }
 
 /// Work space of one thread.

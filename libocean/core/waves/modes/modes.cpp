@@ -196,12 +196,4 @@ std::optional<double> strongest_wind(const Parameters& parameters) {
     return strongest;
 }
 
-Modes make_modes(const DirectionalSpectrum& spectrum, const Parameters& parameters,
-                 ThreadPool& pool) {
-    const ModeLattice lattice(parameters, ModeLattice::Memory::none, pool);
-    Modes modes = lattice.still_modes(pool);
-    lattice.set_waves(spectrum, strongest_wind(parameters).value_or(0.0), pool, modes);
-    return modes;
-}
-
 }  // namespace ocean

@@ -48,9 +48,11 @@ std::optional<Stage> first_dirty_stage(const Parameters& before, const Parameter
     if (!same_systems(before, after)) return Stage::spectrum;
     std::optional<Stage> first;
     if (!same_bed(before.water, after.water)) first = Stage::surface;
+    if (before.crests.size() != after.crests.size()) first = Stage::modes;
     for (const ParameterInfo& info : parameter_table()) {
         if (first && *first <= info.dirties) continue;
-        for (std::size_t item = 0; item < info.member.items(before); ++item) {
+        const std::size_t items = std::min(info.member.items(before), info.member.items(after));
+        for (std::size_t item = 0; item < items; ++item) {
             if (info.member.get(before, item) != info.member.get(after, item)) first = info.dirties;
         }
     }

@@ -26,7 +26,10 @@ constexpr TableSection kSurface{"surface"};
 constexpr TableSection kTime{"time"};
 constexpr TableSection kRandom{"random"};
 constexpr TableSection kWaves{"waves", "wave system", kMaxWaveSystems};
-constexpr TableSection kSections[] = {kWater, kShore, kGrid, kSurface, kTime, kRandom, kWaves};
+// Its keys are common words, so that none of them alone names a crest.
+constexpr TableSection kCrests{"crests", "crest", kMaxCrests, false};
+constexpr TableSection kSections[] = {kWater, kShore,  kGrid,  kSurface,
+                                      kTime,  kRandom, kWaves, kCrests};
 
 constexpr OptionalColumns used_by(std::string_view words, NumberRule rule = NumberRule::any) {
     return {.used_by = words, .rule = rule};
@@ -251,6 +254,24 @@ constexpr ParameterInfo kTable[] = {
      "Method that turns directional moments into a distribution (measured).",
      member<&Parameters::waves, &WaveSystem::estimator>(), 0, 0, 0, 0, kRebuild, Stage::spectrum,
      used_by("measured")},
+
+    {kCrests, "time", "s", "Time", "Time at which the crest is highest.",
+     member<&Parameters::crests, &Crest::time>(), -kLatestTime, kLatestTime, 0.0, 60.0, kRebuild,
+     Stage::modes},
+    {kCrests, "x", "m", "X", "Place of the crest, east; the sea repeats after patch_size.",
+     member<&Parameters::crests, &Crest::x>(), -1e7, 1e7, 0.0, 500.0, kRebuild, Stage::modes},
+    {kCrests, "y", "m", "Y", "Place of the crest, north.", member<&Parameters::crests, &Crest::y>(),
+     -1e7, 1e7, 0.0, 500.0, kRebuild, Stage::modes},
+    {kCrests, "height", "m", "Height",
+     "Height of the crest over still water, or below 0 the depth of a trough: metres, or a "
+     "multiple of the sea's significant wave height; at most 2 Hs.",
+     member<&Parameters::crests, &Crest::height>(), -200.0, 200.0, -20.0, 20.0, kRebuild,
+     Stage::modes},
+    {kCrests, "direction", "deg", "Direction",
+     "Direction that the crest travels to, counter-clockwise from +x: picks one of several wave "
+     "systems. Unset means that of all waves.",
+     member<&Parameters::crests, &Crest::direction>(), -360.0, 360.0, -180.0, 180.0, kRebuild,
+     Stage::modes},
 };
 
 /// A type that converts to a value of any type.
@@ -284,6 +305,7 @@ static_assert(rows_of("surface") == member_count<SurfaceSettings>());
 static_assert(rows_of("time") == member_count<Timing>());
 static_assert(rows_of("waves") + 3 ==
               member_count<WaveSystem>());  // energy_share, wind_onset, measured
+static_assert(rows_of("crests") == member_count<Crest>());
 
 constexpr Table<Parameters> kSeaTable{"sea", kSections, kTable};
 static_assert(is_consistent(kSeaTable));

@@ -93,6 +93,71 @@ void validate_cascades(const Grid& grid) {
     }
 }
 
+/// Returns the distance of two places or times that repeat after a period; 0 = they do not repeat.
+double distance(double a, double b, double period) {
+    const double apart = std::abs(a - b);
+    return period > 0.0 ? std::abs(std::remainder(apart, period)) : apart;
+}
+
+/// Returns true if two crests lie at one place and time, to a thousandth of a metre and a second.
+bool coincide(const Crest& a, const Crest& b, const Parameters& parameters) {
+    constexpr double kSame = 1e-3;
+    const double period = parameters.grid.patch_size;
+    return distance(a.x, b.x, period) < kSame && distance(a.y, b.y, period) < kSame &&
+           distance(a.time, b.time, parameters.time.loop_period) < kSame;
+}
+
+/// Throws unless the height of a crest can be that of any sea.
+void validate_height(const WaveHeight& height, const std::string& name) {
+    const bool is_low = !height.is_relative || std::abs(height.value) <= kMaxCrestHeight;
+    if (is_low && height.value != 0.0 && std::isfinite(height.value)) return;
+    throw Error(
+        ErrorKind::invalid_value,
+        {.what = height.value == 0.0 ? "is neither a crest, above 0, nor a trough, below 0"
+                                     : "is higher than waves get: one crest in 10^14 exceeds 2 Hs",
+         .parameter = name + ".height",
+         .value = height.is_relative ? quoted_text(to_text(height)) : to_text(height) + " m",
+         .allowed = "-2 Hs .. 2 Hs"});
+}
+
+/// Checks the rules of the crests that need no spectrum.
+void validate_crests(const Parameters& parameters) {
+    const std::vector<Crest>& crests = parameters.crests;
+    if (crests.empty()) return;
+    if (crests.size() > kMaxCrests) {
+        throw Error(ErrorKind::invalid_value, {.what = std::to_string(crests.size()) + " crests",
+                                               .parameter = "crests",
+                                               .allowed = "1 .. " + std::to_string(kMaxCrests)});
+    }
+    if (parameters.water.bed != nullptr) {
+        throw Error(ErrorKind::unsupported,
+                    {.what = "a sea with a bed has no crests on cue: the bed turns, slows and "
+                             "breaks the waves after they are made",
+                     .parameter = "water.seabed",
+                     .value = "\"" + parameters.water.seabed + "\"",
+                     .allowed = "none with [[crests]]"});
+    }
+    for (std::size_t i = 0; i < crests.size(); ++i) {
+        const Crest& crest = crests[i];
+        const std::string name = "crests." + std::to_string(i);
+        validate_height(crest.height, name);
+        for (const double value : {crest.time, crest.x, crest.y, crest.direction.value_or(0.0)}) {
+            if (std::isfinite(value)) continue;
+            throw Error(
+                ErrorKind::invalid_value,
+                {.what = "has a time, place or direction that is no number", .parameter = name});
+        }
+        for (std::size_t j = 0; j < i; ++j) {
+            if (!coincide(crest, crests[j], parameters)) continue;
+            throw Error(ErrorKind::invalid_value,
+                        {.what = "lies at the place and time of crests." + std::to_string(j) +
+                                 ", where the water has one height; places repeat after "
+                                 "grid.patch_size, times after time.loop_period",
+                         .parameter = name});
+        }
+    }
+}
+
 }  // namespace
 
 void validate(const Parameters& parameters) {
@@ -116,6 +181,7 @@ void validate(const Parameters& parameters) {
         }
         validate_record(*system.measured, name);
     }
+    validate_crests(parameters);
 }
 
 }  // namespace ocean

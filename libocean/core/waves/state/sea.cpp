@@ -292,6 +292,14 @@ std::string take_line(const TakeEvent& event) {
 }
 
 void require_takes(const Parameters& parameters) {
+    if (!parameters.crests.empty()) {
+        throw Error(
+            ErrorKind::unsupported,
+            {.what = "a sea with crests plays no take: its waves meet at each crest as they "
+                     "are when the sea is opened",
+             .parameter = "crests.0",
+             .allowed = "none with a take"});
+    }
     const Water& water = parameters.water;
     if (water.bed == nullptr && water.seabed.empty()) return;
     throw Error(ErrorKind::unsupported,

@@ -54,6 +54,19 @@ Json loop_errors_json(const std::vector<LoopError>& errors) {
     return list;
 }
 
+Json crests_json(const std::vector<CrestSummary>& crests) {
+    JsonArray list;
+    for (const CrestSummary& crest : crests) {
+        JsonObject object;
+        object.add("time", crest.time).add("x", crest.x).add("y", crest.y);
+        object.add("height", crest.height).add("relative_height", crest.relative_height);
+        object.add("one_in_rayleigh", crest.one_in_rayleigh);
+        if (crest.height > 0.0) object.add("one_in_forristall", crest.one_in_forristall);
+        list.add(object.add("steepness", crest.steepness));
+    }
+    return list;
+}
+
 Json bed_json(const SeaBedSummary& bed) {
     return JsonObject()
         .add("samples", json_array(std::vector<int>(bed.samples.begin(), bed.samples.end())))
@@ -241,6 +254,10 @@ std::string sea_state_json(const SeaState& state) {
     json.add("loop_error", state.loop_error);
     json.add("loop_errors", loop_errors_json(state.loop_errors));
     if (state.bed) json.add("bed", bed_json(*state.bed));
+    if (!state.crests.empty()) {
+        json.add("crests", crests_json(state.crests));
+        json.add("crest_variance", state.crest_variance);
+    }
     json.add("warnings", json_array(state.warnings));
     return json.text() + "\n";
 }

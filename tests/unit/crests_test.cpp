@@ -1,0 +1,394 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Crests on cue: the sea has each at its place and time, as its highest point near, and is
+// otherwise a sea of its spectrum.
+#include "ocean/internal/crests.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "crest_probe.hpp"
+#include "ocean/error.hpp"
+#include "ocean/ocean.hpp"
+#include "ocean/parameter_table.hpp"
+#include "test_seas.hpp"
+
+namespace ocean {
+namespace {
+
+using test::Highest;
+using test::highest_near;
+using test::wind_sea;
+
+constexpr Crest kHero{33.3, 137.0, 412.0, {1.1, true}, {}};
+
+Modes modes_of(const Parameters& parameters, int threads = 1) {
+    ThreadPool pool(threads);
+    return make_modes(make_directional_spectrum(parameters), parameters, pool);
+}
+
+double requested_height(const Parameters& parameters) {
+    const SurfaceSettings& limits = parameters.surface;
+    return make_directional_spectrum(parameters)
+        .moments(parameters.water, limits.shortest_wavelength, limits.longest_wavelength)
+        .significant_wave_height();
+}
+
+/// A storm of Hs 6 m and Tp 11 s, whose waves of 16 m and more the grid holds.
+Parameters storm() {
+    Parameters parameters = wind_sea(64, 500.0);
+    WaveSystem& system = parameters.waves.front();
+    system.significant_wave_height = 6.0;
+    system.peak_period = 11.0;
+    parameters.crests = {kHero};
+    return parameters;
+}
+
+Parameters changed(const std::function<void(Parameters&)>& change) {
+    Parameters parameters = storm();
+    change(parameters);
+    return parameters;
+}
+
+struct NamedSea {
+    const char* name;
+    Parameters parameters;
+
+    /// Returns the peak of the system with the shorter waves [rad/s].
+    double peak_omega() const {
+        if (parameters.waves.size() > 1) return kTwoPi / *parameters.waves.back().peak_period;
+        return make_directional_spectrum(parameters).moments(parameters.water).peak_omega;
+    }
+};
+
+/// Seas of all kinds; the shortest wave of each is a twelfth of the peak's or a little less.
+std::vector<NamedSea> seas() {
+    const auto phillips = [](Parameters& p) {
+        p.waves = {WaveSystem{}};
+        p.waves.front().wind_speed = 17.0;
+    };
+    const auto tma = [](Parameters& p) {
+        p.waves.front().spectrum = SpectrumKind::tma;
+        p.water.depth = 15.0;
+        p.waves.front().significant_wave_height = 3.0;
+    };
+    const auto two_systems = [](Parameters& p) {
+        p.waves.push_back(p.waves.front());
+        p.waves[0].significant_wave_height = 2.5;
+        p.waves[0].peak_period = 14.0;
+        p.waves[0].wind_direction = -60.0;
+        p.waves[0].swell = 0.5;
+        p.waves[1].significant_wave_height = 3.0;
+        p.waves[1].peak_period = 7.5;
+    };
+    const auto loop = [](Parameters& p) { p.time.loop_period = 60.0; };
+    const auto late = [](Parameters& p) { p.crests.front().time = 1e6; };
+    const auto far_away = [](Parameters& p) {
+        p.crests.front().x += 4000.0;
+        p.crests.front().y -= 9000.0;
+    };
+    const auto three_cascades = [](Parameters& p) {
+        p.grid.cascades = 3;
+        p.grid.cascade_divisors = {1, 7, 53};
+    };
+    return {{"JONSWAP", storm()},
+            {"Phillips", changed(phillips)},
+            {"TMA", changed(tma)},
+            {"two systems", changed(two_systems)},
+            {"a loop", changed(loop)},
+            {"a late time", changed(late)},
+            {"a far place", changed(far_away)},
+            {"three cascades", changed(three_cascades)}};
+}
+
+TEST(Crests, StandAtTheirPlaceAndTimeWhateverTheSea) {
+    for (NamedSea& sea : seas()) {
+        for (const double height : {1.3, -0.9}) {
+            sea.parameters.crests.front().height = {height, true};
+            const Modes modes = modes_of(sea.parameters);
+            WaveSum sum(modes, sea.parameters.water);
+            const Crest& crest = sea.parameters.crests.front();
+            sum.set_time(crest.time);
+            const LinearSample sample = sum.at_label(crest.x, crest.y);
+            EXPECT_NEAR(sample.height, height * requested_height(sea.parameters), 1e-4) << sea.name;
+            EXPECT_NEAR(sample.displacement_x, 0.0, 1e-4) << sea.name;
+            EXPECT_NEAR(sample.displacement_y, 0.0, 1e-4) << sea.name;
+        }
+    }
+}
+
+// In a sea of long waves alone the water is level and neither rises nor falls.
+TEST(Crests, AreLevelAndAtTheirHighestMoment) {
+    Parameters parameters = storm();
+    parameters.surface.shortest_wavelength = 20.0;
+    WaveSum sea(modes_of(parameters), parameters.water);
+    sea.set_time(kHero.time);
+    const LinearSample sample = sea.at_label(kHero.x, kHero.y);
+    EXPECT_NEAR(sample.slope_x, 0.0, 1e-5);
+    EXPECT_NEAR(sample.slope_y, 0.0, 1e-5);
+    EXPECT_NEAR(sample.height_rate, 0.0, 1e-4);
+}
+
+TEST(Crests, AreTheHighestPointsNearThem) {
+    for (NamedSea& sea : seas()) {
+        const double wanted = 1.1 * requested_height(sea.parameters);
+        for (const std::uint32_t seed : {1u, 2u}) {
+            sea.parameters.seed = seed;
+            const Modes modes =
+                test::long_waves(modes_of(sea.parameters), sea.parameters.water, sea.peak_omega());
+            const Highest highest =
+                highest_near(sea.parameters, modes, sea.parameters.crests.front(), 16.0, 0.8);
+            EXPECT_NEAR(highest.height / wanted, 1.0, 0.005) << sea.name << ", seed " << seed;
+            EXPECT_NEAR(highest.time, sea.parameters.crests.front().time, 0.15)
+                << sea.name << ", seed " << seed;
+        }
+    }
+}
+
+TEST(Crests, OfOneSeaAreManyAndMayBeTroughs) {
+    Parameters parameters = storm();
+    parameters.crests = {{20.0, 100.0, 100.0, {5.0, false}, {}},
+                         {35.0, 350.0, 50.0, {6.0, false}, {}},
+                         {20.0, 300.0, 300.0, {-3.0, false}, {}}};
+    const Modes modes = modes_of(parameters);
+    WaveSum sea(modes, parameters.water);
+    for (const Crest& crest : parameters.crests) {
+        sea.set_time(crest.time);
+        EXPECT_NEAR(sea.at_label(crest.x, crest.y).height, crest.height.value, 1e-4);
+    }
+}
+
+/// The correlations of the heights at two places and times with modes of that variance.
+double covariance(const Parameters& parameters, const Modes& modes, double x, double y,
+                  double time) {
+    const auto spectrum = make_directional_spectrum(parameters);
+    const int half = parameters.grid.resolution / 2;
+    double sum = 0.0;
+    for (int m = 1 - half; m < half; ++m) {
+        for (int n = 1 - half; n < half; ++n) {
+            const std::size_t at = mode_index(n, m, parameters.grid.resolution);
+            const double rate = static_cast<double>(modes.cascades[0].rate_high[at]) +
+                                static_cast<double>(modes.cascades[0].rate_low[at]);
+            const double step = modes.lattice.wavenumber_step();
+            sum += modal_variance(spectrum, parameters, n, m) *
+                   std::cos(step * (n * x + m * y) - kTwoPi * rate * time);
+        }
+    }
+    return sum;
+}
+
+// Without a wave of the draw near it, the mean over all seeds is A r / m0, NewWave, as no other row
+// is correlated with the height at its own place; the variance of each seed's height at the crest
+// is 0 and far away the sea's own.
+TEST(Crests, SeedsHaveMeanAndVarianceOfTheory) {
+    Parameters parameters = wind_sea(32, 600.0);
+    parameters.waves.front().significant_wave_height = 6.0;
+    parameters.waves.front().peak_period = 14.0;
+    parameters.crests = {{0.0, 300.0, 300.0, {1.2, true}, {}}};
+    constexpr int kSeeds = 160;
+    const std::vector<double> along = {0.0, 15.0, 40.0, 100.0, 250.0};
+    const double direction = 30.0 * kPi / 180.0;
+    std::vector<double> mean(along.size());
+    std::vector<double> square(along.size());
+    const auto spectrum = make_directional_spectrum(parameters);
+    ThreadPool pool(1);
+    for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+        parameters.seed = seed;
+        const WaveSum sea(make_modes(spectrum, parameters, pool), parameters.water);
+        for (std::size_t i = 0; i < along.size(); ++i) {
+            const double height = sea.at_label(300.0 + along[i] * std::cos(direction),
+                                               300.0 + along[i] * std::sin(direction))
+                                      .height;
+            mean[i] += height / kSeeds;
+            square[i] += height * height / kSeeds;
+        }
+    }
+    const Modes modes = modes_of(parameters);
+    const double m0 = covariance(parameters, modes, 0.0, 0.0, 0.0);
+    const double height = 1.2 * requested_height(parameters);
+    for (std::size_t i = 0; i < along.size(); ++i) {
+        const double r = covariance(parameters, modes, along[i] * std::cos(direction),
+                                    along[i] * std::sin(direction), 0.0);
+        const double variance = square[i] - mean[i] * mean[i];
+        const double error = 3.0 * std::sqrt(std::max(variance, 1e-9) / kSeeds);
+        EXPECT_NEAR(mean[i], height * r / m0, error + 1e-4) << along[i];
+        // The rows leave at most what the height alone leaves; far from the crest that is nearly
+        // all.
+        const double left = m0 - r * r / m0;
+        EXPECT_LE(variance, left * (1.0 + 3.0 * std::sqrt(2.0 / kSeeds)) + 1e-6) << along[i];
+        if (along[i] >= 250.0) {
+            EXPECT_GE(variance, 0.7 * m0) << along[i];
+        }
+    }
+}
+
+TEST(Crests, KeepTheBitsOfASeaWithoutThem) {
+    Parameters parameters = storm();
+    parameters.crests.clear();
+    const Modes plain = modes_of(parameters);
+    const Modes with_crest = modes_of(storm(), 3);
+    const Modes again = modes_of(storm(), 1);
+    const auto& a = plain.cascades[0].h0;
+    const auto& b = with_crest.cascades[0].h0;
+    const auto bytes = a.size() * sizeof(a[0]);
+    EXPECT_NE(std::memcmp(a.data(), b.data(), bytes), 0);
+    EXPECT_EQ(std::memcmp(b.data(), again.cascades[0].h0.data(), bytes), 0)
+        << "any number of threads";
+    EXPECT_EQ(std::memcmp(&plain.cascades[0].rate_high[0], &with_crest.cascades[0].rate_high[0],
+                          a.size() * sizeof(float)),
+              0);
+}
+
+// The waves of the second cascade repeat every 125 m: they may not carry the crest, although some
+// of them are as long as its long waves. They are level there.
+TEST(Crests, AreNotMadeOfWavesThatRepeatWithinThePatch) {
+    Parameters parameters = storm();
+    parameters.grid = {32, 500.0, 2, {1, 4}};
+    Modes modes = modes_of(parameters);
+    std::fill(modes.cascades[0].h0.begin(), modes.cascades[0].h0.end(), 0.0f);
+    WaveSum sea(modes, parameters.water);
+    sea.set_time(kHero.time);
+    EXPECT_NEAR(sea.at_label(kHero.x, kHero.y).height, 0.0, 1e-4);
+    EXPECT_GT(std::abs(sea.at_label(kHero.x + 40.0, kHero.y).height), 1e-3);
+}
+
+// A finer grid adds short waves, which are level at the crest; it moves no long one.
+TEST(Crests, OfAFinerGridAreMadeOfTheSameLongWaves) {
+    Parameters parameters = storm();
+    const Modes coarse = modes_of(parameters);
+    parameters.grid.resolution = 128;
+    const Modes fine = modes_of(parameters);
+    double largest = 0.0;
+    for (int m = -20; m <= 20; ++m) {
+        for (int n = -20; n <= 20; ++n) {
+            const std::complex<float> a = coarse.cascades[0].h0[mode_index(n, m, 64)];
+            const std::complex<float> b = fine.cascades[0].h0[mode_index(n, m, 128)];
+            largest = std::max(largest, static_cast<double>(std::abs(a - b)));
+        }
+    }
+    EXPECT_LT(largest, 1e-3);
+    WaveSum sea(fine, parameters.water);
+    sea.set_time(kHero.time);
+    EXPECT_NEAR(sea.at_label(kHero.x, kHero.y).height, 1.1 * 6.0, 1e-3);
+}
+
+// Two systems cross: the direction of the crest picks the one whose way it goes.
+TEST(Crests, TravelInTheirDirection) {
+    for (const double direction : {-60.0, 30.0}) {
+        Parameters parameters = seas()[3].parameters;
+        parameters.crests.front().direction = direction;
+        const Crest& crest = parameters.crests.front();
+        const Modes modes = modes_of(parameters);
+        // The highest point, followed over two seconds.
+        const auto top = [&](double time) {
+            Crest later = crest;
+            later.time = time;
+            return highest_near(parameters, modes, later, 20.0, 0.0);
+        };
+        const Highest before = top(crest.time - 1.0);
+        const Highest after = top(crest.time + 1.0);
+        const double way = std::atan2(after.y - before.y, after.x - before.x) * 180.0 / kPi;
+        EXPECT_NEAR(std::remainder(way - direction, 360.0), 0.0, 25.0) << direction;
+        WaveSum sea(modes, parameters.water);
+        sea.set_time(crest.time);
+        EXPECT_NEAR(sea.at_label(crest.x, crest.y).height, 1.1 * requested_height(parameters),
+                    1e-4);
+    }
+}
+
+std::string refusal_of(const Parameters& parameters) {
+    try {
+        validate(parameters);
+        modes_of(parameters);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "none";
+}
+
+TEST(Crests, ThatASeaCannotMakeAreRefusedWithTheReason) {
+    const auto expect = [](const std::string& part,
+                           const std::function<void(Parameters&)>& change) {
+        const std::string sentence = refusal_of(changed(change));
+        EXPECT_NE(sentence.find(part), std::string::npos) << part << "\n" << sentence;
+    };
+    expect("none", [](Parameters&) {});
+    expect("one crest in 10^14", [](Parameters& p) { p.crests[0].height = {2.01, true}; });
+    expect("2.17 Hs", [](Parameters& p) { p.crests[0].height = {13.0, false}; });
+    expect("neither a crest", [](Parameters& p) { p.crests[0].height = {0.0, false}; });
+    expect("one height", [](Parameters& p) {
+        p.crests.push_back(p.crests[0]);
+        p.crests[1].height = {0.5, true};
+        p.crests[1].x += p.grid.patch_size;
+    });
+    expect("contradicts", [](Parameters& p) {
+        p.crests.push_back(p.crests[0]);
+        p.crests[1].height = {-1.0, true};
+        p.crests[1].time += 0.5;
+    });
+    expect("flat sea", [](Parameters& p) { p.waves[0].significant_wave_height = 0.0; });
+    expect("the grid holds", [](Parameters& p) {
+        p.surface.longest_wavelength = 0.0;
+        p.grid.patch_size = 40.0;
+    });
+    expect("travels that way", [](Parameters& p) {
+        p.waves[0].opposing = 0.0;
+        p.crests[0].direction = -150.0;
+    });
+    expect("no number", [](Parameters& p) { p.crests[0].x = std::nan(""); });
+    expect("17 crests", [](Parameters& p) { p.crests.resize(17); });
+}
+
+TEST(Crests, ChangeTheModesAndNoEarlierStage) {
+    const Parameters before = storm();
+    Parameters after = before;
+    EXPECT_EQ(first_dirty_stage(before, after), std::nullopt);
+    after.crests[0].time = 40.0;
+    EXPECT_EQ(first_dirty_stage(before, after), Stage::modes);
+    after.crests.clear();
+    EXPECT_EQ(first_dirty_stage(before, after), Stage::modes);
+    EXPECT_EQ(first_dirty_stage(after, before), Stage::modes);
+}
+
+// One crest in N for Hs 6 m, Tm01 9.3 s [Forristall 2000].
+TEST(Crests, AreAsRareAsForristallSays) {
+    EXPECT_NEAR(1.0 / rayleigh_exceedance(6.0, 6.0), 2981.0, 1.0);
+    const Water deep;
+    EXPECT_NEAR(1.0 / forristall_exceedance(6.0, 6.0, 9.3, deep), 1000.0, 100.0);
+    EXPECT_NEAR(1.0 / forristall_exceedance(7.5, 6.0, 9.3, deep), 41000.0, 4000.0);
+    Water shallow;
+    shallow.depth = 15.0;
+    EXPECT_NEAR(1.0 / forristall_exceedance(6.0, 6.0, 9.3, shallow), 135.5, 1.0);
+}
+
+TEST(Crests, AreDescribedByTheStateOfTheirSea) {
+    Parameters parameters = storm();
+    parameters.crests[0].height = {1.3, true};
+    const SeaState state = Ocean(parameters).state();
+    ASSERT_EQ(state.crests.size(), 1u);
+    EXPECT_NEAR(state.crests[0].height, 7.8, 1e-2);
+    EXPECT_NEAR(state.crests[0].relative_height, 1.3, 1e-9);
+    EXPECT_GT(state.crests[0].one_in_rayleigh, state.crests[0].one_in_forristall);
+    EXPECT_GT(state.crest_variance, 1.05);
+    EXPECT_LT(state.crest_variance, 2.0);
+    const auto warned = [&](const std::string& part) {
+        return std::ranges::any_of(state.warnings, [&](const std::string& text) {
+            return text.find(part) != std::string::npos;
+        });
+    };
+    EXPECT_TRUE(warned("1.30 Hs: one crest in"));
+    EXPECT_TRUE(warned("variance of the whole patch"));
+    parameters.crests.clear();
+    EXPECT_EQ(sea_state_json(Ocean(parameters).state()).find("crest"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ocean
