@@ -89,6 +89,11 @@ std::vector<NamedSea> seas() {
         p.waves[1].significant_wave_height = 3.0;
         p.waves[1].peak_period = 7.5;
     };
+    const auto narrow_swell = [](Parameters& p) {
+        p.waves.front().peak_period = 14.0;
+        p.waves.front().peak_enhancement = 10.0;
+        p.waves.front().swell = 1.0;
+    };
     const auto loop = [](Parameters& p) { p.time.loop_period = 60.0; };
     const auto late = [](Parameters& p) { p.crests.front().time = 1e6; };
     const auto far_away = [](Parameters& p) {
@@ -103,6 +108,7 @@ std::vector<NamedSea> seas() {
             {"Phillips", changed(phillips)},
             {"TMA", changed(tma)},
             {"two systems", changed(two_systems)},
+            {"a narrow swell", changed(narrow_swell)},
             {"a loop", changed(loop)},
             {"a late time", changed(late)},
             {"a far place", changed(far_away)},
@@ -185,49 +191,70 @@ double covariance(const Parameters& parameters, const Modes& modes, double x, do
     return sum;
 }
 
-// Without a wave of the draw near it, the mean over all seeds is A r / m0, NewWave, as no other row
-// is correlated with the height at its own place; the variance of each seed's height at the crest
-// is 0 and far away the sea's own.
+/// Means over seeds at one place: of the height with a crest, of the part of the drawn height that
+/// the crest replaces, and of their products.
+struct SeedSums {
+    double height = 0.0, replaced = 0.0;
+    double height_squared = 0.0, replaced_squared = 0.0, product = 0.0;
+
+    void add(double with_crest, double drawn, double share) {
+        const double part = drawn - with_crest;
+        height += share * with_crest;
+        replaced += share * part;
+        height_squared += share * with_crest * with_crest;
+        replaced_squared += share * part * part;
+        product += share * with_crest * part;
+    }
+    double variance() const { return std::max(0.0, height_squared - height * height); }
+    double replaced_variance() const { return replaced_squared - replaced * replaced; }
+    double covariance() const { return product - height * replaced; }
+};
+
+// The mean over all seeds is A r / m0, NewWave: no other row is correlated with the height at its
+// own place. What is left of the draw is independent of what the crest replaces, so that both
+// variances add up to the sea's own.
 TEST(Crests, SeedsHaveMeanAndVarianceOfTheory) {
     Parameters parameters = wind_sea(32, 600.0);
     parameters.waves.front().significant_wave_height = 6.0;
     parameters.waves.front().peak_period = 14.0;
-    parameters.crests = {{0.0, 300.0, 300.0, {1.2, true}, {}}};
+    const Crest crest{0.0, 300.0, 300.0, {1.2, true}, {}};
     constexpr int kSeeds = 160;
     const std::vector<double> along = {0.0, 15.0, 40.0, 100.0, 250.0};
-    const double direction = 30.0 * kPi / 180.0;
-    std::vector<double> mean(along.size());
-    std::vector<double> square(along.size());
+    const double x = std::cos(30.0 * kPi / 180.0);
+    const double y = std::sin(30.0 * kPi / 180.0);
+    std::vector<SeedSums> sums(along.size());
     const auto spectrum = make_directional_spectrum(parameters);
     ThreadPool pool(1);
     for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
         parameters.seed = seed;
+        parameters.crests.clear();
+        const WaveSum drawn(make_modes(spectrum, parameters, pool), parameters.water);
+        parameters.crests = {crest};
         const WaveSum sea(make_modes(spectrum, parameters, pool), parameters.water);
         for (std::size_t i = 0; i < along.size(); ++i) {
-            const double height = sea.at_label(300.0 + along[i] * std::cos(direction),
-                                               300.0 + along[i] * std::sin(direction))
-                                      .height;
-            mean[i] += height / kSeeds;
-            square[i] += height * height / kSeeds;
+            const double at_x = 300.0 + along[i] * x;
+            const double at_y = 300.0 + along[i] * y;
+            sums[i].add(sea.at_label(at_x, at_y).height, drawn.at_label(at_x, at_y).height,
+                        1.0 / kSeeds);
         }
     }
     const Modes modes = modes_of(parameters);
     const double m0 = covariance(parameters, modes, 0.0, 0.0, 0.0);
     const double height = 1.2 * requested_height(parameters);
     for (std::size_t i = 0; i < along.size(); ++i) {
-        const double r = covariance(parameters, modes, along[i] * std::cos(direction),
-                                    along[i] * std::sin(direction), 0.0);
-        const double variance = square[i] - mean[i] * mean[i];
-        const double error = 3.0 * std::sqrt(std::max(variance, 1e-9) / kSeeds);
-        EXPECT_NEAR(mean[i], height * r / m0, error + 1e-4) << along[i];
-        // The rows leave at most what the height alone leaves; far from the crest that is nearly
-        // all.
-        const double left = m0 - r * r / m0;
-        EXPECT_LE(variance, left * (1.0 + 3.0 * std::sqrt(2.0 / kSeeds)) + 1e-6) << along[i];
-        if (along[i] >= 250.0) {
-            EXPECT_GE(variance, 0.7 * m0) << along[i];
-        }
+        SCOPED_TRACE(along[i]);
+        const double variance = sums[i].variance();
+        const double replaced = sums[i].replaced_variance();
+        const double r = covariance(parameters, modes, along[i] * x, along[i] * y, 0.0);
+        EXPECT_NEAR(sums[i].height, height * r / m0, 3.0 * std::sqrt(variance / kSeeds) + 1e-4);
+        EXPECT_NEAR(sums[i].covariance(), 0.0,
+                    3.0 * std::sqrt(variance * replaced / kSeeds) + 1e-6);
+        EXPECT_NEAR((variance + replaced) / m0, 1.0, 3.0 * std::sqrt(2.0 / kSeeds));
+        EXPECT_GE(replaced / m0, r * r / (m0 * m0) * (1.0 - 3.0 * std::sqrt(2.0 / kSeeds)))
+            << "it replaces at least what its height alone determines";
     }
+    EXPECT_NEAR(sums.front().variance(), 0.0, 1e-6);
+    EXPECT_GT(sums.back().variance(), 0.7 * m0) << "far away the sea is free";
 }
 
 TEST(Crests, KeepTheBitsOfASeaWithoutThem) {

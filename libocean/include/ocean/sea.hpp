@@ -83,8 +83,8 @@ void add_wave_system(Sea& sea, std::string_view name);
 /// unknown name and for the last remaining system.
 void remove_wave_system(Sea& sea, std::string_view name);
 
-/// Throws Error unsupported if no take can play over the parameters: the waves over a bed, and those
-/// that make crests, are computed for one sea state.
+/// Throws Error unsupported if no take can play over the parameters: the waves over a bed, and
+/// those that make crests, are computed for one sea state.
 void require_takes(const Parameters& parameters);
 
 /// Checks the rules of the parameters and of the take: it names live parameters of existing wave
