@@ -7,6 +7,7 @@ import gc
 import multiprocessing
 import os
 import pickle
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -33,16 +34,28 @@ def height(subject):
     return surface_of(subject).height
 
 
-@pytest.mark.parametrize("twin", [copy.copy, copy.deepcopy])
+@pytest.mark.parametrize("twin", [copy.copy, copy.deepcopy, lambda subject: subject.clone()])
 def test_a_copy_has_a_handle_of_its_own(subject, twin):
     expected = height(subject)
+    with ThreadPoolExecutor(3) as pool:  # one for each thread
+        for found in pool.map(lambda _: height(twin(subject)), range(3)):
+            assert np.array_equal(found, expected)
     copied = twin(subject)
     assert copied._handle.value != subject._handle.value
     assert np.array_equal(height(copied), expected)
     copied.set("seed", 5)
     assert not np.array_equal(height(copied), expected)
-    copied.close()
     assert np.array_equal(height(subject), expected)
+    subject.close()
+    assert height(copied).any()
+    copied.close()
+
+
+def test_its_text_gives_the_same_subject(subject):
+    parse = libocean.parse if isinstance(subject, libocean.Sea) else libocean.parse_terrain
+    with parse(subject.text) as again:
+        assert again.text == subject.text
+        assert np.array_equal(height(again), height(subject))
 
 
 def test_a_copied_surface_looks_at_the_same_sea(sea):

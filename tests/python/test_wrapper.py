@@ -190,12 +190,6 @@ def test_a_closed_sea_keeps_its_arrays_and_refuses_the_rest():
             use()
 
 
-def test_text_gives_the_same_sea(sea):
-    with libocean.parse(sea.text) as again:
-        assert again.text == sea.text
-        assert (again.surface(5.0).displacement == sea.surface(5.0).displacement).all()
-
-
 def test_state_is_what_the_maps_hold(sea):
     variances = []
     for seed in range(48):
@@ -333,15 +327,6 @@ def test_values_that_go_together_are_set_together(sea):
     with pytest.raises(libocean.InvalidValueError):
         sea.set_all({"shortest_wavelength": 500.0, "longest_wavelength": 400.0})
     assert (sea.get("shortest_wavelength"), sea.get("longest_wavelength")) == ("5", "50")
-
-
-def test_a_clone_is_the_same_sea_for_another_thread(sea):
-    clone = sea.clone()
-    assert np.array_equal(clone.surface(3.0).height, sea.surface(3.0).height)
-    clone.set("wind_speed", 3)
-    assert sea.get("wind_speed") != clone.get("wind_speed")
-    sea.close()
-    assert clone.surface(3.0).height.any()
 
 
 def test_progress_hears_of_foam_and_what_it_raises_ends_the_call():
