@@ -3,15 +3,18 @@
 """A fresh Blender for each test, and values to compare its meshes with."""
 
 import contextlib
+import inspect
+import json
 import os
+import shutil
 import subprocess
 import sys
-import textwrap
 import time
 from pathlib import Path
 
 import bpy
 import numpy as np
+import other_blender
 import pytest
 from libocean_addon.shared import drafts
 
@@ -33,7 +36,7 @@ def empty_file(request):
     if is_on and request.node.get_closest_marker("only_reads"):
         return
     if is_on and not preferences.is_dirty:
-        bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+        empty()
     else:
         factory_settings(use_empty=True)
 
@@ -121,6 +124,18 @@ def add_ocean(resolution: int, *, sea: dict | None = None, **arguments):
     return bpy.context.object
 
 
+def add_horizon(resolution: int, vertices: int, distance: float = 5000.0, **arguments):
+    """Adds an ocean with a horizon of so few vertices from the start: the default has thirty times
+    as many."""
+    from libocean_addon.shared import changes
+
+    ob = add_ocean(resolution, kind="PATCH", **arguments)
+    with changes.quiet():
+        ob.libocean.kind, ob.libocean.horizon_vertices = "HORIZON", vertices
+    ob.libocean.horizon_distance = distance
+    return ob
+
+
 def evaluated_mesh(ob):
     return ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
 
@@ -157,31 +172,27 @@ def plane(size: float, vertices: int, name: str = "Plane"):
     return bpy.context.object
 
 
-ANOTHER_PROCESS = """
-import os, sys, traceback
-import bpy
-arguments = sys.argv[sys.argv.index("--") + 1 :]
-try:
-{body}
-    status = 0
-except BaseException:
-    traceback.print_exc()
-    status = 1
-sys.stdout.flush()
-sys.stderr.flush()
-os._exit(status)
-"""
+needs_window = pytest.mark.skipif(
+    not bpy.app.binary_path or not shutil.which("xvfb-run"), reason="no Blender with a window"
+)
 
 
-def start_another_process(folder: Path, body: str, *arguments, **environment) -> subprocess.Popen:
-    """Statements in a Blender of their own, with factory settings. They find `arguments`."""
-    script = folder / "script.py"
-    script.write_text(ANOTHER_PROCESS.format(body=textwrap.indent(body.strip("\n"), "    ")))
-    start = [sys.executable, script]
-    if bpy.app.binary_path:
-        start = [bpy.app.binary_path, "--background", "--factory-startup", "--python", script]
+def start_another_blender(program, *arguments, size=(640, 480), **environment) -> subprocess.Popen:
+    """Starts a function of other_blender.py in a Blender of its own, with factory settings, a
+    generator in a window of so many pixels."""
+    start = [bpy.app.binary_path, "--factory-startup", "--python"]
+    if inspect.isgeneratorfunction(program):
+        width, height = (str(side) for side in size)
+        screen = f"-screen 0 {width}x{height}x24 +extension GLX"
+        geometry = ["--enable-event-simulate", "--window-geometry", "0", "0", width, height]
+        start = ["xvfb-run", "-a", "-s", screen, start[0], *geometry, *start[1:]]
+    elif bpy.app.binary_path:
+        start.insert(1, "--background")
+    else:
+        start = [sys.executable]
+    words = [program.__name__, *(str(argument) for argument in arguments)]
     return subprocess.Popen(
-        [*start, "--", *arguments],
+        [*start, other_blender.__file__, "--", *words],
         env={**os.environ, **environment},
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
@@ -189,17 +200,91 @@ def start_another_process(folder: Path, body: str, *arguments, **environment) ->
     )
 
 
-def in_another_process(folder: Path, body: str, *arguments, **environment) -> None:
-    """Runs statements in a Blender of their own, which must end well."""
-    started = start_another_process(folder, body, *arguments, **environment)
-    said, _ = started.communicate()
-    assert started.returncode == 0, said
+def in_another_blender(program, *arguments, **settings) -> str:
+    """Runs such a function, which must end well; returns what is said meanwhile."""
+    started = start_another_blender(program, *arguments, **settings)
+    said, _ = started.communicate(timeout=300)
+    assert started.returncode == 0 and "Traceback" not in said, said
+    return said
 
 
-def reopen(path: Path) -> None:
-    """Saves the file and opens it."""
+def assert_shown_without_the_add_on(path: Path, wanted: dict, **environment) -> None:
+    """Asserts that a file shows values where the add-on is not, to the bit. wanted: arrays by the
+    name of an object, that of a value of its mesh, and a frame."""
+    keys = {" ".join(str(part) for part in key): values for key, values in wanted.items()}
+    np.savez(path.with_suffix(".npz"), **keys)
+    in_another_blender(other_blender.shows, path, path.with_suffix(".npz"), **environment)
+
+
+def save(path: Path) -> Path:
+    path.parent.mkdir(exist_ok=True)
     bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    return path
+
+
+def opened(path: Path, name: str, frame: int | None = None):
+    """Opens a file; returns one of its objects, which becomes the active one."""
     bpy.ops.wm.open_mainfile(filepath=str(path))
+    if frame is not None:
+        bpy.context.scene.frame_set(frame)
+    ob = bpy.data.objects[name, None]
+    bpy.context.view_layer.objects.active = ob
+    return ob
+
+
+def reopened(path: Path, name: str, frame: int | None = None):
+    """Saves the file and opens it; returns one of its objects."""
+    return opened(save(path), name, frame)
+
+
+def empty() -> None:
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+
+
+def keyed(owner, **values) -> None:
+    """Gives properties values at frames."""
+    for name, at_frames in values.items():
+        for frame, value in at_frames.items():
+            setattr(owner, name, value)
+            owner.keyframe_insert(name, frame=frame)
+
+
+def push(message: str = "") -> None:
+    """Ends a step of undo."""
+    bpy.ops.ed.undo_push(message=message)
+
+
+def is_of_object(update) -> bool:
+    return isinstance(update.id, bpy.types.Object)
+
+
+def updates_of(ob, times: int, counts=is_of_object) -> set[str]:
+    """Returns the names of what Blender evaluates anew while nothing moves."""
+    found = set()
+
+    def note(_scene, depsgraph):
+        found.update(update.id.name for update in depsgraph.updates if counts(update))
+
+    bpy.app.handlers.depsgraph_update_post.append(note)
+    try:
+        for _ in range(times):
+            bpy.context.view_layer.objects.active = ob
+            bpy.context.view_layer.update()
+    finally:
+        bpy.app.handlers.depsgraph_update_post.remove(note)
+    return found
+
+
+def failing(operator, **arguments) -> str:
+    """Returns the message of an operator that must fail."""
+    with pytest.raises(RuntimeError) as failure:
+        operator(**arguments)
+    return str(failure.value)
+
+
+def times(folder: Path) -> dict[str, int]:
+    """Returns when the files of a folder were written."""
+    return {path.name: path.stat().st_mtime_ns for path in folder.iterdir() if path.is_file()}
 
 
 # Work in the background --------------------------------------------------------
@@ -224,6 +309,21 @@ def work_on() -> drafts.Job:
     while drafts.at_work() is None:
         time.sleep(min(drafts.step(), 0.02))
     return drafts.at_work()[1]
+
+
+@pytest.fixture
+def scripted_volumes(monkeypatch):
+    """In the place of OpenVDB: what a file would say of itself."""
+    from libocean_addon.shared import compat
+    from libocean_addon.volumes import vdb_files, volume_job, volumes
+
+    def write(_job, _sea, _frame, path, strings, _period):
+        path.write_text(json.dumps(strings))
+
+    monkeypatch.setattr(volumes, "find_command", lambda: None)
+    monkeypatch.setattr(compat, "load_openvdb", lambda: object())
+    monkeypatch.setattr(volume_job.VolumeJob, "_by_module", write)
+    monkeypatch.setattr(vdb_files, "read_header", lambda path: json.loads(path.read_text()))
 
 
 # A coast of test_coast.py -------------------------------------------------------
@@ -253,6 +353,20 @@ def slow(monkeypatch):
     Coast().make_slow(monkeypatch)
 
 
+# Files --------------------------------------------------------------------------
+
+
+def read_exr(path: Path) -> tuple[dict[str, str], dict[str, np.ndarray]]:
+    """Returns header and channels of a file of floats."""
+    from libocean_addon.bake import exr_files
+
+    image = exr_files.load_package().InputFile(str(path))
+    header = image.header()
+    assert image.isComplete()
+    planes = {name: np.frombuffer(image.channel(name), np.float32) for name in header["channels"]}
+    return {name: str(value) for name, value in header.items()}, planes
+
+
 # Pictures -----------------------------------------------------------------------
 
 
@@ -267,28 +381,60 @@ def shot(scene):
 def shot_of(scene, ob, place=(0.0, 0.0, 100.0), width: float | None = None):
     """Shows an object from above, its positions as light; returns the camera. width: of the view
     [m]; None: nearly a period of a sea."""
-    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-    bpy.context.collection.objects.link(camera)
-    camera.location = place
-    camera.data.type = "ORTHO"
-    camera.data.ortho_scale = width or ob.libocean.patch_size * 0.9
-    scene.camera = camera
+    picture_settings(scene, 48)
+    shine_by_places(ob)
+    return camera(scene, place, width=width or ob.libocean.patch_size * 0.9)
+
+
+def picture_settings(scene, side: int, samples: int = 1) -> None:
+    """Has Cycles render squares of numbers, of so many pixels a side."""
     scene.render.engine = "CYCLES"
-    scene.cycles.samples = 1
-    scene.cycles.use_denoising = False
-    scene.render.resolution_x = scene.render.resolution_y = 48
+    scene.cycles.samples = samples
+    scene.cycles.use_denoising = scene.cycles.use_adaptive_sampling = False
+    scene.render.resolution_x = scene.render.resolution_y = side
     scene.render.image_settings.file_format = "OPEN_EXR"
     scene.render.image_settings.color_depth = "32"
-    material = bpy.data.materials.new("Heights")
-    material.use_nodes = True
-    nodes, links = material.node_tree.nodes, material.node_tree.links
-    nodes.clear()
-    place = nodes.new("ShaderNodeNewGeometry")
-    light = nodes.new("ShaderNodeEmission")
-    links.new(place.outputs["Position"], light.inputs["Color"])
-    links.new(light.outputs[0], nodes.new("ShaderNodeOutputMaterial").inputs["Surface"])
-    ob.data.materials.append(material)
-    return camera
+
+
+def shine_by_places(ob) -> None:
+    """Has an object shine with its positions as light."""
+    made = light()
+    shine(ob, made, made.node_tree.nodes.new("ShaderNodeNewGeometry").outputs["Position"])
+
+
+def camera(scene, place=(0.0, 0.0, 0.0), *, width: float | None = None, far: float = 1000.0):
+    """The scene's camera, which looks down. width: of a view without perspective [m]."""
+    ob = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+    scene.collection.objects.link(ob)
+    scene.camera, ob.location, ob.data.clip_end = ob, place, far
+    if width:
+        ob.data.type, ob.data.ortho_scale = "ORTHO", width
+    bpy.context.view_layer.update()
+    return ob
+
+
+def light():
+    """A material that shines evenly."""
+    from libocean_addon.shared import compat
+
+    made = bpy.data.materials.new("Light")
+    compat.use_nodes(made)
+    tree = made.node_tree
+    tree.nodes.clear()
+    lamp, output = tree.nodes.new("ShaderNodeEmission"), tree.nodes.new("ShaderNodeOutputMaterial")
+    tree.links.new(lamp.outputs[0], output.inputs["Surface"])
+    return made
+
+
+def white(shader: str = "ShaderNodeBsdfDiffuse"):
+    """A material that sends all light back, or lets all through."""
+    made = light()
+    tree = made.node_tree
+    both = tree.nodes.new(shader)
+    both.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
+    output = next(node for node in tree.nodes if node.type == "OUTPUT_MATERIAL")
+    tree.links.new(both.outputs[0], output.inputs["Surface"])
+    return made
 
 
 def pixels(path: Path) -> np.ndarray:
@@ -348,39 +494,18 @@ def by_nodes(formula, arguments: np.ndarray) -> np.ndarray:
     return attribute(ob, "result")
 
 
-def parallel_camera(scene):
-    """The scene's, without perspective; it looks down."""
-    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-    scene.collection.objects.link(camera)
-    camera.data.type = "ORTHO"
-    camera.data.clip_end = 1000.0
-    scene.camera = camera
-    return camera
-
-
 @pytest.fixture
 def eye(scene):
     """The scene's camera, low over the land of test_land.py."""
-    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-    camera.location = (512.0, 1024.0, 64.0)
-    camera.data.clip_end = 1e5
-    scene.collection.objects.link(camera)
-    scene.camera = camera
-    bpy.context.view_layer.update()
-    return camera
+    return camera(scene, (512.0, 1024.0, 64.0), far=1e5)
 
 
 @pytest.fixture
 def studio(scene):
     """Straight down on what shines by itself, each pixel of one point."""
-    parallel_camera(scene).location.z = 100.0
-    scene.render.engine = "CYCLES"
-    scene.cycles.samples = 1
-    scene.cycles.use_denoising = scene.cycles.use_adaptive_sampling = False
+    camera(scene, (0.0, 0.0, 100.0), width=6.0)
+    picture_settings(scene, 512)
     scene.cycles.filter_width = 0.01
-    scene.render.resolution_x = scene.render.resolution_y = 512
-    scene.render.image_settings.file_format = "OPEN_EXR"
-    scene.render.image_settings.color_depth = "32"
     return scene
 
 

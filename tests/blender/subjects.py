@@ -17,7 +17,16 @@ from libocean_addon.sea.open_sea import OpenSea
 from libocean_addon.sea.sea_job import SeaJob
 from libocean_addon.shared import drafts, modifier_groups, subject
 from libocean_addon.terrain import node_group, open_terrain
-from test_coast import SEA, add_coast, assert_is_bed, assert_is_region, write_bed
+from test_coast import (
+    CELL,
+    COLUMNS,
+    ROWS,
+    SEA,
+    add_coast,
+    assert_is_bed,
+    assert_is_region,
+    write_bed,
+)
 from test_coast_wetness import assert_is_wet
 from test_subject import assert_is_slope
 from test_surface import assert_patch
@@ -40,7 +49,14 @@ class Case:
     parameter = ""  # the path of a parameter
     label = "Resolution"  # of that parameter
     attributes: tuple[str, ...] = ()  # that a mesh may have
+    moves = False
     last_field = ""  # of the files of a bake
+    samples = (64, 64)  # of its maps
+    has_detail = False
+    saver = ""  # the operator that writes its file
+    command = ()  # options with which `ocean bake` bakes the same
+    tolerance, unlike = 0.0, {}  # of that: of its values, of its headers
+    without = {"positions": ("", "position")}  # what the add-on is not needed for: object and value
     steps = {}  # changes, by name
     mark = None  # a change that files keep
     of_copy = ()  # changes of a copy
@@ -72,10 +88,15 @@ class Case:
     def problem(self, ob) -> str:
         return getattr(ob, self.settings).problem
 
+    def row(self, ob):
+        return next(row for row in subject.rows if row.family.modifiers(ob))
+
     def values(self, ob):
         """Returns the values of an object's file."""
-        row = next(row for row in subject.rows if row.family.modifiers(ob))
-        return row.parameters.values_of(ob, bpy.context.scene)
+        return self.row(ob).parameters.values_of(ob, bpy.context.scene)
+
+    def save(self, path) -> None:
+        assert getattr(bpy.ops.libocean, self.saver)(filepath=str(path)) == {"FINISHED"}
 
     def shown(self, ob) -> dict[str, np.ndarray]:
         """Returns all that an object shows."""
@@ -114,7 +135,8 @@ def image_side(ob, name: str) -> int:
 class Sea(Case):
     name, settings, job, word = "Ocean", "libocean", SeaJob, "sea"
     status, parameter = "Ocean: foam ", "grid.resolution"
-    last_field = "cover"
+    moves, last_field, saver, has_detail = True, "cover", "save_sea", True
+    without = {"positions": ("Ocean", "position"), "foam": ("Ocean", "foam")}
     attributes = ("foam", "cover", "label", "velocity", "ocean_velocity", "ocean_normal")
     attributes += ("jacobian",)
     steps = {
@@ -122,11 +144,13 @@ class Sea(Case):
         "size": to("libocean.patch_size", 100.0),
         "waves": lambda _: bpy.ops.libocean.add_waves(),
         "mesh": to("libocean.mesh_resolution", 32),
+        "foam": to("libocean.foam_lifetime", 1.0),
     }
-    mark = staticmethod(to("libocean.choppiness", 0.7))
+    mark = staticmethod(steps["foam"])
     of_copy = (to("libocean.seed", 2), to("libocean.patch_size", 100.0))
     of_override = (to("libocean.seed", 9),)
     keyed = ("libocean.choppiness", 0.0, 1.0)
+    loaders, bad = ("load_sea",), {"patch_size": "libocean = 1\n[grid]\npatch_size = -3\n"}
     driven = "libocean.waves[0].wind_direction"
     refused = (
         to("libocean.waves[0].spectrum", "measured"),
@@ -134,9 +158,13 @@ class Sea(Case):
         ("needs a file",),
     )
 
+    def __init__(self, foam_lifetime: float = 0.0) -> None:
+        """The past of foam takes ten times as long as all else."""
+        self.foam_lifetime = foam_lifetime
+
     def add(self, folder):
-        values = {"foam_coverage": "threshold", "foam_threshold": 0.9, "foam_lifetime": 1.0}
-        values["patch_size"] = 200.0
+        values = {"foam_coverage": "threshold", "foam_threshold": 0.9, "patch_size": 200.0}
+        values["foam_lifetime"] = self.foam_lifetime
         return add_ocean(64, sea=values, kind="PATCH", preset="beaufort_6", use_material=False)
 
     def assert_is_library(self, ob) -> None:
@@ -167,7 +195,11 @@ class Sea(Case):
 class Coast(Case):
     name, settings, job, word = "Water", "libocean_coast", CoastJob, "coast"
     status, parameter = "Water: ", "grid.resolution"
-    last_field = "wetness"
+    moves, last_field, saver, samples = True, "wetness", "save_coast", (COLUMNS, ROWS)
+    command = ("--region", f"10,20,{10 + CELL * (COLUMNS - 1):g},{20 + CELL * (ROWS - 1):g}")
+    command = (*command, "--cell", f"{CELL:g}")
+    tolerance, unlike = 1e-5, {"compression": ""}
+    without = {"positions": ("Water", "position"), "wetness": ("Land", "shore_wetness")}
     attributes = ("foam", "cover", "jacobian", "ocean_velocity", "ocean_normal")
     attributes += ("breaking", "depth")
     steps = {
@@ -195,11 +227,15 @@ class Coast(Case):
         ("no waves",),
     )
 
+    def __init__(self, *, is_wet: bool = False) -> None:
+        self.is_wet = is_wet
+
     def add(self, folder):
         write_bed(folder)
         (folder / "sea.toml").write_text(SEA)
         ob = add_coast(folder / "sea.toml")
         ob.libocean_coast.use_clip = False
+        ob.libocean_coast.use_wetness = self.is_wet
         return ob
 
     def shown(self, ob) -> dict[str, np.ndarray]:
@@ -265,7 +301,7 @@ class Tile(Case):
         "hills": "libocean = 1\n[terrain]\nhills = 3\n",
         "libocean": "",
     }
-    loaders = ("load_terrain",)
+    loaders, saver = ("load_terrain",), "save_terrain"
     keyed = ("libocean_terrain.beta", 1.5, 2.5)
     driven = "libocean_terrain.mean"
     refused = (
@@ -390,12 +426,13 @@ class Toy(Case):
         ob.libocean_toy.slope = 3.0 + number
 
     def make_slow(self, patch) -> None:
-        patch.setattr(toy_subject.OpenToy, "is_ready", False)
+        is_ready = property(lambda toy: toy.ready == toy.changes)
+        patch.setattr(toy_subject.OpenToy, "is_ready", is_ready)
 
     def assert_is_draft(self, ob, before) -> None:
         assert_is_slope(ob, 0.0)
 
 
-BAKED = (Sea(), Coast())
+BAKED = (Sea(foam_lifetime=1.0), Coast())
 SHOWN = (Sea(), Coast(), Tile(), Land(), Toy())
-SLOW = (Sea(), Coast(), Tile(256), CarvedLand(), Toy())
+SLOW = (Sea(foam_lifetime=1.0), Coast(is_wet=True), Tile(256), CarvedLand(), Toy())

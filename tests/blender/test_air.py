@@ -7,8 +7,9 @@ import math
 
 import bpy
 import numpy as np
+import other_blender
 import pytest
-from conftest import in_another_process, plane
+from conftest import in_another_blender, keyed, plane, save
 from libocean_addon.look import air, first_view, material, water_shader
 from libocean_addon.shared import compat
 from test_material import (
@@ -146,9 +147,7 @@ def test_of_a_plain_colour_that_is_animated(scene, tmp_path):
     shown = next(node for node in scene.world.node_tree.nodes if node.type == "BACKGROUND")
     ob, _, node = flat_sea(visibility=VISIBILITY)
     assert_is_the_sky(scene, tmp_path, ob, node)
-    for frame, strength in ((1, 1.0), (11, 3.0)):
-        shown.inputs["Strength"].default_value = strength
-        shown.inputs["Strength"].keyframe_insert("default_value", frame=frame)
+    keyed(shown.inputs["Strength"], default_value={1: 1.0, 11: 3.0})
     shown.inputs["Color"].default_value = (0.1, 0.4, 0.2, 1.0)
     scene.frame_set(6)
     assert shown.inputs["Strength"].default_value == pytest.approx(2.0)
@@ -185,20 +184,6 @@ def test_what_somebody_put_there_stays(scene):
     assert node.inputs["Air Light"].links[0].from_node == own
 
 
-WITHOUT_THE_ADDON = """
-import numpy as np
-bpy.ops.wm.open_mainfile(filepath=arguments[0], use_scripts=False)
-assert "libocean_addon" not in bpy.context.preferences.addons
-world = bpy.context.scene.world
-shown = next(node for node in world.node_tree.nodes if node.type == "BACKGROUND")
-shown.inputs["Color"].default_value = (0.7, 0.6, 0.5, 1.0)
-bpy.ops.render.render(write_still=True)
-image = bpy.data.images.load(bpy.context.scene.render.filepath)
-found = np.array(image.pixels[:]).reshape(-1, 4).mean(axis=0)
-assert np.abs(found[:3] - (0.7, 0.6, 0.5)).max() < 0.01, found
-"""
-
-
 def test_a_file_keeps_it_without_the_addon(scene, tmp_path):
     light_all_round(scene, (0.3, 0.2, 0.1))
     ob, _, node = flat_sea(visibility=VISIBILITY)
@@ -206,5 +191,4 @@ def test_a_file_keeps_it_without_the_addon(scene, tmp_path):
     node.inputs["Water Colour"].default_value = BLACK
     look_far(scene, 300.0)
     scene.render.filepath = str(tmp_path / "seen.exr")
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "sea.blend"))
-    in_another_process(tmp_path, WITHOUT_THE_ADDON, str(tmp_path / "sea.blend"))
+    in_another_blender(other_blender.follow_air, save(tmp_path / "sea.blend"))

@@ -8,13 +8,14 @@ from pathlib import Path
 
 import bpy
 import numpy as np
+import other_blender
 import pytest
-from conftest import in_another_process, pixels, positions, rest
+from conftest import camera, failing, in_another_blender, pixels, positions, rest
 from libocean_addon.assets import asset_library, assets
 from libocean_addon.bundled import libocean
 from libocean_addon.look import foam_images
 from libocean_addon.sea import live, node_group
-from libocean_addon.shared import meshes, modifier_groups
+from libocean_addon.shared import modifier_groups
 
 PATCH = "Beaufort 4 Patch"
 FOREIGN = "# Mine\nVERSION 1\n\n0a0b6c1e-6a3f-4f0e-9d55-000000000001:Boats:Boats\n"
@@ -59,6 +60,10 @@ def fetch(library: Path, name: str, kind: str = "Object", *, link: bool = False,
 def made_here(kind: str, preset: str):
     bpy.ops.libocean.add(kind=kind, preset=preset)
     return bpy.context.object
+
+
+def refused(folder: Path) -> str:
+    return failing(bpy.ops.libocean.make_asset_library, directory=str(folder))
 
 
 def images_of(ob) -> set:
@@ -145,10 +150,7 @@ def test_a_sea_lives_where_it_is_put(library, scene, reuse):
 
 
 def test_a_horizon_follows_the_scenes_camera(library, scene):
-    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-    scene.collection.objects.link(camera)
-    camera.location = (300.0, -40.0, 5.0)
-    scene.camera = camera
+    camera(scene, (300.0, -40.0, 5.0))
     ob = fetch(library, "Beaufort 6 Horizon")
     want = made_here("HORIZON", "beaufort_6")
     scene.frame_set(10)
@@ -202,50 +204,14 @@ def test_a_linked_sea_lives_too_and_again_after_loading(library, scene, tmp_path
     assert np.abs(positions(ob) - want).max() <= 1e-6
 
 
-def test_it_is_saved_as_any_other_sea(library, scene, tmp_path):
-    ob = fetch(library, PATCH)
-    scene.frame_set(10)
-    want, name = positions(ob), ob.name
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
-    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "shot.blend"))
-    ob = bpy.data.objects[name]
-    assert not meshes.is_stand_in(ob.data)
-    assert np.abs(positions(ob) - want).max() <= 1e-6
-
-
-def test_things_float_on_it(library, scene):
-    ob = fetch(library, PATCH)
-    bpy.ops.mesh.primitive_cube_add(location=(3.0, 4.0, 0.0))
-    cube = bpy.context.object
-    assert bpy.ops.libocean.add_float(ocean=ob.name) == {"FINISHED"}
-    heights = []
-    for frame in (1, 20, 40):
-        scene.frame_set(frame)
-        seen = cube.evaluated_get(bpy.context.evaluated_depsgraph_get())
-        heights.append(seen.matrix_world.translation.z)
-    assert len(set(heights)) == 3 and 0.01 < np.ptp(heights) < 2.0
-
-
 def test_a_sky_lights_by_its_sun(library, scene):
     world = fetch(library, "Ocean Sky Noon", "World")
     sky = next(node for node in world.node_tree.nodes if node.type == "TEX_SKY")
     assert sky.sun_disc and np.degrees(sky.sun_elevation) == pytest.approx(60.0)
 
 
-WITHOUT = """
-path = arguments[0]
-bpy.ops.wm.open_mainfile(filepath=path)
-bpy.ops.wm.read_factory_settings(use_empty=True)
-bpy.ops.wm.append(directory=path + "/Object/", filename=arguments[1])
-(ob,) = bpy.data.objects
-bpy.context.scene.frame_set(10)
-mesh = ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
-assert len(mesh.vertices) == 4 and {vertex.co.z for vertex in mesh.vertices} == {0.0}
-"""
-
-
 def test_without_the_add_on_it_is_flat_water(library, tmp_path):
-    in_another_process(tmp_path, WITHOUT, str(library / asset_library.FILE), PATCH)
+    in_another_blender(other_blender.append_flat_water, str(library / asset_library.FILE), PATCH)
 
 
 # The making -----------------------------------------------------------------------
@@ -307,8 +273,9 @@ def test_a_file_of_the_users_is_refused(scripted, tmp_path, was_ours):
         asset_library.make(tmp_path)
     (tmp_path / asset_library.FILE).write_bytes(b"mine")
     before = {path: path.read_bytes() for path in tmp_path.iterdir()}
-    with pytest.raises(RuntimeError, match="was not made here, or has been changed"):
-        bpy.ops.libocean.make_asset_library(directory=str(tmp_path))
+    assert "was not made here, or has been changed" in failing(
+        bpy.ops.libocean.make_asset_library, directory=str(tmp_path)
+    )
     assert {path: path.read_bytes() for path in tmp_path.iterdir()} == before
 
 
@@ -335,24 +302,27 @@ def test_a_catalogue_that_was_renamed_stays_so(scripted, tmp_path):
 @pytest.mark.parametrize("text", [b"VERSION 2\n", b"\xff\xfe", b"# nothing\n"])
 def test_catalogues_that_nobody_understands_are_refused(scripted, tmp_path, text):
     (tmp_path / asset_library.CATALOGS).write_bytes(text)
-    with pytest.raises(RuntimeError, match="no file of asset catalogues"):
-        bpy.ops.libocean.make_asset_library(directory=str(tmp_path))
+    assert "no file of asset catalogues" in failing(
+        bpy.ops.libocean.make_asset_library, directory=str(tmp_path)
+    )
     assert [path.name for path in tmp_path.iterdir()] == [asset_library.CATALOGS]
     assert not scripted
 
 
 def test_a_folder_that_cannot_be_made_is_named(scripted, tmp_path):
     (tmp_path / "file").write_text("")
-    with pytest.raises(RuntimeError, match=f"Error: {tmp_path / 'file'}: File exists"):
-        bpy.ops.libocean.make_asset_library(directory=str(tmp_path / "file"))
+    assert f"Error: {tmp_path / 'file'}: File exists" in failing(
+        bpy.ops.libocean.make_asset_library, directory=str(tmp_path / "file")
+    )
     assert not scripted
 
 
 def test_a_blender_that_fails_says_why(monkeypatch, tmp_path):
     failed = subprocess.CompletedProcess([], 1, "many\nwords\nError: no space\n")
     monkeypatch.setattr(asset_library.subprocess, "run", lambda *_, **__: failed)
-    with pytest.raises(RuntimeError, match="could not write the seas: Error: no space"):
-        bpy.ops.libocean.make_asset_library(directory=str(tmp_path))
+    assert "could not write the seas: Error: no space" in failing(
+        bpy.ops.libocean.make_asset_library, directory=str(tmp_path)
+    )
     assert list(tmp_path.iterdir()) == []
     assert not bpy.context.preferences.filepaths.asset_libraries.keys().count("libocean")
 

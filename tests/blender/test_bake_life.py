@@ -1,14 +1,19 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What holds for the bake of every subject that has one: what plays is what was live, files that
-are whole are kept, steps and copies play them."""
+"""What holds for the bake of every subject that has one: what plays is what was live, here and
+without the add-on; the files are those of the command; files that are whole are kept, steps and
+copies play them."""
 
+import os
+import shutil
+import subprocess
 from pathlib import Path
 
 import bpy
 import numpy as np
 import pytest
-from libocean_addon.bake import bake_record
+from conftest import assert_shown_without_the_add_on, keyed, opened, push, read_exr, save, times
+from libocean_addon.bake import bake_record, bake_state
 from subjects import BAKED, same
 
 FRAMES = (1, 2, 4)
@@ -25,8 +30,13 @@ def shot(case, scene, tmp_path):
     ob = case.add(tmp_path)
     case.prepare_bake(ob)
     scene.frame_start, scene.frame_end = 1, 4
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
+    save(tmp_path / "shot.blend")
     return ob
+
+
+@pytest.fixture
+def folder(case, tmp_path):
+    return tmp_path / "ocean_bake" / case.name
 
 
 def at_frames(case, ob, frames=FRAMES) -> list[dict[str, np.ndarray]]:
@@ -41,17 +51,13 @@ def all_same(ones, others) -> bool:
     return all(same(one, other) for one, other in zip(ones, others, strict=True))
 
 
-def files(case) -> dict[str, Path]:
-    folder = Path(bpy.path.abspath(f"//ocean_bake/{case.name}"))
-    return {path.name: path for path in sorted(folder.glob("*.exr"))}
-
-
-def times(case) -> dict[str, int]:
-    return {name: path.stat().st_mtime_ns for name, path in files(case).items()}
-
-
 def bake(**arguments) -> None:
     assert bpy.ops.libocean.bake(**arguments) == {"FINISHED"}
+
+
+def said(ob) -> str:
+    """Returns what the panel says of a bake."""
+    return "\n".join(text for text, _ in bake_state.state(ob, bpy.context.scene))
 
 
 def test_a_bake_plays_what_was_live(case, shot, scene):
@@ -74,10 +80,36 @@ def test_a_bake_plays_what_was_live(case, shot, scene):
     assert all_same(live, at_frames(case, shot))
 
 
-def test_files_that_are_whole_are_kept_and_others_are_mended(case, shot):
+@pytest.mark.skipif("OCEAN" not in os.environ, reason="OCEAN is not the path of the program")
+def test_the_files_are_those_of_ocean_bake(case, shot, scene, folder, tmp_path):
+    shot.libocean.start = 100000.0
+    scene.render.fps, scene.render.fps_base = 30, 1.001
+    shot.libocean.use_detail = case.has_detail
     bake()
-    before = times(case)
-    whole = {name: path.read_bytes() for name, path in files(case).items()}
+    case.save(tmp_path / "panel.toml")
+    fields = shot.libocean.bake.fields.split(",")
+    products = {name.rstrip("123") for name in fields}
+    subprocess.run(
+        [Path(os.environ["OCEAN"]).resolve(), "-q", "bake", "panel.toml"]
+        + ["-o", "there/shot.####.exr", "--frames", "0-5"]
+        + ["--type", "float", "--products", ",".join(sorted(products)), *case.command],
+        cwd=tmp_path,
+        check=True,
+    )
+    theirs = sorted((tmp_path / "there").glob("*.exr"))
+    assert len(theirs) == 6 * len(fields)
+    assert [path.name for path in theirs] == sorted(path.name for path in folder.iterdir())
+    for path in theirs:
+        (header, planes), (our_header, ours) = read_exr(path), read_exr(folder / path.name)
+        assert our_header | case.unlike == header | case.unlike and ours.keys() == planes.keys()
+        for name, values in planes.items():
+            assert np.abs(ours[name] - values).max() <= case.tolerance, (path.name, name)
+
+
+def test_files_that_are_whole_are_kept_and_others_are_mended(case, shot, folder):
+    bake()
+    before = times(folder)
+    whole = {path.name: path.read_bytes() for path in folder.iterdir()}
     assert len(whole) == 6 * len(shot.libocean.bake.fields.split(","))
     damage = {
         "shot.displacement.0001.exr": lambda data: data[:-1],
@@ -87,26 +119,86 @@ def test_files_that_are_whole_are_kept_and_others_are_mended(case, shot):
         "shot.velocity.0001.exr": lambda _: whole["shot.normal.0001.exr"],
         "shot.normal.0002.exr": lambda data: data.replace(b"choppiness = 1", b"choppiness = 2"),
     }
-    there = files(case)
     for name, change in damage.items():
-        there[name].write_bytes(change(whole[name]))
+        (folder / name).write_bytes(change(whole[name]))
     missing = f"shot.{case.last_field}.0005.exr"
-    there[missing].with_name(f".{missing}.1-1.baking").write_bytes(b"killed")
-    there[missing].unlink()
+    (folder / f".{missing}.1-1.baking").write_bytes(b"killed")
+    (folder / missing).unlink()
     bake()
-    assert {name: path.read_bytes() for name, path in files(case).items()} == whole
-    after = times(case)
-    changed = {name for name in after if before[name] != after[name]}
-    assert changed == {*damage, missing}
+    assert {path.name: path.read_bytes() for path in folder.glob("*.exr")} == whole
+    after = times(folder)
+    assert {name for name in before if before[name] != after[name]} == {*damage, missing}
     bake(overwrite=True)
-    again = times(case)
-    assert all(again[name] != after[name] for name in after)
+    again = times(folder)
+    assert all(again[name] != after[name] for name in before)
 
 
-def test_a_copy_plays_the_same_bake(case, shot):
+def test_a_stopped_bake_keeps_what_is_finished_and_goes_on(case, shot, folder):
+    work = case.row(shot).bake(bpy.context, shot, "", (1, 4), overwrite=False)
+    work.job.run(lambda: work.job.stop.set() if work.job.done == 2 else None)
+    assert work.job.done == 2 and not shot.libocean.use_bake
+    finished = times(folder)
+    assert {name.split(".")[2] for name in finished} == {"0000", "0001"}
+    bake()
+    fields = len(shot.libocean.bake.fields.split(","))
+    after = times(folder)
+    assert (len(finished), len(after)) == (2 * fields, 6 * fields)
+    assert {name: after[name] for name in finished} == finished
+
+
+def test_another_surface_is_baked_over_it(case, shot, folder):
+    bake()
+    before = times(folder)
+    at_frames(case, shot)
+    case.change(shot, 1)
+    assert "another sea" in said(shot)
+    bake()
+    after = times(folder)
+    assert all(before[name] != after[name] for name in before)
+    baked = at_frames(case, shot)
+    shot.libocean.use_bake = False
+    assert all_same(baked, at_frames(case, shot))
+
+
+def test_a_keyframed_surface_is_baked_frame_by_frame(case, shot, scene):
+    path, first, last = case.keyed
+    owner, _, name = path.rpartition(".")
+    keyed(shot.path_resolve(owner), **{name: {1: first, 4: last}})
+
+    def seen() -> list[dict[str, np.ndarray]]:
+        # Foam is made of cover by the first frame's power.
+        return [{**shown, "foam": None} for shown in at_frames(case, shot)]
+
+    live = seen()
+    scene.frame_set(3, subframe=0.5)
+    bake()
+    assert scene.frame_current_final == 3.5
+    assert all_same(live, seen())
+    for frame in (1, 3):
+        scene.frame_set(frame)
+        assert "another sea" not in said(shot)
+    shot.libocean.seed = 5
+    assert "another sea" in said(shot)
+
+
+def test_the_panel_says_what_is_baked(case, shot, scene):
+    assert "Frames 0 to 5 of {} x {} samples".format(*case.samples) in said(shot)
+    bake()
+    assert "6 of 6 frames" in said(shot) and "another sea" not in said(shot)
+    shot.libocean.choppiness = 0.75
+    assert "another sea" in said(shot)
+    shot.libocean.choppiness = 1.0
+    assert "another sea" not in said(shot)
+    scene.frame_end = 9
+    assert "stands still" in said(shot)
+    scene.render.fps = 25
+    assert "another sea" in said(shot)
+
+
+def test_a_copy_plays_the_same_bake(case, shot, folder):
     live = at_frames(case, shot)
     bake()
-    count = len(files(case))
+    before = times(folder)
     bpy.ops.object.duplicate()
     copy = bpy.context.object
     assert copy != shot
@@ -115,32 +207,59 @@ def test_a_copy_plays_the_same_bake(case, shot):
         assert all_same(live, at_frames(case, ob))
     bpy.ops.libocean.free_bake(delete_files=True)
     assert all_same(live, at_frames(case, shot))
-    assert len(files(case)) == count
+    assert times(folder) == before
 
 
-def test_freeing_returns_to_live(case, shot):
+def test_freeing_returns_to_live(case, shot, folder):
     live = at_frames(case, shot)
     bake()
-    count = len(files(case))
+    before = times(folder)
     assert bpy.ops.libocean.free_bake() == {"FINISHED"}
     assert all_same(live, at_frames(case, shot))
-    assert len(files(case)) == count
+    assert times(folder) == before
     assert not bake_record.exists(shot) and not bpy.ops.libocean.free_bake.poll()
     assert not [image for image in bpy.data.images if image.source == "SEQUENCE"]
     bake()
-    folder = bake_record.place_of(shot).path
+    other = folder / "notes.txt"
+    other.write_text("of the user")
+    bpy.ops.libocean.free_bake(delete_files=True)
+    assert list(folder.iterdir()) == [other]
+    other.unlink()
+    bake()
     bpy.ops.libocean.free_bake(delete_files=True)
     assert not folder.exists()
 
 
 def test_a_bake_is_undone_and_redone(case, shot):
     live = at_frames(case, shot)
-    bpy.ops.ed.undo_push(message="Before")
+    push("Before")
     bake()
-    bpy.ops.ed.undo_push(message="After")
+    push("After")
     bpy.ops.ed.undo()
     assert not case.found().libocean.use_bake and not bake_record.playing(case.found())
     assert all_same(live, at_frames(case, case.found()))
     bpy.ops.ed.redo()
     assert case.found().libocean.use_bake and bake_record.playing(case.found())
     assert all_same(live, at_frames(case, case.found()))
+
+
+def test_in_another_folder_it_plays_with_and_without_the_add_on(case, shot, tmp_path):
+    live = at_frames(case, shot)
+    bake()
+    bpy.ops.wm.save_mainfile()
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    for name in ("ocean_bake", "shot.blend"):
+        shutil.move(tmp_path / name, elsewhere)
+    wanted = {
+        (ob, value, frame): shown[key]
+        for frame, shown in zip(FRAMES, live, strict=True)
+        for key, (ob, value) in case.without.items()
+    }
+    assert_shown_without_the_add_on(
+        elsewhere / "shot.blend", wanted, PATH="", LIBOCEAN_LIBRARY="none"
+    )
+    ob = opened(elsewhere / "shot.blend", case.name)
+    assert all_same(live, at_frames(case, ob))
+    ob.libocean.use_bake = False
+    assert all_same(live, at_frames(case, ob))

@@ -191,29 +191,3 @@ def test_a_frame_of_a_known_sea_is_a_coarser_draft_first(coast, waiting, slow):
     assert 0.0 < np.abs(draft - whole).max() < 4.0
     drafts.allowed = coast.libocean.use_custom_time = False
     assert_is_sea(coast)
-
-
-def test_a_frame_that_is_set_meanwhile_is_whole(coast, scene, waiting, slow):
-    coast.libocean.waves[0].wind_speed = 6.0
-    work_on()
-    scene.frame_set(4)
-    assert not drafts.is_draft(coast.name_full) or drafts.at_work()[1].is_cancelled()
-    drafts.allowed = False
-    assert_is_sea(coast)
-
-
-def test_a_failure_in_the_background_is_a_sentence(coast, waiting, slow):
-    before = positions(coast)
-    coast.libocean.waves[0].wind_speed = 0.0
-    finish()
-    assert "no waves" in coast.libocean_coast.problem
-    assert np.array_equal(positions(coast), before)
-    bpy.context.view_layer.update()
-    coast.libocean_coast.clip_depth = 0.4  # does not begin the work anew
-    assert "no waves" in coast.libocean_coast.problem
-    assert not drafts.is_draft(coast.name_full)
-    coast.libocean.waves[0].wind_speed = 8.0
-    finish()
-    assert coast.libocean_coast.problem == ""
-    drafts.allowed = False
-    assert_is_sea(coast)

@@ -7,19 +7,22 @@ import math
 
 import bpy
 import numpy as np
+import other_blender
 import pytest
 from conftest import (
-    NO_PAST,
+    add_horizon,
     add_ocean,
     attribute,
-    in_another_process,
+    in_another_blender,
+    keyed,
     plane,
     positions,
     presets_with,
+    save,
+    white,
 )
 from libocean_addon.look import first_view, material, sunlight, water_shader
 from libocean_addon.sea import facts, open_sea
-from libocean_addon.shared import compat
 from mathutils import Euler, Matrix, Vector
 from test_material import (
     BLACK,
@@ -151,11 +154,8 @@ def test_no_triangle_of_it_is_a_lamp(scene):
 def test_points_carry_the_jacobian(scene, kind):
     """The Jacobian of the displaced surface is less than 1 where waves squeeze it, as on crests,
     and 1 in the mean."""
-    with presets_with(**NO_PAST):
-        bpy.ops.libocean.add(kind=kind, preset="beaufort_6")
-    ob = bpy.context.object
-    if kind == "HORIZON":
-        ob.libocean.horizon_vertices = 40000
+    few = {"kind": "PATCH"} if kind == "PATCH" else {"vertices": 40000}
+    ob = (add_ocean if kind == "PATCH" else add_horizon)(256, preset="beaufort_6", **few)
     scene.frame_set(30)
     jacobian, height = attribute(ob, "jacobian"), positions(ob)[:, 2]
     print(f"\n{kind}: {jacobian.mean():.3f}, on crests {jacobian[height > 1.5].mean():.3f}")
@@ -226,11 +226,8 @@ def test_it_is_the_first_lamp_and_follows_it(scene):
     lamp.rotation_euler = (1.0, 0.2, 0.3)
     lamp.data.energy = 5.0
     assert_follows_lamp(ob, lamp)
-    for frame, turn in ((1, 0.2), (11, 1.2)):
-        lamp.rotation_euler[1] = turn
-        lamp.keyframe_insert("rotation_euler", frame=frame)
-        lamp.data.energy = 10 * turn
-        lamp.data.keyframe_insert("energy", frame=frame)
+    keyed(lamp, rotation_euler={1: (1.0, 0.2, 0.3), 11: (1.0, 1.2, 0.3)})
+    keyed(lamp.data, energy={1: 2.0, 11: 12.0})
     for frame in (1, 5, 11, 3):
         scene.frame_set(frame)
         assert_follows_lamp(ob, lamp)
@@ -245,9 +242,7 @@ def test_it_is_the_sun_of_the_sky_and_follows_it(scene):
     assert of_water(ob, "Sun Direction") == pytest.approx(
         towards(math.radians(20.0), 0.7), abs=1e-6
     )
-    for frame, elevation in ((1, 0.1), (11, 1.1)):
-        sky.sun_elevation = elevation
-        sky.keyframe_insert("sun_elevation", frame=frame)
+    keyed(sky, sun_elevation={1: 0.1, 11: 1.1})
     lights = []
     for frame in (1, 5, 11, 3, 8):  # back and forth: what is a frame late would be seen
         scene.frame_set(frame)
@@ -277,15 +272,7 @@ def test_drivers_need_no_python(scene):
 def white_towards(direction):
     """A plane that sends all light back, and faces that way."""
     ob = plane(10.0, 2)
-    made = bpy.data.materials.new("White")
-    compat.use_nodes(made)
-    tree = made.node_tree
-    tree.nodes.clear()
-    diffuse = tree.nodes.new("ShaderNodeBsdfDiffuse")
-    diffuse.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
-    output = tree.nodes.new("ShaderNodeOutputMaterial")
-    tree.links.new(diffuse.outputs[0], output.inputs["Surface"])
-    ob.data.materials.append(made)
+    ob.data.materials.append(white())
     ob.rotation_euler = Vector(direction).to_track_quat("Z", "Y").to_euler()
     camera = bpy.context.scene.camera
     camera.rotation_euler, camera.location = ob.rotation_euler, 5.0 * Vector(direction)
@@ -303,7 +290,7 @@ def test_light_is_what_white_that_faces_the_lamp_sends_back(scene, tmp_path):
 
 
 @pytest.mark.parametrize("model", sunlight._DISCS)
-@pytest.mark.parametrize("elevation", [4.0, 25.0, 70.0])
+@pytest.mark.parametrize("elevation", [4.0, 40.0])
 def test_light_is_what_white_that_faces_the_skys_sun_sends_back(scene, tmp_path, model, elevation):
     sky = sky_world(scene, elevation=elevation)
     if model not in sky.bl_rna.properties["sky_type"].enum_items:
@@ -336,7 +323,7 @@ def test_where_no_sun_shines_there_is_none(scene):
     assert not ob.material_slots[0].material.node_tree.animation_data.drivers
 
 
-def test_a_new_scene_has_its_sun(scene):
+def test_a_new_scene_has_its_sun(scene, waiting):
     with presets_with(resolution=64):
         bpy.ops.libocean.add_scene(preset="beaufort_6")
     ob = bpy.context.object
@@ -362,24 +349,7 @@ def test_undo_takes_it_back(scene):
     assert_follows_lamp(bpy.context.object, bpy.data.objects["Sun"])
 
 
-WITHOUT_THE_ADDON = """
-bpy.ops.wm.open_mainfile(filepath=arguments[0], use_scripts=False)
-assert "libocean_addon" not in bpy.context.preferences.addons
-ob, lamp = bpy.data.objects["Sea"], bpy.data.objects["Sun"]
-lamp.rotation_euler = (0.0, 1.0, 0.5)
-lamp.data.energy = 7.0
-bpy.context.view_layer.update()
-made = ob.material_slots[0].material.evaluated_get(bpy.context.evaluated_depsgraph_get())
-node = next(node for node in made.node_tree.nodes if node.type == "GROUP")
-towards = [lamp.matrix_world[axis][2] for axis in range(3)]
-found = node.inputs["Sun Direction"].default_value
-assert max(abs(a - b) for a, b in zip(found, towards)) < 1e-6, (list(found), towards)
-assert abs(node.inputs["Sun Light"].default_value[0] - 7.0 / 3.14159265) < 1e-5
-"""
-
-
 def test_a_file_keeps_it_without_the_addon(scene, tmp_path):
     sun_lamp(scene)
     ocean().name = "Sea"
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "sea.blend"))
-    in_another_process(tmp_path, WITHOUT_THE_ADDON, str(tmp_path / "sea.blend"))
+    in_another_blender(other_blender.follow_lamp, save(tmp_path / "sea.blend"))

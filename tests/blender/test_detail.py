@@ -7,17 +7,22 @@ import math
 
 import bpy
 import numpy as np
+import other_blender
 import pytest
 from conftest import (
     NO_PAST,
     add_ocean,
     attribute,
     by_nodes,
-    in_another_process,
+    in_another_blender,
+    opened,
+    picture_settings,
     pixels,
     pixels_of,
     plane,
     presets_with,
+    reopened,
+    save,
     shine,
     taken,
 )
@@ -113,6 +118,15 @@ def ocean(kind: str = "PATCH"):
     return ob
 
 
+def small_shot(scene, folder):
+    """An ocean of few samples in a saved file, its shot of two frames."""
+    ob = ocean()
+    ob.libocean.resolution = 64
+    scene.frame_start, scene.frame_end = 1, 2
+    save(folder / "shot.blend")
+    return ob
+
+
 def nodes_of(ob):
     tree = ob.material_slots[0].material.node_tree
     water = next(node for node in tree.nodes if water_shader.is_water(node))
@@ -159,7 +173,7 @@ def test_mesh_and_detail_and_roughness_are_the_sea(studio, tmp_path, pixel):
     bpy.data.objects.remove(ob)
     # A lens this long sees everything at one distance.
     studio.camera.data.ortho_scale = 50.0 if pixel == 0.0 else 5.0
-    studio.render.resolution_x = studio.render.resolution_y = 1000
+    studio.render.resolution_x = studio.render.resolution_y = 600
     seen = taken(studio, tmp_path).astype(np.float64)
     said = 0.0
     for band in bands:
@@ -191,11 +205,8 @@ def test_near_water_is_no_silk(scene, tmp_path):
     """At 1.6 m above Beaufort 4."""
     bpy.ops.libocean.add_scene(preset=PRESET, camera_height=1.6)
     ob = bpy.context.object
-    scene.render.engine = "CYCLES"
-    scene.cycles.samples = 64
-    scene.cycles.use_denoising = scene.cycles.use_adaptive_sampling = False
-    scene.render.resolution_x, scene.render.resolution_y = 320, 160
-    scene.render.image_settings.file_format = "OPEN_EXR"
+    picture_settings(scene, 320, 64)
+    scene.render.resolution_y = 160
     scene.camera.rotation_euler.x = math.radians(80.0)
     contrasts = []
     for wanted in (False, True):
@@ -244,10 +255,7 @@ def test_without_it_nothing_is_left(scene):
 
 
 def test_without_it_in_a_bake_nothing_is_left(scene, tmp_path):
-    ob = ocean()
-    ob.libocean.resolution = 64
-    scene.frame_start, scene.frame_end = 1, 2
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
+    ob = small_shot(scene, tmp_path)
     bpy.ops.libocean.bake()
     assert nodes_of(ob)[0] is not None and blocks() == 1 and len(sequences(ob)) == 3
     ob.libocean.use_detail = False
@@ -287,7 +295,7 @@ def test_a_bake_shows_the_slopes_of_the_live_sea(studio, tmp_path, remapped):
     ob = ocean()
     studio.render.frame_map_new = remapped
     studio.frame_start, studio.frame_end = 3, 7
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
+    save(tmp_path / "shot.blend")
     studio.frame_set(2)
     above(ob, studio)
     before = None
@@ -312,16 +320,6 @@ def test_a_bake_shows_the_slopes_of_the_live_sea(studio, tmp_path, remapped):
         assert np.abs(live[3] - live[7])[..., :2].max() > 0.1
 
 
-WITHOUT_THE_ADDON = """
-bpy.ops.wm.open_mainfile(filepath=arguments[0])
-assert not hasattr(bpy.types.Object, "libocean")
-for frame in arguments[2:]:
-    bpy.context.scene.frame_set(int(frame))
-    bpy.context.scene.render.filepath = os.path.join(arguments[1], "farm_" + frame + ".exr")
-    bpy.ops.render.render(write_still=True)
-"""
-
-
 def near_water(scene, tmp_path):
     """Crests against the sun, from a boat."""
     with presets_with(resolution=64):
@@ -332,15 +330,11 @@ def near_water(scene, tmp_path):
     ob.libocean.horizon_vertices = 20000
     scene.frame_set(2)  # the first that has files: its mean square slope is kept
     ob.libocean.use_detail = True
-    scene.render.engine = "CYCLES"
-    scene.cycles.samples = 16
-    scene.cycles.use_denoising = scene.cycles.use_adaptive_sampling = False
-    scene.render.resolution_x, scene.render.resolution_y = 120, 60
-    scene.render.image_settings.file_format = "OPEN_EXR"
-    scene.render.image_settings.color_depth = "32"
+    picture_settings(scene, 120, 16)
+    scene.render.resolution_y = 60
     scene.camera.rotation_euler.x = math.radians(80.0)
     scene.frame_start, scene.frame_end = 3, 7
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
+    save(tmp_path / "shot.blend")
     return ob
 
 
@@ -353,8 +347,10 @@ def test_without_the_addon_a_bake_looks_the_same(scene, tmp_path):
         live[frame] = taken(scene, tmp_path)
     assert bpy.ops.libocean.bake() == {"FINISHED"}
     bpy.ops.wm.save_mainfile()
-    in_another_process(tmp_path, WITHOUT_THE_ADDON, tmp_path / "shot.blend", tmp_path, "3", "7")
-    farm = {frame: pixels(tmp_path / f"farm_{frame}.exr")[..., :3] for frame in (3, 7)}
+    in_another_blender(
+        other_blender.render, tmp_path / "shot.blend", tmp_path / "farm_####.exr", "", 3, 7
+    )
+    farm = {frame: pixels(tmp_path / f"farm_{frame:04}.exr")[..., :3] for frame in (3, 7)}
     without = {}
     for name in ("use_detail", "use_velocity"):  # of which the crests have their Jacobian
         setattr(ob.libocean, name, False)
@@ -369,33 +365,27 @@ def test_without_the_addon_a_bake_looks_the_same(scene, tmp_path):
     assert np.abs(live[3] - live[7]).max() > 0.1
 
 
-@pytest.mark.parametrize("free", [True, False])
-def test_after_a_bake_the_live_tiles_are_back(scene, tmp_path, free):
+def test_after_a_bake_the_live_tiles_are_back(scene, tmp_path):
     ob = ocean()
-    scene.frame_start, scene.frame_end = 1, 3
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
-    scene.frame_set(1)
+    scene.frame_start = scene.frame_end = 2
+    save(tmp_path / "shot.blend")
     bpy.ops.libocean.bake()
-    scene.frame_set(2)
-    assert len(sequences(ob)) == 2 and blocks() == 1
-    if free:
-        bpy.ops.libocean.free_bake()
-    else:
-        ob.libocean.use_bake = False
-    assert len(sequences(ob)) == 0 and blocks() == 3
-    for frame in (2, 30):
-        scene.frame_set(frame)
-        for one, band in zip(shown_by(ob), bands_of((frame - 1) / 24).bands, strict=True):
-            assert np.array_equal(one, band.slope)
+    for leave in (lambda: setattr(ob.libocean, "use_bake", False), bpy.ops.libocean.free_bake):
+        ob.libocean.use_bake = True
+        scene.frame_set(2)
+        assert len(sequences(ob)) == 2 and blocks() == 1
+        leave()
+        assert len(sequences(ob)) == 0 and blocks() == 3
+        for frame in (2, 30):
+            scene.frame_set(frame)
+            for one, band in zip(shown_by(ob), bands_of((frame - 1) / 24).bands, strict=True):
+                assert np.array_equal(one, band.slope)
 
 
 @pytest.mark.slow
 def test_baked_again_nothing_of_the_old_files_is_shown(scene, tmp_path):
     """Which Blender keeps in memory, by the image."""
-    ob = ocean()
-    ob.libocean.resolution = 64
-    scene.frame_start, scene.frame_end = 1, 2
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
+    ob = small_shot(scene, tmp_path)
     shown = []
     for wind in (5.0, 14.0):
         ob.libocean.waves[0].wind_speed = wind  # while it plays, the second time
@@ -406,20 +396,13 @@ def test_baked_again_nothing_of_the_old_files_is_shown(scene, tmp_path):
 
 
 def test_saved_elsewhere_it_plays_on(scene, tmp_path):
-    ob = ocean()
-    ob.libocean.resolution = 64
-    scene.frame_start, scene.frame_end = 1, 2
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
+    ob = small_shot(scene, tmp_path)
     bpy.ops.libocean.bake()
-    (tmp_path / "version_2").mkdir()
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "version_2" / "shot.blend"))
+    other = save(tmp_path / "version_2" / "shot.blend")
     played = {image.name for image in sequences(ob)}
     scene.frame_set(2)
     assert len(played) == 3 and {image.name for image in sequences(ob)} == played
-    name = ob.name
-    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "version_2" / "shot.blend"))
-    ob = bpy.data.objects[name]
-    bpy.context.scene.frame_set(1)
+    ob = opened(other, ob.name, 1)
     assert {image.name for image in sequences(ob)} == played
     assert nodes_of(ob)[1].inputs["Detail"].is_linked and blocks() == 1
 
@@ -459,9 +442,6 @@ def test_what_somebody_put_there_stays(scene):
 
 def test_it_is_there_again_after_loading(scene, tmp_path):
     ob = ocean()
-    name = ob.name
     scene.frame_set(30)
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "sea.blend"))
-    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "sea.blend"))
-    found = shown_by(bpy.data.objects[name])
+    found = shown_by(reopened(tmp_path / "sea.blend", ob.name))
     assert np.array_equal(found[0], bands_of(29 / 24).bands[0].slope) and blocks() == 3

@@ -8,7 +8,7 @@ import time
 import bpy
 import numpy as np
 import pytest
-from conftest import attribute, evaluated_mesh, positions, work_on
+from conftest import attribute, evaluated_mesh, positions
 from libocean_addon.bundled import libocean
 from libocean_addon.sea import live, open_sea
 from libocean_addon.shared import drafts, modifier_groups
@@ -74,20 +74,6 @@ def test_a_moving_value_waits_for_no_foam(scene, ocean, waiting, past):
     assert image_side(ocean) == 1024
 
 
-def test_at_rest_it_is_the_sea_that_nobody_waits_for(scene, ocean, waiting):
-    scene.frame_set(50)
-    ocean.libocean.choppiness = 0.7
-    draft = attribute(ocean, "foam").copy()
-    rest(ocean)
-    got = positions(ocean).copy(), attribute(ocean, "foam").copy()
-    assert np.abs(draft - got[1]).max() > 0.1
-    drafts.allowed = False
-    ocean.libocean.choppiness = 1.0
-    ocean.libocean.choppiness = 0.7
-    assert np.array_equal(positions(ocean), got[0])
-    assert np.array_equal(attribute(ocean, "foam"), got[1])
-
-
 def test_a_draft_shows_the_waves_where_they_are(scene, ocean, waiting):
     scene.frame_set(50)
     ocean.libocean.waves[0].wind_speed = 9.0
@@ -96,24 +82,6 @@ def test_a_draft_shows_the_waves_where_they_are(scene, ocean, waiting):
     rest(ocean)
     whole = positions(ocean)
     assert np.std(draft - whole) < 0.2 * np.std(whole[:, 2])
-
-
-def test_foam_is_left_in_the_middle_of_its_past(ocean, waiting):
-    ocean.libocean.resolution = 1024
-    ocean.libocean.choppiness = 0.7
-    job = work_on()
-    ocean.libocean.choppiness = 0.6
-    job.join()
-    assert isinstance(job.failure, drafts.CancelledError)
-
-
-@pytest.mark.parametrize("kind", ["PATCH", "HORIZON"])
-def test_a_new_sea_is_there_at_once(waiting, kind):
-    bpy.ops.libocean.add(kind=kind, preset="beaufort_6", use_material=False)
-    ob = bpy.context.object
-    assert drafts.progress(ob.name_full) == 0.0
-    assert len(ob.data.vertices) > 1000
-    assert np.ptp(positions(ob)[:, 2]) > 1.0
 
 
 def test_a_draft_has_as_many_samples_as_time_allows():
@@ -165,14 +133,6 @@ def test_time_that_plays_goes_on_without_its_foam_until_it_is_there(
         assert attribute(ocean, "foam").mean() == pytest.approx(
             sea.surface(4 / 24).foam.mean(), rel=0.02
         )
-
-
-def test_a_frame_that_is_asked_for_by_name_is_whole(scene, ocean, waiting):
-    """A render of the viewport goes through the frames so."""
-    scene.frame_set(200)
-    foam = attribute(ocean, "foam").mean()
-    with libocean.parse(open_sea.sea_of(ocean.name_full).handle.text) as sea:
-        assert foam == pytest.approx(sea.surface(199 / 24).foam.mean(), rel=0.02)
 
 
 def test_the_mesh_does_not_grow_without_being_asked(ocean):

@@ -9,60 +9,13 @@ import sys
 from pathlib import Path
 
 import bpy
+import other_blender
 import pytest
-from conftest import in_another_process
+from conftest import in_another_blender
 
 pytestmark = pytest.mark.skipif(
     bpy.app.version < (4, 2), reason="Blender before 4.2 has no extensions"
 )
-
-INSTALL = """
-assert os.environ["PATH"] == ""
-before = list(sys.path)
-bpy.ops.extensions.package_install_files(
-    filepath=os.environ["OCEAN_EXTENSION"],
-    repo="user_default",
-    enable_on_install=True,
-    overwrite=True,
-)
-bpy.ops.libocean.add(kind="PATCH", preset="beaufort_6")
-ob = bpy.context.object
-bpy.context.scene.frame_set(20)
-mesh = ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
-heights = [vertex.co.z for vertex in mesh.vertices]
-import libocean
-assert max(heights) - min(heights) > 1.0
-assert "site-packages" in libocean.__file__, libocean.__file__
-assert ob.libocean.problem == ""
-
-ob.libocean.resolution = 64
-bpy.ops.wm.save_as_mainfile(filepath=arguments[0])
-bpy.ops.libocean.bake(frame_start=1, frame_end=1)
-import OpenEXR
-assert "site-packages" in OpenEXR.__file__, OpenEXR.__file__
-assert ob.libocean.use_bake
-
-from bl_ext.user_default.libocean.shared import compat
-from bl_ext.user_default.libocean.volumes import volumes
-assert volumes.ocean_command is None
-preferences = bpy.context.preferences.addons["bl_ext.user_default.libocean"].preferences
-assert not hasattr(preferences, "ocean_command")
-try:
-    told = bpy.ops.libocean.write_volumes(frame_start=1, frame_end=1)
-except RuntimeError as failure:
-    told = str(failure)
-if compat.load_openvdb() is None:
-    assert bpy.app.version < (4, 5) and "has no OpenVDB module" in told, told
-else:
-    assert told == {"FINISHED"}, told
-    assert any(other.type == "VOLUME" for other in bpy.data.objects)
-sites = [folder for folder in sys.path if folder not in before]
-assert all(folder.endswith("site-packages") and ".local" in folder for folder in sites), sites
-
-bpy.ops.libocean.add_scene(preset="beaufort_6", near_detail=False)
-bpy.ops.libocean.add_terrain(preset="tujunga")
-assert bpy.context.object.libocean_terrain.problem == ""
-"""
 
 
 def test_blenders_tool_finds_it_valid():
@@ -82,6 +35,8 @@ def test_it_installs_into_an_empty_profile_and_works(tmp_path, monkeypatch):
             monkeypatch.delenv(name)
     profile = tmp_path / "profile"
     profile.mkdir()
-    in_another_process(
-        tmp_path, INSTALL, tmp_path / "baked.blend", BLENDER_USER_RESOURCES=str(profile), PATH=""
+    in_another_blender(
+        *(other_blender.install_extension, tmp_path / "baked.blend"),
+        BLENDER_USER_RESOURCES=str(profile),
+        PATH="",
     )

@@ -10,8 +10,20 @@ import time
 from types import SimpleNamespace
 
 import bpy
+import numpy as np
+import other_blender
 import pytest
-from conftest import add_ocean, factory_settings, finish, presets_with, start_another_process
+from conftest import (
+    add_horizon,
+    add_ocean,
+    factory_settings,
+    finish,
+    in_another_blender,
+    positions,
+    presets_with,
+    push,
+    save,
+)
 from libocean_addon import handlers
 from libocean_addon.bundled import libocean
 from libocean_addon.look import detail, start_up
@@ -43,35 +55,26 @@ def test_a_scene_begins_with_few_vertices_and_is_saved_with_fewer(waiting, small
     assert bpy.ops.libocean.add_scene() == {"FINISHED"}
     ocean = bpy.context.object
     assert not is_whole(ocean) and drafts.is_draft(ocean.name_full)
-    assert meshes.is_draft(ocean.data)
+    assert meshes.is_draft(ocean.data) and np.ptp(positions(ocean)[:, 2]) > 0.3
     assert len(ocean.data.vertices) <= horizon_mesh.DRAFT_VERTICES
+    path = save(tmp_path / "sea.blend")
+    assert not meshes.is_draft(ocean.data)  # a file never keeps that of a draft
     finish()
     assert is_whole(ocean) and not meshes.is_draft(ocean.data)
     assert not drafts.is_draft(ocean.name_full)
-    path = tmp_path / "sea.blend"
-    bpy.ops.wm.save_as_mainfile(filepath=str(path))
     assert path.stat().st_size < 8e6  # three are the textures of foam; all vertices are sixty
     assert len(ocean.data.vertices) > 4 * horizon_mesh.DRAFT_VERTICES
 
 
-def test_a_file_never_keeps_the_mesh_of_a_draft(waiting, small, tmp_path):
-    bpy.ops.libocean.add(kind="HORIZON", use_material=False)
-    assert meshes.is_draft(bpy.context.object.data)
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "sea.blend"))
-    assert not meshes.is_draft(bpy.context.object.data)
-
-
-def test_a_render_begins_with_the_whole_sea(scene, waiting, small):
-    bpy.ops.libocean.add(kind="HORIZON", use_material=False)
-    ocean = bpy.context.object
+def test_a_render_begins_with_the_whole_sea(scene, waiting):
+    ocean = add_horizon(64, 150000, sea=PAST, use_material=False)
     drafts.stop(ocean.name_full)
     handlers.complete()
     assert is_whole(ocean) and not meshes.is_draft(ocean.data)
 
 
-def test_a_render_in_a_thread_leaves_the_data_to_the_main_thread(waiting, small, capsys):
-    bpy.ops.libocean.add(kind="HORIZON", use_material=False)
-    ocean, made_by = bpy.context.object, []
+def test_a_render_in_a_thread_leaves_the_data_to_the_main_thread(waiting, capsys):
+    ocean, made_by = add_horizon(64, 150000, sea=PAST, use_material=False), []
     follow = horizon_mesh.follow_horizon
 
     def noted(*arguments, **settings) -> None:
@@ -169,8 +172,8 @@ def names() -> set[str]:
     return {ob.name for ob in bpy.data.objects}
 
 
-def test_the_start_up_cube_and_lamp_go_and_undo_brings_them_back(default_file, small):
-    bpy.ops.ed.undo_push(message="before")
+def test_the_start_up_cube_and_lamp_go_and_undo_brings_them_back(default_file, small, waiting):
+    push()
     bpy.ops.libocean.add_scene("EXEC_DEFAULT", True)
     assert names() == {"Camera", "Ocean", "Ocean Camera", "Ocean Sun"}
     assert "Cube" not in bpy.data.meshes and "Material" not in bpy.data.materials
@@ -185,27 +188,32 @@ def _paint(cube) -> None:
     shader.inputs["Base Color"].default_value = (1.0, 0.0, 0.0, 1.0)
 
 
-@pytest.mark.parametrize(
-    "touch",
-    [
-        lambda cube: setattr(cube.location, "x", 1.0),
-        lambda cube: cube.modifiers.new("Bevel", "BEVEL"),
-        lambda cube: cube.keyframe_insert("location"),
-        lambda cube: setattr(cube.data.vertices[0].co, "x", 3.0),
-        lambda cube: cube.data.materials.clear(),
-        _paint,
-        lambda cube: cube.constraints.new("FLOOR"),
-        lambda cube: setattr(cube, "hide_render", True),
-        lambda cube: cube.__setitem__("mine", 1),
-    ],
+TOUCHES = (
+    lambda cube: setattr(cube.location, "x", 1.0),
+    lambda cube: cube.modifiers.new("Bevel", "BEVEL"),
+    lambda cube: cube.keyframe_insert("location"),
+    lambda cube: setattr(cube.data.vertices[0].co, "x", 3.0),
+    lambda cube: cube.data.materials.clear(),
+    _paint,
+    lambda cube: cube.constraints.new("FLOOR"),
+    lambda cube: setattr(cube, "hide_render", True),
+    lambda cube: cube.__setitem__("mine", 1),
 )
-def test_a_touched_cube_stays(default_file, touch):
+
+
+def test_a_touched_cube_stays(default_file):
     cube, lamp = bpy.data.objects["Cube"], bpy.data.objects["Light"]
-    assert start_up.untouched(default_file) == [cube, lamp]
-    touch(cube)
-    assert start_up.untouched(default_file) == [lamp]
-    lamp.data.energy = 10.0
-    assert start_up.untouched(default_file) == []
+    push()
+    for number, touch in enumerate(TOUCHES):
+        cube, lamp = bpy.data.objects["Cube"], bpy.data.objects["Light"]
+        assert start_up.untouched(bpy.context.scene) == [cube, lamp], number
+        touch(cube)
+        assert start_up.untouched(bpy.context.scene) == [lamp], number
+        push()
+        bpy.ops.ed.undo()
+    bpy.data.objects["Cube"].location.x = 1.0
+    bpy.data.objects["Light"].data.energy = 10.0
+    assert start_up.untouched(bpy.context.scene) == []
 
 
 def test_a_lamp_with_nodes_of_its_own_stays(default_file):
@@ -222,7 +230,7 @@ def test_nothing_goes_from_a_scene_with_other_objects(default_file):
     assert start_up.untouched(default_file) == []
 
 
-def test_nothing_goes_if_that_is_switched_off(default_file, small):
+def test_nothing_goes_if_that_is_switched_off(default_file, small, waiting):
     bpy.ops.libocean.add_scene(remove_start_up=False)
     assert {"Cube", "Light"} <= names()
 
@@ -238,70 +246,43 @@ def test_near_detail_is_on(scene, small):
 # Wrong input ----------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("samples", [500, 16, 16384, -1])
-@pytest.mark.parametrize("name", ["resolution", "foam_resolution"])
-def test_a_script_gets_the_error_of_a_sea_file(name, samples):
+def test_a_script_gets_the_error_of_a_sea_file():
     ocean = add_ocean(64, kind="PATCH", use_material=False)
-    section = {"resolution": "grid", "foam_resolution": "surface"}[name]
-    with pytest.raises(libocean.Error) as of_file:
-        libocean.parse(libocean.text_of_values({f"{section}.{name}": str(samples)}))
-    before = getattr(ocean.libocean, name)
-    with pytest.raises(ValueError) as of_script:
-        setattr(ocean.libocean, name, samples)
-    assert str(of_file.value).endswith(str(of_script.value))
-    assert getattr(ocean.libocean, name) == before and ocean.libocean.problem == ""
+    for section, name in (("grid", "resolution"), ("surface", "foam_resolution")):
+        before = getattr(ocean.libocean, name)
+        for samples in (500, 16, 16384, -1):
+            with pytest.raises(libocean.Error) as of_file:
+                libocean.parse(libocean.text_of_values({f"{section}.{name}": str(samples)}))
+            with pytest.raises(ValueError) as of_script:
+                setattr(ocean.libocean, name, samples)
+            assert str(of_file.value).endswith(str(of_script.value))
+            assert getattr(ocean.libocean, name) == before and ocean.libocean.problem == ""
+    for name in ("viewport_resolution", "render_resolution", "mesh_resolution"):
+        words = f"^{name} = 500: is not a power of two; allowed: .*0 or"
+        with pytest.raises(ValueError, match=words):
+            setattr(ocean.libocean, name, 500)
+        setattr(ocean.libocean, name, 0)
 
 
-@pytest.mark.parametrize("name", ["viewport_resolution", "render_resolution", "mesh_resolution"])
-def test_a_script_gets_an_error_for_other_samples_too(name):
+def test_every_number_of_a_list_may_be_set_and_no_other_one():
     ocean = add_ocean(64, kind="PATCH", use_material=False)
-    with pytest.raises(ValueError, match=f"^{name} = 500: is not a power of two; allowed: .*0 or"):
-        setattr(ocean.libocean, name, 500)
-    setattr(ocean.libocean, name, 0)
-
-
-def test_an_operator_refuses_samples_that_are_no_power_of_two():
+    for item in ocean.libocean.bl_rna.properties["mesh_resolution_list"].enum_items:
+        OF_SEA.require_allowed("mesh_resolution", item.value)
     with pytest.raises(TypeError, match="500"):
         bpy.ops.libocean.add(mesh_resolution="500")
 
 
-def test_every_number_of_a_list_may_be_set():
-    ocean = add_ocean(64, kind="PATCH", use_material=False)
-    for item in ocean.libocean.bl_rna.properties["mesh_resolution_list"].enum_items:
-        OF_SEA.require_allowed("mesh_resolution", item.value)
-
-
 # Parts that Debian's Blender lacks --------------------------------------------------------
 
-WITHOUT_NUMPY = """
-import addon_utils
-hidden = [name for name in sys.modules if name.partition(".")[0] in ("numpy", "libocean_addon")]
-for name in hidden:
-    del sys.modules[name]
-class NoNumPy:
-    def find_spec(self, name, path=None, target=None):
-        if name.partition(".")[0] == "numpy":
-            raise ModuleNotFoundError("No module named 'numpy'", name="numpy")
-sys.meta_path.insert(0, NoNumPy())
-assert bpy.ops.preferences.addon_enable(module="libocean_addon") == {"FINISHED"}
-assert "libocean_addon" in bpy.context.preferences.addons
-assert bpy.context.preferences.addons["libocean_addon"].preferences is not None
-assert not hasattr(bpy.types.Object, "libocean")
-assert bpy.ops.preferences.addon_disable(module="libocean_addon") == {"FINISHED"}
-"""
 
-
-def test_without_numpy_one_sentence_names_the_package(tmp_path):
-
-    started = start_another_process(tmp_path, WITHOUT_NUMPY)
-    said, _ = started.communicate()
-    assert started.returncode == 0, said
-    assert "Traceback" not in said and "rror" not in said, said
+def test_without_numpy_one_sentence_names_the_package():
+    said = in_another_blender(other_blender.enable_without_numpy)
+    assert "rror" not in said, said
     assert said.count("install the package python3-numpy (Debian, Ubuntu)") == 1, said
     assert sys.prefix in said
 
 
-def test_a_missing_denoiser_is_said_and_the_scene_renders(scene, small, monkeypatch):
+def test_a_missing_denoiser_is_said_and_the_scene_renders(scene, small, waiting, monkeypatch):
     monkeypatch.setattr(compat, "has_denoiser", lambda: False)
     scene.render.engine = "CYCLES"
     scene.cycles.use_denoising = True
@@ -313,7 +294,7 @@ def test_a_missing_denoiser_is_said_and_the_scene_renders(scene, small, monkeypa
     assert "Debian's package blender" in " ".join(hints.of_object(ocean, ocean))
 
 
-def test_a_denoiser_stays_in_use(scene, small, monkeypatch):
+def test_a_denoiser_stays_in_use(scene, small, waiting, monkeypatch):
     monkeypatch.setattr(compat, "has_denoiser", lambda: True)
     scene.cycles.use_denoising = True
     bpy.ops.libocean.add_scene()

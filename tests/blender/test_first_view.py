@@ -7,20 +7,24 @@ import math
 import bpy
 import numpy as np
 import pytest
-from conftest import NO_PAST, factory_settings, pixels, presets_with
+from conftest import (
+    NO_PAST,
+    camera,
+    factory_settings,
+    picture_settings,
+    presets_with,
+    push,
+    taken,
+    white,
+)
 from libocean_addon.look import first_view
-from libocean_addon.shared import compat
 
 
-def rendered(tmp_path, samples=8):
+def seen(tmp_path, width=96, samples=8):
     scene = bpy.context.scene
-    scene.render.engine = "CYCLES"
-    scene.cycles.samples, scene.cycles.use_denoising = samples, False
-    scene.render.resolution_x, scene.render.resolution_y = 96, 54
-    scene.render.image_settings.file_format = "OPEN_EXR"
-    scene.render.filepath = str(tmp_path / "first.exr")
-    bpy.ops.render.render(write_still=True)
-    return pixels(tmp_path / "first.exr")[..., :3]
+    picture_settings(scene, width, samples)
+    scene.render.resolution_y = 54 * width // 96
+    return taken(scene, tmp_path)
 
 
 @pytest.fixture
@@ -37,7 +41,7 @@ def test_the_first_picture_shows_sky_over_a_darker_sea(default_file, tmp_path):
     ocean = bpy.context.object
     assert ocean.libocean.kind == "HORIZON" and ocean.libocean.problem == ""
     assert default_file.camera.name == "Ocean Camera"
-    picture = rendered(tmp_path)  # the bottom row first
+    picture = seen(tmp_path)  # the bottom row first
     brightness = picture.mean(axis=2)
     horizon = 54 / 2 + 96 * 28.0 / 36.0 * math.tan(math.radians(5.0))  # 28 mm of 36, 5 degrees
     sky, sea = brightness[int(horizon) + 3 :], brightness[: int(horizon) - 3]
@@ -53,8 +57,8 @@ def test_the_first_picture_shows_sky_over_a_darker_sea(default_file, tmp_path):
     assert before[0] in set(bpy.data.objects) and before[1].use_fake_user
 
 
-def test_it_is_undone_in_one_step(default_file):
-    bpy.ops.ed.undo_push(message="before")
+def test_it_is_undone_in_one_step(default_file, waiting):
+    push()
     names = {ob.name for ob in bpy.data.objects}
     with presets_with(resolution=64, **NO_PAST):
         bpy.ops.libocean.add_scene("EXEC_DEFAULT", True)
@@ -66,7 +70,7 @@ def test_it_is_undone_in_one_step(default_file):
 
 
 @pytest.mark.parametrize("elevation", [0.0, 3.0, 17.0, 90.0])
-def test_the_lamp_stands_where_the_sky_is_brightest(default_file, elevation):
+def test_the_lamp_stands_where_the_sky_is_brightest(default_file, waiting, elevation):
     """Its direction, and its light falls to red and to nothing as it sets."""
     with presets_with(resolution=64, **NO_PAST):
         bpy.ops.libocean.add_scene(sun_elevation=math.radians(elevation), sun_bearing=0.3)
@@ -90,32 +94,21 @@ def test_the_suns_light_grows_and_whitens():
     assert (np.diff(shares) > -1e-9).all()
 
 
-@pytest.mark.parametrize("elevation", [5.0, 30.0, 60.0])
+@pytest.mark.parametrize("elevation", [5.0, 45.0])
 def test_the_lamp_lights_as_the_skys_own_disc_does(scene, tmp_path, elevation):
     """A white plane that faces the sun, with the one and with the other."""
     scene.world = first_view.make_sky(elevation, 0.0)
     sun = first_view.make_sun(elevation, 0.0)
     bpy.ops.mesh.primitive_plane_add(rotation=sun.rotation_euler)
-    white = bpy.data.materials.new("White")
-    compat.use_nodes(white)
-    white.node_tree.nodes.clear()
-    shader = white.node_tree.nodes.new("ShaderNodeBsdfDiffuse")
-    shader.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
-    output = white.node_tree.nodes.new("ShaderNodeOutputMaterial")
-    white.node_tree.links.new(shader.outputs[0], output.inputs["Surface"])
-    bpy.context.object.data.materials.append(white)
-    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-    camera.data.type, camera.data.ortho_scale = "ORTHO", 1.0
-    camera.rotation_euler = sun.rotation_euler
-    camera.matrix_world = sun.rotation_euler.to_matrix().to_4x4()
-    camera.location = 3.0 * camera.matrix_world.to_3x3().col[2]
-    scene.collection.objects.link(camera)
-    scene.camera = camera
+    bpy.context.object.data.materials.append(white())
+    eye = camera(scene, width=1.0)
+    eye.matrix_world = sun.rotation_euler.to_matrix().to_4x4()
+    eye.location = 3.0 * eye.matrix_world.to_3x3().col[2]
     texture = next(n for n in scene.world.node_tree.nodes if n.type == "TEX_SKY")
-    sky = rendered(tmp_path, samples=64).mean(axis=(0, 1))
+    sky = seen(tmp_path, 32, 64).mean(axis=(0, 1))
     scene.collection.objects.link(sun)
-    lamp = rendered(tmp_path, samples=64).mean(axis=(0, 1)) - sky
+    lamp = seen(tmp_path, 32, 64).mean(axis=(0, 1)) - sky
     scene.collection.objects.unlink(sun)
     texture.sun_disc = True
-    disc = rendered(tmp_path, samples=64).mean(axis=(0, 1)) - sky
+    disc = seen(tmp_path, 32, 64).mean(axis=(0, 1)) - sky
     assert lamp == pytest.approx(disc, rel=0.03, abs=0.02)

@@ -10,15 +10,18 @@ import bpy
 import numpy as np
 import pytest
 from conftest import (
+    add_horizon,
     add_ocean,
     attribute,
     by_nodes,
+    camera,
     evaluated_mesh,
     geometry_group,
     pixels_of,
     plane,
     positions,
     rest,
+    save,
     shine,
     taken,
 )
@@ -75,8 +78,7 @@ def test_the_textures_keep_16_bits_in_a_saved_file(scene, tmp_path, kind):
     name = foam_images.get(kind).name
     assert foam_images.get(kind).name == name, "one for all"
     foam_images.get(kind).use_fake_user = True
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "foam.blend"))
-    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "foam.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(save(tmp_path / "foam.blend")))
     image = bpy.data.images[name]
     assert tuple(image.size) == texture.shape
     assert image.colorspace_settings.name == "Non-Color"
@@ -101,21 +103,20 @@ def foam_of(ob, **inputs):
 NEAR, PART, FAR = 0.0, 1.3, 10.0  # pixels as wide as so many of the widest cells
 
 
-@pytest.mark.parametrize("streaks", [0.0, 0.3])
+@pytest.mark.parametrize(("streaks", "covers"), [(0.0, (0.02, 0.3)), (0.3, (0.1, 0.7))])
 @pytest.mark.parametrize("cells", [NEAR, PART, FAR])
-def test_the_net_is_white_on_the_share_that_is_covered(studio, tmp_path, cells, streaks):
+def test_the_net_is_white_on_the_share_that_is_covered(studio, tmp_path, cells, streaks, covers):
     """Eleven tiles are a period of the net, which is 1.5 times as long as wide; the other textures
     have many of theirs in it."""
     ob = plane(198.0, 2)
-    camera = studio.camera.data
-    camera.ortho_scale = 198.0
+    studio.camera.data.ortho_scale = 198.0
     studio.render.resolution_x, studio.render.resolution_y = 690, 460
     if cells == FAR:  # nothing of the pattern is left
         studio.render.resolution_percentage = 20
     distance = np.hypot(100.0, 0.0)
     print()
     cover = ob.data.attributes.new("cover", "FLOAT", "POINT")
-    for wanted in (0.02, 0.1, 0.3, 0.7):
+    for wanted in covers:
         cover.data.foreach_set("value", np.full(len(ob.data.vertices), wanted, np.float32))
         foam_of(ob, Foam_Streaks=streaks, Pixel_Angle=cells * 0.86 / distance)
         found = taken(studio, tmp_path)[..., 0]
@@ -170,18 +171,15 @@ def test_labels_go_on_from_patch_to_patch(scene):
 
 def test_labels_of_a_horizon_lie_in_the_world(scene):
     """Wherever camera and object are: a vertex is its label and the displacement there."""
-    scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-    scene.collection.objects.link(scene.camera)
-    ob = add_ocean(64, kind="HORIZON", preset="beaufort_6")
-    ob.libocean.horizon_vertices = 20000
-    ob.libocean.horizon_distance = 2000.0
+    eye = camera(scene)
+    ob = add_horizon(64, 20000, 2000.0, preset="beaufort_6")
     period = ob.libocean.patch_size
-    for camera, place in (
+    for at, place in (
         ((0, 0), (0, 0)),
         ((371.3, -12.9), (0, 0)),
         ((40.0, 80.0), (1.7 * period, 9.0)),
     ):
-        scene.camera.location = (*camera, 5.0)
+        eye.location = (*at, 5.0)
         ob.location = (*place, 0.0)
         bpy.context.view_layer.update()
         scene.frame_set(20)

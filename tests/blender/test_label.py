@@ -6,7 +6,7 @@ share unchanged layers between frames, as a UV map."""
 import bpy
 import numpy as np
 import pytest
-from conftest import add_ocean, attribute, plane, presets_with, reopen, rest
+from conftest import add_ocean, attribute, plane, presets_with, reopened, rest
 from libocean_addon.shared import compat
 
 SEA = {"foam_lifetime": 1.0}
@@ -47,8 +47,7 @@ def test_a_patch_has_them_whatever_its_size(scene, tmp_path):
         setattr(ob.libocean, name, value)
         assert_labelled(ob)
     assert len(ob.data.vertices) == 129**2
-    reopen(tmp_path / "sea.blend")
-    assert_labelled(bpy.data.objects["Ocean"])
+    assert_labelled(reopened(tmp_path / "sea.blend", "Ocean"))
 
 
 def test_frames_leave_them_alone(scene):

@@ -6,10 +6,11 @@ attributes; regions of it, and files, steps and drafts of all that."""
 import bpy
 import numpy as np
 import pytest
+import test_terrain
 from conftest import attribute, evaluated_mesh, plane, positions, rest
 from libocean_addon.bundled import libocean
 from libocean_addon.terrain import extent, node_group, parameter_values, parameters, terrain_text
-from test_terrain import add_terrain, library_of
+from test_terrain import RINGS, WHOLE, add_terrain, library_of
 
 PLACED = """libocean = 1
 [terrain]
@@ -96,29 +97,27 @@ def test_a_coarser_mesh_has_every_other_sample_and_the_edge(land):
 
 
 @pytest.mark.parametrize(
-    ("text", "group"),
-    [(WORN, "gullies"), (WORN.replace("[-300.0, 500.0]", "[]"), "gullies")],
-    ids=["placed", "at the origin"],
+    ("text", "groups"),
+    [
+        (WORN, ("gullies",)),
+        (WORN.replace("[-300.0, 500.0]", "[]"), ("gullies",)),
+        (CARVED, ("stream", "coast")),
+    ],
+    ids=["gullies", "at the origin", "streams and shores"],
 )
-def test_gullies_give_attributes(tmp_path, text, group):
+def test_masks_are_attributes(tmp_path, text, groups):
     ob = add_land(tmp_path, text)
-    names = node_group.MASKS[group]
+    names = [name for group in groups for name in node_group.MASKS[group]]
     want = map_of(ob, *names, "normal")
     for name in names:
         assert np.array_equal(attribute(ob, name), want[name]), name
     nx, ny, nz = want["normal"].T.astype(float)
     assert attribute(ob, "slope") == pytest.approx(np.hypot(nx, ny) / nz, abs=1e-5)
-    assert not attributes(ob) & {"flow", "beach"}
-
-
-def test_streams_and_shores_give_attributes(tmp_path):
-    ob = add_land(tmp_path, CARVED)
-    names = (*node_group.MASKS["stream"], *node_group.MASKS["coast"])
-    want = map_of(ob, *names)
-    for name in names:
-        assert np.array_equal(attribute(ob, name), want[name]), name
-    assert want["beach"].max() > 0.5 and want["flow"].max() > 1e4
     assert_is_land(ob)
+    if "coast" not in groups:
+        assert not attributes(ob) & {"flow", "beach"}
+        return
+    assert want["beach"].max() > 0.5 and want["flow"].max() > 1e4
     ob.libocean_terrain.use_coast = False
     assert "beach" not in attributes(ob) and "flow" in attributes(ob)
     assert_is_land(ob)
@@ -166,28 +165,24 @@ def region_of(ob, corners, cell: float) -> np.ndarray:
 
 
 @pytest.mark.parametrize(
-    ("corners", "cell"),
-    [((0.0, 600.0, 100.0, 660.0), 0.5), ((-300.0, 500.0, 1300.0, 1300.0), 20.0)],
-    ids=["fine", "whole"],
+    ("kind", "corners", "cell"),
+    [
+        ("placed", (0.0, 600.0, 100.0, 660.0), 0.5),
+        ("placed", (-300.0, 500.0, 1300.0, 1300.0), 20.0),
+        ("tile", (5000.0, -5000.0, 5050.0, -4950.0), 1.0),
+    ],
+    ids=["fine", "whole", "of a tile"],
 )
-def test_a_region_is_the_librarys_to_the_bit(land, corners, cell):
-    settings = land.libocean_terrain
+def test_a_region_is_the_librarys_to_the_bit(tmp_path, kind, corners, cell):
+    ob = add_terrain() if kind == "tile" else add_land(tmp_path, PLACED)
+    settings = ob.libocean_terrain
     settings.region_cell, settings.region, settings.use_region = cell, corners, True
     assert settings.problem == ""
-    got = positions(land)
-    assert np.array_equal(got[:, 2], region_of(land, corners, cell))
+    got = positions(ob)
+    assert np.array_equal(got[:, 2], region_of(ob, corners, cell))
     assert tuple(got[0, :2]) == corners[:2] and tuple(got[-1, :2]) == corners[2:]
     settings.use_region = False
-    assert_is_land(land)
-
-
-def test_a_region_of_a_tile_lies_anywhere():
-    ob = add_terrain()
-    settings = ob.libocean_terrain
-    corners = (5000.0, -5000.0, 5050.0, -4950.0)
-    settings.region, settings.region_cell, settings.use_region = corners, 1.0, True
-    assert settings.problem == ""
-    assert np.array_equal(positions(ob)[:, 2], region_of(ob, corners, 1.0))
+    (test_terrain.assert_is_land if kind == "tile" else assert_is_land)(ob)
 
 
 def test_a_region_that_cannot_be_is_said_and_the_mesh_stays(land):
@@ -245,7 +240,11 @@ def test_what_excludes_each_other_is_said_in_the_panels_words(land):
     assert settings.problem == ""
 
 
-@pytest.mark.parametrize("text", [PLACED, WORN, CARVED], ids=["placed", "worn", "carved"])
+TILE = WHOLE.replace("seed = 4000000000", "seed = 40000")
+FILES = {"placed": PLACED, "worn": WORN, "carved": CARVED, "tile": TILE, "measured": RINGS}
+
+
+@pytest.mark.parametrize("text", FILES.values(), ids=FILES)
 def test_a_file_comes_back_as_it_was(land, tmp_path, text):
     path, saved = tmp_path / "whole.toml", tmp_path / "saved.toml"
     path.write_text(text)

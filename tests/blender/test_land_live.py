@@ -9,7 +9,7 @@ import time
 import bpy
 import numpy as np
 import pytest
-from conftest import attribute, finish, positions, reopen, rest, work_on
+from conftest import attribute, finish, keyed, positions, reopened, rest, work_on
 from libocean_addon.shared import drafts, life, meshes
 from libocean_addon.terrain import camera_mesh, live, material, node_group, open_terrain
 from libocean_addon.terrain.subject import TERRAIN
@@ -121,9 +121,7 @@ def test_the_mesh_lies_by_the_object(detailed, eye):
 
 
 def test_a_frame_of_an_animated_camera_has_its_own_mesh(detailed, eye, scene):
-    for frame, x in ((1, 0.0), (2, 1024.0)):
-        eye.location.x = x
-        eye.keyframe_insert("location", frame=frame)
+    keyed(eye, location={frame: (x, 1024.0, 64.0) for frame, x in ((1, 0.0), (2, 1024.0))})
     for frame, x in ((2, 1024.0), (1, 0.0)):
         scene.frame_set(frame)
         assert_is_around(detailed, (x, 1024.0, 64.0))
@@ -165,5 +163,4 @@ def test_another_land_makes_another_mesh(detailed):
 
 def test_the_mesh_is_saved_with_its_file(detailed, tmp_path):
     want = positions(detailed)
-    reopen(tmp_path / "land.blend")
-    assert np.array_equal(positions(bpy.data.objects["Terrain"]), want)
+    assert np.array_equal(positions(reopened(tmp_path / "land.blend", "Terrain")), want)

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The ground and the trees of a land follow its masks."""
+"""The ground of a land follows its heights, its slopes and its masks, and so do its trees."""
 
 import bpy
 import numpy as np
 import pytest
-from conftest import plane, positions, rest, taken
+from conftest import failing, plane, positions, rest, taken
 from libocean_addon.shared import modifier_groups
 from libocean_addon.terrain import ground_shader, material, node_group, tree_meshes, trees
 from test_land import CARVED, PLACED, WORN, add_land, library_of, map_of
@@ -46,21 +46,88 @@ def share_of(image: np.ndarray, name: str) -> float:
     return float(near.mean())
 
 
-ALONE = {
-    "sand_line": -1e5,
-    "wet_line": -1e5,
-    "snow_line": 1e5,
-    "forest_line": -1e5,
-    "rock_slope": 9.0,
-    "dry_share": 0.0,
-}
+# No cover but grass, wherever masks say nothing.
+LEVEL = {"snow_line": 1e5, "forest_line": -1e5, "sand_line": -1e5, "wet_line": -1e5}
+LEVEL |= {"dry_share": 0.0, "rock_slope": 9.0, "scree_slope": 9.0}
+LEVEL |= {"snow_slope": 9.0, "sun_melt": 0.0, "line_width": 1.0}
+SNOW = np.array(ground_shader.ALBEDOS["Snow"])
 BY_MASKS = ("beach_sand", "cliff_rock", "stream_scree", "flow_forest", "wear_shade")
+
+
+@pytest.fixture
+def terrain():
+    return add_terrain(64, use_material=True)
+
+
+def test_the_material_fits_the_heights(terrain):
+    settings = terrain.libocean_terrain
+    settings.use_rms, settings.rms, settings.mean = True, 200.0, 1000.0
+    assert bpy.ops.libocean.add_terrain_material(visibility=9000.0) == {"FINISHED"}
+    inputs = material.grounds(terrain)[0].inputs
+    assert inputs["Snow Line"].default_value == pytest.approx(1260.0, abs=1.0)
+    assert inputs["Forest Line"].default_value == pytest.approx(1020.0, abs=1.0)
+    assert inputs["Visibility"].default_value == 9000.0
+    for name, albedo in ground_shader.ALBEDOS.items():
+        assert tuple(inputs[f"{name} Colour"].default_value)[:3] == pytest.approx(albedo)
+
+
+def test_covers_lie_where_heights_and_slopes_let_them(terrain, seen):
+    middle = float(np.median(positions(terrain)[:, 2]))
+    rows = (
+        ("Grass", {}, 0.99, 1.0),
+        ("Snow", {"snow_line": middle, "line_width": 0.1}, 0.4, 0.6),
+        ("Snow", {"snow_line": -1e4}, 0.99, 1.0),
+        ("Snow", {"snow_line": -1e4, "snow_slope": 0.0}, 0.0, 0.6),  # it slides off
+        ("Rock", {}, 0.0, 0.0),
+        ("Rock", {"rock_slope": -1.0}, 0.99, 1.0),
+        ("Scree", {}, 0.0, 0.0),
+        ("Scree", {"scree_slope": -1.0}, 0.99, 1.0),
+        ("Forest", {"forest_line": 1e4}, 0.2, 1.0),
+        ("Dry Grass", {"dry_share": 1.0, "forest_line": middle}, 0.4, 0.6),
+    )
+    pictures = {}
+    for cover, sockets, low, high in rows:
+        key = str(sockets)
+        if key not in pictures:
+            pictures[key] = seen(terrain, **{**LEVEL, **sockets})
+        share = share_of(pictures[key], cover)
+        assert low <= share <= high, (cover, sockets, share)
+
+
+def test_snow_melts_on_the_side_of_the_sun(terrain, seen):
+    middle = float(np.median(positions(terrain)[:, 2]))
+    sockets = {**LEVEL, "snow_line": middle, "sun_melt": 200.0}
+    north, south = (
+        np.abs(seen(terrain, **sockets, sun_bearing=bearing) - SNOW).max(-1) < 0.01
+        for bearing in (90.0, -90.0)
+    )
+    heights = positions(terrain)[:, 2].reshape(65, 65)[:64, :64]
+    northward = np.gradient(heights, axis=0) > 0.5  # it rises to the north: it faces south
+    assert north[northward].mean() > south[northward].mean() + 0.3
+
+
+def test_sand_below_the_wet_line_is_dark(terrain, seen):
+    dry = seen(terrain, **{**LEVEL, "sand_line": 1e4})
+    wet = seen(terrain, wet_line=1e4)
+    assert share_of(dry, "Sand") > 0.05
+    # The darker a colour is, the more mixtures are within a hundredth of it.
+    assert share_of(wet, "Wet Sand") == pytest.approx(share_of(dry, "Sand"), abs=0.03)
+    assert share_of(wet, "Sand") == share_of(dry, "Wet Sand") == 0.0
+
+
+def test_noise_has_four_scales(terrain):
+    group = ground_shader.get_group()
+    inner = [node.node_tree for node in group.nodes if node.type == "GROUP"]
+    noises = [node for tree in inner for node in tree.nodes if node.type == "TEX_NOISE"]
+    scales = sorted(node.inputs["Scale"].default_value for node in noises)
+    assert len(scales) == 4
+    assert np.diff(np.log(scales)) == pytest.approx([np.log(1.0 / 0.23)] * 3, rel=1e-4)
 
 
 def test_beaches_are_sand_and_cliffs_rock(tmp_path, seen):
     ob = add_land(tmp_path, CARVED)
     beach, cliff = map_of(ob, "beach", "cliff").values()
-    alone = {**ALONE, "scree_slope": 9.0, "flow_forest": 0.0}
+    alone = {**LEVEL, "flow_forest": 0.0}
     none = seen(ob, **alone, beach_sand=0.0, cliff_rock=0.0, stream_scree=0.0)
     assert share_of(none, "Grass") > 0.98
     sandy = seen(ob, beach_sand=1.0)
@@ -72,7 +139,7 @@ def test_beaches_are_sand_and_cliffs_rock(tmp_path, seen):
 
 def test_forest_follows_the_water_and_crests_are_light(tmp_path, seen):
     ob = add_land(tmp_path, CARVED)
-    alone = {**ALONE, "scree_slope": 9.0, "beach_sand": 0.0, "cliff_rock": 0.0, "stream_scree": 0.0}
+    alone = {**LEVEL, "beach_sand": 0.0, "cliff_rock": 0.0, "stream_scree": 0.0}
     dry = seen(ob, **alone, flow_forest=0.0)
     lush = seen(ob, flow_forest=1.0)
     flow = map_of(ob, "flow")["flow"]
@@ -145,26 +212,27 @@ def test_trees_grow_where_the_masks_let_them(tmp_path):
     assert at(ob, "wetness", wet).mean() > at(ob, "wetness", anywhere).mean() + 0.02
 
 
-@pytest.mark.parametrize("name", ["beach", "cliff", "streambed", "slope"])
-def test_no_tree_grows_where_a_mask_is_1(name):
+def test_no_tree_grows_where_a_mask_is_1():
     ob = plane(200.0, 20)
     east = rest(ob)[:, 0] > 0.0
-    mask = ob.data.attributes.new(name, "FLOAT", "POINT")
-    mask.data.foreach_set("value", east.astype(np.float32))
     modifier = modifier_groups.add(ob, "Trees", trees.get_group)
     inputs = {"Trees": tree_meshes.get(), "Density": 1000.0, "Clearings": 0.0}
     modifier_groups.assign(modifier, inputs)
-    places = trees_on(ob)
-    assert (places[:, 0] < 0.0).sum() > 500
-    assert (places[:, 0] > 10.0).sum() == 0
+    for name in ("beach", "cliff", "streambed", "slope"):
+        mask = ob.data.attributes.new(name, "FLOAT", "POINT")
+        mask.data.foreach_set("value", east.astype(np.float32))
+        bpy.context.view_layer.update()
+        places = trees_on(ob)
+        assert (places[:, 0] < 0.0).sum() > 500, name
+        assert (places[:, 0] > 10.0).sum() == 0, name
+        ob.data.attributes.remove(ob.data.attributes[name])
 
 
 def test_trees_of_a_plain_tile_avoid_its_slopes():
     ob = add_terrain(64, "seed_rough")
     assert bpy.ops.libocean.add_trees() == {"FINISHED"}
     assert ob.libocean_terrain.use_slope and len(trees_on(ob)) > 10
-    with pytest.raises(RuntimeError, match="has trees"):
-        bpy.ops.libocean.add_trees()
+    assert "has trees" in failing(bpy.ops.libocean.add_trees)
     (modifier,) = trees.FAMILY.modifiers(ob)
     modifier_groups.assign(modifier, {"Max Slope": 0.0})
     bpy.context.view_layer.update()

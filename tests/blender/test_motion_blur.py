@@ -5,7 +5,7 @@
 import bpy
 import numpy as np
 import pytest
-from conftest import pixels
+from conftest import camera, light, picture_settings, rendered
 from libocean_addon.bundled import libocean
 
 SEA = """
@@ -21,7 +21,7 @@ peak_period = 6.0
 """
 CELL = 100.0 / 64
 SHUTTER = 0.5  # frames
-VIEW, WIDE, HIGH = 0.3, 300, 300  # metres, pixels
+VIEW, WIDE = 0.3, 300  # metres, pixels a side
 SIDE = 0.02  # of the square that is carried
 
 
@@ -53,40 +53,22 @@ def carried_square(path):
     bpy.context.view_layer.objects.active = ob
     bpy.ops.libocean.add_modifier()
     bpy.ops.libocean.load_sea(filepath=str(path))
-    material = bpy.data.materials.new("Light")
-    material.use_nodes = True
-    tree = material.node_tree
-    tree.nodes.clear()
-    light, output = tree.nodes.new("ShaderNodeEmission"), tree.nodes.new("ShaderNodeOutputMaterial")
-    tree.links.new(light.outputs[0], output.inputs["Surface"])
-    mesh.materials.append(material)
+    mesh.materials.append(light())
     return ob
 
 
 def look_at(scene, point: np.ndarray) -> None:
-    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-    bpy.context.collection.objects.link(camera)
-    camera.location = (point[0], point[1] - 5.0, point[2])
-    camera.rotation_euler.x = np.pi / 2
-    camera.data.type = "ORTHO"
-    camera.data.ortho_scale = VIEW
-    scene.camera = camera
-    scene.render.engine = "CYCLES"
-    scene.cycles.samples = 128
-    scene.cycles.use_denoising = False
+    eye = camera(scene, (point[0], point[1] - 5.0, point[2]), width=VIEW)
+    eye.rotation_euler.x = np.pi / 2
+    picture_settings(scene, WIDE, 64)
     scene.cycles.pixel_filter_type = "BOX"
-    scene.render.resolution_x, scene.render.resolution_y = WIDE, HIGH
-    scene.render.image_settings.file_format = "OPEN_EXR"
-    scene.render.image_settings.color_depth = "32"
     scene.render.motion_blur_shutter = SHUTTER
 
 
 def moments(scene, path, *, blur: bool) -> tuple[np.ndarray, np.ndarray]:
     """Centre and covariance of the light in the picture, metres."""
     scene.render.use_motion_blur = blur
-    scene.render.filepath = str(path)
-    bpy.ops.render.render(write_still=True)
-    light = pixels(path)[..., 0].astype(np.float64)
+    light = rendered(scene, path)[..., 0].astype(np.float64)
     light /= light.sum()
     along = (np.arange(WIDE) + 0.5 - WIDE / 2) * (VIEW / WIDE)
     centre = np.array([light.sum(axis=0) @ along, light.sum(axis=1) @ along])

@@ -1,62 +1,25 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The panels show the settings that apply, in words that fit, and never a traceback."""
+"""The panels of a sea show the settings that apply, in words that fit. What holds for all panels
+is in test_panels.py."""
 
 import re
-import types
 
 import blf
 import bpy
 import pytest
-from conftest import add_ocean, evaluated_mesh, plane, positions
+from conftest import add_ocean, evaluated_mesh, failing, plane, positions
+from layouts import NARROW, ROW, WIDE, NarrowLayout, drawn_by
 from libocean_addon import translations
-from libocean_addon.floating import floating
 from libocean_addon.sea import facts, hints, node_group, panels, parameter_values
-from libocean_addon.shared import compat, drafts, drawing, failures, resolutions
+from libocean_addon.shared import compat, drafts, drawing
 
 PANELS = [cls for cls in panels.CLASSES if issubclass(cls, bpy.types.Panel)]
 
 
 @pytest.fixture
 def ocean():
-    bpy.ops.libocean.add(kind="PATCH", preset="beaufort_4", use_material=False)
-    ocean = bpy.context.object
-    ocean.libocean.resolution = 64
-    return ocean
-
-
-class Layout:
-    """Takes what is drawn: names of properties and operators, texts."""
-
-    def __init__(self, drawn: list) -> None:
-        self.drawn = drawn
-
-    def prop(self, owner, name, **settings):
-        assert name in owner.bl_rna.properties
-        getattr(owner, name)
-        self.drawn.append(name)
-
-    def operator(self, name, **_settings):
-        self.drawn.append(name)
-        return types.SimpleNamespace()
-
-    def label(self, *, text, **_settings):
-        self.drawn.append(text)
-
-    def prop_search(self, owner, name, *_rest):
-        self.prop(owner, name)
-
-    def __getattr__(self, name):
-        if name in ("row", "column", "box", "split"):
-            return lambda **_settings: Layout(self.drawn)
-        return lambda *_rest, **_settings: None  # separator, template_list, operator_menu_enum
-
-
-def drawn_by(cls) -> list[str]:
-    """Returns the widgets that a panel draws; raises where it would."""
-    drawn: list[str] = []
-    cls.draw.__wrapped__(types.SimpleNamespace(layout=Layout(drawn)), bpy.context)
-    return drawn
+    return add_ocean(64, kind="PATCH", preset="beaufort_4", use_material=False)
 
 
 def said() -> str:
@@ -64,60 +27,16 @@ def said() -> str:
 
 
 def everything() -> list[str]:
-    return [what for cls in PANELS for what in drawn_by(cls)]
+    return drawn_by(*PANELS)
 
 
 # Never a traceback ----------------------------------------------------------------
-
-
-@pytest.mark.parametrize("spectrum", ["phillips", "jonswap", "tma", "measured"])
-@pytest.mark.parametrize("kind", ["PATCH", "HORIZON"])
-def test_every_panel_is_drawn_in_every_state(kind, spectrum):
-    bpy.ops.libocean.add(kind=kind, use_material=False)
-    settings = bpy.context.object.libocean
-    settings.resolution, settings.horizon_vertices = 64, 5000
-    settings.waves[0].spectrum = spectrum
-    assert bool(settings.problem) == (spectrum == "measured")
-    everything()
-    for name, value in (
-        ("use_foam", True),
-        ("foam_coverage", "threshold"),
-        ("cascades", 3),
-        ("use_cascade_divisors", True),
-        ("mask", "nothing"),
-        ("longest_wavelength", 0.5),
-        ("shortest_wavelength", 4.0),
-        ("use_custom_time", True),
-        ("use_scene_frame_rate", False),
-        ("take", "/nowhere.take"),
-        ("active_wave", 7),
-    ):
-        setattr(settings, name, value)
-        everything()
 
 
 def test_a_measured_sea_without_its_file_is_said(ocean):
     ocean.libocean.waves[0].spectrum = "measured"
     assert "needs a file" in said()
     assert "file" in drawn_by(panels.WavesPanel)  # where it is chosen
-
-
-@pytest.mark.parametrize("cls", [*PANELS, floating.FloatPanel], ids=lambda cls: cls.__name__)
-def test_no_draw_function_raises(ocean, cls, monkeypatch, capsys):
-    """Whatever fails below it is said in the panel, and in the console once."""
-    drawn: list[str] = []
-    layout = Layout(drawn)
-
-    def fail(*_rest, **_settings):
-        raise ValueError("out of order")
-
-    monkeypatch.setattr(Layout, "prop", fail)
-    monkeypatch.setattr(facts, "state_of", fail)
-    monkeypatch.setattr(failures, "_logged", set())
-    for _ in range(3):
-        cls.draw(types.SimpleNamespace(layout=layout), bpy.context)
-    assert "out of order" in " ".join(drawn)
-    assert capsys.readouterr().err.count("Traceback") == 1
 
 
 # Settings that apply, in words that fit --------------------------------------------
@@ -139,22 +58,6 @@ def test_what_does_not_apply_is_not_there(ocean):
     assert "fetch" not in shown
     settings.use_foam = False
     assert not {"foam_lifetime", "foam_threshold", "foam_step"} & set(everything())
-
-
-def test_every_parameter_is_in_one_panel(ocean):
-    settings = ocean.libocean
-    settings.waves[0].spectrum, settings.foam_coverage = "jonswap", "threshold"
-    settings.cascades = 2
-    settings.use_cascade_divisors, settings.use_scene_frame_rate = True, False
-    settings.take = "/nowhere.take"
-    shown = everything()
-    for entry in parameter_values.TABLE:
-        group = settings.waves[0] if entry["section"] == "waves" else settings
-        key = entry["key"]
-        key = resolutions.listed(key) if key in parameter_values.PARAMETERS.resolutions else key
-        count = shown.count(key)
-        wanted = {"list": settings.cascades, "numbers": 2}.get(entry["type"], 1)
-        assert count == (wanted if panels.is_used(group, entry) else 0), key
 
 
 def test_divisors_are_as_many_as_cascades(ocean):
@@ -186,133 +89,6 @@ def test_labels_fit():
             width, _ = blf.dimensions(0, text)
             assert width <= LABEL, text
     assert blf.dimensions(0, "Significant wave height")[0] > LABEL
-
-
-# Pixels at a resolution scale of 1; the editor's region in a window of 1280 and one of 1920, as
-# Blender lays it out at first.
-NARROW, WIDE = 192, 291
-ROW = NARROW - 33  # counted in a picture of it, as are these:
-ICON, CHECKBOX, ARROWS, EDGES = 19, 25, 40, 8
-
-
-class NarrowLayout:
-    """Takes what is drawn and compares the widths of words with their space, as Blender divides
-    it."""
-
-    def __init__(self, cut: list, space: float, *, share=None, split=False) -> None:
-        self.cut, self.space, self.share = cut, space, share
-        self.use_property_split = split
-        self.is_column = False
-
-    def _child(self, space: float, share: float | None = None):
-        return NarrowLayout(self.cut, space, share=share, split=self.use_property_split)
-
-    def _room(self) -> float:
-        """Returns the space of the next widget."""
-        if self.share is None:
-            return self.space
-        room = self.space * self.share
-        self.space, self.share = self.space - room, None
-        return room
-
-    def _take(self, text: str, beside: float) -> None:
-        room = self._room()
-        if compat.text_width(text) + beside > room:
-            self.cut.append(f"{text!r}: {compat.text_width(text):.0f} + {beside:.0f} > {room:.0f}")
-
-    def label(self, *, text="", icon="NONE", text_ctxt="*", translate=True):
-        text = bpy.app.translations.pgettext_iface(text, text_ctxt) if translate else text
-        self._take(text, 0 if icon == "NONE" else ICON)
-
-    def operator(self, name, *, text=None, icon="NONE"):
-        if text is None:
-            text = getattr(bpy.types, name.replace("libocean.", "LIBOCEAN_OT_")).bl_label
-        word = bpy.app.translations.pgettext_iface(text, "Operator")
-        if word:
-            self._take(word, EDGES + (0 if icon == "NONE" else ICON))
-        return types.SimpleNamespace()
-
-    def operator_menu_enum(self, _name, _property, *, text, icon="NONE", text_ctxt="*"):
-        word = bpy.app.translations.pgettext_iface(text, text_ctxt)
-        self._take(word, EDGES + 15 + (0 if icon == "NONE" else ICON))
-
-    def prop(self, owner, name, *, text=None, text_ctxt=None, index=-1):
-        found = owner.bl_rna.properties[name]
-        is_array = getattr(found, "is_array", False) and index < 0
-        label, context = (
-            (found.name, found.translation_context) if text is None else (text, text_ctxt)
-        )
-        word = bpy.app.translations.pgettext_iface(label, context or "*")
-        if self.use_property_split and word and found.type != "BOOLEAN":
-            self._take(word, 2 * self.space / 3)
-        elif found.type == "BOOLEAN":
-            if word:
-                self._take(word, CHECKBOX)
-            else:
-                self.space -= CHECKBOX
-        elif found.type in ("INT", "FLOAT") and not is_array:
-            value = getattr(owner, name) if index < 0 else getattr(owner, name)[index]
-            shown = bpy.utils.units.to_string("METRIC", found.unit, value, precision=3)
-            if found.type == "FLOAT" and found.unit == "NONE" and abs(value) < 1e4:
-                shown = f"{value:.3f}"
-            self._take(word + shown, ARROWS)
-        elif word and not (is_array and self.is_column):
-            self.cut.append(f"{word!r} has no place beside the {found.type} of {name}")
-
-    def prop_search(self, owner, name, _data, _found, *, text=None):
-        self.prop(owner, name, text=text)
-
-    def row(self, *, heading="", **_settings):
-        if heading:
-            self.cut.append(f"{heading!r} has no place beside its row")
-        return self._child(self._room())
-
-    def column(self, *, heading="", **_settings):  # above the column
-        self._take(bpy.app.translations.pgettext_iface(heading), 0)
-        column = self._child(self._room())
-        column.is_column = True
-        return column
-
-    def box(self):
-        return self._child(self._room() - 8)
-
-    def split(self, *, factor, **_settings):
-        return self._child(self._room(), factor)
-
-    def separator(self):
-        pass
-
-    def template_list(self, *_rest, **_settings):
-        pass
-
-
-def shown_wholly() -> list[str]:
-    """Sets the properties of the active object one after the other so that each field is drawn."""
-    settings = bpy.context.object.libocean
-    settings.cascades, settings.use_cascade_divisors = 2, True
-    settings.use_scene_frame_rate, settings.use_custom_time = False, True
-    settings.foam_coverage, settings.volumes.box = "threshold", "CORNERS"
-    settings.bake.use_custom_range = True
-    cut: list[str] = []
-    for settings.waves[0].spectrum in ("phillips", "tma", "measured"):
-        for cls in PANELS:
-            context = types.SimpleNamespace(layout=NarrowLayout(cut, ROW))
-            cls.draw.__wrapped__(context, bpy.context)
-    return cut
-
-
-@pytest.mark.skipif(bpy.app.version >= (4, 0), reason="the pixels were counted with 3.4's font")
-@pytest.mark.parametrize("language", ["en_US", "de_DE"])
-@pytest.mark.parametrize("kind", ["PATCH", "HORIZON"])
-def test_no_label_is_cut_where_the_editor_is_narrow(monkeypatch, kind, language):
-    add_ocean(64, kind=kind, preset="beaufort_6", use_material=False)
-    monkeypatch.setattr(drawing, "width", lambda: NARROW)
-    view = bpy.context.preferences.view
-    view.language, view.use_translate_interface = language, True
-    try:
-        assert "; ".join(shown_wholly()) == ""
-    finally:
-        view.language = "en_US"
 
 
 def test_labels_are_beside_their_fields_where_there_is_space(ocean, monkeypatch):
@@ -424,8 +200,7 @@ def test_near_detail_says_what_it_needs(ocean):
 
 def test_a_second_sea_on_an_object_is_refused(ocean):
     assert not bpy.ops.libocean.add_modifier.poll()
-    with pytest.raises(RuntimeError, match="has an ocean"):
-        bpy.ops.libocean.add_modifier()
+    assert "has an ocean" in failing(bpy.ops.libocean.add_modifier)
     assert len(node_group.modifiers(ocean)) == 1
     twin = ocean.modifiers.new("Twin", "NODES")
     twin.node_group = node_group.modifiers(ocean)[0].node_group
@@ -449,8 +224,7 @@ def test_a_plane_of_four_vertices_offers_to_subdivide(scene):
     assert positions(ob)[:, 2].std() > 0.2
     assert "between vertices" not in said()
     assert "libocean.subdivide" not in drawn_by(panels.OceanPanel)
-    with pytest.raises(RuntimeError, match="already has the vertices"):
-        bpy.ops.libocean.subdivide()
+    assert "already has the vertices" in failing(bpy.ops.libocean.subdivide)
     assert len(evaluated_mesh(ob).vertices) == vertices
 
 

@@ -7,29 +7,17 @@ import types
 
 import bpy
 import numpy as np
-from conftest import in_another_process, pixels, plane, rendered
+import other_blender
+from conftest import (
+    assert_shown_without_the_add_on,
+    in_another_blender,
+    pixels,
+    plane,
+    rendered,
+    rest,
+    save,
+)
 from libocean_addon import handlers
-
-RENDER = """
-path, frame, picture = arguments
-bpy.ops.preferences.addon_enable(module="libocean_addon")
-bpy.ops.wm.open_mainfile(filepath=path)
-bpy.context.scene.frame_set(int(frame))
-bpy.context.scene.render.filepath = picture
-bpy.ops.render.render(write_still=True)
-"""
-
-AT_REST = """
-bpy.ops.wm.open_mainfile(filepath=arguments[0])
-assert not hasattr(bpy.types.Object, "libocean")
-bpy.context.scene.frame_set(17)
-ob = bpy.data.objects["Ocean"]
-mesh = ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
-assert all(vertex.co.z == 0.0 for vertex in mesh.vertices)
-assert all(item.value == 0.0 for item in mesh.attributes["foam"].data)
-assert all(tuple(item.vector) == (0, 0, 0) for item in mesh.attributes["velocity"].data)
-assert all(tuple(item.vector) == (0, 0, 1) for item in mesh.attributes["ocean_normal"].data)
-"""
 
 
 def test_a_second_process_renders_the_same_picture(scene, shot, tmp_path):
@@ -38,9 +26,8 @@ def test_a_second_process_renders_the_same_picture(scene, shot, tmp_path):
     here = rendered(scene, tmp_path / "here.exr")
     heights = here[..., 2]
     assert np.ptp(heights) > 0.5  # metres
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
-    there = tmp_path / "there.exr"
-    in_another_process(tmp_path, RENDER, tmp_path / "shot.blend", "17", there)
+    path, there = save(tmp_path / "shot.blend"), tmp_path / "there.exr"
+    in_another_blender(other_blender.render, path, there, "addon", 17)
     assert np.array_equal(pixels(there), here)
 
 
@@ -103,8 +90,12 @@ def test_the_interface_is_locked_when_the_window_has_been_drawn():
 
 def test_without_the_add_on_the_sea_is_at_rest(scene, shot, tmp_path):
     scene.frame_set(17)
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
-    in_another_process(tmp_path, AT_REST, tmp_path / "shot.blend")
+    normal = np.zeros_like(rest(shot)) + np.float32((0.0, 0.0, 1.0))
+    wanted = {"position": rest(shot), "velocity": 0.0 * normal, "ocean_normal": normal}
+    wanted["foam"] = np.zeros(len(normal))
+    assert_shown_without_the_add_on(
+        save(tmp_path / "shot.blend"), {("Ocean", name, 17): at for name, at in wanted.items()}
+    )
 
 
 def test_objects_of_all_kinds_are_found_among_many(scene, shot):

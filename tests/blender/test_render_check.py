@@ -3,7 +3,6 @@
 """Before a frame is rendered: files of a bake that are missing, broken or of another sea stop it,
 with the numbers of their frames; what does not show them does not."""
 
-import json
 import os
 import shutil
 import subprocess
@@ -11,30 +10,59 @@ from pathlib import Path
 
 import bpy
 import numpy as np
+import other_blender
 import pytest
-from conftest import add_ocean, positions, shot_of
+from conftest import (
+    add_ocean,
+    empty,
+    in_another_blender,
+    keyed,
+    needs_window,
+    opened,
+    positions,
+    reopened,
+    save,
+    shot_of,
+)
+from libocean_addon.bake import bake_plan, bake_state
 
 FIELDS = ("displacement", "cover", "velocity", "normal", "jacobian")
 FIRST, LAST = 4, 8  # of the shot; files from 3 to 9
 
 
-def make_shot(tmp_path: Path):
-    foam = {"foam_coverage": "threshold", "foam_threshold": 0.9, "foam_lifetime": 1.0}
+def small_sea(scene, **foam):
     ob = add_ocean(32, sea=foam, kind="PATCH", preset="beaufort_6", use_material=False)
-    scene = bpy.context.scene
     shot_of(scene, ob)
     scene.render.resolution_x = scene.render.resolution_y = 4
+    scene.render.filepath = "//out/####"
     scene.frame_start, scene.frame_end = FIRST, LAST
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
-    assert bpy.ops.libocean.bake() == {"FINISHED"}
-    scene.render.filepath = str(tmp_path / "out" / "####")
-    bpy.ops.wm.save_mainfile()
     return ob
 
 
+@pytest.fixture(scope="module")
+def baked(tmp_path_factory) -> Path:
+    """A folder with a shot and its bake."""
+    folder = tmp_path_factory.mktemp("baked")
+    empty()
+    small_sea(bpy.context.scene, foam_coverage="threshold", foam_threshold=0.9)
+    save(folder / "shot.blend")
+    assert bpy.ops.libocean.bake() == {"FINISHED"}
+    bpy.ops.wm.save_mainfile()
+    return folder
+
+
 @pytest.fixture
-def sea(tmp_path):
-    return make_shot(tmp_path)
+def sea(baked, tmp_path):
+    shutil.copytree(baked, tmp_path, dirs_exist_ok=True)
+    return opened(tmp_path / "shot.blend", "Ocean")
+
+
+@pytest.fixture
+def scene(request):
+    """That of the shot, where a test has one."""
+    if "sea" in request.fixturenames:
+        request.getfixturevalue("sea")
+    return bpy.context.scene
 
 
 def file(tmp_path: Path, frame: int, field: str = "displacement") -> Path:
@@ -107,8 +135,6 @@ KINDS = {
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_file_that_is_not_that_of_its_frame_stops_the_render(sea, tmp_path, capfd, kind):
-    from libocean_addon.bake import bake_state
-
     assert render(capfd, 6) == []
     assert bake_state.faults(sea) == []
     damage(tmp_path, kind, "displacement")
@@ -149,9 +175,8 @@ def test_subframes_take_the_files_beside_them(sea, tmp_path, capfd):
     assert render(capfd, 7, 0.5) == render(capfd, 8, 0.5) == []
 
 
-def test_the_first_file_may_be_missing(sea, tmp_path, capfd):
+def test_the_first_file_may_be_missing(scene, sea, tmp_path, capfd):
     """Blender knows a sequence by it."""
-    scene = bpy.context.scene
     scene.frame_set(6)
     want = positions(sea).copy()
     file(tmp_path, 3).unlink()
@@ -162,10 +187,8 @@ def test_the_first_file_may_be_missing(sea, tmp_path, capfd):
     scene.frame_set(6)
     assert np.array_equal(positions(sea), want)
     assert render(capfd, 6) == []
-    bpy.ops.wm.save_mainfile()
-    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "shot.blend"))
-    bpy.context.scene.frame_set(6)
-    assert np.array_equal(positions(bpy.data.objects["Ocean"]), want)
+    ob = reopened(tmp_path / "shot.blend", "Ocean", 6)
+    assert np.array_equal(positions(ob), want)
 
 
 def test_another_size_of_the_same_sea_stops_it(sea, tmp_path, capfd):
@@ -184,8 +207,6 @@ def test_files_without_a_name_play(sea, tmp_path, capfd):
 
 def test_an_interrupted_bake_of_another_sea_is_found(sea, tmp_path, capfd):
     """Its first frames are those of the new sea, the others of the one that the object plays."""
-    from libocean_addon.bake import bake_plan
-
     sea.libocean.choppiness = 0.5
     job = bake_plan.Bake(bpy.context, sea, "", (FIRST, LAST), overwrite=False).job
     job.run(lambda: job.stop.set() if job.done == 3 else None)
@@ -197,9 +218,7 @@ def test_an_interrupted_bake_of_another_sea_is_found(sea, tmp_path, capfd):
 
 
 def test_a_keyframed_sea_is_known_frame_by_frame(scene, sea, tmp_path, capfd):
-    for frame, value in ((4, 0.0), (8, 1.0)):
-        sea.libocean.choppiness = value
-        sea.libocean.keyframe_insert("choppiness", frame=frame)
+    keyed(sea.libocean, choppiness={4: 0.0, 8: 1.0})
     bpy.ops.libocean.bake()
     assert render(capfd, 5) == []
     path = file(tmp_path, 6)
@@ -266,24 +285,10 @@ def test_what_lies_beyond_the_bake_is_a_warning(scene, sea, capfd):
     assert "at frames 5: " in render(capfd, 5)[0]  # the scene's time is 2.5 there
 
 
-def test_volumes_of_another_sea_stop_it(scene, tmp_path, capfd, monkeypatch):
+def test_volumes_of_another_sea_stop_it(scene, tmp_path, capfd, scripted_volumes):
     """Written by the add-on, which says what each file must show; of others nothing is known."""
-    from libocean_addon.shared import compat
-    from libocean_addon.volumes import vdb_files, volume_job, volumes
-
-    monkeypatch.setattr(volumes, "find_command", lambda: None)
-    monkeypatch.setattr(compat, "load_openvdb", lambda: object())
-    monkeypatch.setattr(vdb_files, "read_header", lambda path: json.loads(path.read_text()))
-    monkeypatch.setattr(
-        volume_job.VolumeJob,
-        "_by_module",
-        lambda _job, _sea, _frame, path, strings, _period: path.write_text(json.dumps(strings)),
-    )
-    ob = add_ocean(32, kind="PATCH", preset="beaufort_6", use_material=False)
-    shot_of(scene, ob)
-    scene.render.resolution_x = scene.render.resolution_y = 4
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
-    scene.frame_start, scene.frame_end = FIRST, LAST
+    ob = small_sea(scene)
+    save(tmp_path / "shot.blend")
     bpy.ops.libocean.write_volumes()
     (volume,) = (other for other in bpy.data.objects if other.type == "VOLUME")
     files = [tmp_path / "ocean_volumes" / f"shot.Ocean_{frame:04d}.vdb" for frame in range(10)]
@@ -354,81 +359,14 @@ def test_a_command_line_ends_with_a_status(sea, tmp_path):
     where = file(tmp_path, 5)
     said = f"Error: Ocean: files of the bake are missing, of the frames 5, 7 ({where})"
     assert run("-a") == (False, said, [])  # before the first frame
-    assert run("-s", "8", "-e", "8", "-a") == (True, "", ["0008.exr"])
-    ok, said, found = run("-f", "4,5")
-    assert (ok, found) == (False, ["0004.exr"]) and "of the frames 5 (" in said
+    ok, said, found = run("-s", "8", "-e", "8", "-a", "-f", "4,5")
+    assert (ok, found) == (False, ["0004.exr", "0008.exr"])
+    assert said == f"Error: Ocean: files of the bake are missing, of the frames 5 ({where})"
     script = "import bpy; bpy.context.scene.frame_set(5); bpy.ops.render.render(write_still=True)"
     assert run("--python-expr", script)[0] is False
 
 
-IN_A_WINDOW = """
-import json
-
-bpy.ops.preferences.addon_enable(module="libocean_addon")
-from libocean_addon.bake import render_check
-
-scene, folder = bpy.context.scene, arguments[0]
-bpy.ops.wm.save_as_mainfile(filepath=os.path.join(folder, "shot.blend"))
-bpy.ops.libocean.add(kind="PATCH", preset="beaufort_6")
-ob = bpy.context.object
-ob.libocean.resolution, ob.libocean.use_foam = 32, False
-scene.render.engine, scene.cycles.samples, scene.cycles.use_denoising = "CYCLES", 1, False
-scene.render.resolution_x = scene.render.resolution_y = 4
-scene.render.filepath = os.path.join(folder, "out", "####")
-scene.frame_start, scene.frame_end = 1, 3
-bpy.ops.libocean.bake()
-os.remove(os.path.join(folder, "ocean_bake", "Ocean", "shot.displacement.0002.exr"))
-ended, popped, said = [], [], {}
-bpy.app.handlers.render_cancel.append(lambda *_: ended.append("cancelled"))
-bpy.app.handlers.render_complete.append(lambda *_: ended.append("complete"))
-show, timers = render_check._show, bpy.app.timers
-
-
-def pop_up(texts):
-    popped.extend(texts)
-    show(texts)
-
-
-render_check._show = pop_up
-
-
-def steps():
-    camera = scene.camera
-    for name, frame, animation in (("whole", 1, False), ("still", 2, False), ("shot", 1, True)):
-        scene.frame_set(frame)
-        ended.clear(), popped.clear()
-        with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
-            bpy.ops.render.render("INVOKE_DEFAULT", animation=animation)
-        while not ended or scene.camera != camera or bpy.app.is_job_running("RENDER"):
-            yield
-        said[name] = [*ended, *popped]
-    said["files"] = sorted(os.listdir(os.path.join(folder, "out")))
-    with open(os.path.join(folder, "said.json"), "w") as file:
-        json.dump(said, file)
-    os._exit(0)
-
-
-running = steps()
-timers.register(lambda: next(running, None) or 0.05, first_interval=1.0)
-"""
-
-
 @pytest.mark.slow
-@pytest.mark.skipif(not bpy.app.binary_path, reason="the Python module bpy has no windows")
-@pytest.mark.skipif(shutil.which("xvfb-run") is None, reason="no display can be made")
+@needs_window
 def test_a_render_in_a_window_is_cancelled_and_says_why(tmp_path):
-    script = tmp_path / "script.py"
-    prelude = "import bpy, os, sys\narguments = sys.argv[sys.argv.index('--') + 1 :]\n"
-    script.write_text(prelude + IN_A_WINDOW)
-    display = ["xvfb-run", "-a", "-s", "-screen 0 1280x800x24 +extension GLX"]
-    command = [*display, bpy.app.binary_path, "--factory-startup", "--python", script]
-    ended = subprocess.run([*command, "--", tmp_path], timeout=300, capture_output=True, text=True)
-    assert "Traceback" not in ended.stderr, ended.stderr
-    said = json.loads((tmp_path / "said.json").read_text())
-    missing = f"Ocean: files of the bake are missing, of the frames 2 ({file(tmp_path, 2)})"
-    assert said == {
-        "whole": ["complete"],
-        "still": ["cancelled", missing],
-        "shot": ["cancelled", missing],
-        "files": ["0001.png"],
-    }
+    in_another_blender(other_blender.see_renders_cancelled, tmp_path)

@@ -8,8 +8,22 @@ import threading
 
 import bpy
 import numpy as np
+import other_blender
 import pytest
-from conftest import in_another_process, plane, rendered
+from conftest import (
+    add_horizon,
+    add_ocean,
+    camera,
+    in_another_blender,
+    keyed,
+    light,
+    opened,
+    picture_settings,
+    plane,
+    rendered,
+    save,
+    updates_of,
+)
 from libocean_addon.bundled import libocean
 from libocean_addon.sea import live, parameter_values
 from libocean_addon.shared import changes, drafts
@@ -22,10 +36,9 @@ SIZE = 50.0
 def ocean(scene):
     """A small sea in a storm."""
     scene.render.engine = "CYCLES"  # which draws points in every version
-    bpy.ops.libocean.add(kind="PATCH", preset="beaufort_9", use_material=False)
-    ob = bpy.context.object
+    sea = {"patch_size": 300.0}
+    ob = add_ocean(128, sea=sea, kind="PATCH", preset="beaufort_9", use_material=False)
     with changes.quiet():
-        ob.libocean.resolution, ob.libocean.patch_size = 128, 300.0
         ob.libocean.spray_size = SIZE
     ob.libocean.use_spray = True
     return ob
@@ -65,14 +78,18 @@ def over(xy, low, period: float) -> np.ndarray:
     return low + np.mod(xy - low, period)
 
 
-def assert_is_spray(shown, expected, period: float, low) -> None:
-    """All of the library's particles and no others, in single precision."""
+def assert_is_spray(ocean, time: float, low=(-150.0, -150.0), shown=None, **settings) -> None:
+    """All of the library's particles and no others, in single precision, over the period of 300 m
+    from a corner on. shown: other points than the ocean has."""
+    with sea_of(ocean) as sea:
+        expected = sea.spray(time, **settings)
+    shown = shown or points(ocean)
     assert len(expected.id) > 100
     assert len(shown["id"]) == len(expected.id)
     ours, theirs = np.argsort(shown["id"]), np.argsort(low_bits(expected.id))
     assert np.array_equal(shown["id"][ours], low_bits(expected.id)[theirs])
     place = expected.position.copy()
-    place[:, :2] = over(place[:, :2], np.array(low), period)
+    place[:, :2] = over(place[:, :2], np.array(low), 300.0)
     assert np.abs(shown["position"][ours] - place[theirs]).max() <= 2.0**-23 * np.abs(place).max()
     for name in ("velocity", "age", "life"):
         assert np.array_equal(shown[name][ours], getattr(expected, name)[theirs]), name
@@ -80,11 +97,9 @@ def assert_is_spray(shown, expected, period: float, low) -> None:
 
 
 def test_the_points_are_the_librarys_particles(scene, ocean):
-    with sea_of(ocean) as sea:
-        for frame in (49, 50, 20):
-            scene.frame_set(frame)
-            expected = sea.spray((frame - 1) / 24)
-            assert_is_spray(points(ocean), expected, 300.0, (-150.0, -150.0))
+    for frame in (49, 50, 20):
+        scene.frame_set(frame)
+        assert_is_spray(ocean, (frame - 1) / 24)
 
 
 def test_a_particle_keeps_its_id_from_frame_to_frame(scene, ocean):
@@ -104,20 +119,14 @@ def test_a_particle_keeps_its_id_from_frame_to_frame(scene, ocean):
 def test_keyframes_and_the_seas_own_time_are_followed(scene, ocean):
     settings = ocean.libocean
     settings.use_custom_time = True
-    for name, first, last in (("custom_time", 5.0, 7.0), ("spray_density", 0.25, 1.0)):
-        for frame, value in ((1, first), (11, last)):
-            setattr(settings, name, value)
-            settings.keyframe_insert(name, frame=frame)
+    keyed(settings, custom_time={1: 5.0, 11: 7.0}, spray_density={1: 0.25, 11: 1.0})
     counts = []
-    with sea_of(ocean) as sea:
-        for frame in (1, 11):
-            scene.frame_set(frame)
-            time, density = settings.custom_time, settings.spray_density
-            assert_is_spray(
-                points(ocean), sea.spray(time, density=density), 300.0, (-150.0, -150.0)
-            )
-            counts.append(len(points(ocean)["id"]))
-        assert (time, density) == (7.0, 1.0)
+    for frame in (1, 11):
+        scene.frame_set(frame)
+        time, density = settings.custom_time, settings.spray_density
+        assert_is_spray(ocean, time, density=density)
+        counts.append(len(points(ocean)["id"]))
+    assert (time, density) == (7.0, 1.0)
     assert counts[1] > 2 * counts[0]
 
 
@@ -125,10 +134,8 @@ def test_a_change_of_the_sea_and_of_the_settings(scene, ocean):
     scene.frame_set(50)
     ocean.libocean.seed = 7
     ocean.libocean.spray_lifetime = 0.5
-    with sea_of(ocean) as sea:
-        expected = sea.spray(49 / 24, lifetime=0.5)
-    assert expected.life.max() <= 0.5
-    assert_is_spray(points(ocean), expected, 300.0, (-150.0, -150.0))
+    assert points(ocean)["life"].max() <= 0.5
+    assert_is_spray(ocean, 49 / 24, lifetime=0.5)
     before = points(ocean)["radius"]
     ocean.libocean.spray_size = 2.0 * SIZE
     assert points(ocean)["radius"] == pytest.approx(2.0 * before, rel=1e-6)
@@ -143,11 +150,9 @@ def test_an_ocean_that_is_moved_is_anchored_to_the_world(scene, ocean):
     shown = points(ocean)
     # The object's own axes: scale and height are its matrix's.
     shown["position"] = shown["position"] + np.float32((470.0, -80.0, 0.0))
-    with sea_of(ocean) as sea:
-        assert_is_spray(shown, sea.spray(49 / 24), 300.0, (320.0, -230.0))
+    assert_is_spray(ocean, 49 / 24, (320.0, -230.0), shown)
     ocean.libocean.follow_world = False
-    with sea_of(ocean) as sea:
-        assert_is_spray(points(ocean), sea.spray(49 / 24), 300.0, (-150.0, -150.0))
+    assert_is_spray(ocean, 49 / 24)
 
 
 def test_over_a_turned_mesh_of_any_size_lie_copies(scene):
@@ -186,20 +191,13 @@ def test_over_a_turned_mesh_of_any_size_lie_copies(scene):
 
 
 def test_a_horizon_has_it_around_the_camera(scene):
-    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-    bpy.context.collection.objects.link(camera)
+    camera(scene, (1000.0, 200.0, 5.0))
     scene.render.engine = "CYCLES"
-    camera.location = (1000.0, 200.0, 5.0)
-    scene.camera = camera
-    bpy.ops.libocean.add(kind="HORIZON", preset="beaufort_9", use_material=False)
-    ob = bpy.context.object
-    with changes.quiet():
-        ob.libocean.resolution, ob.libocean.patch_size = 128, 300.0
-        ob.libocean.horizon_vertices, ob.libocean.spray_size = 5000, SIZE
+    ob = add_horizon(128, 5000, sea={"patch_size": 300}, preset="beaufort_9", use_material=False)
+    ob.libocean.spray_size = SIZE
     ob.libocean.use_spray = True
     scene.frame_set(50)
-    with sea_of(ob) as sea:
-        assert_is_spray(points(ob), sea.spray(49 / 24), 300.0, (850.0, 50.0))
+    assert_is_spray(ob, 49 / 24, (850.0, 50.0))
 
 
 @pytest.mark.skipif(bpy.app.version >= (4, 2), reason="Eevee draws points")
@@ -275,12 +273,10 @@ def test_a_copy_has_spray_of_its_own(scene, ocean):
     bpy.context.view_layer.update()
     twin.libocean.seed = 9
     for ob in (ocean, twin):
-        with sea_of(ob) as sea:
-            assert_is_spray(points(ob), sea.spray(49 / 24), 300.0, (-150.0, -150.0))
+        assert_is_spray(ob, 49 / 24)
     bpy.data.objects.remove(ocean)
     scene.frame_set(51)
-    with sea_of(twin) as sea:
-        assert_is_spray(points(twin), sea.spray(50 / 24), 300.0, (-150.0, -150.0))
+    assert_is_spray(twin, 50 / 24)
 
 
 def test_undo_and_redo(scene, ocean):
@@ -289,46 +285,30 @@ def test_undo_and_redo(scene, ocean):
     ocean.libocean.use_spray = False
     bpy.ops.ed.undo_push(message="off")
     bpy.ops.ed.undo()
-    ocean = bpy.data.objects["Ocean"]
-    with sea_of(ocean) as sea:
-        assert_is_spray(points(ocean), sea.spray(49 / 24), 300.0, (-150.0, -150.0))
+    assert_is_spray(bpy.data.objects["Ocean"], 49 / 24)
     bpy.ops.ed.redo()
     assert points(bpy.data.objects["Ocean"]) == {}
-
-
-COUNT = """
-bpy.ops.wm.open_mainfile(filepath=arguments[0])
-assert not hasattr(bpy.types.Object, "libocean")
-graph = bpy.context.evaluated_depsgraph_get()
-kinds = [instance.object.type for instance in graph.object_instances]
-assert kinds.count("MESH") == 1, kinds
-clouds = [i.object.data for i in graph.object_instances if i.object.type == "POINTCLOUD"]
-assert sum(len(cloud.points) for cloud in clouds) == 0
-"""
 
 
 def test_a_saved_file_holds_no_points(scene, ocean, tmp_path):
     scene.frame_set(50)
     before = points(ocean)
-    path = tmp_path / "storm.blend"
-    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    path = save(tmp_path / "storm.blend")
     assert np.array_equal(points(ocean)["position"], before["position"])  # it goes on being shown
-    in_another_process(tmp_path, COUNT, path)
-    bpy.ops.wm.open_mainfile(filepath=str(path))
-    ocean = bpy.data.objects["Ocean"]
+    in_another_blender(other_blender.count_no_points, path)
+    ocean = opened(path, "Ocean")
     assert np.array_equal(points(ocean)["position"], before["position"])
     assert np.array_equal(points(ocean)["id"], before["id"])
 
 
 def test_a_bake_that_plays_has_it_live(scene, ocean, tmp_path):
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "storm.blend"))
+    save(tmp_path / "storm.blend")
     bpy.ops.libocean.bake(frame_start=2, frame_end=2)
     assert ocean.libocean.use_bake
     ocean.libocean.seed = 7  # of the sea in the panel, not of the bake
-    with sea_of(ocean) as sea:
-        for frame in (2, 3):
-            scene.frame_set(frame)
-            assert_is_spray(points(ocean), sea.spray((frame - 1) / 24), 300.0, (-150.0, -150.0))
+    for frame in (2, 3):
+        scene.frame_set(frame)
+        assert_is_spray(ocean, (frame - 1) / 24)
 
 
 # While somebody waits ----------------------------------------------------------------
@@ -349,13 +329,11 @@ def test_a_draft_has_none_and_it_comes_when_values_rest(scene, ocean, monkeypatc
     while drafts.step() is not None:
         pass
     assert makers[0] != threading.main_thread()  # nobody waits for its beginning
-    with sea_of(ocean) as sea:
-        assert_is_spray(points(ocean), sea.spray(0.0), 300.0, (-150.0, -150.0))
+    assert_is_spray(ocean, 0.0)
     # Time that plays goes on with it: the next frame has most of it already.
     monkeypatch.setattr(drafts, "is_playing", lambda: True)
     scene.frame_set(2)
-    with sea_of(ocean) as sea:
-        assert_is_spray(points(ocean), sea.spray(1 / 24), 300.0, (-150.0, -150.0))
+    assert_is_spray(ocean, 1 / 24)
     drafts.close()
 
 
@@ -363,19 +341,7 @@ def test_nothing_is_written_while_nothing_moves(scene, ocean):
     """Each write would make Blender evaluate the scene again, and so on forever."""
     scene.frame_set(50)
     bpy.context.view_layer.update()
-    updates = []
-
-    def count(_scene, depsgraph):
-        updates.extend(update.id.name for update in depsgraph.updates if update.is_updated_geometry)
-
-    bpy.app.handlers.depsgraph_update_post.append(count)
-    try:
-        for _ in range(3):
-            bpy.context.view_layer.objects.active = ocean
-            bpy.context.view_layer.update()
-    finally:
-        bpy.app.handlers.depsgraph_update_post.remove(count)
-    assert updates == []
+    assert updates_of(ocean, 3, lambda update: update.is_updated_geometry) == set()
 
 
 # Rendered ---------------------------------------------------------------------------
@@ -396,22 +362,12 @@ def lone_drop(scene, ocean, engine: str) -> np.ndarray:
         before = place[:, 1] < place[number, 1] + 1.0
         if (near & before & (np.abs(place[:, 1] - place[number, 1]) < 10.0)).sum() == 1:
             break
-    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-    bpy.context.collection.objects.link(camera)
-    camera.location = place[number] + (0.0, -10.0, 0.0)
-    camera.rotation_euler.x = math.pi / 2
-    camera.data.type = "ORTHO"
-    camera.data.ortho_scale = VIEW
-    camera.data.clip_start, camera.data.clip_end = 0.1, 11.0  # the drop, and not the sea behind
-    scene.camera = camera
+    eye = camera(scene, place[number] + (0.0, -10.0, 0.0), width=VIEW)
+    eye.rotation_euler.x = math.pi / 2
+    eye.data.clip_start, eye.data.clip_end = 0.1, 11.0  # the drop, and not the sea behind
+    picture_settings(scene, WIDE, 32)
     scene.render.engine = engine
-    if engine == "CYCLES":
-        scene.cycles.samples = 32
-        scene.cycles.use_denoising = False
-        scene.cycles.pixel_filter_type = "BOX"
-    scene.render.resolution_x = scene.render.resolution_y = WIDE
-    scene.render.image_settings.file_format = "OPEN_EXR"
-    scene.render.image_settings.color_depth = "32"
+    scene.cycles.pixel_filter_type = "BOX"
     scene.world = bpy.data.worlds.new("Black")
     scene.world.color = (0.0, 0.0, 0.0)
     if scene.world.node_tree is not None:  # 5.0: a new one has nodes, and is grey
@@ -434,18 +390,8 @@ def light_of(scene, path, *, blur: bool):
     return np.array([[light.sum(axis=0) @ x**2, cross], [cross, light.sum(axis=1) @ z**2]])
 
 
-def emission():
-    material = bpy.data.materials.new("Light")
-    material.use_nodes = True
-    tree = material.node_tree
-    tree.nodes.clear()
-    light, output = tree.nodes.new("ShaderNodeEmission"), tree.nodes.new("ShaderNodeOutputMaterial")
-    tree.links.new(light.outputs[0], output.inputs["Surface"])
-    return material
-
-
 def test_motion_blur_is_as_long_as_the_way(scene, ocean, tmp_path):
-    ocean.libocean.spray_material = emission()
+    ocean.libocean.spray_material = light()
     ocean.libocean.spray_density = 0.02
     ocean.libocean.spray_size = 500.0
     velocity = lone_drop(scene, ocean, "CYCLES")

@@ -8,7 +8,7 @@ import types
 import bpy
 import pytest
 import toy_subject
-from conftest import positions
+from conftest import keyed, positions
 from libocean_addon import handlers
 from toy_subject import TOY, ToyPanel
 
@@ -26,21 +26,11 @@ def assert_is_slope(ob, slope: float) -> None:
 
 
 def test_each_frame_is_baked_as_it_is_shown(toy, scene, tmp_path):
-    toy.libocean_toy.keyframe_insert("slope", frame=1)
-    toy.libocean_toy.slope = 4.0
-    toy.libocean_toy.keyframe_insert("slope", frame=3)
+    keyed(toy.libocean_toy, slope={1: 2.0, 3: 4.0})
     baked = bpy.ops.libocean.bake(directory=str(tmp_path), frame_start=1, frame_end=3)
     assert baked == {"FINISHED"}
     slopes = [float((tmp_path / f"{frame}.txt").read_text()[8:]) for frame in (1, 2, 3)]
     assert slopes[0] == 2.0 and slopes[2] == 4.0 and 2.0 < slopes[1] < 4.0
-
-
-def test_a_copy_has_images_of_its_own(toy):
-    other = toy.copy()
-    bpy.context.collection.objects.link(other)
-    bpy.context.view_layer.update()
-    other.libocean_toy.slope = 1.0
-    assert len({image.name for image in bpy.data.images if "heights" in image.name}) == 2
 
 
 def test_a_failure_is_said_in_words_of_the_panel(toy):

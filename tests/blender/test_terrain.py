@@ -6,7 +6,7 @@ of every file."""
 import bpy
 import numpy as np
 import pytest
-from conftest import attribute, evaluated_mesh, plane, positions, rest
+from conftest import attribute, evaluated_mesh, failing, plane, positions, rest
 from libocean_addon.bundled import libocean
 from libocean_addon.shared import changes
 from libocean_addon.terrain import live, node_group, parameter_values, terrain_text
@@ -139,11 +139,12 @@ def test_land_that_is_anchored_stays_while_the_object_moves(terrain):
 # Values ---------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("preset", libocean.terrain_presets())
-def test_every_preset_comes_back_from_properties_as_it_was(terrain, preset):
-    assert bpy.ops.libocean.load_terrain_preset(preset=preset) == {"FINISHED"}
-    with libocean.terrain_preset(preset) as want, library_of(terrain) as got:
-        assert got.text == want.text
+def test_every_preset_comes_back_from_properties_as_it_was(terrain):
+    for preset in libocean.terrain_presets():
+        with libocean.terrain_preset(preset) as want, changes.quiet():
+            parameter_values.assign(terrain.libocean_terrain, terrain_text.read(want))
+            with library_of(terrain) as got:
+                assert got.text == want.text
 
 
 WHOLE = """libocean = 1
@@ -163,16 +164,6 @@ seed = 4000000000
 [[terrain.layer]]
 period = 266.66666666666669
 """
-
-
-def test_a_file_comes_back_with_all_its_digits(terrain, tmp_path):
-    path, saved = tmp_path / "whole.toml", tmp_path / "saved.toml"
-    path.write_text(WHOLE.replace("seed = 4000000000", "seed = 40000"))
-    assert bpy.ops.libocean.load_terrain(filepath=str(path)) == {"FINISHED"}
-    assert bpy.ops.libocean.save_terrain(filepath=str(saved)) == {"FINISHED"}
-    with libocean.open_terrain(path) as want:
-        assert saved.read_text() == want.text
-    assert_is_land(terrain)
 
 
 def test_a_number_that_is_changed_loses_the_digits_of_the_file(terrain, tmp_path):
@@ -204,15 +195,12 @@ def measured(terrain, tmp_path):
     return terrain
 
 
-def test_a_measured_spectrum_is_kept_without_its_file(measured, tmp_path):
+def test_a_measured_spectrum_is_kept_without_its_file(measured):
     settings = measured.libocean_terrain
     assert settings.problem == ""
     for seed in (7, 1):
         settings.seed = seed
         assert_is_land(measured)
-    assert bpy.ops.libocean.save_terrain(filepath=str(tmp_path / "saved.toml")) == {"FINISHED"}
-    with libocean.open_terrain(tmp_path / "measured.toml") as library:
-        assert (tmp_path / "saved.toml").read_text() == library.text
 
 
 def test_the_spectrum_of_a_file_is_kept_in_the_settings(measured):
@@ -254,8 +242,7 @@ def test_breaks_and_layers_come_and_go(terrain):
     for _ in range(8):
         assert bpy.ops.libocean.add_break() == {"FINISHED"}
     assert settings.problem == ""
-    with pytest.raises(RuntimeError, match="at most 8 breaks"):
-        bpy.ops.libocean.add_break()
+    assert "at most 8 breaks" in failing(bpy.ops.libocean.add_break)
     bpy.ops.libocean.remove_break(number=3)
     assert len(parameter_values.values_of(settings).values["breaks"].split("], [")) == 7
     for _ in range(3):
@@ -263,8 +250,7 @@ def test_breaks_and_layers_come_and_go(terrain):
     assert_is_land(terrain)
     bpy.ops.libocean.remove_terrain_layer(number=1)
     assert [layer.seed for layer in settings.layers] == [2, 4]
-    with pytest.raises(RuntimeError, match="no layer 9"):
-        bpy.ops.libocean.remove_terrain_layer(number=8)
+    assert "no layer 9" in failing(bpy.ops.libocean.remove_terrain_layer, number=8)
     assert_is_land(terrain)
 
 
@@ -277,12 +263,3 @@ def test_every_parameter_is_a_property(terrain):
         assert prop.name == entry["label"] and entry["help"].rstrip(".") in prop.description
         if entry["type"] == "float":
             assert prop.soft_min == pytest.approx(entry["soft_min"])
-
-
-def test_text_of_values_and_read_are_inverse(terrain, tmp_path):
-    path = tmp_path / "whole.toml"
-    path.write_text(WHOLE)
-    with libocean.open_terrain(path) as library:
-        values = terrain_text.read(library)
-    with libocean.parse_terrain(values.text()) as again:
-        assert terrain_text.read(again) == values

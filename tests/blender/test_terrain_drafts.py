@@ -6,7 +6,7 @@ and in a saved file the whole land."""
 import bpy
 import numpy as np
 import pytest
-from conftest import finish, positions
+from conftest import finish, positions, save
 from libocean_addon import handlers
 from libocean_addon.shared import drafts, meshes, modifier_groups
 from libocean_addon.terrain import facts, live, node_group, open_terrain
@@ -57,12 +57,13 @@ def test_a_job_is_cancelled_between_its_parts(terrain, waiting, monkeypatch):
     job.close()
 
 
-def test_a_saved_file_has_the_whole_mesh(terrain, waiting, tmp_path):
-    bpy.ops.libocean.add_terrain(preset="earth", mesh_resolution="512", use_material=False)
+def test_a_saved_file_has_the_whole_mesh(waiting, tmp_path, monkeypatch):
+    monkeypatch.setattr(meshes, "DRAFT_SAMPLES", 64)
+    bpy.ops.libocean.add_terrain(preset="earth", mesh_resolution="128", use_material=False)
     ob = bpy.context.object
     assert meshes.is_draft(ob.data)
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "land.blend"))
-    assert not meshes.is_draft(ob.data) and len(ob.data.vertices) == 513**2
+    save(tmp_path / "land.blend")
+    assert not meshes.is_draft(ob.data) and len(ob.data.vertices) == 129**2
 
 
 def test_a_small_terrain_is_whole_at_once(waiting):
@@ -78,12 +79,14 @@ def test_a_coarse_grid_stands_in_for_a_large_mesh_while_values_move(
     terrain, waiting, monkeypatch, scene
 ):
     """The library is quick here: Blender takes its time with the vertices."""
+    terrain.libocean_terrain.mesh_resolution = 128
     finish()
     monkeypatch.setattr(open_terrain.OpenTerrain, "is_quick", lambda _self: True)
-    monkeypatch.setattr(live, "LARGE", 100000)
+    monkeypatch.setattr(live, "LARGE", 10000)
+    monkeypatch.setattr(meshes, "DRAFT_SAMPLES", 64)
     settings = terrain.libocean_terrain
     whole = len(terrain.data.vertices)
-    assert whole == 513**2
+    assert whole == 129**2
     for tiles in (1, 2):
         settings.tiles = tiles
         finish()
@@ -93,8 +96,8 @@ def test_a_coarse_grid_stands_in_for_a_large_mesh_while_values_move(
         assert np.ptp(heights[:, 0]) == pytest.approx(tiles * settings.patch_size)
         assert heights[:, 2].std() == pytest.approx(settings.rms, rel=0.05)
         finish()
-        assert len(positions(terrain)) == (512 * tiles + 1) ** 2
+        assert len(positions(terrain)) == (128 * tiles + 1) ** 2
     settings.rms = 9.0
     handlers.complete()
-    assert len(positions(terrain)) == (512 * 2 + 1) ** 2
+    assert len(positions(terrain)) == (128 * 2 + 1) ** 2
     assert positions(terrain)[:, 2].std() == pytest.approx(9.0, rel=0.05)

@@ -10,9 +10,9 @@ import subprocess
 import bpy
 import numpy as np
 import pytest
-from conftest import pixels, plane, rendered
+from conftest import add_ocean, pixels, plane, rendered, white
 from libocean_addon.look import sun_focus, water_shader
-from libocean_addon.shared import compat, shader_builder
+from libocean_addon.shared import shader_builder
 from libocean_addon.shared.native import libocean
 from test_material import (
     FAR,
@@ -61,9 +61,7 @@ def test_slopes_bend_it_from_below_as_from_above(scene, tmp_path, degrees, lean,
 
 def test_from_both_sides_it_is_one_surface(scene, tmp_path):
     """At each place shaders get the same normal from below, turned round."""
-    bpy.ops.libocean.add(preset="beaufort_4", use_material=False)
-    ob = bpy.context.object
-    ob.libocean.resolution = 64
+    ob = add_ocean(64, preset="beaufort_4", use_material=False)
     made = bpy.data.materials.new("Normals")
     if bpy.app.version < (5, 0):
         made.use_nodes = True
@@ -220,14 +218,7 @@ def lit_plane(scene, tmp_path, ob, depth: float) -> np.ndarray:
     in between."""
     bed = plane(ob.libocean.patch_size, 2, "Bed")
     bed.location.z = -depth
-    white = bpy.data.materials.new("White")
-    compat.use_nodes(white)
-    tree = white.node_tree
-    tree.nodes.clear()
-    both = tree.nodes.new("ShaderNodeBsdfTranslucent")
-    both.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
-    tree.links.new(both.outputs[0], tree.nodes.new("ShaderNodeOutputMaterial").inputs["Surface"])
-    bed.data.materials.append(white)
+    bed.data.materials.append(white("ShaderNodeBsdfTranslucent"))
     scene.cycles.max_bounces = 0  # between the two of them
     scene.camera.location = (0.0, 0.0, -depth - 10.0)
     scene.camera.rotation_euler = (math.pi, 0.0, 0.0)

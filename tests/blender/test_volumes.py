@@ -14,7 +14,7 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 import pytest
-from conftest import evaluated_mesh, positions
+from conftest import evaluated_mesh, failing, keyed, positions, save, times
 from libocean_addon.bundled import libocean
 from libocean_addon.legacy import ocean_command
 from libocean_addon.shared import compat
@@ -58,7 +58,7 @@ def sea(scene, shot, tmp_path):
     """A small sea in a saved file, its shot of four frames."""
     scene.frame_start, scene.frame_end = 2, 5
     shot.libocean.patch_size = 100.0
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
+    save(tmp_path / "shot.blend")
     return shot
 
 
@@ -66,10 +66,8 @@ def write(**arguments) -> None:
     assert bpy.ops.libocean.write_volumes(**arguments) == {"FINISHED"}
 
 
-def failing(**arguments) -> str:
-    with pytest.raises(RuntimeError) as failure:
-        bpy.ops.libocean.write_volumes(**arguments)
-    return str(failure.value)
+def refused(**arguments) -> str:
+    return failing(bpy.ops.libocean.write_volumes, **arguments)
 
 
 def files(folder: Path) -> list[Path]:
@@ -78,10 +76,6 @@ def files(folder: Path) -> list[Path]:
 
 def numbers(folder: Path) -> list[int]:
     return [int(path.stem[-4:]) for path in files(folder)]
-
-
-def times(folder: Path) -> dict[str, int]:
-    return {path.name: path.stat().st_mtime_ns for path in files(folder)}
 
 
 def dense(grid) -> tuple[np.ndarray, np.ndarray]:
@@ -142,10 +136,7 @@ def test_the_surface_is_where_the_sea_is(sea, way, name, tmp_path):
 
 def test_frames_that_are_keyed_or_at_their_own_time(scene, sea, way, tmp_path):
     settings = sea.libocean
-    for frame, choppiness, time in ((2, 0.0, 30.0), (5, 1.0, 7.0)):
-        settings.choppiness, settings.custom_time = choppiness, time
-        settings.keyframe_insert("choppiness", frame=frame)
-        settings.keyframe_insert("custom_time", frame=frame)
+    keyed(settings, choppiness={2: 0.0, 5: 1.0}, custom_time={2: 30.0, 5: 7.0})
     settings.use_custom_time = True
     write()
     assert scene.frame_current == 1
@@ -270,9 +261,9 @@ def test_an_object_is_the_box(sea, way, kind, tmp_path):
     sides = [float(side) for side in header["ocean:box"].split(",")]
     assert sides == pytest.approx([46.0, 18.0, -3.5, 54.0, 22.0, 2.5])
     asked.box_object = None
-    assert "choose one" in failing()
+    assert "choose one" in refused()
     asked.box, asked.box_low = "CORNERS", (0.0, 0.0, 11.0)
-    assert "box is empty" in failing()
+    assert "box is empty" in refused()
 
 
 def test_a_box_in_the_air_is_told(sea, way, capfd):
@@ -285,7 +276,12 @@ def test_a_box_in_the_air_is_told(sea, way, capfd):
 # The object ---------------------------------------------------------------------
 
 
-def test_an_object_plays_them(scene, sea, way, tmp_path):
+def played(volume, frame: int):
+    bpy.context.scene.frame_set(frame)
+    return volume.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+
+
+def test_an_object_plays_them(sea, way, tmp_path):
     before = set(bpy.data.objects)
     write()
     (volume,) = set(bpy.data.objects) - before
@@ -296,20 +292,15 @@ def test_an_object_plays_them(scene, sea, way, tmp_path):
     assert data.is_sequence
     assert (data.velocity_grid, data.velocity_unit) == ("vel", "SECOND")
     for frame in (2, 3, 5):
-        scene.frame_set(frame)
-        seen = volume.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+        seen = played(volume, frame)
         assert Path(seen.grids.frame_filepath).name == f"shot.Ocean_{frame:04d}.vdb"
         seen.grids.load()
         kinds = {grid.name: grid.data_type for grid in seen.grids}
         assert kinds == {"surface": "FLOAT", "vel": "VECTOR_FLOAT"}
-    scene.frame_set(6)  # there is no water of
-    seen = volume.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
-    assert not seen.grids.frame_filepath
+    assert not played(volume, 6).grids.frame_filepath  # there is no water of
     write(frame_start=4, frame_end=7)
     assert volume_objects() == [volume]
-    scene.frame_set(7)
-    seen = volume.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
-    assert Path(seen.grids.frame_filepath).name == "shot.Ocean_0007.vdb"
+    assert Path(played(volume, 7).grids.frame_filepath).name == "shot.Ocean_0007.vdb"
     write(directory=str(tmp_path / "elsewhere"), use_import=False)
     assert volume_objects() == [volume]
     assert numbers(tmp_path / "elsewhere") == [2, 3, 4, 5]
@@ -462,7 +453,7 @@ def test_a_write_that_fails_leaves_nothing(sea, by, tmp_path, monkeypatch):
 
     by("module")
     monkeypatch.setattr(compat, "load_openvdb", lambda: CutOff())
-    assert "is the disk full?" in failing()
+    assert "is the disk full?" in refused()
     assert files(tmp_path / "ocean_volumes") == []
 
 
@@ -473,10 +464,8 @@ def test_with_neither_the_command_lines_are_told(sea, by, tmp_path):
     by("neither")
     asked = sea.libocean.volumes
     asked.velocity_voxel = 12.5
-    for frame, value in ((2, 0.0), (3, 1.0)):
-        sea.libocean.choppiness = value
-        sea.libocean.keyframe_insert("choppiness", frame=frame)
-    said = failing()
+    keyed(sea.libocean, choppiness={2: 0.0, 3: 1.0})
+    said = refused()
     assert "no OpenVDB module" in said
     lines = re.findall("ocean bake .*", said)
     assert len(lines) == 2  # frames 3 to 5 are of one sea
@@ -487,11 +476,11 @@ def test_with_neither_the_command_lines_are_told(sea, by, tmp_path):
     for line in lines:
         program, *arguments = shlex.split(line)
         subprocess.run([COMMAND, *arguments], cwd="/", check=True, capture_output=True)
-    before = {path.name: path.stat().st_mtime_ns for path in folder.glob("*.vdb")}
+    before = times(folder)
     assert len(before) == 4
     by("command")
     write()
-    assert {path.name: path.stat().st_mtime_ns for path in folder.glob("*.vdb")} == before
+    assert times(folder) == before
 
 
 @needs_ocean
@@ -508,7 +497,7 @@ def test_the_command_is_that_of_the_preferences_or_of_the_system(sea, tmp_path, 
     assert volumes.find_command().path == COMMAND
     preferences.ocean_command = "/bin/true"
     monkeypatch.setattr(compat, "load_openvdb", lambda: None)
-    assert "/bin/true, of the preferences, is no command that writes volumes" in failing()
+    assert "/bin/true, of the preferences, is no command that writes volumes" in refused()
 
 
 @needs_openvdb
@@ -526,22 +515,22 @@ def test_the_extension_runs_no_command(sea, monkeypatch):
     monkeypatch.setattr(compat, "load_openvdb", lambda: None)
     monkeypatch.setattr(volumes, "ocean_command", None)
     monkeypatch.setenv("PATH", os.path.dirname(COMMAND))
-    assert "no OpenVDB module" in failing()
+    assert "no OpenVDB module" in refused()
 
 
 def test_what_cannot_be_is_told(sea, way, tmp_path):
-    assert "comes before the first" in failing(frame_start=5, frame_end=3)
+    assert "comes before the first" in refused(frame_start=5, frame_end=3)
     (tmp_path / "file").write_text("")
-    assert "cannot be made" in failing(directory=str(tmp_path / "file" / "folder"))
+    assert "cannot be made" in refused(directory=str(tmp_path / "file" / "folder"))
     sea.libocean.shortest_wavelength, sea.libocean.longest_wavelength = 50.0, 10.0
-    assert "Longest wavelength = 10 m: must be more" in failing()
+    assert "Longest wavelength = 10 m: must be more" in refused()
     sea.libocean.longest_wavelength = 0.0
     sea.libocean.volumes.voxel = 1e-4
-    assert re.search("memory|too many", failing())
+    assert re.search("memory|too many", refused())
     assert not list(tmp_path.glob("ocean_volumes/*.vdb"))
     assert not volume_objects()
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.preferences.addon_enable(module="libocean_addon")
     bpy.ops.libocean.add(kind="PATCH", preset="beaufort_6")
-    assert "Save the blend file first" in failing()
+    assert "Save the blend file first" in refused()
     assert evaluated_mesh(bpy.context.object)

@@ -12,7 +12,7 @@ from pathlib import Path
 import bpy
 import libocean_addon
 import pytest
-from conftest import add_ocean, parallel_camera
+from conftest import add_horizon, add_ocean, camera
 from libocean_addon.shared import hooks
 from libocean_addon.shared.subject import Shown
 
@@ -49,9 +49,9 @@ def walk(ob, name: str, value) -> list[str]:
 @pytest.mark.parametrize("kind", ["PATCH", "HORIZON"])
 @pytest.mark.parametrize("name, value", [("choppiness", 0.5), ("patch_size", 90.0)])
 def test_it_is_short(scene, kind, name, value):
-    parallel_camera(scene)
-    ob = add_ocean(64, sea=SEA, kind=kind, preset="beaufort_6", use_material=True)
-    ob.libocean.horizon_vertices = 5000
+    camera(scene, width=6.0)
+    few = {"kind": "PATCH"} if kind == "PATCH" else {"vertices": 5000}
+    ob = (add_ocean if kind == "PATCH" else add_horizon)(64, sea=SEA, preset="beaufort_6", **few)
     ob.libocean.use_detail = True
     before = [vertex.co.x for vertex in ob.data.vertices[:1]]
     places = walk(ob, name, value)

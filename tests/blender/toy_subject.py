@@ -79,13 +79,15 @@ class ToyHandle:
 
 class OpenToy(OpenSubject):
     is_ready = True
+    ready: int | None = None
+    """The number of changes whose whole was made."""
 
     def _open(self, values):
         return ToyHandle(values.text())
 
     def adopt(self, job) -> bool:
-        self.is_ready = job.failure is None
-        return self.is_ready
+        self.ready = self.changes if job.failure is None else None
+        return job.failure is None
 
 
 class ToyJob(drafts.Job):
@@ -116,6 +118,7 @@ class ToyPicture(Picture):
         self._show(0.0)
 
     def show_whole(self) -> None:
+        self.opened.ready = self.opened.changes
         self._show(self.opened.handle.slope)
 
 
