@@ -26,6 +26,11 @@ class TemporaryFolder {
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
     std::string file(const std::string& name) const { return (path_ / name).string(); }
+    /// Returns the path of the file that then has these bytes.
+    std::string write(const std::string& name, const std::string& bytes) const {
+        std::ofstream(path_ / name, std::ios::binary) << bytes;
+        return file(name);
+    }
     std::string path() const { return path_.string(); }
     /// Hidden names included.
     std::size_t entries() const {
