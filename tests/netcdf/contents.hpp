@@ -4,17 +4,11 @@
 // Contents of NetCDF files made by hand.
 #pragma once
 
-#include <cmath>
-#include <limits>
-#include <map>
-#include <numbers>
 #include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "netcdf_content.hpp"
 #include "netcdf_records.hpp"
+#include "testing.hpp"
 
 namespace ocean::netcdf {
 

@@ -5,8 +5,6 @@
 // SWAN, whose words are wrong.
 #include "direction_sense.hpp"
 
-#include <gtest/gtest.h>
-
 #include "contents.hpp"
 
 namespace ocean::netcdf {
@@ -155,11 +153,12 @@ TEST(DirectionSense, TheNearestWordCounts) {
     const auto expect = [](const Read& read, double travel, const std::string& warning = "") {
         EXPECT_NEAR(read.travel, travel, 1e-9) << read.warnings;
         EXPECT_EQ(read.warnings.empty(), warning.empty()) << read.warnings;
-        EXPECT_NE(read.warnings.find(warning), std::string::npos) << read.warnings;
+        EXPECT_TRUE(test::says(read.warnings, warning));
     };
     expect(read_with({}), kIsFrom, "nothing in the file says whether waves come from");
     expect(read_with({{"units", "degree_true, from"}}), kIsFrom);
     expect(read_with({{"long_name", "wave direction, coming from"}}), kIsFrom);
+    expect(read_with({{"long_name", "sea surface wave to direction"}}), kIsTo);
     expect(read_with({{"convention", "oceanographic"}}), kIsTo);
     expect(read_with({{"direction_convention", "going to"}}), kIsTo);
     expect(read_with({{"comment", "direction towards which the waves travel"}}), kIsTo);
@@ -200,7 +199,7 @@ TEST(DirectionSense, BinsWithoutAUnitAreRadiansWhereTheyAreSoNarrow) {
     const SpectrumRecord record = records_from(content).front();
     EXPECT_NEAR(value_from(record, 0, 90.0), 1.0, 1e-9);
     ASSERT_EQ(record.warnings.size(), 1u);
-    EXPECT_NE(record.warnings[0].find("taken as radians"), std::string::npos);
+    EXPECT_TRUE(test::says(record.warnings[0], "taken as radians"));
 }
 
 /// SWAN's own: 16-bit densities per radian with a scale, over radians.
@@ -250,7 +249,7 @@ TEST(Swan, WithoutItsConventionIsTakenAsComingFromWithAWarning) {
     const SpectrumRecord record = records_from(content).front();
     EXPECT_NEAR(value_from(record, 1, 90.0), 2.0 * kDegree, 1e-12);
     ASSERT_EQ(record.warnings.size(), 1u);
-    EXPECT_NE(record.warnings[0].find("nothing in the file says"), std::string::npos);
+    EXPECT_TRUE(test::says(record.warnings[0], "nothing in the file says"));
 }
 
 TEST(Swan, HasADirectionAndASpreadInEachFrequencyOfA1dSpectrum) {
