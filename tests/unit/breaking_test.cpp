@@ -4,17 +4,7 @@
 // Breaking waves: limits of the formulas, and what limiter and shape keep of a random sea.
 #include "coast/statics/breaking.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <random>
-#include <type_traits>
-#include <vector>
-
 #include "ocean/internal/dispersion.hpp"
-#include "ocean/internal/fft.hpp"
 #include "ocean/internal/grid.hpp"
 #include "wave_moments.hpp"
 

@@ -3,44 +3,38 @@
 //
 // Parts of a coast on small grids: blurs have the variance that was requested, distances
 // are those to the line, seas are found, and no grid is too small.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
 
 #include "field/grid_blur.hpp"
 #include "field/zero_line.hpp"
 #include "land/shoreline/map_seas.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/shoreline_profile.hpp"
+#include "refusal.hpp"
+#include "test_seas.hpp"
 
 namespace ocean {
 namespace {
 
+Domain domain_of(int columns, int rows, double cell) {
+    return {{}, {cell * (columns - 1), cell * (rows - 1)}, {columns, rows}, false};
+}
+
 // ---- Blur
 
 TEST(CoastBlur, HasTheVarianceThatWasRequested) {
-    ThreadPool pool(2);
     for (const double deviation : {1.0, 1.7, 5.0, 12.3}) {
         const SampleGrid grid{201, 203};
         std::vector<float> map(grid.count());
         map[grid.index(100, 101)] = 1.0f;
-        GridPasses passes(pool, {}, kBlurPasses);
+        GridPasses passes(test::pool(), {}, kBlurPasses);
         blur(map, grid, deviation, passes);
         double sum = 0.0, x = 0.0, xx = 0.0, yy = 0.0, xy = 0.0;
-        for (int j = 0; j < grid.rows; ++j) {
-            for (int i = 0; i < grid.columns; ++i) {
-                const double w = double{map[grid.index(i, j)]};
-                sum += w;
-                x += w * (i - 100);
-                xx += w * (i - 100) * (i - 100);
-                yy += w * (j - 101) * (j - 101);
-                xy += w * (i - 100) * (j - 101);
-            }
+        for (const auto [i, j, at] : test::cells(grid.columns, grid.rows)) {
+            const double w = double{map[at]};
+            sum += w;
+            x += w * (i - 100);
+            xx += w * (i - 100) * (i - 100);
+            yy += w * (j - 101) * (j - 101);
+            xy += w * (i - 100) * (j - 101);
         }
         EXPECT_NEAR(sum, 1.0, 1e-5);
         EXPECT_NEAR(x, 0.0, 1e-4 * deviation);
@@ -53,33 +47,27 @@ TEST(CoastBlur, HasTheVarianceThatWasRequested) {
 }
 
 TEST(CoastBlur, ContinuesTheEdgeAndKeepsPlanes) {
-    ThreadPool pool(2);
     const SampleGrid grid{90, 33};
     std::vector<float> level(grid.count(), 7.0f), slope(grid.count()), step(grid.count());
-    for (int j = 0; j < grid.rows; ++j) {
-        for (int i = 0; i < grid.columns; ++i) {
-            slope[grid.index(i, j)] = 0.5f * static_cast<float>(i);
-            step[grid.index(i, j)] = i < 45 ? 0.0f : 1.0f;
-        }
+    for (const auto [i, j, at] : test::cells(grid.columns, grid.rows)) {
+        slope[at] = 0.5f * static_cast<float>(i);
+        step[at] = i < 45 ? 0.0f : 1.0f;
     }
     for (std::vector<float>* map : {&level, &slope, &step}) {
-        GridPasses passes(pool, {}, kBlurPasses);
+        GridPasses passes(test::pool(), {}, kBlurPasses);
         blur(*map, grid, 4.0, passes);
     }
-    for (int j = 0; j < grid.rows; ++j) {
-        for (int i = 0; i < grid.columns; ++i) {
-            const std::size_t at = grid.index(i, j);
-            EXPECT_NEAR(level[at], 7.0f, 1e-5f);
-            if (i >= 16 && i < 74) {
-                EXPECT_NEAR(slope[at], 0.5f * static_cast<float>(i), 1e-4f);
-            }
-            EXPECT_EQ(step[at], step[grid.index(i, 0)]) << "no row differs";
+    for (const auto [i, j, at] : test::cells(grid.columns, grid.rows)) {
+        EXPECT_NEAR(level[at], 7.0f, 1e-5f);
+        if (i >= 16 && i < 74) {
+            EXPECT_NEAR(slope[at], 0.5f * static_cast<float>(i), 1e-4f);
         }
+        EXPECT_EQ(step[at], step[grid.index(i, 0)]) << "no row differs";
     }
     // Beyond the edge the first value goes on: the mean of |x| of a Gaussian is 0.8 deviations.
     EXPECT_NEAR(slope[grid.index(0, 5)], 0.5f * 4.0f * 0.399f, 0.02f);
     // More of the same than the grid has.
-    GridPasses passes(pool, {}, kBlurPasses);
+    GridPasses passes(test::pool(), {}, kBlurPasses);
     blur(level, grid, 1e9, passes);
     EXPECT_NEAR(level[0], 7.0f, 1e-5f);
 }
@@ -105,25 +93,23 @@ struct Distances {
 std::vector<std::array<double, 4>> line_of(const SampleGrid& grid, const std::vector<float>& map) {
     std::vector<std::array<double, 4>> parts;
     constexpr int kX[] = {0, 1, 1, 0}, kY[] = {0, 0, 1, 1};
-    for (int j = 0; j + 1 < grid.rows; ++j) {
-        for (int i = 0; i + 1 < grid.columns; ++i) {
-            std::vector<std::array<double, 2>> ends;
-            double h[4];
-            for (int c = 0; c < 4; ++c) h[c] = double{map[grid.index(i + kX[c], j + kY[c])]};
-            for (int c = 0; c < 4; ++c) {
-                const int d = (c + 1) % 4;
-                if ((h[c] > 0.0) == (h[d] > 0.0)) continue;
-                const double t = h[c] / (h[c] - h[d]);
-                ends.push_back({i + kX[c] + t * (kX[d] - kX[c]), j + kY[c] + t * (kY[d] - kY[c])});
-            }
-            if (ends.size() == 2) parts.push_back({ends[0][0], ends[0][1], ends[1][0], ends[1][1]});
-            if (ends.size() == 4) {
-                // The ends beside a corner of water belong together.
-                const std::size_t s = h[0] > 0.0 ? 0 : 1;
-                parts.push_back({ends[s][0], ends[s][1], ends[s + 1][0], ends[s + 1][1]});
-                const std::size_t a = s + 2, b = (s + 3) % 4;
-                parts.push_back({ends[a][0], ends[a][1], ends[b][0], ends[b][1]});
-            }
+    for (const auto [i, j] : test::pairs(grid.columns - 1, grid.rows - 1)) {
+        std::vector<std::array<double, 2>> ends;
+        double h[4];
+        for (int c = 0; c < 4; ++c) h[c] = double{map[grid.index(i + kX[c], j + kY[c])]};
+        for (int c = 0; c < 4; ++c) {
+            const int d = (c + 1) % 4;
+            if ((h[c] > 0.0) == (h[d] > 0.0)) continue;
+            const double t = h[c] / (h[c] - h[d]);
+            ends.push_back({i + kX[c] + t * (kX[d] - kX[c]), j + kY[c] + t * (kY[d] - kY[c])});
+        }
+        if (ends.size() == 2) parts.push_back({ends[0][0], ends[0][1], ends[1][0], ends[1][1]});
+        if (ends.size() == 4) {
+            // The ends beside a corner of water belong together.
+            const std::size_t s = h[0] > 0.0 ? 0 : 1;
+            parts.push_back({ends[s][0], ends[s][1], ends[s + 1][0], ends[s + 1][1]});
+            const std::size_t a = s + 2, b = (s + 3) % 4;
+            parts.push_back({ends[a][0], ends[a][1], ends[b][0], ends[b][1]});
         }
     }
     return parts;
@@ -147,30 +133,25 @@ TEST(CoastDistance, IsThatToTheLine) {
     // Whole and broken waves with islands, pools, saddles and lines that end at the border.
     for (const SampleGrid grid : {SampleGrid{47, 38}, SampleGrid{19, 53}, SampleGrid{33, 2}}) {
         std::vector<float> map;
-        for (int j = 0; j < grid.rows; ++j) {
-            for (int i = 0; i < grid.columns; ++i) {
-                const double x = i, y = j;
-                map.push_back(static_cast<float>(std::sin(0.31 * x + 0.07 * y) *
-                                                     std::cos(0.27 * y - 0.1 * x) +
-                                                 0.3 * std::sin(2.1 * x) * std::sin(1.9 * y)));
-            }
+        for (const auto [i, j] : test::pairs(grid.columns, grid.rows)) {
+            const double x = i, y = j;
+            map.push_back(
+                static_cast<float>(std::sin(0.31 * x + 0.07 * y) * std::cos(0.27 * y - 0.1 * x) +
+                                   0.3 * std::sin(2.1 * x) * std::sin(1.9 * y)));
         }
         const Distances found(grid, map);
         const auto line = line_of(grid, map);
-        for (int j = 0; j < grid.rows; ++j) {
-            for (int i = 0; i < grid.columns; ++i) {
-                const std::size_t at = grid.index(i, j);
-                const double exact = distance_to(line, i, j);
-                const double near = std::abs(double{found.distance[at]});
-                EXPECT_EQ(found.distance[at] > 0.0f, map[at] > 0.0f);
-                EXPECT_NEAR(near, exact, exact < 2.4 ? 1e-5 : 0.1) << i << ' ' << j;
-                EXPECT_GE(near, exact - 1e-5);
-                const int x = static_cast<int>(found.nearest[at]) % grid.columns;
-                const int y = static_cast<int>(found.nearest[at]) / grid.columns;
-                ASSERT_LT(y, grid.rows);
-                EXPECT_LE(std::hypot(x - i, y - j), exact + 1.3);
-                EXPECT_LE(distance_to(line, x, y), 0.5001);
-            }
+        for (const auto [i, j, at] : test::cells(grid.columns, grid.rows)) {
+            const double exact = distance_to(line, i, j);
+            const double near = std::abs(double{found.distance[at]});
+            EXPECT_EQ(found.distance[at] > 0.0f, map[at] > 0.0f);
+            EXPECT_NEAR(near, exact, exact < 2.4 ? 1e-5 : 0.1) << i << ' ' << j;
+            EXPECT_GE(near, exact - 1e-5);
+            const int x = static_cast<int>(found.nearest[at]) % grid.columns;
+            const int y = static_cast<int>(found.nearest[at]) / grid.columns;
+            ASSERT_LT(y, grid.rows);
+            EXPECT_LE(std::hypot(x - i, y - j), exact + 1.3);
+            EXPECT_LE(distance_to(line, x, y), 0.5001);
         }
     }
 }
@@ -180,21 +161,16 @@ TEST(CoastDistance, IsExactBesideAStraightLineOfAnyDirection) {
         const double c = std::cos(degrees * 0.017453293), s = std::sin(degrees * 0.017453293);
         const SampleGrid grid{120, 100};
         std::vector<float> map;
-        for (int j = 0; j < grid.rows; ++j) {
-            for (int i = 0; i < grid.columns; ++i) {
-                map.push_back(static_cast<float>(0.3 * (c * (i - 60.3) + s * (j - 49.6))));
-            }
+        for (const auto [i, j] : test::pairs(grid.columns, grid.rows)) {
+            map.push_back(static_cast<float>(0.3 * (c * (i - 60.3) + s * (j - 49.6))));
         }
         const Distances found(grid, map);
         double largest = 0.0;
-        for (int j = 0; j < grid.rows; ++j) {
-            for (int i = 0; i < grid.columns; ++i) {
-                const double exact = c * (i - 60.3) + s * (j - 49.6);
-                const double foot_x = i - c * exact, foot_y = j - s * exact;
-                if (foot_x < 1 || foot_y < 1 || foot_x > 118 || foot_y > 98) continue;
-                largest =
-                    std::max(largest, std::abs(double{found.distance[grid.index(i, j)]} - exact));
-            }
+        for (const auto [i, j, at] : test::cells(grid.columns, grid.rows)) {
+            const double exact = c * (i - 60.3) + s * (j - 49.6);
+            const double foot_x = i - c * exact, foot_y = j - s * exact;
+            if (foot_x < 1 || foot_y < 1 || foot_x > 118 || foot_y > 98) continue;
+            largest = std::max(largest, std::abs(double{found.distance[at]} - exact));
         }
         EXPECT_LT(largest, 1e-4) << degrees;
     }
@@ -263,15 +239,7 @@ TEST(CoastSeas, WaterThatDoesNotReachTheBorderIsRaised) {
 
 // ---- The whole, on grids and settings at their limits
 
-Domain domain_of(int columns, int rows, double cell) {
-    return {.origin = {},
-            .size = {cell * (columns - 1), cell * (rows - 1)},
-            .samples = {columns, rows},
-            .wraps = false};
-}
-
 TEST(CoastProfile, NoGridIsTooSmallAndNoNumberIsBroken) {
-    ThreadPool pool(2);
     for (const double cell : {0.01, 8.0, 3000.0}) {
         for (const auto& [columns, rows] :
              {std::array{2, 2}, std::array{2, 33}, std::array{40, 2}, std::array{17, 16}}) {
@@ -290,7 +258,7 @@ TEST(CoastProfile, NoGridIsTooSmallAndNoNumberIsBroken) {
             for (const ShorelineSettings& settings : {ShorelineSettings(), extreme}) {
                 std::vector<float> shaped = heights;
                 const ShorelineMaps maps =
-                    shape_shoreline(shaped, domain_of(columns, rows, cell), settings, pool);
+                    shape_shoreline(shaped, domain_of(columns, rows, cell), settings, test::pool());
                 for (std::size_t k = 0; k < shaped.size(); ++k) {
                     EXPECT_TRUE(std::isfinite(shaped[k]));
                     EXPECT_TRUE(std::isfinite(maps.distance[k]));
@@ -307,7 +275,6 @@ TEST(CoastProfile, NoGridIsTooSmallAndNoNumberIsBroken) {
 }
 
 TEST(CoastProfile, AGridWithoutAShoreKeepsItsHeights) {
-    ThreadPool pool(2);
     const Domain domain = domain_of(60, 50, 8.0);
     for (const float level : {12.0f, -12.0f}) {
         std::vector<float> heights(domain.count());
@@ -315,7 +282,7 @@ TEST(CoastProfile, AGridWithoutAShoreKeepsItsHeights) {
             heights[k] = level + static_cast<float>(k % 7);
         }
         const std::vector<float> before = heights;
-        const ShorelineMaps maps = shape_shoreline(heights, domain, {}, pool);
+        const ShorelineMaps maps = shape_shoreline(heights, domain, {}, test::pool());
         EXPECT_EQ(heights, before);
         for (std::size_t k = 0; k < heights.size(); ++k) {
             EXPECT_EQ(maps.distance[k], level > 0.0f ? kNoShore : -kNoShore);
@@ -327,18 +294,15 @@ TEST(CoastProfile, AGridWithoutAShoreKeepsItsHeights) {
 }
 
 TEST(CoastProfile, LakesAloneAreFilledAndSmallRocksSunk) {
-    ThreadPool pool(2);
     const Domain domain = domain_of(80, 70, 8.0);
     for (const float side : {1.0f, -1.0f}) {
         std::vector<float> heights(domain.count(), 9.0f * side);
         // A lake of 160 m that smoothing does not close, a rock of 8 m that it removes.
         const int size = side > 0.0f ? 20 : 1;
-        for (int j = 20; j < 20 + size; ++j) {
-            for (int i = 30; i < 30 + size; ++i) {
-                heights[static_cast<std::size_t>(80 * j + i)] = -6.0f * side;
-            }
+        for (const auto [i, j] : test::pairs({30, 30 + size}, {20, 20 + size})) {
+            heights[static_cast<std::size_t>(80 * j + i)] = -6.0f * side;
         }
-        const ShorelineMaps maps = shape_shoreline(heights, domain, {}, pool);
+        const ShorelineMaps maps = shape_shoreline(heights, domain, {}, test::pool());
         for (std::size_t k = 0; k < heights.size(); ++k) {
             EXPECT_GT(heights[k] * side, 0.0f);
             EXPECT_EQ(maps.distance[k], side * kNoShore);
@@ -348,18 +312,13 @@ TEST(CoastProfile, LakesAloneAreFilledAndSmallRocksSunk) {
 }
 
 TEST(CoastProfile, RefusesWhatItCannotShape) {
-    ThreadPool pool(1);
     const Domain good = domain_of(8, 6, 8.0);
     std::vector<float> heights(good.count(), 1.0f);
     heights[7] = -4.0f;
     const std::vector<float> before = heights;
     const auto refuses = [&](const Domain& domain, const ShorelineSettings& settings) {
-        try {
-            shape_shoreline(heights, domain, settings, pool);
-        } catch (const Error& error) {
-            return error.kind() == ErrorKind::invalid_value && heights == before;
-        }
-        return false;
+        const auto shape = [&] { shape_shoreline(heights, domain, settings, test::pool()); };
+        return test::refusal_of(shape).kind == ErrorKind::invalid_value && heights == before;
     };
     Domain bad = good;
     bad.wraps = true;
@@ -387,7 +346,7 @@ TEST(CoastProfile, RefusesWhatItCannotShape) {
     }
     EXPECT_TRUE(refuses(good, {.level = std::nan("")}));
     heights[9] = std::numeric_limits<float>::infinity();
-    EXPECT_THROW(shape_shoreline(heights, good, {}, pool), Error);
+    EXPECT_THROW(shape_shoreline(heights, good, {}, test::pool()), Error);
     EXPECT_EQ(shoreline_bytes(100), 2400u);
 }
 

@@ -4,12 +4,8 @@
 // Quotas of control groups, from files like those of Linux.
 #include "base/control_groups.hpp"
 
-#include <gtest/gtest.h>
-
-#include <fstream>
-#include <limits>
-
 #include "temporary_folder.hpp"
+#include "testing.hpp"
 
 namespace ocean {
 namespace {

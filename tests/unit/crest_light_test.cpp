@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // shaders/wave/crest_light.glsl and haze.glsl: where they are nothing, where most, numbers by hand.
-#include <gtest/gtest.h>
-
-#include <cmath>
 
 #include "wave/wave.hpp"
+
+#include "testing.hpp"
 
 namespace ocean {
 namespace {

@@ -4,15 +4,11 @@
 // The kernels that maps are read by, and the polynomials that ease from 0 to 1.
 #include "field/cubic.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <numeric>
 
 #include "field/bilinear.hpp"
 #include "field/ease.hpp"
+#include "testing.hpp"
 
 namespace ocean {
 namespace {

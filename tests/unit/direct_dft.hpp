@@ -4,13 +4,11 @@
 // The Fourier transform by its defining sum: the reference for all others.
 #pragma once
 
-#include <complex>
 #include <cstddef>
-#include <span>
-#include <vector>
 
 #include "ocean/internal/fft.hpp"
 #include "ocean/internal/grid.hpp"
+#include "testing.hpp"
 
 namespace ocean::test {
 

@@ -4,11 +4,8 @@
 // One dispersion relation whose limits are the textbook's.
 #include "ocean/internal/dispersion.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "ocean/internal/grid.hpp"
+#include "testing.hpp"
 
 namespace ocean {
 namespace {

@@ -4,12 +4,7 @@
 // A sea with its division into pairs, and reads of it that several tests share.
 #pragma once
 
-#include <cmath>
-#include <random>
-#include <vector>
-
 #include "coast/loops/band_signals.hpp"
-#include "ocean/internal/modes.hpp"
 #include "ocean/thread_pool.hpp"
 #include "test_seas.hpp"
 
@@ -53,12 +48,6 @@ inline std::vector<double> height_of_pairs(const BandSignals& signals, const Pla
         for (std::size_t i = 0; i < at.size(); ++i) sum[i] += static_cast<double>(re[i]);
     }
     return sum;
-}
-
-inline double rms(const std::vector<double>& values) {
-    double sum = 0.0;
-    for (const double value : values) sum += value * value;
-    return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
 }  // namespace ocean::test

@@ -5,14 +5,8 @@
 // and leave what is known alone.
 #include "ocean/internal/elevation.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstring>
-#include <limits>
-
 #include "ocean/error.hpp"
+#include "testing.hpp"
 
 namespace ocean {
 namespace {
@@ -52,11 +46,9 @@ ElevationModel oblong(Height height) {
     ElevationModel model;
     model.domain = {
         .origin = {100.0, 200.0}, .size = {16.0, 36.0}, .samples = {9, 13}, .wraps = false};
-    for (int j = 0; j < 13; ++j) {
-        for (int i = 0; i < 9; ++i) {
-            const auto [x, y] = model.domain.place(i, j);
-            model.heights.push_back(static_cast<float>(height(x, y)));
-        }
+    for (const auto [i, j] : test::pairs(9, 13)) {
+        const auto [x, y] = model.domain.place(i, j);
+        model.heights.push_back(static_cast<float>(height(x, y)));
     }
     return model;
 }
@@ -115,12 +107,10 @@ float land(int i, int j) {
 TEST(Elevation, FilledHolesContinueTheLandAroundThem) {
     constexpr int kColumns = 61, kRows = 40;
     std::vector<float> heights;
-    for (int j = 0; j < kRows; ++j) {
-        for (int i = 0; i < kColumns; ++i) {
-            const bool lake = std::hypot(i - 25, j - 18) < 11.0;
-            const bool speck = i == 50 && j % 9 == 4;
-            heights.push_back(lake || speck ? kHole : land(i, j));
-        }
+    for (const auto [i, j] : test::pairs(kColumns, kRows)) {
+        const bool lake = std::hypot(i - 25, j - 18) < 11.0;
+        const bool speck = i == 50 && j % 9 == 4;
+        heights.push_back(lake || speck ? kHole : land(i, j));
     }
     const std::vector<float> before = heights;
     fill_holes(heights, kColumns);

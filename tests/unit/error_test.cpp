@@ -5,15 +5,12 @@
 // sentence.
 #include "ocean/error.hpp"
 
-#include <gtest/gtest.h>
-
-#include <functional>
-
 #include "ocean/internal/float_pose.hpp"
 #include "ocean/internal/foam_texture.hpp"
 #include "ocean/internal/grid.hpp"
 #include "ocean/internal/text.hpp"
 #include "ocean/spray.hpp"
+#include "testing.hpp"
 
 namespace ocean {
 namespace {

@@ -4,10 +4,6 @@
 // How floating bodies lie on waves that are known.
 #include "ocean/internal/float_pose.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "ocean/error.hpp"
 #include "ocean/internal/surface_query.hpp"
 #include "test_seas.hpp"

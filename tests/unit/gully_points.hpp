@@ -4,17 +4,14 @@
 // Places on a base of smooth hills with what gullies write for each, for the tests of gullies.
 #pragma once
 
-#include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <random>
-#include <vector>
 
 #include "land/gullies/gullies_task.hpp"
 #include "ocean/internal/grid.hpp"
 #include "ocean/internal/gullies.hpp"
+#include "testing.hpp"
 
 namespace ocean::test {
 
@@ -69,8 +66,7 @@ inline GullyLatticePoint nearest_lattice_point(const GullyOctave& octave, double
 
 /// Sets a smooth base of hills, 200 m high and kilometres apart, which repeats after 6100 m.
 inline void set_hills(Points& points, std::size_t p) {
-    const double kx = kTwoPi / 6100.0;
-    const double ky = 2.0 * kTwoPi / 6100.0;
+    const double kx = kTwoPi / 6100.0, ky = 2.0 * kTwoPi / 6100.0;
     const double a = kx * points.x[p] + ky * points.y[p];
     const double b = ky * points.x[p] - kx * points.y[p];
     points.value[0][p] = static_cast<float>(200.0 * (std::sin(a) + std::cos(b)));

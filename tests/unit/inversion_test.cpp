@@ -4,11 +4,8 @@
 // Inverting the displacement of waves that are known, and of sources that cannot be inverted.
 #include "waves/query/inversion.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "ocean/internal/grid.hpp"
+#include "testing.hpp"
 
 namespace ocean {
 namespace {

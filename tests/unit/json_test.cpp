@@ -4,13 +4,10 @@
 // The output of the JSON writer can be read by every reader of JSON.
 #include "ocean/internal/json.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cstdint>
-#include <limits>
-#include <vector>
 
 #include "ocean/error.hpp"
+#include "testing.hpp"
 
 namespace {
 

@@ -4,16 +4,7 @@
 // Meshes of a quadtree of land: closed, turned upwards, exact at the edge of land.
 #include "ocean/internal/land_mesh.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <random>
 #include <set>
-#include <unordered_map>
-#include <vector>
 
 #include "ocean/error.hpp"
 #include "quadtree_probe.hpp"
@@ -23,13 +14,7 @@ namespace {
 
 /// Small patches and seven levels, for meshes of some 10 000 triangles.
 QuadtreeSettings small_patches() {
-    QuadtreeSettings settings;
-    settings.patch = 8;
-    settings.levels = 7;
-    settings.range = 40.0;
-    settings.morph_start = 0.65;
-    settings.farthest = 500.0;
-    return settings;
+    return {.patch = 8, .levels = 7, .range = 40.0, .morph_start = 0.65, .farthest = 500.0};
 }
 
 void sample_rough(std::span<const WorldPoint> points, double spacing, std::span<float> heights) {
@@ -39,13 +24,10 @@ void sample_rough(std::span<const WorldPoint> points, double spacing, std::span<
 
 std::vector<LandView> random_views(int count, double width) {
     std::mt19937 random(5);
-    const auto uniform = [&](double low, double high) {
-        return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
-    };
     std::vector<LandView> views;
     for (int n = 0; n < count; ++n) {
-        const double x = uniform(-width, width), y = uniform(-width, width);
-        views.push_back({{x, y, 50.0 * std::exp2(uniform(-5.0, 1.0))}, 0.0});
+        const double x = uniform(random, -width, width), y = uniform(random, -width, width);
+        views.push_back({{x, y, 50.0 * std::exp2(uniform(random, -5.0, 1.0))}, 0.0});
     }
     return views;
 }
@@ -65,6 +47,9 @@ struct Faults {
     double area = 0.0;
 
     int all() const { return repeated + holes + turned + vertices; }
+    friend std::ostream& operator<<(std::ostream& out, const Faults& f) {
+        return out << f.repeated << ' ' << f.holes << ' ' << f.turned << ' ' << f.vertices;
+    }
 };
 
 Faults faults_of(const QuadtreeSettings& settings, std::span<const LandPatch> patches,
@@ -119,22 +104,17 @@ double area_of(const QuadtreeSettings& settings, std::span<const LandPatch> patc
 }
 
 TEST(LandMesh, IsClosedInsideAndSeenFromAbove) {
-    const QuadtreeSettings settings = small_patches();
+    QuadtreeSettings settings = small_patches();
     for (const LandView& view : random_views(8, 2000.0)) {
         const auto patches = select(settings, view, {});
         const LandMesh mesh = make_land_mesh(settings, patches, view, sample_rough);
         const Faults faults = faults_of(settings, patches, mesh);
-        EXPECT_EQ(faults.all(), 0) << faults.repeated << ' ' << faults.holes << ' ' << faults.turned
-                                   << ' ' << faults.vertices;
+        EXPECT_EQ(faults.all(), 0) << faults;
         EXPECT_NEAR(faults.area, area_of(settings, patches), 1e-6 * faults.area);
         EXPECT_GT(mesh.triangles.size(), 5000u);
         EXPECT_LT(mesh.triangles.size(), triangles_of(settings, patches));
     }
-}
-
-TEST(LandMesh, SpacingsThatAreNoPowersOfTwoAreClosedToo) {
-    QuadtreeSettings settings = small_patches();
-    settings.spacing = 0.3;
+    settings.spacing = 0.3;  // no power of two
     for (const LandView& view : random_views(3, 2e5)) {
         const auto patches = select(settings, view, {});
         const LandMesh mesh = make_land_mesh(settings, patches, view, sample_rough);
@@ -168,25 +148,23 @@ TEST(LandMesh, PatchesInsideTheFrustumAreClosed) {
 
 TEST(LandMesh, LandThatExistsOnceIsClosedAndEndsExactlyAtItsEdge) {
     std::mt19937 random(9);
-    const auto uniform = [&](double low, double high) {
-        return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
-    };
     QuadtreeSettings settings = small_patches();
     settings.farthest = 2000.0;
     for (int n = 0; n < 40; ++n) {
-        const double x = uniform(-300.0, 300.0), y = uniform(-300.0, 300.0);
+        const double x = uniform(random, -300.0, 300.0), y = uniform(random, -300.0, 300.0);
         settings.edge = LandEdge{
-            {x, y}, {x + std::exp2(uniform(-2.0, 9.0)), y + std::exp2(uniform(-2.0, 9.0))}};
+            {x, y},
+            {x + std::exp2(uniform(random, -2.0, 9.0)), y + std::exp2(uniform(random, -2.0, 9.0))}};
         const LandEdge& edge = *settings.edge;
         const LandView view{
-            {uniform(-50.0, 50.0) + (n % 2 == 0 ? edge.low[0] : edge.high[0]),
-             uniform(-50.0, 50.0) + (n % 3 == 0 ? edge.low[1] : edge.high[1]), uniform(1.0, 60.0)},
+            {uniform(random, -50.0, 50.0) + (n % 2 == 0 ? edge.low[0] : edge.high[0]),
+             uniform(random, -50.0, 50.0) + (n % 3 == 0 ? edge.low[1] : edge.high[1]),
+             uniform(random, 1.0, 60.0)},
             0.0};
         const auto patches = select(settings, view, {});
         const LandMesh mesh = make_land_mesh(settings, patches, view, sample_rough);
         const Faults faults = faults_of(settings, patches, mesh);
-        EXPECT_EQ(faults.all(), 0) << n << ": " << faults.repeated << ' ' << faults.holes << ' '
-                                   << faults.turned << ' ' << faults.vertices;
+        EXPECT_EQ(faults.all(), 0) << n << ": " << faults;
         const double area = (edge.high[0] - edge.low[0]) * (edge.high[1] - edge.low[1]);
         EXPECT_NEAR(faults.area, area, 1e-9 * area) << n;
         EXPECT_NEAR(area_of(settings, patches), area, 1e-9 * area) << n;
@@ -264,9 +242,8 @@ TEST(LandMesh, AtTheEndOfItsRangeALevelShowsTheNextOne) {
             const LandView view{{3.5 * side, 5.5 * side, (settings.range + spacings) * 1.0}, 0.0};
             const PatchMap fine_map(settings, fine), coarse_map(settings, coarse);
             for (int n = 0; n < 500; ++n) {
-                const WorldPoint p{
-                    3 * side + (side - 1.3) * static_cast<double>(random()) / 4294967296.0,
-                    5 * side + (side - 0.7) * static_cast<double>(random()) / 4294967296.0};
+                const WorldPoint p{uniform(random, 3 * side, 4 * side - 1.3),
+                                   uniform(random, 5 * side, 6 * side - 0.7)};
                 const auto a = shown_height(settings, view, fine_map, height, p);
                 const auto b = shown_height(settings, view, coarse_map, height, p);
                 ASSERT_TRUE(a && b);
@@ -296,27 +273,24 @@ TEST(LandMesh, BytesBoundTheMeshAndSettingsOutOfRangeAreRefused) {
     const LandMesh mesh = make_land_mesh(settings, patches, view, sample_rough);
     EXPECT_GE(land_mesh_bytes(settings, patches),
               mesh.positions.capacity() * sizeof(Position) + mesh.triangles.capacity() * 12);
-    const auto refused = [&](const auto& change) {
-        QuadtreeSettings other = settings;
-        change(other);
-        EXPECT_THROW(validate(other), Error);
-        EXPECT_THROW(make_land_mesh(other, patches, view, sample_rough), Error);
-    };
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    refused([](auto& s) { s.spacing = 0.0; });
-    refused([](auto& s) { s.spacing = kNan; });
-    refused([](auto& s) { s.patch = 6; });
-    refused([](auto& s) { s.patch = 0; });
-    refused([](auto& s) { s.levels = 0; });
-    refused([](auto& s) { s.levels = 31; });
-    refused([](auto& s) { s.range = kNan; });
-    refused([](auto& s) { s.range = 37.0; });
-    refused([](auto& s) { s.morph_start = 0.5; });
-    refused([](auto& s) { s.morph_start = 0.95; });
-    refused([](auto& s) { s.farthest = 1e5; });
-    refused([](auto& s) { s.farthest = kNan; });
-    refused([](auto& s) { s.edge = LandEdge{{0.0, 0.0}, {0.0, 1.0}}; });
-    refused([](auto& s) { s.edge = LandEdge{{0.0, 0.0}, {1.0, kNan}}; });
+    const auto refused = [&](auto number, double value) {
+        QuadtreeSettings other = settings;
+        other.*number = static_cast<std::remove_cvref_t<decltype(other.*number)>>(value);
+        EXPECT_THROW(validate(other), Error) << value;
+        EXPECT_THROW(make_land_mesh(other, patches, view, sample_rough), Error) << value;
+    };
+    for (const double bad : {0.0, kNan}) refused(&QuadtreeSettings::spacing, bad);
+    for (const double bad : {6.0, 0.0}) refused(&QuadtreeSettings::patch, bad);
+    for (const double bad : {0.0, 31.0}) refused(&QuadtreeSettings::levels, bad);
+    for (const double bad : {kNan, 37.0}) refused(&QuadtreeSettings::range, bad);
+    for (const double bad : {0.5, 0.95}) refused(&QuadtreeSettings::morph_start, bad);
+    for (const double bad : {1e5, kNan}) refused(&QuadtreeSettings::farthest, bad);
+    for (const LandEdge& edge : {LandEdge{{0.0, 0.0}, {0.0, 1.0}}, {{0.0, 0.0}, {1.0, kNan}}}) {
+        QuadtreeSettings other = settings;
+        other.edge = edge;
+        EXPECT_THROW(validate(other), Error);
+    }
     EXPECT_THROW(select(settings, {{kNan, 0.0, 0.0}, 0.0}, {}), Error);
     EXPECT_THROW(select(settings, {{0.0, 1e9, 0.0}, 0.0}, {}), Error);
     const std::array<std::array<double, 4>, 1> planes{{{1.0, 0.0, 0.0, 0.0}}};

@@ -5,17 +5,6 @@
 // waves is not touched.
 #include "waves/modes/mode_lattice.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <cstring>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "ocean/internal/dispersion.hpp"
 #include "test_seas.hpp"
 #include "wave/wave.hpp"
@@ -59,21 +48,14 @@ void expect_same_bits(const Modes& a, const Modes& b, const std::string& what) {
     }
 }
 
-Modes fresh_modes(const Parameters& parameters, int threads) {
-    ThreadPool pool(threads);
-    return make_modes(make_directional_spectrum(parameters), parameters, pool);
-}
-
 TEST(ModeLattice, VariancesAreTheModalVariancesInAllQuadrants) {
-    ThreadPool pool(1);
     for (const Parameters& parameters : many_seas()) {
         const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
         const QuadrantSampler sampler(spectrum);
         const auto bands = cascade_bands(parameters.grid);
         for (const auto memory : {ModeLattice::Memory::none, ModeLattice::Memory::keep}) {
-            const ModeLattice lattice(parameters, memory, pool);
-            double largest = 0.0;
-            double worst = 0.0;
+            const ModeLattice lattice(parameters, memory, test::pool());
+            double largest = 0.0, worst = 0.0;
             QuadrantVariances found;
             for (std::size_t c = 0; c < bands.size(); ++c) {
                 for (int m = 0; m < 32; ++m) {
@@ -102,29 +84,25 @@ TEST(ModeLattice, EveryModeIsItsOwnNoiseTimesTheRootOfItsOwnVariance) {
     for (const Parameters& parameters : many_seas()) {
         if (parameters.grid.cascades > 1) continue;  // their rings are scaled
         const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
-        const Modes modes = fresh_modes(parameters, 1);
-        for (int m = -31; m < 32; ++m) {
-            for (int n = -31; n < 32; ++n) {
-                const auto xi = wave::double_precision::gaussian_noise(parameters.seed, 0, n, m);
-                const double half_root =
-                    0.5 * std::sqrt(modal_variance(spectrum, parameters, n, m));
-                const std::size_t at = mode_index(n, m, 64);
-                const std::complex<double> h0(modes.cascades.front().h0[at]);
-                const std::complex<double> expected(half_root * xi.re, half_root * xi.im);
-                ASSERT_LE(std::abs(h0 - expected), 2e-7 * std::abs(expected)) << n << " " << m;
-            }
+        const Modes modes = test::modes_of(parameters, 1);
+        for (const auto [n, m] : test::pairs({-31, 32}, {-31, 32})) {
+            const auto xi = wave::double_precision::gaussian_noise(parameters.seed, 0, n, m);
+            const double half_root = 0.5 * std::sqrt(modal_variance(spectrum, parameters, n, m));
+            const std::size_t at = mode_index(n, m, 64);
+            const std::complex<double> h0(modes.cascades.front().h0[at]);
+            const std::complex<double> expected(half_root * xi.re, half_root * xi.im);
+            ASSERT_LE(std::abs(h0 - expected), 2e-7 * std::abs(expected)) << n << " " << m;
         }
     }
 }
 
 TEST(ModeLattice, KeptOrNotTheBitsAreTheSame) {
     for (const Parameters& parameters : many_seas()) {
-        ThreadPool pool(2);
         const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
-        const ModeLattice lattice(parameters, ModeLattice::Memory::keep, pool);
-        Modes modes = lattice.still_modes(pool);
-        lattice.set_waves(spectrum, strongest_wind(parameters).value_or(0.0), pool, modes);
-        expect_same_bits(modes, fresh_modes(parameters, 1), "kept");
+        const ModeLattice lattice(parameters, ModeLattice::Memory::keep, test::pool());
+        Modes modes = lattice.still_modes(test::pool());
+        lattice.set_waves(spectrum, strongest_wind(parameters).value_or(0.0), test::pool(), modes);
+        expect_same_bits(modes, test::modes_of(parameters, 1), "kept");
     }
 }
 
@@ -155,16 +133,15 @@ TEST(Rebuild, AfterAnyChangeTheBitsAreThoseOfAFreshBuild) {
         double period = 6.0;
         for (const auto& [name, value] : changes) {
             sea.set(name, value);
-            expect_same_bits(sea.modes(), fresh_modes(sea.parameters(), 2), name);
+            expect_same_bits(sea.modes(), test::modes_of(sea.parameters(), 2), name);
             // Once more, so that whatever can be kept is kept at the next change.
             sea.set("waves.0.peak_period", std::to_string(period += 0.1));
-            expect_same_bits(sea.modes(), fresh_modes(sea.parameters(), 2), name);
+            expect_same_bits(sea.modes(), test::modes_of(sea.parameters(), 2), name);
         }
     }
 }
 
 TEST(ModeLattice, WhereThereIsNoWaveThereIsNothingWhateverWasInMemory) {
-    ThreadPool pool(1);
     constexpr int kSize = 64;
     const Parameters parameters = test::wind_sea(kSize, 200.0);
     const auto spectrum = make_directional_spectrum(parameters);
@@ -172,7 +149,7 @@ TEST(ModeLattice, WhereThereIsNoWaveThereIsNothingWhateverWasInMemory) {
         for (std::size_t i = 0; i < 8; ++i) {  // in the memory that the modes will have
             PageVector<float>((1 + i % 2) * kSize * kSize, 77.0f);
         }
-        const Modes modes = make_modes(spectrum, parameters, pool);
+        const Modes modes = make_modes(spectrum, parameters, test::pool());
         const CascadeModes& cascade = modes.cascades.front();
         for (int i = 0; i < kSize; ++i) {
             for (const int at : {kSize / 2 * kSize + i, i * kSize + kSize / 2, 0}) {
@@ -208,11 +185,11 @@ TEST(Rebuild, SeasThatShareModesDoNotChangeEachOthers) {
     Ocean fork(sea, {.threads = 2});
     EXPECT_EQ(&fork.modes(), &sea.modes()) << "nothing is shared: the test would see nothing";
     sea.set("waves.0.wind_speed", "15");
-    expect_same_bits(sea.modes(), fresh_modes(sea.parameters(), 1), "the first");
+    expect_same_bits(sea.modes(), test::modes_of(sea.parameters(), 1), "the first");
     expect_same_bits(fork.modes(), before, "the fork");
     fork.set("waves.0.wind_speed", "5");
-    expect_same_bits(fork.modes(), fresh_modes(fork.parameters(), 1), "the fork's own");
-    expect_same_bits(sea.modes(), fresh_modes(sea.parameters(), 1), "the first again");
+    expect_same_bits(fork.modes(), test::modes_of(fork.parameters(), 1), "the fork's own");
+    expect_same_bits(sea.modes(), test::modes_of(sea.parameters(), 1), "the first again");
 }
 
 TEST(QuadrantSampler, IsTheTableItselfUpToRounding) {

@@ -4,10 +4,7 @@
 // A hint names the mistyped word, and nothing for a word that was not mistyped.
 #include "ocean/internal/nearest_name.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <utility>
+#include "testing.hpp"
 
 namespace ocean {
 namespace {

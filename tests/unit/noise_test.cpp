@@ -2,16 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The noise is Gaussian, independent, and a pure function of (seed, cascade, n, m).
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <cstring>
-#include <span>
-#include <vector>
 
 #include "base/noise_row.hpp"
+#include "testing.hpp"
 #include "wave/wave.hpp"
 
 namespace ocean {
@@ -22,12 +15,10 @@ namespace in_float = wave::single_precision;
 
 std::vector<double> draws(std::uint32_t seed, std::uint32_t cascade) {
     std::vector<double> values;
-    for (int m = -100; m < 100; ++m) {
-        for (int n = -100; n < 100; ++n) {
-            const in_double::Gaussian xi = in_double::gaussian_noise(seed, cascade, n, m);
-            values.push_back(xi.re);
-            values.push_back(xi.im);
-        }
+    for (const auto [n, m] : test::pairs({-100, 100}, {-100, 100})) {
+        const in_double::Gaussian xi = in_double::gaussian_noise(seed, cascade, n, m);
+        values.push_back(xi.re);
+        values.push_back(xi.im);
     }
     return values;
 }
@@ -65,23 +56,15 @@ TEST(Noise, IsStandardNormalByTheKolmogorovSmirnovTest) {
     EXPECT_LT(distance, 1.63 / std::sqrt(n)) << "1 % level";
 }
 
-TEST(Noise, KurtosisIsThatOfAGaussianNotOfRandomPhases) {
-    double fourth = 0.0;
-    for (const double value : draws(5, 0)) fourth += std::pow(value, 4.0);
-    EXPECT_NEAR(fourth / 80000.0, 3.0, 4.0 * std::sqrt(96.0 / 80000.0));
-}
-
 TEST(Noise, SeedsCascadesAndMirroredModesAreIndependent) {
     const std::vector<double> one = draws(1, 0);
     const double bound = 4.0 / std::sqrt(static_cast<double>(one.size()));
     EXPECT_LT(std::abs(correlation(one, draws(2, 0))), bound);
     EXPECT_LT(std::abs(correlation(one, draws(1, 1))), bound);
     double mirrored = 0.0;
-    for (int m = 1; m < 150; ++m) {
-        for (int n = -150; n < 150; ++n) {
-            mirrored += in_double::gaussian_noise(1, 0, n, m).re *
-                        in_double::gaussian_noise(1, 0, -n, -m).re;
-        }
+    for (const auto [n, m] : test::pairs({-150, 150}, {1, 150})) {
+        mirrored +=
+            in_double::gaussian_noise(1, 0, n, m).re * in_double::gaussian_noise(1, 0, -n, -m).re;
     }
     EXPECT_LT(std::abs(mirrored / 44700.0), 4.0 / std::sqrt(44700.0));
 }

@@ -5,11 +5,7 @@
 // their order and wherever they lie.
 #include "field/quad_grid.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <vector>
+#include "testing.hpp"
 
 namespace ocean {
 namespace {
@@ -21,12 +17,10 @@ Domain grid() {
 QuadGrid waves_of_four_lengths() {
     const Domain domain = grid();
     std::array<std::vector<float>, 4> fields;
-    for (int j = 0; j < domain.samples[1]; ++j) {
-        for (int i = 0; i < domain.samples[0]; ++i) {
-            for (std::size_t f = 0; f < 4; ++f) {
-                const double k = 0.1 * static_cast<double>(f + 1);
-                fields[f].push_back(static_cast<float>(std::sin(k * i + 0.3 * j)));
-            }
+    for (const auto [i, j] : test::pairs(domain.samples[0], domain.samples[1])) {
+        for (std::size_t f = 0; f < 4; ++f) {
+            const double k = 0.1 * static_cast<double>(f + 1);
+            fields[f].push_back(static_cast<float>(std::sin(k * i + 0.3 * j)));
         }
     }
     return QuadGrid(domain, {fields[0], fields[1], fields[2], fields[3]});

@@ -5,24 +5,23 @@
 // high the shown surface is.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
 #include <cstdint>
-#include <functional>
-#include <optional>
-#include <span>
 #include <unordered_map>
-#include <vector>
 
 #include "ocean/internal/land_quadtree.hpp"
+#include "testing.hpp"
 
 namespace ocean {
 
 using Position = std::array<double, 3>;
 /// Returns the height at a point for a spacing.
 using PointHeight = std::function<float(WorldPoint, double spacing)>;
+
+/// Returns a number from low to high.
+inline double uniform(std::mt19937& random, double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+}
 
 /// Returns a height that shares nothing with those beside it and with other spacings: rougher than
 /// any land, so that no gap hides.

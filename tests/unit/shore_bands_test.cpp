@@ -5,12 +5,6 @@
 // its pairs are those of the spectrum.
 #include "coast/statics/shore_bands.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
 #include <set>
 
 #include "ocean/internal/cascades.hpp"
@@ -107,8 +101,7 @@ TEST(ShoreBands, AnEvenSeaHasPairsInProportionToTheirArea) {
 // lack are pairs of less than half a percent.
 TEST(ShoreBands, AWindSeaIsDividedWhereItsVarianceIs) {
     for (const double depth : {std::numeric_limits<double>::infinity(), 12.0}) {
-        Parameters parameters = test::wind_sea(512, 1024.0);
-        parameters.water.depth = depth;
+        Parameters parameters = test::wind_sea(512, 1024.0, {.depth = depth});
         const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
         const ShoreBands bands = choose_bands(spectrum, parameters);
         const double whole = spectrum.variance(parameters.water);
@@ -157,8 +150,7 @@ TEST(ShoreBands, BandsEndWhereTheWavesEnd) {
 // A sea that changes a little keeps the edges in every bit: those of the delays that are computed
 // already.
 TEST(ShoreBands, EdgesStayWhileTheSeaChangesALittle) {
-    Parameters parameters = test::wind_sea(256, 1000.0);
-    parameters.water.depth = 20.0;
+    Parameters parameters = test::wind_sea(256, 1000.0, {.depth = 20.0});
     const auto edges_at = [&](double wind) {
         parameters.waves.front().wind_speed = wind;
         return choose_bands(make_directional_spectrum(parameters), parameters).edges;
@@ -188,8 +180,7 @@ TEST(ShoreBands, AFlatSeaHasNone) {
 
 // A swell that crosses the wind sea has pairs of its own, towards its own direction.
 TEST(ShoreBands, ASwellAcrossTheWindHasItsOwnSectors) {
-    Parameters parameters = test::wind_sea(256, 800.0);
-    parameters.waves.front().wind_direction = 0.0;
+    Parameters parameters = test::wind_sea(256, 800.0, {.direction = 0.0});
     WaveSystem& swell = parameters.waves.emplace_back();
     swell.spectrum = SpectrumKind::jonswap;
     swell.spreading = SpreadingKind::hasselmann;
@@ -214,12 +205,10 @@ double integral_over(const DirectionalSpectrum& spectrum, const ShoreBands& band
     const double low = dispersion.angular_frequency(bands.edges[b]);
     const double width = dispersion.angular_frequency(bands.edges[b + 1]) - low;
     double sum = 0.0;
-    for (int i = 0; i < kCells; ++i) {
-        for (int j = 0; j < kCells; ++j) {
-            const double theta =
-                sector_centre(waves.sector) + ((j + 0.5) / kCells - 0.5) * kSectorWidth;
-            sum += spectrum.density(low + width * (i + 0.5) / kCells, theta);
-        }
+    for (const auto [j, i] : test::pairs(kCells, kCells)) {
+        const double theta =
+            sector_centre(waves.sector) + ((j + 0.5) / kCells - 0.5) * kSectorWidth;
+        sum += spectrum.density(low + width * (i + 0.5) / kCells, theta);
     }
     return sum * width * kSectorWidth / (kCells * kCells);
 }

@@ -3,74 +3,43 @@
 //
 // Regions of a sea over its bed compute what their channels need, and that does not change what
 // they show.
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
 #include <set>
-#include <span>
-#include <string_view>
-#include <vector>
 
 #include "coast/statics/shore_statics.hpp"
 #include "ocean/internal/directional_spectrum.hpp"
 #include "ocean/land_mask.hpp"
-#include "ocean/ocean.hpp"
 #include "ocean/query.hpp"
-#include "ocean/sea_bed.hpp"
+#include "test_beds.hpp"
+#include "test_seas.hpp"
 
 namespace ocean {
 namespace {
 
-/// A beach that rises 1:40 to the east from 20 m of depth, under waves of 12 m/s over 150 km.
+/// Lays a beach that rises 1:40 to the east below a sea in 20 m; still water ends at x = `shore`.
+Parameters over_beach(const Parameters& sea, int columns, int rows, double cell, double shore) {
+    return test::over(sea, test::bed_of(columns, rows, cell, [=](double x, double) {
+                          return std::max(-20.0, (x - shore) / 40.0);
+                      }));
+}
+
 Parameters beach_sea() {
-    Parameters parameters;
-    parameters.grid.resolution = 128;
-    parameters.grid.patch_size = 1024.0;
-    parameters.water.depth = 20.0;
-    WaveSystem& waves = parameters.waves.front();
-    waves.spectrum = SpectrumKind::jonswap;
-    waves.wind_speed = 12.0;
-    waves.fetch = 150000.0;
-    GivenBed given;
-    given.grid = {{0.0, 0.0}, {8.0 * 128, 8.0 * 64}, {129, 65}, false};
-    for (int j = 0; j < 65; ++j) {
-        for (int i = 0; i < 129; ++i) {
-            given.heights.push_back(static_cast<float>(std::max(-20.0, (8.0 * i - 800.0) / 40.0)));
-        }
-    }
-    parameters.water.bed = make_sea_bed(std::move(given), parameters.water);
-    return parameters;
+    return over_beach(test::coast_sea(128, 1024.0, 20.0), 129, 65, 8.0, 800.0);
 }
 
-TEST(ShoreChannels, HeightsHaveTheSameBitsWithAndWithoutDerivatives) {
+TEST(ShoreChannels, HeightsHaveTheSameBitsInEveryRegionAndBesideEveryChannel) {
     // From 80 m beyond the border of the bed into the surf.
+    using enum Channel;
     const Domain domain{{500.0, -80.0}, {300.0, 300.0}, {41, 41}, false};
-    constexpr ChannelSet kPosition = {Channel::dx, Channel::dy, Channel::height};
     Ocean ocean(beach_sea());
-    const Surface plain = ocean.region(4.0, domain, kPosition);
-    const Surface normals = ocean.region(
-        4.0, domain, {Channel::dx, Channel::dy, Channel::height, Channel::nx, Channel::whitecap});
-    const Surface rates =
-        ocean.region(4.0, domain, {Channel::dx, Channel::dy, Channel::height, Channel::vz});
-    for (const Channel channel : {Channel::dx, Channel::dy, Channel::height}) {
-        EXPECT_TRUE(std::ranges::equal(plain.channel(channel), normals.channel(channel)));
-        EXPECT_TRUE(std::ranges::equal(plain.channel(channel), rates.channel(channel)));
-    }
-}
-
-TEST(ShoreChannels, PartsOfARegionHaveTheBitsOfTheWhole) {
+    const Surface plain = ocean.region(4.0, domain, {dx, dy, height});
+    EXPECT_TRUE(test::same_bits(ocean.region(4.0, domain, {dx, dy, height, nx, whitecap}), plain));
+    EXPECT_TRUE(test::same_bits(ocean.region(4.0, domain, {dx, dy, height, vz}), plain));
     const Domain whole{{480.0, 100.0}, {160.0, 160.0}, {81, 81}, false};
     const Domain part{{540.0, 120.0}, {80.0, 60.0}, {41, 31}, false};
-    Ocean ocean(beach_sea());
-    const Surface large = ocean.region(4.0, whole, Channel::height);
-    const Surface small = ocean.region(4.0, part, Channel::height);
-    for (std::size_t j = 0; j < 31; ++j) {
-        for (std::size_t i = 0; i < 41; ++i) {
-            EXPECT_EQ(small.channel(Channel::height)[j * 41 + i],
-                      large.channel(Channel::height)[(j + 10) * 81 + i + 30]);
-        }
+    const Surface large = ocean.region(4.0, whole, height), small = ocean.region(4.0, part, height);
+    for (const auto [i, j, at] : test::cells<std::size_t>(41, 31)) {
+        EXPECT_EQ(small.channel(height)[at], large.channel(height)[(j + 10) * 81 + i + 30]);
     }
 }
 
@@ -88,11 +57,7 @@ TEST(ShoreChannels, FoamAndWetGroundShareTheReadsOfATime) {
     Ocean foam(beach_sea());
     EXPECT_EQ(ticks(ocean, traces), ticks(foam, Channel::foam));
     const Surface followed = ocean.region(4.1, beach, traces);
-    Ocean alone(beach_sea());
-    const Surface fresh = alone.region(4.1, beach, traces);
-    for (const Channel channel : {Channel::foam, channel_of(LandMask::wetness)}) {
-        EXPECT_TRUE(std::ranges::equal(followed.channel(channel), fresh.channel(channel)));
-    }
+    EXPECT_TRUE(test::same_bits(followed, Ocean(beach_sea()).region(4.1, beach, traces)));
 }
 
 TEST(ShoreChannels, ARegionGoesIntoInterleavedPaddedBuffersWithFactors) {
@@ -132,34 +97,22 @@ TEST(ShoreChannels, LandThatNoWaveReachesHasNoFoamOfTheOpenSea) {
     }
 }
 
+/// Waves of Hs 1.5 m and 6 s, to the east.
+Parameters short_sea(double depth) {
+    Parameters parameters = test::coast_sea(128, 512.0, depth);
+    parameters.waves.front().significant_wave_height = 1.5;
+    parameters.waves.front().peak_period = 6.0;
+    return parameters;
+}
+
 /// A polder 3 m below the water, ringed by dikes of 5 m of which one lies along the border of the
 /// bed, at the end of a beach.
 Parameters polder_sea() {
-    Parameters parameters;
-    parameters.grid.resolution = 128;
-    parameters.grid.patch_size = 512.0;
-    parameters.water.depth = 10.0;
-    WaveSystem& waves = parameters.waves.front();
-    waves.spectrum = SpectrumKind::jonswap;
-    waves.wind_speed = 12.0;
-    waves.significant_wave_height = 1.5;
-    waves.peak_period = 6.0;
-    waves.wind_direction = 0.0;
-    GivenBed given;
-    given.grid = {{0.0, 0.0}, {800.0, 600.0}, {161, 121}, false};
-    for (int j = 0; j < 121; ++j) {
-        for (int i = 0; i < 161; ++i) {
-            const double x = 5.0 * i, y = 5.0 * j;
+    return test::over(
+        short_sea(10.0), test::bed_of(161, 121, 5.0, [](double x, double y) {
             const bool dike = x < 430.0 || x > 770.0 || y < 40.0 || y > 560.0;
-            const double height = x < 200.0   ? -10.0
-                                  : x < 400.0 ? -10.0 + (x - 200.0) * 0.075
-                                  : dike      ? 5.0
-                                              : -3.0;
-            given.heights.push_back(static_cast<float>(height));
-        }
-    }
-    parameters.water.bed = make_sea_bed(std::move(given), parameters.water);
-    return parameters;
+            return x < 200.0 ? -10.0 : x < 400.0 ? -10.0 + (x - 200.0) * 0.075 : dike ? 5.0 : -3.0;
+        }));
 }
 
 TEST(ShoreChannels, PondsAreLevelUpToTheirDikesAndHaveNoFoam) {
@@ -179,8 +132,7 @@ TEST(ShoreChannels, PondsAreLevelUpToTheirDikesAndHaveNoFoam) {
     }
     for (const bool has_foam : {true, false}) {
         Ocean ocean(has_foam ? wind : swell);
-        std::vector<QuerySample> samples(points.size());
-        ocean.query(20.0, points, samples, {.foam = has_foam});
+        const auto samples = test::query(ocean, 20.0, points, {.foam = has_foam});
         double foam = 0.0;
         for (std::size_t n = 0; n < kSea; ++n) foam += samples[n].foam;
         EXPECT_EQ(foam > 0.05 * kSea, has_foam);
@@ -198,56 +150,51 @@ TEST(ShoreChannels, PondsAreLevelUpToTheirDikesAndHaveNoFoam) {
 
 /// The same waves over a bed 8 m deep, 400 m long, with walls 4 m high where `is_wall` says so.
 Parameters walled_sea(const std::function<bool(int i, int j)>& is_wall) {
-    Parameters parameters = polder_sea();
-    parameters.water.depth = 8.0;
-    GivenBed given;
-    given.grid = {{0.0, 0.0}, {400.0, 400.0}, {101, 101}, false};
-    for (int j = 0; j < 101; ++j) {
-        for (int i = 0; i < 101; ++i) given.heights.push_back(is_wall(i, j) ? 4.0f : -8.0f);
+    return test::over(
+        short_sea(8.0), test::bed_of(101, 101, 4.0, [&](double x, double y) {
+            return is_wall(static_cast<int>(x / 4.0), static_cast<int>(y / 4.0)) ? 4.0 : -8.0;
+        }));
+}
+
+/// Returns the rms height at each of some points, over times so far apart that they are
+/// independent.
+std::vector<double> rms_heights(const Parameters& parameters, const std::vector<WorldPoint>& points,
+                                int times) {
+    Ocean ocean(parameters);
+    std::vector<double> heights(points.size());
+    for (int n = 0; n < times; ++n) {
+        const auto samples = test::query(ocean, 17.0 * n, points, {.foam = false});
+        for (std::size_t p = 0; p < points.size(); ++p) {
+            heights[p] += samples[p].height * samples[p].height / times;
+        }
     }
-    parameters.water.bed = nullptr;
-    parameters.water.bed = make_sea_bed(std::move(given), parameters.water);
-    return parameters;
+    for (double& height : heights) height = std::sqrt(height);
+    return heights;
 }
 
 TEST(ShoreChannels, TheLastWaterOfABeachHasTheWavesOfTheWaterBeforeIt) {
     // A beach of 1:30 that is oblique to the samples of its bed. Ground less than 0.15 m below
     // still water keeps some energy back, as a wall does, but lies before the land.
-    Parameters parameters = beach_sea();
-    parameters.water.depth = 8.0;
-    parameters.water.bed = nullptr;
     const double turn = 0.4, c = std::cos(turn), s = std::sin(turn);
-    GivenBed given;
-    given.grid = {{0.0, 0.0}, {480.0, 480.0}, {161, 161}, false};
-    for (int j = 0; j < 161; ++j) {
-        for (int i = 0; i < 161; ++i) {
-            const double across = (3.0 * i - 240.0) * c + (3.0 * j - 240.0) * s;
-            given.heights.push_back(static_cast<float>(std::clamp(across / 30.0, -8.0, 3.0)));
-        }
-    }
-    parameters.water.bed = make_sea_bed(std::move(given), parameters.water);
-    Ocean ocean(parameters);
-    // The rms height of the least place of a line along the beach.
-    const auto least_rms = [&](double bed) {
-        std::vector<WorldPoint> points;
+    const Parameters sea = test::over(
+        test::coast_sea(128, 1024.0, 8.0), test::bed_of(161, 161, 3.0, [=](double x, double y) {
+            return std::clamp(((x - 240.0) * c + (y - 240.0) * s) / 30.0, -8.0, 3.0);
+        }));
+    // Lines along the beach.
+    const double beds[] = {-0.3, -0.12, -0.08, -0.04};
+    std::vector<WorldPoint> points;
+    for (const double bed : beds) {
         for (double along = -150.0; along <= 150.0; along += 3.0) {
             const double across = 30.0 * bed;
             points.push_back({240.0 + across * c - along * s, 240.0 + across * s + along * c});
         }
-        std::vector<QuerySample> samples(points.size());
-        std::vector<double> squares(points.size());
-        constexpr int times = 12;
-        for (int n = 0; n < times; ++n) {
-            ocean.query(17.0 * n, points, samples, {.foam = false});
-            for (std::size_t p = 0; p < points.size(); ++p) {
-                squares[p] += samples[p].height * samples[p].height / times;
-            }
-        }
-        return std::sqrt(*std::ranges::min_element(squares));
+    }
+    const std::vector<double> heights = rms_heights(sea, points, 12);
+    const auto least_rms = [&](std::ptrdiff_t line) {
+        return *std::min_element(heights.begin() + 101 * line, heights.begin() + 101 * (line + 1));
     };
-    const double before = least_rms(-0.3);
-    EXPECT_GT(before, 0.1);
-    for (const double bed : {-0.12, -0.08, -0.04}) EXPECT_GT(least_rms(bed), 0.8 * before) << bed;
+    EXPECT_GT(least_rms(0), 0.1);
+    for (const int line : {1, 2, 3}) EXPECT_GT(least_rms(line), 0.8 * least_rms(0)) << beds[line];
 }
 
 TEST(ShoreChannels, APondBehindWallsOfOneSampleIsLevelFromTheirFootOn) {
@@ -260,8 +207,7 @@ TEST(ShoreChannels, APondBehindWallsOfOneSampleIsLevelFromTheirFootOn) {
     for (const double x : {204.0, 206.0, 210.0, 214.0, 240.0, 270.0, 276.0}) {
         for (const double y : {164.0, 168.0, 200.0, 236.0}) points.push_back({x, y});
     }
-    std::vector<QuerySample> samples(points.size());
-    ocean.query(20.0, points, samples, {.foam = false});
+    const auto samples = test::query(ocean, 20.0, points, {.foam = false});
     for (std::size_t n = 0; n < points.size(); ++n) {
         EXPECT_NEAR(samples[n].height, 0.0, 0.015) << points[n].x << " " << points[n].y;
     }
@@ -270,25 +216,19 @@ TEST(ShoreChannels, APondBehindWallsOfOneSampleIsLevelFromTheirFootOn) {
 TEST(ShoreChannels, WavesEightMetresBehindAThinWallAreThoseBehindAThickOne) {
     // A wall of one sample, 4 m above the water, and one of five; their northern ends are free.
     const auto height_behind = [](int width) {
-        const Parameters parameters =
-            walled_sea([&](int i, int j) { return i > 50 - width && i <= 50 && j < 70; });
         std::vector<WorldPoint> points;
         for (double y = 210.0; y < 260.0; y += 1.0) {
             for (const double x : {208.0, 212.0, 220.0, 232.0, 244.0}) points.push_back({x, y});
         }
-        Ocean ocean(parameters);
-        std::vector<QuerySample> samples(points.size());
-        std::vector<double> squares(5);
+        const auto is_wall = [&](int i, int j) { return i > 50 - width && i <= 50 && j < 70; };
         // A few times alone scatter by a quarter, since the waves behind the walls differ in phase.
-        constexpr int times = 24;
-        for (int n = 0; n < times; ++n) {
-            ocean.query(17.0 * n, points, samples, {.foam = false});
-            for (std::size_t p = 0; p < samples.size(); ++p) {
-                squares[p % 5] += samples[p].height * samples[p].height;
-            }
+        const std::vector<double> heights = rms_heights(walled_sea(is_wall), points, 24);
+        std::vector<double> means(5);
+        for (std::size_t p = 0; p < points.size(); ++p) {
+            means[p % 5] += heights[p] * heights[p] / 50.0;
         }
-        for (double& square : squares) square = std::sqrt(square / (times * 50.0));
-        return squares;
+        for (double& mean : means) mean = std::sqrt(mean);
+        return means;
     };
     const std::vector<double> thin = height_behind(1), thick = height_behind(5);
     for (std::size_t n = 0; n < thin.size(); ++n) {
@@ -317,9 +257,7 @@ TEST(ShoreStatics, AChangedSeaComputesItsNewWavesAlone) {
         const Surface changed = ocean.region(4.0, domain, Channel::height);
         const double reports = delays;
         const Surface anew = Ocean(parameters).region(4.0, domain, Channel::height);
-        EXPECT_TRUE(
-            std::ranges::equal(changed.channel(Channel::height), anew.channel(Channel::height)))
-            << wind << " m/s to " << direction;
+        EXPECT_TRUE(test::same_bits(changed, anew)) << wind << " m/s to " << direction;
         return reports;
     };
     const double all = reports_of(12.0, 0.0);
@@ -339,23 +277,14 @@ TEST(ShoreStatics, AChangedSeaComputesItsNewWavesAlone) {
 }
 
 TEST(ShoreStatics, AreAsLargeAsToldAndAtMost5500KilobytesForASquareKilometreAndSector) {
-    Parameters parameters = beach_sea();
-    GivenBed given;
-    given.grid = {{0.0, 0.0}, {1000.0, 1000.0}, {251, 251}, false};
-    for (int j = 0; j < 251; ++j) {
-        for (int i = 0; i < 251; ++i) {
-            given.heights.push_back(std::max(-20.0f, (4.0f * static_cast<float>(i) - 900) / 40.0f));
-        }
-    }
-    parameters.water.bed = nullptr;
-    parameters.water.bed = make_sea_bed(std::move(given), parameters.water);
+    const Parameters parameters =
+        over_beach(test::coast_sea(128, 1024.0, 20.0), 251, 251, 4.0, 900.0);
     const SeaBed& ground = *parameters.water.bed;
     const BedGrid bed{ground.domain, {ground.heights.begin(), ground.heights.end()}};
     const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
     const ShoreBands bands = choose_bands(spectrum, parameters);
-    ThreadPool pool(1);
-    const auto delays = make_shore_delays(bed, bands, parameters.water, pool);
-    const auto energy = make_shore_energy(bed, *delays, spectrum, parameters.water, pool);
+    const auto delays = make_shore_delays(bed, bands, parameters.water, test::pool());
+    const auto energy = make_shore_energy(bed, *delays, spectrum, parameters.water, test::pool());
     std::size_t bytes = delays->ground.bytes() + energy->breaking.bytes() +
                         energy->remainder.bytes() + energy->lee.bytes();
     for (const BandSectorDelays& waves : delays->waves) bytes += waves.maps->bytes();

@@ -4,37 +4,17 @@
 // Beds and seas for the tests of a coast.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <random>
-#include <vector>
-
 #include "coast/bed/bed_grid.hpp"
 #include "coast/statics/eikonal.hpp"
 #include "coast/statics/shore_bands.hpp"
 #include "coast/statics/shore_delays.hpp"
 #include "coast/statics/slowness.hpp"
 #include "ocean/internal/dispersion.hpp"
+#include "test_beds.hpp"
 
 namespace ocean {
 
 inline constexpr double kGravity = 9.81;
-
-inline BedGrid grid_of(int columns, int rows, double cell,
-                       const std::function<double(double x, double y)>& value) {
-    BedGrid grid;
-    grid.domain.samples = {columns, rows};
-    grid.domain.size = {cell * (columns - 1), cell * (rows - 1)};
-    for (int j = 0; j < rows; ++j) {
-        for (int i = 0; i < columns; ++i) {
-            grid.values.push_back(static_cast<float>(value(i * cell, j * cell)));
-        }
-    }
-    return grid;
-}
 
 inline SampleGrid size_of(const BedGrid& grid) {
     return {grid.domain.samples[0], grid.domain.samples[1]};
@@ -71,6 +51,8 @@ inline Water water_of_depth(double depth) {
     return water;
 }
 
+using test::grid_of;
+
 inline double wavenumber(double omega, double depth) {
     return Dispersion(water_of_depth(depth)).wavenumber(omega);
 }
@@ -93,8 +75,8 @@ struct OneWave {
         const BorderSlopes border(depth);
         EikonalSolver solver(grid, border);
         sweeps = solver.solve(slowness, direction, max_sweeps);
-        for (int j = 0; j < grid.rows; ++j) {
-            for (int i = 0; i < grid.columns; ++i) delay.push_back(solver.delay(i, j));
+        for (const auto [i, j] : test::pairs(grid.columns, grid.rows)) {
+            delay.push_back(solver.delay(i, j));
         }
     }
     /// Smooths by 1-2-1 four times along each axis, which is what the maps have.
@@ -102,12 +84,10 @@ struct OneWave {
         for (int n = 0; n < 8; ++n) {
             const int di = n % 2, dj = 1 - di;
             const std::vector<double> old = delay;
-            for (int j = 1; j + 1 < grid.rows; ++j) {
-                for (int i = 1; i + 1 < grid.columns; ++i) {
-                    delay[grid.index(i, j)] =
-                        0.5 * old[grid.index(i, j)] +
-                        0.25 * (old[grid.index(i - di, j - dj)] + old[grid.index(i + di, j + dj)]);
-                }
+            for (const auto [i, j] : test::pairs({1, grid.columns - 1}, {1, grid.rows - 1})) {
+                delay[grid.index(i, j)] =
+                    0.5 * old[grid.index(i, j)] +
+                    0.25 * (old[grid.index(i - di, j - dj)] + old[grid.index(i + di, j + dj)]);
             }
         }
     }

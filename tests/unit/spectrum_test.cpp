@@ -4,17 +4,15 @@
 // Frequency spectra against golden values and closed forms.
 #include "ocean/internal/spectrum.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "ocean/internal/directional_spectrum.hpp"
 #include "ocean/internal/grid.hpp"
+#include "testing.hpp"
 
 namespace ocean {
 namespace {
+
+constexpr SpectrumKind kKinds[] = {SpectrumKind::phillips, SpectrumKind::pierson_moskowitz,
+                                   SpectrumKind::jonswap, SpectrumKind::tma};
 
 double significant_wave_height(const WaveSystem& system, const Water& water = {}) {
     Parameters parameters;
@@ -132,16 +130,14 @@ TEST(Spectrum, PhillipsVarianceIsItsClosedForm) {
 }
 
 TEST(Spectrum, VarianceIsTheIntegralOfTheDensityAndThePeakItsLargest) {
-    for (const SpectrumKind kind : {SpectrumKind::phillips, SpectrumKind::pierson_moskowitz,
-                                    SpectrumKind::jonswap, SpectrumKind::tma}) {
+    for (const SpectrumKind kind : kKinds) {
         for (const double depth : {3.0, 30.0, std::numeric_limits<double>::infinity()}) {
             WaveSystem system = jonswap(17.0, 300e3, 10.0);
             system.spectrum = kind;
             system.cutoff_wavelength = 0.5;
             const FrequencySpectrum spectrum =
                 make_frequency_spectrum(system, Water{.depth = depth}, 100.0);
-            double sum = 0.0;
-            double largest = 0.0;
+            double sum = 0.0, largest = 0.0;
             constexpr int kSteps = 40000;  // the midpoint rule, blind to peaks and kinks
             const double step = std::log(spectrum.highest / spectrum.lowest) / kSteps;
             for (int i = 0; i < kSteps; ++i) {
@@ -162,15 +158,8 @@ TEST(Spectrum, PhillipsCutoffIsTheWavelengthOfOneEthOfTheEnergy) {
                 std::exp(-1.0), 1e-12);
 }
 
-TEST(Spectrum, WindSpeedSetsTheHeight) {
-    EXPECT_GT(significant_wave_height(jonswap(20.0, 300e3)),
-              1.7 * significant_wave_height(jonswap(10.0, 300e3)));
-    EXPECT_EQ(significant_wave_height(jonswap(0.0, 300e3)), 0.0);
-}
-
 TEST(Spectrum, HeightAndPeriodRescaleAsAsked) {
-    for (const SpectrumKind kind : {SpectrumKind::phillips, SpectrumKind::pierson_moskowitz,
-                                    SpectrumKind::jonswap, SpectrumKind::tma}) {
+    for (const SpectrumKind kind : kKinds) {
         Parameters parameters;
         parameters.water.depth = 30.0;
         WaveSystem& system = parameters.waves.front();
@@ -191,8 +180,7 @@ TEST(Spectrum, ThePeriodAloneKeepsTheEnergy) {
 }
 
 TEST(Spectrum, OfHardlyAnyWindIsFlatAndThereAtOnce) {
-    for (const SpectrumKind kind : {SpectrumKind::phillips, SpectrumKind::pierson_moskowitz,
-                                    SpectrumKind::jonswap, SpectrumKind::tma}) {
+    for (const SpectrumKind kind : kKinds) {
         WaveSystem system;
         system.spectrum = kind;
         for (const double wind : {5e-324, 1e-60, 9e-7}) {

@@ -6,17 +6,12 @@
 // turn white; drops fly as drops do.
 #include "ocean/spray.hpp"
 
-#include <gtest/gtest.h>
-
 #include <bit>
-#include <cmath>
-#include <cstring>
-#include <map>
 #include <set>
 
-#include "ocean/error.hpp"
 #include "ocean/internal/foam.hpp"
-#include "ocean/sea_bed.hpp"
+#include "refusal.hpp"
+#include "test_beds.hpp"
 #include "test_seas.hpp"
 #include "waves/spray/spray_birth.hpp"
 #include "waves/spray/spray_flight.hpp"
@@ -27,10 +22,7 @@ namespace {
 using Particles = std::vector<SprayParticle>;
 
 Parameters windy_sea(double wind = 20.0, int resolution = 128, double patch = 160.0) {
-    Parameters parameters = test::wind_sea(resolution, patch);
-    parameters.waves.front().wind_speed = wind;
-    parameters.surface.choppiness = 1.2;
-    return parameters;
+    return test::wind_sea(resolution, patch, {.wind = wind, .choppiness = 1.2});
 }
 
 Particles spray_of(Ocean& sea, double frame, const SpraySettings& settings = {}) {
@@ -149,13 +141,8 @@ Parameters windy_beach() {
     parameters.surface.choppiness = 1.0;
     parameters.surface.foam_step = 0.1;
     parameters.water.depth = 8.0;
-    GivenBed given;
-    given.grid = {{0.0, 0.0}, {240.0, 80.0}, {121, 41}, false};
-    for (int j = 0; j < 41; ++j) {
-        for (int i = 0; i < 121; ++i) given.heights.push_back(static_cast<float>(i) / 12.0f - 8.0f);
-    }
-    parameters.water.bed = make_sea_bed(std::move(given), parameters.water);
-    return parameters;
+    return test::over(parameters,
+                      test::bed_of(121, 41, 2.0, [](double x, double) { return x / 24.0 - 8.0; }));
 }
 
 TEST(Spray, OverABedTheFrontsOfBreakingWavesHaveIt) {
@@ -288,23 +275,18 @@ TEST(Spray, NoMoreThanAskedForAndEverywhereAlike) {
     };
     EXPECT_NEAR(share(thinned), share(all), 0.1);
     EXPECT_EQ(max_spray_particles(sea.sea(), few), 1000u);
-    const auto refused = [&](const SpraySettings& wrong) {
+    for (const SpraySettings& wrong : {SpraySettings{.lifetime = 0.0},
+                                       {.lifetime = 11.0},
+                                       {.density = -1.0},
+                                       {.density = std::nan("")},
+                                       {.most = 0}}) {
         EXPECT_THROW(sea.spray(9.0, wrong), Error);
-    };
-    refused({.lifetime = 0.0});
-    refused({.lifetime = 11.0});
-    refused({.density = -1.0});
-    refused({.density = std::nan("")});
-    refused({.most = 0});
+    }
 }
 
 TEST(Spray, ItsLatticeIsTheSeasOwn) {
     const auto lattice = [](double patch, int resolution, int cascades = 1) {
-        Grid grid;
-        grid.patch_size = patch;
-        grid.resolution = resolution;
-        grid.cascades = cascades;
-        return spray_lattice(grid).resolution;
+        return spray_lattice({resolution, patch, cascades, {}}).resolution;
     };
     EXPECT_EQ(lattice(500.0, 512), 256);
     EXPECT_EQ(lattice(1200.0, 512), 512);
@@ -354,8 +336,7 @@ TEST(Spray, IsTornOffAlongTheWindAndUpwards) {
     ASSERT_EQ(births.size(), static_cast<std::size_t>(kSide * kSide)) << "one a square metre";
     EXPECT_TRUE(births_of(tick, map, white_cells(map)).empty()) << "what was white bears none";
 
-    double along = 0.0, across = 0.0, up = 0.0, mean_wind = 0.0, early = 0.0, x = 0.0, y = 0.0;
-    double square = 0.0;
+    test::SampleMean along, across, up, wind, early, x, y, square;
     for (std::size_t i = 0; i < births.size(); ++i) {
         const SprayBirth& birth = births[i];
         const auto turned = [&](const Vector3& v) {
@@ -365,30 +346,29 @@ TEST(Spray, IsTornOffAlongTheWindAndUpwards) {
         const auto [forward, sideways] = turned(birth.velocity);
         EXPECT_GE(forward, 0.0);
         EXPECT_GE(birth.velocity[2], 0.0);
-        along += forward;
-        across += sideways;
-        up += birth.velocity[2];
-        mean_wind += turned(birth.drift).first - forward;
-        early += birth.since;
-        x += birth.place[0] - static_cast<double>(i % kSide);
-        square += std::pow(birth.place[0] - static_cast<double>(i % kSide), 2);
-        y += birth.place[1] - static_cast<double>(i / kSide);
+        along.add(forward);
+        across.add(sideways);
+        up.add(birth.velocity[2]);
+        wind.add(turned(birth.drift).first - forward);
+        early.add(birth.since);
+        x.add(birth.place[0] - static_cast<double>(i % kSide));
+        square.add(std::pow(birth.place[0] - static_cast<double>(i % kSide), 2));
+        y.add(birth.place[1] - static_cast<double>(i / kSide));
         EXPECT_LT(birth.since, 0.05);
     }
-    const auto n = static_cast<double>(births.size());
     // u* = 20 sqrt(1.79e-3), half a Gaussian has the mean sqrt(2/pi) sd.
     const double friction = 20.0 * std::sqrt(1.79e-3);
     EXPECT_NEAR(friction_velocity(20.0), friction, 1e-12);
     const double half = std::sqrt(2.0 / kPi);
-    EXPECT_NEAR(along / n, half * 2.39 * friction, 0.03);
-    EXPECT_NEAR(across / n, 0.0, 0.05);
-    EXPECT_NEAR(up / n, half * 1.25 * friction, 0.02);
-    EXPECT_NEAR(mean_wind / n, 20.0 - friction / 0.4 * std::log(10.0), 1e-9);
+    EXPECT_NEAR(along.mean(), half * 2.39 * friction, 0.03);
+    EXPECT_NEAR(across.mean(), 0.0, 0.05);
+    EXPECT_NEAR(up.mean(), half * 1.25 * friction, 0.02);
+    EXPECT_NEAR(wind.mean(), 20.0 - friction / 0.4 * std::log(10.0), 1e-9);
     // Anywhere in its cell, any time in its step.
-    EXPECT_NEAR(early / n, 0.025, 0.0005);
-    EXPECT_NEAR(x / n, 0.0, 0.01);
-    EXPECT_NEAR(square / n, 1.0 / 12.0, 0.002);
-    EXPECT_NEAR(y / n, 0.0, 0.01);
+    EXPECT_NEAR(early.mean(), 0.025, 0.0005);
+    EXPECT_NEAR(x.mean(), 0.0, 0.01);
+    EXPECT_NEAR(square.mean(), 1.0 / 12.0, 0.002);
+    EXPECT_NEAR(y.mean(), 0.0, 0.01);
 }
 
 TEST(Spray, IsBornOnTheMovingSurface) {
@@ -427,13 +407,9 @@ TEST(Spray, IsBornOnTheMovingSurface) {
         heights.push_back(p.z);
     }
     ASSERT_GT(places.size(), 20u);
-    std::vector<QuerySample> samples(places.size());
-    sea.query(9.0, places, samples);
-    double error = 0.0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        error += std::pow(static_cast<double>(samples[i].height) - heights[i], 2);
-    }
-    EXPECT_LT(std::sqrt(error / static_cast<double>(places.size())), 0.2) << "of waves of 3.5 m";
+    const auto samples = test::query(sea, 9.0, places);
+    for (std::size_t i = 0; i < places.size(); ++i) heights[i] -= samples[i].height;
+    EXPECT_LT(test::rms(heights), 0.2) << "of waves of 3.5 m";
 }
 
 TEST(Spray, TheSizesOfDropsAreThoseOfAndreas) {
@@ -560,15 +536,14 @@ TEST(Spray, FollowsATakeAndWhatIsPerformed) {
 
 TEST(Spray, GoesWithTheStrongestWind) {
     Parameters parameters = windy_sea(12.0);
-    WaveSystem second = parameters.waves.front();
-    second.wind_speed = 15.0;
-    second.wind_direction = 90.0;
-    parameters.waves.push_back(second);
+    parameters.waves.push_back(parameters.waves.front());
+    parameters.waves.back().wind_speed = 15.0;
+    parameters.waves.back().wind_direction = 90.0;
+    parameters.water.gravity = 3.7;
     const SprayAir air = spray_air(parameters);
     EXPECT_EQ(air.wind_speed, 15.0);
     EXPECT_NEAR(air.direction, kPi / 2.0, 1e-12);
-    parameters.water.gravity = 3.7;
-    EXPECT_EQ(spray_air(parameters).gravity, 3.7);
+    EXPECT_EQ(air.gravity, 3.7);
 }
 
 }  // namespace

@@ -5,21 +5,14 @@
 // negative; and the estimate of measured ones.
 #include "ocean/internal/spreading.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <random>
-#include <vector>
-
 #include "ocean/internal/grid.hpp"
+#include "testing.hpp"
 
 namespace ocean {
 namespace {
 
-constexpr SpreadingKind kKinds[] = {SpreadingKind::cosine_squared, SpreadingKind::mitsuyasu,
-                                    SpreadingKind::hasselmann, SpreadingKind::donelan_banner};
+constexpr SpreadingKind kSpreadings[] = {SpreadingKind::cosine_squared, SpreadingKind::mitsuyasu,
+                                         SpreadingKind::hasselmann, SpreadingKind::donelan_banner};
 
 double integral(const std::vector<double>& row) {
     double sum = 0.0;
@@ -43,6 +36,23 @@ WaveSystem with(SpreadingKind kind) {
     return system;
 }
 
+/// Returns the distribution of that system at x times its peak.
+std::vector<double> row_of(const WaveSystem& system, double x = 1.0, double age = 1.0,
+                           double direction = 0.0, std::size_t directions = 1024) {
+    std::vector<double> row(directions);
+    spreading_row(system, x, age, direction, row);
+    return row;
+}
+
+/// Returns the distribution that is estimated from two moments.
+std::vector<double> estimated(std::complex<double> c1, std::complex<double> c2,
+                              Estimator estimator = Estimator::maximum_entropy,
+                              std::size_t directions = 1024) {
+    std::vector<double> row(directions);
+    estimate_row(c1.real(), c1.imag(), c2.real(), c2.imag(), estimator, row);
+    return row;
+}
+
 /// Returns the factor that normalises |cos(theta/2)|^(2s) over the full circle.
 double cosine_2s_normalisation(double s) {
     // ln Q = (2s-1) ln 2 - ln pi + 2 ln Gamma(s+1) - ln Gamma(2s+1): tgamma overflows from s = 86.
@@ -63,13 +73,12 @@ TEST(Spreading, CosinePowerNormalisationHoldsToS200) {
 }
 
 TEST(Spreading, EveryKindIntegratesToOneOverTheFullCircle) {
-    std::vector<double> row(1024);
-    for (const SpreadingKind kind : kKinds) {
+    for (const SpreadingKind kind : kSpreadings) {
         for (const double swell : {-1.0, -0.4, 0.0, 0.5, 1.0}) {
             for (const double x : {0.3, 0.94, 1.0, 1.3, 2.0, 8.0}) {
                 WaveSystem system = with(kind);
                 system.swell = swell;
-                spreading_row(system, x, 0.9, 0.7, row);
+                const auto row = row_of(system, x, 0.9, 0.7);
                 EXPECT_NEAR(integral(row), 1.0, 1e-12);
                 for (const double value : row) ASSERT_GE(value, 0.0);
             }
@@ -78,21 +87,16 @@ TEST(Spreading, EveryKindIntegratesToOneOverTheFullCircle) {
 }
 
 TEST(Spreading, RowsAreTheClosedForms) {
-    std::vector<double> row(1024);
     const double theta = kTwoPi * 100 / 1024.0;
-    spreading_row(with(SpreadingKind::cosine_squared), 1.0, 1.0, 0.0, row);
-    EXPECT_NEAR(row[100], 2.0 / kPi * std::pow(std::cos(theta), 2.0), 1e-9);
-    EXPECT_EQ(row[512], 0.0) << "nothing travels against the wind";
-
-    spreading_row(with(SpreadingKind::hasselmann), 1.5, 1.1, 0.0, row);
+    const auto cosine = row_of(with(SpreadingKind::cosine_squared));
+    EXPECT_NEAR(cosine[100], 2.0 / kPi * std::pow(std::cos(theta), 2.0), 1e-9);
+    EXPECT_EQ(cosine[512], 0.0) << "nothing travels against the wind";
     const double s = 9.77 * std::pow(1.5, -2.33 - 1.45 * (1.1 - 1.17));
     EXPECT_NEAR(hasselmann_exponent(1.5, 1.1), s, 1e-12);
-    EXPECT_NEAR(row[100], cosine_2s_normalisation(s) * std::pow(std::cos(0.5 * theta), 2.0 * s),
-                1e-9);
-
-    spreading_row(with(SpreadingKind::donelan_banner), 1.2, 1.0, 0.0, row);
+    EXPECT_NEAR(row_of(with(SpreadingKind::hasselmann), 1.5, 1.1)[100],
+                cosine_2s_normalisation(s) * std::pow(std::cos(0.5 * theta), 2.0 * s), 1e-9);
     const double beta = 2.28 * std::pow(1.2, -1.3);
-    EXPECT_NEAR(row[100],
+    EXPECT_NEAR(row_of(with(SpreadingKind::donelan_banner), 1.2)[100],
                 beta / (2.0 * std::tanh(beta * kPi) * std::pow(std::cosh(beta * theta), 2.0)),
                 1e-5);
 }
@@ -110,66 +114,55 @@ TEST(Spreading, ExponentsAreThePublishedOnes) {
 TEST(Spreading, SwellAlignsLongWavesMore) {
     EXPECT_NEAR(swell_exponent(2.0, 1.0), 7.394, 5e-4);
     EXPECT_NEAR(swell_exponent(4.0, 1.0), 3.92, 5e-3);
-    std::vector<double> row(1024);
     WaveSystem system = with(SpreadingKind::donelan_banner);
-    spreading_row(system, 0.8, 1.0, 0.0, row);
-    const double without = std::abs(moment(row, 1));
+    const double without = std::abs(moment(row_of(system, 0.8), 1));
     system.swell = 1.0;
-    spreading_row(system, 0.8, 1.0, 0.0, row);
-    EXPECT_GT(std::abs(moment(row, 1)), without + 0.02);
+    EXPECT_GT(std::abs(moment(row_of(system, 0.8), 1)), without + 0.02);
 }
 
 TEST(Spreading, SwellOfMinusOneComesFromEverywhere) {
-    std::vector<double> row(512);
     WaveSystem system = with(SpreadingKind::hasselmann);
     system.swell = -1.0;
-    spreading_row(system, 1.0, 1.0, 1.0, row);
-    for (const double value : row) EXPECT_NEAR(value, 1.0 / kTwoPi, 1e-12);
+    for (const double value : row_of(system, 1.0, 1.0, 1.0)) {
+        EXPECT_NEAR(value, 1.0 / kTwoPi, 1e-12);
+    }
 }
 
-TEST(Spreading, OpposingScalesWhatGoesAgainstTheWind) {
-    std::vector<double> row(1024);
-    WaveSystem system;  // phillips: both ways
-    spreading_row(system, 1.0, 1.0, 0.0, row);
+TEST(Spreading, OpposingScalesWhatGoesAgainstTheWindOfWavesFromEverywhereToo) {
+    WaveSystem phillips;  // both ways
+    auto row = row_of(phillips);
     EXPECT_NEAR(row[512] / row[0], 1.0, 1e-12);
-    system.opposing = 0.07;
-    spreading_row(system, 1.0, 1.0, 0.0, row);
+    phillips.opposing = 0.07;
+    row = row_of(phillips);
     EXPECT_NEAR(row[512] / row[0], 0.07, 1e-12);
     EXPECT_NEAR(integral(row), 1.0, 1e-12);
-}
-
-TEST(Spreading, OpposingHoldsForWavesFromEverywhereToo) {
-    std::vector<double> row(1024);
     WaveSystem system = with(SpreadingKind::hasselmann);
     for (const double swell : {-1.0, -0.3}) {
         system.swell = swell;
         system.opposing = 0.0;
-        spreading_row(system, 1.0, 1.0, 0.0, row);
+        row = row_of(system);
         EXPECT_NEAR(integral(row), 1.0, 1e-12);
         for (std::size_t j = 257; j < 768; ++j) EXPECT_EQ(row[j], 0.0) << j;
         system.opposing = 0.4;
-        spreading_row(system, 1.0, 1.0, 0.0, row);
-        std::vector<double> both(1024);
+        row = row_of(system);
         system.opposing = 1.0;
-        spreading_row(system, 1.0, 1.0, 0.0, both);
+        const auto both = row_of(system);
         EXPECT_NEAR(integral(row), 1.0, 1e-12);
         EXPECT_NEAR(row[512] / row[0], 0.4 * both[512] / both[0], 1e-12);
     }
 }
 
 TEST(Spreading, PhillipsAlignmentIsAPowerOfTheCosine) {
-    std::vector<double> row(1024);
     WaveSystem system;
     system.alignment = 6;
-    spreading_row(system, 1.0, 1.0, 0.0, row);
+    const auto row = row_of(system);
     EXPECT_NEAR(row[100] / row[0], std::pow(std::cos(kTwoPi * 100 / 1024.0), 6.0), 1e-12);
 }
 
 TEST(Spreading, MeanDirectionIsTheOneAskedForInAllQuadrants) {
-    std::vector<double> row(1024);
-    for (const SpreadingKind kind : kKinds) {
+    for (const SpreadingKind kind : kSpreadings) {
         for (double degrees = -170.0; degrees <= 180.0; degrees += 35.0) {
-            spreading_row(with(kind), 1.1, 1.0, degrees * kPi / 180.0, row);
+            const auto row = row_of(with(kind), 1.1, 1.0, degrees * kPi / 180.0);
             EXPECT_NEAR(std::remainder(std::arg(moment(row, 1)) * 180.0 / kPi - degrees, 360.0),
                         0.0, 0.05);
         }
@@ -177,16 +170,15 @@ TEST(Spreading, MeanDirectionIsTheOneAskedForInAllQuadrants) {
 }
 
 TEST(Spreading, EnoughDirectionsForOneTenThousandthOfThePeak) {
-    for (const SpreadingKind kind : kKinds) {
+    for (const SpreadingKind kind : kSpreadings) {
         for (const double swell : {0.0, 1.0}) {
             for (const double wave_age_inverse : {0.4, 0.83, 3.0}) {
                 WaveSystem system = with(kind);
                 system.swell = swell;
-                const int coarse = directions_needed(system, wave_age_inverse);
-                std::vector<double> row(static_cast<std::size_t>(coarse));
-                std::vector<double> fine(2 * row.size());
-                spreading_row(system, 1.0, wave_age_inverse, 0.0, row);
-                spreading_row(system, 1.0, wave_age_inverse, 0.0, fine);
+                const auto coarse =
+                    static_cast<std::size_t>(directions_needed(system, wave_age_inverse));
+                const auto row = row_of(system, 1.0, wave_age_inverse, 0.0, coarse);
+                const auto fine = row_of(system, 1.0, wave_age_inverse, 0.0, 2 * coarse);
                 for (std::size_t j = 0; j + 1 < row.size(); ++j) {
                     ASSERT_NEAR(0.5 * (row[j] + row[j + 1]), fine[2 * j + 1], 1e-4 * row[0]);
                 }
@@ -196,11 +188,10 @@ TEST(Spreading, EnoughDirectionsForOneTenThousandthOfThePeak) {
 }
 
 TEST(MaximumEntropy, KeepsTheFirstTwoMoments) {
-    std::vector<double> row(2048);
     for (const double r1 : {0.1, 0.5, 0.82}) {
         const std::complex<double> c1 = std::polar(r1, 2.1);
         const std::complex<double> c2 = std::polar(0.6 * r1, 4.0) + 0.3 * c1 * c1;
-        estimate_row(c1.real(), c1.imag(), c2.real(), c2.imag(), Estimator::maximum_entropy, row);
+        const auto row = estimated(c1, c2, Estimator::maximum_entropy, 2048);
         EXPECT_NEAR(std::abs(moment(row, 1) - c1), 0.0, 1e-9);
         EXPECT_NEAR(std::abs(moment(row, 2) - c2), 0.0, 1e-9);
         EXPECT_NEAR(integral(row), 1.0, 1e-12);
@@ -224,29 +215,23 @@ TEST(MaximumEntropy, IsPositiveAndFiniteForImpossibleMomentsToo) {
 }
 
 TEST(MaximumEntropy, MomentsThatNoDistributionHasArePulledToTheNearestThatOneHas) {
-    std::vector<double> limit(1024);
-    std::vector<double> beyond(1024);
-    estimate_row(0.98, 0.0, 0.98 * 0.98, 0.0, Estimator::maximum_entropy, limit);
-    estimate_row(1.0, 0.0, 0.98 * 0.98, 0.0, Estimator::maximum_entropy, beyond);
-    EXPECT_EQ(limit, beyond) << "|c1| = 1 is a line without width";
+    EXPECT_EQ(estimated(0.98, 0.98 * 0.98), estimated(1.0, 0.98 * 0.98))
+        << "|c1| = 1 is a line without width";
     // c1 = 0.5: c2 lies within 0.75 of 0.25.
-    estimate_row(0.5, 0.0, 0.25 - 0.98 * 0.75, 0.0, Estimator::maximum_entropy, limit);
-    estimate_row(0.5, 0.0, -1.0, 0.0, Estimator::maximum_entropy, beyond);
+    const auto limit = estimated(0.5, 0.25 - 0.98 * 0.75), beyond = estimated(0.5, -1.0);
     for (std::size_t j = 0; j < limit.size(); ++j) EXPECT_NEAR(limit[j], beyond[j], 1e-9);
 }
 
 TEST(MaximumEntropy, NoMomentsMeanNoDirection) {
-    std::vector<double> row(256);
-    estimate_row(0, 0, 0, 0, Estimator::maximum_entropy, row);
-    for (const double value : row) EXPECT_NEAR(value, 1.0 / kTwoPi, 1e-12);
+    for (const double value : estimated(0.0, 0.0)) EXPECT_NEAR(value, 1.0 / kTwoPi, 1e-12);
 }
 
+const std::complex<double> kUnknown(std::nan(""), std::nan(""));
+
 TEST(MeanAndSpreadEstimate, IsTheCosinePowerWithThatFirstMoment) {
-    std::vector<double> row(2048);
     for (const double r1 : {0.5, 0.9, 0.99}) {
         const std::complex<double> c1 = std::polar(r1, -2.4);
-        estimate_row(c1.real(), c1.imag(), std::nan(""), std::nan(""), Estimator::maximum_entropy,
-                     row);
+        const auto row = estimated(c1, kUnknown, Estimator::maximum_entropy, 2048);
         const double s = r1 / (1.0 - r1);
         EXPECT_NEAR(std::abs(moment(row, 1) - c1), 0.0, 1e-6) << r1;
         const double r2 = s * (s - 1.0) / ((s + 1.0) * (s + 2.0));
@@ -260,16 +245,13 @@ TEST(MeanAndSpreadEstimate, IsTheCosinePowerWithThatFirstMoment) {
 }
 
 TEST(MeanAndSpreadEstimate, OfALineOrOfNoDirectionIsFinite) {
-    std::vector<double> row(1024);
     for (const double r1 : {0.0, 1.0, 1.004}) {
-        estimate_row(r1, 0.0, std::nan(""), std::nan(""), Estimator::fourier, row);
-        EXPECT_NEAR(integral(row), 1.0, 1e-12) << r1;
+        EXPECT_NEAR(integral(estimated(r1, kUnknown, Estimator::fourier)), 1.0, 1e-12) << r1;
     }
 }
 
 TEST(FourierEstimate, IsTheTruncatedSeriesWhereThatIsPositive) {
-    std::vector<double> row(256);
-    estimate_row(0.3, 0.0, 0.1, 0.0, Estimator::fourier, row);
+    const auto row = estimated(0.3, 0.1, Estimator::fourier, 256);
     for (std::size_t j = 0; j < row.size(); ++j) {
         const double theta = kTwoPi * static_cast<double>(j) / 256.0;
         EXPECT_NEAR(row[j], (0.5 + 0.3 * std::cos(theta) + 0.1 * std::cos(2.0 * theta)) / kPi,

@@ -2,23 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Carved land on small grids: sides, borders, outlets, hollows, refusals, progress.
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstring>
-#include <limits>
 #include <stdexcept>
 #include <tuple>
-#include <vector>
 
 #include "land/streams/stream_coarse.hpp"
 #include "land/streams/stream_flood.hpp"
 #include "land/streams/stream_heights.hpp"
 #include "land/streams/stream_tree.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/stream_power.hpp"
+#include "refusal.hpp"
+#include "test_seas.hpp"
 
 namespace ocean {
 namespace {
@@ -26,19 +20,38 @@ namespace {
 /// Returns rough land without a direction; its west side is an outlet, or it has none.
 StreamLevel rough_level(int columns, int rows, bool has_outlets = true) {
     StreamLevel level;
-    for (int j = 0; j < rows; ++j) {
-        for (int i = 0; i < columns; ++i) {
-            level.start.push_back(static_cast<float>(hash_of(7, i, j) % 1000) * 0.05f);
-            level.uplift.push_back(0.1f +
-                                   0.9f * static_cast<float>(hash_of(8, i, j) % 100) / 100.0f);
-            level.outlet.push_back(has_outlets && i == 0 ? 1 : 0);
-        }
+    for (const auto [i, j] : test::pairs(columns, rows)) {
+        level.start.push_back(static_cast<float>(hash_of(7, i, j) % 1000) * 0.05f);
+        level.uplift.push_back(0.1f + 0.9f * static_cast<float>(hash_of(8, i, j) % 100) / 100.0f);
+        level.outlet.push_back(has_outlets && i == 0 ? 1 : 0);
     }
     return level;
 }
 
 StreamSource rough_source() {
     return [](int columns, int rows, double) { return rough_level(columns, rows); };
+}
+
+/// A grid at work, on one thread.
+struct SmallLand {
+    StreamGrid grid;
+    std::vector<float> heights;
+    std::vector<std::uint8_t> directions;
+    ThreadPool pool{1};
+    StreamProgress none;
+    StreamWork work{pool, none, 1.0};
+
+    SmallLand(int columns, int rows, double cell, float height, std::uint8_t direction)
+        : grid{columns, rows, cell},
+          heights(grid.size(), height),
+          directions(grid.size(), direction) {}
+    float& height(int i, int j) { return heights[grid.index(i, j)]; }
+    std::uint8_t& direction(int i, int j) { return directions[grid.index(i, j)]; }
+};
+
+/// Returns a source of that level alone.
+StreamSource source_of(const StreamLevel& level) {
+    return [&level](int, int, double) { return level; };
 }
 
 /// Returns the number of cells without a lower neighbour that are no outlets.
@@ -55,14 +68,14 @@ int pits(int columns, int rows, std::span<const float> heights,
 }
 
 TEST(StreamGrid, LandOfAnySidesDrainsToItsOutlets) {
-    ThreadPool pool(2);
     constexpr std::array<std::array<int, 2>, 7> kSides = {
         {{2, 2}, {2, 300}, {300, 2}, {65, 37}, {129, 97}, {9, 700}, {128, 128}}};
     for (const auto& [columns, rows] : kSides) {
         for (const double age : {1.0, 0.3}) {
             StreamSettings settings;
             settings.age = age;
-            const StreamLand land = carve(settings, columns, rows, 20.0, rough_source(), pool);
+            const StreamLand land =
+                carve(settings, columns, rows, 20.0, rough_source(), test::pool());
             const StreamLevel level = rough_level(columns, rows);
             EXPECT_EQ(pits(columns, rows, land.height, level.outlet), 0)
                 << columns << " x " << rows << ", age " << age;
@@ -72,20 +85,18 @@ TEST(StreamGrid, LandOfAnySidesDrainsToItsOutlets) {
 }
 
 TEST(StreamGrid, SourceIsAskedForHalvedSidesFromTheCoarsest) {
-    ThreadPool pool(1);
     std::vector<std::tuple<int, int, double>> asked;
     const StreamSource source = [&](int columns, int rows, double cell) {
         asked.emplace_back(columns, rows, cell);
         return rough_level(columns, rows);
     };
-    carve({}, 201, 130, 10.0, source, pool);
+    carve({}, 201, 130, 10.0, source, test::pool());
     const std::vector<std::tuple<int, int, double>> expected = {
         {51, 33, 40.0}, {101, 65, 20.0}, {201, 130, 10.0}};
     EXPECT_EQ(asked, expected);
 }
 
 TEST(StreamGrid, OutletsKeepTheirHeights) {
-    ThreadPool pool(1);
     StreamLevel fine;
     const StreamSource source = [&](int columns, int rows, double) {
         fine = rough_level(columns, rows);
@@ -94,7 +105,7 @@ TEST(StreamGrid, OutletsKeepTheirHeights) {
         }
         return fine;
     };
-    const StreamLand land = carve({}, 100, 90, 15.0, source, pool);
+    const StreamLand land = carve({}, 100, 90, 15.0, source, test::pool());
     for (std::size_t p = 0; p < land.height.size(); ++p) {
         if (fine.outlet[p] == 0) continue;
         EXPECT_EQ(land.height[p], fine.start[p]);
@@ -105,9 +116,8 @@ TEST(StreamGrid, OutletsKeepTheirHeights) {
 }
 
 TEST(StreamGrid, AllWaterLeavesByTheOutlets) {
-    ThreadPool pool(2);
     const int columns = 130, rows = 97;
-    const StreamLand land = carve({}, columns, rows, 3.0, rough_source(), pool);
+    const StreamLand land = carve({}, columns, rows, 3.0, rough_source(), test::pool());
     const StreamLevel level = rough_level(columns, rows);
     double sum = 0.0;
     for (std::size_t p = 0; p < land.area.size(); ++p) {
@@ -118,123 +128,90 @@ TEST(StreamGrid, AllWaterLeavesByTheOutlets) {
 }
 
 TEST(StreamGrid, LandWithoutOutletsDrainsToTheLowestCellOfTheBorder) {
-    ThreadPool pool(1);
     const int columns = 40, rows = 30;
     StreamLevel level = rough_level(columns, rows, false);
     level.start[15 * columns + 20] = -50.0f;         // inside: no way out
     level.start[7 * columns + columns - 1] = -3.0f;  // on the east side
     level.start[12 * columns] = -3.0f;               // as low, but later
-    const StreamLand land = carve(
-        {}, columns, rows, 30.0, [&](int, int, double) { return level; }, pool);
+    const StreamLand land = carve({}, columns, rows, 30.0, source_of(level), test::pool());
     EXPECT_EQ(land.area[7 * columns + columns - 1], 900.0f * columns * rows);
     EXPECT_EQ(land.height[7 * columns + columns - 1], -3.0f);
 }
 
 TEST(StreamGrid, UpliftOfZeroStillDrains) {
-    ThreadPool pool(1);
     StreamLevel level = rough_level(64, 64);
     std::ranges::fill(level.uplift, 0.0f);
     for (float& h : level.start) h += 5000.0f;  // a float's steps there are 0.0005 m
-    const StreamLand land = carve(
-        {}, 64, 64, 1.0, [&](int, int, double) { return level; }, pool);
+    const StreamLand land = carve({}, 64, 64, 1.0, source_of(level), test::pool());
     EXPECT_EQ(pits(64, 64, land.height, level.outlet), 0);
 }
 
 TEST(StreamGrid, FloodLeavesAHollowByItsLowestRim) {
     // A hollow of depth 1 within a rim of 9, which has a gap of 5 to the east; the border is 0.
-    const StreamGrid grid{7, 7, 1.0};
-    std::vector<float> heights(grid.size(), 0.0f);
-    std::vector<std::uint8_t> directions(grid.size(), kUnseen);
-    for (int j = 0; j < 7; ++j) {
-        for (int i = 0; i < 7; ++i) {
-            const int ring = std::max(std::abs(i - 3), std::abs(j - 3));
-            heights[grid.index(i, j)] = ring == 3 ? 0.0f : ring == 2 ? 9.0f : 2.0f;
-            if (ring == 3) directions[grid.index(i, j)] = kOutlet;
-        }
+    SmallLand land(7, 7, 1.0, 0.0f, kUnseen);
+    for (const auto [i, j] : test::pairs(7, 7)) {
+        const int ring = std::max(std::abs(i - 3), std::abs(j - 3));
+        land.height(i, j) = ring == 3 ? 0.0f : ring == 2 ? 9.0f : 2.0f;
+        if (ring == 3) land.direction(i, j) = kOutlet;
     }
-    heights[grid.index(5, 3)] = 5.0f;
-    heights[grid.index(3, 3)] = 1.0f;
-    ThreadPool pool(1);
-    const StreamProgress none;
-    StreamWork work(pool, none, 1.0);
-    std::vector<float> level = heights;
-    std::vector<std::uint8_t> ways = directions;
-    flood(grid, FloodTo::carve, level, ways, work);
-    for (int j = 2; j <= 4; ++j) {
-        for (int i = 2; i <= 4; ++i) EXPECT_EQ(level[grid.index(i, j)], 5.0f);
+    land.height(5, 3) = 5.0f;
+    land.height(3, 3) = 1.0f;
+    std::vector<float> level = land.heights;
+    std::vector<std::uint8_t> ways = land.directions;
+    flood(land.grid, FloodTo::carve, level, ways, land.work);
+    for (const auto [i, j] : test::pairs({2, 5}, {2, 5})) {
+        EXPECT_EQ(level[land.grid.index(i, j)], 5.0f);
     }
-    EXPECT_EQ(level[grid.index(5, 3)], 5.0f);
-    EXPECT_EQ(level[grid.index(1, 3)], 9.0f);
-    EXPECT_EQ(ways[grid.index(4, 3)], kFlooded | 0);  // to the gap in the east
+    EXPECT_EQ(level[land.grid.index(5, 3)], 5.0f);
+    EXPECT_EQ(level[land.grid.index(1, 3)], 9.0f);
+    EXPECT_EQ(ways[land.grid.index(4, 3)], kFlooded | 0);  // to the gap in the east
 
-    flood(grid, FloodTo::drain, heights, directions, work);
-    std::vector<std::uint8_t> outlets(grid.size());
-    for (std::size_t p = 0; p < grid.size(); ++p) outlets[p] = directions[p] == kOutlet ? 1 : 0;
-    EXPECT_EQ(pits(7, 7, heights, outlets), 0);
-    EXPECT_NEAR(heights[grid.index(3, 3)], 5.0f, 1e-3f);
+    flood(land.grid, FloodTo::drain, land.heights, land.directions, land.work);
+    std::vector<std::uint8_t> outlets;
+    for (const std::uint8_t d : land.directions) outlets.push_back(d == kOutlet ? 1 : 0);
+    EXPECT_EQ(pits(7, 7, land.heights, outlets), 0);
+    EXPECT_NEAR(land.height(3, 3), 5.0f, 1e-3f);
 }
 
 TEST(StreamGrid, TheWayOutOfAHollowFollowsItsValley) {
     // A floor of 2 with a trench of 1 along j = 3, within a rim of 9 whose gap is at the trench.
-    const StreamGrid grid{9, 5, 1.0};
-    std::vector<float> heights(grid.size(), 2.0f);
-    std::vector<std::uint8_t> directions(grid.size(), kUnseen);
+    SmallLand land(9, 5, 1.0, 2.0f, kUnseen);
     for (int j = 0; j < 5; ++j) {
-        heights[grid.index(0, j)] = heights[grid.index(7, j)] = 9.0f;
-        heights[grid.index(8, j)] = 0.0f;
-        directions[grid.index(8, j)] = kOutlet;
+        land.height(0, j) = land.height(7, j) = 9.0f;
+        land.height(8, j) = 0.0f;
+        land.direction(8, j) = kOutlet;
     }
-    for (int i = 1; i < 7; ++i) heights[grid.index(i, 3)] = 1.0f;
-    heights[grid.index(7, 3)] = 5.0f;
-    ThreadPool pool(1);
-    const StreamProgress none;
-    StreamWork work(pool, none, 1.0);
-    flood(grid, FloodTo::carve, heights, directions, work);
-    for (int i = 1; i < 7; ++i) {
-        EXPECT_EQ(directions[grid.index(i, 3)], kFlooded | 0) << "cell " << i;  // to the east
-    }
+    for (int i = 1; i < 7; ++i) land.height(i, 3) = 1.0f;
+    land.height(7, 3) = 5.0f;
+    flood(land.grid, FloodTo::carve, land.heights, land.directions, land.work);
+    for (int i = 1; i < 7; ++i) EXPECT_EQ(land.direction(i, 3), kFlooded | 0) << i;  // to the east
 }
 
 TEST(StreamGrid, FloodTiesGoByIndex) {
     // Level ground of two outlets: each cell joins the way that came first.
-    const StreamGrid grid{9, 3, 1.0};
-    std::vector<float> heights(grid.size(), 4.0f);
-    std::vector<std::uint8_t> directions(grid.size(), kUnseen);
-    directions[grid.index(0, 1)] = directions[grid.index(8, 1)] = kOutlet;
-    ThreadPool pool(1);
-    const StreamProgress none;
-    StreamWork work(pool, none, 1.0);
-    flood(grid, FloodTo::drain, heights, directions, work);
-    EXPECT_LT(heights[grid.index(3, 1)], heights[grid.index(4, 1)]);
-    EXPECT_LT(heights[grid.index(5, 1)], heights[grid.index(4, 1)]);
-    EXPECT_EQ(heights[grid.index(3, 1)], heights[grid.index(5, 1)]);
+    SmallLand land(9, 3, 1.0, 4.0f, kUnseen);
+    land.direction(0, 1) = land.direction(8, 1) = kOutlet;
+    flood(land.grid, FloodTo::drain, land.heights, land.directions, land.work);
+    EXPECT_LT(land.height(3, 1), land.height(4, 1));
+    EXPECT_LT(land.height(5, 1), land.height(4, 1));
+    EXPECT_EQ(land.height(3, 1), land.height(5, 1));
     // (4, 0) is reached from (3, 0), the first of the cells of its height.
-    EXPECT_EQ(directions[grid.index(4, 0)] & kDirectionBits, 4);
+    EXPECT_EQ(land.direction(4, 0) & kDirectionBits, 4);
 }
 
 /// Returns the share of cells of a plane, inside its border, that drain to direction 0, east, or
 /// else to direction 1, of a plane that falls at `angle` [degrees] from east to north.
 std::array<double, 2> shares_of_plane(double angle, std::uint32_t seed) {
-    const StreamGrid grid{64, 64, 10.0};
-    std::vector<float> heights(grid.size());
-    std::vector<std::uint8_t> directions(grid.size(), 6);
+    SmallLand land(64, 64, 10.0, 0.0f, 6);
     const double turn = angle / 180.0 * 3.14159265358979;
-    for (int j = 0; j < 64; ++j) {
-        for (int i = 0; i < 64; ++i) {
-            heights[grid.index(i, j)] =
-                static_cast<float>(-5.0 * (std::cos(turn) * i + std::sin(turn) * j));
-        }
+    for (const auto [i, j] : test::pairs(64, 64)) {
+        land.height(i, j) = static_cast<float>(-5.0 * (std::cos(turn) * i + std::sin(turn) * j));
     }
-    ThreadPool pool(1);
-    const StreamProgress none;
-    StreamWork work(pool, none, 1.0);
-    choose_receivers(grid, seed, heights, directions, work);
+    choose_receivers(land.grid, seed, land.heights, land.directions, land.work);
     std::array<double, 2> shares{};
-    for (int j = 1; j < 63; ++j) {
-        for (int i = 1; i < 63; ++i) {
-            const std::uint8_t q = directions[grid.index(i, j)];
-            if (q < 2) shares[q] += 1.0 / (62.0 * 62.0);
-        }
+    for (const auto [i, j] : test::pairs({1, 63}, {1, 63})) {
+        const std::uint8_t q = land.direction(i, j);
+        if (q < 2) shares[q] += 1.0 / (62.0 * 62.0);
     }
     return shares;
 }
@@ -254,24 +231,19 @@ TEST(StreamGrid, CellsDrainDownTheSteepestSlopeAndTakeTurnsBetweenTwo) {
 TEST(StreamGrid, AFinerLevelReadsTheChangeOfTheCoarserOneAroundItsPlace) {
     const StreamGrid grid{40, 30, 8.0};
     std::vector<float> start(grid.size()), heights(grid.size());
-    for (int j = 0; j < grid.rows; ++j) {
-        for (int i = 0; i < grid.columns; ++i) {
-            const CellIndex p = grid.index(i, j);
-            start[p] = static_cast<float>(hash_of(3, i, j) % 1000);
-            heights[p] = start[p] + 5.0f * static_cast<float>(i) + 3.0f * static_cast<float>(j);
-        }
+    for (const auto [i, j, p] : test::cells(grid.columns, grid.rows)) {
+        start[p] = static_cast<float>(hash_of(3, i, j) % 1000);
+        heights[p] = start[p] + 5.0f * static_cast<float>(i) + 3.0f * static_cast<float>(j);
     }
     const CoarseHeights coarse(1, grid, start, heights), other(2, grid, start, heights);
     double sum = 0.0, square = 0.0, seeds = 0.0;
-    for (int j = 4; j < 56; ++j) {
-        for (int i = 4; i < 76; ++i) {
-            const double at_centre = 5.0 * (0.5 * i - 0.25) + 3.0 * (0.5 * j - 0.25);
-            const double shift = static_cast<double>(coarse.change_at(i, j)) - at_centre;
-            ASSERT_LE(std::abs(shift), 0.6 * (5.0 + 3.0) + 1e-3);
-            sum += shift / (72.0 * 52.0);
-            square += shift * shift / (72.0 * 52.0);
-            seeds += std::abs(static_cast<double>(coarse.change_at(i, j) - other.change_at(i, j)));
-        }
+    for (const auto [i, j] : test::pairs({4, 76}, {4, 56})) {
+        const double at_centre = 5.0 * (0.5 * i - 0.25) + 3.0 * (0.5 * j - 0.25);
+        const double shift = static_cast<double>(coarse.change_at(i, j)) - at_centre;
+        ASSERT_LE(std::abs(shift), 0.6 * (5.0 + 3.0) + 1e-3);
+        sum += shift / (72.0 * 52.0);
+        square += shift * shift / (72.0 * 52.0);
+        seeds += std::abs(static_cast<double>(coarse.change_at(i, j) - other.change_at(i, j)));
     }
     EXPECT_NEAR(sum, 0.0, 0.2);
     EXPECT_GT(std::sqrt(square), 0.5);
@@ -279,15 +251,13 @@ TEST(StreamGrid, AFinerLevelReadsTheChangeOfTheCoarserOneAroundItsPlace) {
 }
 
 TEST(StreamGrid, YoungLandIsAtTheHeightOfItsOutlets) {
-    ThreadPool pool(1);
     StreamSettings settings;
     settings.age = 0.0;
     StreamLevel level = rough_level(60, 50);
     for (std::size_t p = 0; p < level.start.size(); ++p) {
         if (level.outlet[p] != 0) level.start[p] = -700.0f;
     }
-    const StreamLand land = carve(
-        settings, 60, 50, 10.0, [&](int, int, double) { return level; }, pool);
+    const StreamLand land = carve(settings, 60, 50, 10.0, source_of(level), test::pool());
     const auto [low, high] = std::ranges::minmax(land.height);
     EXPECT_EQ(low, -700.0f);
     EXPECT_LT(high, -699.9f);
@@ -307,39 +277,31 @@ TEST(StreamGrid, SteadySlopeIsThePowerLawOfArea) {
     }
 }
 
-TEST(StreamGrid, ProgressRisesToOne) {
-    ThreadPool pool(2);
+TEST(StreamGrid, ProgressRisesToOneAndStopsWithTheLandAsItWas) {
     std::vector<double> shares;
-    carve({}, 300, 300, 10.0, rough_source(), pool, [&](double share) { shares.push_back(share); });
+    carve({}, 300, 300, 10.0, rough_source(), test::pool(),
+          [&](double share) { shares.push_back(share); });
     EXPECT_TRUE(std::ranges::is_sorted(shares));
     ASSERT_FALSE(shares.empty());
     EXPECT_GE(shares.front(), 0.0);
     EXPECT_EQ(shares.back(), 1.0);
-}
-
-TEST(StreamGrid, ProgressThatThrowsStopsAndLeavesTheLandAsItWas) {
-    ThreadPool pool(2);
     const StreamProgress stop = [](double) { throw std::runtime_error("stopped"); };
-    EXPECT_THROW(carve({}, 64, 64, 10.0, rough_source(), pool, stop), std::runtime_error);
-    StreamLand land = carve({}, 64, 64, 10.0, rough_source(), pool);
+    EXPECT_THROW(carve({}, 64, 64, 10.0, rough_source(), test::pool(), stop), std::runtime_error);
+    StreamLand land = carve({}, 64, 64, 10.0, rough_source(), test::pool());
     const PageVector<float> before = land.height;
-    EXPECT_THROW(set_age(land, 0.2, pool, stop), std::runtime_error);
+    EXPECT_THROW(set_age(land, 0.2, test::pool(), stop), std::runtime_error);
     EXPECT_EQ(land.height, before);
     EXPECT_EQ(land.settings.age, 1.0);
-    set_age(land, 0.2, pool);
+    set_age(land, 0.2, test::pool());
     EXPECT_NE(land.height, before);
 }
 
-/// Returns the kind of error that carve throws, or unsupported if it throws none.
-ErrorKind refusal(const StreamSettings& settings, int columns, int rows, double cell,
-                  const StreamSource& source) {
-    ThreadPool pool(1);
-    try {
-        carve(settings, columns, rows, cell, source, pool);
-    } catch (const Error& error) {
-        return error.kind();
-    }
-    return ErrorKind::unsupported;
+/// Returns whether carve refuses its arguments as invalid.
+bool is_refused(const StreamSettings& settings, int columns, int rows, double cell,
+                const StreamSource& source = rough_source()) {
+    return test::refusal_of([&] {
+               carve(settings, columns, rows, cell, source, test::pool());
+           }).kind == ErrorKind::invalid_value;
 }
 
 TEST(StreamGrid, RefusesSettingsOutOfRange) {
@@ -347,7 +309,7 @@ TEST(StreamGrid, RefusesSettingsOutOfRange) {
     const auto refused = [&](double StreamSettings::*member, double value) {
         StreamSettings settings;
         settings.*member = value;
-        return refusal(settings, 16, 16, 10.0, rough_source()) == ErrorKind::invalid_value;
+        return is_refused(settings, 16, 16, 10.0);
     };
     EXPECT_FALSE(refused(&StreamSettings::age, 0.0));
     for (const double age : {-0.1, 1.1, kNan}) EXPECT_TRUE(refused(&StreamSettings::age, age));
@@ -356,20 +318,17 @@ TEST(StreamGrid, RefusesSettingsOutOfRange) {
     EXPECT_TRUE(refused(&StreamSettings::slope, 0.0));
     EXPECT_TRUE(refused(&StreamSettings::max_slope, kNan));
     EXPECT_TRUE(refused(&StreamSettings::creep, -1.0));
-    const auto invalid = ErrorKind::invalid_value;
-    EXPECT_EQ(refusal({}, 1, 16, 10.0, rough_source()), invalid);
-    EXPECT_EQ(refusal({}, 16, 0, 10.0, rough_source()), invalid);
-    EXPECT_EQ(refusal({}, 65536, 65536, 10.0, rough_source()), invalid);
-    EXPECT_EQ(refusal({}, 16, 16, 0.0, rough_source()), invalid);
+    EXPECT_TRUE(is_refused({}, 1, 16, 10.0));
+    EXPECT_TRUE(is_refused({}, 16, 0, 10.0));
+    EXPECT_TRUE(is_refused({}, 65536, 65536, 10.0));
+    EXPECT_TRUE(is_refused({}, 16, 16, 0.0));
 }
 
 TEST(StreamGrid, RefusesLevelsOfWrongSizesOrNumbers) {
     const auto refused = [](const std::function<void(StreamLevel&)>& spoil) {
-        return refusal({}, 16, 16, 10.0, [&](int columns, int rows, double) {
-                   StreamLevel level = rough_level(columns, rows);
-                   spoil(level);
-                   return level;
-               }) == ErrorKind::invalid_value;
+        StreamLevel level = rough_level(16, 16);
+        spoil(level);
+        return is_refused({}, 16, 16, 10.0, source_of(level));
     };
     EXPECT_FALSE(refused([](StreamLevel&) {}));
     EXPECT_TRUE(refused([](StreamLevel& level) { level.start.pop_back(); }));

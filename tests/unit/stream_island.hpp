@@ -4,14 +4,13 @@
 // An island of fractional land whose coast is the same line at every resolution.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
+#include "flood.hpp"
 #include "ocean/internal/stream_power.hpp"
 #include "ocean/terrain.hpp"
+#include "test_seas.hpp"
 
 namespace ocean::test {
 
@@ -28,14 +27,10 @@ class StreamIsland {
         StreamLevel level;
         const auto size = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
         std::vector<float> shore(size);
-        for (int j = 0; j < n; ++j) {
-            for (int i = 0; i < n; ++i) {
-                const double x = (i + 0.5) / n * 2.0 - 1.0, y = (j + 0.5) / n * 2.0 - 1.0;
-                const std::size_t p = static_cast<std::size_t>(j) * static_cast<std::size_t>(n) +
-                                      static_cast<std::size_t>(i);
-                shore[p] = static_cast<float>(0.62 + 0.20 * static_cast<double>(coast[p]) -
-                                              std::sqrt(x * x + y * y));
-            }
+        for (const auto [i, j, p] : cells(n, n)) {
+            const double x = (i + 0.5) / n * 2.0 - 1.0, y = (j + 0.5) / n * 2.0 - 1.0;
+            shore[p] =
+                static_cast<float>(0.62 + 0.20 * double{coast[p]} - std::sqrt(x * x + y * y));
         }
         level.outlet = sea_of(shore, n);
         for (std::size_t p = 0; p < size; ++p) {
@@ -62,15 +57,10 @@ class StreamIsland {
         terrain.outer_scale = 9000.0;
         terrain.rms = 1.0;
         terrain.seed = seed_;
-        const Surface surface = Terrain(terrain).surface({Channel::height}, map);
-        const auto heights = surface.channel(Channel::height);
+        const auto heights = values_of(Terrain(terrain).surface({Channel::height}, map));
         std::vector<float> centres;
-        for (int j = 1; j < map; j += 2) {
-            for (int i = 1; i < map; i += 2) {
-                centres.push_back(
-                    heights[static_cast<std::size_t>(j) * static_cast<std::size_t>(map) +
-                            static_cast<std::size_t>(i)]);
-            }
+        for (const auto [i, j, at] : cells(map, map)) {
+            if (i % 2 == 1 && j % 2 == 1) centres.push_back(heights[at]);
         }
         return centres;
     }
@@ -78,23 +68,9 @@ class StreamIsland {
     /// Returns 1 for cells below the shore that are connected to the south-west corner.
     static std::vector<std::uint8_t> sea_of(const std::vector<float>& shore, int n) {
         std::vector<std::uint8_t> sea(shore.size(), 0);
-        std::vector<int> open = {0};
-        sea[0] = 1;
-        while (!open.empty()) {
-            const int p = open.back();
-            open.pop_back();
-            const int i = p % n, j = p / n;
-            const auto enter = [&](bool inside, int q) {
-                if (!inside || sea[static_cast<std::size_t>(q)] != 0) return;
-                if (shore[static_cast<std::size_t>(q)] >= 0.0f) return;
-                sea[static_cast<std::size_t>(q)] = 1;
-                open.push_back(q);
-            };
-            enter(i > 0, p - 1);
-            enter(i < n - 1, p + 1);
-            enter(j > 0, p - n);
-            enter(j < n - 1, p + n);
-        }
+        std::vector<char> seen(shore.size());
+        const auto is_sea = [&](std::size_t at) { return at == 0 || shore[at] < 0.0f; };
+        for (const std::size_t at : piece_of(0, n, n, seen, is_sea)) sea[at] = 1;
         return sea;
     }
 

@@ -4,15 +4,12 @@
 // The pool covers the work once, waits, and passes on exceptions.
 #include "ocean/thread_pool.hpp"
 
-#include <gtest/gtest.h>
-
 #include <atomic>
-#include <functional>
 #include <stdexcept>
 #include <thread>
-#include <vector>
 
 #include "ocean/internal/platform.hpp"
+#include "testing.hpp"
 
 namespace ocean {
 namespace {

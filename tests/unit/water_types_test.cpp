@@ -4,11 +4,8 @@
 // Jerlov's water types against measurements that the table was not made from.
 #include "ocean/internal/water_types.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "ocean/error.hpp"
+#include "testing.hpp"
 
 namespace ocean {
 namespace {
@@ -54,13 +51,11 @@ TEST(WaterTypes, AttenuateDaylightAsJerlovMeasured) {
                                      {0.327, 0.120}, {0.328, 0.120}, {0.358, 0.190}, {0.432, 0.300},
                                      {0.504, 0.460}, {0.620, 0.630}};
     ASSERT_EQ(water_types().size(), std::size(kJerlov));
-    for (std::size_t i = 0; i < std::size(kJerlov); ++i) {
-        for (std::size_t c = 0; c < 2; ++c) {
-            const double a = water_types()[i].absorption[c];
-            const double b = water_types()[i].scattering[c];
-            const double attenuated = std::sqrt(a * a + 0.256 * a * b);
-            EXPECT_NEAR(attenuated / kJerlov[i][c], 1.0, 0.2) << water_types()[i].name << " " << c;
-        }
+    for (const auto [c, i] : test::pairs<std::size_t>(2, std::size(kJerlov))) {
+        const double a = water_types()[i].absorption[c];
+        const double b = water_types()[i].scattering[c];
+        const double attenuated = std::sqrt(a * a + 0.256 * a * b);
+        EXPECT_NEAR(attenuated / kJerlov[i][c], 1.0, 0.2) << water_types()[i].name << " " << c;
     }
 }
 

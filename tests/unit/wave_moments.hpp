@@ -4,11 +4,9 @@
 // The shape of waves in records of gauges.
 #pragma once
 
-#include <cmath>
-#include <complex>
-#include <vector>
-
 #include "ocean/internal/fft.hpp"
+
+#include "testing.hpp"
 
 namespace ocean {
 
