@@ -57,11 +57,11 @@ static double read_between_samples(const float* slopes) {
 }
 
 void detail_has_bands_and_their_slopes(void) {
-    ocean_sea* sea = open_small_sea(NULL);
+    ocean_sea* sea = small_sea(NULL);
     ocean_detail_request request = usual_request(3.0);
     size_t count = 0;
     double residual = -1.0;
-    CHECK_RESULT(OCEAN_OK, ocean_detail(sea, &request, &count, &residual));
+    OK(ocean_detail(sea, &request, &count, &residual));
     CHECK(count == 3 && residual > 0.0);
     ocean_detail_band bands[4];
     request.bands = bands;
@@ -72,14 +72,14 @@ void detail_has_bands_and_their_slopes(void) {
     CHECK(count == 3 && memcmp(bands, bands + 1, sizeof(bands[0])) == 0);
 
     request.band_count = 4;
-    float* planar = calloc(2 * kTexels, sizeof(float));
-    float* rgba = calloc(4 * kTexels, sizeof(float));
+    float* planar = scratch(2 * kTexels * sizeof(float));
+    float* rgba = scratch(4 * kTexels * sizeof(float));
     ocean_output outputs[3] = {slopes_into(planar, 2), slopes_into(planar, 2),
                                slopes_into(rgba, 4)};
     outputs[0].channel[0] = outputs[0].channel[1] = -1;
     request.outputs = outputs;
     request.output_count = 3;
-    CHECK_RESULT(OCEAN_OK, ocean_detail(sea, &request, &count, NULL));
+    OK(ocean_detail(sea, &request, &count, NULL));
     CHECK(bands[2].shortest_wave == 0.012 && bands[1].longest_wave == bands[0].shortest_wave);
     CHECK(fabs(bands[1].tile - 8.3 * bands[1].longest_wave) < 1e-12);
     double square = 0.0;
@@ -94,46 +94,36 @@ void detail_has_bands_and_their_slopes(void) {
     for (size_t i = 0; i < kTexels; ++i) CHECK(rgba[4 * i + 2] == 0.0f && rgba[4 * i + 3] == 0.0f);
 
     /* A frame alone, in another sea; a smaller band struct has fewer members filled. */
-    ocean_sea* alone = NULL;
-    CHECK_RESULT(OCEAN_OK, ocean_clone(sea, NULL, &alone));
-    float* again = calloc(2 * kTexels, sizeof(float));
+    ocean_sea* alone = clone_of(sea, NULL);
+    float* again = scratch(2 * kTexels * sizeof(float));
     outputs[1].data = again;
     double lengths[4] = {0.0, 0.0, 0.0, 77.0};
     request.bands = (ocean_detail_band*)(void*)lengths;
     request.band_count = 3;
     request.band_size = sizeof(double);
     request.output_count = 2;
-    CHECK_RESULT(OCEAN_OK, ocean_detail(alone, &request, &count, NULL));
+    OK(ocean_detail(alone, &request, &count, NULL));
     CHECK(memcmp(planar, again, 2 * kTexels * sizeof(float)) == 0);
     for (size_t i = 0; i < 3; ++i) CHECK(lengths[i] == bands[i].shortest_wave);
     CHECK(lengths[3] == 77.0);
-    free(planar);
-    free(rgba);
-    free(again);
-    ocean_free(alone);
-    ocean_free(sea);
 }
 
 void bad_detail_requests_are_refused_and_write_nothing(void) {
-    ocean_sea* sea = open_small_sea(NULL);
-    float* data = calloc(2 * kTexels, sizeof(float));
+    ocean_sea* sea = small_sea(NULL);
+    float* data = scratch(2 * kTexels * sizeof(float));
     ocean_output output = slopes_into(data, 2);
     ocean_detail_request request = usual_request(3.0);
     request.outputs = &output;
     request.output_count = 1;
     size_t count = 77;
     double residual = 77.0;
-#define REFUSED(code, assignment)                                           \
-    do {                                                                    \
-        const ocean_detail_request good = request;                          \
-        const ocean_output good_output = output;                            \
-        assignment;                                                         \
-        CHECK_RESULT(code, ocean_detail(sea, &request, &count, &residual)); \
-        request = good;                                                     \
-        output = good_output;                                               \
-    } while (0)
+    const ocean_output good_output = output;
+#define REFUSED(code, assignment)                                 \
+    CHECK_SPOILT(ocean_detail_request, request, assignment, code, \
+                 ocean_detail(sea, &request, &count, &residual)); \
+    output = good_output
     REFUSED(OCEAN_INVALID_VALUE, request.samples = 300);
-    CHECK(strstr(ocean_last_error(), "samples") != NULL);
+    CHECK_HOLDS(ocean_last_error(), "samples");
     REFUSED(OCEAN_INVALID_VALUE, request.samples = 128);
     REFUSED(OCEAN_INVALID_VALUE, request.time = NAN);
     REFUSED(OCEAN_INVALID_VALUE, output.channel[0] = OCEAN_HEIGHT);
@@ -146,11 +136,9 @@ void bad_detail_requests_are_refused_and_write_nothing(void) {
     REFUSED(OCEAN_INVALID_ARGUMENT, request.bands = &band; request.band_size = 4);
     ocean_output many[4] = {output, output, output, output};
     REFUSED(OCEAN_INVALID_VALUE, request.outputs = many; request.output_count = 4);
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_detail(NULL, &request, &count, &residual));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_detail(sea, NULL, &count, &residual));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_detail(sea, &request, NULL, &residual));
+    BAD_ARGUMENT(ocean_detail(NULL, &request, &count, &residual));
+    BAD_ARGUMENT(ocean_detail(sea, NULL, &count, &residual));
+    BAD_ARGUMENT(ocean_detail(sea, &request, NULL, &residual));
     CHECK(count == 77 && residual == 77.0);
     for (size_t i = 0; i < 2 * kTexels; ++i) CHECK(data[i] == 0.0f);
-    free(data);
-    ocean_free(sea);
 }

@@ -21,29 +21,28 @@ void open_reads_files_and_refuses_bad_ones(void) {
     if (file == NULL) return;
     fputs(kSmallSea, file);
     fclose(file);
-    CHECK_RESULT(OCEAN_OK, ocean_open(path, NULL, &sea));
+    OK(ocean_open(path, NULL, &sea));
     remove(path);
     ocean_free(sea);
 
     sea = NULL;
     CHECK_RESULT(OCEAN_BAD_FILE, ocean_open("no such file.toml", NULL, &sea));
-    CHECK(strstr(ocean_last_error(), "no such file.toml") != NULL);
+    CHECK_HOLDS(ocean_last_error(), "no such file.toml");
     CHECK(sea == NULL);
 }
 
 void parse_takes_text_without_a_final_zero(void) {
     static const char wrong[] = "libocean = 1\n[grid]\nresolution = 100\n";
     ocean_sea* sea = NULL;
-    char* text = malloc(strlen(kSmallSea));
+    char* text = scratch(strlen(kSmallSea));
     memcpy(text, kSmallSea, strlen(kSmallSea));
-    CHECK_RESULT(OCEAN_OK, ocean_parse(text, strlen(kSmallSea), NULL, NULL, &sea));
-    free(text);
+    OK(ocean_parse(text, strlen(kSmallSea), NULL, NULL, &sea));
     ocean_free(sea);
 
     sea = NULL;
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_parse(wrong, strlen(wrong), NULL, NULL, &sea));
-    CHECK(strstr(ocean_last_error(), ":3:") != NULL);
-    CHECK(strstr(ocean_last_error(), "100") != NULL);
+    BAD_VALUE(ocean_parse(wrong, strlen(wrong), NULL, NULL, &sea));
+    CHECK_HOLDS(ocean_last_error(), ":3:");
+    CHECK_HOLDS(ocean_last_error(), "100");
     CHECK(sea == NULL);
     ocean_free(NULL);
 }
@@ -67,89 +66,90 @@ void options_of_other_versions_are_understood(void) {
     ocean_options options = {
         .struct_size = sizeof(ocean_options), .threads = 2, .backend = OCEAN_RADIX2};
     struct newer_options newer;
-    CHECK_RESULT(OCEAN_OK, parse_with(&options));
+    OK(parse_with(&options));
     for (size_t i = 0; i < sizeof(refused) / sizeof(refused[0]); ++i) {
         options.struct_size = refused[i];
-        CHECK_RESULT(OCEAN_INVALID_ARGUMENT, parse_with(&options));
-        CHECK(strstr(ocean_last_error(), "struct_size") != NULL);
+        BAD_ARGUMENT(parse_with(&options));
+        CHECK_HOLDS(ocean_last_error(), "struct_size");
     }
     /* An older one without backend: what stands there is not read. */
     options.struct_size = offsetof(ocean_options, backend);
     options.backend = 1000;
-    CHECK_RESULT(OCEAN_OK, parse_with(&options));
+    OK(parse_with(&options));
 
     memset(&newer, 0, sizeof(newer));
     newer.known.struct_size = sizeof(newer);
-    CHECK_RESULT(OCEAN_OK, parse_with(&newer.known));
+    OK(parse_with(&newer.known));
     newer.unknown[3] = 1;
     CHECK_RESULT(OCEAN_UNSUPPORTED, parse_with(&newer.known));
 
     options.struct_size = sizeof(options);
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, parse_with(&options));
+    BAD_ARGUMENT(parse_with(&options));
     options.backend = OCEAN_GL;
     CHECK_RESULT(OCEAN_UNSUPPORTED, parse_with(&options));
     options.backend = OCEAN_CPU;
     options.threads = -1;
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, parse_with(&options));
+    BAD_ARGUMENT(parse_with(&options));
     options.threads = 1025;
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, parse_with(&options));
+    BAD_ARGUMENT(parse_with(&options));
 }
 
 void null_is_refused_everywhere(void) {
-    ocean_sea* sea = open_small_sea(NULL);
+    ocean_sea* sea = small_sea(NULL);
     ocean_sea* other = NULL;
     ocean_request request = {.struct_size = sizeof(ocean_request), .output_count = 1};
     char text[64];
     size_t size = sizeof(text);
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_open(NULL, NULL, &other));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_open("x", NULL, NULL));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_parse(NULL, 0, NULL, NULL, &other));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_parse("", 0, NULL, NULL, NULL));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_set(NULL, "fps", "24"));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_set(sea, NULL, "24"));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_set(sea, "fps", NULL));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_get(NULL, "fps", text, size));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_get(sea, NULL, text, size));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_get(sea, "fps", NULL, size));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_text(NULL, text, &size));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_text(sea, text, NULL));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_parameters_json(text, NULL));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_state_json(NULL, text, &size));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_state_json(sea, text, NULL));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_records_json(NULL, text, &size));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_records_json(kBuoy, text, NULL));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_preset(NULL, text, NULL));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_evaluate(NULL, &request));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_evaluate(sea, NULL));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_evaluate(sea, &request));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_query(NULL, 0.0, NULL, 0, NULL, 0));
+    BAD_ARGUMENT(ocean_open(NULL, NULL, &other));
+    BAD_ARGUMENT(ocean_open("x", NULL, NULL));
+    BAD_ARGUMENT(ocean_parse(NULL, 0, NULL, NULL, &other));
+    BAD_ARGUMENT(ocean_parse("", 0, NULL, NULL, NULL));
+    BAD_ARGUMENT(ocean_set(NULL, "fps", "24"));
+    BAD_ARGUMENT(ocean_set(sea, NULL, "24"));
+    BAD_ARGUMENT(ocean_set(sea, "fps", NULL));
+    BAD_ARGUMENT(ocean_get(NULL, "fps", text, size));
+    BAD_ARGUMENT(ocean_get(sea, NULL, text, size));
+    BAD_ARGUMENT(ocean_get(sea, "fps", NULL, size));
+    BAD_ARGUMENT(ocean_text(NULL, text, &size));
+    BAD_ARGUMENT(ocean_text(sea, text, NULL));
+    BAD_ARGUMENT(ocean_parameters_json(text, NULL));
+    BAD_ARGUMENT(ocean_state_json(NULL, text, &size));
+    BAD_ARGUMENT(ocean_state_json(sea, text, NULL));
+    BAD_ARGUMENT(ocean_records_json(NULL, text, &size));
+    BAD_ARGUMENT(ocean_records_json(kBuoy, text, NULL));
+    BAD_ARGUMENT(ocean_preset(NULL, text, NULL));
+    BAD_ARGUMENT(ocean_evaluate(NULL, &request));
+    BAD_ARGUMENT(ocean_evaluate(sea, NULL));
+    BAD_ARGUMENT(ocean_evaluate(sea, &request));
+    BAD_ARGUMENT(ocean_query(NULL, 0.0, NULL, 0, NULL, 0));
     CHECK(size == sizeof(text));
     CHECK(other == NULL);
-    ocean_free(sea);
+}
+
+static int has_value(const ocean_sea* sea, const char* name, const char* value) {
+    char text[64] = "before";
+    OK(ocean_get(sea, name, text, sizeof(text)));
+    return strcmp(text, value) == 0;
 }
 
 void set_and_get_go_through_the_table(void) {
-    ocean_sea* sea = open_small_sea(NULL);
-    char text[32] = "before";
-    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "wind_speed", "17.5"));
-    CHECK_RESULT(OCEAN_OK, ocean_get(sea, "waves.0.wind_speed", text, sizeof(text)));
-    CHECK(strcmp(text, "17.5") == 0);
-    CHECK_RESULT(OCEAN_OK, ocean_get(sea, "peak_period", text, sizeof(text)));
-    CHECK(strcmp(text, "") == 0);
+    ocean_sea* sea = small_sea(NULL);
+    char text[32];
+    OK(ocean_set(sea, "wind_speed", "17.5"));
+    CHECK(has_value(sea, "waves.0.wind_speed", "17.5"));
+    CHECK(has_value(sea, "peak_period", ""));
 
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_set(sea, "wind_speed", "-3"));
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_set(sea, "wind_sped", "3"));
-    CHECK(strstr(ocean_last_error(), "wind_speed") != NULL);
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_set(sea, "cascades", "6"));
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_get(sea, "nothing", text, sizeof(text)));
-    CHECK_RESULT(OCEAN_OK, ocean_get(sea, "wind_speed", text, sizeof(text)));
-    CHECK(strcmp(text, "17.5") == 0);
+    BAD_VALUE(ocean_set(sea, "wind_speed", "-3"));
+    BAD_VALUE(ocean_set(sea, "wind_sped", "3"));
+    CHECK_HOLDS(ocean_last_error(), "wind_speed");
+    BAD_VALUE(ocean_set(sea, "cascades", "6"));
+    BAD_VALUE(ocean_get(sea, "nothing", text, sizeof(text)));
+    CHECK(has_value(sea, "wind_speed", "17.5"));
 
     strcpy(text, "before");
     CHECK_RESULT(OCEAN_BUFFER_TOO_SMALL, ocean_get(sea, "wind_speed", text, 4));
     CHECK(strcmp(text, "before") == 0);
-    CHECK_RESULT(OCEAN_OK, ocean_get(sea, "wind_speed", text, 5));
-    ocean_free(sea);
+    OK(ocean_get(sea, "wind_speed", text, 5));
 }
 
 static int has_parts(const char* what, const char* parameter, const char* value,
@@ -164,20 +164,19 @@ static int has_parts(const char* what, const char* parameter, const char* value,
 void errors_have_their_parts(void) {
     const ocean_options options = {.struct_size = sizeof(ocean_options), .threads = 2000};
     char text[4];
-    char* name = malloc(5001);
-    ocean_sea* sea = NULL;
-    sea = open_small_sea(NULL);
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_set(sea, "fetch", "5"));
+    char* name = scratch(5001);
+    ocean_sea* sea = small_sea(NULL);
+    BAD_VALUE(ocean_set(sea, "fetch", "5"));
     CHECK(has_parts("is out of range", "waves.0.fetch", "5", "1000 .. 10000000 m"));
     CHECK(strcmp(ocean_last_error(),
                  "waves.0.fetch = 5: is out of range; allowed: 1000 .. 10000000 m") == 0);
     /* A success leaves them alone, and so does whoever reads them. */
-    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "fetch", "5000"));
+    OK(ocean_set(sea, "fetch", "5000"));
     CHECK(strcmp(ocean_last_error_field(OCEAN_ERROR_PARAMETER), "waves.0.fetch") == 0);
     CHECK(strcmp(ocean_last_error_field(-1), "") == 0);
     CHECK(strcmp(ocean_last_error_field(OCEAN_ERROR_ALLOWED + 1), "") == 0);
 
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_clone(sea, &options, &(ocean_sea*){NULL}));
+    BAD_ARGUMENT(ocean_clone(sea, &options, &(ocean_sea*){NULL}));
     CHECK(has_parts("", "threads", "2000", "0 (the cores this process may use) .. 1024"));
     /* Nothing of the failure before stays in one that has no such part. */
     CHECK_RESULT(OCEAN_BUFFER_TOO_SMALL, ocean_get(sea, "spectrum", text, sizeof(text)));
@@ -186,10 +185,8 @@ void errors_have_their_parts(void) {
     name[0] = 'x';
     for (int i = 1; i < 4999; i += 2) memcpy(name + i, "\xc3\xa4", 2);
     name[4999] = '\0';
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_set(sea, "take", name));
+    BAD_VALUE(ocean_set(sea, "take", name));
     CHECK(strlen(ocean_last_error_field(OCEAN_ERROR_VALUE)) < 2048);
-    free(name);
-    ocean_free(sea);
 }
 
 void set_of_a_record_reads_it(void) {
@@ -203,21 +200,16 @@ void set_of_a_record_reads_it(void) {
     const size_t bytes = kSmallCount * sizeof(float);
     ocean_sea* sea = NULL;
     float *first, *other, *kept;
-    CHECK_RESULT(OCEAN_OK,
-                 ocean_parse(text, strlen(text), LIBOCEAN_TEST_DATA "/spectra", NULL, &sea));
+    OK(ocean_parse(text, strlen(text), LIBOCEAN_TEST_DATA "/spectra", NULL, &sea));
     if (sea == NULL) return;
     first = planar_map(sea, 1.0, 0, OCEAN_HEIGHT);
-    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "record", "2020-06-07T22:50"));
+    OK(ocean_set(sea, "record", "2020-06-07T22:50"));
     other = planar_map(sea, 1.0, 0, OCEAN_HEIGHT);
     CHECK(memcmp(first, other, bytes) != 0);
     CHECK_RESULT(OCEAN_NOT_FOUND, ocean_set(sea, "record", "1999-01-01T00:00"));
     CHECK_RESULT(OCEAN_BAD_FILE, ocean_set(sea, "file", "nowhere.data_spec"));
     kept = planar_map(sea, 1.0, 0, OCEAN_HEIGHT);
     CHECK(memcmp(kept, other, bytes) == 0);
-    free(first);
-    free(other);
-    free(kept);
-    ocean_free(sea);
 }
 
 void values_that_go_together_are_set_together(void) {
@@ -225,88 +217,64 @@ void values_that_go_together_are_set_together(void) {
     const char* const metres[] = {"50", "100"};
     const char* const crossed[] = {"200", "150"};
     const char* const with_unknown[] = {"shortest_wavelength", "no_such_thing"};
-    char text[64];
-    ocean_sea* sea = open_small_sea(NULL);
-    CHECK_RESULT(OCEAN_OK, ocean_set_all(sea, limits, metres, 2));
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_set_all(sea, limits, crossed, 2));
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_set_all(sea, with_unknown, crossed, 2));
-    CHECK_RESULT(OCEAN_OK, ocean_get(sea, "shortest_wavelength", text, sizeof(text)));
-    CHECK(strcmp(text, "50") == 0);
-    CHECK_RESULT(OCEAN_OK, ocean_get(sea, "longest_wavelength", text, sizeof(text)));
-    CHECK(strcmp(text, "100") == 0);
-    CHECK_RESULT(OCEAN_OK, ocean_set_all(sea, NULL, NULL, 0));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_set_all(sea, limits, NULL, 2));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_set_all(NULL, limits, metres, 2));
-    ocean_free(sea);
+    ocean_sea* sea = small_sea(NULL);
+    OK(ocean_set_all(sea, limits, metres, 2));
+    BAD_VALUE(ocean_set_all(sea, limits, crossed, 2));
+    BAD_VALUE(ocean_set_all(sea, with_unknown, crossed, 2));
+    CHECK(has_value(sea, "shortest_wavelength", "50"));
+    CHECK(has_value(sea, "longest_wavelength", "100"));
+    OK(ocean_set_all(sea, NULL, NULL, 0));
+    BAD_ARGUMENT(ocean_set_all(sea, limits, NULL, 2));
+    BAD_ARGUMENT(ocean_set_all(NULL, limits, metres, 2));
 }
 
 void wave_systems_come_and_go(void) {
-    ocean_sea* sea = open_small_sea(NULL);
+    ocean_sea* sea = small_sea(NULL);
     float* alone = planar_map(sea, 1.0, 0, OCEAN_HEIGHT);
     float* map;
-    char text[32];
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_add_waves(sea, "waves.2"));
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_add_waves(sea, "swell"));
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_add_waves(sea, "waves.-1"));
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_remove_waves(sea, "waves.0"));
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_remove_waves(sea, "waves.1"));
-    CHECK_RESULT(OCEAN_OK, ocean_add_waves(sea, "waves.1"));
-    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "waves.1.wind_speed", "7"));
-    CHECK_RESULT(OCEAN_OK, ocean_perform(sea, 2.0, "waves.1.wind_direction", "80"));
+    char* resolved;
+    BAD_VALUE(ocean_add_waves(sea, "waves.2"));
+    BAD_VALUE(ocean_add_waves(sea, "swell"));
+    BAD_VALUE(ocean_add_waves(sea, "waves.-1"));
+    BAD_VALUE(ocean_remove_waves(sea, "waves.0"));
+    BAD_VALUE(ocean_remove_waves(sea, "waves.1"));
+    OK(ocean_add_waves(sea, "waves.1"));
+    OK(ocean_set(sea, "waves.1.wind_speed", "7"));
+    OK(ocean_perform(sea, 2.0, "waves.1.wind_direction", "80"));
     map = planar_map(sea, 1.0, 0, OCEAN_HEIGHT);
     CHECK(memcmp(map, alone, kSmallCount * sizeof(float)) != 0);
-    free(map);
     /* Those behind it, and what is performed of them, go up and down with their numbers. */
-    CHECK_RESULT(OCEAN_OK, ocean_add_waves(sea, "waves.0"));
-    CHECK_RESULT(OCEAN_OK, ocean_get(sea, "waves.1.wind_speed", text, sizeof(text)));
-    CHECK(strcmp(text, "12") == 0);
-    CHECK_RESULT(OCEAN_OK, ocean_get(sea, "waves.2.wind_speed", text, sizeof(text)));
-    CHECK(strcmp(text, "7") == 0);
-    {
-        static char resolved[20000];
-        size_t size = sizeof(resolved);
-        CHECK_RESULT(OCEAN_OK, ocean_text(sea, resolved, &size));
-        CHECK(strstr(resolved, "waves.2.wind_direction") != NULL);
-        CHECK_RESULT(OCEAN_OK, ocean_remove_waves(sea, "waves.0"));
-        CHECK_RESULT(OCEAN_OK, ocean_remove_waves(sea, "waves.1"));
-        size = sizeof(resolved);
-        CHECK_RESULT(OCEAN_OK, ocean_text(sea, resolved, &size));
-        CHECK(strstr(resolved, "waves.1") == NULL && strstr(resolved, "waves.2") == NULL);
-    }
+    OK(ocean_add_waves(sea, "waves.0"));
+    CHECK(has_value(sea, "waves.1.wind_speed", "12"));
+    CHECK(has_value(sea, "waves.2.wind_speed", "7"));
+    CHECK_HOLDS(whole_text(ocean_text, sea), "waves.2.wind_direction");
+    OK(ocean_remove_waves(sea, "waves.0"));
+    OK(ocean_remove_waves(sea, "waves.1"));
+    resolved = whole_text(ocean_text, sea);
+    CHECK(strstr(resolved, "waves.1") == NULL && strstr(resolved, "waves.2") == NULL);
     map = planar_map(sea, 1.0, 0, OCEAN_HEIGHT);
     CHECK(memcmp(map, alone, kSmallCount * sizeof(float)) == 0);
-    free(map);
-    for (int i = 1; i < 16; ++i) CHECK_RESULT(OCEAN_OK, ocean_add_waves(sea, "waves.1"));
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_add_waves(sea, "waves.1"));
-    free(alone);
-    ocean_free(sea);
+    for (int i = 1; i < 16; ++i) OK(ocean_add_waves(sea, "waves.1"));
+    BAD_VALUE(ocean_add_waves(sea, "waves.1"));
 }
 
 void a_performed_sea_is_made_again_by_its_text(void) {
-    enum { kFrames = 12, kText = 1 << 16 };
+    enum { kFrames = 12 };
     float* shown[kFrames];
-    char* text = malloc(kText);
-    size_t size = kText;
-    ocean_sea* again = NULL;
-    ocean_sea* sea = open_small_sea(NULL);
+    ocean_sea* sea = small_sea(NULL);
+    ocean_sea* again;
     for (int frame = 0; frame < kFrames; ++frame) {
         const double time = 10.0 + frame / 24.0;
-        if (frame == 3) CHECK_RESULT(OCEAN_OK, ocean_perform(sea, time, "wind_speed", "9"));
-        if (frame == 7) CHECK_RESULT(OCEAN_OK, ocean_perform(sea, time, "choppiness", "1.4"));
+        if (frame == 3) OK(ocean_perform(sea, time, "wind_speed", "9"));
+        if (frame == 7) OK(ocean_perform(sea, time, "choppiness", "1.4"));
         shown[frame] = planar_map(sea, time, 0, frame % 2 == 0 ? OCEAN_FOAM : OCEAN_HEIGHT);
     }
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_perform(sea, 10.0, "wind_speed", "8"));
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_perform(sea, 20.0, "grid.resolution", "128"));
-    CHECK_RESULT(OCEAN_OK, ocean_text(sea, text, &size));
-    CHECK_RESULT(OCEAN_OK, ocean_parse(text, size - 1, NULL, NULL, &again));
+    BAD_VALUE(ocean_perform(sea, 10.0, "wind_speed", "8"));
+    BAD_VALUE(ocean_perform(sea, 20.0, "grid.resolution", "128"));
+    again = sea_of(whole_text(ocean_text, sea));
     for (int frame = kFrames - 1; frame >= 0; --frame) {
         float* map =
             planar_map(again, 10.0 + frame / 24.0, 0, frame % 2 == 0 ? OCEAN_FOAM : OCEAN_HEIGHT);
         CHECK(memcmp(map, shown[frame], kSmallCount * sizeof(float)) == 0);
-        free(map);
-        free(shown[frame]);
     }
-    ocean_free(again);
-    ocean_free(sea);
-    free(text);
 }

@@ -10,8 +10,8 @@
 static const double kFrame = 1.0 / 24.0;
 
 static ocean_sea* open_windy_sea(const ocean_options* options) {
-    ocean_sea* sea = open_small_sea(options);
-    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "wind_speed", "20"));
+    ocean_sea* sea = small_sea(options);
+    OK(ocean_set(sea, "wind_speed", "20"));
     return sea;
 }
 
@@ -25,14 +25,14 @@ static ocean_spray_request usual_request(double time) {
     return request;
 }
 
-/* All of a time, to be freed by the caller. */
+/* All of a time. */
 static ocean_spray_particle* spray_of(ocean_sea* sea, double time, size_t* count) {
     ocean_spray_request request = usual_request(time);
-    CHECK_RESULT(OCEAN_OK, ocean_spray(sea, &request, count));
-    ocean_spray_particle* particles = malloc((*count + 1) * sizeof(*particles));
+    OK(ocean_spray(sea, &request, count));
+    ocean_spray_particle* particles = scratch((*count + 1) * sizeof(*particles));
     request.particles = particles;
     request.particle_count = *count;
-    CHECK_RESULT(OCEAN_OK, ocean_spray(sea, &request, count));
+    OK(ocean_spray(sea, &request, count));
     return particles;
 }
 
@@ -51,10 +51,10 @@ void spray_is_counted_then_copied(void) {
     ocean_spray_particle few[2];
     size_t count = 0;
     size_t again = 0;
-    CHECK_RESULT(OCEAN_OK, ocean_spray(sea, &request, &count));
+    OK(ocean_spray(sea, &request, &count));
     CHECK(count > 100 && runs > 0);
     runs = 0;
-    ocean_spray_particle* particles = malloc(2 * count * sizeof(*particles));
+    ocean_spray_particle* particles = scratch(2 * count * sizeof(*particles));
     request.particles = few;
     request.particle_count = 2;
     memset(few, 77, sizeof(few));
@@ -62,22 +62,18 @@ void spray_is_counted_then_copied(void) {
     CHECK(again == count && few[0].id == 0x4d4d4d4d4d4d4d4dull);
     request.particles = particles;
     request.particle_count = count;
-    CHECK_RESULT(OCEAN_OK, ocean_spray(sea, &request, &again));
+    OK(ocean_spray(sea, &request, &again));
     CHECK(again == count && runs == 0);
     ocean_spray_particle* alone = spray_of(other, 3.0, &again);
     CHECK(again == count && memcmp(alone, particles, count * sizeof(*particles)) == 0);
     /* What was counted of another sea is not taken for this one's. */
     request.particles = NULL;
-    CHECK_RESULT(OCEAN_OK, ocean_spray(sea, &request, &again));
-    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "seed", "7"));
+    OK(ocean_spray(sea, &request, &again));
+    OK(ocean_set(sea, "seed", "7"));
     request.particles = particles;
     request.particle_count = 2 * count;
-    CHECK_RESULT(OCEAN_OK, ocean_spray(sea, &request, &again));
+    OK(ocean_spray(sea, &request, &again));
     CHECK(memcmp(alone, particles, count * sizeof(*particles)) != 0);
-    free(alone);
-    free(particles);
-    ocean_free(other);
-    ocean_free(sea);
 }
 
 void spray_goes_on_from_frame_to_frame(void) {
@@ -105,26 +101,21 @@ void spray_goes_on_from_frame_to_frame(void) {
         }
     }
     CHECK(gone_on > before_count * 9 / 10);
-    free(before);
-    free(after);
     /* A smaller struct has fewer members filled. */
     ocean_spray_request request = usual_request(3.0);
-    uint64_t* ids = malloc(before_count * sizeof(*ids));
+    uint64_t* ids = scratch(before_count * sizeof(*ids));
     request.particles = (ocean_spray_particle*)(void*)ids;
     request.particle_count = before_count;
     request.particle_size = sizeof(*ids);
-    CHECK_RESULT(OCEAN_OK, ocean_spray(sea, &request, &after_count));
+    OK(ocean_spray(sea, &request, &after_count));
     before = spray_of(sea, 3.0, &before_count);
     CHECK(after_count == before_count);
     for (size_t i = 0; i < before_count; ++i) CHECK(ids[i] == before[i].id);
-    free(ids);
-    free(before);
     /* Winds below 7 m/s tear off none. */
-    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "wind_speed", "6"));
+    OK(ocean_set(sea, "wind_speed", "6"));
     request = usual_request(3.0);
-    CHECK_RESULT(OCEAN_OK, ocean_spray(sea, &request, &before_count));
+    OK(ocean_spray(sea, &request, &before_count));
     CHECK(before_count == 0);
-    ocean_free(sea);
 }
 
 void bad_spray_requests_are_refused_and_write_nothing(void) {
@@ -132,15 +123,10 @@ void bad_spray_requests_are_refused_and_write_nothing(void) {
     ocean_spray_particle particle;
     ocean_spray_request request = usual_request(3.0);
     size_t count = 77;
-#define REFUSED(code, assignment)                               \
-    do {                                                        \
-        const ocean_spray_request good = request;               \
-        assignment;                                             \
-        CHECK_RESULT(code, ocean_spray(sea, &request, &count)); \
-        request = good;                                         \
-    } while (0)
+#define REFUSED(code, assignment) \
+    CHECK_SPOILT(ocean_spray_request, request, assignment, code, ocean_spray(sea, &request, &count))
     REFUSED(OCEAN_INVALID_VALUE, request.lifetime = 0.0);
-    CHECK(strstr(ocean_last_error(), "lifetime") != NULL);
+    CHECK_HOLDS(ocean_last_error(), "lifetime");
     REFUSED(OCEAN_INVALID_VALUE, request.lifetime = NAN);
     REFUSED(OCEAN_INVALID_VALUE, request.density = -1.0);
     REFUSED(OCEAN_INVALID_VALUE, request.most = 0);
@@ -148,9 +134,8 @@ void bad_spray_requests_are_refused_and_write_nothing(void) {
     REFUSED(OCEAN_INVALID_ARGUMENT, request.reserved = 1);
     REFUSED(OCEAN_INVALID_ARGUMENT, request.struct_size = 16);
     REFUSED(OCEAN_INVALID_ARGUMENT, request.particles = &particle; request.particle_size = 4);
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_spray(NULL, &request, &count));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_spray(sea, NULL, &count));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_spray(sea, &request, NULL));
+    BAD_ARGUMENT(ocean_spray(NULL, &request, &count));
+    BAD_ARGUMENT(ocean_spray(sea, NULL, &count));
+    BAD_ARGUMENT(ocean_spray(sea, &request, NULL));
     CHECK(count == 77);
-    ocean_free(sea);
 }

@@ -12,9 +12,14 @@ enum { kSide = 64, kUntouched = 77 };
 static const char kLand[] =
     "libocean = 1\n[terrain]\nresolution = 64\npatch_size = 640.0\nrms = 12.0\nmean = 100.0\n";
 
-static ocean_terrain* open_land(void) {
+static void free_land(void* land) {
+    ocean_terrain_free(land);
+}
+
+static ocean_terrain* land_of(const char* text) {
     ocean_terrain* terrain = NULL;
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_parse(kLand, strlen(kLand), NULL, NULL, &terrain));
+    OK(ocean_terrain_parse(text, strlen(text), NULL, NULL, &terrain));
+    keep(terrain, free_land);
     return terrain;
 }
 
@@ -29,8 +34,8 @@ static ocean_result evaluate(ocean_terrain* terrain, float* data, int32_t channe
 
 void terrains_fill_the_buffers_of_seas(void) {
     static float heights[kSide * kSide], clone_heights[kSide * kSide];
-    ocean_terrain* terrain = open_land();
-    CHECK_RESULT(OCEAN_OK, evaluate(terrain, heights, OCEAN_HEIGHT));
+    ocean_terrain* terrain = land_of(kLand);
+    OK(evaluate(terrain, heights, OCEAN_HEIGHT));
     double sum = 0.0, squares = 0.0;
     for (int i = 0; i < kSide * kSide; ++i) sum += heights[i] / (kSide * kSide);
     for (int i = 0; i < kSide * kSide; ++i) squares += pow(heights[i] - sum, 2.0);
@@ -38,21 +43,20 @@ void terrains_fill_the_buffers_of_seas(void) {
     CHECK(fabs(sqrt(squares) / kSide / 12.0 - 1.0) < 1e-5);
 
     ocean_terrain* clone = NULL;
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_clone(terrain, NULL, &clone));
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_set(terrain, "beta", "2.5"));
-    CHECK_RESULT(OCEAN_OK, evaluate(clone, clone_heights, OCEAN_HEIGHT));
+    OK(ocean_terrain_clone(terrain, NULL, &clone));
+    keep(clone, free_land);
+    OK(ocean_terrain_set(terrain, "beta", "2.5"));
+    OK(evaluate(clone, clone_heights, OCEAN_HEIGHT));
     CHECK(memcmp(heights, clone_heights, sizeof(heights)) == 0);
-    CHECK_RESULT(OCEAN_OK, evaluate(terrain, clone_heights, OCEAN_HEIGHT));
+    OK(evaluate(terrain, clone_heights, OCEAN_HEIGHT));
     CHECK(memcmp(heights, clone_heights, sizeof(heights)) != 0);
-    ocean_terrain_free(clone);
-    ocean_terrain_free(terrain);
     ocean_terrain_free(NULL);
 }
 
 void terrains_answer_about_points(void) {
     static float heights[kSide * kSide];
-    ocean_terrain* terrain = open_land();
-    CHECK_RESULT(OCEAN_OK, evaluate(terrain, heights, OCEAN_HEIGHT));
+    ocean_terrain* terrain = land_of(kLand);
+    OK(evaluate(terrain, heights, OCEAN_HEIGHT));
     double xy[20];
     ocean_sample samples[10];
     double error = -1.0;
@@ -67,7 +71,7 @@ void terrains_answer_about_points(void) {
                                    .sample_size = sizeof(ocean_sample),
                                    .exact = 1,
                                    .height_error = &error};
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_query_points(terrain, &request));
+    OK(ocean_terrain_query_points(terrain, &request));
     for (int p = 0; p < 10; ++p) {
         const float expected = heights[5 * p % kSide * kSide + 7 * p % kSide];
         CHECK(fabs(samples[p].height - expected) < 1e-4);
@@ -75,75 +79,67 @@ void terrains_answer_about_points(void) {
         CHECK(samples[p].velocity[2] == 0.0f);
     }
     CHECK(error >= 0.0);
-    ocean_terrain_free(terrain);
 }
 
 void terrains_are_described_and_written(void) {
-    ocean_terrain* terrain = open_land();
+    ocean_terrain* terrain = land_of(kLand);
     char text[4096];
     size_t size = sizeof(text);
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_text(terrain, text, &size));
-    ocean_terrain* again = NULL;
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_parse(text, size - 1, NULL, NULL, &again));
+    OK(ocean_terrain_text(terrain, text, &size));
     char other[4096];
     size = sizeof(other);
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_text(again, other, &size));
+    OK(ocean_terrain_text(land_of(text), other, &size));
     CHECK(strcmp(text, other) == 0);
-    ocean_terrain_free(again);
 
     char value[64];
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_get(terrain, "rms", value, sizeof(value)));
+    OK(ocean_terrain_get(terrain, "rms", value, sizeof(value)));
     CHECK(strcmp(value, "12") == 0);
     size = 0;
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_state_json(terrain, NULL, &size));
+    OK(ocean_terrain_state_json(terrain, NULL, &size));
     CHECK(size > 100);
     size = sizeof(other);
-    CHECK_RESULT(OCEAN_OK,
-                 ocean_terrain_provenance_json(terrain, "height", OCEAN_TNB, other, &size));
+    OK(ocean_terrain_provenance_json(terrain, "height", OCEAN_TNB, other, &size));
     CHECK(strstr(other, "\"ocean:terrain\"") != NULL && strstr(other, "\"ocean:field\"") != NULL);
     size = sizeof(other);
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_preset(NULL, other, &size));
-    CHECK(strstr(other, "\"tujunga\"") != NULL);
+    OK(ocean_terrain_preset(NULL, other, &size));
+    CHECK_HOLDS(other, "\"tujunga\"");
     size = sizeof(other);
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_preset("tujunga", other, &size));
-    CHECK(strstr(other, "[terrain]") != NULL);
+    OK(ocean_terrain_preset("tujunga", other, &size));
+    CHECK_HOLDS(other, "[terrain]");
     size = 0;
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_parameters_json(NULL, &size));
+    OK(ocean_terrain_parameters_json(NULL, &size));
     static float noise[kSide * kSide];
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_stage(terrain, "noise", noise, kSide * kSide));
+    OK(ocean_terrain_stage(terrain, "noise", noise, kSide * kSide));
     double squares = 0.0;
     for (int i = 0; i < kSide * kSide; ++i) squares += noise[i] * noise[i];
     CHECK(fabs(squares / (kSide * kSide) - 1.0) < 0.1);
-    ocean_terrain_free(terrain);
 }
 
 void bad_terrain_calls_are_refused_and_write_nothing(void) {
     static float heights[kSide * kSide];
-    ocean_terrain* terrain = open_land();
+    ocean_terrain* terrain = land_of(kLand);
     heights[0] = kUntouched;
     CHECK_RESULT(OCEAN_UNSUPPORTED, evaluate(terrain, heights, OCEAN_FOAM));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, evaluate(terrain, heights, 99));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, evaluate(NULL, heights, OCEAN_HEIGHT));
+    BAD_ARGUMENT(evaluate(terrain, heights, 99));
+    BAD_ARGUMENT(evaluate(NULL, heights, OCEAN_HEIGHT));
     CHECK(heights[0] == kUntouched);
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_terrain_set(terrain, "beta", "9"));
+    BAD_VALUE(ocean_terrain_set(terrain, "beta", "9"));
     CHECK(strcmp(ocean_last_error_field(OCEAN_ERROR_PARAMETER), "terrain.beta") == 0);
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_terrain_set(terrain, "wind_speed", "9"));
+    BAD_VALUE(ocean_terrain_set(terrain, "wind_speed", "9"));
     const char* const names[] = {"longest_wavelength", "shortest_wavelength"};
     const char* const values[] = {"50", "60"};
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_terrain_set_all(terrain, names, values, 2));
+    BAD_VALUE(ocean_terrain_set_all(terrain, names, values, 2));
     char value[64];
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_get(terrain, "longest_wavelength", value, sizeof(value)));
+    OK(ocean_terrain_get(terrain, "longest_wavelength", value, sizeof(value)));
     CHECK(strcmp(value, "0") == 0);
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_terrain_stage(terrain, "noise", heights, 5));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT,
-                 ocean_terrain_stage(terrain, "smoke", heights, kSide * kSide));
+    BAD_ARGUMENT(ocean_terrain_stage(terrain, "noise", heights, 5));
+    BAD_ARGUMENT(ocean_terrain_stage(terrain, "smoke", heights, kSide * kSide));
     ocean_terrain* none = NULL;
     const char sea[] = "libocean = 1\n[water]\n";
     CHECK_RESULT(OCEAN_BAD_FILE, ocean_terrain_parse(sea, sizeof(sea) - 1, NULL, NULL, &none));
     CHECK_RESULT(OCEAN_BAD_FILE, ocean_terrain_open("/nonexistent.toml", NULL, &none));
     CHECK_RESULT(OCEAN_NOT_FOUND, ocean_terrain_preset("nowhere", value, &(size_t){sizeof(value)}));
     CHECK(none == NULL);
-    ocean_terrain_free(terrain);
 }
 
 static ocean_mesh_request around(double x) {
@@ -156,18 +152,18 @@ static ocean_mesh_request around(double x) {
 }
 
 void a_mesh_of_land_is_counted_then_copied(void) {
-    ocean_terrain* terrain = open_land();
+    ocean_terrain* terrain = land_of(kLand);
     ocean_mesh_request request = around(0.0);
     size_t vertices = 0, triangles = 0, again = 0;
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_mesh(terrain, &request, &vertices, &triangles));
+    OK(ocean_terrain_mesh(terrain, &request, &vertices, &triangles));
     CHECK(vertices > 1000 && triangles > vertices && triangles < 2 * vertices);
-    double* positions = malloc(3 * vertices * sizeof(double));
-    uint32_t* corners = malloc(3 * triangles * sizeof(uint32_t));
+    double* positions = scratch(3 * vertices * sizeof(double));
+    uint32_t* corners = scratch(3 * triangles * sizeof(uint32_t));
     request.positions = positions;
     request.corners = corners;
     request.vertex_capacity = vertices;
     request.triangle_capacity = triangles;
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_mesh(terrain, &request, &vertices, &again));
+    OK(ocean_terrain_mesh(terrain, &request, &vertices, &again));
     CHECK(again == triangles);
     double area = 0.0;
     for (size_t t = 0; t < triangles; ++t) {
@@ -189,51 +185,40 @@ void a_mesh_of_land_is_counted_then_copied(void) {
 
     /* A change between the calls is seen. */
     ocean_mesh_request counts = around(0.0);
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_mesh(terrain, &counts, &vertices, &triangles));
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_set(terrain, "mean", "700"));
+    OK(ocean_terrain_mesh(terrain, &counts, &vertices, &triangles));
+    OK(ocean_terrain_set(terrain, "mean", "700"));
     request.vertex_capacity = vertices;
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_mesh(terrain, &request, &vertices, &triangles));
+    OK(ocean_terrain_mesh(terrain, &request, &vertices, &triangles));
     CHECK(positions[2] > 500.0);
 
     /* So is another place. */
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_mesh(terrain, &counts, &vertices, &triangles));
+    OK(ocean_terrain_mesh(terrain, &counts, &vertices, &triangles));
     ocean_mesh_request there = around(5000.0);
     size_t there_vertices = 0;
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_mesh(terrain, &there, &there_vertices, &triangles));
-    free(positions);
-    positions = malloc(3 * there_vertices * sizeof(double));
+    OK(ocean_terrain_mesh(terrain, &there, &there_vertices, &triangles));
+    positions = scratch(3 * there_vertices * sizeof(double));
     there.positions = positions;
-    there.corners = corners = realloc(corners, 3 * triangles * sizeof(uint32_t));
+    there.corners = scratch(3 * triangles * sizeof(uint32_t));
     there.vertex_capacity = there_vertices;
     there.triangle_capacity = triangles;
-    CHECK_RESULT(OCEAN_OK, ocean_terrain_mesh(terrain, &there, &there_vertices, &triangles));
+    OK(ocean_terrain_mesh(terrain, &there, &there_vertices, &triangles));
     for (size_t v = 0; v < there_vertices; ++v) CHECK(positions[3 * v] > 1000.0);
-    free(positions);
-    free(corners);
-    ocean_terrain_free(terrain);
 }
 
 void bad_mesh_requests_are_refused_and_write_nothing(void) {
-    ocean_terrain* terrain = open_land();
+    ocean_terrain* terrain = land_of(kLand);
     size_t vertices = kUntouched, triangles = kUntouched;
     ocean_mesh_request request = around(0.0);
     double place[3];
-    request.positions = place;
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT,
-                 ocean_terrain_mesh(terrain, &request, &vertices, &triangles));
-    request = around(NAN);
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_terrain_mesh(terrain, &request, &vertices, &triangles));
-    request = around(0.0);
-    request.range = 20.0;
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_terrain_mesh(terrain, &request, &vertices, &triangles));
-    request = around(0.0);
-    request.spacing = -1.0;
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_terrain_mesh(terrain, &request, &vertices, &triangles));
-    request = around(0.0);
-    request.farthest = NAN;
-    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_terrain_mesh(terrain, &request, &vertices, &triangles));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_terrain_mesh(terrain, NULL, &vertices, &triangles));
-    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_terrain_mesh(terrain, &request, NULL, &triangles));
+#define REFUSED(code, assignment)                               \
+    CHECK_SPOILT(ocean_mesh_request, request, assignment, code, \
+                 ocean_terrain_mesh(terrain, &request, &vertices, &triangles))
+    REFUSED(OCEAN_INVALID_ARGUMENT, request.positions = place);
+    REFUSED(OCEAN_INVALID_VALUE, request.x = NAN);
+    REFUSED(OCEAN_INVALID_VALUE, request.range = 20.0);
+    REFUSED(OCEAN_INVALID_VALUE, request.spacing = -1.0);
+    REFUSED(OCEAN_INVALID_VALUE, request.farthest = NAN);
+    BAD_ARGUMENT(ocean_terrain_mesh(terrain, NULL, &vertices, &triangles));
+    BAD_ARGUMENT(ocean_terrain_mesh(terrain, &request, NULL, &triangles));
     CHECK(vertices == kUntouched && triangles == kUntouched);
-    ocean_terrain_free(terrain);
 }

@@ -93,8 +93,23 @@ extern int failures;
         }                                                                           \
     } while (0)
 
+/* `part` is in the text. */
+#define CHECK_HOLDS(text, part) check_holds((text), (part), __FILE__, __LINE__)
+void check_holds(const char* text, const char* part, const char* file, int line);
+
 /* The call returns this code; any but OCEAN_OK comes with a sentence. */
 #define CHECK_RESULT(expected, call) check_result((expected), (call), #call, __FILE__, __LINE__)
+#define OK(call) CHECK_RESULT(OCEAN_OK, call)
+#define BAD_ARGUMENT(call) CHECK_RESULT(OCEAN_INVALID_ARGUMENT, call)
+#define BAD_VALUE(call) CHECK_RESULT(OCEAN_INVALID_VALUE, call)
+/* The call returns this code while the assignment holds for `request`, which it is undone of. */
+#define CHECK_SPOILT(type, request, assignment, code, call) \
+    do {                                                    \
+        const type good_ = request;                         \
+        assignment;                                         \
+        CHECK_RESULT(code, call);                           \
+        request = good_;                                    \
+    } while (0)
 void check_result(ocean_result expected, ocean_result got, const char* call, const char* file,
                   int line);
 
@@ -102,9 +117,21 @@ void check_result(ocean_result expected, ocean_result got, const char* call, con
 extern const char* const kSmallSea;
 enum { kSmallResolution = 64, kSmallCount = 64 * 64 };
 
-/* Opens it, or ends the program. */
+/* Opens it, or ends the program; to be freed by the caller. */
 ocean_sea* open_small_sea(const ocean_options* options);
-/* One planar map of it, of resolution^2 floats (0 = 64): to be freed by the caller. */
+
+/* All that these return is released when the test ends. They are not for its threads. */
+void keep(void* what, void (*release)(void*));
+/* Zeros. */
+void* scratch(size_t bytes);
+/* The small sea, or the sea of a text, or a clone. */
+ocean_sea* small_sea(const ocean_options* options);
+ocean_sea* sea_of(const char* text);
+ocean_sea* clone_of(const ocean_sea* sea, const ocean_options* options);
+/* One planar map of a sea, of resolution^2 floats (0 = 64). */
 float* planar_map(ocean_sea* sea, double time, int32_t resolution, int32_t channel);
+/* The whole text of a function that fills `out`; `sea` is not used by all. */
+typedef ocean_result (*text_function)(const ocean_sea* sea, char* out, size_t* size);
+char* whole_text(text_function function, const ocean_sea* sea);
 
 #endif
