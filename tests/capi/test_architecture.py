@@ -3,11 +3,12 @@
 """Dependencies go one way: core <- seafile <- {io, gl, bridge, capi} <- bake <- apps.
 
 Reads every include below libocean/, every target_link_libraries of its CMakeLists.txt and every
-folder that one names. The table LIBRARIES is the rule, for libraries to come as well; what it does
-not allow is a breach.
+folder that one names. The table layers.toml is the rule, for libraries to come as well; what it
+does not allow is a breach.
 """
 
 import re
+import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -15,186 +16,23 @@ import pytest
 
 ROOT = Path(__file__).parents[2] / "libocean"
 
-# Public headers that are not core's. io, bake, gl and bridge have folders of their names.
-HEADER_OWNER = {
-    "libocean.h": "capi",
-    "ocean/internal/elevation_file.hpp": "seafile",
-    "ocean/internal/checked_text.hpp": "seafile",
-    "ocean/internal/child_process.hpp": "sandbox",
-    "ocean/internal/csv_rows.hpp": "seafile",
-    "ocean/internal/density_units.hpp": "seafile",
-    "ocean/internal/directional_record.hpp": "seafile",
-    "ocean/internal/elevation_import.hpp": "elevation",
-    "ocean/internal/elevation_rules.hpp": "seafile",
-    "ocean/internal/send_raster.hpp": "elevation",
-    "ocean/io.hpp": "io",
-    "ocean/internal/line_reader.hpp": "seafile",
-    "ocean/internal/netcdf_spectra.hpp": "netcdf",
-    "ocean/internal/record_rules.hpp": "seafile",
-    "ocean/seafile.hpp": "seafile",
-    "ocean/terrainfile.hpp": "seafile",
-    "ocean/internal/toml_sections.hpp": "seafile",
-    "ocean/internal/utc_time.hpp": "seafile",
-}
-
-STREAMS = frozenset({"iostream", "fstream", "cstdio", "stdio.h"})
-SYSTEM = ("fcntl.h", "sys/", "unistd.h")
-
 
 @dataclass(frozen=True)
 class Library:
-    """The headers and targets a library may use besides itself; paths are files or folders in it,
-    "" is all of it."""
+    """What layers.toml allows a library; its words are explained there."""
 
-    below: tuple[str, ...]  # libraries; io/file is a part of one: its target and its header
-    foreign: dict[str, tuple[str, ...]] = field(default_factory=dict)  # path -> headers begin with
-    links: tuple[str, ...] = ()  # foreign targets
-    banned: frozenset[str] = frozenset()  # standard headers, but where `foreign` names them
-    shared: tuple[str, ...] = ()  # its folders whose headers all of it includes
+    below: list[str]
+    foreign: dict[str, list[str]] = field(default_factory=dict)
+    links: list[str] = field(default_factory=list)
+    banned: list[str] = field(default_factory=list)
+    shared: list[str] = field(default_factory=list)
 
 
-LIBRARIES = {
-    "standard": Library(below=()),  # the standard library, precompiled
-    "core": Library(
-        below=(),
-        # The one file that may know the operating system, that which reads its files, and those
-        # that know the processor.
-        foreign={
-            "": ("wave/", "land/land.hpp", "land/gullies.glsl"),  # formulas of shaders/
-            "base/control_groups.cpp": ("fstream",),
-            "base/platform.cpp": (
-                "fstream",
-                "locale.h",
-                "sched.h",
-                "sys/",
-                "unistd.h",
-                "windows.h",
-                "xlocale.h",
-                "xmmintrin.h",
-            ),
-            "base/text.cpp": ("cstdio",),  # snprintf alone
-            "base/simd/simd.hpp": ("immintrin.h",),
-            "kernels.cpp": ("cpuid.h",),
-        },
-        links=("Threads::Threads",),
-        banned=STREAMS,
-    ),
-    "seafile": Library(
-        below=("core",),
-        foreign={"": ("toml++/", "zlib.h"), "formats/spotter_json.cpp": ("nlohmann/",)},
-        links=(
-            "nlohmann_json::nlohmann_json",
-            "tomlplusplus::tomlplusplus",
-            "zlib",
-            "ZLIB::ZLIB",
-        ),
-        banned=frozenset({"iostream"}),
-    ),
-    "io": Library(
-        below=("core", "seafile"),
-        foreign={
-            "exr": ("Imf",),
-            "file": (*SYSTEM, "io.h", "process.h"),
-            "mesh": ("wave/",),
-            "geotiff": ("tiffio.h",),
-            "png": ("png.h", "zlib.h"),
-            "povray": ("png.h", "wave/"),
-            "vdb": ("dlfcn.h", "openvdb/", "tbb/"),
-        },
-        links=(
-            "${CMAKE_DL_LIBS}",
-            "OpenEXR::OpenEXR",
-            "OpenVDB::openvdb",
-            "PNG::PNG",
-            "TIFF::TIFF",
-            "ZLIB::ZLIB",
-        ),
-    ),
-    "gl": Library(
-        below=("core", "seafile"),
-        # The dynamic linker says whether EGL and GLX are present.
-        foreign={"": ("dlfcn.h", "epoxy/", "wave/")},
-        links=("${CMAKE_DL_LIBS}", "PkgConfig::epoxy"),
-    ),
-    "preview": Library(
-        below=("core", "seafile", "gl"),
-        foreign={"": ("epoxy/", "glm/", "wave/", "land/land.hpp")},
-        links=("PkgConfig::epoxy", "glm::glm"),
-    ),
-    "bridge": Library(
-        below=("core", "seafile", "io/file"),
-        foreign={
-            # No header that others include knows the network library, nor a library of boards.
-            "address.hpp": ("asio",),
-            "connection.cpp": ("asio",),
-            "connection.hpp": ("asio",),
-            "endpoint.cpp": (*SYSTEM, "arpa/", "ifaddrs.h", "net/", "netinet/"),
-            "firmata_source.cpp": ("poll.h",),
-            "k8055_usb.hpp": ("libusb.h",),
-            "usb_bus.hpp": ("libusb.h",),
-            "line_client.cpp": ("asio",),
-            "line_server.cpp": ("asio",),
-            "osc_message.cpp": ("lo/",),
-            "osc_port.hpp": ("asio",),
-            "rtmidi_ports.cpp": (*SYSTEM, "RtMidi.h"),
-            "serial_port.cpp": (*SYSTEM, "termios.h"),
-        },
-        links=(
-            "PkgConfig::liblo",
-            "PkgConfig::libusb",
-            "PkgConfig::rtmidi",
-            "Threads::Threads",
-        ),
-        banned=STREAMS,
-    ),
-    "sandbox": Library(below=("core",), foreign={"child_process.cpp": SYSTEM}),
-    "netcdf": Library(
-        below=("core", "seafile", "sandbox"),
-        foreign={"netcdf_file.cpp": ("netcdf.h",)},
-        links=("PkgConfig::netcdf",),
-    ),
-    "elevation": Library(
-        below=("core", "seafile", "io", "sandbox"),
-        foreign={
-            "exr_raster.cpp": ("Imf",),
-            # ocean-raster alone links the target of these files.
-            "gdal_place.hpp": ("gdal.h",),
-            "gdal_place.cpp": ("gdal", "cpl_", "ogr_"),
-            "gdal_raster.cpp": ("gdal", "cpl_", "ogr_", "tiffio.h"),
-        },
-        links=("OpenEXR::OpenEXR", "PkgConfig::gdal", "TIFF::TIFF"),
-    ),
-    "capi": Library(below=("core", "seafile"), banned=STREAMS),
-    "bake": Library(
-        below=("core", "seafile", "io", "gl"),
-        foreign={
-            "manifest.cpp": SYSTEM,  # its lock
-            "manifest_json.cpp": ("nlohmann/",),
-            "sha256_openssl.cpp": ("openssl/",),
-            "sha256_windows.cpp": ("windows.h", "bcrypt.h"),
-        },
-        links=("OpenSSL::Crypto", "bcrypt", "nlohmann_json::nlohmann_json"),
-    ),
-    "apps": Library(
-        below=("core", "seafile", "io", "netcdf", "elevation", "gl", "preview", "bridge", "bake"),
-        foreign={
-            "common/interrupt_windows.cpp": ("windows.h",),
-            "common/standard_streams.cpp": ("fcntl.h", "io.h", "unistd.h"),
-            "ocean/plot": ("cairo.h",),
-            "ocean-bridge/line_input.cpp": ("editline/", "poll.h", "unistd.h"),
-            "ocean-preview/window/file_dialog.cpp": (*SYSTEM, "spawn.h"),  # a child beside it
-            "ocean-preview": ("GLFW/", "epoxy/", "imgui", "backends/"),
-        },
-        links=(
-            "PkgConfig::cairo",
-            "PkgConfig::epoxy",
-            "PkgConfig::imgui",
-            "PkgConfig::libedit",
-            "glfw",
-        ),
-        shared=("common",),
-    ),
-}
+RULES = tomllib.loads(Path(__file__).with_name("layers.toml").read_text())
+LIBRARIES = {name: Library(**row) for name, row in RULES["library"].items()}
+HEADER_OWNER = RULES["header_owner"]
+HEADER_FOLDER = RULES["header_folder"]
+TARGET_LIBRARY = RULES["target_library"]
 
 
 def owner_of_header(name: str) -> str | None:
@@ -216,7 +54,7 @@ def foreign_headers(library: str, file_name: str) -> tuple[str, ...]:
     allowed = ()
     for path, headers in LIBRARIES[library].foreign.items():
         if path in ("", file_name) or file_name.startswith(path + "/"):
-            allowed += headers
+            allowed += tuple(headers)
     return allowed
 
 
@@ -247,10 +85,6 @@ def include_breaches(library: str, file_name: str, text: str) -> list[str]:
         if not allowed:
             breaches.append(f"{library}/{file_name} includes {name}")
     return breaches
-
-
-# Targets that are not named ocean::LIBRARY or ocean::LIBRARY_PART.
-TARGET_LIBRARY = {"app_common": "apps", "c": "capi", "commands": "apps"}
 
 
 def unrolled(text: str) -> str:
@@ -292,41 +126,6 @@ def folder_breaches(library: str, text: str) -> list[str]:
     foreign = [name for name in others if name in LIBRARIES and name != library]
     foreign += re.findall(r"\S*\.\./\S*|\S*/\.\.(?=\s|\))", text)
     return [f"{library}/CMakeLists.txt reaches into {name}" for name in foreign]
-
-
-# Folders of core that public headers without a source file of their name belong to.
-HEADER_FOLDER = {
-    "backend": "waves/modes",
-    "channel": "field",
-    "coast_waves": "coast/loops",
-    "detail": "waves/detail",
-    "domain": "field",
-    "enum_words": "base",
-    "foam_clock": "waves/foam",
-    "foam_follower": "waves/foam",
-    "foam_layer": "field",
-    "gauge": "waves/gauge",
-    "linear_shape": "field",
-    "platform": "base",
-    "land_mask": "field",
-    "land_quadtree": "field",
-    "map_request": "waves/modes",
-    "measured_rings": "land/model",
-    "ocean_options": "",
-    "page_vector": "base",
-    "parameters": "waves/parameters",
-    "query": "field",
-    "revision": "base",
-    "spray": "waves/spray",
-    "subject": "",
-    "surf_traces": "coast/surface",
-    "surface_query": "waves/query",
-    "table": "base",
-    "terrain_base": "land/model",
-    "terrain_model": "land/model",
-    "version": "base",
-    "world_heights": "",
-}
 
 
 def header_folders() -> dict[str, str]:
@@ -475,49 +274,7 @@ def test_private_folders_stay_private(library):
     assert not [b for path in lists for b in folder_breaches(library, path.read_text())]
 
 
-@pytest.mark.parametrize(
-    ("library", "file_name", "line"),
-    [
-        ("core", "modes.cpp", '#include "ocean/seafile.hpp"'),
-        ("core", "modes.cpp", "#include <iostream>"),
-        ("core", "modes.cpp", "#  include <fstream>"),
-        ("core", "modes.cpp", "#include <stdio.h>"),
-        ("core", "modes.cpp", "#include <unistd.h>"),
-        ("core", "modes.cpp", "#include <toml++/toml.h>"),
-        ("core", "modes.cpp", '#include "../seafile/take.hpp"'),
-        ("core", "base/platform.cpp", "#include <iostream>"),
-        ("seafile", "sea_reader.cpp", '#include "ocean/io/image.hpp"'),
-        ("seafile", "sea_reader.cpp", "#include <sys/stat.h>"),
-        ("seafile", "sea_reader.cpp", "#include <png.h>"),
-        ("capi", "guard.cpp", '#include "ocean/io/image.hpp"'),
-        ("capi", "guard.cpp", '#include "ocean/internal/netcdf_spectra.hpp"'),
-        ("capi", "guard.cpp", "#include <toml++/toml.h>"),
-        ("capi", "guard.cpp", "#include <windows.h>"),
-        ("io", "exr/exr_writer.cpp", '#include "libocean.h"'),
-        ("io", "exr/exr_writer.cpp", '#include "ocean/bake/plan.hpp"'),
-        ("io", "exr/exr_writer.cpp", "#include <png.h>"),
-        ("io", "povray/df3.cpp", "#include <ImfIO.h>"),
-        ("gl", "program.cpp", '#include "ocean/io/image.hpp"'),
-        ("gl", "program.cpp", "#include <GLFW/glfw3.h>"),
-        ("bridge", "server.cpp", '#include "ocean/io/image.hpp"'),
-        ("bridge", "server.cpp", '#include "ocean/gl/maps.hpp"'),
-        ("bridge", "mapping.cpp", "#include <toml++/toml.h>"),
-        ("bridge", "hub.cpp", "#include <asio.hpp>"),
-        ("bridge", "devices.cpp", "#include <libusb.h>"),
-        ("bridge", "osc_port.hpp", "#include <lo/lo.h>"),
-        ("netcdf", "cf_units.cpp", "#include <netcdf.h>"),
-        ("netcdf", "cf_units.cpp", '#include "take.hpp"'),
-        ("netcdf", "cf_units.cpp", '#include "ocean/io/image.hpp"'),
-        ("bake", "plan.cpp", '#include "ocean/internal/netcdf_spectra.hpp"'),
-        ("bake", "plan.cpp", '#include "console.hpp"'),
-        ("bake", "plan.cpp", "#include <openssl/evp.h>"),
-        ("apps", "ocean/info_command.cpp", '#include "libocean.h"'),
-        ("apps", "ocean/info_command.cpp", "#include <CLI/CLI.hpp>"),
-        ("apps", "common/console.cpp", "#include <CLI/CLI.hpp>"),
-        ("apps", "ocean/info_command.cpp", '#include "take.hpp"'),
-        ("apps", "ocean/info_command.cpp", "#include <cairo.h>"),
-    ],
-)
+@pytest.mark.parametrize(("library", "file_name", "line"), RULES["breaches"]["includes"])
 def test_a_wrong_include_is_a_breach(library, file_name, line):
     assert include_breaches(library, file_name, line)
 
@@ -529,29 +286,7 @@ def test_a_bridge_writes_files_and_no_images():
     assert link_breaches("bridge", "target_link_libraries(t ocean::io_exr)")
 
 
-@pytest.mark.parametrize(
-    ("library", "target"),
-    [
-        ("core", "ocean::seafile"),
-        ("core", "tomlplusplus::tomlplusplus"),
-        ("seafile", "ocean::io_exr"),
-        ("seafile", "PkgConfig::netcdf"),
-        ("seafile", "$<BUILD_INTERFACE:PNG::PNG>"),
-        ("capi", "OpenEXR::OpenEXR"),
-        ("capi", "ocean::io_file"),
-        ("capi", "ocean::netcdf"),
-        ("io", "ocean::c"),
-        ("io", "ocean::bake"),
-        ("gl", "ocean::io_file"),
-        ("bridge", "ocean::gl"),
-        ("netcdf", "ocean::io_file"),
-        ("bake", "ocean::app_common"),
-        ("bake", "ocean::netcdf"),
-        ("bake", "PkgConfig::cairo"),
-        ("apps", "ocean::c"),
-        ("apps", "PNG::PNG"),
-    ],
-)
+@pytest.mark.parametrize(("library", "target"), RULES["breaches"]["links"])
 def test_a_wrong_link_is_a_breach(library, target):
     assert link_breaches(library, f"target_link_libraries(t\n  PUBLIC ocean::core {target})")
 
