@@ -5,7 +5,7 @@
 
 usage: hosts.py names                     the views of the sheet, one on a line
        hosts.py sea VIEW                  its sea
-       hosts.py frame VIEW                its frame
+       hosts.py folder VIEW               words for `ocean povray` after the sea, one on a line
        hosts.py preview VIEW              words for ocean-preview after the sea, one on a line
        hosts.py povray VIEW               what renders/preview/beside.pov includes as view.inc
        hosts.py size VIEW                 WIDTHxHEIGHT
@@ -23,26 +23,19 @@ import models
 
 HERE = Path(__file__).resolve().parent
 HOSTS = ("preview", "povray", "blender")
+PAIRS = (HOSTS[:2], HOSTS[::2], HOSTS[1:])
 
 
-def views() -> dict:
-    """All of them by their names, with what is default."""
-    tables = tomllib.loads((HERE / "views.toml").read_text(encoding="utf-8"))
-    names = tables.pop("beside")
-    default = tables.pop("default")
-    made = {name: default | view for name, view in tables.items()}
-    return {name: made[name] for name in names} | made
+def tables(folder: Path = HERE) -> dict:
+    return tomllib.loads((folder / "views.toml").read_text(encoding="utf-8"))
 
 
-def view_of(name: str) -> dict:
-    try:
-        return views()[name]
-    except KeyError:
-        sys.exit(f"{HERE / 'views.toml'}: there is no view '{name}'")
-
-
-def beside() -> list[str]:
-    return tomllib.loads((HERE / "views.toml").read_text(encoding="utf-8"))["beside"]
+def view_of(name: str, folder: Path = HERE) -> dict:
+    """Returns a view, with what is default."""
+    read = tables(folder)
+    if name not in read:
+        sys.exit(f"{folder / 'views.toml'}: there is no view '{name}'")
+    return read["default"] | read[name]
 
 
 def target(view: dict) -> tuple[float, float, float]:
@@ -74,10 +67,22 @@ def preview_words(view: dict) -> list[str]:
     return [str(word) for name, value in words.items() for word in (f"--{name}", value)]
 
 
-def povray_words(view: dict) -> str:
+def povray_camera(view: dict) -> str:
+    """Returns the declarations of camera and sun."""
+
     def vector(of) -> str:
         return f"<{of[0]:.9g}, {of[2]:.9g}, {of[1]:.9g}>"
 
+    return (
+        f"#declare View_Eye = {vector(view['eye'])};\n"
+        f"#declare View_Target = {vector(target(view))};\n"
+        f"#declare View_Angle = {view['angle']};\n"
+        f"#declare View_Sun_Altitude = {view['sun'][0]};\n"
+        f"#declare View_Sun_Bearing = {view['sun'][1]};\n"
+    )
+
+
+def povray_words(view: dict) -> str:
     floats = ""
     for name, x, y, heading in view["floats"]:
         model = models.MODELS[name]()
@@ -85,12 +90,7 @@ def povray_words(view: dict) -> str:
         floats += (
             f"object {{ Ocean_Float({models.povray(model)}, {x}, {y}, {heading}, {sides}) }}\n"
         )
-    return (
-        f"#declare View_Eye = {vector(view['eye'])};\n"
-        f"#declare View_Target = {vector(target(view))};\n"
-        f"#declare View_Angle = {view['angle']};\n"
-        f"#declare View_Sun_Altitude = {view['sun'][0]};\n"
-        f"#declare View_Sun_Bearing = {view['sun'][1]};\n"
+    return povray_camera(view) + (
         f'#declare View_Water = "{view["water"]}";\n'
         f"#declare Ocean_Visibility = {view['visibility']};\n"
         f"#macro View_Floats()\n{floats}#end\n"
@@ -237,7 +237,7 @@ def measure(folder: Path) -> None:
     """Prints the list above in numbers, of FOLDER/VIEW.HOST.png."""
     import numpy
 
-    for name in beside():
+    for name in tables()["beside"]:
         view = view_of(name)
         pictures = {host: read(folder / f"{name}.{host}.png") for host in HOSTS}
         rows = {host: horizon_row(view, picture) for host, picture in pictures.items()}
@@ -252,7 +252,7 @@ def measure(folder: Path) -> None:
             print(f"{'':11}fine contrast {fine_contrast(picture):.4f}, foam {foam}")
         lowest = max(rows.values())
         fields = {host: crests(picture, lowest).ravel() for host, picture in pictures.items()}
-        for first, second in (HOSTS[:2], HOSTS[::2], HOSTS[1:]):
+        for first, second in PAIRS:
             alike = numpy.corrcoef(fields[first], fields[second])[0, 1]
             print(f"  {first} and {second}: {alike:.2f}")
 
@@ -260,11 +260,13 @@ def measure(folder: Path) -> None:
 def main() -> None:
     match sys.argv[1:]:
         case ["names"]:
-            print(*beside(), sep="\n")
-        case ["sea" | "frame" as what, name]:
-            print(view_of(name)[what])
+            print(*tables()["beside"], sep="\n")
+        case ["sea", name]:
+            print(view_of(name)["sea"])
         case ["size", name]:
             print("{}x{}".format(*view_of(name)["size"]))
+        case ["folder", name]:
+            print("--frames", view_of(name)["frame"], sep="\n")
         case ["preview", name]:
             print(*preview_words(view_of(name)), sep="\n")
         case ["povray", name]:

@@ -14,7 +14,6 @@ usage: lands.py names                     the views of the sheet, one on a line
 """
 
 import sys
-import tomllib
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -22,21 +21,13 @@ sys.path.append(str(HERE.parent / "preview"))
 import hosts  # noqa: E402
 
 
-def tables() -> dict:
-    return tomllib.loads((HERE / "views.toml").read_text(encoding="utf-8"))
-
-
-def views() -> dict:
-    """Returns the views of the sheet by their names, with what is default."""
-    read = tables()
-    return {name: read["default"] | read[name] for name in read["beside"]}
+def names() -> list[str]:
+    """Returns the names of the views of the sheet."""
+    return hosts.tables(HERE)["beside"]
 
 
 def view_of(name: str) -> dict:
-    try:
-        return tables()["default"] | tables()[name]
-    except KeyError:
-        sys.exit(f"{HERE / 'views.toml'}: there is no view '{name}'")
+    return hosts.view_of(name, HERE)
 
 
 def preview_words(view: dict) -> list[str]:
@@ -59,15 +50,7 @@ def flight_lines(folder: str) -> list[str]:
 
 
 def povray_words(view: dict) -> str:
-    def vector(of) -> str:
-        return f"<{of[0]:.9g}, {of[2]:.9g}, {of[1]:.9g}>"
-
-    return (
-        f"#declare View_Eye = {vector(view['eye'])};\n"
-        f"#declare View_Target = {vector(hosts.target(view))};\n"
-        f"#declare View_Angle = {view['angle']};\n"
-        f"#declare View_Sun_Altitude = {view['sun'][0]};\n"
-        f"#declare View_Sun_Bearing = {view['sun'][1]};\n"
+    return hosts.povray_camera(view) + (
         f"#declare View_Snow_Line = {view['snow_line']};\n"
         f"#declare Terrain_Tree_Line = {view['tree_line']};\n"
         f"#declare Terrain_Visibility = {view['visibility']};\n"
@@ -97,7 +80,8 @@ def measure(folder: Path) -> None:
     """Prints the list above in numbers."""
     import numpy
 
-    for name, view in views().items():
+    for name in names():
+        view = view_of(name)
         pictures = {host: hosts.read(folder / f"{name}.{host}.png") for host in hosts.HOSTS}
         lines = {host: skyline(view, picture) for host, picture in pictures.items()}
         lowest = max(int(numpy.percentile(line, 90.0)) for line in lines.values()) + 1
@@ -107,7 +91,7 @@ def measure(folder: Path) -> None:
             light = ["/".join(f"{c:.2f}" for c in third.mean((0, 1))) for third in thirds]
             print(f"  {host:8} skyline {numpy.median(lines[host]):g}, light", *light)
         blurred = {h: hosts.blurred(hosts.luminance(p)[lowest:], 9) for h, p in pictures.items()}
-        for first, second in (hosts.HOSTS[:2], hosts.HOSTS[::2], hosts.HOSTS[1:]):
+        for first, second in hosts.PAIRS:
             apart = numpy.abs(lines[first] - lines[second])
             alike = numpy.corrcoef(blurred[first].ravel(), blurred[second].ravel())[0, 1]
             print(
@@ -119,7 +103,7 @@ def measure(folder: Path) -> None:
 def main() -> None:
     match sys.argv[1:]:
         case ["names"]:
-            print(*views(), sep="\n")
+            print(*names(), sep="\n")
         case ["land", name]:
             print(view_of(name)["land"])
         case ["size", name]:
