@@ -79,4 +79,4 @@ def test_the_library_warns_in_the_words_of_the_panel(terrain):
 def test_a_sea_and_a_terrain_are_not_on_one_object(terrain):
     assert "has a terrain" in failing(bpy.ops.libocean.add_modifier)
     add_ocean(64, use_material=False)
-    assert "has a terrain or an ocean" in failing(bpy.ops.libocean.add_terrain_modifier)
+    assert "has an ocean" in failing(bpy.ops.libocean.add_terrain_modifier)

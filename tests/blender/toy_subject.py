@@ -20,7 +20,6 @@ from libocean_addon.shared import (
 )
 from libocean_addon.shared import subject as subjects
 from libocean_addon.shared.messages import Words
-from libocean_addon.shared.modifier_panel import ModifierPanel
 from libocean_addon.shared.node_builder import Builder
 from libocean_addon.shared.open_subject import OpenByObject, OpenSubject
 from libocean_addon.shared.parameter_table import ParameterTable
@@ -224,7 +223,7 @@ class LoadToy(OnToy, LoadPreset, bpy.types.Operator):
     preset: bpy.props.StringProperty()
 
 
-class ToyPanel(ModifierPanel, bpy.types.Panel):
+class ToyPanel(subject_panel.ModifierPanel, bpy.types.Panel):
     bl_idname = "LIBOCEAN_PT_toy"
     bl_label = "Toy"
     modifiers = staticmethod(FAMILY.modifiers)

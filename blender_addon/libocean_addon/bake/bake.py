@@ -11,8 +11,12 @@ import bpy
 from ..sea import messages, operators
 from ..shared import changes, compat, console, overrides, subject
 from ..shared.compat import tr, tr_label
+from ..shared.table_properties import settings_of
 from . import bake_files, bake_job, bake_record, exr_files
 from .bake_plan import BakeError, Work, asked_range
+
+FIELDS = settings_of("bake")
+"""The fields of operators, by the names of their classes."""
 
 
 def _words(failure: Exception) -> str:
@@ -67,15 +71,7 @@ class Frames(_OnOwnOcean):
         subtype="DIR_PATH",
         options=compat.RELATIVE_PATH,
     )
-    frame_start: bpy.props.IntProperty(
-        name="First frame", description="-1: the frame of the object's settings", default=-1, min=-1
-    )
-    frame_end: bpy.props.IntProperty(
-        name="Last frame", description="-1: the frame of the object's settings", default=-1, min=-1
-    )
-    overwrite: bpy.props.BoolProperty(
-        name="Overwrite", description="Write existing files of the same sea too"
-    )
+    __annotations__.update(FIELDS["Frames"])
 
     def begin(self, context, shot: tuple[int, int]) -> Work:
         """Returns the work for the active object, of those frames; raises BakeError."""
@@ -201,9 +197,7 @@ class FreeBake(_OnBaked, bpy.types.Operator):
     bl_label = "Free Bake"
     bl_options = {"REGISTER", "UNDO"}
 
-    delete_files: bpy.props.BoolProperty(
-        name="Delete files", description="Remove the files of the bake; undo does not restore them"
-    )
+    __annotations__ = FIELDS["FreeBake"]
 
     @classmethod
     def poll(cls, context) -> bool:

@@ -26,6 +26,7 @@ from ..shared.subject_operators import (
 )
 from . import first_coast, land, node_group
 from .open_coast import coast_of
+from .properties import SETTINGS
 from .subject import COAST
 
 DEFAULT_PRESET = "beaufort_5"
@@ -93,25 +94,7 @@ class AddCoast(bpy.types.Operator, ImportHelper, object_utils.AddObjectHelper):
     bl_options = {"REGISTER", "UNDO"}
 
     filter_glob: bpy.props.StringProperty(default=_FILES, options={"HIDDEN"})
-    cell: bpy.props.FloatProperty(
-        name="Cell",
-        description="Distance of the samples and vertices of water and land; 0: so that the longer "
-        "side has 512 of them",
-        unit="LENGTH",
-        precision=3,
-        min=0.0,
-        max=1e5,
-        soft_max=100.0,
-        default=0.0,
-    )
-    use_land: bpy.props.BoolProperty(
-        name="Land", description="Add the land too, a mesh of the bed", default=True
-    )
-    use_material: bpy.props.BoolProperty(
-        name="Material",
-        description="Give them materials of sea water with foam, and of land by height and slope",
-        default=True,
-    )
+    __annotations__.update(SETTINGS["AddCoast"])
     water_type: water_material.water_type_property()
 
     def execute(self, context):

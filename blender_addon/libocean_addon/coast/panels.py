@@ -13,7 +13,6 @@ from ..sea import parameter_values
 from ..shared import drafts, meshes, subject_panel
 from ..shared.compat import tr_label
 from ..shared.drawing import draws, field, never_raises, place_labels, say
-from ..shared.modifier_panel import ModifierPanel
 from ..terrain.look_panels import SIDES
 from . import facts, node_group, operators
 
@@ -23,7 +22,7 @@ SHORE = tuple(key for key, entry in _ENTRIES.items() if entry["section"] == "wat
 LOOK = ("choppiness", *sea_panels.FOAM)
 
 
-class _Panel(ModifierPanel):
+class _Panel(subject_panel.ModifierPanel):
     modifiers = staticmethod(node_group.modifiers)
 
 

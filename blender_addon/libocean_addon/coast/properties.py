@@ -12,6 +12,8 @@ from ..shared.overrides import overridable
 from ..shared.table_properties import changed, settings_of
 from ..terrain.extent import MAX_VERTICES
 
+SETTINGS = settings_of("coast", vertices=MAX_VERTICES)
+
 
 def _is_mesh(_settings, ob) -> bool:
     return ob.type == "MESH"
@@ -24,19 +26,7 @@ class CoastSettings(Limited, bpy.types.PropertyGroup):
     subject = "coast"
 
     __annotations__ = {
-        **settings_of("coast")["CoastSettings"],
-        "cell": bpy.props.FloatProperty(
-            name="Cell",
-            description="Distance of the samples and vertices of water and land; 0: so that the "
-            f"longer side has 512 of them. At most {MAX_VERTICES:,} together",
-            unit="LENGTH",
-            precision=3,
-            min=0.0,
-            max=1e5,
-            soft_max=100.0,
-            default=0.0,
-            update=changed,
-        ),
+        **SETTINGS["CoastSettings"],
         "land": bpy.props.PointerProperty(
             name="Land",
             description="The object whose mesh is the bed",

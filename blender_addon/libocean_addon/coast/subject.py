@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from ..sea.subject import PARAMETERS
+from ..shared.compat import tr
 from ..shared.subject import Subject
 from . import coast_bake, floats, live, node_group, open_coast
 
@@ -14,6 +15,7 @@ COAST = Subject(
     settings="libocean_coast",
     parameters=PARAMETERS,
     listens=("coast", "sea"),
+    taken=lambda: tr("The active object has a coast"),
     opened=open_coast.COASTS,
     image_inputs=node_group.image_inputs,
     follow=live.follow,

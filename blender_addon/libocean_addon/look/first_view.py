@@ -11,6 +11,7 @@ import bpy
 from ..sea import operators
 from ..shared import compat, console, registration
 from ..shared.compat import tr
+from ..shared.table_properties import settings_of
 from . import material, start_up
 
 _SKIES = bpy.types.ShaderNodeTexSky.bl_rna.properties["sky_type"].enum_items.keys()
@@ -133,43 +134,7 @@ class AddScene(bpy.types.Operator):
         default=operators.DEFAULT_PRESET,
     )
     water_type: material.water_type_property()
-    sun_elevation: bpy.props.FloatProperty(
-        name="Sun elevation",
-        description="Above the horizon",
-        subtype="ANGLE",
-        default=math.radians(30.0),
-        min=0.0,
-        max=math.radians(90.0),
-    )
-    sun_bearing: bpy.props.FloatProperty(
-        name="Sun bearing",
-        description="From where the camera looks, to the left",
-        subtype="ANGLE",
-        default=math.radians(60.0),
-        min=-math.pi,
-        max=math.pi,
-    )
-    camera_height: bpy.props.FloatProperty(
-        name="Camera height",
-        description="Above still water",
-        subtype="DISTANCE",
-        default=6.0,
-        min=0.1,
-        soft_max=100.0,
-        max=10000.0,
-    )
-
-    near_detail: bpy.props.BoolProperty(
-        name="Near detail",
-        description="Show the waves too short for the maps near the camera",
-        default=True,
-    )
-    remove_start_up: bpy.props.BoolProperty(
-        name="Remove cube and lamp",
-        description="Remove the cube and the lamp of Blender's start-up file, unless they or the "
-        "scene were changed",
-        default=True,
-    )
+    __annotations__.update(settings_of("look")["AddScene"])
 
     def execute(self, context):
         with console.work("Ocean Scene", "sky, sun and camera"):

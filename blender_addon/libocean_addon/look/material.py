@@ -15,6 +15,7 @@ from ..sea.subject import SEA
 from ..shared import compat, life
 from ..shared.compat import tr
 from ..shared.shader_builder import Tree
+from ..shared.table_properties import settings_of
 from . import air, detail, sun_focus, sunlight
 from .water_shader import DEFAULT_TYPE, WATER_TYPES, get_group, is_water, waters
 
@@ -222,16 +223,7 @@ class AddMaterial(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     water_type: water_type_property()
-    foam: bpy.props.BoolProperty(name="Foam", description="Show the attribute cover", default=True)
-    underwater: bpy.props.BoolProperty(
-        name="Under water",
-        description="Clear water that absorbs and scatters: for cameras and objects below the "
-        "surface, closed meshes, shallow water. Else deep water, which is fast",
-    )
-    god_rays: bpy.props.BoolProperty(
-        name="God rays",
-        description="Below the surface, the waves gather the sun's light in shafts. For Cycles",
-    )
+    __annotations__.update(settings_of("look")["AddMaterial"])
     focus_depth: bpy.props.FloatProperty(
         name="Focus depth",
         description="At which the shafts are as caustics are there: the deeper, the wider and "

@@ -11,13 +11,13 @@ import math
 import bpy
 
 from ..look import detail
-from ..shared import compat, meshes, object_faults
+from ..shared import compat, meshes, subject_panel
 from ..shared.compat import tr, tr_label
 from . import facts, node_group, open_sea
 
 
 def _of_scale(ob) -> str:
-    scale = object_faults.uniform_scale(ob)
+    scale = subject_panel.uniform_scale(ob)
     if scale is None:
         return tr_label("The object is scaled unevenly, and so are its waves: apply the scale")
     if scale != 1.0:
@@ -27,7 +27,7 @@ def _of_scale(ob) -> str:
 
 def _of_mask(ob, seen) -> str:
     mask = ob.libocean.mask
-    if not object_faults.lacks_mask(ob, seen, mask):
+    if not subject_panel.lacks_mask(ob, seen, mask):
         return ""
     return tr_label("{} is no vertex group or attribute: the sea stands still", mask)
 

@@ -14,21 +14,22 @@ from ..shared import changes, compat, console, meshes, modifier_groups, registra
 from ..shared.compat import tr
 from ..shared.native import libocean
 from ..shared.subject_operators import (
+    AddToObject,
     LoadFile,
     LoadPreset,
     OnSubject,
     SaveFile,
-    can_displace,
     give_material,
     new_object,
     preset_values,
 )
-from ..terrain import node_group as terrain_group
 from . import live, node_group
+from .properties import SETTINGS
 from .resolutions import OF_SEA
 from .subject import SEA
 
 DEFAULT_PRESET = "beaufort_5"
+_KIND, _USE_MATERIAL = SETTINGS["AddOcean"].values()
 
 
 PRESETS = [
@@ -59,15 +60,7 @@ class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
     bl_label = "Ocean"
     bl_options = {"REGISTER", "UNDO"}
 
-    kind: bpy.props.EnumProperty(
-        name="Kind",
-        description="What the mesh is",
-        items=[
-            ("PATCH", "Patch", "One period of the sea, a vertex on each sample"),
-            ("HORIZON", "Horizon", "Rings around the scene's camera, coarser from one to the next"),
-        ],
-        default="PATCH",
-    )
+    kind: _KIND
     preset: bpy.props.EnumProperty(
         name="Preset",
         description="The sea to begin with",
@@ -81,11 +74,7 @@ class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
         default="0",
         **compat.in_context(translations.SEA),
     )
-    use_material: bpy.props.BoolProperty(
-        name="Material",
-        description="Give it a material of sea water with foam",
-        default=True,
-    )
+    use_material: _USE_MATERIAL
     water_type: material.water_type_property()
 
     def execute(self, context):
@@ -110,7 +99,7 @@ class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
         material.assign(ob, water)
 
 
-class AddModifier(bpy.types.Operator):
+class AddModifier(AddToObject, bpy.types.Operator):
     """Displace the selected meshes by a sea; an object that had one shows it again"""
 
     bl_idname = "libocean.add_modifier"
@@ -118,20 +107,10 @@ class AddModifier(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     @classmethod
-    def poll(cls, context) -> bool:
-        ob = context.object
-        if not can_displace(cls, ob):
-            return False
-        if node_group.modifiers(ob):
-            cls.poll_message_set(tr("The active object has an ocean: add wave systems to it"))
-            return False
-        if terrain_group.modifiers(ob):
-            cls.poll_message_set(tr("The active object has a terrain"))
-            return False
-        if coast_group.modifiers(ob):
-            cls.poll_message_set(tr("The active object has a coast"))
-            return False
-        return True
+    def taken(cls, row) -> str:
+        if row is SEA:
+            return tr("The active object has an ocean: add wave systems to it")
+        return super().taken(row)
 
     def execute(self, context):
         ob = context.object

@@ -12,10 +12,9 @@ import bpy
 from .. import translations, whole_sea
 from ..bake import bake, bake_record, bake_state
 from ..look import material
-from ..shared import drafts, file_row, parameter_fields, registration, resolutions, subject_panel
+from ..shared import drafts, parameter_fields, registration, resolutions, subject_panel
 from ..shared.compat import tr_label
 from ..shared.drawing import draws, field, is_narrow, mask_field, never_raises, place_labels, say
-from ..shared.modifier_panel import ModifierPanel
 from ..spray import spray
 from ..volumes import volumes
 from . import facts, hints, node_group, operators, parameter_values, records
@@ -137,7 +136,7 @@ def draw_waves(layout, settings) -> None:
     column.operator(operators.RemoveWaves.bl_idname, text="", icon="REMOVE")
 
 
-class _Panel(ModifierPanel):
+class _Panel(subject_panel.ModifierPanel):
     modifiers = staticmethod(node_group.modifiers)
 
 
@@ -149,7 +148,7 @@ class OceanPanel(_Panel, bpy.types.Panel):
 
     @draws
     def draw(self, layout, ob, context) -> None:
-        file_row.draw(
+        subject_panel.draw_files(
             layout, operators.LoadSeaPreset, load=operators.LoadSea, save=operators.SaveSea
         )
         playing = ob.libocean.use_bake and bake_record.exists(ob)

@@ -16,7 +16,7 @@ from ..shared.table_properties import annotations, changed, settings_of
 from . import facts, parameter_values
 from .resolutions import OF_SEA
 
-_SETTINGS = settings_of("sea")
+SETTINGS = settings_of("sea")
 
 
 def _parameters(*, waves: bool) -> dict:
@@ -34,7 +34,7 @@ class OceanWaves(bpy.types.PropertyGroup):
 
     __annotations__ = {
         **_parameters(waves=True),
-        **_SETTINGS["OceanWaves"],
+        **SETTINGS["OceanWaves"],
         "exact": _EXACT,
     }
 
@@ -60,7 +60,7 @@ class OceanBake(Limited, bpy.types.PropertyGroup):
     """The folder and the frames to bake, and the record of the present bake"""
 
     __annotations__ = {
-        **_SETTINGS["OceanBake"],
+        **SETTINGS["OceanBake"],
         "directory": _directory(
             "Where the next bake goes, in files that begin with the blend file's name; empty: "
             "ocean_bake and the object's name, beside the blend file"
@@ -73,7 +73,7 @@ class OceanVolumes(Limited, bpy.types.PropertyGroup):
     """The water to write as volumes"""
 
     __annotations__ = {
-        **_SETTINGS["OceanVolumes"],
+        **SETTINGS["OceanVolumes"],
         "directory": _directory(
             "Where the volumes go, in files that begin with the blend file's name; empty: "
             "ocean_volumes, beside the blend file"
@@ -112,7 +112,7 @@ class OceanSettings(Limited, bpy.types.PropertyGroup):
 
     __annotations__ = {
         **_parameters(waves=False),
-        **_SETTINGS["OceanSettings"],
+        **SETTINGS["OceanSettings"],
         "exact": _EXACT,
         "waves": bpy.props.CollectionProperty(type=OceanWaves),
         "use_cascade_divisors": bpy.props.BoolProperty(

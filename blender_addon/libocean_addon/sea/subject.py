@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from ..bake import bake_plan, baked
+from ..shared.compat import tr
 from ..shared.native import libocean
 from ..shared.subject import Parameters, Subject
 from . import (
@@ -35,6 +36,7 @@ SEA = Subject(
     settings="libocean",
     parameters=PARAMETERS,
     listens=("sea",),
+    taken=lambda: tr("The active object has an ocean"),
     opened=open_sea.SEAS,
     image_inputs=node_group.image_inputs,
     picture=live.SeaPicture,

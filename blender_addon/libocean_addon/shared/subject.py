@@ -174,6 +174,8 @@ class Subject:
     bake: Callable[..., Any] | None = None
     """Returns the bake_plan.Work that bakes an object. Arguments: context, object, folder, frames;
     overwrite. Raises BakeError. None: it has no bake."""
+    taken: Callable[[], str] = lambda: ""
+    """Returns the sentence on an object of the subject, which can show no other one."""
     place: Callable[..., None] = _nothing
     """Sets inputs of all modifiers, also while a bake plays. Arguments: shown, moment."""
     show_played: Callable[..., None] = _nothing

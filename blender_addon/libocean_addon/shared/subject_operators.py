@@ -15,7 +15,7 @@ from . import console, modifier_groups, paths
 from .compat import tr
 from .messages import of_file
 from .native import libocean
-from .subject import Parameters
+from .subject import Parameters, Subject, rows
 
 FILES = "*.toml"
 
@@ -105,13 +105,25 @@ class LoadPreset(OnSubject):
         return {"FINISHED"}
 
 
-def can_displace(cls, ob) -> bool:
-    """Returns whether a modifier can displace an object; otherwise the operator of that class says
-    why not."""
-    if ob is not None and ob.type in modifier_groups.DISPLACED:
+class AddToObject:
+    """Base of operators that give the active object a subject: it has none yet."""
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        ob = context.object
+        if ob is None or ob.type not in modifier_groups.DISPLACED:
+            cls.poll_message_set(tr("The active object is no mesh, curve or text"))
+            return False
+        for row in rows:
+            if row.family.modifiers(ob):
+                cls.poll_message_set(cls.taken(row))
+                return False
         return True
-    cls.poll_message_set(tr("The active object is no mesh, curve or text"))
-    return False
+
+    @classmethod
+    def taken(cls, row: Subject) -> str:
+        """Returns the sentence about an object that has a subject."""
+        return row.taken()
 
 
 def new_object(operator, context, name: str, label: str, make_group: Callable[[], Any]):

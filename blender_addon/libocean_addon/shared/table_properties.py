@@ -193,10 +193,16 @@ def _setting(row: dict[str, Any], update: Callable[[Any, Any], None]) -> Any:
     return make(**keywords)
 
 
-def settings_of(folder: str, update: Callable[[Any, Any], None] = changed) -> dict[str, dict]:
+def settings_of(
+    folder: str, update: Callable[[Any, Any], None] = changed, **limits: int
+) -> dict[str, dict]:
     """Returns the properties in the table settings.json of a folder of the add-on, by group and
-    name. update: the function that Blender calls after a change."""
+    name: those of its settings and of its operators. update: the function that Blender calls after
+    a change. limits: numbers that texts of the table name, as {limit:,}."""
     tables = json.loads((_ADDON / folder / "settings.json").read_text(encoding="utf-8"))
+    for row in (row for rows in tables.values() for row in rows):
+        if "help" in row:
+            row["help"] = row["help"].format(**limits)
     return {
         group: {row["key"]: _setting(row, update) for row in rows} for group, rows in tables.items()
     }

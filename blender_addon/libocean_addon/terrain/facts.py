@@ -6,7 +6,7 @@ settings that do something else than they seem to. A panel does not wait for a t
 
 from __future__ import annotations
 
-from ..shared import drafts, meshes, object_faults
+from ..shared import drafts, meshes, subject_panel
 from ..shared.compat import tr_label
 from . import node_group
 from .extent import ExtentError
@@ -76,7 +76,7 @@ def warnings_of(ob) -> list[str]:
 
 
 def _of_scale(ob) -> str:
-    scale = object_faults.uniform_scale(ob)
+    scale = subject_panel.uniform_scale(ob)
     if scale is None:
         return tr_label("The object is scaled unevenly, and so are its slopes: apply the scale")
     if scale != 1.0:
@@ -86,7 +86,7 @@ def _of_scale(ob) -> str:
 
 def _of_mask(ob, seen) -> str:
     mask = ob.libocean_terrain.mask
-    if not object_faults.lacks_mask(ob, seen, mask):
+    if not subject_panel.lacks_mask(ob, seen, mask):
         return ""
     return tr_label("{} is no vertex group or attribute: the land is flat", mask)
 

@@ -8,27 +8,27 @@ import bpy
 from bpy_extras import object_utils
 
 from .. import translations
-from ..coast import node_group as coast_group
-from ..sea import node_group as sea_group
 from ..shared import changes, compat, console, meshes, modifier_groups, registration
 from ..shared.compat import tr
 from ..shared.native import libocean
 from ..shared.property_texts import pairs_of
 from ..shared.subject_operators import (
+    AddToObject,
     LoadFile,
     LoadPreset,
     OnSubject,
     SaveFile,
-    can_displace,
     give_material,
     new_object,
     preset_values,
 )
 from . import material, node_group
 from .parameters import PAIRS, RESOLUTIONS
+from .properties import SETTINGS
 from .subject import TERRAIN
 
 DEFAULT_PRESET = "tujunga"
+_TILES, _USE_MATERIAL = SETTINGS["AddTerrain"].values()
 
 PRESETS = [
     (name, name.replace("_", " ").title(), f"The terrain of {name.replace('_', ' ').title()}")
@@ -68,14 +68,6 @@ def _mesh_resolution_property():
     )
 
 
-def _material_property():
-    return bpy.props.BoolProperty(
-        name="Material",
-        description="Give it a material of land, by height and slope",
-        default=True,
-    )
-
-
 class AddTerrain(bpy.types.Operator, object_utils.AddObjectHelper):
     """Add a terrain: land by a spectrum that repeats after its tile"""
 
@@ -90,15 +82,8 @@ class AddTerrain(bpy.types.Operator, object_utils.AddObjectHelper):
         default=DEFAULT_PRESET,
     )
     mesh_resolution: _mesh_resolution_property()
-    tiles: bpy.props.IntProperty(
-        name="Tiles",
-        description="How often the land is repeated along each side",
-        min=1,
-        max=32,
-        soft_max=8,
-        default=1,
-    )
-    use_material: _material_property()
+    tiles: _TILES
+    use_material: _USE_MATERIAL
 
     def execute(self, context):
         values = preset_values(TERRAIN.parameters, self.preset)
@@ -130,31 +115,18 @@ class AddTerrainFile(LoadFile, bpy.types.Operator, object_utils.AddObjectHelper)
 
     subject = TERRAIN
     mesh_resolution: _mesh_resolution_property()
-    use_material: _material_property()
+    use_material: _USE_MATERIAL
 
     def use(self, context, values) -> None:
         _add(self, context, values, int(self.mesh_resolution))
 
 
-class AddTerrainModifier(bpy.types.Operator):
+class AddTerrainModifier(AddToObject, bpy.types.Operator):
     """Raise the active mesh by a terrain"""
 
     bl_idname = "libocean.add_terrain_modifier"
     bl_label = "Terrain (libocean)"
     bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, context) -> bool:
-        ob = context.object
-        if not can_displace(cls, ob):
-            return False
-        if node_group.modifiers(ob) or sea_group.modifiers(ob):
-            cls.poll_message_set(tr("The active object has a terrain or an ocean"))
-            return False
-        if coast_group.modifiers(ob):
-            cls.poll_message_set(tr("The active object has a coast"))
-            return False
-        return True
 
     def execute(self, context):
         modifier_groups.add(context.object, "Terrain", node_group.get)

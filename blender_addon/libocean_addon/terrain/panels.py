@@ -10,10 +10,9 @@ from __future__ import annotations
 import bpy
 
 from .. import translations, whole_sea
-from ..shared import drafts, file_row, parameter_fields, subject_panel
+from ..shared import drafts, parameter_fields, subject_panel
 from ..shared.compat import tr_label
 from ..shared.drawing import draws, never_raises, place_labels, say
-from ..shared.modifier_panel import ModifierPanel
 from ..shared.property_texts import pairs_of
 from . import facts, node_group, operators
 from .parameter_values import is_measured, is_on, is_placed, is_replaced
@@ -94,7 +93,7 @@ def _draw_breaks(column, settings) -> None:
     column.operator(operators.AddBreak.bl_idname, icon="ADD")
 
 
-class ObjectPanel(ModifierPanel):
+class ObjectPanel(subject_panel.ModifierPanel):
     """A panel that objects with a terrain have"""
 
     modifiers = staticmethod(node_group.modifiers)
@@ -108,7 +107,7 @@ class TerrainPanel(ObjectPanel, bpy.types.Panel):
 
     @draws
     def draw(self, layout, ob, context) -> None:
-        file_row.draw(
+        subject_panel.draw_files(
             layout,
             operators.LoadTerrainPreset,
             load=operators.LoadTerrain,

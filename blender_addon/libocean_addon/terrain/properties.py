@@ -13,10 +13,11 @@ from .. import translations
 from ..shared import compat, meshes, registration
 from ..shared.limits import Limited
 from ..shared.overrides import overridable
-from ..shared.table_properties import annotations, changed, settings_of
+from ..shared.table_properties import annotations, settings_of
 from .extent import MAX_VERTICES
 from .parameters import PARAMETERS, RESOLUTIONS, SWITCHES, TYPICAL, switch_of
 
+SETTINGS = settings_of("terrain", samples=meshes.MAX_SAMPLES, vertices=MAX_VERTICES)
 _HIDDEN_TEXT = bpy.props.StringProperty(options={"HIDDEN"})
 
 
@@ -73,7 +74,7 @@ class TerrainSettings(Limited, bpy.types.PropertyGroup):
 
     __annotations__ = {
         **annotations(PARAMETERS, RESOLUTIONS, items=False),
-        **settings_of("terrain")["TerrainSettings"],
+        **SETTINGS["TerrainSettings"],
         "exact": _HIDDEN_TEXT,
         **{f"use_{group}": _section_switch(group) for group in SWITCHES},
         "layers": bpy.props.CollectionProperty(type=TerrainLayer),
@@ -85,29 +86,6 @@ class TerrainSettings(Limited, bpy.types.PropertyGroup):
             0,
             none="Automatic",
             most=meshes.MAX_SAMPLES,
-        ),
-        "tiles": bpy.props.IntProperty(
-            name="Tiles",
-            description="How often the land is repeated along each side. All tiles together have "
-            f"at most {meshes.MAX_SAMPLES} vertices along a side",
-            min=1,
-            max=32,
-            soft_max=8,
-            default=1,
-            update=changed,
-        ),
-        "region_cell": bpy.props.FloatProperty(
-            name="Cell",
-            description="Distance of the region's samples and vertices, of which there are at most "
-            f"{MAX_VERTICES:,}",
-            unit="LENGTH",
-            precision=3,
-            min=0.001,
-            max=1e5,
-            soft_min=0.05,
-            soft_max=100.0,
-            default=1.0,
-            update=changed,
         ),
     }
 

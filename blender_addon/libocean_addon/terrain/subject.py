@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from ..shared.compat import tr
 from ..shared.native import libocean
 from ..shared.subject import Parameters, Subject
 from . import live, node_group, open_terrain, parameter_values, terrain_text
@@ -26,6 +27,7 @@ TERRAIN = Subject(
     settings="libocean_terrain",
     parameters=PARAMETERS,
     listens=("terrain",),
+    taken=lambda: tr("The active object has a terrain"),
     opened=open_terrain.TERRAINS,
     image_inputs=node_group.image_inputs,
     follow=live.follow,

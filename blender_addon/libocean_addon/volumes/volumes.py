@@ -307,11 +307,7 @@ class WriteVolumes(bake.Frames, bpy.types.Operator):
     bl_idname = "libocean.write_volumes"
     bl_label = "Write Volumes"
 
-    use_import: bpy.props.BoolProperty(
-        name="Import",
-        description="Show the files as a volume object, the one that already does or a new one",
-        default=True,
-    )
+    __annotations__ = bake.FIELDS["WriteVolumes"]
 
     def begin(self, context, shot: tuple[int, int]) -> Volumes:
         ob = context.object
