@@ -107,7 +107,6 @@ ocean_result ocean_cascade_periods(const ocean_sea* sea, double* periods, size_t
 
 ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request) {
     return in_handle(sea, [&] {
-        require(request, "request");
         const ocean_request asked =
             read_struct(request, offsetof(ocean_request, output_size), "ocean_request");
         require_finite(asked.time, "time", "seconds");
@@ -137,7 +136,7 @@ ocean_result ocean_region(ocean_sea* sea, double time, const ocean_region_reques
         require(request, "request");
         require_finite(time, "time", "seconds");
         std::vector<MapOutput>& maps = sea->map_outputs;
-        const Domain region = read_region(*request, maps);
+        const Domain region = read_region(request, maps);
         sea->ocean->region_into(time, region, maps);
     });
 }

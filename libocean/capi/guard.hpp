@@ -127,9 +127,11 @@ Struct read_bytes(const void* given, std::size_t size, const std::string& name) 
     return result;
 }
 
-/// The caller's struct: `minimum` bytes must be there.
+/// The caller's struct, the argument of that name: `minimum` bytes must be there.
 template <typename Struct>
-Struct read_struct(const Struct* given, std::size_t minimum, const std::string& name) {
+Struct read_struct(const Struct* given, std::size_t minimum, const std::string& name,
+                   const char* argument = "request") {
+    require(given, argument);
     require_struct_size(given->struct_size, minimum, name + ".struct_size", name, sizeof(Struct));
     return read_bytes<Struct>(given, given->struct_size, name);
 }

@@ -208,8 +208,8 @@ Domain region_domain(double x, double y, double cell, std::int32_t columns, std:
     return {{x, y}, {cell * (columns - 1), cell * (rows - 1)}, {columns, rows}, false};
 }
 
-Domain read_region(const ocean_region_request& request, std::vector<MapOutput>& maps) {
-    const auto asked = read_struct(&request, sizeof(ocean_region_request), "ocean_region_request");
+Domain read_region(const ocean_region_request* request, std::vector<MapOutput>& maps) {
+    const auto asked = read_struct(request, sizeof(ocean_region_request), "ocean_region_request");
     const Domain region = region_domain(asked.x, asked.y, asked.cell, asked.columns, asked.rows);
     read_outputs(OutputArray(asked.outputs, asked.output_count, asked.output_size),
                  asked.output_count, asked.columns, asked.rows, maps);

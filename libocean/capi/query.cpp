@@ -93,7 +93,6 @@ ocean_result ocean_query(ocean_sea* sea, double time, const double* xy, size_t n
 
 ocean_result ocean_query_points(ocean_sea* sea, const ocean_query_request* request) {
     return in_handle(sea, [&] {
-        require(request, "request");
         const ocean_query_request asked =
             read_struct(request, offsetof(ocean_query_request, resolution), "ocean_query_request");
         require_finite(asked.time, "time", "seconds");
@@ -127,7 +126,6 @@ ocean_result ocean_orbital_velocity(ocean_sea* sea, double time, double z, const
 
 ocean_result ocean_water_points(ocean_sea* sea, const ocean_water_request* request) {
     return in_handle(sea, [&] {
-        require(request, "request");
         const ocean_water_request asked =
             read_struct(request, offsetof(ocean_water_request, resolution), "ocean_water_request");
         require_finite(asked.time, "time", "seconds");

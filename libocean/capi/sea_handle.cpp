@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <string>
 #include <string_view>
 
 #include "guard.hpp"

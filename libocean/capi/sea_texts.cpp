@@ -136,7 +136,6 @@ ocean_result ocean_time_of_frame(const ocean_sea* sea, double frame, double* tim
 ocean_result ocean_provenance_json(const ocean_sea* sea, const ocean_provenance_request* request,
                                    char* out, size_t* size) {
     return in_handle(sea, [&] {
-        require(request, "request");
         const auto asked =
             read_struct(request, sizeof(ocean_provenance_request), "ocean_provenance_request");
         check(asked);

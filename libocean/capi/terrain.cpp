@@ -1,20 +1,26 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The functions of libocean.h for terrains: each one a call into core or seafile, with its
-// arguments checked and its result copied out.
+// The handle of a terrain and the functions of libocean.h for it: each one a call into core or
+// seafile, with its arguments checked and its result copied out.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
-#include <string>
-#include <string_view>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
 #include <utility>
-#include <vector>
 
 #include "guard.hpp"
 #include "handle_functions.hpp"
 #include "ocean/internal/json.hpp"
+#include "ocean/internal/land_mesh.hpp"
+#include "ocean/internal/memory.hpp"
 #include "ocean/internal/terrain_stages.hpp"
 #include "ocean/internal/text.hpp"
+#include "ocean/land_function.hpp"
 #include "ocean/provenance.hpp"
 #include "ocean/terrain.hpp"
 #include "ocean/terrain_table.hpp"
@@ -22,10 +28,41 @@
 #include "outputs.hpp"
 #include "query_buffers.hpp"
 #include "sea_handle.hpp"
-#include "terrain_handle.hpp"
 
 using namespace ocean;
 using namespace ocean::capi;
+
+namespace {
+
+/// A mesh whose counts the host knows.
+struct CountedMesh {
+    QuadtreeSettings settings;
+    std::array<double, 3> eye{};
+    double ground = 0.0;
+    LandMesh mesh;
+};
+
+}  // namespace
+
+struct ocean_terrain : ocean::capi::Handle {
+    static constexpr const char* kName = "terrain";
+    ocean_terrain(ocean::TerrainModel terrain, ocean::TerrainOptions opened_with,
+                  std::string folder)
+        : options(std::move(opened_with)),
+          base_dir(std::move(folder)),
+          land(std::make_unique<ocean::Terrain>(std::move(terrain), options)) {}
+    ocean_terrain(const ocean_terrain& built, ocean::TerrainOptions opened_with)
+        : options(std::move(opened_with)),
+          base_dir(built.base_dir),
+          land(std::make_unique<ocean::Terrain>(*built.land, options)) {}
+
+    ocean::TerrainOptions options;
+    std::string base_dir;                  // where a relative `measured` starts
+    std::unique_ptr<ocean::Terrain> land;  // readers may make it build what they ask for
+    std::vector<ocean::MapOutput> map_outputs;
+    /// That of the last call for counts, until it is copied.
+    std::optional<CountedMesh> mesh;
+};
 
 namespace {
 
@@ -43,6 +80,43 @@ TerrainStep step_named(std::string_view word) {
     refuse({.parameter = "step",
             .value = std::string(word),
             .allowed = "noise, transform, filter, filtered, height"});
+}
+
+QuadtreeSettings settings_of(const ocean_mesh_request& asked, const Domain& land) {
+    QuadtreeSettings settings;
+    if (asked.spacing != 0.0) settings.spacing = asked.spacing;
+    if (asked.range != 0.0) settings.range = asked.range;
+    settings.farthest = asked.farthest;
+    if (!land.wraps) {
+        settings.edge =
+            LandEdge{land.origin, {land.origin[0] + land.size[0], land.origin[1] + land.size[1]}};
+    }
+    return settings;
+}
+
+bool has_counts(const std::optional<CountedMesh>& kept, const QuadtreeSettings& settings,
+                const LandView& view) {
+    if (!kept || kept->eye != view.eye || kept->ground != view.ground) return false;
+    const QuadtreeSettings& of = kept->settings;
+    return of.spacing == settings.spacing && of.range == settings.range &&
+           of.farthest == settings.farthest && of.edge == settings.edge;
+}
+
+LandMesh make_mesh(Terrain& land, const QuadtreeSettings& settings, const LandView& view) {
+    const std::vector<LandPatch> patches = select(settings, view, {});
+    require_memory(land_mesh_bytes(settings, patches), "the mesh",
+                   "choose a smaller distance or a larger spacing");
+    const auto function = land.function();
+    std::vector<QuerySample> answers;
+    const auto sampler = [&](std::span<const WorldPoint> points, double spacing,
+                             std::span<float> heights) {
+        answers.resize(points.size());
+        function->query(points, answers, spacing, land.pool());
+        std::ranges::transform(answers, heights.begin(), [](const QuerySample& answer) {
+            return static_cast<float>(answer.height);
+        });
+    };
+    return make_land_mesh(settings, patches, view, sampler);
 }
 
 }  // namespace
@@ -140,7 +214,6 @@ ocean_result ocean_terrain_provenance_json(const ocean_terrain* terrain, const c
 
 ocean_result ocean_terrain_evaluate(ocean_terrain* terrain, const ocean_request* request) {
     return in_handle(terrain, [&] {
-        require(request, "request");
         const ocean_request asked =
             read_struct(request, offsetof(ocean_request, output_size), "ocean_request");
         require_reserved(asked.cascade, "cascade");
@@ -171,9 +244,8 @@ ocean_result ocean_terrain_domain(const ocean_terrain* terrain, ocean_domain* do
 
 ocean_result ocean_terrain_region(ocean_terrain* terrain, const ocean_region_request* request) {
     return in_handle(terrain, [&] {
-        require(request, "request");
         std::vector<MapOutput>& maps = terrain->map_outputs;
-        const Domain region = read_region(*request, maps);
+        const Domain region = read_region(request, maps);
         terrain->land->region_into(region, maps);
     });
 }
@@ -181,7 +253,6 @@ ocean_result ocean_terrain_region(ocean_terrain* terrain, const ocean_region_req
 ocean_result ocean_terrain_query_points(ocean_terrain* terrain,
                                         const ocean_query_request* request) {
     return in_handle(terrain, [&] {
-        require(request, "request");
         const ocean_query_request asked =
             read_struct(request, offsetof(ocean_query_request, resolution), "ocean_query_request");
         Terrain& land = *terrain->land;
@@ -206,5 +277,43 @@ ocean_result ocean_terrain_stage(ocean_terrain* terrain, const char* step, float
                    " x " + std::to_string(side) + " samples needs " + std::to_string(side * side));
         }
         std::ranges::copy(plane_of(terrain_stages(*terrain->land), wanted), data);
+    });
+}
+
+ocean_result ocean_terrain_mesh(ocean_terrain* terrain, const ocean_mesh_request* request,
+                                size_t* vertices, size_t* triangles) {
+    return in_handle(terrain, [&] {
+        require(request, "request");
+        require(vertices, "vertices");
+        require(triangles, "triangles");
+        const auto asked = read_struct(request, sizeof(ocean_mesh_request), "ocean_mesh_request");
+        if ((asked.positions == nullptr) != (asked.corners == nullptr)) {
+            refuse("positions and corners: pass both, or NULL for both to get the counts");
+        }
+        const QuadtreeSettings settings = settings_of(asked, terrain->land->domain());
+        const LandView view{{asked.x, asked.y, asked.z}, asked.ground, {}};
+        if (!has_counts(terrain->mesh, settings, view)) {
+            terrain->mesh.reset();
+            LandMesh mesh = make_mesh(*terrain->land, settings, view);
+            terrain->mesh = CountedMesh{settings, view.eye, view.ground, std::move(mesh)};
+        }
+        const LandMesh& mesh = terrain->mesh->mesh;
+        if (asked.positions != nullptr) {
+            const auto require_room = [](const char* name, std::size_t given, std::size_t needed) {
+                require_capacity(name, given, needed, "this mesh needs " + std::to_string(needed));
+            };
+            require_room("vertex_capacity", asked.vertex_capacity, mesh.positions.size());
+            require_room("triangle_capacity", asked.triangle_capacity, mesh.triangles.size());
+        }
+        *vertices = mesh.positions.size();
+        *triangles = mesh.triangles.size();
+        if (asked.positions == nullptr) return;
+        double* to = asked.positions;
+        for (const auto& position : mesh.positions) to = std::ranges::copy(position, to).out;
+        uint32_t* corner = asked.corners;
+        for (const auto& triangle : mesh.triangles) {
+            corner = std::ranges::copy(triangle, corner).out;
+        }
+        terrain->mesh.reset();
     });
 }

@@ -1,18 +1,23 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Wave gauges: checks the request and copies their series out.
+// Wave gauges, spray and textures of foam: checks each request and copies its answer out. Particles
+// of spray are counted first and computed once.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "guard.hpp"
+#include "ocean/internal/foam_texture.hpp"
 #include "ocean/internal/gauge_series.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/spray.hpp"
+#include "ocean/thread_pool.hpp"
 #include "sea_handle.hpp"
 
 using namespace ocean;
@@ -75,6 +80,27 @@ std::vector<Gauge> gauges_of(const ocean_gauge_request& asked) {
     return gauges;
 }
 
+ocean_spray_particle particle_of(const SprayParticle& from) {
+    return {from.id,
+            {from.x, from.y, from.z},
+            {static_cast<float>(from.vx), static_cast<float>(from.vy), static_cast<float>(from.vz)},
+            static_cast<float>(from.age),
+            static_cast<float>(from.life),
+            static_cast<float>(from.radius)};
+}
+
+/// Returns the particles that an earlier call counted and that were not copied yet, or makes them
+/// now.
+std::vector<SprayParticle> spray_of(ocean_sea& sea, double time, const SpraySettings& settings) {
+    const std::uint64_t revision = sea.ocean->revision();
+    if (auto counted = std::exchange(sea.counted_spray, std::nullopt);
+        counted && counted->revision == revision && counted->time == time &&
+        counted->settings == settings) {
+        return std::move(counted->particles);
+    }
+    return sea.ocean->spray(time, settings);
+}
+
 }  // namespace
 
 ocean_result ocean_gauges(ocean_sea* sea, const ocean_gauge_request* request, size_t* times) {
@@ -99,5 +125,59 @@ ocean_result ocean_gauges(ocean_sea* sea, const ocean_gauge_request* request, si
         const GaugeSeries series =
             read_gauge_series(ocean, gauges, when, ocean.pool(), [](std::size_t) {});
         std::ranges::copy(series.values, asked.values);
+    });
+}
+
+ocean_result ocean_spray(ocean_sea* sea, const ocean_spray_request* request, size_t* count) {
+    return in_handle(sea, [&] {
+        require(request, "request");
+        require(count, "count");
+        const ocean_spray_request asked =
+            read_struct(request, sizeof(ocean_spray_request), "ocean_spray_request");
+        require_reserved(asked.reserved, "reserved");
+        if (asked.particles != nullptr) {
+            require_struct_size(asked.particle_size, sizeof(std::uint64_t), "particle_size",
+                                "ocean_spray_particle", sizeof(ocean_spray_particle));
+        }
+        const SpraySettings settings{asked.lifetime, asked.density, asked.most};
+        std::vector<SprayParticle> particles = spray_of(*sea, asked.time, settings);
+        *count = particles.size();
+        const bool fits = asked.particle_count >= particles.size();
+        if (asked.particles == nullptr || !fits) {
+            const std::size_t needed = particles.size();
+            sea->counted_spray =
+                CountedSpray{sea->ocean->revision(), asked.time, settings, std::move(particles)};
+            if (asked.particles == nullptr) return;
+            require_capacity("particle_count", asked.particle_count, needed,
+                             "there are " + std::to_string(needed));
+        }
+        const std::size_t size = std::min(asked.particle_size, sizeof(ocean_spray_particle));
+        auto* out = reinterpret_cast<unsigned char*>(asked.particles);
+        for (const SprayParticle& from : particles) {
+            const ocean_spray_particle particle = particle_of(from);
+            std::memcpy(out, &particle, size);
+            out += asked.particle_size;
+        }
+    });
+}
+
+ocean_result ocean_foam_texture(const ocean_foam_texture_request* request,
+                                const ocean_options* options, double* period) {
+    return guarded([&] {
+        const ocean_foam_texture_request asked =
+            read_struct(request, sizeof(ocean_foam_texture_request), "ocean_foam_texture_request");
+        require(asked.kind, "kind");
+        const FoamTextureSettings settings{find_foam_texture(asked.kind), asked.size, asked.seed};
+        require_foam_texture_size(settings.size);
+        const OceanOptions given = read_options(options);
+        const auto side = static_cast<std::size_t>(settings.size);
+        if (asked.data != nullptr) {
+            require_capacity("count", asked.count, side * side,
+                             "the texture has " + std::to_string(side * side) + " texels");
+            ThreadPool pool(given.threads, given.run_jobs);
+            pool.set_interrupt(given.interrupt);
+            std::ranges::copy(make_foam_texture(settings, pool), asked.data);
+        }
+        if (period != nullptr) *period = foam_texture_info(settings.kind).period;
     });
 }
