@@ -27,7 +27,7 @@
 #include "ocean/internal/elevation_rules.hpp"
 #include "ocean/internal/send_raster.hpp"
 #include "ocean/internal/text.hpp"
-#include "raster_wire.hpp"
+#include "raster.hpp"
 
 namespace ocean::elevation {
 namespace {

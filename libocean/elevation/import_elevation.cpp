@@ -19,7 +19,6 @@
 #include "ocean/internal/io/read_provenance.hpp"
 #include "ocean/internal/platform.hpp"
 #include "raster.hpp"
-#include "raster_wire.hpp"
 
 namespace ocean {
 namespace {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rasters of heights as their readers report them: facts first, then rows.
+// Rasters of heights as their readers report them, facts first, then rows; and the bytes by which a
+// child process sends them.
 #pragma once
 
 #include <array>
@@ -14,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "ocean/internal/child_process.hpp"
 #include "ocean/internal/elevation_rules.hpp"
 
 namespace ocean::elevation {
@@ -61,5 +63,18 @@ void read_hgt(std::istream& stream, std::uint64_t bytes, const std::array<double
 /// Y, `depth` or R, else the only one; never alpha. Throws RasterFault, also if several may be
 /// meant and differ. Is called in a child process.
 void read_exr(const std::string& path, const RasterReceiver& receiver);
+
+// ---- A raster, or a fault, as bytes for a pipe between two processes. The reading side trusts no
+// byte, because a hostile file may control the writing side.
+
+/// Runs `read` with a receiver that writes to the sink, then a fault if it throws one.
+void encode(const std::function<void(const RasterReceiver&)>& read, const sandbox::Sink& sink);
+
+/// Returns the facts that `encode` wrote. Throws as decode.
+RasterFacts decode_facts(const sandbox::Source& source);
+
+/// Calls the receiver with what `encode` wrote: as many rows as the facts announce. Throws
+/// RasterFault if the other side sent one, sandbox::WireError for invalid bytes.
+void decode(const sandbox::Source& source, const RasterReceiver& receiver);
 
 }  // namespace ocean::elevation

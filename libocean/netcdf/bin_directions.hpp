@@ -16,6 +16,11 @@
 
 namespace ocean::netcdf {
 
+/// Returns how well a variable's names fit a quantity, 0 if they do not.
+int bin_rank(BinQuantity quantity, const std::string& name, const std::string& standard_name);
+/// Returns true for a name whose writers all mean the direction that waves come from.
+bool is_known_to_come_from(const std::string& name);
+
 class BinDirections {
   public:
     /// Chooses the first complete set of: four moments; two directions and two ratios; two

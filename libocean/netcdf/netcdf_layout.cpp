@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "bin_names.hpp"
+#include "bin_directions.hpp"
 #include "cf_units.hpp"
 #include "names.hpp"
 #include "ocean/internal/checked_text.hpp"

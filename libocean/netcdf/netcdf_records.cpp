@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "bin_directions.hpp"
 #include "cf_units.hpp"

@@ -12,9 +12,22 @@
 #include "netcdf_content.hpp"
 #include "netcdf_layout.hpp"
 #include "ocean/parameters.hpp"
-#include "quality_flags.hpp"
 
 namespace ocean::netcdf {
+
+/// What a flag says of a value.
+enum class Quality { good, doubtful, bad };
+
+/// The meaning of a variable's flags by its flag_values and flag_meanings. Without them by the
+/// oceanographic scale: 3 is doubtful, 4 bad, 9 missing.
+class QualityFlags {
+  public:
+    explicit QualityFlags(const Variable& flags);
+    Quality quality(double flag) const;
+
+  private:
+    std::vector<std::pair<double, Quality>> known_;
+};
 
 /// The verdict of one variable's flags on one record.
 struct Verdict {

@@ -11,7 +11,7 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/elevation_import.hpp"
 #include "ocean/internal/io/elevation.hpp"
-#include "raster_wire.hpp"
+#include "raster.hpp"
 #include "temporary_folder.hpp"
 #include "testing.hpp"
 

@@ -4,8 +4,8 @@
 // A child that reads a raster may send any bytes, since a file may have overrun it: decode gives a
 // raster, one fault, or a WireError.
 #include "child_bytes.hpp"
+#include "raster.hpp"
 #include "raster_checks.hpp"
-#include "raster_wire.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace ocean;

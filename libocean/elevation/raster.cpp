@@ -3,7 +3,7 @@
 //
 // A raster as bytes: see raster_wire.hpp. Numbers have the byte order of the machine; a message
 // begins with its kind, a text with its size.
-#include "raster_wire.hpp"
+#include "raster.hpp"
 
 #include <algorithm>
 #include <cmath>
