@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <vector>
 
-#include "device_reader.hpp"
+#include "drivers.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/bridge/device.hpp"
 #include "ocean/internal/bridge/source.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/text.hpp"
@@ -35,6 +38,43 @@ mode = "toggle"
 )";
 
 namespace {
+
+const Driver& driver_named(const SectionReader& section) {
+    const auto row = std::ranges::find(drivers(), section.text(), &NamedDriver::name);
+    if (row == drivers().end()) {
+        std::vector<std::string_view> names;
+        for (const NamedDriver& known : drivers()) names.push_back(known.name);
+        throw section.refused_word(names);
+    }
+    return row->driver;
+}
+
+const std::string& checked_id(const SectionReader& section) {
+    if (is_channel_name(section.text() + "/a1")) return section.text();
+    throw section.refused("lower-case letters, digits and '_', such as board0");
+}
+
+/// Returns the board of the section. `before` are the boards of the sections above it, whose ids
+/// this board may not have. Throws Error bad_file that begins with `file` and a line.
+DeviceRule read_device(const TomlSection& section, const std::string& file,
+                       const std::vector<DeviceRule>& before) {
+    SectionReader common(section, file);
+    const Driver* driver = nullptr;
+    std::string id;
+    while (common.next()) {
+        if (common.key() == "driver") driver = &driver_named(common);
+        if (common.key() == "id") id = checked_id(common);
+    }
+    if (id.empty()) throw common.fail("id is missing");
+    if (driver == nullptr)
+        throw common.fail("driver is missing; allowed: " +
+                          joined(drivers(), ", ", &NamedDriver::name));
+    if (std::ranges::find(before, id, &DeviceRule::id) != before.end()) {
+        throw common.fail("id = \"" + id + "\" is used twice");
+    }
+    DeviceSection settings(section, file);
+    return {id, driver->read(settings)};
+}
 
 constexpr std::size_t kMaxMapBytes = std::size_t{1} << 20;
 constexpr double kMaxNumber = 1e9;

@@ -46,4 +46,11 @@ std::vector<std::unique_ptr<Source>> make_sources(std::span<const DeviceRule> de
     throw Error(ErrorKind::unsupported, "a board has settings of no driver of this build");
 }
 
+std::span<const NamedDriver> drivers() {
+#define OCEAN_BRIDGE_ROW(word) NamedDriver{#word, DriverTable::word()},
+    static const NamedDriver kDrivers[] = {OCEAN_BRIDGE_DRIVERS(OCEAN_BRIDGE_ROW)};
+#undef OCEAN_BRIDGE_ROW
+    return kDrivers;
+}
+
 }  // namespace ocean::bridge

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "k8055_report.hpp"
 
+#include "ocean/internal/bridge/k8055_source.hpp"
+
 namespace ocean::bridge {
 
 std::optional<K8055Inputs> decode_k8055_report(std::span<const std::uint8_t> bytes) {
@@ -23,6 +25,21 @@ std::array<std::uint8_t, kK8055Bytes> encode_k8055_outputs(const K8055Outputs& o
     unsigned lamps = 0;
     for (std::size_t i = 0; i < kLamps; ++i) lamps |= (outputs[i] != 0 ? 1U : 0U) << i;
     return {kWriteOutputs, static_cast<std::uint8_t>(lamps), outputs[kLamps], outputs[kLamps + 1]};
+}
+
+std::vector<Channel> k8055_channels(const std::string& board) {
+    std::vector<Channel> channels;
+    const auto add = [&](const std::string& letters, int count, double max, bool output) {
+        for (int i = 1; i <= count; ++i) {
+            channels.push_back({board + "/" + letters + std::to_string(i), 0.0, max, output});
+        }
+    };
+    add("a", 2, 255.0, false);
+    add("d", 5, 1.0, false);
+    add("c", 2, 65535.0, false);
+    add("o", 8, 1.0, true);
+    add("dac", 2, 255.0, true);
+    return channels;
 }
 
 }  // namespace ocean::bridge

@@ -6,11 +6,9 @@
 #include <asio.hpp>
 #include <atomic>
 #include <mutex>
-#include <optional>
 #include <set>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include "address.hpp"
 #include "board_queue.hpp"

@@ -11,6 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "ocean/internal/bridge/midi_source.hpp"
+#include "ocean/internal/bridge/source.hpp"
+
 namespace ocean::bridge {
 
 class MidiPorts {
@@ -33,5 +36,11 @@ class MidiPorts {
 
 /// Returns the ports of this system, by RtMidi. Throws Error unsupported in a build without it.
 std::unique_ptr<MidiPorts> system_midi_ports();
+
+/// Returns the source of a MIDI controller on ports that a test can replace. `poll_interval` is the
+/// time between two looks at the list of ports.
+std::unique_ptr<Source> make_midi_source(std::string id, MidiDevice device,
+                                         std::unique_ptr<MidiPorts> ports,
+                                         Clock::duration poll_interval);
 
 }  // namespace ocean::bridge

@@ -10,9 +10,8 @@
 #include <utility>
 
 #include "drivers.hpp"
-#include "midi_joiner.hpp"
 #include "midi_messages.hpp"
-#include "midi_source_of_ports.hpp"
+#include "midi_ports.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "source_thread.hpp"

@@ -12,7 +12,6 @@
 #include <lo/lo_lowlevel.h>
 
 #include <cstring>
-#include <limits>
 #include <memory>
 #endif
 

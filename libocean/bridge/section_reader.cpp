@@ -7,7 +7,6 @@
 
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/nearest_name.hpp"
-#include "ocean/internal/text.hpp"
 
 namespace ocean::bridge {
 namespace {

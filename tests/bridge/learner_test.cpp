@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "midi_joiner.hpp"
 #include "midi_messages.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/bridge/control_map_file.hpp"

@@ -10,9 +10,8 @@
 #include <thread>
 
 #include "listening.hpp"
-#include "midi_joiner.hpp"
 #include "midi_messages.hpp"
-#include "midi_source_of_ports.hpp"
+#include "midi_ports.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/bridge/midi_source.hpp"
 #ifdef OCEAN_HAVE_RTMIDI

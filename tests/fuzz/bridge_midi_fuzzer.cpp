@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "midi_joiner.hpp"
 #include "midi_messages.hpp"
 #include "ocean/internal/bridge/control_map_file.hpp"
 #include "ocean/internal/bridge/learner.hpp"

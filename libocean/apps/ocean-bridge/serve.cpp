@@ -5,12 +5,9 @@
 #include <condition_variable>
 #include <cstdlib>
 #include <deque>
-#include <memory>
 #include <mutex>
-#include <optional>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include "console.hpp"
 #include "interrupt.hpp"

@@ -2,13 +2,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "terminal_client.hpp"
 
+#include <poll.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#ifdef OCEAN_HAVE_LIBEDIT
+#include <editline/readline.h>
+#endif
+
 #include "console.hpp"
 #include "interrupt.hpp"
-#include "line_input.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/bridge/line_client.hpp"
 #include "ocean/internal/bridge/line_protocol.hpp"
@@ -16,6 +28,120 @@
 
 namespace ocean::app {
 namespace {
+
+/// Lines of standard input: with an editor if standard input is a terminal and the build has
+/// libedit, else unchanged.
+class LineInput {
+  public:
+    LineInput();
+    ~LineInput();
+    LineInput(const LineInput&) = delete;
+    LineInput& operator=(const LineInput&) = delete;
+
+    /// Blocks until input arrives or the time is over. Returns the complete lines.
+    std::vector<std::string> wait(int milliseconds);
+    bool ended() const { return ended_; }
+    /// Removes the line being typed from the terminal, so that other text can be written.
+    void hide();
+    /// Shows the line being typed again.
+    void show();
+    /// Restores the terminal's settings.
+    void restore();
+
+  private:
+    void read_plain();
+
+    bool editing_ = false;
+    bool ended_ = false;
+    std::string partial_;
+    std::vector<std::string> lines_;
+};
+
+constexpr std::size_t kMaxLineBytes = 4096;
+
+#ifdef OCEAN_HAVE_LIBEDIT
+constexpr const char* kPrompt = "> ";
+// libedit calls back without an argument, so the one terminal has global variables.
+std::vector<std::string>* typed = nullptr;
+bool* typed_ended = nullptr;
+
+void on_line(char* line) {
+    if (line == nullptr) {
+        *typed_ended = true;
+        rl_callback_handler_remove();
+        return;
+    }
+    if (*line != '\0') add_history(line);
+    typed->emplace_back(line);
+    std::free(line);
+}
+#endif
+
+LineInput::LineInput() {
+#ifdef OCEAN_HAVE_LIBEDIT
+    editing_ = ::isatty(STDIN_FILENO) != 0 && ::isatty(STDOUT_FILENO) != 0;
+    if (!editing_) return;
+    typed = &lines_;
+    typed_ended = &ended_;
+    rl_callback_handler_install(kPrompt, on_line);
+#endif
+}
+
+LineInput::~LineInput() {
+    restore();
+}
+
+void LineInput::restore() {
+#ifdef OCEAN_HAVE_LIBEDIT
+    if (std::exchange(editing_, false)) rl_callback_handler_remove();
+#endif
+}
+
+std::vector<std::string> LineInput::wait(int milliseconds) {
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    if (ended_) {
+        ::poll(nullptr, 0, milliseconds);
+        return {};
+    }
+    if (::poll(&input, 1, milliseconds) <= 0) return {};
+#ifdef OCEAN_HAVE_LIBEDIT
+    if (editing_) {
+        rl_callback_read_char();
+        return std::exchange(lines_, {});
+    }
+#endif
+    read_plain();
+    return std::exchange(lines_, {});
+}
+
+void LineInput::read_plain() {
+    std::array<char, 4096> block{};
+    const auto count = ::read(STDIN_FILENO, block.data(), block.size());
+    if (count < 0 && errno == EINTR) return;
+    if (count <= 0) {
+        ended_ = true;
+        if (!partial_.empty()) lines_.push_back(std::exchange(partial_, ""));
+        return;
+    }
+    for (const char c : std::string_view(block.data(), static_cast<std::size_t>(count))) {
+        if (c == '\n') {
+            lines_.push_back(std::exchange(partial_, ""));
+        } else if (partial_.size() < kMaxLineBytes) {
+            partial_ += c;
+        }
+    }
+}
+
+void LineInput::hide() {
+    if (editing_) std::fputs("\r\033[K", stdout);
+}
+
+void LineInput::show() {
+#ifdef OCEAN_HAVE_LIBEDIT
+    if (editing_) rl_forced_update_display();
+#endif
+    std::fflush(stdout);
+}
 
 using Kind = bridge::ClientEvent::Kind;
 

@@ -17,7 +17,6 @@
 namespace ocean::bridge {
 
 inline constexpr int kProtocolVersion = 1;
-inline constexpr unsigned short kDefaultPort = 4747;
 inline constexpr std::size_t kMaxLineBytes = 1024;  // without the line's end
 
 enum class Verb { help, list, get, set, subscribe, unsubscribe, out, record, ping, auth, quit };
