@@ -47,10 +47,6 @@ std::string Catalogue::format_labels(bool displaced) const {
     return text;
 }
 
-std::string Catalogue::product_names() const {
-    return joined(products, ", ", &Product::name);
-}
-
 std::string Catalogue::backend_names() const {
     std::vector<std::string> words;
     for (const Backend& backend : backends) words.emplace_back(backend.name);

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Bakes one frame after the other: computes it, writes it and reads it back.
+// Bakes one frame after the other: computes it, writes it and reads it back; several at a time, in
+// order.
 #pragma once
 
+#include <functional>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "manifest.hpp"
@@ -13,6 +14,14 @@
 #include "ocean/subject.hpp"
 
 namespace ocean {
+
+/// Calls job(worker, index) for the indices [0, count) on `workers` threads, then deliver(index) in
+/// the order of the indices on the calling thread. At most two jobs for each worker are started
+/// ahead of the last delivered job, so that a slow deliver() slows down the work. After a job that
+/// returns false no further job is started; running jobs are finished and delivered. Jobs must not
+/// throw; an exception of deliver() is thrown when the running jobs are finished.
+void run_in_order(int count, int workers, const std::function<bool(int worker, int index)>& job,
+                  const std::function<void(int index)>& deliver);
 
 /// The objects that all frames of a bake share.
 struct Bake {

@@ -3,8 +3,6 @@
 //
 // The manifest as JSON, one line for each file. The reader accepts only the writer's form and stops
 // at the first deviation, so that it never allocates more than the size of the text.
-#include <algorithm>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "manifest.hpp"

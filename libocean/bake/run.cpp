@@ -15,7 +15,6 @@
 #include "complete_file.hpp"
 #include "formats/spray_points.hpp"
 #include "frame_baker.hpp"
-#include "frame_workers.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/bake/estimate.hpp"
 #include "ocean/internal/bake/existing_frames.hpp"

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <memory>
-#include <vector>
 
 #include "compute_program.hpp"
 #include "ocean/internal/coast_waves.hpp"

@@ -8,7 +8,6 @@
 #include <memory>
 #include <optional>
 #include <type_traits>
-#include <utility>
 
 #include "checks.hpp"
 #include "ocean/backend.hpp"

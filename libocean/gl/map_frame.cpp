@@ -5,13 +5,10 @@
 #include "map_frame.hpp"
 
 #include <array>
-#include <bit>
 #include <cmath>
-#include <utility>
 
 #include "checks.hpp"
 #include "ocean/error.hpp"
-#include "ocean/internal/map_request.hpp"
 #include "ocean/internal/text.hpp"
 
 namespace ocean::gl {

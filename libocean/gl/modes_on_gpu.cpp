@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "checks.hpp"
-#include "ocean/internal/map_request.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean::gl {

@@ -9,7 +9,6 @@
 
 #include "checks.hpp"
 #include "map_frame.hpp"
-#include "ocean/internal/foam.hpp"
 #include "ocean/internal/foam_follower.hpp"
 #include "ocean/internal/gl/context.hpp"
 #include "ocean/internal/map_request.hpp"

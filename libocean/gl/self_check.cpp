@@ -9,7 +9,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <string>
 
 #include "checks.hpp"
 #include "compute_program.hpp"

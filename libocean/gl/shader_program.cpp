@@ -5,8 +5,6 @@
 #include "ocean/internal/gl/shader_program.hpp"
 
 #include <algorithm>
-#include <utility>
-#include <vector>
 
 #include "checks.hpp"
 #include "ocean/error.hpp"

@@ -13,7 +13,6 @@
 #include "modes_on_gpu.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/gl/context.hpp"
-#include "ocean/internal/map_request.hpp"
 #include "ocean/internal/nearest_name.hpp"
 #include "thesis_frame.hpp"
 

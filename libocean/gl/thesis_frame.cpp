@@ -1,15 +1,20 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The transform of [Fluegge 2017]; see thesis_frame.hpp.
+// The transform of [Fluegge 2017] and the backend of it; see thesis_frame.hpp.
 #include "thesis_frame.hpp"
 
 #include <bit>
+#include <map>
 
 #include "checks.hpp"
 #include "frame_plan.hpp"
+#include "gpu_function.hpp"
 #include "map_frame.hpp"
+#include "ocean/gl/backend.hpp"
 #include "ocean/internal/map_request.hpp"
+#include "ocean/page_vector.hpp"
+#include "write_quantity.hpp"
 
 namespace ocean::gl {
 
@@ -39,6 +44,48 @@ Texture make_butterflies(int resolution, int octaves) {
     glDispatchCompute(static_cast<GLuint>(octaves), static_cast<GLuint>(resolution) / 16, 1);
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
     return texture;
+}
+
+class ThesisMaps {
+  public:
+    explicit ThesisMaps(const ContextInfo& limits) : limits_(limits) {}
+
+    bool write(const MapRequest& request, ThreadPool& pool) {
+        const int resolution = request.modes.resolution;
+        auto found = frames_.find(resolution);
+        if (found == frames_.end()) {
+            found = frames_.emplace(resolution, ThesisFrame(resolution, limits_)).first;
+        }
+        ThesisFrame& frame = found->second;
+        const bool uploaded = frame.load(request, pool);
+        texels_.resize(Lattice{resolution, 1.0}.size());
+        const LinearSet fields = fields_of(request.outputs);
+        for (const Linear field : kLinears) {
+            if (!fields.contains(field)) continue;
+            frame.transform(field, request);
+            glBindTexture(GL_TEXTURE_2D, frame.field().name());
+            glGetTexImage(GL_TEXTURE_2D, 0, GL_RED, GL_FLOAT, texels_.data());
+            require_no_error("reading a field back");
+            write_quantity(request, field, texels_.data(), 1, pool);
+        }
+        return uploaded;
+    }
+
+  private:
+    ContextInfo limits_;
+    std::map<int, ThesisFrame> frames_;
+    PageVector<float> texels_;
+};
+
+std::uint64_t thesis_bytes(const Grid&, LinearSet, int resolution) {
+    return Lattice{resolution, 1.0}.size() * (20 + 2 * 8 + 4 + 4);
+}
+
+/// Returns the fitness of `gl`, but never fast: `thesis` is always slower than `gl`.
+BackendFitness thesis_fitness(int resolution) {
+    BackendFitness fitness = kBackend.fitness(resolution);
+    fitness.fast = false;
+    return fitness;
 }
 
 }  // namespace
@@ -104,5 +151,11 @@ void ThesisFrame::transform(Linear field, const MapRequest& request) {
     run_tiles();
     require_no_error("transforming by stages");
 }
+
+const Backend kThesisBackend = {"thesis",
+                                {},
+                                [] { return MapFunction(GpuFunction<ThesisMaps>()); },
+                                thesis_bytes,
+                                thesis_fitness};
 
 }  // namespace ocean::gl

@@ -4,7 +4,6 @@
 // See write_quantity.hpp.
 #include "write_quantity.hpp"
 
-#include "ocean/internal/map_request.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean::gl {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Claims: frames finish in any order and are delivered in their own, for any number of workers.
-#include "frame_workers.hpp"
+#include "frame_baker.hpp"
 
 #include <gtest/gtest.h>
 

@@ -15,7 +15,6 @@
 
 #include "formats/formats.hpp"
 #include "ocean/bake/typed_format.hpp"
-#include "ocean/detail.hpp"
 #include "ocean/internal/cascades.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/grid.hpp"

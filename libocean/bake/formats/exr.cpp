@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <initializer_list>
 #include <iterator>
-#include <optional>
-#include <string_view>
 
 #include "formats/formats.hpp"
 #include "ocean/bake/typed_format.hpp"
@@ -220,14 +218,10 @@ std::uint64_t max_bytes(const BakePlan& plan, const ExrSettings& settings, const
 }
 
 bool is_baked(const BakeFile& file) {
-    try {
-        const auto header = io::read_exr_header(file.path);
-        return std::ranges::any_of(header, [](const io::HeaderString& string) {
+    return std::ranges::any_of(
+        header_or_none(io::read_exr_header, file.path), [](const io::HeaderString& string) {
             return string.name == "ocean:sea" || string.name == "ocean:frame";
         });
-    } catch (const Error&) {
-        return false;
-    }
 }
 
 std::uint64_t frame_bytes(const BakePlan& plan, const ExrSettings& settings) {

@@ -4,7 +4,6 @@
 // The formats of this folder, and the helpers that several of them share.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +51,13 @@ bool is_displaced(const Subject& subject);
 /// Returns the --axes of data in world coordinates; the default is zup. Throws Error invalid_value
 /// for tnb, which only maps have; `holder` names the data in the message, "a mesh".
 io::Axes read_up_axes(const BakeOptions& options, std::string_view holder);
+
+/// Returns the strings in the header of a file; none for a file that `read` refuses.
+std::vector<io::HeaderString> header_or_none(
+    std::vector<io::HeaderString> (*read)(const std::string& path), const std::string& path);
+
+/// Returns the heights of a frame's first map, with provenance and the resolution of the map.
+io::Image height_image(const FrameWork& work);
 
 /// Returns R, R/2, ... 32.
 std::vector<int> halving_resolutions(int resolution);

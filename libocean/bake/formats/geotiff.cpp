@@ -5,9 +5,7 @@
 #include "ocean/internal/io/geotiff.hpp"
 
 #include "formats/formats.hpp"
-#include "formats/height_image.hpp"
 #include "ocean/bake/typed_format.hpp"
-#include "ocean/error.hpp"
 
 namespace ocean {
 namespace {
@@ -29,11 +27,7 @@ std::string recipe(const BakePlan& plan, const NoSettings&, const BakeFile& file
 }
 
 bool is_baked(const BakeFile& file) {
-    try {
-        return !io::read_geotiff_header(file.path).empty();
-    } catch (const Error&) {
-        return false;
-    }
+    return !header_or_none(io::read_geotiff_header, file.path).empty();
 }
 
 std::uint64_t frame_bytes(const BakePlan& plan, const NoSettings&) {

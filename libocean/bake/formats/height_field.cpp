@@ -5,7 +5,6 @@
 // beside it, for people (.txt) and for scenes (.inc).
 #include "ocean/internal/io/height_field.hpp"
 #include "formats/formats.hpp"
-#include "formats/height_image.hpp"
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
@@ -45,11 +44,7 @@ bool opens_with(const std::string& path, std::string_view opening) {
 }
 
 bool names_its_subject(const std::string& path) {
-    try {
-        return !io::read_png_header(path).empty();
-    } catch (const Error&) {
-        return false;
-    }
+    return !header_or_none(io::read_png_header, path).empty();
 }
 
 /// Recognises texts with our opening, and a grey PNG of 16 bits that repeats its first row and
@@ -133,6 +128,22 @@ constexpr BakeFormatOf<NoSettings> kOf = {
 };
 
 }  // namespace
+
+std::vector<io::HeaderString> header_or_none(
+    std::vector<io::HeaderString> (*read)(const std::string& path), const std::string& path) {
+    try {
+        return read(path);
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+io::Image height_image(const FrameWork& work) {
+    const Product* const heights[] = {&find_product("height")};
+    io::Image image = io::product_image(heights, {}, work.provenance(), work.maps.front());
+    image.strings.push_back({"ocean:resolution", std::to_string(work.plan.resolution)});
+    return image;
+}
 
 const BakeFormat kHeightFieldFormat = bake_format<kOf>();
 

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/plain_mesh.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <utility>
 
-#include "formats/formats.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/grid.hpp"

@@ -13,8 +13,8 @@
 namespace ocean {
 namespace {
 
-constexpr std::string_view kProducts = "normal,foam,velocity";
-constexpr bool kAll = true;  // the default without --products
+constexpr std::string_view kPlyProducts = "normal,foam,velocity";
+constexpr bool kPlyAll = true;  // the default without --products
 
 using MeshOrSpray = std::variant<PlainMesh, SprayPoints>;
 
@@ -27,14 +27,14 @@ const PlainMesh& mesh_of(const MeshOrSpray& settings) {
 }
 
 std::vector<FormatOption> list_options(const Catalogue&) {
-    std::vector<FormatOption> options = plain_mesh_options(kProducts, kAll);
+    std::vector<FormatOption> options = plain_mesh_options(kPlyProducts, kPlyAll);
     options.front().help += "; spray is a file of its own";
     for (FormatOption& option : spray_options()) options.push_back(std::move(option));
     return options;
 }
 
 std::optional<ProductChoice> product_choice(const Catalogue& catalogue) {
-    ProductChoice choice = plain_mesh_products(catalogue, kProducts, kAll);
+    ProductChoice choice = plain_mesh_products(catalogue, kPlyProducts, kPlyAll);
     choice.alone = &kSprayProduct;
     return choice;
 }

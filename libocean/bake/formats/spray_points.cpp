@@ -17,7 +17,7 @@ namespace ocean {
 namespace {
 
 constexpr const char* kLifetime = "spray-lifetime";
-constexpr const char* kDensity = "spray-density";
+constexpr const char* kSprayDensity = "spray-density";
 constexpr const char* kMaxSpray = "spray-most";
 
 /// A setting as typed, and as stated in a header.
@@ -28,7 +28,7 @@ struct Setting {
 };
 std::vector<Setting> settings_of(const SpraySettings& spray) {
     return {{kLifetime, "spray_lifetime", shortest_text(spray.lifetime)},
-            {kDensity, "spray_density", shortest_text(spray.density)},
+            {kSprayDensity, "spray_density", shortest_text(spray.density)},
             {kMaxSpray, "spray_most", std::to_string(spray.most)}};
 }
 
@@ -42,7 +42,7 @@ std::vector<FormatOption> spray_options() {
          "default " +
              shortest_text(defaults.lifetime),
          "", kSeaKind},
-        {kDensity, "NUMBER",
+        {kSprayDensity, "NUMBER",
          "Particles of spray for each m^2 that turns white, 0 to 1000; default " +
              shortest_text(defaults.density),
          "", kSeaKind},
@@ -72,7 +72,7 @@ SpraySettings read_spray_settings(const BakeOptions& options) {
     typed(kLifetime, settings.lifetime, [](const std::string& text, const std::string& name) {
         return parse_number(text, name, 0.05, 10.0);
     });
-    typed(kDensity, settings.density, [](const std::string& text, const std::string& name) {
+    typed(kSprayDensity, settings.density, [](const std::string& text, const std::string& name) {
         return parse_number(text, name, 0.0, 1000.0);
     });
     typed(kMaxSpray, settings.most, [](const std::string& text, const std::string& name) {

@@ -20,19 +20,19 @@
 namespace ocean {
 namespace {
 
-constexpr std::string_view kProducts = "normal,foam,velocity";
-constexpr bool kAll = true;
+constexpr std::string_view kUsdProducts = "normal,foam,velocity";
+constexpr bool kUsdAll = true;
 constexpr std::string_view kStageEnding = ".usda";
 constexpr std::string_view kFrameEnding = ".usdc";
 
 enum Shared : std::size_t { kStage, kClips, kTopology };
 
 std::vector<FormatOption> list_options(const Catalogue&) {
-    return plain_mesh_options(kProducts, kAll);
+    return plain_mesh_options(kUsdProducts, kUsdAll);
 }
 
 std::optional<ProductChoice> product_choice(const Catalogue& catalogue) {
-    return plain_mesh_products(catalogue, kProducts, kAll);
+    return plain_mesh_products(catalogue, kUsdProducts, kUsdAll);
 }
 
 PlainMesh read_options(const BakeOptions& options, const Catalogue& catalogue) {
@@ -158,12 +158,7 @@ std::string recipe(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& 
 /// Compares the subject, its samples, the axes and the products, but not the time, the backend or
 /// the version.
 bool matches_plan(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& file) {
-    std::vector<io::HeaderString> found;
-    try {
-        found = io::read_usd_header(file.path);
-    } catch (const Error&) {
-        return false;
-    }
+    const auto found = header_or_none(io::read_usd_header, file.path);
     const auto text_of = [](const std::vector<io::HeaderString>& strings, std::string_view name) {
         const auto string = std::ranges::find(strings, name, &io::HeaderString::name);
         return string == strings.end() ? std::string() : string->text;
@@ -180,11 +175,7 @@ bool matches_plan(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& f
 
 bool is_baked(const BakeFile& file) {
     if (!is_shared(file) || file.part == kTopology) {
-        try {
-            return !io::read_usd_header(file.path).empty();
-        } catch (const Error&) {
-            return false;
-        }
+        return !header_or_none(io::read_usd_header, file.path).empty();
     }
     const std::string head = text::first_bytes(file.path, 400);
     const char* mark = file.part == kStage ? "string \"ocean:" : "by libocean";

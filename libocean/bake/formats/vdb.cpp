@@ -73,11 +73,7 @@ std::string recipe(const BakePlan& plan, const VolumesOrSpray& settings, const B
 }
 
 bool is_baked(const BakeFile& file) {
-    try {
-        return !io::read_vdb_header(file.path).empty();
-    } catch (const Error&) {
-        return false;
-    }
+    return !header_or_none(io::read_vdb_header, file.path).empty();
 }
 
 std::uint64_t frame_bytes(const BakePlan& plan, const VolumesOrSpray& settings) {

@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "formats/spray_points.hpp"
-#include "formats/volume_settings.hpp"
 #include "formats/volumes.hpp"
 #include "ocean/internal/make_surface.hpp"
 #include "ocean/internal/text.hpp"

@@ -8,12 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
-#include "formats/formats.hpp"
 #include "formats/spray_points.hpp"
-#include "formats/volume_settings.hpp"
-#include "ocean/bake/plan.hpp"
 #include "ocean/channel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
@@ -48,7 +44,7 @@ constexpr Product kVolumeProducts[] = {{.name = "surface",
 constexpr const Product& kSurface = kVolumeProducts[0];
 constexpr const Product& kVelocity = kVolumeProducts[1];
 constexpr const Product& kDensity = kVolumeProducts[2];
-constexpr std::string_view kDefaultProducts = "surface,vel";  // without vel if no water moves
+constexpr std::string_view kDefaultGrids = "surface,vel";  // without vel if no water moves
 constexpr std::string_view kCrest = "crest";
 
 }  // namespace
@@ -85,7 +81,7 @@ std::vector<FormatOption> volume_options() {
     return {
         {"products", "LIST",
          "Comma list of surface, vel and density; spray is a file of its own; default " +
-             std::string(kDefaultProducts)},
+             std::string(kDefaultGrids)},
         {"box", "X0,Y0,Z0,X1,Y1,Z1",
          "Box in the world [m], z up from still water, Z1 a number or crest; default: one period "
          "from 2 Hs, at least 4 m, below still water to the crests"},
@@ -137,7 +133,7 @@ double read_voxel(const std::string& option, const std::string& text) {
 
 ProductChoice volume_choice() {
     return {.known = kVolumeProducts,
-            .default_list = kDefaultProducts,
+            .default_list = kDefaultGrids,
             .one_refusal = "allowed for a volume are surface, vel and density, each once"};
 }
 

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "ocean/bake/plan.hpp"
-#include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
 
 namespace ocean {

@@ -11,7 +11,6 @@
 #include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/terrain_stages.hpp"
-#include "ocean/terrain.hpp"
 #include "ocean/terrainfile.hpp"
 #include "products.hpp"
 

@@ -11,7 +11,6 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 
 #include "ocean/error.hpp"
 #include "ocean/internal/grid.hpp"

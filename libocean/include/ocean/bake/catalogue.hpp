@@ -65,8 +65,6 @@ struct Catalogue {
     /// Returns "EXR, DF3, PNG ...", the labels of the formats; with `displaced` only of the formats
     /// that can hold a displaced subject.
     std::string format_labels(bool displaced) const;
-    /// Returns "height, displacement, ...".
-    std::string product_names() const;
     /// Returns "cpu, radix2, dft or auto".
     std::string backend_names() const;
 };

@@ -13,7 +13,6 @@
 //     run_bake(plan, host);  // run.hpp
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
