@@ -3,15 +3,13 @@
 //
 // Claims: a target is the old file or the complete new one; no failure leaves a temporary; errors
 // name the path and the system's reason, including that of a full disk.
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 
 #include <csignal>
-#include <functional>
 
-#include "ocean/error.hpp"
 #include "ocean/internal/io/output_file.hpp"
+#include "refusal.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {
@@ -21,14 +19,9 @@ using test::read_bytes;
 using test::TemporaryFolder;
 
 std::string output_error(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::output);
-        return error.what();
-    }
-    ADD_FAILURE() << "no error was thrown";
-    return "";
+    const std::string message = test::message_of(ErrorKind::output, action);
+    EXPECT_NE(message, "") << "no error was thrown";
+    return message;
 }
 
 TEST(AtomicFile, ReplacesTheFileCompletely) {
@@ -80,11 +73,10 @@ TEST(AtomicFile, NamesPathAndReason) {
     const TemporaryFolder folder;
     const std::string missing = folder.file("no/such/folder/a");
     const std::string message = output_error([&] { io::write_file_atomically(missing, "x"); });
-    EXPECT_NE(message.find(missing), std::string::npos) << message;
-    EXPECT_NE(message.find("No such file or directory"), std::string::npos) << message;
-    EXPECT_NE(
-        output_error([&] { io::write_file_atomically(folder.path(), "x"); }).find("directory"),
-        std::string::npos);
+    EXPECT_TRUE(test::says(message, missing));
+    EXPECT_TRUE(test::says(message, "No such file or directory"));
+    EXPECT_TRUE(test::says(output_error([&] { io::write_file_atomically(folder.path(), "x"); }),
+                           "directory"));
     EXPECT_EQ(folder.entries(), 0u);
 }
 
@@ -93,8 +85,7 @@ TEST(AtomicFile, FullDiskIsAnErrorAlsoAtTheFlush) {
     for (const std::size_t size : {std::size_t{5}, std::size_t{5} << 20}) {
         const std::string message =
             output_error([&] { io::write_file_atomically("/dev/full", std::string(size, 'x')); });
-        EXPECT_NE(message.find("'/dev/full': No space left on device"), std::string::npos)
-            << message;
+        EXPECT_TRUE(test::says(message, "'/dev/full': No space left on device"));
     }
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
 }

@@ -5,17 +5,11 @@
 // image ends within a tile; its keys say where the samples lie, and that they are points; its
 // header is read without libtiff, and damaged or foreign files are errors. tests/cli judges such
 // files by rasterio and tifffile.
-#include <gtest/gtest.h>
 #include <tiffio.h>
 
-#include <array>
-#include <fstream>
-#include <map>
-#include <memory>
-
-#include "ocean/error.hpp"
 #include "ocean/internal/io/geotiff.hpp"
 #include "ocean/internal/io/product_image.hpp"
+#include "refusal.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {
@@ -28,11 +22,8 @@ const Domain kPlace{{1000.0, -500.0}, {598.0, 207.0}, {kColumns, kRows}, false};
 
 std::vector<float> sample_heights() {
     std::vector<float> heights;
-    for (int j = 0; j < kRows; ++j) {
-        for (int i = 0; i < kColumns; ++i) {
-            heights.push_back(2000.0f + 0.37f * static_cast<float>(i) -
-                              1.1f * static_cast<float>(j));
-        }
+    for (const auto [i, j] : test::pairs(kColumns, kRows)) {
+        heights.push_back(2000.0f + 0.37f * static_cast<float>(i) - 1.1f * static_cast<float>(j));
     }
     return heights;
 }
@@ -62,11 +53,8 @@ TEST(Geotiff, HoldsEveryFloatTheNorthernRowFirst) {
     EXPECT_EQ(folder.entries(), 1u);
     const std::vector<float> rows = read_rows(folder.file("t.tif"));
     ASSERT_EQ(rows.size(), heights.size());
-    for (int j = 0; j < kRows; ++j) {
-        for (int i = 0; i < kColumns; ++i) {
-            const auto at = [i](int row) { return static_cast<std::size_t>(row * kColumns + i); };
-            ASSERT_EQ(rows[at(j)], heights[at(kRows - 1 - j)]) << i << " " << j;
-        }
+    for (const auto [i, j, at] : test::cells(kColumns, kRows)) {
+        ASSERT_EQ(rows[at], heights[static_cast<std::size_t>((kRows - 1 - j) * kColumns + i)]);
     }
     const auto size = test::read_bytes(folder.file("t.tif")).size();
     EXPECT_LE(size, io::max_geotiff_bytes(kPlace));
@@ -112,7 +100,7 @@ TEST(Geotiff, NamesItsSubject) {
     ASSERT_TRUE(provenance);
     EXPECT_EQ(provenance->kind, "terrain");
     EXPECT_EQ(provenance->domain, kPlace);
-    EXPECT_NE(provenance->text.find("[terrain]"), std::string::npos);
+    EXPECT_TRUE(test::says(provenance->text, "[terrain]"));
 }
 
 TEST(Geotiff, DamagedAndForeignFilesAreErrors) {
@@ -121,7 +109,7 @@ TEST(Geotiff, DamagedAndForeignFilesAreErrors) {
     io::write_geotiff(image_of(sample_heights()), path);
     const std::string bytes = test::read_bytes(path);
     const auto rejects = [&](const std::string& content) {
-        std::ofstream(path, std::ios::binary) << content;
+        folder.write("t.tif", content);
         EXPECT_THROW(io::read_geotiff_header(path), Error) << content.size();
         EXPECT_THROW(read_rows(path), Error) << content.size();
     };
@@ -129,16 +117,12 @@ TEST(Geotiff, DamagedAndForeignFilesAreErrors) {
         rejects(bytes.substr(0, size));
     rejects(std::string("MM\0*", 4) + std::string(40, '\xff'));
     rejects(std::string("II*\0\x08\0\0\0\0\0\0\0\0\0", 14));  // no entry at all
-    std::ofstream(path, std::ios::binary) << bytes;
+    folder.write("t.tif", bytes);
     const Domain other{{0.0, 0.0}, {1.0, 1.0}, {kRows, kColumns}, false};
     EXPECT_THROW(io::read_geotiff(path, other, [](std::string_view) {}), Error);
     EXPECT_THROW(io::write_geotiff(image_of({}), path), Error);
-    try {
-        io::write_geotiff(image_of(sample_heights()), "/dev/full");
-        ADD_FAILURE();
-    } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("No space left"), std::string::npos);
-    }
+    const auto full = [] { io::write_geotiff(image_of(sample_heights()), "/dev/full"); };
+    EXPECT_TRUE(test::says(test::message_of(full), "No space left"));
 }
 
 TEST(ProductImage, HeightsAreFloatsWhereNothingElseMovesTheSurface) {

@@ -4,17 +4,14 @@
 // Claims: the PNG holds every height to half the quantum that the side file states, first row far,
 // last row and column wrapped, in three quarters of the codes. tests/povray renders
 // such files.
-#include <gtest/gtest.h>
 #include <png.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 
-#include "ocean/error.hpp"
-#include "ocean/internal/grid.hpp"
 #include "ocean/internal/io/height_field.hpp"
 #include "ocean/internal/io/product_image.hpp"
+#include "refusal.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {
@@ -74,13 +71,11 @@ TEST(HeightField, HoldsEveryHeightToHalfAQuantum) {
     ASSERT_EQ(width, n + 1);
     ASSERT_EQ(codes.size(), static_cast<std::size_t>(width * width));
     double worst = 0.0;
-    for (int row = 0; row <= n; ++row) {
-        for (int i = 0; i <= n; ++i) {
-            const double height =
-                base + scale * codes[static_cast<std::size_t>(row * width + i)] / 65536.0;
-            const double truth = test::sample_value(2, i % n, (n - row) % n, n);
-            worst = std::max(worst, std::abs(height - truth));
-        }
+    for (const auto [i, row] : test::pairs(n + 1, n + 1)) {
+        const double height =
+            base + scale * codes[static_cast<std::size_t>(row * width + i)] / 65536.0;
+        const double truth = test::sample_value(2, i % n, (n - row) % n, n);
+        worst = std::max(worst, std::abs(height - truth));
     }
     EXPECT_LE(worst, 0.5 * quantum * 1.0001);
     EXPECT_GE(worst, 0.4 * quantum);  // or the quantum is stated too large
@@ -101,7 +96,7 @@ TEST(HeightField, CodesAreReadBackAndDamagedFilesRefused) {
     EXPECT_TRUE(decoded == truth);
     const std::string bytes = test::read_bytes(path);
     for (std::size_t size = 0; size < bytes.size() - 12; size += 499) {  // 12: the end mark
-        std::ofstream(path, std::ios::binary) << bytes.substr(0, size);
+        folder.write("h.png", bytes.substr(0, size));
         EXPECT_THROW(io::read_height_field(path, sink), Error) << size;
     }
 }
@@ -130,8 +125,8 @@ TEST(HeightField, OfADomainThatDoesNotWrapHasItsSamplesOnly) {
     const TemporaryFolder folder;
     const int n = 33;
     std::vector<float> heights;
-    for (int j = 0; j < n; ++j) {
-        for (int i = 0; i < n; ++i) heights.push_back(static_cast<float>(i - 2 * j));
+    for (const auto [i, j] : test::pairs(n, n)) {
+        heights.push_back(static_cast<float>(i - 2 * j));
     }
     io::Image image{.width = n,
                     .height = n,
@@ -143,35 +138,24 @@ TEST(HeightField, OfADomainThatDoesNotWrapHasItsSamplesOnly) {
     int width = 0;
     const auto codes = read_grey16(folder.file("h.png"), width);
     ASSERT_EQ(width, n);
-    for (int row = 0; row < n; ++row) {
-        for (int i = 0; i < n; ++i) {
-            const double height =
-                side_value(side, "base") +
-                side_value(side, "scale") * codes[static_cast<std::size_t>(row * n + i)] / 65536.0;
-            EXPECT_NEAR(height, i - 2 * (n - 1 - row), side_value(side, "quantum"));
-        }
+    for (const auto [i, row, at] : test::cells(n, n)) {
+        const double height =
+            side_value(side, "base") + side_value(side, "scale") * codes[at] / 65536.0;
+        EXPECT_NEAR(height, i - 2 * (n - 1 - row), side_value(side, "quantum"));
     }
     EXPECT_EQ(side_value(side, "samples"), n);
-    EXPECT_NE(side.find("scale <64, "), std::string::npos) << side;
-    EXPECT_NE(side.find("translate <100, "), std::string::npos) << side;
-    EXPECT_NE(side.find(", -20> }"), std::string::npos) << side;
+    EXPECT_TRUE(test::says(side, {"scale <64, ", "translate <100, ", ", -20> }"}));
     const std::string scene = io::height_field_declarations(image);
-    EXPECT_NE(scene.find("#declare Terrain_Base = "), std::string::npos) << scene;
-    EXPECT_EQ(scene.find("Ocean"), std::string::npos) << scene;
+    EXPECT_TRUE(test::says(scene, "#declare Terrain_Base = "));
+    EXPECT_FALSE(test::says(scene, "Ocean"));
 }
 
 // A small image fails at the flush; a large one inside libpng, whose word for it is less telling.
 TEST(HeightField, FullDiskIsAnOutputError) {
     for (const int n : {32, 512}) {
         const Surface surface = test::sample_surface(n);
-        try {
-            io::write_height_field(image_of(surface), "/dev/full");
-            ADD_FAILURE() << n;
-        } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), ErrorKind::output);
-            EXPECT_NE(std::string(error.what()).find("No space left"), std::string::npos)
-                << error.what();
-        }
+        const auto full = [&] { io::write_height_field(image_of(surface), "/dev/full"); };
+        EXPECT_TRUE(test::says(test::message_of(ErrorKind::output, full), "No space left")) << n;
     }
 }
 

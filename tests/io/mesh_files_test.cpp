@@ -5,14 +5,9 @@
 // that are not our meshes are refused by name.
 #include "ocean/io/mesh.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cstring>
-#include <random>
-
-#include "ocean/error.hpp"
 #include "ocean/internal/io/read_provenance.hpp"
 #include "ocean/internal/io/usd.hpp"
+#include "refusal.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {
@@ -82,12 +77,8 @@ TEST(UsdFiles, HoldTheirProvenanceAndRefuseAMutatedTable) {
         const std::size_t at = head ? random() % 88 : whole.size() - 1 - random() % tail;
         changed[at] = static_cast<char>(random());
         if (random() % 8 == 0) changed.resize(random() % changed.size());
-        std::ofstream(folder.file("b.usdc"), std::ios::binary) << changed;
-        try {
-            io::read_usd_header(folder.file("b.usdc"));
-        } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), ErrorKind::bad_file);
-        }
+        folder.write("b.usdc", changed);
+        test::message_of(ErrorKind::bad_file, [&] { io::read_usd_header(folder.file("b.usdc")); });
     }
 }
 
@@ -96,7 +87,7 @@ TEST(UsdStage, QuotesTheTextOfTheSea) {
     io::UsdSequence sequence;
     sequence.numbers = {1};
     const std::string stage = io::usd_stage(sequence, strings);
-    EXPECT_NE(stage.find("\"\"\"a = \\\"b\\\"\\\\\n\"\"\""), std::string::npos) << stage;
+    EXPECT_TRUE(test::says(stage, "\"\"\"a = \\\"b\\\"\\\\\n\"\"\""));
 }
 
 TEST(UsdStage, ListsUnevenFramesOneByOne) {
@@ -105,17 +96,15 @@ TEST(UsdStage, ListsUnevenFramesOneByOne) {
     sequence.numbers = {1, 2, 5, 100};
     EXPECT_EQ(io::even_step(sequence.numbers), std::nullopt);
     const std::string stage = io::usd_stage(sequence, {});
-    for (const char* words :
-         {"startTimeCode = 1\n", "endTimeCode = 100\n",
-          "assetPaths = [@./s.01.usdc@, @./s.02.usdc@, @./s.05.usdc@, @./s.100.usdc@]",
-          "active = [(1, 0), (2, 1), (5, 2), (100, 3)]",
-          "times = [(1, 1), (2, 2), (5, 5), (100, 100)]"}) {
-        EXPECT_NE(stage.find(words), std::string::npos) << words << stage;
-    }
-    EXPECT_EQ(stage.find("template"), std::string::npos);
+    EXPECT_TRUE(test::says(
+        stage, {"startTimeCode = 1\n", "endTimeCode = 100\n",
+                "assetPaths = [@./s.01.usdc@, @./s.02.usdc@, @./s.05.usdc@, @./s.100.usdc@]",
+                "active = [(1, 0), (2, 1), (5, 2), (100, 3)]",
+                "times = [(1, 1), (2, 2), (5, 5), (100, 100)]"}));
+    EXPECT_FALSE(test::says(stage, "template"));
     sequence.numbers = {4, 8, 12};
     EXPECT_EQ(io::even_step(sequence.numbers), 4);
-    EXPECT_NE(io::usd_stage(sequence, {}).find("templateStride = 4"), std::string::npos);
+    EXPECT_TRUE(test::says(io::usd_stage(sequence, {}), "templateStride = 4"));
 }
 
 TEST(MeshFiles, AreTurnedWithAllTheirVectors) {
@@ -187,32 +176,28 @@ TEST(UsdFiles, HaveAnyAttributeUnderTheNamesOfTheirSubject) {
     const std::string stage = io::usd_stage(sequence, kTerrainStrings);
     for (const char* words : {"float[] primvars:snow", "vector3f[] primvars:current",
                               "float2[] primvars:strata", "float3[] extentsHint"}) {
-        EXPECT_NE(clips.find(words), std::string::npos) << words << clips;
-        EXPECT_NE(stage.find(words), std::string::npos) << words << stage;
+        EXPECT_TRUE(test::says(clips, words));
+        EXPECT_TRUE(test::says(stage, words));
     }
-    EXPECT_NE(clips.find("What the frames of a terrain by libocean have"), std::string::npos);
-    EXPECT_NE(stage.find("texCoord2f[] primvars:st"), std::string::npos);
-    EXPECT_NE(stage.find("def Mesh \"Terrain\""), std::string::npos) << stage;
-    EXPECT_EQ(stage.find("Ocean"), std::string::npos) << stage;
+    EXPECT_TRUE(test::says(clips, "What the frames of a terrain by libocean have"));
+    EXPECT_TRUE(test::says(stage, {"texCoord2f[] primvars:st", "def Mesh \"Terrain\""}));
+    EXPECT_FALSE(test::says(stage, "Ocean"));
     io::write_usd_frame(triangle(), kTerrainStrings, 1.0, folder.file("a.usdc"));
     const std::string frame = test::read_bytes(folder.file("a.usdc"));
     const float box[] = {0, 0, -1, 2, 3, 5};
-    EXPECT_NE(frame.find(std::string(reinterpret_cast<const char*>(box), sizeof box)),
-              std::string::npos);
-    EXPECT_NE(frame.find("Terrain"), std::string::npos);
-    EXPECT_EQ(frame.find("Ocean"), std::string::npos);
+    EXPECT_TRUE(test::says(frame, std::string(reinterpret_cast<const char*>(box), sizeof box)));
+    EXPECT_TRUE(test::says(frame, "Terrain"));
+    EXPECT_FALSE(test::says(frame, "Ocean"));
     EXPECT_EQ(io::read_provenance(folder.file("a.usdc"))->text, "beta = 2");
 }
 
 io::Points two_points() {
-    io::Points points;
-    points.positions = {1, 2, 3, 4, 5, 6};
-    points.velocities = {7, 8, 9, -1, -2, -3};
-    points.ages = {0.5f, 0.25f};
-    points.lives = {2, 1};
-    points.radii = {1e-4f, 2e-4f};
-    points.ids = {0x0123456789ABCDEFu, 42u};
-    return points;
+    return {.positions = {1, 2, 3, 4, 5, 6},
+            .velocities = {7, 8, 9, -1, -2, -3},
+            .ages = {0.5f, 0.25f},
+            .lives = {2, 1},
+            .radii = {1e-4f, 2e-4f},
+            .ids = {0x0123456789ABCDEFu, 42u}};
 }
 
 TEST(PointFiles, HoldEveryAttributeOfEachPoint) {
@@ -224,8 +209,8 @@ TEST(PointFiles, HoldEveryAttributeOfEachPoint) {
     const std::string bytes = test::read_bytes(path);
     const std::string end = "end_header\n";
     const std::size_t data = bytes.find(end) + end.size();
-    EXPECT_NE(bytes.find("element vertex 2\nproperty float x\n"), std::string::npos);
-    EXPECT_NE(bytes.find("property uint id_low\nproperty uint id_high\nend"), std::string::npos);
+    EXPECT_TRUE(test::says(bytes, {"element vertex 2\nproperty float x\n",
+                                   "property uint id_low\nproperty uint id_high\nend"}));
     ASSERT_EQ(bytes.size() - data, 2 * 44u);
     const auto value = [&](std::size_t place, auto zero) {
         std::memcpy(&zero, bytes.data() + data + 44 + place, sizeof zero);
@@ -241,8 +226,7 @@ TEST(PointFiles, HoldEveryAttributeOfEachPoint) {
     EXPECT_LE(bytes.size(), io::points_ply_bytes(2));
     EXPECT_EQ(io::points_bytes(2), 2 * 44u);
     io::write_ply(io::Points(), {}, folder.file("none.ply"));
-    EXPECT_NE(test::read_bytes(folder.file("none.ply")).find("element vertex 0\n"),
-              std::string::npos);
+    EXPECT_TRUE(test::says(test::read_bytes(folder.file("none.ply")), "element vertex 0\n"));
     EXPECT_THROW(io::write_ply(points, {}, "/dev/full"), Error);
 }
 

@@ -3,16 +3,12 @@
 //
 // Claims: the patch mesh is the displaced surface to half its vertex grid, its seam closes in bits,
 // it faces up; mesh2 text reads back as the same floats.
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <sstream>
-
-#include "ocean/error.hpp"
-#include "ocean/internal/grid.hpp"
-#include "ocean/internal/io/mesh2.hpp"
 #include "ocean/io/mesh.hpp"
+#include "ocean/error.hpp"
+#include "ocean/internal/io/mesh2.hpp"
 #include "sample_surface.hpp"
+#include "testing.hpp"
 
 namespace ocean {
 namespace {
@@ -39,17 +35,15 @@ TEST(PatchMesh, IsTheDisplacedSurfaceOnAPowerOfTwoGrid) {
     ASSERT_EQ(mesh.positions.size(), 3u * 33 * 33);
     ASSERT_EQ(mesh.triangles.size(), 6u * 32 * 32);
     const double step = std::ldexp(1.0, -16);
-    for (int j = 0; j <= n; ++j) {
-        for (int i = 0; i <= n; ++i) {
-            const float* p = &mesh.positions[static_cast<std::size_t>(3 * (j * (n + 1) + i))];
-            const auto at = static_cast<std::size_t>((j % n) * n + i % n);
-            const double cell = test::kSamplePeriod / n;
-            EXPECT_NEAR(p[0], i * cell + surface.channel(Channel::dx)[at], 0.51 * step);
-            EXPECT_NEAR(p[1], j * cell + surface.channel(Channel::dy)[at], 0.51 * step);
-            EXPECT_NEAR(p[2], surface.channel(Channel::height)[at], 0.51 * step);
-            for (int c = 0; c < 3; ++c) {
-                EXPECT_EQ(p[c] / step, std::nearbyint(p[c] / step));
-            }
+    for (const auto [i, j] : test::pairs(n + 1, n + 1)) {
+        const float* p = &mesh.positions[static_cast<std::size_t>(3 * (j * (n + 1) + i))];
+        const auto at = static_cast<std::size_t>((j % n) * n + i % n);
+        const double cell = test::kSamplePeriod / n;
+        EXPECT_NEAR(p[0], i * cell + surface.channel(Channel::dx)[at], 0.51 * step);
+        EXPECT_NEAR(p[1], j * cell + surface.channel(Channel::dy)[at], 0.51 * step);
+        EXPECT_NEAR(p[2], surface.channel(Channel::height)[at], 0.51 * step);
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_EQ(p[c] / step, std::nearbyint(p[c] / step));
         }
     }
 }
@@ -62,12 +56,10 @@ TEST(PatchMesh, SeamsHaveEqualBits) {
     };
     const auto period = static_cast<float>(test::kSamplePeriod);
     for (int k = 0; k <= n; ++k) {
-        EXPECT_EQ(vertex(0, k)[0] + period, vertex(n, k)[0]);
-        EXPECT_EQ(vertex(0, k)[1], vertex(n, k)[1]);
-        EXPECT_EQ(vertex(0, k)[2], vertex(n, k)[2]);
-        EXPECT_EQ(vertex(k, 0)[1] + period, vertex(k, n)[1]);
-        EXPECT_EQ(vertex(k, 0)[0], vertex(k, n)[0]);
-        EXPECT_EQ(vertex(k, 0)[2], vertex(k, n)[2]);
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_EQ(vertex(0, k)[c] + (c == 0 ? period : 0.0f), vertex(n, k)[c]);
+            EXPECT_EQ(vertex(k, 0)[c] + (c == 1 ? period : 0.0f), vertex(k, n)[c]);
+        }
     }
 }
 
@@ -108,11 +100,9 @@ TEST(PatchMesh, HasUvFrom0To1AndEveryProductOfTheSurface) {
     const io::Attribute* uv = mesh.find("uv");
     ASSERT_TRUE(uv != nullptr);
     ASSERT_EQ(uv->values.size(), 2u * 33 * 33);
-    for (int j = 0; j <= n; ++j) {
-        for (int i = 0; i <= n; ++i) {
-            EXPECT_EQ(value_at(*uv, n + 1, i, j, 0), static_cast<float>(i) / n);
-            EXPECT_EQ(value_at(*uv, n + 1, i, j, 1), static_cast<float>(j) / n);
-        }
+    for (const auto [i, j] : test::pairs(n + 1, n + 1)) {
+        EXPECT_EQ(value_at(*uv, n + 1, i, j, 0), static_cast<float>(i) / n);
+        EXPECT_EQ(value_at(*uv, n + 1, i, j, 1), static_cast<float>(j) / n);
     }
     std::vector<std::string> names;
     for (const io::Attribute& attribute : mesh.attributes) {
@@ -133,11 +123,9 @@ TEST(PatchMesh, OfADomainThatDoesNotWrapHasItsSamplesOnly) {
     const int columns = 32, rows = 11;
     const Domain domain{{500100.0, -20.0}, {62.0, 5.0}, {columns, rows}, false};
     Surface plane(domain, 0.0, {Channel::height});
-    for (int j = 0; j < rows; ++j) {
-        for (int i = 0; i < columns; ++i) {
-            plane.channel(Channel::height)[static_cast<std::size_t>(j * columns + i)] =
-                0.1f * static_cast<float>(i) - 3.0f * static_cast<float>(j);
-        }
+    for (const auto [i, j, at] : test::cells(columns, rows)) {
+        plane.channel(Channel::height)[at] =
+            0.1f * static_cast<float>(i) - 3.0f * static_cast<float>(j);
     }
     const io::Mesh mesh = io::make_patch_mesh(plane);
     ASSERT_EQ(mesh.vertices(), 32u * 11u);
@@ -147,15 +135,12 @@ TEST(PatchMesh, OfADomainThatDoesNotWrapHasItsSamplesOnly) {
     EXPECT_TRUE(mesh.normals.empty());
     ASSERT_EQ(mesh.attributes.size(), 1u);
     const io::Attribute& uv = mesh.attributes[0];
-    for (int j = 0; j < rows; ++j) {
-        for (int i = 0; i < columns; ++i) {
-            const auto v = static_cast<std::size_t>(j * columns + i);
-            EXPECT_EQ(mesh.positions[3 * v], static_cast<float>(500100.0 + 2.0 * i));
-            EXPECT_EQ(mesh.positions[3 * v + 1], static_cast<float>(-20.0 + 0.5 * j));
-            EXPECT_EQ(mesh.positions[3 * v + 2], plane.channel(Channel::height)[v]) << "as it was";
-            EXPECT_EQ(value_at(uv, columns, i, j, 0), static_cast<float>(i / 31.0));
-            EXPECT_EQ(value_at(uv, columns, i, j, 1), static_cast<float>(j / 10.0));
-        }
+    for (const auto [i, j, v] : test::cells(columns, rows)) {
+        EXPECT_EQ(mesh.positions[3 * v], static_cast<float>(500100.0 + 2.0 * i));
+        EXPECT_EQ(mesh.positions[3 * v + 1], static_cast<float>(-20.0 + 0.5 * j));
+        EXPECT_EQ(mesh.positions[3 * v + 2], plane.channel(Channel::height)[v]) << "as it was";
+        EXPECT_EQ(value_at(uv, columns, i, j, 0), static_cast<float>(i / 31.0));
+        EXPECT_EQ(value_at(uv, columns, i, j, 1), static_cast<float>(j / 10.0));
     }
     const std::size_t last = mesh.vertices() - 1;
     EXPECT_EQ(mesh.positions[3 * last], 500162.0f) << "the far corner is that of the domain";
@@ -205,9 +190,8 @@ TEST(Mesh2, TextGivesTheSameFloatsInPovRayAxes) {
     const io::Mesh mesh = io::make_patch_mesh(surface);
     io::write_mesh2(mesh, label, folder.file("sea 0004.inc"));
     const std::string text = test::read_bytes(folder.file("sea 0004.inc"));
-    EXPECT_NE(text.find("#declare Ocean_Time = 12.25;"), std::string::npos);
-    EXPECT_NE(text.find("#declare Ocean_Period = 100;"), std::string::npos);
-    EXPECT_NE(text.find("#declare Ocean_Frame_Number = 4;"), std::string::npos);
+    EXPECT_TRUE(test::says(text, {"#declare Ocean_Time = 12.25;", "#declare Ocean_Period = 100;",
+                                  "#declare Ocean_Frame_Number = 4;"}));
     const auto positions = read_vectors(text, "vertex_vectors", mesh.positions.size() / 3);
     const auto normals = read_vectors(text, "normal_vectors", mesh.positions.size() / 3);
     ASSERT_EQ(positions.size(), mesh.positions.size());
@@ -222,9 +206,9 @@ TEST(Mesh2, TextGivesTheSameFloatsInPovRayAxes) {
     view.x = 3.0;
     view.heading = 90.0;
     io::write_mesh2(mesh, label, folder.file("v.inc"), {.view = &view});
-    EXPECT_NE(test::read_bytes(folder.file("v.inc")).find("#declare Ocean_Eye = <3, 6, 0>;"),
-              std::string::npos);
-    EXPECT_EQ(text.find("uv_vectors"), std::string::npos);
+    EXPECT_TRUE(
+        test::says(test::read_bytes(folder.file("v.inc")), "#declare Ocean_Eye = <3, 6, 0>;"));
+    EXPECT_FALSE(test::says(text, "uv_vectors"));
     io::write_mesh2(mesh, label, folder.file("u.inc"), {.u = "cover"});
     const auto covers =
         read_vectors(test::read_bytes(folder.file("u.inc")), "uv_vectors", mesh.vertices());
@@ -249,9 +233,9 @@ TEST(Mesh2, DeclaresItsDomainUnderTheNamesOfItsSubject) {
          {"//   Desc: The surface of a terrain, by libocean ", "#declare Terrain_Surface = mesh2 {",
           "#declare Terrain_Origin = <100.5, -20>;", "#declare Terrain_Size = <64, 32>;",
           "#declare Terrain_Frame_Terrain_ = \"ab\";", "#version Terrain_Mesh_Inc_Temp;"}) {
-        EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+        EXPECT_TRUE(test::says(text, words));
     }
-    EXPECT_EQ(text.find("Ocean_"), std::string::npos) << text;
+    EXPECT_FALSE(test::says(text, "Ocean_"));
     EXPECT_THROW(io::write_mesh2(mesh, {.kind = "terrain"}, folder.file("none.inc")), Error);
 }
 

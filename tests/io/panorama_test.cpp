@@ -5,15 +5,8 @@
 // Error bad_file for any other bytes.
 #include "ocean/internal/io/panorama.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <fstream>
-#include <limits>
-#include <random>
-
-#include "ocean/error.hpp"
 #include "ocean/io/exr.hpp"
+#include "refusal.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {
@@ -30,34 +23,24 @@ struct Written {
 Written write(const std::string& path, int width, int height, const char* names = "RGB",
               io::PixelType type = io::PixelType::full_float) {
     Written written;
-    for (int j = 0; j < height; ++j) {
-        for (int i = 0; i < width; ++i) {
-            written.r.push_back(static_cast<float>(i));
-            written.g.push_back(static_cast<float>(j));
-            written.b.push_back(0.5f);
-        }
+    for (const auto [i, j] : test::pairs(width, height)) {
+        written.r.push_back(static_cast<float>(i));
+        written.g.push_back(static_cast<float>(j));
+        written.b.push_back(0.5f);
     }
     written.b[0] = -3.0f;
     written.b[1] = std::numeric_limits<float>::quiet_NaN();
     written.b[2] = std::numeric_limits<float>::infinity();
-    io::Image image;
-    image.width = width;
-    image.height = height;
-    image.planes = {{std::string(1, names[0]), type, written.r},
-                    {std::string(1, names[1]), type, written.g},
-                    {std::string(1, names[2]), type, written.b}};
+    io::Image image{.width = width, .height = height, .planes = {}};
+    for (const auto* plane : {&written.r, &written.g, &written.b}) {
+        image.planes.push_back({std::string(1, *names++), type, *plane});
+    }
     io::write_exr(image, path, io::ExrCompression::zip);
     return written;
 }
 
 std::string refusal(const std::string& path) {
-    try {
-        io::read_exr_panorama(path);
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::bad_file);
-        return error.what();
-    }
-    return "";
+    return test::message_of(ErrorKind::bad_file, [&] { io::read_exr_panorama(path); });
 }
 
 TEST(ExrPanorama, ReturnsTheWrittenLight) {
@@ -78,30 +61,28 @@ TEST(ExrPanorama, ReturnsTheWrittenLight) {
 TEST(ExrPanorama, ErrorsHaveTheReason) {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.exr");
-    EXPECT_NE(refusal(folder.file("none.exr")).find("cannot open"), std::string::npos);
+    EXPECT_TRUE(test::says(refusal(folder.file("none.exr")), "cannot open"));
     write(path, 32, 32);
-    EXPECT_NE(refusal(path).find("32 x 32; a panorama is twice as wide as high"),
-              std::string::npos);
+    EXPECT_TRUE(test::says(refusal(path), "32 x 32; a panorama is twice as wide as high"));
     write(path, 6, 3);
-    EXPECT_NE(refusal(path).find("6 x 3"), std::string::npos);
+    EXPECT_TRUE(test::says(refusal(path), "6 x 3"));
     write(path, 64, 32, "RGZ");
-    EXPECT_NE(refusal(path).find("no channel B"), std::string::npos);
+    EXPECT_TRUE(test::says(refusal(path), "no channel B"));
 
     write(path, 64, 32);
     const std::string good = test::read_bytes(path);
     const auto with = [&](const std::string& bytes) {
-        std::ofstream(path, std::ios::binary) << bytes;
-        return refusal(path);
+        return refusal(folder.write("a.exr", bytes));
     };
     EXPECT_FALSE(with(good.substr(0, good.size() - 100)).empty());
     std::string deep = good;
     deep[5] = '\x08';
-    EXPECT_NE(with(deep).find("deep"), std::string::npos);
+    EXPECT_TRUE(test::says(with(deep), "deep"));
     // A window of 2^31 x 2^30 samples in a file of a few kilobytes.
     std::string huge = good;
     const std::size_t window = huge.find("dataWindow\0box2i\0"s) + 17 + 4;
     huge.replace(window + 8, 8, std::string("\xff\xff\xff\x7f\xff\xff\xff\x3f", 8));
-    EXPECT_NE(with(huge).find("2147483648 x 1073741824"), std::string::npos);
+    EXPECT_TRUE(test::says(with(huge), "2147483648 x 1073741824"));
 }
 
 TEST(ExrPanorama, AnyBytesAreAPanoramaOrAnError) {
@@ -115,14 +96,12 @@ TEST(ExrPanorama, AnyBytesAreAPanoramaOrAnError) {
         for (int flips = 1 + i % 4; flips > 0; --flips) {
             bytes[random() % bytes.size()] = static_cast<char>(random());
         }
-        std::ofstream(path, std::ios::binary) << bytes;
-        try {
+        folder.write("a.exr", bytes);
+        test::message_of(ErrorKind::bad_file, [&] {
             for (const float light : io::read_exr_panorama(path, 1).rgb) {
                 ASSERT_TRUE(light >= 0.0f && light <= 65504.0f);
             }
-        } catch (const Error& error) {
-            ASSERT_EQ(error.kind(), ErrorKind::bad_file);
-        }
+        });
     }
 }
 

@@ -4,16 +4,12 @@
 // Claims: headers hold the provenance of a file, and it is read back from them.
 #include "ocean/internal/io/provenance.hpp"
 
-#include <gtest/gtest.h>
-
-#include <map>
-
-#include "ocean/error.hpp"
 #include "ocean/internal/io/output_file.hpp"
 #include "ocean/internal/io/png.hpp"
 #include "ocean/internal/io/read_provenance.hpp"
 #include "ocean/internal/io/subject_words.hpp"
 #include "ocean/io/exr.hpp"
+#include "refusal.hpp"
 #include "temporary_folder.hpp"
 
 namespace ocean {
@@ -21,22 +17,9 @@ namespace {
 
 using io::HeaderString;
 using io::Provenance;
+using test::Refusal;
+using test::refusal_of;
 using test::TemporaryFolder;
-
-struct Refusal {
-    ErrorKind kind = ErrorKind::interrupted;
-    std::string message;
-};
-
-template <typename Action>
-Refusal refusal_of(Action action) {
-    try {
-        action();
-    } catch (const Error& error) {
-        return {error.kind(), error.what()};
-    }
-    return {};
-}
 
 std::map<std::string, std::string> as_map(const std::vector<HeaderString>& strings) {
     std::map<std::string, std::string> map;

@@ -4,14 +4,13 @@
 // Compares the processor time of a frame with a million vertices and all attributes, from its maps
 // to the file, with that of writing as many raw bytes. Both alternate in the same run, so that
 // other work on the machine slows them equally.
-#include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <ctime>
 
 #include "ocean/internal/io/usd.hpp"
 #include "sample_surface.hpp"
+#include "testing.hpp"
 
 namespace ocean {
 namespace {
@@ -32,8 +31,7 @@ TEST(UsdSpeed, AFrameOf1024SquaredIsNearlyAsFastAsItsBytes) {
     const std::string frame = folder.file("a.usdc");
     const std::string copy = folder.file("b");
     std::string bytes;
-    double making = 1e9;
-    double writing = 1e9;
+    double making = 1e9, writing = 1e9;
     for (int run = 0; run < 5; ++run) {
         making = std::min(making, seconds([&] {
                               const io::Mesh mesh = io::make_patch_mesh(surface, io::Faces::none);

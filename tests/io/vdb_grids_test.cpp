@@ -4,21 +4,14 @@
 // Claims: points are read back unchanged; a fog has the cross-section of its puffs above the water,
 // and the same voxels for any number of threads and both orientations; a level set has the distance
 // to a slope, and no hole in a cliff.
-#include <gtest/gtest.h>
 #include <openvdb/io/File.h>
 #include <openvdb/openvdb.h>
 #include <openvdb/points/PointAttribute.h>
 #include <openvdb/points/PointCount.h>
 
-#include <cmath>
-#include <filesystem>
-#include <functional>
-#include <map>
-#include <numbers>
-#include <random>
-
 #include "ocean/io/vdb.hpp"
 #include "ocean/thread_pool.hpp"
+#include "testing.hpp"
 #include "vdb/vdb_grids.hpp"
 
 using namespace ocean;
@@ -207,13 +200,11 @@ TEST(VdbLevelSet, HasTheDistanceToASlope) {
     const auto slope = [](double x) { return 0.75 * x - 8.0; };
     const auto grid = level_set(slope, 0.8);
     std::size_t near = 0;
-    for (int k = -30; k < 30; ++k) {
-        for (int i = 6; i < 42; ++i) {
-            const double expected = 0.8 * (kVoxel * k - slope(kVoxel * i));
-            if (std::abs(expected) > 0.99 * io::kLevelSetBand * kVoxel) continue;
-            EXPECT_NEAR(static_cast<double>(grid->tree().getValue({i, 12, k})), expected, 1e-5);
-            ++near;
-        }
+    for (const auto [i, k] : test::pairs({6, 42}, {-30, 30})) {
+        const double expected = 0.8 * (kVoxel * k - slope(kVoxel * i));
+        if (std::abs(expected) > 0.99 * io::kLevelSetBand * kVoxel) continue;
+        EXPECT_NEAR(static_cast<double>(grid->tree().getValue({i, 12, k})), expected, 1e-5);
+        ++near;
     }
     EXPECT_GT(near, 200u);
 }
@@ -223,18 +214,16 @@ TEST(VdbLevelSet, HasTheDistanceToASlope) {
 std::pair<std::size_t, std::size_t> changes_and_holes(const openvdb::FloatGrid& grid) {
     std::size_t changes = 0, holes = 0;
     const openvdb::Coord steps[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    for (int i = -4; i < 52; ++i) {
-        for (int j = -4; j < 28; ++j) {
-            for (int k = -46; k < 66; ++k) {
-                const openvdb::Coord at(i, j, k);
-                for (const openvdb::Coord& step : steps) {
-                    float a = 0.0f, b = 0.0f;
-                    const bool known = grid.tree().probeValue(at, a);
-                    const bool beyond = grid.tree().probeValue(at + step, b);
-                    if ((a < 0.0f) == (b < 0.0f)) continue;
-                    ++changes;
-                    holes += known && beyond ? 0u : 1u;
-                }
+    for (const auto [j, i] : test::pairs({-4, 28}, {-4, 52})) {
+        for (int k = -46; k < 66; ++k) {
+            const openvdb::Coord at(i, j, k);
+            for (const openvdb::Coord& step : steps) {
+                float a = 0.0f, b = 0.0f;
+                const bool known = grid.tree().probeValue(at, a);
+                const bool beyond = grid.tree().probeValue(at + step, b);
+                if ((a < 0.0f) == (b < 0.0f)) continue;
+                ++changes;
+                holes += known && beyond ? 0u : 1u;
             }
         }
     }

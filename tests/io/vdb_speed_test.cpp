@@ -4,19 +4,16 @@
 // Compares the processor time of a level set from a million columns with OpenVDB's own conversion
 // of a closed mesh. Both alternate in the same run, so that other work slows them equally. The mesh
 // has a sixteenth of the columns, or the test would take longer than all others in its folder.
-#include <gtest/gtest.h>
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/MeshToVolume.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <ctime>
-#include <functional>
-#include <vector>
 
 #include "ocean/internal/modes.hpp"
 #include "ocean/io/vdb.hpp"
 #include "ocean/ocean.hpp"
+#include "testing.hpp"
 
 using namespace ocean;
 
@@ -39,9 +36,7 @@ Ocean windy_sea(int side) {
     Parameters parameters;
     parameters.grid.resolution = side;
     parameters.grid.patch_size = kVoxel * side;
-    WaveSystem waves;
-    waves.wind_speed = 12.0;
-    parameters.waves = {waves};
+    parameters.waves.front().wind_speed = 12.0;
     return Ocean(parameters);
 }
 
@@ -76,22 +71,18 @@ void by_mesh(Ocean& sea) {
     const auto top = [n](unsigned i, unsigned j) { return j * (n + 1) + i; };
     const auto low = [n, top](unsigned i, unsigned j) { return (n + 1) * (n + 1) + top(i, j); };
     for (const bool is_top : {true, false}) {
-        for (unsigned j = 0; j <= n; ++j) {
-            for (unsigned i = 0; i <= n; ++i) {
-                const std::size_t at = (j % n) * std::size_t{n} + i % n;
-                const double x = kVoxel * i + static_cast<double>(surface.channel(Channel::dx)[at]);
-                const double y = kVoxel * j + static_cast<double>(surface.channel(Channel::dy)[at]);
-                const double z =
-                    is_top ? static_cast<double>(surface.channel(Channel::height)[at]) : kBottom;
-                points.emplace_back(x, y, z);
-            }
+        for (const auto [i, j] : test::pairs<unsigned>(n + 1, n + 1)) {
+            const std::size_t at = (j % n) * std::size_t{n} + i % n;
+            const double x = kVoxel * i + static_cast<double>(surface.channel(Channel::dx)[at]);
+            const double y = kVoxel * j + static_cast<double>(surface.channel(Channel::dy)[at]);
+            const double z =
+                is_top ? static_cast<double>(surface.channel(Channel::height)[at]) : kBottom;
+            points.emplace_back(x, y, z);
         }
     }
-    for (unsigned j = 0; j < n; ++j) {
-        for (unsigned i = 0; i < n; ++i) {
-            quads.emplace_back(top(i, j), top(i, j + 1), top(i + 1, j + 1), top(i + 1, j));
-            quads.emplace_back(low(i, j), low(i + 1, j), low(i + 1, j + 1), low(i, j + 1));
-        }
+    for (const auto [i, j] : test::pairs<unsigned>(n, n)) {
+        quads.emplace_back(top(i, j), top(i, j + 1), top(i + 1, j + 1), top(i + 1, j));
+        quads.emplace_back(low(i, j), low(i + 1, j), low(i + 1, j + 1), low(i, j + 1));
     }
     for (unsigned k = 0; k < n; ++k) {
         quads.emplace_back(top(k, 0), top(k + 1, 0), low(k + 1, 0), low(k, 0));
@@ -110,8 +101,7 @@ TEST(VdbSpeed, AMillionColumnsAreFortyTimesAsFastAsAMesh) {
     Ocean small = windy_sea(kMeshSide);
     by_columns(sea, 6.0);  // maps and caches are there for both
     small.modes();
-    double columns = 1e9;
-    double mesh = 1e9;
+    double columns = 1e9, mesh = 1e9;
     for (int run = 0; run < 2; ++run) {
         columns = std::min(columns, seconds([&] { by_columns(sea, 6.0); }));
         mesh = std::min(mesh, seconds([&] { by_mesh(small); }));
