@@ -4,20 +4,13 @@
 // Claims: chunks of a stage that are baked concurrently leave the files and the manifest of one
 // bake of all frames, in any order of their starts and ends; a chunk that fails leaves the entries
 // of the others unchanged.
-#include <gtest/gtest.h>
 
-#include <filesystem>
-#include <functional>
-#include <map>
 #include <stdexcept>
 #include <tuple>
-#include <utility>
 
+#include "bakes.hpp"
 #include "manifest.hpp"
-#include "ocean/bake/run.hpp"
-#include "ocean/seafile.hpp"
 #include "sha256.hpp"
-#include "temporary_folder.hpp"
 
 namespace ocean {
 namespace {
@@ -25,17 +18,10 @@ namespace {
 using test::TemporaryFolder;
 
 void bake_chunk(const TemporaryFolder& folder, const std::string& frames, BakeHost& host) {
-    BakeOptions options;
-    options.source = "preset:beaufort_4";
-    options.output = folder.file("sea.usda");
-    options.frames = frames;
-    options.resolution = "32";
-    options.threads = 1;
-    options.format_options = {{"products", "position"}};
-    options.open_subject = [](const std::string&) {
-        return parse_sea_subject(find_preset("beaufort_4").toml, "beaufort_4");
-    };
-    run_bake(make_bake_plan(options, standard_catalogue()), host);
+    run_bake(
+        make_bake_plan(test::sea_bake(folder.file("sea.usda"), frames, {{"products", "position"}}),
+                       standard_catalogue()),
+        host);
 }
 
 /// Bakes the chunk of another machine after `writes` of its own writes; the first one is that of

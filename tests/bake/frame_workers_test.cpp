@@ -4,16 +4,12 @@
 // Claims: frames finish in any order and are delivered in their own, for any number of workers.
 #include "frame_baker.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <numeric>
-#include <random>
 #include <stdexcept>
 #include <thread>
-#include <vector>
+
+#include "testing.hpp"
 
 namespace ocean {
 namespace {

@@ -5,11 +5,8 @@
 // frames of the plan.
 #include "ocean/bake/plan.hpp"
 
-#include <gtest/gtest.h>
-
-#include <limits>
-
 #include "ocean/internal/bake/existing_frames.hpp"
+#include "testing.hpp"
 
 namespace ocean {
 namespace {

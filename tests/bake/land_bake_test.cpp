@@ -3,19 +3,9 @@
 //
 // Claims: plan and bake of a land compute it once, whatever the plan needs of it, and a subject
 // that is changed shows the change.
-#include <gtest/gtest.h>
 
-#include <array>
-#include <functional>
-#include <map>
-#include <memory>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "ocean/bake/run.hpp"
+#include "bakes.hpp"
 #include "ocean/terrainfile.hpp"
-#include "temporary_folder.hpp"
 
 namespace ocean {
 namespace {
@@ -30,54 +20,46 @@ std::unique_ptr<Subject> streamed_land() {
     return parse_terrain_subject(kStreams, "streams");
 }
 
-/// Counts how often the function of a land is begun.
-struct Builds : BakeHost {
-    int count = 0;
+/// A bake and its host, which counts how often the function of the land is begun.
+struct LandBake : BakeHost {
+    TemporaryFolder folder;
+    BakeOptions options;
+    int builds = 0;
 
-    std::function<void(std::string_view, double)> build_progress() override {
-        return [this](std::string_view work, double share) {
-            if (work == "waves" && share == 0.0) ++count;
-        };
-    }
-};
-
-TEST(LandBake, ComputesItsLandOnce) {
-    const std::map<std::string, std::map<std::string, std::string>> outputs = {
-        {"land.exr", {}},
-        {"land.vdb", {}},
-        {"land.ply", {{"lod", "300,300,60"}}},
-        {"land.usda", {{"lod", "300,300,60"}}}};
-    for (const auto& [output, format_options] : outputs) {
-        if (output.ends_with(".vdb") && standard_catalogue().find_format(".vdb") == nullptr) {
-            continue;
-        }
-        const TemporaryFolder folder;
-        Builds builds;
-        BakeOptions options;
+    LandBake(const std::string& output, const test::FormatOptions& format_options) {
         options.source = "streams";
         options.output = folder.file(output);
         options.threads = 1;
         options.format_options = format_options;
         options.open_subject = [](const std::string&) { return streamed_land(); };
-        options.build_progress = builds.build_progress();
-        run_bake(make_bake_plan(options, standard_catalogue()), builds);
-        EXPECT_EQ(builds.count, 1) << output;
+        options.build_progress = build_progress();
+    }
+    std::function<void(std::string_view, double)> build_progress() override {
+        return [this](std::string_view work, double share) {
+            builds += work == "waves" && share == 0.0 ? 1 : 0;
+        };
+    }
+};
+
+TEST(LandBake, ComputesItsLandOnce) {
+    const std::map<std::string, test::FormatOptions> outputs = {
+        {"land.exr", {}},
+        {"land.vdb", {}},
+        {"land.ply", {{"lod", "300,300,60"}}},
+        {"land.usda", {{"lod", "300,300,60"}}}};
+    for (const auto& [output, format_options] : outputs) {
+        if (standard_catalogue().find_format(output.substr(4)) == nullptr) continue;  // not built
+        LandBake land(output, format_options);
+        run_bake(make_bake_plan(land.options, standard_catalogue()), land);
+        EXPECT_EQ(land.builds, 1) << output;
     }
 }
 
 TEST(LandBake, AnExplicitBoxNeedsNoLandForItsPlan) {
     if (standard_catalogue().find_format(".vdb") == nullptr) GTEST_SKIP() << "without OpenVDB";
-    const TemporaryFolder folder;
-    Builds builds;
-    BakeOptions options;
-    options.source = "streams";
-    options.output = folder.file("land.vdb");
-    options.threads = 1;
-    options.format_options = {{"box", "0,0,-50,640,640,200"}};
-    options.open_subject = [](const std::string&) { return streamed_land(); };
-    options.build_progress = builds.build_progress();
-    make_bake_plan(options, standard_catalogue());
-    EXPECT_EQ(builds.count, 0);
+    LandBake land("land.vdb", {{"box", "0,0,-50,640,640,200"}});
+    make_bake_plan(land.options, standard_catalogue());
+    EXPECT_EQ(land.builds, 0);
 }
 
 TEST(LandBake, ASubjectThatIsChangedShowsTheChange) {

@@ -5,19 +5,10 @@
 // them as their rows state; no format and no product has code for them.
 #include "ocean/bake/typed_format.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstring>
-
-#include "ocean/bake/run.hpp"
-#include "ocean/error.hpp"
+#include "bakes.hpp"
 #include "ocean/internal/grid.hpp"
 #include "ocean/internal/text.hpp"
 #include "ocean/io/exr.hpp"
-#include "ocean/seafile.hpp"
-#include "temporary_folder.hpp"
 
 namespace ocean {
 namespace {
@@ -113,37 +104,32 @@ struct LongerTables {
 class MadeProducts : public testing::Test {
   protected:
     BakeOptions requesting(const std::string& products) const {
-        BakeOptions options;
-        options.source = "preset:beaufort_4";
-        options.output = folder_.file("sea.exr");
-        options.frames = "1";
+        BakeOptions options =
+            test::sea_bake(folder_.file("sea.exr"), "1", {{"products", products}});
         options.resolution = "64";
-        options.threads = 1;
-        options.format_options["products"] = products;
-        options.open_subject = [](const std::string&) {
-            return parse_sea_subject(find_preset("beaufort_4").toml, "beaufort_4");
-        };
         return options;
     }
 
     /// Returns the one file of the bake.
     std::string bake(const BakeOptions& options) const {
+        test::bake(options, tables_.catalogue);
         const BakePlan plan = make_bake_plan(options, tables_.catalogue);
-        BakeHost host;
-        run_bake(plan, host);
         return plan.format->files(plan, 1).at(0).path;
+    }
+    /// Returns the pixels of the first file.
+    std::string pixels_of(const BakeOptions& options) const {
+        const BakePlan plan = make_bake_plan(options, tables_.catalogue);
+        std::string pixels;
+        plan.format->read_pixels(plan, plan.format->files(plan, 1).at(0), 1,
+                                 [&](std::string_view bytes) { pixels += bytes; });
+        return pixels;
     }
     io::ExrLayout layout_of(const BakeOptions& options) const {
         return io::read_exr_layout(bake(options));
     }
 
     std::string refusal(const BakeOptions& options) const {
-        try {
-            make_bake_plan(options, tables_.catalogue);
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "planned";
+        return test::refusal_of(options, tables_.catalogue);
     }
 
     TemporaryFolder folder_;
@@ -174,11 +160,8 @@ TEST_F(MadeProducts, HaveTheTypeAndTheRunLengthsOfTheirRow) {
 TEST_F(MadeProducts, AreMadeOfTheFrame) {
     BakeOptions options = requesting("glow");
     const auto glow = [&] {
-        const BakePlan plan = make_bake_plan(options, tables_.catalogue);
-        const std::string path = bake(options);
-        std::string pixels;
-        plan.format->read_pixels(plan, plan.format->files(plan, 1).at(0), 1,
-                                 [&](std::string_view bytes) { pixels += bytes; });
+        bake(options);
+        const std::string pixels = pixels_of(options);
         EXPECT_EQ(pixels.size(), 64u * 64u * sizeof(float));
         float value = 0.0f;
         std::memcpy(&value, pixels.data(), sizeof value);
@@ -196,10 +179,7 @@ TEST_F(MadeProducts, OfSeveralFamiliesShareALayeredFile) {
     BakeOptions options = requesting("caustics,height,glow");
     options.format_options["layout"] = "layered";
     const std::string path = bake(options);
-    const BakePlan plan = make_bake_plan(options, tables_.catalogue);
-    std::string pixels;
-    plan.format->read_pixels(plan, plan.format->files(plan, 1).at(0), 1,
-                             [&](std::string_view bytes) { pixels += bytes; });
+    const std::string pixels = pixels_of(options);
     // The first row: caustics are half floats, all different; the glow is the same everywhere.
     std::array<float, 64> glow{};
     std::memcpy(glow.data(), pixels.data() + 64 * 2, sizeof glow);
@@ -218,12 +198,7 @@ TEST_F(MadeProducts, WithASizeOfTheirOwnHaveTheirOwnFiles) {
     EXPECT_EQ(io::read_exr_layout(path).samples, (std::array{32, 32}));
     EXPECT_EQ(string_of(path, "ocean:field"), "board");
     options.skip_existing = true;
-    struct Kept : BakeHost {
-        int frames = 0;
-        void frame_skipped(int, const std::vector<std::string>&) override { ++frames; }
-    } kept;
-    run_bake(make_bake_plan(options, tables_.catalogue), kept);
-    EXPECT_EQ(kept.frames, 1);
+    EXPECT_EQ(test::bake(options, tables_.catalogue), "k");
     options.format_options["layout"] = "layered";
     EXPECT_EQ(refusal(options), "--layout layered: boards do not have the size of the sea's map");
 }

@@ -3,22 +3,13 @@
 //
 // Claims: a subject of a host, a tilted plane at one place of the world, is baked, labelled,
 // resumed, listed and refused as a sea is, although no format and no product has code for it.
-#include <gtest/gtest.h>
 
-#include <array>
-#include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
-#include "ocean/bake/run.hpp"
-#include "ocean/error.hpp"
+#include "bakes.hpp"
 #include "ocean/internal/io/read_provenance.hpp"
 #include "ocean/internal/text.hpp"
-#include "ocean/seafile.hpp"
 #include "ocean/thread_pool.hpp"
-#include "temporary_folder.hpp"
 
 namespace ocean {
 namespace {
@@ -130,34 +121,18 @@ Catalogue catalogue_with_planes() {
 }
 
 BakeOptions plane_bake(const std::string& output) {
-    BakeOptions options;
+    BakeOptions options = test::sea_bake(output, "1-2");
     options.source = "plane.toml";
-    options.output = output;
-    options.frames = "1-2";
-    options.resolution = "32";
-    options.threads = 1;
     options.open_subject = [](const std::string&) { return std::make_unique<Plane>(2.5); };
     return options;
 }
 
-/// Bakes, and returns a letter for each frame: b if it was baked, k if it was kept.
 std::string bake(const BakeOptions& options) {
-    struct Events : BakeHost {
-        std::string text;
-        void frame_baked(int, double, const std::vector<std::string>&) override { text += "b"; }
-        void frame_skipped(int, const std::vector<std::string>&) override { text += "k"; }
-    } events;
-    run_bake(make_bake_plan(options, catalogue_with_planes()), events);
-    return events.text;
+    return test::bake(options, catalogue_with_planes());
 }
 
 std::string refusal(const BakeOptions& options) {
-    try {
-        make_bake_plan(options, catalogue_with_planes());
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "planned";
+    return test::refusal_of(options, catalogue_with_planes());
 }
 
 class EveryFormat : public testing::TestWithParam<const char*> {};
@@ -207,12 +182,9 @@ TEST(OtherSubject, IsReadBackFromItsOwnFile) {
     again.threads = 1;
     again.open_subject = [](const std::string&) { return std::make_unique<Plane>(2.5); };
     bake(again);
-    const auto bytes = [](const std::string& path) {
-        std::ifstream stream(path, std::ios::binary);
-        return (std::ostringstream() << stream.rdbuf()).str();
-    };
-    EXPECT_EQ(bytes(folder.file("plane.exr")), bytes(folder.file("again.exr")));
-    ASSERT_FALSE(bytes(folder.file("again.exr")).empty());
+    const std::string bytes = test::read_bytes(folder.file("again.exr"));
+    EXPECT_TRUE(bytes == test::read_bytes(folder.file("plane.exr")));
+    EXPECT_FALSE(bytes.empty());
 }
 
 TEST(OtherSubject, LeavesFramesOfOtherPlanesOutOfItsStage) {

@@ -2,36 +2,24 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Claims: all formats have one parser of --products, which names the reason for each refusal.
-#include <gtest/gtest.h>
 
+#include "bakes.hpp"
 #include "formats/formats.hpp"
-#include "ocean/bake/plan.hpp"
-#include "ocean/error.hpp"
-#include "ocean/seafile.hpp"
 
 namespace ocean {
 namespace {
 
-/// Returns the products of the plan, or the error.
 std::string products_or_error(const std::string& extension, const std::string& list) {
-    BakeOptions options;
-    options.source = "preset:beaufort_4";
-    options.output = "sea" + extension;
-    options.resolution = "32";
-    options.format_options["products"] = list;
-    options.open_subject = [](const std::string&) {
-        return parse_sea_subject(find_preset("beaufort_4").toml, "beaufort_4");
-    };
-    try {
-        const BakePlan plan = make_bake_plan(options, standard_catalogue());
-        std::string names;
+    std::string names;
+    const std::string message = test::message_of([&] {
+        const BakePlan plan = make_bake_plan(
+            test::sea_bake("sea" + extension, "", {{"products", list}}), standard_catalogue());
         for (const Product* product : plan.format->products(plan)) {
             names += (names.empty() ? "" : ",") + std::string(product->name);
         }
-        return names.empty() ? "nothing" : names;
-    } catch (const Error& error) {
-        return error.what();
-    }
+        if (names.empty()) names = "nothing";
+    });
+    return message + names;
 }
 
 TEST(ProductChoice, IsTheListOrTheDefaultOfTheFormat) {

@@ -5,16 +5,10 @@
 // is complete, and an exception of the host ends the bake without losing finished frames.
 #include "ocean/bake/run.hpp"
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
-#include "ocean/error.hpp"
+#include "bakes.hpp"
 #include "ocean/internal/bake/estimate.hpp"
-#include "ocean/seafile.hpp"
-#include "temporary_folder.hpp"
 
 namespace ocean {
 namespace {
@@ -22,15 +16,8 @@ namespace {
 using test::TemporaryFolder;
 
 BakeOptions small_bake(const TemporaryFolder& folder, const std::string& output) {
-    BakeOptions options;
-    options.source = "preset:beaufort_4";
-    options.output = folder.file(output);
-    options.frames = "3,1-2";
-    options.resolution = "32";
+    BakeOptions options = test::sea_bake(folder.file(output), "3,1-2");
     options.threads = 2;
-    options.open_subject = [](const std::string&) {
-        return parse_sea_subject(find_preset("beaufort_4").toml, "beaufort_4");
-    };
     return options;
 }
 
@@ -151,7 +138,7 @@ TEST(RunBake, NeverReplacesFilesOfTheUser) {
     for (const char* const name : {"sea.0002.df3", "sea.height.0002.exr", "sea.0002.png",
                                    "sea.0002.png.inc", "sea.0002.inc", "sea.manifest.json"}) {
         const TemporaryFolder folder;
-        std::ofstream(folder.file(name)) << "not a frame of ours";
+        folder.write(name, "not a frame of ours");
         std::string extension = std::filesystem::path(name).extension().string();
         if (std::string_view(name).ends_with(".png.inc")) extension = ".png";
         if (extension == ".json") extension = ".exr";

@@ -3,15 +3,11 @@
 //
 // Claims: spray is baked in order of its frames, on the sea's own lattice for any resolution; a
 // file is kept for its own settings only; the forecast is an upper bound.
-#include <gtest/gtest.h>
 
-#include "ocean/bake/run.hpp"
-#include "ocean/error.hpp"
+#include "bakes.hpp"
 #include "ocean/internal/bake/estimate.hpp"
 #include "ocean/internal/bake/existing_frames.hpp"
 #include "ocean/io/mesh.hpp"
-#include "ocean/seafile.hpp"
-#include "temporary_folder.hpp"
 
 namespace ocean {
 namespace {
@@ -19,12 +15,11 @@ namespace {
 using test::TemporaryFolder;
 
 BakeOptions spray_bake(const TemporaryFolder& folder) {
-    BakeOptions options;
+    BakeOptions options = test::sea_bake(folder.file("s.####.ply"), "1-2",
+                                         {{"products", "spray"}, {"spray-lifetime", "0.2"}});
     options.source = "preset:beaufort_8";
-    options.output = folder.file("s.####.ply");
-    options.frames = "1-2";
+    options.resolution = "";
     options.threads = 2;
-    options.format_options = {{"products", "spray"}, {"spray-lifetime", "0.2"}};
     options.open_subject = [](const std::string&) {
         Sea sea = parse_sea(find_preset("beaufort_8").toml, "beaufort_8", "");
         sea.parameters.grid.resolution = 64;
@@ -39,11 +34,10 @@ BakePlan plan_of(const BakeOptions& options) {
 }
 
 std::string content_of(const BakeOptions& options) {
-    const BakePlan plan = plan_of(options);
-    BakeHost nobody;
-    run_bake(plan, nobody);
+    test::bake(options);
     std::string all;
-    for (const BakeFile& file : files_that_may_exist(plan)) all += test::read_bytes(file.path);
+    for (const BakeFile& file : files_that_may_exist(plan_of(options)))
+        all += test::read_bytes(file.path);
     return all;
 }
 

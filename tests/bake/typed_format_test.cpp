@@ -5,12 +5,9 @@
 // compile; optional functions do nothing; settings of another format are refused.
 #include "ocean/bake/typed_format.hpp"
 
-#include <gtest/gtest.h>
-
 #include <stdexcept>
-#include <type_traits>
 
-#include "ocean/seafile.hpp"
+#include "bakes.hpp"
 
 namespace ocean {
 namespace {
@@ -66,13 +63,7 @@ BakePlan plan_of(const BakeFormat& format) {
     const BakeFormat* const formats[] = {&format};
     Catalogue catalogue = standard_catalogue();
     catalogue.formats = formats;
-    BakeOptions options;
-    options.source = "preset:beaufort_4";
-    options.output = "sea.count";
-    options.open_subject = [](const std::string&) {
-        return parse_sea_subject(find_preset("beaufort_4").toml, "beaufort_4");
-    };
-    return make_bake_plan(options, catalogue);
+    return make_bake_plan(test::sea_bake("sea.count"), catalogue);
 }
 
 TEST(TypedFormat, PassesItsOwnSettingsToEachFunction) {
