@@ -4,15 +4,9 @@
 // Archives of spectra: files of one format are read as one, and skipped files are reported.
 #include "archive.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <numeric>
-
 #include "helpers.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/text.hpp"
-#include "spectrum_format.hpp"
 
 namespace ocean::test {
 namespace {
@@ -114,14 +108,15 @@ TEST(Archive, LongNamesAndCutsAndDamage) {
     EXPECT_EQ(records[0].warnings,
               (std::vector<std::string>{
                   "1 of 2 files of the archive are left out, the first of them b.csv (cut off)"}));
-    EXPECT_TRUE(refusal_of([&] { read_tar(two.substr(0, 520)); }).says("tar: the file is cut off"));
+    EXPECT_TRUE(
+        says(message_of([&] { read_tar(two.substr(0, 520)); }), "tar: the file is cut off"));
     std::string damaged = two;
     damaged[1024 + 3] = '!';
-    EXPECT_EQ(refusal_of([&] { read_tar(damaged); }).message,
+    EXPECT_EQ(message_of([&] { read_tar(damaged); }),
               "s.tar: tar: the header of a file is damaged");
     EXPECT_FALSE(is_tar(kCsvA));
     EXPECT_FALSE(is_tar(std::string(2000, '\0')));
-    EXPECT_TRUE(refusal_of([] { read_tar("PK\x03\x04 etc."); }).says("is a zip archive"));
+    EXPECT_TRUE(says(message_of([] { read_tar("PK\x03\x04 etc."); }), "is a zip archive"));
 }
 
 }  // namespace

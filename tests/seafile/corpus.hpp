@@ -4,20 +4,14 @@
 // The tables of the corpus: where they are, their texts as bytes, names of tests.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cctype>
 #include <cstdlib>
-#include <filesystem>
 #include <iterator>
 #include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "ocean/internal/checked_text.hpp"
 #include "paths.hpp"
+#include "testing.hpp"
 #include "toml_input.hpp"
 
 namespace ocean::test {

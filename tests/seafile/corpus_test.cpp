@@ -3,10 +3,7 @@
 //
 // Reads the corpus of spectrum files (corpus/README.md): each file gives the records, and each edit
 // of it the records or the sentence, that the table beside it says.
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <set>
 

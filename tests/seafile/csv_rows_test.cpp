@@ -5,9 +5,8 @@
 // be read in two ways, the error says which.
 #include "ocean/internal/csv_rows.hpp"
 
-#include <gtest/gtest.h>
-
 #include "ocean/internal/text.hpp"
+#include "refusal.hpp"
 
 namespace ocean::csv {
 namespace {
@@ -26,12 +25,9 @@ std::string numbers_of(const std::string& content) {
     return text;
 }
 
-std::string refusal_of(const std::string& content) {
-    try {
-        return "read as " + numbers_of(content);
-    } catch (const Error& error) {
-        return error.what();
-    }
+std::string sentence_of(const std::string& content) {
+    std::string read;
+    return test::message_of([&] { read = "read as " + numbers_of(content); }) + read;
 }
 
 std::string utf16(std::string_view ascii, bool big_endian) {
@@ -96,7 +92,7 @@ TEST(TableReader, RowNamesWithoutATitleAreAColumn) {
     EXPECT_EQ(numbers_of(",x,y\n0,1.5,2\n1,3,4\n"), "[][x][y]\n0 1.5 2\n1 3 4");  // pandas
     EXPECT_EQ(numbers_of("\"x\" \"y\"\n\"7\" 1.5 2\n"), "[][x][y]\n7 1.5 2");     // R
     EXPECT_EQ(numbers_of("   x  y\n0  1  2\n"), "[][x][y]\n0 1 2");  // a printed DataFrame
-    EXPECT_EQ(refusal_of("x y\n0 1 2\n"),
+    EXPECT_EQ(sentence_of("x y\n0 1 2\n"),
               "t.csv:2: more cells than the 2 columns of the header line");
 }
 
@@ -116,8 +112,8 @@ TEST(TableReader, TextsMayHoldWhatNumbersMayNot) {
 
 TEST(TableReader, WhatCanBeReadInTwoWaysIsRefused) {
     const auto says = [](const std::string& content, const std::string& message) {
-        const std::string refusal = refusal_of(content);
-        EXPECT_NE(refusal.find(message), std::string::npos) << refusal;
+        const std::string refusal = sentence_of(content);
+        EXPECT_TRUE(test::says(refusal, message));
     };
     says("a,b;c,d\n1,2;3,4\n", "t.csv:1: the separator of the cells is ambiguous: a semicolon");
     says("x\ty\n1,500\t2,000\n",
@@ -139,7 +135,7 @@ TEST(TableReader, AnyHeaderLineIsReadInOnePass) {
     for (const char* bytes : {"(", "[", "([", "x ", "( ", "\"\""}) {
         std::string header;
         while (header.size() < (std::size_t{8} << 20)) header += bytes;
-        EXPECT_FALSE(refusal_of(header + "\n1\n").empty());
+        EXPECT_FALSE(sentence_of(header + "\n1\n").empty());
     }
 }
 

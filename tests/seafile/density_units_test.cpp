@@ -5,10 +5,6 @@
 // what is no unit.
 #include "ocean/internal/density_units.hpp"
 
-#include <gtest/gtest.h>
-
-#include <utility>
-
 #include "corpus.hpp"
 
 namespace ocean {
@@ -35,7 +31,7 @@ TEST(DensityUnits, WhatIsNoDensityIsRefusedAsItWasUnderstood) {
         return parse_density_unit(text, over).fault;
     };
     const auto says = [](const std::string& message, const char* words) {
-        EXPECT_NE(message.find(words), std::string::npos) << words << " not in: " << message;
+        EXPECT_TRUE(test::says(message, words));
     };
     says(fault("m2"), "units 'm2': m^2 is not a unit of a density over frequency");
     says(fault("m2 Hz"), "m^2 Hz is not a");

@@ -5,8 +5,6 @@
 // were made by `printf 'waves\n' | gzip -n9 | xxd -i`.
 #include "gzip.hpp"
 
-#include <gtest/gtest.h>
-
 #include "helpers.hpp"
 
 namespace ocean::test {

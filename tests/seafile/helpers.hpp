@@ -5,17 +5,12 @@
 #pragma once
 
 #include <bit>
-#include <cmath>
 #include <cstdint>
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
 
-#include "ocean/error.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
 #include "paths.hpp"
+#include "refusal.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::test {
@@ -23,21 +18,11 @@ namespace ocean::test {
 inline const std::string kData = data_dir();
 inline const std::string kBuoy = kData + "/spectra/ndbc_41010.data_spec";
 
-struct Refusal {
-    bool refused = false;
-    ErrorKind kind = ErrorKind::interrupted;
-    std::string message;
-    bool says(const std::string& words) const { return message.find(words) != std::string::npos; }
-};
-
-template <typename Action>
-Refusal refusal_of(Action action) {
-    try {
-        action();
-    } catch (const Error& error) {
-        return {true, error.kind(), error.what()};
-    }
-    return {};
+/// Expects that a file was refused by a sentence with these words.
+template <typename... Words>
+void expect_bad_file(const Refusal& refusal, const Words&... words) {
+    EXPECT_EQ(refusal.kind, ErrorKind::bad_file) << refusal.message;
+    EXPECT_TRUE(refusal.says(words...));
 }
 
 /// Returns the fault of a file, or of the first of its records that cannot be read.

@@ -3,12 +3,8 @@
 //
 // What the corpus does not show of NDBC's yearly files: whole files against the real-time record,
 // and the names of companions.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 
 #include "helpers.hpp"
-#include "spectrum_format.hpp"
 
 namespace ocean::test {
 namespace {

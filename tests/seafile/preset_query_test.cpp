@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Every preset, queried at random points: the bounds of query.hpp.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
 
 #include "ocean/internal/surface_query.hpp"
 #include "ocean/internal/wave_sum.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/query.hpp"
 #include "ocean/seafile.hpp"
+#include "testing.hpp"
 
 namespace ocean {
 namespace {

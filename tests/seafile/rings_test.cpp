@@ -3,7 +3,6 @@
 //
 // A file of rings gives wavenumbers and densities, whatever further columns it has. What is refused
 // stands in sentences/rings.toml.
-#include <gtest/gtest.h>
 
 #include "helpers.hpp"
 #include "ocean/internal/measured_rings.hpp"
@@ -11,8 +10,6 @@
 
 namespace ocean {
 namespace {
-
-using test::refusal_of;
 
 TEST(Rings, AFileHasWavenumbersAndDensities) {
     const MeasuredRings expected{{0.01, 0.02}, {5e6, 0.0}};
@@ -30,7 +27,7 @@ TEST(Rings, AFileHasWavenumbersAndDensities) {
 TEST(Rings, AreAtMost4096) {
     std::string many = "wavenumber,density\n";
     for (int i = 1; i <= 4097; ++i) many += std::to_string(i) + ",1\n";
-    EXPECT_EQ(refusal_of([&] { parse_rings(many, "r.csv"); }).message,
+    EXPECT_EQ(test::message_of([&] { parse_rings(many, "r.csv"); }),
               "r.csv:4098: more than the 4096 rings allowed");
 }
 

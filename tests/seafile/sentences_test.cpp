@@ -3,10 +3,8 @@
 //
 // Broken texts of sea files, takes, rings and grids of heights: the folder `sentences` has a table
 // for each reader, whose rows are a text and the one sentence that refuses it.
-#include <gtest/gtest.h>
 
 #include <iostream>
-#include <sstream>
 
 #include "corpus.hpp"
 #include "helpers.hpp"

@@ -3,10 +3,6 @@
 //
 // The sea-file reader is strict: each kind of mistake ends in an error that names the file, the
 // line, the key, the value and the allowed values.
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <string>
 
 #include "helpers.hpp"
 
@@ -14,30 +10,26 @@ namespace ocean::test {
 namespace {
 
 TEST(SeaFile, WithoutVersionIsRefused) {
-    const Refusal refusal = refusal_of([] { parse_sea("[grid]\n", "test.toml", ""); });
-    EXPECT_EQ(refusal.kind, ErrorKind::bad_file);
-    EXPECT_TRUE(refusal.says("test.toml: ") && refusal.says("libocean = 1")) << refusal.message;
+    expect_bad_file(refusal_of([] { parse_sea("[grid]\n", "test.toml", ""); }),
+                    "test.toml: ", "libocean = 1");
 }
 
 TEST(SeaFile, OfAnotherVersionIsRefused) {
     for (const char* version : {"2", "0", "1.0", "\"1\""}) {
         const std::string line = "libocean = " + std::string(version);
-        const Refusal refusal = refusal_of([&] { parse_sea("\n" + line, "test.toml", ""); });
-        EXPECT_EQ(refusal.kind, ErrorKind::bad_file);
-        EXPECT_TRUE(refusal.says("test.toml:2: " + line)) << refusal.message;
-        EXPECT_TRUE(refusal.says("allowed: libocean = 1")) << refusal.message;
+        expect_bad_file(refusal_of([&] { parse_sea("\n" + line, "test.toml", ""); }),
+                        "test.toml:2: " + line, "allowed: libocean = 1");
     }
 }
 
 TEST(SeaFile, ThatIsMissingIsABadFileWithItsPath) {
-    const Refusal refusal = refusal_of([] { read_sea(kData + "/no_such_sea.toml"); });
-    EXPECT_EQ(refusal.kind, ErrorKind::bad_file);
-    EXPECT_TRUE(refusal.says(kData + "/no_such_sea.toml: no such file")) << refusal.message;
+    expect_bad_file(refusal_of([] { read_sea(kData + "/no_such_sea.toml"); }),
+                    kData + "/no_such_sea.toml: no such file");
 }
 
 TEST(SeaFile, TheFirstMistakeInTheFileIsReportedFirst) {
-    const Refusal refusal = refusal_of_sea("[water]\ndepth = -1\n[grid]\nresolution = 3\n");
-    EXPECT_TRUE(refusal.says("test.toml:3: water.depth")) << refusal.message;
+    EXPECT_TRUE(refusal_of_sea("[water]\ndepth = -1\n[grid]\nresolution = 3\n")
+                    .says("test.toml:3: water.depth"));
 }
 
 TEST(SeaFile, EmptyOfSectionsIsOneDefaultSystem) {
@@ -67,8 +59,7 @@ TEST(SeaFile, SixteenWaveSystemsAreReadSeventeenRefused) {
     std::string body;
     for (int i = 0; i < 16; ++i) body += "[[waves]]\n";
     EXPECT_EQ(parse(body).parameters.waves.size(), 16u);
-    const Refusal refusal = refusal_of_sea(body + "[[waves]]\n");
-    EXPECT_TRUE(refusal.says("test.toml:18: waves: 17")) << refusal.message;
+    EXPECT_TRUE(refusal_of_sea(body + "[[waves]]\n").says("test.toml:18: waves: 17"));
 }
 
 TEST(SeaFile, WindowsLineEndsAndByteOrderMarkAreRead) {
@@ -88,14 +79,13 @@ TEST(SeaFile, Utf16WithItsByteOrderMarkIsRead) {
             bytes += little ? high : low;
         }
         EXPECT_EQ(parse_sea(bytes, "t", "").parameters.grid.resolution, 64);
-        const Refusal cut =
-            refusal_of([&] { parse_sea(bytes.substr(0, bytes.size() - 1), "test.toml", ""); });
-        EXPECT_TRUE(cut.says("UTF-16")) << cut.message;
+        EXPECT_TRUE(
+            says(message_of([&] { parse_sea(bytes.substr(0, bytes.size() - 1), "test.toml", ""); }),
+                 "UTF-16"));
         std::string half = bytes;
         half.erase(bytes.find(little ? "\x1e\xdd" : "\xdd\x1e"), 2);
         const Refusal halved = refusal_of([&] { parse_sea(half, "test.toml", ""); });
-        EXPECT_TRUE(halved.says("test.toml:1")) << halved.message;
-        EXPECT_TRUE(halved.says("half a character")) << halved.message;
+        EXPECT_TRUE(halved.says("test.toml:1", "half a character"));
     }
 }
 

@@ -4,10 +4,7 @@
 // Times of records: accepted texts, and minutes since 1970 there and back.
 #include "ocean/internal/utc_time.hpp"
 
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <utility>
+#include "testing.hpp"
 
 namespace ocean::test {
 namespace {

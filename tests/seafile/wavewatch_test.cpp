@@ -3,7 +3,6 @@
 //
 // What the corpus does not show of WAVEWATCH III: the weights of rounded directions over a whole
 // file, and numbers as Fortran writes them.
-#include <gtest/gtest.h>
 
 #include <tuple>
 
