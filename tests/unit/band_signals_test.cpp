@@ -4,13 +4,7 @@
 // The signals of the pairs: reads of them are the sums of their modes, at any place and time.
 #include "coast/loops/band_signals.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
 #include <tuple>
-#include <vector>
 
 #include "coast/loops/signal_task.hpp"
 #include "divided_sea.hpp"
@@ -39,11 +33,7 @@ struct Jets {
 };
 
 Parameters coast_sea(double direction = 20.0) {
-    Parameters parameters = test::wind_sea(512, 1024.0);
-    parameters.waves.front().wind_speed = 12.0;
-    parameters.waves.front().fetch = 150000.0;
-    parameters.waves.front().wind_direction = direction;
-    return parameters;
+    return test::wind_sea(512, 1024.0, {.wind = 12.0, .direction = direction, .fetch = 150000.0});
 }
 
 // Reads are the sums of their modes: the value within the tolerance; the gradient within 40 times
@@ -51,10 +41,9 @@ Parameters coast_sea(double direction = 20.0) {
 // within 3 times that, since short waves have more of it.
 TEST(BandSignals, ReadsAreTheSumsOfTheirModes) {
     const DividedSea sea(test::wind_sea(128, 400.0));
-    ThreadPool pool(1);
     for (const double tolerance : {1e-3, 1e-4, 1e-5, 2e-6}) {
         BandSignals signals(sea.modes, sea.bands, tolerance, true);
-        signals.move_to(1e6, pool);
+        signals.move_to(1e6, test::pool());
         const Places at(150, -1000.0, 1000.0);
         double value_error = 0.0, value = 0.0, slope_error = 0.0, slope = 0.0;
         double rate_error = 0.0, rate = 0.0;
@@ -116,13 +105,10 @@ TEST(BandSignals, AWaveTravelsIntoItsSector) {
         const Modes modes = test::single_wave(parameters, n, m);
         ShoreBands bands;
         bands.edges = {0.01, 0.05, 0.1, 0.5, 1.0};
-        const double kx = kTwoPi * n / 300.0;
-        const double ky = kTwoPi * m / 300.0;
-        const double k = std::hypot(kx, ky);
+        const double kx = kTwoPi * n / 300.0, ky = kTwoPi * m / 300.0, k = std::hypot(kx, ky);
         for (int s = 0; s < kShoreSectors; ++s) bands.waves.push_back({bands.band_of(k), s, 0.5});
-        ThreadPool pool(1);
         BandSignals signals(modes, bands);
-        signals.move_to(7.0, pool);
+        signals.move_to(7.0, test::pool());
         const double omega = Dispersion(parameters.water).angular_frequency(k);
         const Places at(70, -900.0, 900.0);
         for (int s = 0; s < kShoreSectors; ++s) {
@@ -142,9 +128,8 @@ TEST(BandSignals, AWaveTravelsIntoItsSector) {
 // The period wraps, and a place far away is as good as a near one.
 TEST(BandSignals, ThePeriodWraps) {
     const DividedSea sea(test::wind_sea(64, 256.0));
-    ThreadPool pool(1);
     BandSignals signals(sea.modes, sea.bands);
-    signals.move_to(3.0, pool);
+    signals.move_to(3.0, test::pool());
     const Places near(100, 0.0, 256.0);
     for (const double periods : {-1.0, 1.0, 4000.0}) {
         Places far = near;
@@ -163,17 +148,15 @@ TEST(BandSignals, ThePeriodWraps) {
 
 // A loop closes: the same bits 400 periods later, other ones 3 s later.
 TEST(BandSignals, ALoopCloses) {
-    Parameters parameters = test::wind_sea(64, 300.0);
-    parameters.time.loop_period = 12.5;
+    Parameters parameters = test::wind_sea(64, 300.0, {.loop = 12.5});
     const DividedSea sea(parameters);
-    ThreadPool pool(1);
     BandSignals now(sea.modes, sea.bands, 1e-4, true);
     BandSignals later = now;
-    now.move_to(4.2, pool);
+    now.move_to(4.2, test::pool());
     const Places at(100, 0.0, 300.0);
-    later.move_to(4.2 + 3.0, pool);
+    later.move_to(4.2 + 3.0, test::pool());
     EXPECT_NE(Jets(now, 0, at).re, Jets(later, 0, at).re);
-    later.move_to(4.2 + 400 * 12.5, pool);
+    later.move_to(4.2 + 400 * 12.5, test::pool());
     for (std::size_t pair = 0; pair < now.count(); ++pair) {
         EXPECT_EQ(Jets(now, pair, at, true).re, Jets(later, pair, at, true).re);
         EXPECT_EQ(Jets(now, pair, at, true).im_t, Jets(later, pair, at, true).im_t);
@@ -199,9 +182,8 @@ TEST(BandSignals, ThreadsChangeNoBit) {
 // A place has one value, whichever outputs are requested and whichever places are read beside it.
 TEST(BandSignals, OutputsThatNobodyRequestsAreSkipped) {
     const DividedSea sea(test::wind_sea(64, 300.0));
-    ThreadPool pool(1);
     BandSignals signals(sea.modes, sea.bands, 1e-4);
-    signals.move_to(9.0, pool);
+    signals.move_to(9.0, test::pool());
     const Places at(131, 0.0, 300.0);
     const Jets whole(signals, 0, at);
     std::vector<float> im(at.size());
@@ -218,12 +200,10 @@ TEST(BandSignals, OutputsThatNobodyRequestsAreSkipped) {
 
 // A flat sea has no signals, and its modes remain.
 TEST(BandSignals, AFlatSeaHasNone) {
-    Parameters parameters = test::wind_sea(32, 100.0);
-    parameters.waves.front().significant_wave_height = 0.0;
+    Parameters parameters = test::wind_sea(32, 100.0, {.height = 0.0});
     const DividedSea sea(parameters);
-    ThreadPool pool(1);
     BandSignals signals(sea.modes, sea.bands);
-    signals.move_to(1.0, pool);
+    signals.move_to(1.0, test::pool());
     EXPECT_EQ(signals.count(), 0u);
     EXPECT_EQ(signals.samples(), 0u);
 }
@@ -231,13 +211,12 @@ TEST(BandSignals, AFlatSeaHasNone) {
 // The sea of a coast, 12 m/s over 150 km on 1024 m, costs at most three maps of 1024^2 a frame and
 // is read to 2e-6, whatever its direction.
 TEST(BandSignals, AFrameCostsAtMostThreeOpenMaps) {
-    ThreadPool pool(2);
     for (const double direction : {0.0, 20.0, 45.0}) {
         const DividedSea sea(coast_sea(direction));
         BandSignals signals(sea.modes, sea.bands);
         EXPECT_LE(signals.samples(), 3u * 1024u * 1024u);
         EXPECT_LE(signals.bytes(), 16u * signals.samples());
-        signals.move_to(50.0, pool);
+        signals.move_to(50.0, test::pool());
         const Places at(40, 0.0, 1024.0);
         std::vector<double> exact(at.size());
         std::vector<double> error = height_of_pairs(signals, at);

@@ -4,16 +4,9 @@
 // The transform of sixteen columns against the reference transform.
 #include "coast/loops/batch_fft.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <complex>
-#include <random>
-#include <utility>
-#include <vector>
-
 #include "ocean/internal/fft.hpp"
 #include "ocean/internal/grid.hpp"
+#include "testing.hpp"
 
 namespace ocean {
 namespace {

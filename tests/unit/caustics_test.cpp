@@ -6,13 +6,6 @@
 // neither on threads nor on where its period begins.
 #include "ocean/internal/caustics.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <complex>
-#include <functional>
-#include <vector>
-
 #include "ocean/error.hpp"
 #include "ocean/internal/make_surface.hpp"
 #include "ocean/internal/water_types.hpp"
@@ -55,9 +48,9 @@ Surface crests(int n, double period, double a, int waves = 1, double squeeze = 0
 
 Surface wind_sea(int n = 128) {
     const Parameters parameters = test::wind_sea(n, 60.0);
-    ThreadPool pool(1);
-    const Modes modes = make_modes(make_directional_spectrum(parameters), parameters, pool);
-    return make_surface(modes, parameters.surface, 3.0, kCausticsChannels, Backend::cpu, pool);
+    const Modes modes = make_modes(make_directional_spectrum(parameters), parameters, test::pool());
+    return make_surface(modes, parameters.surface, 3.0, kCausticsChannels, Backend::cpu,
+                        test::pool());
 }
 
 TEST(Caustics, FlatWaterHasOneEverywhere) {
@@ -159,23 +152,16 @@ TEST(Caustics, ShiftWithTheSurface) {
         return static_cast<std::size_t>((j + 77) % n * n + (i + 5) % n);
     };
     Surface other(Lattice{n, sea.period()}, 0.0, kCausticsChannels);
-    for (int c = 0; c < kChannelCount; ++c) {
-        const auto channel = static_cast<Channel>(c);
-        if (!other.has(channel)) continue;
-        for (int j = 0; j < n; ++j) {
-            for (int i = 0; i < n; ++i) {
-                other.channel(channel)[moved(i, j)] =
-                    sea.channel(channel)[static_cast<std::size_t>(j * n + i)];
-            }
+    for (const Channel channel : test::channels_of(other)) {
+        for (const auto [i, j, at] : test::cells(n, n)) {
+            other.channel(channel)[moved(i, j)] = sea.channel(channel)[at];
         }
     }
     const CausticsSettings settings{12.0, 45.0, 130.0};
     const std::vector<float> here = caustics_of(sea, settings),
                              there = caustics_of(other, settings);
-    for (int j = 0; j < n; ++j) {
-        for (int i = 0; i < n; ++i) {
-            ASSERT_EQ(here[static_cast<std::size_t>(j * n + i)], there[moved(i, j)]) << i << j;
-        }
+    for (const auto [i, j, at] : test::cells(n, n)) {
+        ASSERT_EQ(here[at], there[moved(i, j)]) << i << j;
     }
 }
 

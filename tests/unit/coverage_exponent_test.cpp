@@ -2,11 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // How much of the water foam covers: its mean against that of the whitecaps, in whole seas.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numeric>
-#include <ostream>
 
 #include "ocean/internal/foam.hpp"
 #include "ocean/internal/map_levels.hpp"
@@ -17,10 +12,7 @@ namespace ocean {
 namespace {
 
 Parameters sea_of(double wind) {
-    Parameters parameters = test::wind_sea(128, 20.0 * wind);
-    parameters.waves.front().wind_speed = wind;
-    parameters.waves.front().fetch = 30000.0;
-    return parameters;
+    return test::wind_sea(128, 20.0 * wind, {.wind = wind, .fetch = 30000.0});
 }
 
 double power_of(const Parameters& parameters, int threads) {
@@ -29,25 +21,19 @@ double power_of(const Parameters& parameters, int threads) {
 }
 
 double mean_of(const Surface& surface, Channel channel) {
-    const auto values = surface.channel(channel);
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+    return test::mean(surface.channel(channel));
 }
 
-struct Weather {
-    double wind;  // m/s
-    int seas;     // rare whitecaps need more of them
-};
-void PrintTo(const Weather& weather, std::ostream* out) {
-    *out << weather.wind << " m/s";
-}
+/// A wind [m/s] and a number of seas: rare whitecaps need more of them.
+using Weather = std::pair<double, int>;
 
 class FoamCoverOf : public testing::TestWithParam<Weather> {};
 
 TEST_P(FoamCoverOf, ItsMeanIsThatOfTheWhitecaps) {
-    double cover = 0.0;
-    double whitecap = 0.0;
-    Parameters parameters = sea_of(GetParam().wind);
-    for (int seed = 1; seed <= GetParam().seas; ++seed) {
+    const auto [wind, seas] = GetParam();
+    double cover = 0.0, whitecap = 0.0;
+    Parameters parameters = sea_of(wind);
+    for (int seed = 1; seed <= seas; ++seed) {
         parameters.seed = static_cast<std::uint32_t>(seed);
         Ocean sea(parameters, {.threads = 2});
         for (int i = 0; i < 60; ++i) {
@@ -60,11 +46,10 @@ TEST_P(FoamCoverOf, ItsMeanIsThatOfTheWhitecaps) {
     EXPECT_NEAR(cover / whitecap, 1.0, 0.02);
 }
 
-// Beaufort 4, 6, 8, 9 and 10. Of these, Foam.TheMeanWhitecapIsThatOfRandomGradients says that their
+// Beaufort 4, 6 and 10. Of these, Foam.TheMeanWhitecapIsThatOfRandomGradients says that their
 // mean is Monahan's.
 INSTANTIATE_TEST_SUITE_P(Each, FoamCoverOf,
-                         testing::Values(Weather{6.7, 24}, Weather{12.3, 12}, Weather{18.9, 8},
-                                         Weather{22.6, 8}, Weather{26.4, 8}));
+                         testing::Values(Weather{6.7, 24}, Weather{12.3, 12}, Weather{26.4, 8}));
 
 TEST(FoamCover, ThePowerDependsOnNoThreadsAndNoSeed) {
     Parameters parameters = sea_of(12.3);
@@ -93,7 +78,7 @@ TEST(FoamCover, ThePowerIsTheSameWhereverTheWindBlows) {
     }
 }
 
-TEST(FoamCover, WithoutAPastItIsTheWhitecap) {
+TEST(FoamCover, WithoutAPastItIsTheWhitecapAndOfACalmSeaNone) {
     Parameters parameters = sea_of(15.0);
     parameters.surface.foam_lifetime = 0.0;
     Ocean sea(parameters, {.threads = 1});
@@ -103,14 +88,11 @@ TEST(FoamCover, WithoutAPastItIsTheWhitecap) {
         ASSERT_NEAR(now.channel(Channel::cover)[i], whitecap, 1e-6f * whitecap);
     }
     EXPECT_GT(mean_of(now, Channel::cover), 0.01);
-}
-
-TEST(FoamCover, ACalmSeaHasNone) {
-    for (const double choppiness : {0.0, 1.0}) {
-        Parameters parameters = sea_of(choppiness == 0.0 ? 15.0 : 0.2);
-        parameters.surface.choppiness = choppiness;
-        Ocean sea(parameters, {.threads = 1});
-        EXPECT_LT(mean_of(sea.evaluate(3.0, {Channel::cover}), Channel::cover), 1e-5);
+    Parameters upright = sea_of(15.0);
+    upright.surface.choppiness = 0.0;
+    for (const Parameters& calm : {upright, sea_of(0.2)}) {
+        Ocean still(calm, {.threads = 1});
+        EXPECT_LT(mean_of(still.evaluate(3.0, {Channel::cover}), Channel::cover), 1e-5);
     }
 }
 
@@ -137,9 +119,7 @@ TEST(FoamCover, CoarserMapsAndAFrameAloneHaveTheSameMean) {
     }
     Ocean other(sea_of(12.3), {.threads = 1});
     other.evaluate(6.0, {Channel::cover});
-    const Surface sequence = other.evaluate(7.0, {Channel::cover});
-    EXPECT_TRUE(std::ranges::equal(sequence.channel(Channel::cover),
-                                   levels.front().channel(Channel::cover)));
+    EXPECT_TRUE(test::same_bits(levels.front(), other.evaluate(7.0, {Channel::cover})));
 }
 
 }  // namespace

@@ -4,15 +4,6 @@
 // The table holds the energy and the density of the spectra that it was made from.
 #include "ocean/internal/directional_spectrum.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <memory>
-#include <numeric>
-#include <utility>
-
 #include "ocean/internal/spectrum.hpp"
 #include "ocean/internal/spreading.hpp"
 #include "ocean/thread_pool.hpp"
@@ -44,6 +35,18 @@ Parameters measured_sea() {
     return parameters;
 }
 
+/// Returns the sea with another record, a changed copy of its own.
+Parameters with_record(Parameters parameters, const std::function<void(SpectrumRecord&)>& change) {
+    auto record = std::make_shared<SpectrumRecord>(*parameters.waves.front().measured);
+    change(*record);
+    parameters.waves.front().measured = record;
+    return parameters;
+}
+
+SpectralMoments moments_of(const Parameters& parameters) {
+    return make_directional_spectrum(parameters).moments(parameters.water);
+}
+
 double trapezoid(const SpectrumRecord& record) {
     double sum = 0.0;
     for (std::size_t i = 0; i + 1 < record.frequency.size(); ++i) {
@@ -57,13 +60,11 @@ TEST(DirectionalSpectrum, EnergyIsExactToOneHundredThousandth) {
     for (const SpectrumKind kind : {SpectrumKind::phillips, SpectrumKind::pierson_moskowitz,
                                     SpectrumKind::jonswap, SpectrumKind::tma}) {
         for (const double gamma : {1.0, 3.3, 10.0}) {
-            Parameters parameters = test::wind_sea();
-            parameters.water.depth = 40.0;
-            parameters.waves.front().spectrum = kind;
+            Parameters parameters = test::wind_sea(128, 400.0, {.spectrum = kind, .depth = 40.0});
             parameters.waves.front().peak_enhancement = gamma;
             const double exact =
                 make_frequency_spectrum(parameters.waves.front(), parameters.water, 100.0).m0;
-            const double table = make_directional_spectrum(parameters).moments(parameters.water).m0;
+            const double table = moments_of(parameters).m0;
             EXPECT_NEAR(table / exact, 1.0, 1e-5);
         }
     }
@@ -110,22 +111,6 @@ DirectionalSpectrum table_of(Parameters parameters, std::size_t system) {
     return make_directional_spectrum(parameters);
 }
 
-TEST(DirectionalSpectrum, EnergiesOfWaveSystemsAdd) {
-    Parameters both = test::wind_sea();
-    WaveSystem swell = both.waves.front();
-    swell.significant_wave_height = 1.5;
-    swell.peak_period = 14.0;
-    swell.wind_direction = -120.0;
-    both.waves.push_back(swell);
-    const DirectionalSpectrum sum = make_directional_spectrum(both);
-    const DirectionalSpectrum one = table_of(both, 0);
-    const DirectionalSpectrum two = table_of(both, 1);
-    EXPECT_NEAR(sum.moments(both.water).m0, one.moments(both.water).m0 + two.moments(both.water).m0,
-                2e-6);
-    EXPECT_NEAR(sum.density(0.449, -2.1), one.density(0.449, -2.1) + two.density(0.449, -2.1),
-                2e-4 * two.density(0.449, -2.094));
-}
-
 TEST(DirectionalSpectrum, TheTableOfSeveralSystemsIsTheSumOfTheirTables) {
     // A narrow swell, which needs twice the directions, and a sea between whose rows its own lie.
     Parameters both = test::wind_sea();
@@ -149,18 +134,13 @@ TEST(DirectionalSpectrum, TheTableOfSeveralSystemsIsTheSumOfTheirTables) {
     }
 }
 
-TEST(DirectionalSpectrum, MeasuredEnergyIsTheTrapezoidOverTheListedFrequencies) {
+TEST(DirectionalSpectrum, MeasuredEnergyIsTheTrapezoidAndEachFrequencyKeepsItsDirection) {
     const Parameters parameters = measured_sea();
     const DirectionalSpectrum table = make_directional_spectrum(parameters);
     EXPECT_NEAR(table.moments(parameters.water).m0 / trapezoid(*parameters.waves[0].measured), 1.0,
                 1e-7);
     EXPECT_EQ(table.frequency_density(kTwoPi * 0.03), 0.0) << "no tail is added";
     EXPECT_EQ(table.frequency_density(kTwoPi * 0.70), 0.0);
-}
-
-TEST(DirectionalSpectrum, MeasuredKeepsEachFrequencysOwnDirection) {
-    const Parameters parameters = measured_sea();
-    const DirectionalSpectrum table = make_directional_spectrum(parameters);
     const auto mean_at = [&](double frequency) {
         std::complex<double> sum = 0.0;
         for (int j = 0; j < 720; ++j) {
@@ -171,16 +151,6 @@ TEST(DirectionalSpectrum, MeasuredKeepsEachFrequencysOwnDirection) {
     };
     EXPECT_NEAR(mean_at(0.08), 2.5, 0.01);
     EXPECT_NEAR(mean_at(0.22), -0.7, 0.01);
-}
-
-TEST(DirectionalSpectrum, GivenWindDirectionReplacesTheMeasuredMean) {
-    Parameters parameters = measured_sea();
-    const DirectionalSpectrum as_measured = make_directional_spectrum(parameters);
-    parameters.waves.front().wind_direction = 100.0;
-    const SpectralMoments turned = make_directional_spectrum(parameters).moments(parameters.water);
-    EXPECT_NEAR(turned.mean_direction * 180.0 / kPi, 100.0, 0.1);
-    EXPECT_NEAR(turned.directional_spread, as_measured.moments(parameters.water).directional_spread,
-                1e-3);
 }
 
 TEST(DirectionalSpectrum, TurningAMeasuredSeaKeepsTheShapeOfEveryRow) {
@@ -221,38 +191,33 @@ TEST(DirectionalSpectrum, MeanSquareSlopeIsTheIntegralOfKSquared) {
     record->density = {500.0, 500.0};
     parameters.waves.front().spectrum = SpectrumKind::measured;
     parameters.waves.front().measured = record;
-    const SpectralMoments moments = make_directional_spectrum(parameters).moments(parameters.water);
+    const SpectralMoments moments = moments_of(parameters);
     const double k = std::pow(kTwoPi * 0.1, 2.0) / 9.81;
     EXPECT_NEAR(moments.m0, 0.1, 1e-9);
     EXPECT_NEAR(moments.mean_square_slope / (0.1 * k * k), 1.0, 1e-4);
 }
 
 TEST(DirectionalSpectrum, MissingMomentsAreFilledFromTheNeighbours) {
-    Parameters parameters = measured_sea();
-    auto record = std::make_shared<SpectrumRecord>(*parameters.waves.front().measured);
-    for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{5}}) {
-        record->a1[i] = std::nan("");
-        record->a2[i] = std::nan("");
-    }
+    const Parameters parameters = measured_sea();
     const DirectionalSpectrum whole = make_directional_spectrum(parameters);
-    parameters.waves.front().measured = record;
-    const DirectionalSpectrum filled = make_directional_spectrum(parameters);
-    const double omega = kTwoPi * record->frequency[5];
+    const auto forget = [](SpectrumRecord& record) {
+        for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{5}}) {
+            record.a1[i] = record.a2[i] = std::nan("");
+        }
+    };
+    const DirectionalSpectrum filled = make_directional_spectrum(with_record(parameters, forget));
+    const double omega = kTwoPi * parameters.waves.front().measured->frequency[5];
     EXPECT_NEAR(filled.density(omega, 2.5), whole.density(omega, 2.5), 1e-9);
 }
 
 TEST(DirectionalSpectrum, MeasuredWithoutDirectionsTakesTheWind) {
-    Parameters parameters = measured_sea();
-    auto record = std::make_shared<SpectrumRecord>(*parameters.waves.front().measured);
-    record->a1.clear();
-    record->b1.clear();
-    record->a2.clear();
-    record->b2.clear();
-    parameters.waves.front().measured = record;
+    Parameters parameters = with_record(measured_sea(), [](SpectrumRecord& record) {
+        for (auto* moments : {&record.a1, &record.b1, &record.a2, &record.b2}) moments->clear();
+    });
     parameters.waves.front().wind_direction = -45.0;
-    const SpectralMoments moments = make_directional_spectrum(parameters).moments(parameters.water);
+    const SpectralMoments moments = moments_of(parameters);
     EXPECT_NEAR(moments.mean_direction * 180.0 / kPi, -45.0, 0.1);
-    EXPECT_NEAR(moments.m0 / trapezoid(*record), 1.0, 1e-7);
+    EXPECT_NEAR(moments.m0 / trapezoid(*parameters.waves.front().measured), 1.0, 1e-7);
 }
 
 /// Swell in a narrow lobe and a wind sea in a broad one, at uneven directions and frequencies.
@@ -285,31 +250,23 @@ Parameters full_sea() {
     return parameters;
 }
 
-TEST(DirectionalSpectrum, FullSpectrumKeepsTheEnergyOfEveryFrequencyRow) {
+TEST(DirectionalSpectrum, FullSpectrumIsTakenAsItIsWithTheEnergyOfEveryRow) {
     const Parameters parameters = full_sea();
     const SpectrumRecord& record = *parameters.waves.front().measured;
     const DirectionalSpectrum table = make_directional_spectrum(parameters);
     EXPECT_NEAR(table.moments(parameters.water).m0 / trapezoid(record), 1.0, 1e-7);
-    for (std::size_t i = 0; i + 1 < record.frequency.size(); ++i) {
-        EXPECT_NEAR(table.frequency_density(kTwoPi * record.frequency[i]) * kTwoPi,
-                    record.density[i], 1e-6 * record.density[i]);
-    }
-}
-
-TEST(DirectionalSpectrum, FullSpectrumIsTakenAsItIs) {
-    const Parameters parameters = full_sea();
-    const SpectrumRecord& record = *parameters.waves.front().measured;
-    const DirectionalSpectrum table = make_directional_spectrum(parameters);
     const std::size_t width = record.direction.size();
     // m^2/Hz/degree as m^2 s/rad^2.
     const double unit = 180.0 / kPi / kTwoPi;
     for (std::size_t i = 0; i + 1 < record.frequency.size(); ++i) {
+        const double omega = kTwoPi * record.frequency[i];
+        EXPECT_NEAR(table.frequency_density(omega) * kTwoPi, record.density[i],
+                    1e-6 * record.density[i]);
         const double* row = record.directional_density.data() + i * width;
         const double largest = *std::max_element(row, row + width) * unit;
         for (std::size_t j = 0; j < width; ++j) {
             const double next = j + 1 < width ? record.direction[j + 1] : 360.0 + 2.0;
             const double middle = 0.5 * (record.direction[j] + next) * kPi / 180.0;
-            const double omega = kTwoPi * record.frequency[i];
             EXPECT_NEAR(table.density(omega, record.direction[j] * kPi / 180.0), row[j] * unit,
                         0.01 * largest);
             EXPECT_NEAR(table.density(omega, middle), 0.5 * (row[j] + row[(j + 1) % width]) * unit,
@@ -319,15 +276,16 @@ TEST(DirectionalSpectrum, FullSpectrumIsTakenAsItIs) {
     }
 }
 
-TEST(DirectionalSpectrum, FullSpectrumTurnsToAGivenDirection) {
-    Parameters parameters = full_sea();
-    const SpectralMoments before = make_directional_spectrum(parameters).moments(parameters.water);
-    parameters.waves.front().wind_direction = -170.0;
-    const SpectralMoments turned = make_directional_spectrum(parameters).moments(parameters.water);
-    EXPECT_GT(std::abs(before.mean_direction * 180.0 / kPi + 170.0), 20.0);
-    EXPECT_NEAR(turned.mean_direction * 180.0 / kPi, -170.0, 0.1);
-    EXPECT_NEAR(turned.directional_spread, before.directional_spread, 1e-3);
-    EXPECT_NEAR(turned.m0 / before.m0, 1.0, 1e-9);
+TEST(DirectionalSpectrum, GivenWindDirectionReplacesTheMeasuredMean) {
+    for (Parameters parameters : {measured_sea(), full_sea()}) {
+        const SpectralMoments before = moments_of(parameters);
+        EXPECT_GT(std::abs(before.mean_direction * 180.0 / kPi + 170.0), 20.0);
+        parameters.waves.front().wind_direction = -170.0;
+        const SpectralMoments turned = moments_of(parameters);
+        EXPECT_NEAR(turned.mean_direction * 180.0 / kPi, -170.0, 0.1);
+        EXPECT_NEAR(turned.directional_spread, before.directional_spread, 1e-3);
+        EXPECT_NEAR(turned.m0 / before.m0, 1.0, 1e-9);
+    }
 }
 
 TEST(DirectionalSpectrum, MeasuredSwellAndParametricWindSeaAdd) {
@@ -352,16 +310,15 @@ TEST(DirectionalSpectrum, MeasuredSwellAndParametricWindSeaAdd) {
 }
 
 TEST(DirectionalSpectrum, FullSpectrumRowWithoutEnergyIsNoWaves) {
-    Parameters parameters = full_sea();
-    auto record = std::make_shared<SpectrumRecord>(*parameters.waves.front().measured);
-    const std::size_t width = record->direction.size();
-    std::fill_n(record->directional_density.begin() + static_cast<std::ptrdiff_t>(3 * width), width,
-                0.0);
-    record->density[3] = 0.0;
-    parameters.waves.front().measured = record;
+    const Parameters parameters = with_record(full_sea(), [](SpectrumRecord& record) {
+        const auto width = static_cast<std::ptrdiff_t>(record.direction.size());
+        std::fill_n(record.directional_density.begin() + 3 * width, width, 0.0);
+        record.density[3] = 0.0;
+    });
     const DirectionalSpectrum table = make_directional_spectrum(parameters);
-    EXPECT_EQ(table.frequency_density(kTwoPi * record->frequency[3]), 0.0);
-    EXPECT_GT(table.frequency_density(kTwoPi * record->frequency[2]), 0.0);
+    const auto& frequency = parameters.waves.front().measured->frequency;
+    EXPECT_EQ(table.frequency_density(kTwoPi * frequency[3]), 0.0);
+    EXPECT_GT(table.frequency_density(kTwoPi * frequency[2]), 0.0);
     EXPECT_TRUE(std::isfinite(table.moments(parameters.water).directional_spread));
 }
 
@@ -370,8 +327,7 @@ TEST(DirectionalSpectrum, ThreadsDoNotChangeABit) {
     both.waves.push_back(test::wind_sea().waves.front());
     for (const Parameters& parameters : {test::wind_sea(), full_sea(), both}) {
         const DirectionalSpectrum one = make_directional_spectrum(parameters);
-        ThreadPool pool(3);
-        const DirectionalSpectrum three = make_directional_spectrum(parameters, pool);
+        const DirectionalSpectrum three = make_directional_spectrum(parameters, test::pool());
         ASSERT_EQ(one.table().size(), three.table().size());
         EXPECT_EQ(std::memcmp(one.table().data(), three.table().data(), one.table().size_bytes()),
                   0);
@@ -382,8 +338,7 @@ TEST(DirectionalSpectrum, ThreadsDoNotChangeABit) {
 }
 
 TEST(DirectionalSpectrum, FlatSeaIsZeroEverywhere) {
-    Parameters parameters = test::wind_sea();
-    parameters.waves.front().wind_speed = 0.0;
+    Parameters parameters = test::wind_sea(128, 400.0, {.wind = 0.0});
     const DirectionalSpectrum table = make_directional_spectrum(parameters);
     EXPECT_TRUE(table.flat());
     EXPECT_EQ(table.density(1.0, 0.0), 0.0);

@@ -5,23 +5,14 @@
 // its own symmetries.
 #include "coast/statics/energy_march.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <memory>
-#include <numeric>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "coast/statics/breaking.hpp"
 #include "coast/statics/march_land.hpp"
-#include "ocean/error.hpp"
+#include "field/bilinear.hpp"
 #include "ocean/internal/dispersion.hpp"
 #include "ocean/thread_pool.hpp"
+#include "refusal.hpp"
+#include "test_beds.hpp"
+#include "test_seas.hpp"
 
 namespace ocean {
 namespace {
@@ -71,58 +62,17 @@ DirectionalSpectrum make_sea(const std::vector<System>& systems) {
     return DirectionalSpectrum(rows, directions, table, sums);
 }
 
-/// The division of such a sea, sectors below 0.5 % of its energy left out.
-ShoreBands divide(const DirectionalSpectrum& sea, const Water& water) {
-    ShoreBands bands;
-    const Dispersion dispersion(water);
-    const double lowest = dispersion.wavenumber(0.4500001),
-                 ratio = dispersion.wavenumber(3.99) / lowest;
-    for (std::size_t b = 0; b <= kShoreBands; ++b) {
-        bands.edges[b] = lowest * std::pow(ratio, static_cast<double>(b) / kShoreBands);
-    }
-    for (int sector = 0; sector < kShoreSectors; ++sector) {
-        std::vector<ShoreWaves> waves;
-        double sum = 0.0;
-        for (int band = 0; band < kShoreBands; ++band) {
-            const auto b = static_cast<std::size_t>(band);
-            const double low = dispersion.angular_frequency(bands.edges[b]);
-            const double high = dispersion.angular_frequency(bands.edges[b + 1]);
-            double variance = 0.0;
-            for (int n = 0; n < 64; ++n) {
-                const double omega = low + (n + 0.5) / 64.0 * (high - low);
-                for (int m = 0; m < 80; ++m) {
-                    const double theta =
-                        sector_centre(sector) + ((m + 0.5) / 80.0 - 0.5) * kSectorWidth;
-                    variance +=
-                        sea.density(omega, theta) * (high - low) / 64.0 * kSectorWidth / 80.0;
-                }
-            }
-            waves.push_back({band, sector, variance});
-            sum += variance;
-        }
-        if (sum < 0.005 * kHeight * kHeight / 8.0) continue;
-        bands.waves.insert(bands.waves.end(), waves.begin(), waves.end());
-    }
-    return bands;
-}
-
-BedGrid make_bed(int columns, int rows, double cell,
-                 const std::function<double(double, double)>& height) {
-    BedGrid bed;
-    bed.domain = {{0.0, 0.0}, {(columns - 1) * cell, (rows - 1) * cell}, {columns, rows}, false};
-    for (int j = 0; j < rows; ++j) {
-        for (int i = 0; i < columns; ++i) {
-            bed.values.push_back(static_cast<float>(height(i * cell, j * cell)));
-        }
-    }
-    return bed;
+ShoreBands bands_of(const DirectionalSpectrum& sea, const Water& water) {
+    Parameters parameters;
+    parameters.water = water;
+    return choose_bands(sea, parameters);
 }
 
 EnergyMaps march(const BedGrid& bed, const DirectionalSpectrum& sea, const Water& water = {},
                  const MarchSettings& settings = {}, int threads = 1,
                  const ShoreProgress& progress = {}) {
     ThreadPool pool(threads);
-    return march_energy(bed, divide(sea, water), sea, water, settings, pool, progress);
+    return march_energy(bed, bands_of(sea, water), sea, water, settings, pool, progress);
 }
 
 /// Returns a map at a place, bilinear.
@@ -134,8 +84,7 @@ double read(const EnergyMaps& maps, const std::vector<float>& map, double x, dou
     const auto at = [&](int di, int dj) {
         return double{map[static_cast<std::size_t>((j + dj) * maps.domain.samples[0] + i + di)]};
     };
-    const double a = u - i, b = v - j;
-    return (1 - b) * ((1 - a) * at(0, 0) + a * at(1, 0)) + b * ((1 - a) * at(0, 1) + a * at(1, 1));
+    return bilinear(at(0, 0), at(1, 0), at(0, 1), at(1, 1), u - i, v - j);
 }
 
 // ---- a surf zone along x
@@ -163,7 +112,7 @@ EnergyMaps surf(const Profile& profile, const MarchSettings& settings = {}) {
     const double cell = 4.0;
     const int columns = static_cast<int>(profile.length / cell) + 1;
     const BedGrid bed =
-        make_bed(columns, 21, cell, [&](double x, double) { return -profile.depth(x); });
+        test::grid_of(columns, 21, cell, [&](double x, double) { return -profile.depth(x); });
     return march(bed, make_sea({{}}), {}, settings);
 }
 
@@ -190,10 +139,15 @@ double place_of_depth(const Profile& profile, double depth) {
     return x;
 }
 
-TEST(EnergyMarch, HeightsFollowThorntonAndGuzaOverSlopesAndABar) {
+TEST(EnergyMarch, HeightsFollowThorntonAndGuzaAndAreMeasuredOnesThatRiseWithTheSlope) {
     // Measured: 3 to 4 %. The equation has one frequency, the march all; 12 % would be good enough.
+    // Hrms / d of saturated surf lies between 0.29 and 0.55 in nature and rises with the slope
+    // [Sallenger and Holman 1985]. Thornton and Guza's equation itself gives 0.602 at 1 m on 1:15,
+    // the march 0.61: there the bound is the equation, elsewhere 0.58.
+    std::vector<double> previous(3, 0.0);
     for (const Profile& profile :
          {slope_of(1.0 / 100.0), slope_of(1.0 / 30.0), slope_of(1.0 / 15.0), barred_beach()}) {
+        SCOPED_TRACE(profile.name);
         const EnergyMaps maps = surf(profile);
         const std::vector<double> bulk = bulk_model(profile);
         double worst = 0.0;
@@ -202,27 +156,16 @@ TEST(EnergyMarch, HeightsFollowThorntonAndGuzaOverSlopesAndABar) {
             if (profile.depth(x) < 1.0 || x > profile.length - 16.0) continue;
             worst = std::max(worst, std::abs(read(maps, maps.rms_height, x, 40.0) / bulk[n] - 1.0));
         }
-        EXPECT_LE(worst, 0.06) << profile.name;
-    }
-}
-
-TEST(EnergyMarch, SurfIsAsHighAsMeasuredAndHigherOnSteeperBeaches) {
-    // Hrms / d of saturated surf lies between 0.29 and 0.55 in nature and rises with the slope
-    // [Sallenger and Holman 1985]. Thornton and Guza's equation itself gives 0.602 at 1 m on 1:15,
-    // the march 0.61: there the bound is the equation, elsewhere 0.58.
-    std::vector<double> previous(3, 0.0);
-    for (const double rise : {1.0 / 100.0, 1.0 / 30.0, 1.0 / 15.0}) {
-        const Profile profile = slope_of(rise);
-        const EnergyMaps maps = surf(profile);
-        const std::vector<double> bulk = bulk_model(profile);
+        EXPECT_LE(worst, 0.06);
+        if (profile.name == "bar") continue;
         std::size_t n = 0;
         for (const double depth : {2.0, 1.5, 1.0}) {
             const double x = place_of_depth(profile, depth);
             const double ratio = read(maps, maps.rms_height, x, 40.0) / depth;
             const double exact = bulk[static_cast<std::size_t>(2.0 * x)] / depth;
-            EXPECT_GE(ratio, 0.29) << rise << " " << depth;
-            EXPECT_LE(ratio, std::max(0.58, exact + 0.015)) << rise << " " << depth;
-            EXPECT_GT(ratio, previous[n] + 0.03) << rise << " " << depth;
+            EXPECT_GE(ratio, 0.29) << depth;
+            EXPECT_LE(ratio, std::max(0.58, exact + 0.015)) << depth;
+            EXPECT_GT(ratio, previous[n] + 0.03) << depth;
             previous[n++] = ratio;
         }
     }
@@ -231,7 +174,7 @@ TEST(EnergyMarch, SurfIsAsHighAsMeasuredAndHigherOnSteeperBeaches) {
 TEST(EnergyMarch, IslandsCastTheShadowThatTheSpreadAllows) {
     // Deep water behind a round island: the energy is the share of the waves that can be seen.
     const double radius = 100.0, centre_x = 400.0, centre_y = 800.0;
-    const BedGrid bed = make_bed(201, 201, 8.0, [&](double x, double y) {
+    const BedGrid bed = test::grid_of(201, 201, 8.0, [&](double x, double y) {
         return std::hypot(x - centre_x, y - centre_y) < radius ? 3.0 : -300.0;
     });
     for (const double spread : {10.0, 2.0}) {
@@ -260,7 +203,8 @@ TEST(EnergyMarch, IslandsCastTheShadowThatTheSpreadAllows) {
 TEST(EnergyMarch, OverADeepFlatBedAllStaysAsInTheOpenSea) {
     for (const double depth : {1e4, 20.0, 0.5}) {
         const Water water{.depth = depth};
-        const BedGrid bed = make_bed(60, 40, 10.0, [&](double x, double) { return -depth - x; });
+        const BedGrid bed =
+            test::grid_of(60, 40, 10.0, [&](double x, double) { return -depth - x; });
         const DirectionalSpectrum sea =
             make_sea({{.direction = 0.7, .spread = 4.0, .share = 0.6},
                       {.direction = -2.6, .spread = 30.0, .share = 0.4}});
@@ -270,7 +214,10 @@ TEST(EnergyMarch, OverADeepFlatBedAllStaysAsInTheOpenSea) {
             for (const float a : amplitude) ASSERT_NEAR(a, 1.0f, 1e-6f);
         }
         for (const float k : maps.arrival) ASSERT_NEAR(k, 1.0f, 1e-6f);
-        EXPECT_NEAR(maps.rms_height.front(), kHeight, 0.01 * kHeight);
+        double variance = 0.0;  // pairs of band and sector with little of the sea are left out
+        for (const ShoreWaves& waves : bands_of(sea, water).waves) variance += waves.variance;
+        EXPECT_NEAR(maps.rms_height.front(), std::sqrt(8.0 * variance), 1e-3 * kHeight);
+        EXPECT_NEAR(maps.rms_height.front(), kHeight, 0.02 * kHeight);
     }
 }
 
@@ -278,8 +225,8 @@ TEST(EnergyMarch, MapsOfATurnedCoastAreTurned) {
     // A coast turned by 90 degrees with its waves: the same numbers, read along y. Sectors stay
     // where they are and cut the sea elsewhere, which is worth less than 1 %.
     const auto beach = [](double along) { return -14.0 + along / 30.0; };
-    const BedGrid east = make_bed(121, 21, 4.0, [&](double x, double) { return beach(x); });
-    const BedGrid north = make_bed(21, 121, 4.0, [&](double, double y) { return beach(y); });
+    const BedGrid east = test::grid_of(121, 21, 4.0, [&](double x, double) { return beach(x); });
+    const BedGrid north = test::grid_of(21, 121, 4.0, [&](double, double y) { return beach(y); });
     const EnergyMaps a = march(east, make_sea({{.direction = 0.3, .spread = 8.0}}));
     const EnergyMaps b =
         march(north, make_sea({{.direction = 0.3 + 0.25 * kTwoPi, .spread = 8.0}}));
@@ -293,7 +240,8 @@ TEST(EnergyMarch, ObliqueWavesRefractBySnell) {
     // cos(theta), as crests grow longer; far from the sides.
     const double theta = 40.0 * kDegree;
     const DirectionalSpectrum sea = make_sea({{.direction = theta, .spread = 3000.0}});
-    const BedGrid bed = make_bed(151, 201, 8.0, [](double x, double) { return -42.0 + x / 30.0; });
+    const BedGrid bed =
+        test::grid_of(151, 201, 8.0, [](double x, double) { return -42.0 + x / 30.0; });
     const EnergyMaps maps = march(bed, sea);
     for (const double depth : {20.0, 8.0, 4.0, 2.0}) {
         const Dispersion here(Water{.depth = depth}), open(Water{});
@@ -313,7 +261,8 @@ TEST(EnergyMarch, ObliqueWavesRefractBySnell) {
 TEST(EnergyMarch, MarchesThatMeetBreakLikeOne) {
     // Two narrow systems 70 degrees to either side of the normal of a beach march apart; in the
     // surf they are together as high as one of the same energy.
-    const BedGrid bed = make_bed(241, 121, 8.0, [](double x, double) { return -60.0 + x / 30.0; });
+    const BedGrid bed =
+        test::grid_of(241, 121, 8.0, [](double x, double) { return -60.0 + x / 30.0; });
     const double side = 70.0 * kDegree;
     const EnergyMaps two = march(
         bed, make_sea({{.direction = side, .share = 0.5}, {.direction = -side, .share = 0.5}}));
@@ -328,7 +277,7 @@ TEST(EnergyMarch, MarchesThatMeetBreakLikeOne) {
 
 TEST(EnergyMarch, CrossingSystemsBreakTogether) {
     // Two systems from opposite sides over one shoal: each loses more than it does alone.
-    const BedGrid bed = make_bed(126, 30, 8.0, [](double x, double) {
+    const BedGrid bed = test::grid_of(126, 30, 8.0, [](double x, double) {
         return -12.0 + 10.0 * std::exp(-std::pow((x - 500.0) / 120.0, 2.0));
     });
     const EnergyMaps both =
@@ -341,7 +290,8 @@ TEST(EnergyMarch, CrossingSystemsBreakTogether) {
 }
 
 TEST(EnergyMarch, LandSwallowsAndBreakingIsBounded) {
-    const BedGrid bed = make_bed(200, 60, 4.0, [](double x, double) { return -8.0 + x / 40.0; });
+    const BedGrid bed =
+        test::grid_of(200, 60, 4.0, [](double x, double) { return -8.0 + x / 40.0; });
     const EnergyMaps maps = march(bed, make_sea({{.spread = 10.0}}));
     for (std::size_t n = 0; n < maps.domain.count(); ++n) {
         ASSERT_GE(maps.breaking_share[n], 0.0f);
@@ -356,6 +306,8 @@ TEST(EnergyMarch, LandSwallowsAndBreakingIsBounded) {
 }
 
 // ---- walls
+
+const Water kEightMetres{.depth = 8.0};
 
 /// A wall of samples in water 8 m deep: those within half the width of a line from a to b, and
 /// those that the line passes nearest to, so that a wall of width 0 is one sample wide and closed
@@ -374,7 +326,7 @@ struct Wall {
 };
 
 BedGrid walled_bed(int columns, int rows, double cell, const std::vector<Wall>& walls) {
-    return make_bed(columns, rows, cell, [&](double x, double y) {
+    return test::grid_of(columns, rows, cell, [&](double x, double y) {
         const auto stands = [&](const Wall& wall) { return wall.has(x, y, cell); };
         return std::ranges::any_of(walls, stands) ? 4.0 : -8.0;
     });
@@ -383,7 +335,6 @@ BedGrid walled_bed(int columns, int rows, double cell, const std::vector<Wall>& 
 TEST(EnergyMarch, AThinWallShadowsAsAThickOneDoesFromAnyDirection) {
     // One cell wide and 16 m, 200 m long, in a broad sea; the mean height 40 to 100 m behind the
     // middle. A march of 16 m cells that reads its bed every 4 m steps over the thin one.
-    const Water water{.depth = 8.0};
     struct Case {
         double cell, turn;
     };
@@ -397,7 +348,8 @@ TEST(EnergyMarch, AThinWallShadowsAsAThickOneDoesFromAnyDirection) {
         const auto height = [&](double width) {
             const Wall wall{320.0 + 100.0 * s, 320.0 - 100.0 * c, 320.0 - 100.0 * s,
                             320.0 + 100.0 * c, width};
-            const EnergyMaps maps = march(walled_bed(samples, samples, cell, {wall}), sea, water);
+            const EnergyMaps maps =
+                march(walled_bed(samples, samples, cell, {wall}), sea, kEightMetres);
             double sum = 0.0;
             for (double behind = 40.0; behind <= 100.0; behind += 15.0) {
                 sum += read(maps, maps.rms_height, 320.0 + behind * c, 320.0 + behind * s);
@@ -418,7 +370,7 @@ struct Mole {
 
     BedGrid bed(bool is_thick) const {
         const int samples = static_cast<int>(640.0 / cell) + 1;
-        return make_bed(samples, samples, cell, [&](double x, double y) {
+        return test::grid_of(samples, samples, cell, [&](double x, double y) {
             const double c = std::cos(turn), s = std::sin(turn);
             const double across = (x - 320.0) * c + (y - 320.0) * s;
             const double along = (y - 320.0) * c - (x - 320.0) * s;
@@ -443,7 +395,6 @@ TEST(EnergyMarch, WavesBehindAMoleFeelNoDepthsOfLandThatTheyDidNotCross) {
     // At each place from 25 m behind, with one and two samples against five cells of the march; the
     // waves behind both are those that a straight view of the open sea lets in. Waves that feel the
     // thick mole's land break on it and turn to it, and waves do not see the thin one's.
-    const Water water{.depth = 8.0};
     struct Case {
         double cell, turn, oblique;  // of the waves to the mole [degrees]
         int width;
@@ -457,7 +408,8 @@ TEST(EnergyMarch, WavesBehindAMoleFeelNoDepthsOfLandThatTheyDidNotCross) {
         const double main = (turn + oblique) * kDegree, spread = 5.0;
         const DirectionalSpectrum sea = make_sea({{.direction = main, .spread = spread}});
         const BedGrid thin_bed = mole.bed(false), thick_bed = mole.bed(true);
-        const EnergyMaps thin = march(thin_bed, sea, water), thick = march(thick_bed, sea, water);
+        const EnergyMaps thin = march(thin_bed, sea, kEightMetres),
+                         thick = march(thick_bed, sea, kEightMetres);
         const MarchLand land(thick_bed, {});
         const auto seen = [&](const std::array<double, 2>& place) {
             double sum = 0.0, all = 0.0;
@@ -487,7 +439,6 @@ TEST(EnergyMarch, WavesBehindAMoleFeelNoDepthsOfLandThatTheyDidNotCross) {
 TEST(EnergyMarch, AWallAlongTheMarchPartsTheWaterOnItsSides) {
     // A mole of two cells along the mean direction, closed to the sea by a second one: within the
     // corner are only waves that come round its open end.
-    const Water water{.depth = 8.0};
     for (const double turn : {0.0, 30.0, 80.0}) {
         const double angle = turn * kDegree, c = std::cos(angle), s = std::sin(angle);
         const auto place = [&](double along, double across) {
@@ -499,7 +450,8 @@ TEST(EnergyMarch, AWallAlongTheMarchPartsTheWaterOnItsSides) {
         const BedGrid bed = walled_bed(
             201, 201, 4.0,
             {wall(place(-200, 0), place(200, 0)), wall(place(-200, 0), place(-200, 160))});
-        const EnergyMaps maps = march(bed, make_sea({{.direction = angle, .spread = 20.0}}), water);
+        const EnergyMaps maps =
+            march(bed, make_sea({{.direction = angle, .spread = 20.0}}), kEightMetres);
         const auto at = [&](double along, double across) {
             const auto [x, y] = place(along, across);
             return read(maps, maps.rms_height, x, y);
@@ -509,14 +461,14 @@ TEST(EnergyMarch, AWallAlongTheMarchPartsTheWaterOnItsSides) {
     }
 }
 
-TEST(EnergyMarch, NothingComesRoundLandFromBorderToBorder) {
-    const Water water{.depth = 8.0};
-    const BedGrid bed = make_bed(
-        121, 101, 8.0, [](double x, double) { return x >= 480.0 && x < 512.0 ? 4.0 : -8.0; });
+TEST(EnergyMarch, NothingComesRoundLandFromBorderToBorderUnlessASystemOrAStraitDoes) {
+    const auto barrier = [](double x, double) { return x >= 480.0 && x < 512.0 ? 4.0 : -8.0; };
+    const BedGrid bed = test::grid_of(121, 101, 8.0, barrier);
     for (const double direction : {0.0, -25.0, 15.0, 180.0}) {
         for (const double spread : {2.0, 20.0}) {
             const EnergyMaps maps =
-                march(bed, make_sea({{.direction = direction * kDegree, .spread = spread}}), water);
+                march(bed, make_sea({{.direction = direction * kDegree, .spread = spread}}),
+                      kEightMetres);
             const double before = direction == 180.0 ? 800.0 : 200.0;
             for (const double y : {100.0, 400.0, 700.0}) {
                 EXPECT_GT(read(maps, maps.rms_height, before, y), 0.5 * kHeight);
@@ -525,10 +477,20 @@ TEST(EnergyMarch, NothingComesRoundLandFromBorderToBorder) {
             }
         }
     }
+    // A tenth of the energy is a swell from the other side.
+    const EnergyMaps two =
+        march(bed, make_sea({{.share = 0.9}, {.direction = kPi, .share = 0.1}}), kEightMetres);
+    EXPECT_NEAR(read(two, two.rms_height, 800.0, 400.0) / kHeight, std::sqrt(0.1), 0.03);
+    // A strait of two samples joins the water, so that none is still.
+    const auto strait = [&](double x, double y) {
+        return y > 390.0 && y < 410.0 ? -8.0 : barrier(x, y);
+    };
+    const EnergyMaps joined =
+        march(test::grid_of(121, 101, 8.0, strait), make_sea({{.spread = 10.0}}), kEightMetres);
+    EXPECT_TRUE(joined.still.still.empty());
 }
 
 TEST(EnergyMarch, PondsLagoonsAndAtollsAreStill) {
-    const Water water{.depth = 8.0};
     struct Case {
         const char* name;
         std::function<double(double, double)> height;
@@ -556,8 +518,9 @@ TEST(EnergyMarch, PondsLagoonsAndAtollsAreStill) {
          {{560.0, 100.0}, {700.0, 400.0}, {770.0, 700.0}},
          {{200.0, 400.0}}}};
     for (const Case& of : cases) {
-        const BedGrid bed = make_bed(201, 201, 4.0, of.height);
-        const EnergyMaps maps = march(bed, make_sea({{.direction = 0.2, .spread = 3.0}}), water);
+        const BedGrid bed = test::grid_of(201, 201, 4.0, of.height);
+        const EnergyMaps maps =
+            march(bed, make_sea({{.direction = 0.2, .spread = 3.0}}), kEightMetres);
         for (const auto& [x, y] : of.still) {
             EXPECT_EQ(read(maps, maps.rms_height, x, y), 0.0) << of.name;
         }
@@ -567,24 +530,8 @@ TEST(EnergyMarch, PondsLagoonsAndAtollsAreStill) {
     }
 }
 
-TEST(EnergyMarch, WaterThatAnySystemReachesIsNotStill) {
-    // The same land across the bed; a tenth of the energy is a swell from the other side. A strait
-    // of two samples joins the water, so that none is still.
-    const Water water{.depth = 8.0};
-    const auto barrier = [](double x, double) { return x >= 480.0 && x < 512.0 ? 4.0 : -8.0; };
-    const EnergyMaps two =
-        march(make_bed(121, 101, 8.0, barrier),
-              make_sea({{.share = 0.9}, {.direction = kPi, .share = 0.1}}), water);
-    EXPECT_NEAR(read(two, two.rms_height, 800.0, 400.0) / kHeight, std::sqrt(0.1), 0.03);
-    const EnergyMaps strait = march(
-        make_bed(121, 101, 8.0,
-                 [&](double x, double y) { return y > 390.0 && y < 410.0 ? -8.0 : barrier(x, y); }),
-        make_sea({{.spread = 10.0}}), water);
-    EXPECT_TRUE(strait.still.still.empty());
-}
-
 TEST(EnergyMarch, BitsAreTheSameForAnyNumberOfThreads) {
-    const BedGrid bed = make_bed(
+    const BedGrid bed = test::grid_of(
         80, 70, 8.0, [](double x, double y) { return -9.0 + x / 60.0 + 3.0 * std::sin(y / 90.0); });
     const DirectionalSpectrum sea = make_sea({{.direction = 0.2, .spread = 3.0, .share = 0.7},
                                               {.direction = 2.5, .spread = 8.0, .share = 0.3}});
@@ -597,7 +544,8 @@ TEST(EnergyMarch, BitsAreTheSameForAnyNumberOfThreads) {
 }
 
 TEST(EnergyMarch, ReportsItsProgressAndStopsWhenTold) {
-    const BedGrid bed = make_bed(60, 60, 8.0, [](double x, double) { return -9.0 + x / 60.0; });
+    const BedGrid bed =
+        test::grid_of(60, 60, 8.0, [](double x, double) { return -9.0 + x / 60.0; });
     const DirectionalSpectrum sea = make_sea({{}});
     double last = 0.0;
     march(bed, sea, {}, {}, 2, [&](double share) {
@@ -614,13 +562,12 @@ TEST(EnergyMarch, ReportsItsProgressAndStopsWhenTold) {
 }
 
 TEST(EnergyMarch, RefusesSettingsOutOfRangeAndLeavesFlatSeasFlat) {
-    const BedGrid bed = make_bed(10, 10, 8.0, [](double, double) { return -9.0; });
-    const DirectionalSpectrum sea = make_sea({{}});
-    EXPECT_THROW(march(bed, sea, {}, {.cell = 0.0}), Error);
-    EXPECT_THROW(march(bed, sea, {}, {.direction_bin = 0.5}), Error);
-    EXPECT_THROW(march(bed, sea, {}, {.min_depth = 0.0}), Error);
-    ThreadPool pool(1);
-    const EnergyMaps maps = march_energy(bed, {}, {}, {}, {}, pool);
+    const BedGrid bed = test::grid_of(10, 10, 8.0, [](double, double) { return -9.0; });
+    for (const MarchSettings& settings :
+         {MarchSettings{.cell = 0.0}, {.direction_bin = 0.5}, {.min_depth = 0.0}}) {
+        EXPECT_THROW(march(bed, make_sea({{}}), {}, settings), Error);
+    }
+    const EnergyMaps maps = march_energy(bed, {}, {}, {}, {}, test::pool());
     EXPECT_TRUE(maps.amplitude.empty());
     EXPECT_EQ(maps.rms_height, std::vector<float>(maps.domain.count(), 0.0f));
 }

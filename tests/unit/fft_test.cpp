@@ -5,13 +5,8 @@
 #include "ocean/internal/fft.hpp"
 
 #include <fftw3.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <random>
 
 #include "direct_dft.hpp"
-#include "ocean/internal/grid.hpp"
 
 namespace ocean {
 namespace {

@@ -3,11 +3,10 @@
 //
 // The formulas of shaders/wave/foam_lace.glsl: combined textures are uniform again, masks have the
 // mean that the cover says, thickness the one that is said of it.
-#include <gtest/gtest.h>
-
-#include <cmath>
 
 #include "wave/wave.hpp"
+
+#include "testing.hpp"
 
 namespace ocean {
 namespace {
@@ -90,15 +89,6 @@ TEST(FoamLace, MeanOfTheMaskIsTheCover) {
                 EXPECT_NEAR(formula::foam_mask(all, t, edge), 1.0, 1e-12);
             }
         }
-    }
-}
-
-TEST(FoamLace, MeanOfTheMaskOfCombinedTexturesIsTheCover) {
-    for (const double cover : kCovers) {
-        const auto white = [&](double a, double b) {
-            return formula::foam_mask(cover, formula::add_uniform(a, b, 0.25), 0.1);
-        };
-        EXPECT_NEAR(mean_of_two(white), cover, 2e-5);
     }
 }
 

@@ -5,18 +5,10 @@
 // limits of the modes' statistics, as often as the limits promise.
 #include "ocean/internal/gauge.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
 #include <cstdlib>
-#include <limits>
-#include <random>
 
 #include "ocean/internal/dispersion.hpp"
 #include "ocean/internal/gauge_series.hpp"
-#include "ocean/ocean.hpp"
 #include "ocean/query.hpp"
 #include "test_seas.hpp"
 #include "waves/gauge/chi_squared.hpp"
@@ -157,9 +149,7 @@ TEST(GaugeSpectrum, ScattersAsItsDegreesOfFreedomSay) {
     for (double& value : series) value = normal(random);
     const std::size_t piece = 2048;
     Coverage coverage;
-    double squares = 0.0;
-    double last = 0.0;
-    double freedom = 0.0;
+    double squares = 0.0, last = 0.0, freedom = 0.0;
     for (std::size_t at = 0; at < series.size(); at += piece) {
         const GaugeSpectrum spectrum =
             estimate_spectrum(std::span(series).subspan(at, piece), 2.0, 14.0);
@@ -236,20 +226,21 @@ TEST(SeaEstimate, LimitsHoldTheTruthNineteenTimesInTwenty) {
     const GaussianProcess process(kRate);
     const double m0 = process.moment(0);
     const double tz = std::sqrt(m0 / process.moment(2));
+    const double significant = 4.0 * std::sqrt(m0);
     Coverage height, period, counted_period, rough_height;
     for (unsigned seed = 1; seed <= 40; ++seed) {
         const std::vector<double> all = process.series(seed);
         for (std::size_t at = 0; at + kHour <= all.size(); at += kHour) {
             const std::span<const double> series = std::span(all).subspan(at, kHour);
-            const SeaEstimate sea =
-                estimate_sea(series, kRate, estimate_spectrum(series, kRate, 40.0));
-            height.add(sea.significant_wave_height, 4.0 * std::sqrt(m0));
+            const auto estimated = [&](double freedom) {
+                return estimate_sea(series, kRate, estimate_spectrum(series, kRate, freedom));
+            };
+            const SeaEstimate sea = estimated(40.0);
+            height.add(sea.significant_wave_height, significant);
             period.add(sea.zero_crossing_period, tz);
             counted_period.add(count_waves(series, kRate).mean_period, tz);
             // However rough the spectrum is that they are made from.
-            const SeaEstimate rough =
-                estimate_sea(series, kRate, estimate_spectrum(series, kRate, 3.0));
-            rough_height.add(rough.significant_wave_height, 4.0 * std::sqrt(m0));
+            rough_height.add(estimated(3.0).significant_wave_height, significant);
         }
     }
     EXPECT_EQ(height.all, 720);
@@ -274,25 +265,23 @@ ModeStatistics mode_statistics(const Parameters& parameters, double step, std::s
     ModeStatistics result;
     result.density.resize(bins);
     const int half = parameters.grid.resolution / 2;
-    for (int m = -half + 1; m < half; ++m) {
-        for (int n = -half + 1; n < half; ++n) {
-            const double variance = modal_variance(spectrum, parameters, n, m);
-            if (variance == 0.0) continue;
-            const double f = dispersion.angular_frequency(kTwoPi / parameters.grid.patch_size *
-                                                          std::hypot(n, m)) /
-                             kTwoPi;
-            result.m0 += variance;
-            result.m2 += f * f * variance;
-            // |transform of the Hann window|^2 over its sum, at u bins from a line.
-            const auto centre = static_cast<int>(std::lround(f / step));
-            for (int i = std::max(0, centre - 6); i <= centre + 6; ++i) {
-                const double u = f / step - i;
-                const double sinc = std::abs(u) < 1e-9 ? 1.0 : std::sin(kPi * u) / (kPi * u);
-                const double pole = 1.0 - u * u;
-                const double window = std::abs(pole) < 1e-9 ? 0.5 : sinc / pole;
-                const auto bin = static_cast<std::size_t>(i);
-                if (bin < bins) result.density[bin] += variance * window * window / 1.5 / step;
-            }
+    for (const auto [n, m] : test::pairs({-half + 1, half}, {-half + 1, half})) {
+        const double variance = modal_variance(spectrum, parameters, n, m);
+        if (variance == 0.0) continue;
+        const double f =
+            dispersion.angular_frequency(kTwoPi / parameters.grid.patch_size * std::hypot(n, m)) /
+            kTwoPi;
+        result.m0 += variance;
+        result.m2 += f * f * variance;
+        // |transform of the Hann window|^2 over its sum, at u bins from a line.
+        const auto centre = static_cast<int>(std::lround(f / step));
+        for (int i = std::max(0, centre - 6); i <= centre + 6; ++i) {
+            const double u = f / step - i;
+            const double sinc = std::abs(u) < 1e-9 ? 1.0 : std::sin(kPi * u) / (kPi * u);
+            const double pole = 1.0 - u * u;
+            const double window = std::abs(pole) < 1e-9 ? 0.5 : sinc / pole;
+            const auto bin = static_cast<std::size_t>(i);
+            if (bin < bins) result.density[bin] += variance * window * window / 1.5 / step;
         }
     }
     return result;
@@ -301,11 +290,7 @@ ModeStatistics mode_statistics(const Parameters& parameters, double step, std::s
 /// A sea of 14 s waves on a patch so wide that an hour cannot separate its modes, as the limits
 /// assume. Not choppy, so that the gauges' points are labels.
 Parameters wide_sea() {
-    Parameters parameters = test::wind_sea(128, 16000.0);
-    parameters.surface.choppiness = 0.0;
-    parameters.waves.front().peak_period = 14.0;
-    parameters.waves.front().significant_wave_height = 3.0;
-    return parameters;
+    return test::wind_sea(128, 16000.0, {.height = 3.0, .period = 14.0, .choppiness = 0.0});
 }
 
 /// Returns the series of gauges far apart and on no line of the lattice.
@@ -317,15 +302,10 @@ std::vector<std::vector<double>> gauge_series(const Parameters& parameters, std:
     const WaveStep step = start.wave_step(1.0 / rate);
     std::vector<std::vector<double>> all(gauges,
                                          std::vector<double>(static_cast<std::size_t>(samples)));
-    ThreadPool pool(2);
-    pool.for_each_range(samples, [&](int first, int last) {
+    test::pool().for_each_range(samples, [&](int first, int last) {
         WaveSum sea = start;
         for (int i = first; i < last; ++i) {
-            if (i % 32 == 0 || i == first) {
-                sea.set_time(i / rate);
-            } else {
-                sea.advance(step);
-            }
+            i % 32 == 0 || i == first ? sea.set_time(i / rate) : sea.advance(step);
             for (std::size_t g = 0; g < gauges; ++g) {
                 const auto [column, row] = std::div(static_cast<int>(g), 3);
                 all[g][static_cast<std::size_t>(i)] =
@@ -370,13 +350,10 @@ TEST(SeaEstimate, AnHourAtAGaugeLiesWithinItsLimitsOfTheSea) {
 
 /// A sea of waves of 8 s, all of them towards +x.
 Modes long_crested(const Parameters& parameters) {
-    ThreadPool pool(2);
-    Modes modes = make_modes(make_directional_spectrum(parameters), parameters, pool);
+    Modes modes = test::modes_of(parameters);
     CascadeModes& cascade = modes.cascades.front();
-    const int size = cascade.lattice.resolution;
-    for (std::size_t at = static_cast<std::size_t>(size / 2); at < cascade.h0.size(); ++at) {
-        cascade.h0[at] = 0.0f;  // all but ky = 0, kx > 0
-    }
+    // All but ky = 0, kx > 0.
+    std::fill(cascade.h0.begin() + cascade.lattice.resolution / 2, cascade.h0.end(), 0.0f);
     return modes;
 }
 
@@ -404,10 +381,8 @@ std::vector<double> lags(std::span<const double> first, std::span<const double> 
 
 TEST(Gauges, TwoOfThemMeasureTheDispersionOfTheWaves) {
     for (const double depth : {kInfinity, 8.0}) {
-        Parameters parameters = test::wind_sea(512, 8000.0);
-        parameters.waves.front().wind_direction = 0.0;
-        parameters.waves.front().peak_period = 8.0;
-        parameters.water.depth = depth;
+        Parameters parameters =
+            test::wind_sea(512, 8000.0, {.period = 8.0, .direction = 0.0, .depth = depth});
         WaveSum sea(long_crested(parameters), parameters.water);
         const WaterLevel level = sea.water_level(0.0);
         constexpr double kApart = 12.0;  // m, less than half of the shortest wave
@@ -436,20 +411,15 @@ TEST(Gauges, TwoOfThemMeasureTheDispersionOfTheWaves) {
 }
 
 TEST(Gauges, ReadTheShownSurface) {
-    Parameters parameters = test::wind_sea(64, 300.0);
-    parameters.surface.choppiness = 0.7;
-    ThreadPool pool(2);
-    WaveSum sea(make_modes(make_directional_spectrum(parameters), parameters, pool),
-                parameters.water);
+    Parameters parameters = test::wind_sea(64, 300.0, {.choppiness = 0.7});
+    WaveSum sea(test::modes_of(parameters), parameters.water);
     sea.set_time(4.0);
     const WaterLevel level = sea.water_level(-2.0);
     const auto read = [&](double x, double y) { return read_gauge(sea, 0.7, x, y, level); };
     for (int i = 0; i < 40; ++i) {
-        const double u = 7.3 * i;
-        const double v = 300.0 - 11.9 * i;
+        const double u = 7.3 * i, v = 300.0 - 11.9 * i;
         const LinearSample label = sea.at_label(u, v);
-        const double x = u - 0.7 * label.displacement_x;
-        const double y = v - 0.7 * label.displacement_y;
+        const double x = u - 0.7 * label.displacement_x, y = v - 0.7 * label.displacement_y;
         const GaugeReading reading = read(x, y);
         EXPECT_NEAR(reading.elevation, label.height, 1e-7);
         constexpr double kStep = 1e-3;
@@ -466,11 +436,8 @@ TEST(Gauges, ReadTheShownSurface) {
 
 TEST(Gauges, ReadTheTopSheetWhereCrestsFold) {
     // In water of 0.3 m waves of ten metres are displaced far more than they are high.
-    Parameters shallow = test::wind_sea(64, 60.0);
-    shallow.water.depth = 0.3;
-    Parameters choppy = test::wind_sea(128, 100.0);
-    choppy.surface.choppiness = 4.0;
-    choppy.waves.front().significant_wave_height = 8.0;
+    Parameters shallow = test::wind_sea(64, 60.0, {.depth = 0.3});
+    Parameters choppy = test::wind_sea(128, 100.0, {.height = 8.0, .choppiness = 4.0});
     for (const Parameters& parameters : {shallow, choppy}) {
         Ocean ocean(parameters, {.threads = 2});
         std::vector<Gauge> gauges;
@@ -479,14 +446,13 @@ TEST(Gauges, ReadTheTopSheetWhereCrestsFold) {
             points.push_back({1.3 * i - 20.0, std::fmod(7.7 * i, 60.0)});
             gauges.push_back({"g", {{0.0, {points.back().x, points.back().y, -0.1}}}, 0.0, 0.0});
         }
-        ThreadPool pool(2);
         const SampleTimes times{0.0, 5.0, 1.0};
         const GaugeSeries series =
-            read_gauge_series(ocean, gauges, times, pool, [](std::size_t) {});
-        std::vector<QuerySample> samples(points.size());
+            read_gauge_series(ocean, gauges, times, test::pool(), [](std::size_t) {});
         int folded = 0;
         for (std::size_t i = 0; i < series.times; ++i) {
-            ocean.query(times.at(i), points, samples, {.exact = true, .foam = false});
+            const auto samples =
+                test::query(ocean, times.at(i), points, {.exact = true, .foam = false});
             for (std::size_t g = 0; g < gauges.size(); ++g) {
                 EXPECT_FALSE(samples[g].undecided);
                 folded += samples[g].folded ? 1 : 0;

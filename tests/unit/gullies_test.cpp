@@ -5,25 +5,14 @@
 // that depend on the place alone.
 #include "ocean/internal/gullies.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <random>
 #include <set>
-#include <vector>
 
 #include "gully_points.hpp"
-#include "land/gullies/gullies_task.hpp"
 #include "land/land.hpp"
 #include "ocean/error.hpp"
-#include "ocean/internal/grid.hpp"
 #include "ocean/thread_pool.hpp"
 #include "simd_levels.hpp"
+#include "test_seas.hpp"
 
 namespace ocean {
 namespace {
@@ -157,14 +146,12 @@ TEST(Gullies, ChunksOfAnyOriginSizeAndOrderShareTheirBits) {
     // Places are counted in cells of the whole land; each region computes its own points.
     const auto region = [&](int i0, int j0, int width, int height, bool backwards) {
         Points points(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-        for (int j = 0; j < height; ++j) {
-            for (int i = 0; i < width; ++i) {
-                auto p = static_cast<std::size_t>(j * width + i);
-                if (backwards) p = points.size() - 1 - p;
-                points.x[p] = kCell * (i0 + i);
-                points.y[p] = kCell * (j0 + j);
-                set_hills(points, p);
-            }
+        for (const auto [i, j, at] : test::cells(width, height)) {
+            auto p = at;
+            if (backwards) p = points.size() - 1 - p;
+            points.x[p] = kCell * (i0 + i);
+            points.y[p] = kCell * (j0 + j);
+            set_hills(points, p);
         }
         filter.apply(points.spans(), kCell);
         return points;
@@ -191,8 +178,7 @@ TEST(Gullies, ThreadsShareAFilter) {
     Points whole = before;
     filter.apply(whole.spans(), 0.0);
     Points shares = before;
-    ThreadPool pool(3);
-    pool.for_each_range(static_cast<int>(before.size()), [&](int first, int last) {
+    test::pool().for_each_range(static_cast<int>(before.size()), [&](int first, int last) {
         const auto from = static_cast<std::size_t>(first);
         const auto count = static_cast<std::size_t>(last - first);
         const GullyPoints all = shares.spans();

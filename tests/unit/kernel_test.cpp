@@ -3,10 +3,6 @@
 //
 // The kernel of the cpu backend: its codelets, every size and instruction set against transforms in
 // double, and bits that do not depend on how a frame is requested.
-#include <gtest/gtest.h>
-
-#include <cstring>
-#include <random>
 
 #include "direct_dft.hpp"
 #include "ocean/internal/map_request.hpp"
@@ -97,13 +93,15 @@ struct Planes {
 };
 
 void expect_exact(const MapModes& modes, const std::string& what) {
-    ThreadPool pool(2);
     const std::vector<Linear> fields = all_fields();
+    std::vector<std::vector<float>> exact;
+    for (const Linear field : fields) exact.push_back(exact_plane(modes, field));
     for (const SimdLevel level : levels()) {
         Planes planes(modes.resolution, fields);
-        MapKernel(pack_modes(modes, pool, level)).run({modes.tau, {}, planes.outputs, {}}, pool);
+        MapKernel(pack_modes(modes, test::pool(), level))
+            .run({modes.tau, {}, planes.outputs, {}}, test::pool());
         for (std::size_t f = 0; f < fields.size(); ++f) {
-            EXPECT_LT(test::relative_error(planes.plane[f], exact_plane(modes, fields[f])), 5e-7)
+            EXPECT_LT(test::relative_error(planes.plane[f], exact[f]), 5e-7)
                 << what << ", " << simd_name(level) << ", N = " << modes.resolution << ", field "
                 << f;
         }
@@ -111,38 +109,31 @@ void expect_exact(const MapModes& modes, const std::string& what) {
 }
 
 TEST(Kernel, EverySizeOnEveryInstructionSetIsTheTransformInDouble) {
-    ThreadPool pool(2);
     for (const int size : {32, 64, 128, 256, 512, 1024}) {
-        Parameters parameters = test::wind_sea(size, 400.0);
-        parameters.water.depth = 30.0;
-        const Modes modes = make_modes(make_directional_spectrum(parameters), parameters, pool);
+        Parameters parameters = test::wind_sea(size, 400.0, {.depth = 30.0});
+        const Modes modes = test::modes_of(parameters);
         expect_exact(map_modes(modes, 1e6, size), "own map");
     }
 }
 
 TEST(Kernel, LargeSizesAreTheTransformInDouble) {
     // Few modes, so that the judge stays quick: the sizes beyond are zero padding to the kernel.
-    ThreadPool pool(2);
     const Parameters parameters = test::wind_sea(64, 100.0);
-    const Modes modes = make_modes(make_directional_spectrum(parameters), parameters, pool);
+    const Modes modes = test::modes_of(parameters);
     const std::vector<Linear> fields = {Linear::height, Linear::gradient_xy};
     for (const int size : {2048, 4096}) {
         const MapModes request = map_modes(modes, 12.0, size);
         for (const SimdLevel level : levels()) {
             Planes planes(size, fields);
-            MapKernel(pack_modes(request, pool, level))
-                .run({request.tau, {}, planes.outputs, {}}, pool);
+            MapKernel(pack_modes(request, test::pool(), level))
+                .run({request.tau, {}, planes.outputs, {}}, test::pool());
             // The coarse map is every so manieth sample of the fine one.
             const MapModes coarse = map_modes(modes, 12.0, 64);
-            const int step = size / 64;
             for (std::size_t f = 0; f < fields.size(); ++f) {
                 std::vector<float> picked;
-                for (int j = 0; j < 64; ++j) {
-                    for (int i = 0; i < 64; ++i) {
-                        picked.push_back(planes.plane[f][static_cast<std::size_t>(j * step) *
-                                                             static_cast<std::size_t>(size) +
-                                                         static_cast<std::size_t>(i * step)]);
-                    }
+                for (const auto [i, j] : test::pairs(64, 64)) {
+                    picked.push_back(
+                        planes.plane[f][static_cast<std::size_t>((j * size + i) * (size / 64))]);
                 }
                 EXPECT_LT(test::relative_error(picked, exact_plane(coarse, fields[f])), 5e-7)
                     << size << ' ' << simd_name(level);
@@ -152,13 +143,12 @@ TEST(Kernel, LargeSizesAreTheTransformInDouble) {
 }
 
 TEST(Kernel, MapsThatCutOrPadTheModesAndMapsOfCascadesAreExactToo) {
-    ThreadPool pool(2);
     Parameters parameters = test::wind_sea(64, 400.0);
-    const Modes one = make_modes(make_directional_spectrum(parameters), parameters, pool);
+    const Modes one = test::modes_of(parameters);
     expect_exact(map_modes(one, 3.0, 32), "cut");
     expect_exact(map_modes(one, 3.0, 256), "padded");
     parameters.grid.cascades = 3;
-    const Modes three = make_modes(make_directional_spectrum(parameters), parameters, pool);
+    const Modes three = test::modes_of(parameters);
     expect_exact(map_modes(three, 3.0, 512), "three cascades");
     expect_exact(cascade_modes(three, 2, 3.0, 64), "small map");
 }
@@ -169,7 +159,7 @@ class KernelFrames : public testing::Test {
     static constexpr int kSize = 128;
     ThreadPool pool_{2};
     Parameters parameters_ = test::wind_sea(kSize, 150.0);
-    Modes modes_ = make_modes(make_directional_spectrum(parameters_), parameters_, pool_);
+    Modes modes_ = test::modes_of(parameters_);
     MapModes request_ = map_modes(modes_, 77.7, kSize);
 
     /// Every channel that has no past, planar, one after the other.
@@ -223,21 +213,17 @@ TEST_F(KernelFrames, HaveTheSameBitsOnAvx2AndAvx512) {
 }
 
 TEST_F(KernelFrames, DifferByRoundingAloneWithoutFusedProducts) {
-    const auto best = channels(levels().back(), 1);
-    const auto plain = channels(SimdLevel::portable, 1);
+    struct Maps {
+        std::vector<PageVector<float>> maps;
+        std::span<const float> channel(Channel c) const {
+            return maps[static_cast<std::size_t>(c)];
+        }
+    };
+    const Maps best{channels(levels().back(), 1)}, plain{channels(SimdLevel::portable, 1)};
     for (const Product& field : product_table()) {
         if (!kAllChannels.contains(field.channels[0])) continue;
-        // A vector field is one field: its components' errors and variances add.
-        double error = 0.0;
-        double spread = 0.0;
-        for (int c = 0; c < field.count; ++c) {
-            const auto at = static_cast<std::size_t>(field.channels[static_cast<std::size_t>(c)]);
-            const double v = test::variance(best[at]);
-            const double e = test::relative_error(plain[at], best[at]);
-            error += e * e * v;
-            spread += v;
-        }
-        EXPECT_LT(std::sqrt(error / spread), 2e-6) << field.name;
+        const auto all = std::span(field.channels).first(static_cast<std::size_t>(field.count));
+        EXPECT_LT(test::vector_error(plain, best, all), 2e-6) << field.name;
     }
 }
 
@@ -267,8 +253,7 @@ TEST_F(KernelFrames, HaveTheSameBitsInAnySubsetAndAnyLayout) {
                 return planar[static_cast<std::size_t>(quantities[c].id)][sample];
             };
             for (const auto& [offset, gap] : layouts) {
-                const std::size_t n = quantities.size();
-                const std::size_t pitch = n * kSize + gap;
+                const std::size_t n = quantities.size(), pitch = n * kSize + gap;
                 PageVector<float> whole(kSize * pitch + 64, -7.0f);
                 for (std::size_t i = 0; i < modes_.lattice.size(); ++i) {
                     float* const sample = &whole[offset + i / kSize * pitch + i % kSize * n];

@@ -5,60 +5,24 @@
 // streams and shores together.
 #include "ocean/land_function.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstring>
-#include <memory>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "field/spline_grid.hpp"
+#include "flood.hpp"
 #include "land/function/base_detail.hpp"
 #include "land/function/fine_waves.hpp"
 #include "land/function/place_hash.hpp"
-#include "ocean/error.hpp"
-#include "ocean/internal/grid.hpp"
 #include "ocean/internal/ring_spectrum.hpp"
 #include "ocean/internal/terrain_base.hpp"
 #include "ocean/terrain.hpp"
 #include "ocean/terrain_table.hpp"
+#include "refusal.hpp"
+#include "test_seas.hpp"
 
 namespace ocean {
 namespace {
 
+/// Returns the rms about the mean.
 double rms_of(std::span<const float> values) {
-    double sum = 0.0, squares = 0.0;
-    for (const float v : values) {
-        sum += static_cast<double>(v);
-        squares += static_cast<double>(v) * static_cast<double>(v);
-    }
-    const auto n = static_cast<double>(values.size());
-    return std::sqrt(squares / n - sum / n * sum / n);
-}
-
-double largest_difference(std::span<const float> a, std::span<const float> b) {
-    double most = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        most = std::max(most, std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])));
-    }
-    return most;
-}
-
-/// Returns the angles [degrees] that 50, 90 and 99 % of a map's slopes do not exceed.
-std::array<double, 3> slope_angles(const Surface& map) {
-    std::vector<float> slopes;
-    const auto x = map.channel(Channel::slope_x), y = map.channel(Channel::slope_y);
-    for (std::size_t i = 0; i < x.size(); ++i) slopes.push_back(std::hypot(x[i], y[i]));
-    std::ranges::sort(slopes);
-    const auto angle = [&](double share) {
-        const auto at = static_cast<std::size_t>(share * static_cast<double>(slopes.size() - 1));
-        return std::atan(static_cast<double>(slopes[at])) * 360.0 / kTwoPi;
-    };
-    return {angle(0.5), angle(0.9), angle(0.99)};
+    return std::sqrt(test::variance(values));
 }
 
 TerrainModel gullied_tile(int resolution) {
@@ -91,33 +55,41 @@ TerrainModel island(int resolution) {
     return terrain;
 }
 
-/// Returns a base: every `stride`-th sample of a tile of beta 2.2.
-TerrainBase sampled_base(int side, int stride, double cell) {
+/// Returns a square of samples from a place on.
+Domain square(double x, double y, int side, double cell) {
+    return {{x, y}, {cell * (side - 1), cell * (side - 1)}, {side, side}, false};
+}
+
+/// Returns a tile of beta 2.2.
+TerrainModel smooth_tile(double cell) {
     TerrainModel tile;
     tile.resolution = 2048;
-    tile.patch_size = cell / stride * 2048.0;
+    tile.patch_size = cell * 2048.0;
     tile.beta = 2.2;
     tile.rms = 150.0;
     tile.outer_scale = 0.5 * tile.patch_size;
-    Terrain land(tile);
-    const Surface map = land.surface({Channel::height});
+    return tile;
+}
+
+/// Returns a land on a base: every `stride`-th sample of such a tile.
+TerrainModel placed_on_samples(int side, int stride, double cell) {
+    Terrain land(smooth_tile(cell / stride));
+    const auto heights = test::values_of(land.surface({Channel::height}));
     TerrainBase base;
-    Domain& domain = base.model.domain;
-    domain = {{0.0, 0.0}, {cell * (side - 1), cell * (side - 1)}, {side, side}, false};
-    const auto heights = map.channel(Channel::height);
-    for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) {
-            const auto at =
-                static_cast<std::size_t>(j * stride) * 2048 + static_cast<std::size_t>(i * stride);
-            base.model.heights.push_back(heights[at]);
-        }
+    base.model.domain = square(0.0, 0.0, side, cell);
+    for (const auto [i, j] : test::pairs(side, side)) {
+        base.model.heights.push_back(
+            heights[static_cast<std::size_t>(j * stride * 2048 + i * stride)]);
     }
-    ThreadPool pool;
-    for (const Ring& ring : measure_rings(domain, base.model.heights, pool)) {
+    for (const Ring& ring : measure_rings(base.model.domain, base.model.heights, test::pool())) {
         base.rings.wavenumber.push_back(ring.wavenumber);
         base.rings.density.push_back(ring.density);
     }
-    return base;
+    TerrainModel terrain;
+    terrain.kind = TerrainKind::placed;
+    terrain.base = "made";
+    terrain.base_model = std::make_shared<const TerrainBase>(base);
+    return terrain;
 }
 
 // ---- Splines
@@ -131,21 +103,18 @@ std::vector<float> noise(std::size_t count) {
 }
 
 TEST(SplineGrids, PassThroughTheirSamplesAndWrapOrEnd) {
-    ThreadPool pool;
     for (const bool wraps : {false, true}) {
         const double width = wraps ? 37.0 : 36.0, height = wraps ? 23.0 : 22.0;
         const Domain domain{{-3.0, 11.0}, {2.0 * width, 2.5 * height}, {37, 23}, wraps};
         const std::vector<float> samples = noise(domain.count());
-        const SplineGrid grid(domain, samples, pool);
-        for (int j = 0; j < 23; ++j) {
-            for (int i = 0; i < 37; ++i) {
-                const auto [x, y] = domain.place(i, j);
-                const float sample = samples[static_cast<std::size_t>(j * 37 + i)];
-                EXPECT_NEAR(grid.value_at(x, y), static_cast<double>(sample), 1e-6);
-                if (!wraps) continue;
-                EXPECT_NEAR(grid.value_at(x + 3.0 * domain.size[0], y - domain.size[1]),
-                            static_cast<double>(sample), 1e-5);
-            }
+        const SplineGrid grid(domain, samples, test::pool());
+        for (const auto [i, j, at] : test::cells(37, 23)) {
+            const auto [x, y] = domain.place(i, j);
+            const float sample = samples[at];
+            EXPECT_NEAR(grid.value_at(x, y), static_cast<double>(sample), 1e-6);
+            if (!wraps) continue;
+            EXPECT_NEAR(grid.value_at(x + 3.0 * domain.size[0], y - domain.size[1]),
+                        static_cast<double>(sample), 1e-5);
         }
         if (wraps) continue;
         EXPECT_EQ(grid.value_at(-100.0, 1e6), grid.value_at(-3.0, 11.0 + domain.size[1]));
@@ -153,9 +122,8 @@ TEST(SplineGrids, PassThroughTheirSamplesAndWrapOrEnd) {
 }
 
 TEST(SplineGrids, HaveTheGradientOfTheirValues) {
-    ThreadPool pool;
     const Domain domain = Domain::tile(64.0, 32);
-    const SplineGrid grid(domain, noise(domain.count()), pool);
+    const SplineGrid grid(domain, noise(domain.count()), test::pool());
     constexpr double kStep = 1e-4;
     for (const auto& [x, y] : {std::array{3.3, 60.1}, {17.0, 20.5}, {63.9, 0.2}}) {
         const GroundJet jet = grid.at(x, y);
@@ -168,19 +136,16 @@ TEST(SplineGrids, HaveTheGradientOfTheirValues) {
 }
 
 TEST(SplinePyramids, KeepLongWavesOnCoarserLevelsAndTheirPlace) {
-    ThreadPool pool;
     constexpr int kSide = 256;
     for (const bool wraps : {false, true}) {
         const Domain domain{
             {0.0, 0.0}, {wraps ? 256.0 : 255.0, wraps ? 256.0 : 255.0}, {kSide, kSide}, wraps};
         std::vector<float> samples;
-        for (int j = 0; j < kSide; ++j) {
-            for (int i = 0; i < kSide; ++i) {
-                samples.push_back(
-                    static_cast<float>(std::sin(kTwoPi * i / 64.0) + std::cos(kTwoPi * j / 64.0)));
-            }
+        for (const auto [i, j] : test::pairs(kSide, kSide)) {
+            samples.push_back(
+                static_cast<float>(std::sin(kTwoPi * i / 64.0) + std::cos(kTwoPi * j / 64.0)));
         }
-        const SplinePyramid pyramid(domain, samples, pool);
+        const SplinePyramid pyramid(domain, samples, test::pool());
         EXPECT_EQ(pyramid.level(1.0).domain().samples[0], kSide);
         EXPECT_EQ(pyramid.level(3.9).domain().samples[0], kSide / 2);
         const SplineGrid& coarse = pyramid.level(4.0);
@@ -194,9 +159,8 @@ TEST(SplinePyramids, KeepLongWavesOnCoarserLevelsAndTheirPlace) {
 // ---- Fine waves
 
 TEST(FineWaves, HaveTheEnergyOfTheirDensityInEachOctaveAndItsGradient) {
-    ThreadPool pool;
     const RadialDensity density = [](double k) { return 1e-3 * std::pow(k, -4.4); };
-    const FineWaves waves(density, 64.0, 2.0, 5, pool);
+    const FineWaves waves(density, 64.0, 2.0, 5, test::pool());
     const double variance = ring_variance(density, kTwoPi / 64.0, kTwoPi / 2.0);
     EXPECT_NEAR(waves.variance(), variance, 1e-3 * variance);
     // Places far apart, so that they are independent.
@@ -221,8 +185,7 @@ TEST(FineWaves, HaveTheEnergyOfTheirDensityInEachOctaveAndItsGradient) {
 }
 
 TEST(FineWaves, DoNotRepeat) {
-    ThreadPool pool;
-    const FineWaves waves([](double k) { return std::pow(k, -5.0); }, 32.0, 4.0, 1, pool);
+    const FineWaves waves([](double k) { return std::pow(k, -5.0); }, 32.0, 4.0, 1, test::pool());
     const double period = 8.0 * 32.0;
     for (const auto& [x, y] : {std::array{period, 0.0}, {0.0, period}, {96.0 * 8.0, 0.0}}) {
         double product = 0.0;
@@ -239,29 +202,19 @@ TEST(FineWaves, DoNotRepeat) {
 
 TEST(BaseDetail, ContinuesTheSpectrumAcrossTheCellWithin15HundredthsOfADecade) {
     constexpr double kCell = 30.0;
-    TerrainModel terrain;
-    terrain.kind = TerrainKind::placed;
-    terrain.base = "made";
-    terrain.base_model = std::make_shared<const TerrainBase>(sampled_base(256, 4, kCell));
+    TerrainModel terrain = placed_on_samples(256, 4, kCell);
     terrain.detail_wavelength = 7.5;
-    ThreadPool pool;
     // The tile that the base was sampled from is the truth, down to its own cell of 7.5 m.
-    TerrainModel truth;
-    truth.resolution = 2048;
-    truth.patch_size = 7.5 * 2048.0;
-    truth.beta = 2.2;
-    truth.rms = 150.0;
-    truth.outer_scale = 0.5 * truth.patch_size;
-    Terrain true_land(truth);
-    const Domain window{{100.0, 100.0}, {3.75 * 1535, 3.75 * 1535}, {1536, 1536}, false};
+    Terrain true_land(smooth_tile(7.5));
+    const Domain window = square(100.0, 100.0, 1536, 3.75);
     const Surface real = true_land.region(window, {Channel::height});
-    const auto wanted = measure_rings(window, real.channel(Channel::height), pool);
+    const auto wanted = measure_rings(window, real.channel(Channel::height), test::pool());
     const double nyquist = kPi / kCell;
     // Where the samples are held, they take long waves out of any detail; free ones do not.
     for (const double error : {default_base_error(*terrain.base_model), 1000.0}) {
         terrain.base_error = error;
         const Surface shown = Terrain(terrain).region(window, {Channel::height});
-        const auto rings = measure_rings(window, shown.channel(Channel::height), pool);
+        const auto rings = measure_rings(window, shown.channel(Channel::height), test::pool());
         ASSERT_EQ(rings.size(), wanted.size());
         int compared = 0;
         for (std::size_t i = 0; i < rings.size(); ++i) {
@@ -276,10 +229,7 @@ TEST(BaseDetail, ContinuesTheSpectrumAcrossTheCellWithin15HundredthsOfADecade) {
 }
 
 TEST(BaseDetail, MovesTheSamplesByAtMostBaseError) {
-    TerrainModel terrain;
-    terrain.kind = TerrainKind::placed;
-    terrain.base = "made";
-    terrain.base_model = std::make_shared<const TerrainBase>(sampled_base(128, 8, 30.0));
+    TerrainModel terrain = placed_on_samples(128, 8, 30.0);
     terrain.detail_wavelength = 1.0;
     const double default_error = default_base_error(*terrain.base_model);
     EXPECT_GT(default_error, 0.0);
@@ -287,8 +237,8 @@ TEST(BaseDetail, MovesTheSamplesByAtMostBaseError) {
         if (asked >= 0.0) terrain.base_error = asked;
         Terrain land(terrain);
         std::vector<WorldPoint> places;
-        for (int j = 0; j < 128; ++j) {
-            for (int i = 0; i < 128; ++i) places.push_back({30.0 * i, 30.0 * j});
+        for (const auto [i, j] : test::pairs(128, 128)) {
+            places.push_back({30.0 * i, 30.0 * j});
         }
         std::vector<QuerySample> samples(places.size());
         // The land itself, with all its waves.
@@ -311,9 +261,7 @@ TEST(BaseDetail, MovesTheSamplesByAtMostBaseError) {
 /// Counts the values of a region that differ from the same places of another one.
 std::size_t differing(const Surface& large, const Surface& small, int i0, int j0) {
     std::size_t count = 0;
-    for (int c = 0; c < kChannelNumbers; ++c) {
-        const auto channel = static_cast<Channel>(c);
-        if (!small.has(channel)) continue;
+    for (const Channel channel : test::channels_of(small)) {
         const auto a = large.channel(channel), b = small.channel(channel);
         for (int j = 0; j < small.domain().samples[1]; ++j) {
             const auto at = static_cast<std::size_t>((j + j0) * large.domain().samples[0] + i0);
@@ -329,11 +277,8 @@ std::size_t differing(const Surface& large, const Surface& small, int i0, int j0
 TEST(LandFunctions, HaveTheSameBitsInEveryRegion) {
     TerrainModel with_detail = island(128);
     with_detail.detail_wavelength = 2.0;
-    TerrainModel model;
-    model.kind = TerrainKind::placed;
-    model.base = "made";
-    model.base_model = std::make_shared<const TerrainBase>(sampled_base(64, 8, 30.0));
-    for (const TerrainModel& terrain : {gullied_tile(256), with_detail, model}) {
+    for (const TerrainModel& terrain :
+         {gullied_tile(256), with_detail, placed_on_samples(64, 8, 30.0)}) {
         Terrain land(terrain, {.threads = 2});
         const double cell = 0.7;
         const int columns = 400, rows = 150;
@@ -360,64 +305,60 @@ TEST(LandFunctions, HaveTheSameHeightsWithAndWithoutSlopes) {
     TerrainModel tile = gullied_tile(64);
     tile.gullies.depth = 0.0;
     const Domain region{{-70.0, 30.0}, {3.7 * 99, 3.7 * 59}, {100, 60}, false};
-    ThreadPool pool(1);
     TerrainModel detailed = tile;
     detailed.kind = TerrainKind::placed;
     detailed.detail_wavelength = 8.0;
     for (const TerrainModel& terrain : {tile, gullied_tile(64), detailed}) {
         Terrain land(terrain, {.threads = 1});
         const std::shared_ptr<const LandFunction> function = land.function();
-        const Surface alone = function->surface(region, {Channel::height}, pool);
-        const Surface both = function->surface(region, {Channel::height, Channel::slope_x}, pool);
-        EXPECT_TRUE(
-            std::ranges::equal(alone.channel(Channel::height), both.channel(Channel::height)));
+        EXPECT_TRUE(test::same_bits(
+            function->surface(region, {Channel::height, Channel::slope_x}, test::pool()),
+            function->surface(region, {Channel::height}, test::pool())));
     }
 }
 
 TEST(LandFunctions, OfTilesRepeatAndJoinTheirOwnMaps) {
     Terrain land(gullied_tile(256));
     const Surface map = land.surface({Channel::height, Channel::slope_x});
-    const double cell = 16.0, period = land.model().patch_size;
-    const Domain beyond{{-period, 2.0 * period}, {cell * 255, cell * 255}, {256, 256}, false};
-    const Surface copy = land.region(beyond, {Channel::height, Channel::slope_x});
+    const double period = land.model().patch_size;
+    const Surface copy =
+        land.region(square(-period, 2.0 * period, 256, 16.0), {Channel::height, Channel::slope_x});
     const double rms = rms_of(map.channel(Channel::height));
-    EXPECT_LT(largest_difference(map.channel(Channel::height), copy.channel(Channel::height)),
+    EXPECT_LT(test::largest_difference(map.channel(Channel::height), copy.channel(Channel::height)),
               1e-5 * rms);
-    EXPECT_LT(largest_difference(map.channel(Channel::slope_x), copy.channel(Channel::slope_x)),
-              1e-4);
+    EXPECT_LT(
+        test::largest_difference(map.channel(Channel::slope_x), copy.channel(Channel::slope_x)),
+        1e-4);
     // A plain tile, whose maps are made by transforms.
     TerrainModel plain = gullied_tile(256);
     plain.gullies.depth = 0.0;
     Terrain waves(plain);
-    const Domain own{{0.0, 0.0}, {cell * 255, cell * 255}, {256, 256}, false};
-    EXPECT_LT(largest_difference(waves.surface({Channel::height}).channel(Channel::height),
-                                 waves.region(own, {Channel::height}).channel(Channel::height)),
-              1e-5 * 200.0);
+    EXPECT_LT(
+        test::largest_difference(
+            waves.surface({Channel::height}).channel(Channel::height),
+            waves.region(square(0.0, 0.0, 256, 16.0), {Channel::height}).channel(Channel::height)),
+        1e-5 * 200.0);
 }
 
 TEST(LandFunctions, AnswerQueriesWithTheirMaps) {
     for (const TerrainModel& terrain : {gullied_tile(128), island(128)}) {
         Terrain land(terrain);
         const Surface map = land.surface({Channel::height, Channel::nx, Channel::nz});
+        std::vector<std::size_t> indices;
         std::vector<WorldPoint> places;
-        for (int j = 1; j < 127; j += 7) {
-            for (int i = 1; i < 127; i += 5) {
-                const auto [x, y] = map.domain().place(i, j);
-                places.push_back({x, y});
-            }
+        for (const auto [i, j, at] : test::cells(128, 128)) {
+            if (i % 5 != 1 || j % 7 != 1) continue;
+            const auto [x, y] = map.domain().place(i, j);
+            places.push_back({x, y});
+            indices.push_back(at);
         }
         std::vector<QuerySample> samples(places.size());
         land.query(places, samples);
         const double rms = rms_of(map.channel(Channel::height));
-        std::size_t n = 0;
-        for (int j = 1; j < 127; j += 7) {
-            for (int i = 1; i < 127; i += 5, ++n) {
-                const auto at = static_cast<std::size_t>(j * 128 + i);
-                EXPECT_NEAR(samples[n].height,
-                            static_cast<double>(map.channel(Channel::height)[at]), 1e-5 * rms);
-                EXPECT_NEAR(samples[n].normal[0], static_cast<double>(map.channel(Channel::nx)[at]),
-                            1e-4);
-            }
+        for (std::size_t n = 0; n < places.size(); ++n) {
+            const std::size_t at = indices[n];
+            EXPECT_NEAR(samples[n].height, double{map.channel(Channel::height)[at]}, 1e-5 * rms);
+            EXPECT_NEAR(samples[n].normal[0], double{map.channel(Channel::nx)[at]}, 1e-4);
         }
         const WorldPoint nowhere[] = {{std::nan(""), 0.0}};
         EXPECT_THROW(land.query(nowhere, samples), Error);
@@ -440,8 +381,12 @@ TEST(Gullies, GiveTheTujungaItsSlopes) {
     for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
         terrain.seed = seed;
         Terrain land(terrain);
-        const Domain cells{{0.0, 0.0}, {30.0 * 545, 30.0 * 545}, {546, 546}, false};
-        const auto angles = slope_angles(land.region(cells, {Channel::slope_x, Channel::slope_y}));
+        const Surface map =
+            land.region(square(0.0, 0.0, 546, 30.0), {Channel::slope_x, Channel::slope_y});
+        const auto x = map.channel(Channel::slope_x), y = map.channel(Channel::slope_y);
+        std::vector<double> slopes;
+        for (std::size_t i = 0; i < x.size(); ++i) slopes.push_back(std::hypot(x[i], y[i]));
+        const auto angles = test::slope_angles(slopes);
         for (std::size_t i = 0; i < 3; ++i) mean[i] += angles[i] / kSeeds;
     }
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(mean[i], measured[i], 3.0) << i;
@@ -469,22 +414,10 @@ TEST(Islands, HaveOneSeaWithBeachesOfOneInThirty) {
     EXPECT_LT(slope, 1.0 / 27.0);
     // Every cell of water is reached from the corner.
     std::vector<char> seen(height.size());
-    std::vector<int> front = {0};
-    std::size_t reached = 0;
-    while (!front.empty()) {
-        const int at = front.back();
-        front.pop_back();
-        if (seen[static_cast<std::size_t>(at)] != 0) continue;
-        if (height[static_cast<std::size_t>(at)] >= 0.0f) continue;
-        seen[static_cast<std::size_t>(at)] = 1;
-        ++reached;
-        if (at % side > 0) front.push_back(at - 1);
-        if (at % side < side - 1) front.push_back(at + 1);
-        if (at >= side) front.push_back(at - side);
-        if (at + side < side * side) front.push_back(at + side);
-    }
+    const auto sea =
+        test::piece_of(0, side, side, seen, [&](std::size_t at) { return height[at] < 0.0f; });
     const auto wet = std::ranges::count_if(height, [](float h) { return h < 0.0f; });
-    EXPECT_EQ(reached, static_cast<std::size_t>(wet));
+    EXPECT_EQ(sea.size(), static_cast<std::size_t>(wet));
     EXPECT_GT(wet, static_cast<std::ptrdiff_t>(height.size() / 4));
 }
 
@@ -497,10 +430,8 @@ int pits_in(std::span<const float> height, int side) {
                 return height[static_cast<std::size_t>(y * side + x)];
             };
             float lowest = at(i - 1, j);
-            for (int y = j - 1; y <= j + 1; ++y) {
-                for (int x = i - 1; x <= i + 1; ++x) {
-                    if (x != i || y != j) lowest = std::min(lowest, at(x, y));
-                }
+            for (const auto [x, y] : test::pairs({i - 1, i + 2}, {j - 1, j + 2})) {
+                if (x != i || y != j) lowest = std::min(lowest, at(x, y));
             }
             pits += at(i, j) > 0.0f && at(i, j) < lowest ? 1 : 0;
         }
@@ -544,13 +475,10 @@ TEST(Islands, KeepTheBitsOfLandThatTheShoreDoesNotReach) {
     // A beach is 130 m wide, a cell of 129 m and a diagonal; all land is at least 3 m high.
     constexpr int kReach = 2;
     int beyond = 0, changed = 0;
-    for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) {
-            const auto at = static_cast<std::size_t>(j * side + i);
-            if (maps.before(at) < 3.0f || is_near_water(maps.with, i, j, kReach)) continue;
-            ++beyond;
-            changed += maps.is_changed(at) ? 1 : 0;
-        }
+    for (const auto [i, j, at] : test::cells(side, side)) {
+        if (maps.before(at) < 3.0f || is_near_water(maps.with, i, j, kReach)) continue;
+        ++beyond;
+        changed += maps.is_changed(at) ? 1 : 0;
     }
     EXPECT_GT(beyond, side * side / 10);
     EXPECT_EQ(changed, 0);
@@ -571,7 +499,7 @@ TEST(Islands, KeepTheBitsOfLandThatTheShoreDoesNotReach) {
 }
 
 TEST(Islands, KeepTheirStreamsWhileTheShoreChanges) {
-    Terrain land(island(256));
+    Terrain land(island(128));
     land.function();
     EXPECT_EQ(land.runs().streams, 1);
     land.set("terrain.coast.berm", "3");
@@ -587,7 +515,7 @@ TEST(Islands, KeepTheirStreamsWhileTheShoreChanges) {
 TEST(Islands, ReportProgressAndStop) {
     struct Stop {};
     int calls = 0;
-    Terrain land(island(256), {.progress = [&](std::string_view work, double share) {
+    Terrain land(island(128), {.progress = [&](std::string_view work, double share) {
                      EXPECT_TRUE(share >= 0.0 && share <= 1.0);
                      if (work == "streams" && ++calls == 2) throw Stop();
                  }});
@@ -604,38 +532,6 @@ TEST(Lands, HaveTheMasksOfTheirSectionsAndRefuseOthers) {
     EXPECT_THROW(tile.surface({Channel::foam}), Error);
     const Surface map = tile.surface({channel_of(LandMask::gully), channel_of(LandMask::ridge)});
     EXPECT_GT(rms_of(map.channel(channel_of(LandMask::gully))), 0.01);
-}
-
-TEST(Lands, RefuseWhatTheyCannotBe) {
-    const auto message = [](const TerrainModel& terrain) -> std::string {
-        try {
-            validate(terrain);
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "";
-    };
-    TerrainModel tile;
-    tile.island = 100.0;
-    EXPECT_NE(message(tile).find("terrain.kind = \"placed\""), std::string::npos);
-    TerrainModel placed;
-    placed.kind = TerrainKind::placed;
-    EXPECT_EQ(message(placed), "");
-    placed.size = {2000.0, 500.0};
-    EXPECT_NE(message(placed).find("larger than the patch"), std::string::npos);
-    placed.size = {500.0};
-    EXPECT_NE(message(placed).find("two numbers"), std::string::npos);
-    placed.size = {};
-    placed.stream.slope = 0.5;
-    EXPECT_EQ(message(placed), "");
-    placed.gullies.depth = 0.05;
-    EXPECT_NE(message(placed).find("contradicts terrain.stream"), std::string::npos);
-    placed.gullies.depth = 0.0;
-    placed.range = {0.0, 10.0};
-    EXPECT_NE(message(placed).find("erosion does not scale"), std::string::npos);
-    TerrainModel gullied;
-    gullied.gullies.depth = 0.05;
-    EXPECT_NE(message(gullied).find("too long for the tile"), std::string::npos);
 }
 
 }  // namespace

@@ -4,23 +4,12 @@
 // Modes: the lattice, the draw, the band, the clock.
 #include "ocean/internal/modes.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstring>
-
 #include "ocean/internal/dispersion.hpp"
-#include "ocean/ocean.hpp"
 #include "ocean/thread_pool.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {
 namespace {
-
-Modes modes_of(const Parameters& parameters, int threads = 1) {
-    ThreadPool pool(threads);
-    return make_modes(make_directional_spectrum(parameters), parameters, pool);
-}
 
 TEST(Grid, WavenumbersAreThoseOfFftfreq) {
     const int expected[] = {0, 1, 2, 3, -4, -3, -2, -1};
@@ -31,34 +20,25 @@ TEST(Grid, WavenumbersAreThoseOfFftfreq) {
 }
 
 TEST(Modes, AFinerGridKeepsTheBitsOfSharedModes) {
-    const Modes coarse = modes_of(test::wind_sea(64));
-    const Modes fine = modes_of(test::wind_sea(256));
+    const Modes coarse = test::modes_of(test::wind_sea(64));
+    const Modes fine = test::modes_of(test::wind_sea(256));
     int compared = 0;
-    for (int m = -31; m < 32; ++m) {
-        for (int n = -31; n < 32; ++n) {
-            const auto& a = coarse.cascades[0].h0[mode_index(n, m, 64)];
-            const auto& b = fine.cascades[0].h0[mode_index(n, m, 256)];
-            ASSERT_EQ(std::memcmp(&a, &b, sizeof(a)), 0) << n << " " << m;
-            compared += a != std::complex<float>(0.0f) ? 1 : 0;
-        }
+    for (const auto [n, m] : test::pairs({-31, 32}, {-31, 32})) {
+        const auto& a = coarse.cascades[0].h0[mode_index(n, m, 64)];
+        const auto& b = fine.cascades[0].h0[mode_index(n, m, 256)];
+        ASSERT_EQ(std::memcmp(&a, &b, sizeof(a)), 0) << n << " " << m;
+        compared += a != std::complex<float>(0.0f) ? 1 : 0;
     }
     EXPECT_GT(compared, 3000);
 }
 
 TEST(Modes, HeightsOfTwoSeasCorrelateAsTheirMapsDo) {
     const auto correlation_of_maps = [](Ocean& a, double time_a, Ocean& b, double time_b) {
-        const Surface of_a = a.evaluate(time_a, {Channel::height});
-        const Surface of_b = b.evaluate(time_b, {Channel::height});
-        const std::span<const float> x = of_a.channel(Channel::height);
-        const std::span<const float> y = of_b.channel(Channel::height);
-        double xx = 0.0, yy = 0.0, xy = 0.0;
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            const double p = static_cast<double>(x[i]), q = static_cast<double>(y[i]);
-            xx += p * p;
-            yy += q * q;
-            xy += p * q;
-        }
-        return xy / std::sqrt(xx * yy);
+        const auto x = test::values_of(a.evaluate(time_a, {Channel::height}));
+        const auto y = test::values_of(b.evaluate(time_b, {Channel::height}));
+        double xy = 0.0;
+        for (std::size_t i = 0; i < x.size(); ++i) xy += double{x[i]} * double{y[i]};
+        return xy / static_cast<double>(x.size()) / test::rms(x) / test::rms(y);
     };
     Parameters parameters = test::wind_sea(64);
     Parameters stronger = parameters, deeper = parameters, other = parameters, larger = parameters;
@@ -85,7 +65,7 @@ TEST(Modes, HeightsOfTwoSeasCorrelateAsTheirMapsDo) {
 }
 
 TEST(Modes, NyquistLinesAndTheMeanAreZero) {
-    const Modes modes = modes_of(test::wind_sea(64));
+    const Modes modes = test::modes_of(test::wind_sea(64));
     const auto& h0 = modes.cascades[0].h0;
     for (std::size_t i = 0; i < 64; ++i) {
         EXPECT_EQ(h0[32 * 64 + i], std::complex<float>(0.0f));
@@ -98,20 +78,16 @@ TEST(Modes, AmplitudeIsHalfTheRootOfTheModalVariance) {
     // E|h0|^2 = variance / 2, and both signs of k give E<h^2> = sum of the variances.
     const Parameters parameters = test::wind_sea(64);
     const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
-    double drawn = 0.0;
-    double expected = 0.0;
-    double weight = 0.0;
+    double drawn = 0.0, expected = 0.0, weight = 0.0;
     for (std::uint32_t seed = 1; seed <= 40; ++seed) {
         Parameters other = parameters;
         other.seed = seed;
-        const Modes modes = modes_of(other);
-        for (int m = -20; m <= 20; ++m) {
-            for (int n = 1; n <= 20; ++n) {
-                const double v = modal_variance(spectrum, parameters, n, m);
-                drawn += 2.0 * std::norm(modes.cascades[0].h0[mode_index(n, m, 64)]);
-                expected += v;
-                weight += v * v;
-            }
+        const Modes modes = test::modes_of(other);
+        for (const auto [n, m] : test::pairs({1, 21}, {-20, 21})) {
+            const double v = modal_variance(spectrum, parameters, n, m);
+            drawn += 2.0 * std::norm(modes.cascades[0].h0[mode_index(n, m, 64)]);
+            expected += v;
+            weight += v * v;
         }
     }
     EXPECT_NEAR(drawn / expected, 1.0, 4.0 * std::sqrt(weight) / expected);
@@ -132,10 +108,8 @@ TEST(Modes, ModalVarianceIsTheEnergyOfTheModesCellInWavenumberSpace) {
     // Near the peak it is not.
     double mean = 0.0;
     constexpr int kFine = 200;
-    for (int b = 0; b < kFine; ++b) {
-        for (int a = 0; a < kFine; ++a) {
-            mean += energy(5.5 + (a + 0.5) / kFine, 2.5 + (b + 0.5) / kFine) / (kFine * kFine);
-        }
+    for (const auto [a, b] : test::pairs(kFine, kFine)) {
+        mean += energy(5.5 + (a + 0.5) / kFine, 2.5 + (b + 0.5) / kFine) / (kFine * kFine);
     }
     EXPECT_NEAR(modal_variance(spectrum, parameters, 6, 3) / mean, 1.0, 1e-3);
     EXPECT_GT(std::abs(energy(6, 3) / mean - 1.0), 0.01) << "the centre would do as well";
@@ -155,19 +129,16 @@ TEST(Modes, BandLimitsKeepWavesOfExactlyThatLength) {
 
 TEST(Modes, PhaseRateIsTheDispersionRelationForNegativeWavenumbersToo) {
     for (const double depth : {5.0, std::numeric_limits<double>::infinity()}) {
-        Parameters parameters = test::wind_sea(64);
-        parameters.water.depth = depth;
-        const Modes modes = modes_of(parameters);
+        Parameters parameters = test::wind_sea(64, 400.0, {.depth = depth});
+        const Modes modes = test::modes_of(parameters);
         const Dispersion dispersion(parameters.water);
         const CascadeModes& cascade = modes.cascades[0];
-        for (int m = -31; m < 32; ++m) {
-            for (int n = -31; n < 32; ++n) {
-                if (n == 0 && m == 0) continue;
-                const double k = kTwoPi / 400.0 * std::hypot(n, m);
-                const double rate = static_cast<double>(cascade.rate_high[mode_index(n, m, 64)]) +
-                                    cascade.rate_low[mode_index(n, m, 64)];
-                EXPECT_NEAR(rate * kTwoPi / dispersion.angular_frequency(k), 1.0, 1e-13);
-            }
+        for (const auto [n, m] : test::pairs({-31, 32}, {-31, 32})) {
+            if (n == 0 && m == 0) continue;
+            const double k = kTwoPi / 400.0 * std::hypot(n, m);
+            const double rate = static_cast<double>(cascade.rate_high[mode_index(n, m, 64)]) +
+                                cascade.rate_low[mode_index(n, m, 64)];
+            EXPECT_NEAR(rate * kTwoPi / dispersion.angular_frequency(k), 1.0, 1e-13);
         }
     }
 }
@@ -176,51 +147,24 @@ TEST(Loop, RatesAreRoundedToWholeTurnsAndNeverToZero) {
     EXPECT_EQ(turns_per_loop(kTwoPi * 0.1, 26.0), 3.0);  // 2.6 turns: floor would say 2
     EXPECT_EQ(turns_per_loop(kTwoPi * 0.1, 24.0), 2.0);
     EXPECT_EQ(turns_per_loop(kTwoPi * 0.001, 10.0), 1.0);
-    Parameters parameters = test::wind_sea(64);
-    parameters.time.loop_period = 10.0;
-    const Modes modes = modes_of(parameters);
-    for (int m = -31; m < 32; ++m) {
-        for (int n = -31; n < 32; ++n) {
-            if (n == 0 && m == 0) continue;
-            const float rate = modes.cascades[0].rate_high[mode_index(n, m, 64)];
-            EXPECT_GE(rate, 1.0f);
-            EXPECT_EQ(rate, std::round(rate));
-            EXPECT_EQ(modes.cascades[0].rate_low[mode_index(n, m, 64)], 0.0f);
-        }
+    Parameters parameters = test::wind_sea(64, 400.0, {.loop = 10.0});
+    const Modes modes = test::modes_of(parameters);
+    for (const auto [n, m] : test::pairs({-31, 32}, {-31, 32})) {
+        if (n == 0 && m == 0) continue;
+        const float rate = modes.cascades[0].rate_high[mode_index(n, m, 64)];
+        EXPECT_GE(rate, 1.0f);
+        EXPECT_EQ(rate, std::round(rate));
+        EXPECT_EQ(modes.cascades[0].rate_low[mode_index(n, m, 64)], 0.0f);
     }
 }
 
-TEST(Loop, TheSurfaceRepeatsBitForBit) {
+TEST(Modes, ThreadsDoNotChangeABitAndSeedsGiveOtherSeas) {
     Parameters parameters = test::wind_sea(64);
-    parameters.time.loop_period = 7.3;
-    Ocean sea(parameters, {.threads = 1});
-    for (const double time : {0.0, 0.1, 1.0 / 24.0, 3.7}) {
-        const Surface now = sea.evaluate(time, test::kAllChannels);
-        const Surface later = sea.evaluate(time + 7.3, test::kAllChannels);
-        const Surface much_later = sea.evaluate(time + 7.3 * 1024.0, test::kAllChannels);
-        for (const Channel channel : {Channel::height, Channel::dx, Channel::vz, Channel::nx}) {
-            const auto a = now.channel(channel);
-            const auto b = later.channel(channel);
-            const auto c = much_later.channel(channel);
-            EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size_bytes()), 0) << time;
-            EXPECT_EQ(std::memcmp(a.data(), c.data(), a.size_bytes()), 0) << time;
-        }
-    }
-}
-
-TEST(Modes, ThreadsDoNotChangeABit) {
-    const Modes one = modes_of(test::wind_sea(64), 1);
-    const Modes three = modes_of(test::wind_sea(64), 3);
-    EXPECT_EQ(std::memcmp(one.cascades[0].h0.data(), three.cascades[0].h0.data(),
-                          one.cascades[0].h0.size() * sizeof(one.cascades[0].h0[0])),
-              0);
-}
-
-TEST(Modes, SeedsGiveOtherSeas) {
-    Parameters parameters = test::wind_sea(64);
-    const Modes one = modes_of(parameters);
+    const auto one = test::modes_of(parameters, 1).cascades[0].h0;
+    const auto three = test::modes_of(parameters, 3).cascades[0].h0;
+    EXPECT_EQ(std::memcmp(one.data(), three.data(), one.size() * sizeof(one[0])), 0);
     parameters.seed = 2;
-    EXPECT_NE(one.cascades[0].h0[5], modes_of(parameters).cascades[0].h0[5]);
+    EXPECT_NE(one[5], test::modes_of(parameters).cascades[0].h0[5]);
 }
 
 }  // namespace

@@ -2,16 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The division of the modes: the pairs' signals and the remainder together are the open sea.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <map>
 
 #include "divided_sea.hpp"
 #include "ocean/internal/make_surface.hpp"
 #include "ocean/internal/wave_sum.hpp"
-#include "ocean/surface.hpp"
 
 namespace ocean {
 namespace {
@@ -23,8 +17,7 @@ using test::rms;
 
 // Each mode is in one pair, with 2 h0, or in the remainder, with h0, and in no other.
 TEST(OpenRemainder, AndThePairsDivideTheModes) {
-    Parameters parameters = test::wind_sea(128, 400.0);
-    parameters.grid.cascades = 2;
+    Parameters parameters = test::wind_sea(128, 400.0, {.cascades = 2});
     const DividedSea sea(parameters);
     const Modes remainder = open_remainder(sea.modes, sea.bands);
     std::map<std::array<int, 2>, std::complex<float>> held;
@@ -44,17 +37,15 @@ TEST(OpenRemainder, AndThePairsDivideTheModes) {
     for (std::size_t c = 0; c < sea.modes.cascades.size(); ++c) {
         const CascadeModes& cascade = sea.modes.cascades[c];
         const int size = cascade.lattice.resolution;
-        for (int m = -size / 2; m < size / 2; ++m) {
-            for (int n = -size / 2; n < size / 2; ++n) {
-                const std::size_t at = mode_index(n, m, size);
-                if (cascade.h0[at] == 0.0f) continue;
-                const auto pair = held.find({n * cascade.divisor, m * cascade.divisor});
-                const bool in_pair = pair != held.end();
-                found += in_pair;
-                ASSERT_EQ(remainder.cascades[c].h0[at], in_pair ? 0.0f : cascade.h0[at]);
-                if (!in_pair) continue;
-                ASSERT_EQ(pair->second, 2.0f * cascade.h0[at]);
-            }
+        for (const auto [n, m] : test::pairs({-size / 2, size / 2}, {-size / 2, size / 2})) {
+            const std::size_t at = mode_index(n, m, size);
+            if (cascade.h0[at] == 0.0f) continue;
+            const auto pair = held.find({n * cascade.divisor, m * cascade.divisor});
+            const bool in_pair = pair != held.end();
+            found += in_pair;
+            ASSERT_EQ(remainder.cascades[c].h0[at], in_pair ? 0.0f : cascade.h0[at]);
+            if (!in_pair) continue;
+            ASSERT_EQ(pair->second, 2.0f * cascade.h0[at]);
         }
     }
     EXPECT_EQ(found, count);
@@ -67,24 +58,20 @@ TEST(OpenRemainder, AndThePairsDivideTheModes) {
 // Pairs and remainder are the open sea on the samples of its map, to 1e-6 of its height.
 TEST(OpenRemainder, AndThePairsAreTheOpenSea) {
     for (const double depth : {std::numeric_limits<double>::infinity(), 12.0}) {
-        Parameters parameters = test::wind_sea(128, 400.0);
-        parameters.water.depth = depth;
+        Parameters parameters = test::wind_sea(128, 400.0, {.depth = depth});
         const DividedSea sea(parameters);
-        ThreadPool pool(1);
         BandSignals signals(sea.modes, sea.bands);
         const Modes remainder = open_remainder(sea.modes, sea.bands);
         for (const double time : {12.0, 1e6}) {
-            signals.move_to(time, pool);
+            signals.move_to(time, test::pool());
             const Surface open = make_surface(sea.modes, parameters.surface, time, Channel::height,
-                                              Backend::cpu, pool);
+                                              Backend::cpu, test::pool());
             const Surface rest = make_surface(remainder, parameters.surface, time, Channel::height,
-                                              Backend::cpu, pool);
+                                              Backend::cpu, test::pool());
             Places at(0, 0.0, 1.0);
-            for (int j = 0; j < 128; ++j) {
-                for (int i = 0; i < 128; ++i) {
-                    at.x.push_back(400.0 * i / 128);
-                    at.y.push_back(400.0 * j / 128);
-                }
+            for (const auto [i, j] : test::pairs(128, 128)) {
+                at.x.push_back(400.0 * i / 128);
+                at.y.push_back(400.0 * j / 128);
             }
             std::vector<double> error = height_of_pairs(signals, at);
             EXPECT_GT(rms(error), 0.2 * sea.height);
@@ -101,9 +88,7 @@ TEST(OpenRemainder, AndThePairsAreTheOpenSea) {
 TEST(OpenRemainder, AndExactSumsOfPairsAreTheOpenSea) {
     for (const int cascades : {1, 2}) {
         for (const double loop : {0.0, 60.0}) {
-            Parameters parameters = test::wind_sea(64, 300.0);
-            parameters.grid.cascades = cascades;
-            parameters.time.loop_period = loop;
+            Parameters parameters = test::wind_sea(64, 300.0, {.loop = loop, .cascades = cascades});
             const DividedSea sea(parameters);
             const BandSignals signals(sea.modes, sea.bands);
             WaveSum open(sea.modes, parameters.water);
@@ -134,12 +119,10 @@ TEST(OpenRemainder, AndExactSumsOfPairsAreTheOpenSea) {
 
 // Modes of a finer cascade alone need the map of its shorter period only; the signal is the same.
 TEST(OpenRemainder, AndPairsOfCascadesAreTheOpenSea) {
-    Parameters parameters = test::wind_sea(128, 1500.0);
-    parameters.grid.cascades = 2;
+    Parameters parameters = test::wind_sea(128, 1500.0, {.cascades = 2});
     const DividedSea sea(parameters);
-    ThreadPool pool(1);
     BandSignals signals(sea.modes, sea.bands);
-    signals.move_to(33.0, pool);
+    signals.move_to(33.0, test::pool());
     const Places at(60, 0.0, 1500.0);
     std::vector<double> error = height_of_pairs(signals, at);
     WaveSum open(sea.modes, parameters.water);
@@ -165,14 +148,12 @@ TEST(OpenRemainder, HasTheGradientsOfItsModes) {
     double all = 0.0, remaining = 0.0;
     const CascadeModes& cascade = sea.modes.cascades.front();
     const double step = cascade.lattice.wavenumber_step();
-    for (int m = -127; m <= 127; ++m) {
-        for (int n = -127; n <= 127; ++n) {
-            const std::size_t at = mode_index(n, m, 256);
-            const double k2 = step * step * (n * n + m * m);
-            const double factor = std::pow(k2 * static_cast<double>(cascade.displacement[at]), 2);
-            all += factor * std::norm(std::complex<double>(cascade.h0[at]));
-            remaining += factor * std::norm(std::complex<double>(rest.cascades[0].h0[at]));
-        }
+    for (const auto [n, m] : test::pairs({-127, 128}, {-127, 128})) {
+        const std::size_t at = mode_index(n, m, 256);
+        const double k2 = step * step * (n * n + m * m);
+        const double factor = std::pow(k2 * static_cast<double>(cascade.displacement[at]), 2);
+        all += factor * std::norm(std::complex<double>(cascade.h0[at]));
+        remaining += factor * std::norm(std::complex<double>(rest.cascades[0].h0[at]));
     }
     const GradientCovariance left = rest.gradient_covariance(256);
     EXPECT_NEAR((left.aa + left.bb) / (whole.aa + whole.bb), remaining / all, 0.02);

@@ -6,17 +6,8 @@
 // and a grid that is cut into squares reads as a whole one.
 #include "ocean/internal/ring_spectrum.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <complex>
-#include <limits>
-#include <random>
-#include <span>
-
 #include "ocean/error.hpp"
-#include "ocean/internal/fft.hpp"
-#include "ocean/internal/grid.hpp"
+#include "test_seas.hpp"
 
 namespace ocean {
 namespace {
@@ -36,16 +27,14 @@ struct PowerLaw {
         const double dk = kTwoPi / period;
         std::vector<std::complex<double>> modes(static_cast<std::size_t>(n) *
                                                 static_cast<std::size_t>(n));
-        for (int y = 0; y < n; ++y) {
-            for (int x = 0; x < n; ++x) {
-                const int nx = x < n / 2 ? x : x - n, ny = y < n / 2 ? y : y - n;
-                const double k = dk * std::hypot(nx, ny);
-                const std::complex<double> xi(normal(random), normal(random));
-                const bool skipped = (nx == 0 && ny == 0) || 2 * nx == -n || 2 * ny == -n;
-                if (skipped) continue;
-                // The real part of the transform has half of the energy of such a mode.
-                modes[static_cast<std::size_t>(y * n + x)] = xi * std::sqrt(density(k)) * dk;
-            }
+        for (const auto [x, y, at] : test::cells(n, n)) {
+            const int nx = x < n / 2 ? x : x - n, ny = y < n / 2 ? y : y - n;
+            const double k = dk * std::hypot(nx, ny);
+            const std::complex<double> xi(normal(random), normal(random));
+            const bool skipped = (nx == 0 && ny == 0) || 2 * nx == -n || 2 * ny == -n;
+            if (skipped) continue;
+            // The real part of the transform has half of the energy of such a mode.
+            modes[at] = xi * std::sqrt(density(k)) * dk;
         }
         Radix2Fft<double>(n).transform_2d(modes, FftDirection::inverse);
         std::vector<float> result;
@@ -68,12 +57,10 @@ Crop crop(const PowerLaw& law, const std::vector<float>& heights, int columns, i
                  .samples = {columns, rows},
                  .wraps = false},
                 {}};
-    for (int j = 0; j < rows; ++j) {
-        for (int i = 0; i < columns; ++i) {
-            // A crop of a larger land has a tilt, too.
-            result.heights.push_back(heights[static_cast<std::size_t>((j + 99) * law.n + i + 57)] +
-                                     0.001f * static_cast<float>(i));
-        }
+    for (const auto [i, j] : test::pairs(columns, rows)) {
+        // A crop of a larger land has a tilt, too.
+        result.heights.push_back(heights[static_cast<std::size_t>((j + 99) * law.n + i + 57)] +
+                                 0.001f * static_cast<float>(i));
     }
     return result;
 }
@@ -107,12 +94,11 @@ double amplitude_exponent(std::span<const Ring> rings, double lowest, double hig
 }
 
 TEST(RingSpectrum, ATileReadsItsLawAndItsVariance) {
-    ThreadPool pool(2);
     for (const double beta : {1.2, 2.0, 2.8}) {
         const PowerLaw law{512, 1000.0, beta, 0.01};
         const std::vector<float> heights = law.heights(7);
         const Domain tile = Domain::tile(law.period, law.n);
-        const std::vector<Ring> rings = measure_rings(tile, heights, pool);
+        const std::vector<Ring> rings = measure_rings(tile, heights, test::pool());
         const double dk = kTwoPi / law.period;
         EXPECT_NEAR(amplitude_exponent(rings, 4.0 * dk, 1.0), beta, 0.01 * beta);
         EXPECT_NEAR(level_error(rings, law, 4.0 * dk, 1.0), 0.0, 0.02);
@@ -135,7 +121,6 @@ TEST(RingSpectrum, ATileReadsItsLawAndItsVariance) {
 }
 
 TEST(RingSpectrum, ACropNeedsItsWindow) {
-    ThreadPool pool(2);
     for (const double beta : {2.0, 2.4, 2.8}) {
         double with = 0.0, without = 0.0, level = 0.0;
         constexpr int kSeeds = 4;
@@ -143,15 +128,14 @@ TEST(RingSpectrum, ACropNeedsItsWindow) {
             const PowerLaw law{512, 1000.0, beta, 0.01};
             const Crop land = crop(law, law.heights(seed), 300, 256);
             const auto exponent = [&](Taper taper) {
-                const auto rings = measure_rings(land.domain, land.heights, pool, {.taper = taper});
+                const auto rings =
+                    measure_rings(land.domain, land.heights, test::pool(), {.taper = taper});
                 if (taper != Taper::none) level += level_error(rings, law, 0.1, 1.0) / kSeeds;
                 return amplitude_exponent(rings, 0.0, 10.0);
             };
             with += exponent(Taper::automatic) / kSeeds;
             without += exponent(Taper::none) / kSeeds;
         }
-        RecordProperty("beta_" + std::to_string(static_cast<int>(10.0 * beta)),
-                       " with " + std::to_string(with) + " without " + std::to_string(without));
         EXPECT_NEAR(with, beta, 0.02 * beta);
         EXPECT_GT(std::abs(without - beta), 0.15 * beta);
         EXPECT_NEAR(level, 0.0, 0.03);
@@ -159,12 +143,11 @@ TEST(RingSpectrum, ACropNeedsItsWindow) {
 }
 
 TEST(RingSpectrum, SidesNeedNotBePowersOfTwo) {
-    ThreadPool pool(2);
     const PowerLaw law{1024, 2000.0, 2.2, 0.01};
     const std::vector<float> heights = law.heights(11);
     for (const std::array<int, 2> sides : {std::array{513, 700}, std::array{900, 300}}) {
         const Crop land = crop(law, heights, sides[0], sides[1]);
-        const auto rings = measure_rings(land.domain, land.heights, pool);
+        const auto rings = measure_rings(land.domain, land.heights, test::pool());
         EXPECT_NEAR(amplitude_exponent(rings, 0.0, 10.0), 2.2, 0.02 * 2.2);
         EXPECT_NEAR(level_error(rings, law, 0.05, 1.0), 0.0, 0.03);
         // The count is of independent waves, whatever the padding.
@@ -175,10 +158,9 @@ TEST(RingSpectrum, SidesNeedNotBePowersOfTwo) {
 }
 
 TEST(RingSpectrum, SquaresThatOverlapReadAsTheWhole) {
-    ThreadPool pool(2);
     const PowerLaw law{1024, 2000.0, 2.2, 0.01};
     const Crop land = crop(law, law.heights(3), 700, 500);
-    const auto rings = measure_rings(land.domain, land.heights, pool, {.max_side = 128});
+    const auto rings = measure_rings(land.domain, land.heights, test::pool(), {.max_side = 128});
     EXPECT_NEAR(amplitude_exponent(rings, 0.0, 10.0), 2.2, 0.02 * 2.2);
     EXPECT_NEAR(level_error(rings, law, 0.1, 1.0), 0.0, 0.03);
     EXPECT_NEAR(rings.front().wavenumber, 2.0 * kTwoPi / 250.0 * 1.1, 0.005);
@@ -195,17 +177,16 @@ TEST(RingSpectrum, ThreadsDoNotChangeABit) {
 }
 
 TEST(RingSpectrum, WhatCannotBeMeasuredIsRefused) {
-    ThreadPool pool(1);
     std::vector<float> heights(32 * 32, 1.0f);
     const Domain domain{.size = {31.0, 31.0}, .samples = {32, 32}, .wraps = false};
-    EXPECT_NO_THROW(measure_rings(domain, heights, pool));
+    EXPECT_NO_THROW(measure_rings(domain, heights, test::pool()));
     heights[5] = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_THROW(measure_rings(domain, heights, pool), Error);
+    EXPECT_THROW(measure_rings(domain, heights, test::pool()), Error);
     heights[5] = 0.0f;
     Domain small = domain;
     small.samples = {8, 128};
-    EXPECT_THROW(measure_rings(small, heights, pool), Error);
-    EXPECT_THROW(measure_rings(domain, std::span(heights).first(100), pool), Error);
+    EXPECT_THROW(measure_rings(small, heights, test::pool()), Error);
+    EXPECT_THROW(measure_rings(domain, std::span(heights).first(100), test::pool()), Error);
 }
 
 }  // namespace

@@ -3,11 +3,6 @@
 //
 // The foam of whole seas: the same bits however a frame is reached, as white as the wind makes it,
 // and closed in a loop. The clock and the coverage by themselves: foam_test.cpp.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstring>
 
 #include "ocean/internal/foam.hpp"
 #include "test_seas.hpp"
@@ -18,15 +13,11 @@ namespace {
 constexpr ChannelSet kFoam = {Channel::foam};
 
 Parameters foamy_sea(int resolution, double patch, double wind) {
-    Parameters parameters = test::wind_sea(resolution, patch);
-    parameters.waves.front().wind_speed = wind;
-    parameters.waves.front().fetch = 300000.0;
-    return parameters;
+    return test::wind_sea(resolution, patch, {.wind = wind, .fetch = 300000.0});
 }
 
 std::vector<float> foam_of(Ocean& sea, double frame) {
-    const Surface surface = sea.evaluate(sea.sea().time_of(frame), kFoam);
-    return {surface.channel(Channel::foam).begin(), surface.channel(Channel::foam).end()};
+    return test::values_of(sea.evaluate(sea.sea().time_of(frame), kFoam), Channel::foam);
 }
 
 TEST(SeaFoam, FrameTwoHundredHasTheSameBitsHoweverItIsReached) {
@@ -82,10 +73,7 @@ TEST(SeaFoam, IsNeverLessThanTheWhitecapsAndFadesWithItsLifetime) {
     parameters.surface.foam_lifetime = 0.0;
     Ocean brief(parameters, {.threads = 2});
     const Surface moment = brief.evaluate(10.0, both);
-    EXPECT_EQ(
-        std::memcmp(moment.channel(Channel::foam).data(), moment.channel(Channel::whitecap).data(),
-                    moment.channel(Channel::foam).size_bytes()),
-        0);
+    EXPECT_EQ(test::values_of(moment, Channel::foam), test::values_of(moment, Channel::whitecap));
     EXPECT_LE(brief.stage_runs().foam_ticks, 1) << "there is no past to follow";
 }
 
@@ -100,35 +88,26 @@ Parameters swell(double height, double period) {
     return parameters;
 }
 
-bool says_no_wind(const SeaState& state) {
-    return std::any_of(state.warnings.begin(), state.warnings.end(), [](const std::string& text) {
-        return text.find("the wind is unknown") != std::string::npos;
-    });
-}
+constexpr const char* kNoWind = "the wind is unknown";
 
 TEST(SeaFoam, ASwellHasNoneUntilAWindIsGiven) {
     Ocean sea(swell(1.0, 14.0), {.threads = 1});
     const auto whitest = [&](double time) {
         const Surface surface = sea.evaluate(time, {Channel::foam, Channel::whitecap});
-        const std::span<const float> foam = surface.channel(Channel::foam);
-        return *std::max_element(foam.begin(), foam.end());
+        return std::ranges::max(surface.channel(Channel::foam));
     };
-    const auto heights = [&] {
-        const Surface surface = sea.evaluate(5.0, {Channel::height});
-        const std::span<const float> map = surface.channel(Channel::height);
-        return std::vector<float>(map.begin(), map.end());
-    };
+    const auto heights = [&] { return test::values_of(sea.evaluate(5.0, {Channel::height})); };
     EXPECT_EQ(whitest(5.0), 0.0f);
     EXPECT_EQ(sea.state().whitecap_coverage.asked, 0.0);
     EXPECT_EQ(sea.state().whitecap_coverage.resolved, 0.0);
-    EXPECT_TRUE(says_no_wind(sea.state()));
+    EXPECT_TRUE(test::says(sea.state().warnings, kNoWind));
     const std::vector<float> unset = heights();
 
     sea.set("wind_speed", "10");
     EXPECT_EQ(heights(), unset) << "the waves are those of before";
     EXPECT_GT(whitest(5.0), 0.1f);
     EXPECT_EQ(sea.state().whitecap_coverage.asked, monahan_coverage(10.0));
-    EXPECT_FALSE(says_no_wind(sea.state()));
+    EXPECT_FALSE(test::says(sea.state().warnings, kNoWind));
 
     sea.set("wind_speed", "");
     EXPECT_EQ(whitest(5.0), 0.0f);
@@ -137,18 +116,15 @@ TEST(SeaFoam, ASwellHasNoneUntilAWindIsGiven) {
     EXPECT_EQ(whitest(6.0), 0.0f);
     EXPECT_GT(whitest(16.0), 0.1f);
     EXPECT_EQ(sea.modes(60.0).wind_speed, 12.0);
-    EXPECT_FALSE(says_no_wind(sea.state())) << "the take brings one";
+    EXPECT_FALSE(test::says(sea.state().warnings, kNoWind)) << "the take brings one";
 
     Ocean asked(swell(1.0, 14.0), {.threads = 1});
     asked.set("foam_coverage", "threshold");
-    EXPECT_FALSE(says_no_wind(asked.state())) << "no wind has a say in it";
+    EXPECT_FALSE(test::says(asked.state().warnings, kNoWind)) << "no wind has a say in it";
 }
 
 TEST(SeaFoam, ItsWindIsTheStrongestThatIsKnownOf) {
-    ThreadPool pool(1);
-    const auto wind = [&](const Parameters& parameters) {
-        return make_modes(make_directional_spectrum(parameters), parameters, pool).wind_speed;
-    };
+    const auto wind = [&](const Parameters& p) { return test::modes_of(p).wind_speed; };
     Parameters parameters = swell(1.0, 14.0);
     EXPECT_EQ(wind(parameters), 0.0);
     WaveSystem young;
@@ -182,12 +158,7 @@ TEST(SeaFoam, HalvingItsStepChangesItByLessThanFourPercent) {
         };
         const std::vector<float> normal = foam_with_step(0.05);
         const std::vector<float> fine = foam_with_step(0.025);
-        double error = 0.0, square = 0.0;
-        for (std::size_t i = 0; i < normal.size(); ++i) {
-            error += std::pow(static_cast<double>(normal[i]) - fine[i], 2.0);
-            square += std::pow(static_cast<double>(fine[i]), 2.0);
-        }
-        const double relative = std::sqrt(error / square);
+        const double relative = test::rms(test::difference(normal, fine)) / test::rms(fine);
         EXPECT_LT(relative, 0.04) << c.wind << " m/s, " << c.patch << " m";
         EXPECT_GT(relative, 1e-4) << "the steps differ";
     }
@@ -205,16 +176,13 @@ TEST(SeaFoam, TheMeanWhitecapIsWhatTheWindMakesOnEveryGrid) {
             Parameters parameters = foamy_sea(grid.resolution, grid.patch, wind);
             parameters.grid.cascades = grid.cascades;
             Ocean sea(parameters, {.threads = 2});
-            double sum = 0.0, squares = 0.0;
+            test::SampleMean whitecap;
             for (int seed = 1; seed <= kSeeds; ++seed) {
                 sea.set("seed", std::to_string(seed));
                 const Surface map = sea.evaluate(3.0, {Channel::whitecap});
-                const double w = test::mean(map.channel(Channel::whitecap));
-                sum += w;
-                squares += w * w;
+                whitecap.add(test::mean(map.channel(Channel::whitecap)));
             }
-            const double mean = sum / kSeeds;
-            const double error = std::sqrt((squares / kSeeds - mean * mean) / (kSeeds - 1));
+            const double mean = whitecap.mean(), error = whitecap.error();
             const double asked = 3.84e-6 * std::pow(wind, 3.41);
             EXPECT_NEAR(mean, asked, std::max(0.05 * asked, 3.0 * error))
                 << wind << " m/s on " << grid.resolution << " samples of " << grid.patch << " m";
@@ -230,8 +198,8 @@ TEST(SeaFoam, ACalmOrUprightSeaHasNone) {
     for (const Parameters& parameters : {calm, upright}) {
         Ocean sea(parameters, {.threads = 1});
         const Surface map = sea.evaluate(5.0, {Channel::foam, Channel::whitecap});
-        for (const float foam : map.channel(Channel::foam)) EXPECT_EQ(foam, 0.0f);
-        for (const float whitecap : map.channel(Channel::whitecap)) EXPECT_EQ(whitecap, 0.0f);
+        EXPECT_EQ(std::ranges::max(map.channel(Channel::foam)), 0.0f);
+        EXPECT_EQ(std::ranges::max(map.channel(Channel::whitecap)), 0.0f);
     }
 }
 
@@ -258,16 +226,8 @@ TEST(SeaFoam, ALoopClosesInEveryFieldAndNoWaveStandsStill) {
         Ocean first(parameters, {.threads = 1});
         Ocean second(parameters, {.threads = 2});
         const Surface now = first.evaluate(time, all);
-        const Surface later = second.evaluate(time + 3.1, all);
-        const Surface much_later = first.evaluate(time + 3.1 * 1024.0, all);
-        for (int c = 0; c < kChannelCount; ++c) {
-            const auto a = now.channel(static_cast<Channel>(c));
-            const auto b = later.channel(static_cast<Channel>(c));
-            const auto d = much_later.channel(static_cast<Channel>(c));
-            ASSERT_FALSE(a.empty()) << c;
-            EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size_bytes()), 0) << c << " at " << time;
-            EXPECT_EQ(std::memcmp(a.data(), d.data(), a.size_bytes()), 0) << c << " at " << time;
-        }
+        EXPECT_TRUE(test::same_bits(second.evaluate(time + 3.1, all), now)) << time;
+        EXPECT_TRUE(test::same_bits(first.evaluate(time + 3.1 * 1024.0, all), now)) << time;
         EXPECT_GT(test::variance(now.channel(Channel::foam)), 1e-5) << "there is foam to compare";
     }
     Ocean sea(parameters, {.threads = 1});
@@ -283,18 +243,11 @@ TEST(SeaFoam, ALoopClosesInEveryFieldAndNoWaveStandsStill) {
 TEST(SeaFoam, FramesOfATakeAreTheSameAloneAndInSequence) {
     Sea sea{foamy_sea(32, 80.0, 9.0), {}};
     sea.parameters.surface.foam_lifetime = 1.0;
-    const auto event = [&](double seconds, const char* name, double value) {
-        TakeEvent change;
-        change.seconds = seconds;
-        change.parameter = find_parameter(name);
-        change.value = value;
-        sea.take.events.push_back(std::move(change));
-    };
-    event(0.5, "wind_speed", 16.0);
-    event(0.9, "choppiness", 1.3);
-    event(1.0, "wind_direction", -70.0);
-    event(1.4, "foam_lifetime", 0.4);
-    event(1.9, "wind_speed", 11.0);
+    sea.take.events = {{0.5, find_parameter("wind_speed"), 16.0},
+                       {0.9, find_parameter("choppiness"), 1.3},
+                       {1.0, find_parameter("wind_direction"), -70.0},
+                       {1.4, find_parameter("foam_lifetime"), 0.4},
+                       {1.9, find_parameter("wind_speed"), 11.0}};
     const ChannelSet all = test::kAllChannels | kFoam | Channel::cover;
     Ocean sequence(sea, {.threads = 2});
     for (int frame = 1; frame <= 60; ++frame) {
@@ -303,15 +256,9 @@ TEST(SeaFoam, FramesOfATakeAreTheSameAloneAndInSequence) {
             sequence.evaluate(time, kFoam);
             continue;
         }
-        const Surface now = sequence.evaluate(time, all);
         Ocean alone(sea, {.threads = 1});
-        const Surface same = alone.evaluate(time, all);
-        for (int c = 0; c < kChannelCount; ++c) {
-            const auto a = now.channel(static_cast<Channel>(c));
-            const auto b = same.channel(static_cast<Channel>(c));
-            ASSERT_FALSE(a.empty()) << c;
-            EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size_bytes()), 0) << c << " of " << frame;
-        }
+        EXPECT_TRUE(test::same_bits(alone.evaluate(time, all), sequence.evaluate(time, all)))
+            << frame;
     }
     // The comparison covers the performance, and at its end nothing is built again.
     EXPECT_GT(sequence.stage_runs().spectrum, 40);

@@ -5,18 +5,12 @@
 // sea, and deep water is left exactly as it is.
 #include "coast/statics/shore_delays.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <exception>
-#include <limits>
-#include <vector>
 
 #include "coast/statics/shore_land.hpp"
 #include "shore_waves.hpp"
+#include "test_seas.hpp"
 
 namespace ocean {
 namespace {
@@ -38,8 +32,7 @@ SeaError sea_on_beach(double depth_of_check) {
     const ShoreBands bands = bands_of_wind_sea({-2, -1, 0, 1, 2});
     ShoreBands wrapped = bands;
     for (ShoreWaves& w : wrapped.waves) w.sector = (w.sector + kShoreSectors) % kShoreSectors;
-    ThreadPool pool(2);
-    const auto maps = shore_delays(depth, wrapped, water, pool);
+    const auto maps = shore_delays(depth, wrapped, water, test::pool());
     const int i = static_cast<int>((45.0 - depth_of_check) * 30.0 / cell);
     const double here = double{depth.at(i, 30)};
     const Dispersion deep(water), shallow(water_of_depth(here));
@@ -88,8 +81,7 @@ TEST(ShoreDelays, KeepWaveVectorsOverARoughBed) {
     const SampleGrid grid = size_of(depth);
     const Water water = water_of_depth(std::numeric_limits<double>::infinity());
     const ShoreBands bands = bands_of_wind_sea({0, 1});
-    ThreadPool pool(2);
-    const auto maps = shore_delays(depth, bands, water, pool);
+    const auto maps = shore_delays(depth, bands, water, test::pool());
     double sum[5] = {}, total[5] = {};
     for (const double omega : {0.7, 0.8, 0.85, 0.95, 1.15, 1.5, 2.1}) {
         for (const double angle : {-14.0, 2.0, 15.0, 30.0, 50.0}) {
@@ -102,19 +94,17 @@ TEST(ShoreDelays, KeepWaveVectorsOverARoughBed) {
             const DelayMaps& m = maps[static_cast<std::size_t>(sector * kShoreBands + b)];
             const double energy =
                 omega * wind_sea(omega) * std::pow(std::cos(0.5 * (angle - 20.0) * kDegree), 20.0);
-            for (int j = 2; j + 2 < grid.rows; ++j) {
-                for (int i = 2; i + 2 < grid.columns; ++i) {
-                    const double d = double{depth.at(i, j)};
-                    if (d < 1.0 || d > 16.0) continue;
-                    const int bin = d < 2.0 ? 0 : (d < 4.0 ? 1 : (d < 8.0 ? 2 : 3));
-                    const PlaneVector v = mapped_wave(m, grid, cell, i, j,
-                                                      {k * wave.direction.x, k * wave.direction.y});
-                    const PlaneVector own = wave.wave(i, j);
-                    const double length = k * double{wave.slowness[grid.index(i, j)]};
-                    sum[bin] +=
-                        energy * std::pow(std::hypot(v.x - k * own.x, v.y - k * own.y) / length, 2);
-                    total[bin] += energy;
-                }
+            for (const auto [i, j] : test::pairs({2, grid.columns - 2}, {2, grid.rows - 2})) {
+                const double d = double{depth.at(i, j)};
+                if (d < 1.0 || d > 16.0) continue;
+                const int bin = d < 2.0 ? 0 : (d < 4.0 ? 1 : (d < 8.0 ? 2 : 3));
+                const PlaneVector v =
+                    mapped_wave(m, grid, cell, i, j, {k * wave.direction.x, k * wave.direction.y});
+                const PlaneVector own = wave.wave(i, j);
+                const double length = k * double{wave.slowness[grid.index(i, j)]};
+                sum[bin] +=
+                    energy * std::pow(std::hypot(v.x - k * own.x, v.y - k * own.y) / length, 2);
+                total[bin] += energy;
             }
         }
     }
@@ -145,9 +135,8 @@ TEST(ShoreDelays, AreExactlyZeroOverTheOpenSeasOwnDepthAndThreePeakLengths) {
         const BedGrid bed = grid_of(40, 30, 5.3, [&](double, double) { return -c.bed; });
         const Water water = water_of_depth(c.water);
         const BedGrid depth = felt_depth(bed, water.depth);
-        ThreadPool pool(1);
-        const auto maps =
-            shore_delays(depth, bands_of_wind_sea({0, 1, 2, 3, 4, 5, 6, 7, 8}), water, pool);
+        const auto maps = shore_delays(depth, bands_of_wind_sea({0, 1, 2, 3, 4, 5, 6, 7, 8}), water,
+                                       test::pool());
         ASSERT_EQ(maps.size(), 36u);
         for (const float value : all_shifts(maps)) ASSERT_EQ(value, 0.0f) << c.bed;
         const double angle = sector_centre(2);
@@ -163,8 +152,8 @@ TEST(ShoreDelays, AreZeroInDeepWaterBeforeAnIslandAndNotBehind) {
         return std::max(-30.0, 2.0 - 0.3 * std::hypot(x - 250.0, y - 200.0));
     });
     const Water water = water_of_depth(30.0);
-    ThreadPool pool(1);
-    const auto maps = shore_delays(felt_depth(bed, 30.0), bands_of_wind_sea({0}), water, pool);
+    const auto maps =
+        shore_delays(felt_depth(bed, 30.0), bands_of_wind_sea({0}), water, test::pool());
     const std::size_t before = 50 * 120 + 10, behind = 50 * 120 + 110;
     for (const DelayMaps& m : maps) {
         EXPECT_EQ(m.shift_x[before], 0.0f);
@@ -190,17 +179,17 @@ TEST(ShoreDelays, HaveTheBitsOfOneThreadOnAnyNumberOfThem) {
 
 TEST(ShoreDelays, EndWithWhatProgressThrows) {
     struct Stop : std::exception {};
-    ThreadPool pool(2);
     int calls = 0;
     const auto stop = [&](double share) {
         ++calls;
         if (share > 0.3) throw Stop();
     };
     const BedGrid depth = islands();
-    EXPECT_THROW(shore_delays(depth, bands_of_wind_sea({0, 1}), water_of_depth(40.0), pool, stop),
-                 Stop);
+    EXPECT_THROW(
+        shore_delays(depth, bands_of_wind_sea({0, 1}), water_of_depth(40.0), test::pool(), stop),
+        Stop);
     EXPECT_LT(calls, 10);
-    EXPECT_TRUE(shore_delays(depth, ShoreBands{}, water_of_depth(40.0), pool).empty());
+    EXPECT_TRUE(shore_delays(depth, ShoreBands{}, water_of_depth(40.0), test::pool()).empty());
 }
 
 TEST(FeltDepth, IsTheSmoothedBedWithinItsLimits) {
@@ -228,55 +217,44 @@ TEST(ShoreLand, DelaysChangeByThreeHundredthsPastTheLastWater) {
     // The shore lies across the grid's diagonal, so nearest water is in both directions.
     const BedGrid bed =
         grid_of(60, 60, 4.0, [](double x, double y) { return (x + y - 236.0) / 30.0; });
-    ThreadPool pool(1);
-    const std::vector<std::uint32_t> nearest = nearest_water(bed, pool);
+    const std::vector<std::uint32_t> nearest = nearest_water(bed, test::pool());
     DelayMaps maps;
-    for (int j = 0; j < 60; ++j) {
-        for (int i = 0; i < 60; ++i) {
-            maps.shift_x.push_back(static_cast<float>(2 * i));
-            maps.shift_y.push_back(static_cast<float>(i - 3 * j));
-            maps.phase.push_back(static_cast<float>(j));
-        }
+    for (const auto [i, j] : test::pairs(60, 60)) {
+        maps.shift_x.push_back(static_cast<float>(2 * i));
+        maps.shift_y.push_back(static_cast<float>(i - 3 * j));
+        maps.phase.push_back(static_cast<float>(j));
     }
     const DelayMaps own = maps;
     continue_onto_land(maps, bed, nearest);
     const SampleGrid grid = size_of(bed);
-    for (int j = 0; j < 60; ++j) {
-        for (int i = 0; i < 60; ++i) {
-            const std::size_t at = grid.index(i, j);
-            const auto w = std::size_t{nearest[at]};
-            ASSERT_LE(bed.values[w], -0.4f);
-            if (bed.values[at] <= -0.4f) {
-                ASSERT_EQ(w, at);
-                ASSERT_EQ(maps.shift_x[at], own.shift_x[at]);
-                continue;
-            }
-            double least = 1e9;
-            for (int v = 0; v < 60; ++v) {
-                for (int u = 0; u < 60; ++u) {
-                    if (bed.at(u, v) <= -0.4f) least = std::min(least, std::hypot(u - i, v - j));
-                }
-            }
-            const int u = static_cast<int>(w) % 60, v = static_cast<int>(w) / 60;
-            ASSERT_LE(std::hypot(u - i, v - j), least + 1.0)
-                << "no other water is nearer by a cell";
-            const double x = 4.0 * i + double{own.shift_x[at]},
-                         xw = 4.0 * u + double{own.shift_x[w]};
-            ASSERT_NEAR(4.0 * i + double{maps.shift_x[at]}, xw + 0.03 * (x - xw), 1e-3);
-            const double y = 4.0 * j + double{own.shift_y[at]},
-                         yw = 4.0 * v + double{own.shift_y[w]};
-            ASSERT_NEAR(4.0 * j + double{maps.shift_y[at]}, yw + 0.03 * (y - yw), 1e-3);
-            ASSERT_NEAR(double{maps.phase[at]},
-                        double{own.phase[w]} + 0.03 * double{own.phase[at] - own.phase[w]}, 1e-4);
+    for (const auto [i, j] : test::pairs(60, 60)) {
+        const std::size_t at = grid.index(i, j);
+        const auto w = std::size_t{nearest[at]};
+        ASSERT_LE(bed.values[w], -0.4f);
+        if (bed.values[at] <= -0.4f) {
+            ASSERT_EQ(w, at);
+            ASSERT_EQ(maps.shift_x[at], own.shift_x[at]);
+            continue;
         }
+        double least = 1e9;
+        for (const auto [u, v] : test::pairs(60, 60)) {
+            if (bed.at(u, v) <= -0.4f) least = std::min(least, std::hypot(u - i, v - j));
+        }
+        const int u = static_cast<int>(w) % 60, v = static_cast<int>(w) / 60;
+        ASSERT_LE(std::hypot(u - i, v - j), least + 1.0) << "no other water is nearer by a cell";
+        const double x = 4.0 * i + double{own.shift_x[at]}, xw = 4.0 * u + double{own.shift_x[w]};
+        ASSERT_NEAR(4.0 * i + double{maps.shift_x[at]}, xw + 0.03 * (x - xw), 1e-3);
+        const double y = 4.0 * j + double{own.shift_y[at]}, yw = 4.0 * v + double{own.shift_y[w]};
+        ASSERT_NEAR(4.0 * j + double{maps.shift_y[at]}, yw + 0.03 * (y - yw), 1e-3);
+        ASSERT_NEAR(double{maps.phase[at]},
+                    double{own.phase[w]} + 0.03 * double{own.phase[at] - own.phase[w]}, 1e-4);
     }
 }
 
 TEST(ShoreLand, WaterAloneAndLandAloneAreTheirOwnNearest) {
-    ThreadPool pool(1);
     for (const double height : {-3.0, 3.0, -0.4}) {
         const BedGrid bed = grid_of(5, 4, 4.0, [&](double, double) { return height; });
-        const auto nearest = nearest_water(bed, pool);
+        const auto nearest = nearest_water(bed, test::pool());
         for (std::size_t n = 0; n < nearest.size(); ++n) EXPECT_EQ(nearest[n], n);
     }
 }

@@ -3,14 +3,8 @@
 //
 // The swash: run-up as measured on beaches, a sheet without gaps or cliffs, sand that stays wet for
 // a while.
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <span>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "coast/statics/shore_bands.hpp"
 #include "coast/surface/shore_surface.hpp"
@@ -18,9 +12,9 @@
 #include "field/jet.hpp"
 #include "ocean/internal/directional_spectrum.hpp"
 #include "ocean/land_mask.hpp"
-#include "ocean/ocean.hpp"
-#include "ocean/sea_bed.hpp"
 #include "ocean/thread_pool.hpp"
+#include "test_beds.hpp"
+#include "test_seas.hpp"
 
 namespace ocean {
 namespace {
@@ -28,16 +22,15 @@ namespace {
 constexpr double kOffshore = 14.0;  // depth before the beaches [m]
 
 Parameters wind_sea(double speed, double fetch, double patch) {
-    Parameters parameters;
-    parameters.grid.resolution = 64;
-    parameters.grid.patch_size = patch;
-    parameters.water.depth = kOffshore;
-    WaveSystem& waves = parameters.waves.front();
-    waves.spectrum = SpectrumKind::jonswap;
-    waves.wind_speed = speed;
-    waves.fetch = fetch;
-    waves.wind_direction = 0.0;
+    Parameters parameters = test::coast_sea(64, patch, kOffshore);
+    parameters.waves.front().wind_speed = speed;
+    parameters.waves.front().fetch = fetch;
     return parameters;
+}
+
+/// Returns a plane beach with its line of still water at x = `shore`.
+auto plane_beach(double slope, double shore) {
+    return [=](double x, double) { return std::max(-kOffshore, (x - shore) * slope); };
 }
 
 /// A plane beach that rises to the east, and the sea that runs up it.
@@ -53,14 +46,7 @@ struct PlaneBeach {
         const double cell = std::max(8.0, parameters.grid.patch_size / 74.0);
         const int rows = static_cast<int>(parameters.grid.patch_size / cell) + 17;
         const int columns = static_cast<int>((shore + 4.5 / slope) / cell) + 2;
-        bed.domain = {
-            {0.0, 0.0}, {(columns - 1) * cell, (rows - 1) * cell}, {columns, rows}, false};
-        for (int j = 0; j < rows; ++j) {
-            for (int i = 0; i < columns; ++i) {
-                bed.values.push_back(
-                    static_cast<float>(std::max(-kOffshore, (i * cell - shore) * slope)));
-            }
-        }
+        bed = test::grid_of(columns, rows, cell, plane_beach(slope, shore));
         const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
         const ShoreBands bands = choose_bands(spectrum, parameters);
         statics.delays = make_shore_delays(bed, bands, parameters.water, pool);
@@ -175,16 +161,13 @@ struct Wind {
 class RunUp : public testing::TestWithParam<Wind> {};
 
 TEST_P(RunUp, HasTheMeasuredTwoPercentHeightAndNoRacingTip) {
-    ThreadPool pool(1);
     const Parameters sea = wind_sea(GetParam().speed, GetParam().fetch, GetParam().patch);
     for (const double per_rise : {10.0, 15.0, 30.0, 60.0}) {
-        const PlaneBeach beach(1.0 / per_rise, sea, pool);
+        const PlaneBeach beach(1.0 / per_rise, sea, test::pool());
         // On flat beaches a run-up takes the time of several waves.
-        const WaterLine line(beach, 20.0 + 0.8 * per_rise, pool);
+        const WaterLine line(beach, 20.0 + 0.8 * per_rise, test::pool());
         const double measured = run_up_2_percent(beach.scale(), beach.slope);
         const double ratio = line.exceeded_by_2_percent() / measured;
-        RecordProperty("run_up_1_" + std::to_string(static_cast<int>(per_rise)),
-                       std::to_string(ratio));
         EXPECT_NEAR(ratio, 1.0, 0.2) << "1:" << per_rise;
         EXPECT_LE(line.fastest(beach.slope, 1.0), 15.0) << "1:" << per_rise;
     }
@@ -245,17 +228,7 @@ Parameters beach_sea(double loop = 0.0, Swash swash = Swash::on) {
     Parameters parameters = wind_sea(9.0, 8e4, 270.0);
     parameters.time.loop_period = loop;
     parameters.water.shore.swash = swash;
-    constexpr double kCell = 8.0;
-    GivenBed given;
-    given.grid = {{0.0, 0.0}, {49 * kCell, 40 * kCell}, {50, 41}, false};
-    for (int j = 0; j <= 40; ++j) {
-        for (int i = 0; i <= 49; ++i) {
-            given.heights.push_back(
-                static_cast<float>(std::max(-kOffshore, (i * kCell - kShore) * kSlope)));
-        }
-    }
-    parameters.water.bed = make_sea_bed(std::move(given), parameters.water);
-    return parameters;
+    return test::over(parameters, test::bed_of(50, 41, 8.0, plane_beach(kSlope, kShore)));
 }
 
 /// The swash along 40 m of the beach.
@@ -347,13 +320,9 @@ TEST(Wetness, ClosesItsLoopAndHasTheSameBitsForAnyNumberOfThreads) {
     const ChannelSet channels = {kWetness, kDepth, Channel::foam};
     Ocean one(beach_sea(8.0), {.threads = 1});
     Ocean three(beach_sea(8.0), {.threads = 3});
-    const Surface a = one.region(5.5, domain, channels);
-    const Surface b = three.region(13.5, domain, channels);
-    const Surface c = three.region(5.5, domain, channels);
-    for (const Channel channel : {kWetness, kDepth, Channel::foam}) {
-        EXPECT_TRUE(std::ranges::equal(a.channel(channel), c.channel(channel)));
-        EXPECT_TRUE(std::ranges::equal(a.channel(channel), b.channel(channel)));
-    }
+    const Surface map = one.region(5.5, domain, channels);
+    EXPECT_TRUE(test::same_bits(three.region(13.5, domain, channels), map));
+    EXPECT_TRUE(test::same_bits(three.region(5.5, domain, channels), map));
 }
 
 TEST(Wetness, SandIsDampUpToTheTwoPercentRunUp) {

@@ -4,11 +4,8 @@
 // Repeats of tiles and their layers, seen by the autocorrelation.
 #include "ocean/terrain_repeat.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "ocean/terrain.hpp"
+#include "testing.hpp"
 
 namespace ocean {
 namespace {

@@ -5,19 +5,10 @@
 // made from, whatever wind, fetch, peak, depth and limit of the frequencies.
 #include "waves/spectrum/wave_system_table.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <numeric>
-#include <random>
-#include <string>
-
 #include "ocean/enum_words.hpp"
 #include "ocean/internal/directional_spectrum.hpp"
 #include "ocean/internal/grid.hpp"
+#include "testing.hpp"
 
 namespace ocean {
 namespace {
@@ -105,11 +96,11 @@ double trapezoid(const std::vector<double>& x, const std::vector<double>& y) {
     return sum;
 }
 
-// 8000 seas of four formulas; with one test in the middle of an interval 49 of 10000 were off by
+// 2000 seas of four formulas; with one test in the middle of an interval 49 of 10000 were off by
 // more than 1e-3 of their peak, the worst by 6e-2.
 TEST(WaveSystemTable, InterpolationIsWithinOneTenThousandthOfThePeakInASweepOfSeas) {
     Draws draws;
-    for (int i = 0; i < 8000; ++i) {
+    for (int i = 0; i < 2000; ++i) {
         const SweptSea sea = drawn_sea(static_cast<SpectrumKind>(i % 4), draws);
         const FrequencySpectrum spectrum =
             make_frequency_spectrum(sea.system, sea.water, sea.highest);
@@ -142,8 +133,7 @@ TEST(WaveSystemTable, MeasuredRowsAreTheRecordsInASweepOfRecords) {
         WaveSystem system;
         system.spectrum = SpectrumKind::measured;
         system.measured = record;
-        double energy = 1.0;
-        double stretch = 1.0;
+        double energy = 1.0, stretch = 1.0;
         if (draws.once_in(3)) {
             system.significant_wave_height = draws.by_factors(0.05, 15.0);
             energy = std::pow(*system.significant_wave_height / 4.0, 2.0) /
