@@ -47,4 +47,13 @@ std::string message_of(ErrorKind kind, const Action& action) {
     return refusal.message;
 }
 
+/// Expects that an action is refused with these words.
+template <typename Action>
+void expect_refusal(ErrorKind kind, std::string_view words, const Action& action) {
+    const Refusal refusal = refusal_of(action);
+    ASSERT_TRUE(refusal.refused) << "was accepted";
+    EXPECT_EQ(refusal.kind, kind);
+    EXPECT_TRUE(refusal.says(words)) << "has not: " << words;
+}
+
 }  // namespace ocean::test

@@ -12,7 +12,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 #include <thread>
 
@@ -26,6 +25,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using test::Ear;
+using test::open_descriptors;
 using Bytes = std::vector<std::uint8_t>;
 
 std::vector<FirmataReport> parse_firmata(const Bytes& bytes) {
@@ -93,11 +93,6 @@ TEST(FirmataWriter, SaysWhatTheProtocolSays) {
     EXPECT_EQ(writer.bytes().front(), 0xF7);
     writer.drop(1);
     EXPECT_TRUE(writer.empty());
-}
-
-std::size_t open_descriptors() {
-    const std::filesystem::directory_iterator all("/proc/self/fd");
-    return static_cast<std::size_t>(std::distance(begin(all), end(all)));
 }
 
 /// A line whose other end the test holds, at a path that stays.

@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "descriptors.hpp"
 #include "ocean/internal/bridge/hub.hpp"
 #include "ocean/internal/bridge/line_server.hpp"
 #include "ocean/internal/bridge/source.hpp"

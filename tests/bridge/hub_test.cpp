@@ -7,132 +7,83 @@
 
 #include <gtest/gtest.h>
 
-#include <condition_variable>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <mutex>
 
-#include "helpers.hpp"
-#include "ocean/error.hpp"
+#include "listening.hpp"
+#include "mistakes.hpp"
 #include "ocean/internal/bridge/endpoint.hpp"
 #include "ocean/internal/bridge/script_sources.hpp"
 #include "ocean/seafile.hpp"
+#include "refusal.hpp"
+#include "temporary_folder.hpp"
 
 namespace ocean::bridge {
 namespace {
 
 using namespace std::chrono_literals;
+using test::Ear;
 
-class Folder {
-  public:
-    Folder() : path_(std::filesystem::temp_directory_path() / unique()) {
-        std::filesystem::create_directory(path_);
-    }
-    ~Folder() { std::filesystem::remove_all(path_); }
-    std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-    std::string text() const { return path_.string(); }
-
-  private:
-    static std::string unique() {
-        const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-        return "ocean_" + std::string(test->name()) + "_" + std::to_string(::getpid());
-    }
-    std::filesystem::path path_;
-};
-
-std::string content_of(const std::string& path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
+/// Waits for so many reports.
+void wait_for(Ear& ear, std::size_t count) {
+    ASSERT_TRUE(ear.hears([&](const auto& reports) { return reports.size() >= count; }));
 }
-
-/// Collects the reports of a source.
-class Listening {
-  public:
-    Source::Listener listener() {
-        return {[this](const Report& report) {
-                    const std::lock_guard lock(mutex_);
-                    reports_.push_back(report);
-                    changed_.notify_all();
-                },
-                {}};
-    }
-    std::vector<Report> wait_for(std::size_t count) {
-        std::unique_lock lock(mutex_);
-        changed_.wait_for(lock, std::chrono::milliseconds(test::kPatience),
-                          [&] { return reports_.size() >= count; });
-        return reports_;
-    }
-
-  private:
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    std::vector<Report> reports_;
-};
 
 TEST(Script, LinesAreCheckedOneByOne) {
     const auto script = parse_script("# a\n0.5 board0/a1 128 # up\n\n2 board0/d1 1\r\n", "s");
     ASSERT_EQ(script.size(), 2u);
     EXPECT_EQ(script[1].channel, "board0/d1");
-    for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
-             {"1 board0/a1\n", "s:1: a line"},
-             {"1 board0/a1 2\n0.5 board0/a1 2\n", "s:2: '0.5' is earlier"},
-             {"x board0/a1 2\n", "s:1: 'x' is not a number"},
-             {"-1 board0/a1 2\n", "s:1: '-1'"},
-             {"1 board0/a1 nan\n", "s:1: 'nan'"},
-             {"1 board0 2\n", "s:1: 'board0' is not a channel"},
-             {"1 board0/a1 2 3\n", "s:1: '3' is one word too many"}}) {
-        try {
-            parse_script(text, "s");
-            ADD_FAILURE() << text;
-        } catch (const Error& error) {
-            EXPECT_TRUE(std::string(error.what()).starts_with(says)) << error.what();
-        }
+    for (const ocean::test::Mistake& mistake :
+         ocean::test::mistakes("bridge/mistakes.toml", "scripts")) {
+        ocean::test::expect_refusal(ErrorKind::bad_file, mistake.says,
+                                    [&] { parse_script(mistake.text, "s"); });
     }
     EXPECT_THROW(make_dummy_source(parse_script("1 board0/a3 2\n", "s")), Error);
     EXPECT_THROW(make_dummy_source(parse_script("1 board0/a1 256\n", "s")), Error);
 }
 
 TEST(DummySource, RestsUntilItIsMoved) {
-    Listening listening;
+    Ear ear;
     const auto board = make_dummy_source(parse_script("0.01 board0/a1 7\n", "s"));
-    board->start(listening.listener());
-    auto reports = listening.wait_for(10);
-    ASSERT_EQ(reports.size(), 10u);  // nine inputs at rest, and the line of the script
-    EXPECT_EQ(reports[9].value, 7.0);
-    EXPECT_GE(reports[9].time - reports[0].time, 9ms);
+    const auto start = Clock::now();
+    board->start(ear.listener());
+    wait_for(ear, 10);
+    EXPECT_GE(Clock::now() - start, 9ms);
+    ASSERT_EQ(ear.values().size(), 10u);  // nine inputs at rest, and the line of the script
+    EXPECT_EQ(ear.values()[9], "board0/a1 = 7");
     board->put("board0/a2", 30);
     board->put("board0/o1", 1);  // a lamp reports nothing
-    reports = listening.wait_for(11);
-    ASSERT_EQ(reports.size(), 11u);
-    EXPECT_EQ(reports[10].channel, "board0/a2");
+    wait_for(ear, 11);
+    ASSERT_EQ(ear.values().size(), 11u);
+    EXPECT_EQ(ear.values()[10], "board0/a2 = 30");
     EXPECT_THROW(board->put("board0/o1", 2), Error);
     EXPECT_THROW(board->put("board0/x1", 0), Error);
     board->stop();
     board->put("board0/a2", 31);
-    EXPECT_EQ(listening.wait_for(11).size(), 11u);
+    EXPECT_EQ(ear.values().size(), 11u);
 }
 
 TEST(ReplaySource, PlaysARecordingAndHasNoOutputs) {
-    Listening listening;
+    Ear ear;
     const auto board = make_replay_source(parse_script("0 midi0/cc1 3\n0.01 midi0/cc1 4\n", "s"));
     EXPECT_EQ(board->channels().size(), 1u);
-    board->start(listening.listener());
-    EXPECT_EQ(listening.wait_for(2).size(), 2u);
+    board->start(ear.listener());
+    wait_for(ear, 2);
     EXPECT_THROW(board->put("midi0/cc1", 1), Error);
 }
 
 TEST(DummySource, StopsInTheMiddleOfAScript) {
-    Listening listening;
+    Ear ear;
     const auto board = make_dummy_source(parse_script("1000 board0/a1 7\n", "s"));
-    board->start(listening.listener());
+    board->start(ear.listener());
     board->stop();
-    EXPECT_EQ(listening.wait_for(9).size(), 9u);
+    wait_for(ear, 9);
+    EXPECT_EQ(ear.values().size(), 9u);
 }
 
 TEST(Hub, ARecordingIsATakeOfTheSea) {
-    const Folder folder;
-    Hub hub({.map_text = std::string(kDefaultMap), .take_folder = folder.text()}, {});
+    const ocean::test::TemporaryFolder folder;
+    Hub hub({.map_text = std::string(kDefaultMap), .take_folder = folder.path()}, {});
     const auto start = Clock::now();
     const auto turn = [&](double raw, Clock::duration at) {
         hub.report({start + at, "board0/a1", raw});
@@ -145,7 +96,8 @@ TEST(Hub, ARecordingIsATakeOfTheSea) {
     hub.set("app.speed", "2", "test");                          // no part of the sea
     hub.set("patch_size", "400", "test");                       // not live
     hub.stop_recording("", "test");
-    const Take take = parse_take(content_of(folder / "storm.take"), "storm.take", Parameters());
+    const Take take =
+        parse_take(ocean::test::read_bytes(folder.file("storm.take")), "storm.take", Parameters());
     ASSERT_GE(take.events.size(), 4u);
     ASSERT_LE(take.events.size(), 10u);
     EXPECT_NEAR(take.events[1].seconds - take.events[0].seconds, 1.0, 1e-6);
@@ -153,18 +105,18 @@ TEST(Hub, ARecordingIsATakeOfTheSea) {
     // An existing file is not overwritten.
     hub.start_recording("storm.take", "test");
     hub.stop_recording("", "test");
-    EXPECT_TRUE(std::filesystem::exists(folder / "storm_1.take"));
+    EXPECT_TRUE(std::filesystem::exists(folder.file("storm_1.take")));
 }
 
 TEST(Hub, TheClientThatShowsTheSeaRecordsIt) {
-    const Folder folder;
-    Hub hub({.take_folder = folder.text()}, {});
+    const ocean::test::TemporaryFolder folder;
+    Hub hub({.take_folder = folder.path()}, {});
     hub.set("app.frame_rate", "60", "127.0.0.1:9");
     hub.start_recording("storm.take", "test");
     hub.stop_recording("", "test");
     hub.start_recording("", "test");
     hub.stop_recording("calm.take", "test");
-    EXPECT_TRUE(std::filesystem::is_empty(folder.text()));
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
     EXPECT_EQ(
         hub.events(),
         (std::vector<std::string>{
@@ -173,7 +125,7 @@ TEST(Hub, TheClientThatShowsTheSeaRecordsIt) {
     hub.client_left("127.0.0.1:9");
     hub.start_recording("", "test");
     hub.finish();
-    EXPECT_TRUE(std::filesystem::exists(folder / "take_1.take"));
+    EXPECT_TRUE(std::filesystem::exists(folder.file("take_1.take")));
 }
 
 TEST(Hub, ATakesNameIsNoPath) {
@@ -297,8 +249,8 @@ TEST(Hub, ABoardHasOneName) {
 }
 
 TEST(Hub, AMapIsReadAgainWhenItChanges) {
-    const Folder folder;
-    const std::string map = folder / "map.toml";
+    const ocean::test::TemporaryFolder folder;
+    const std::string map = folder.file("map.toml");
     const auto write = [&](const std::string& out) {
         std::ofstream(map) << "[[map]]\nfrom = \"board0/a1\"\nto = \"wind_speed\"\nhysteresis = 0\n"
                            << "in = [0, 10]\nout = " << out << "\n";
@@ -341,8 +293,8 @@ TEST(Endpoint, IsHostAndPort) {
 }
 
 TEST(Token, IsAWholeSecret) {
-    const Folder folder;
-    const std::string path = folder / "token";
+    const ocean::test::TemporaryFolder folder;
+    const std::string path = folder.file("token");
     std::ofstream(path) << "0123456789abcdef\n";
     std::filesystem::permissions(path, std::filesystem::perms::owner_read);
     const std::string token = read_token(path);

@@ -7,9 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <future>
-#include <iterator>
 #include <mutex>
 #include <thread>
 
@@ -22,13 +20,7 @@ namespace {
 using namespace std::chrono_literals;
 
 const std::string kKnobAndLamp =
-    "[[map]]\nfrom = \"board0/a1\"\nto = \"wind_speed\"\nin = [0, 75]\nout = [0, 75]\n"
-    "hysteresis = 0\n[[out]]\nfrom = \"app.frame_rate\"\nto = \"board0/dac1\"\nin = [0, 255]\n";
-
-std::size_t open_descriptors() {
-    const std::filesystem::directory_iterator folder("/proc/self/fd");
-    return static_cast<std::size_t>(std::distance(begin(folder), end(folder)));
-}
+    kKnob + "[[out]]\nfrom = \"app.frame_rate\"\nto = \"board0/dac1\"\nin = [0, 255]\n";
 
 /// Waits for what other threads bring about.
 template <typename Condition>

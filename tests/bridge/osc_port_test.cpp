@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "helpers.hpp"
-#include "ocean/error.hpp"
 #include "osc_message.hpp"
+#include "refusal.hpp"
 
 namespace ocean::bridge::test {
 namespace {
@@ -282,26 +282,19 @@ TEST(OscPort, AnAddressIsTheSameAtASocketOfIpv6) {
 }
 
 TEST(OscPort, WhatCannotBeIsRefusedAtTheStart) {
-    const auto refusal_of = [](OscOptions osc) -> std::string {
-        try {
-            const Served served({.osc = std::move(osc)});
-            return "nothing";
-        } catch (const Error& error) {
-            return error.what();
-        }
+    const auto is_refused = [](const std::string& says, const OscOptions& osc) {
+        return ocean::test::message_of([&] { const Served served({.osc = osc}); }).find(says) !=
+               std::string::npos;
     };
     const Endpoint here{"127.0.0.1", 0};
-    EXPECT_NE(refusal_of({.listen = Endpoint{"0.0.0.0", 0}}).find("--osc-allow"),
-              std::string::npos);
-    EXPECT_NE(refusal_of({.allow = {"127.0.0.1"}}).find("add --osc"), std::string::npos);
-    EXPECT_NE(refusal_of({.listen = here, .allow = {"tablet"}}).find("is not an address"),
-              std::string::npos);
-    EXPECT_NE(refusal_of({.listen = Endpoint{"tablet", 0}}).find("is not an address"),
-              std::string::npos);
-    EXPECT_NE(refusal_of({.to = {{"tablet", 9000}}}).find("is not an address"), std::string::npos);
+    const Endpoint tablet{"tablet", 0};
     const OscPeer taken;
-    EXPECT_NE(refusal_of({.listen = taken.endpoint()}).find("for OSC: Address already in use"),
-              std::string::npos);
+    EXPECT_TRUE(is_refused("--osc-allow", {.listen = Endpoint{"0.0.0.0", 0}}));
+    EXPECT_TRUE(is_refused("add --osc", {.allow = {"127.0.0.1"}}));
+    EXPECT_TRUE(is_refused("is not an address", {.listen = here, .allow = {"tablet"}}));
+    EXPECT_TRUE(is_refused("is not an address", {.listen = tablet}));
+    EXPECT_TRUE(is_refused("is not an address", {.to = {{"tablet", 9000}}}));
+    EXPECT_TRUE(is_refused("for OSC: Address already in use", {.listen = taken.endpoint()}));
 }
 
 TEST(OscPort, SubscribersAreToldUntilTheyAreGone) {

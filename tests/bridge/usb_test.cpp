@@ -9,28 +9,23 @@
 #include <atomic>
 #include <cmath>
 #include <condition_variable>
-#include <filesystem>
-#include <iterator>
 #include <map>
 #include <mutex>
 #include <thread>
 
+#include "descriptors.hpp"
 #include "mock_k8055.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/bridge/k8055_source.hpp"
+#include "refusal.hpp"
 
 namespace ocean::bridge {
 namespace {
 
 using namespace std::chrono_literals;
+using test::open_descriptors;
 
 /// Far beyond what anything takes on a busy machine: a test that runs into it has failed.
 constexpr auto kPatience = 120s;
-
-std::size_t open_descriptors() {
-    const std::filesystem::directory_iterator all("/proc/self/fd");
-    return static_cast<std::size_t>(std::distance(begin(all), end(all)));
-}
 
 /// Collects the observations of both sides in order.
 class Seen {
@@ -236,13 +231,8 @@ TEST_F(Usb, WhatNoOutputTakesIsRefused) {
                                                      {"board0/dac1", NAN},
                                                      {"board0/dac3", 1},
                                                      {"other/dac1", 1}}) {
-        try {
-            source_->put(channel, value);
-            ADD_FAILURE() << channel << ' ' << value;
-        } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), ErrorKind::invalid_value);
-            EXPECT_NE(std::string(error.what()).find(channel), std::string::npos);
-        }
+        ocean::test::expect_refusal(ErrorKind::invalid_value, channel,
+                                    [&] { source_->put(channel, value); });
     }
 }
 

@@ -12,6 +12,7 @@
 #include <new>
 
 #include "console.hpp"
+#include "mistakes.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/text.hpp"
 
@@ -215,60 +216,15 @@ struct BakeProgram {
 };
 
 TEST(CommandLine, EachMistakeHasItsSentence) {
-    struct Mistake {
-        const char* line;
-        const char* sentence;
-        const char* usage = "ocean bake";
-    };
-    constexpr Mistake kMistakes[] = {
-        {"", "a command is required", "ocean"},
-        {"bak a", "unknown command 'bak'; did you mean bake?", "ocean"},
-        {"paint", "unknown command 'paint'", "ocean"},
-        {"--thread 1 bake a", "unknown option '--thread'; did you mean --threads?", "ocean"},
-        {"-- bake", "a command is required", "ocean"},
-        {"bake", "SEA is required"},
-        {"bake a", "--output is required"},
-        {"bake a -o", "--output needs a value, FILE"},
-        {"bake a -o b c", "The following argument was not expected: c"},
-        {"bake a -o b c d", "The following arguments were not expected: c d"},
-        {"bake a -o b -5", "The following argument was not expected: -5"},
-        {"bake a --farmes 1", "unknown option '--farmes'; did you mean --frames?"},
-        {"bake a --farmes=1 -o b", "unknown option '--farmes'; did you mean --frames?"},
-        {"bake a -o b -frames 1", "unknown option '-frames'; did you mean --frames?"},
-        {"bake a -o b -V", "unknown option '-V'; did you mean -v?"},
-        {"bake a -o b -q-v", "unknown option '-q-v'"},
-        {"bake a -o b -qx", "unknown option '-qx'; did you mean -q?"},
-        {"bake a -o b --version", "'--version' stands before the command"},
-        {"bake a --frames= -o b", "--frames: an empty value is not allowed"},
-        {"bake a -o b --frames=", "--frames: an empty value is not allowed"},
-        {"bake a -o b --frames ''", "--frames: an empty value is not allowed"},
-        {"bake a -o b --frames", "--frames needs a value, RANGES"},
-        {"bake a -o b --frames --json", "--frames needs a value, RANGES"},
-        {"bake a -o --frames 1", "--output needs a value, FILE"},
-        {"bake a -o b --set -q", "--set needs a value, NAME=VALUE"},
-        {"bake a -o b -o c", "--output is given 2 times; allowed is once"},
-        {"bake a -o b --frames 1 --frames 2", "--frames is given 2 times; allowed is once"},
-        {"bake a -o b --threads x", "--threads = x; allowed: a number, 0 .. 1024"},
-        {"bake a -o b --threads -1", "--threads = -1; allowed: a number, 0 .. 1024"},
-        {"bake a -o b --threads 1.5", "--threads = 1.5; allowed: a whole number"},
-        {"bake a -o b --frame x", "--frame = x; allowed: a whole number"},
-        {"bake a -o b --frame 0x2", "--frame = 0x2; allowed: a whole number"},
-        {"bake a -o b --time x", "--time = x: allowed is a finite number"},
-        {"bake a -o b --time nan", "--time = nan: allowed is a finite number"},
-        {"bake a -o b --time 1 --frame 2", "--time excludes --frame"},
-        {"bake a -o b --backend gpu",
-         "--backend: 'gpu' is none of auto, gl, cpu; did you mean cpu?"},
-        {"bake a -o b --quiet=maybe", "--quiet = maybe: a flag has no value"},
-        {"bake a -o b --help=exr", "--help of ocean bake has no page 'exr'"},
-    };
-    for (const auto& [line, sentence, usage] : kMistakes) {
-        BakeProgram bake;
-        const Outcome outcome = bake(line);
-        EXPECT_EQ(outcome.error,
-                  std::string("ocean: ") + sentence + " (see `" + usage + " --help`)\n");
-        EXPECT_EQ(outcome.code, 2) << line;
-        EXPECT_EQ(outcome.output, "") << line;
-        EXPECT_FALSE(bake.ran) << line;
+    for (const std::string usage : {"ocean", "ocean bake"}) {
+        for (const auto& [line, says] : test::mistakes("cli/rows/usage.toml", usage)) {
+            BakeProgram bake;
+            const Outcome outcome = bake(line);
+            EXPECT_EQ(outcome.error, "ocean: " + says + " (see `" + usage + " --help`)\n");
+            EXPECT_EQ(outcome.code, 2) << line;
+            EXPECT_EQ(outcome.output, "") << line;
+            EXPECT_FALSE(bake.ran) << line;
+        }
     }
     for (const char* flag : {"-q=3", "-v=yes", "-o=b"}) {
         EXPECT_EQ(BakeProgram()(std::string("bake a -o b ") + flag).error,

@@ -15,37 +15,33 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <thread>
 
 #include "ocean/error.hpp"
+#include "refusal.hpp"
+#include "temporary_folder.hpp"
 
 namespace ocean::app {
 namespace {
 
-namespace fs = std::filesystem;
 using Purpose = FilePurpose;
 
 /// A folder that is all of PATH, for programs that only this test has.
 class FileDialogTest : public testing::Test {
   protected:
     void SetUp() override {
-        fs::create_directories(folder_);
-        ::setenv("PATH", folder_.c_str(), 1);
+        ::setenv("PATH", folder_.path().c_str(), 1);
         ::unsetenv("XDG_CURRENT_DESKTOP");
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     void install(const std::string& name, const std::string& script) const {
-        const fs::path program = folder_ / name;
-        std::ofstream(program) << "#!/bin/sh\nPATH=/usr/bin:/bin\ncd '" + folder_.string() + "'\n" +
+        const std::string program = folder_.file(name);
+        std::ofstream(program) << "#!/bin/sh\nPATH=/usr/bin:/bin\ncd '" + folder_.path() + "'\n" +
                                       script;
         ::chmod(program.c_str(), 0700);
     }
     std::string content(const std::string& name) const {
-        std::ostringstream text;
-        text << std::ifstream(folder_ / name).rdbuf();
-        return text.str();
+        return test::read_bytes(folder_.file(name));
     }
     static FileDialog::Answer answer_of(FileDialog& dialog) {
         for (int i = 0; i < 5000; ++i) {
@@ -56,8 +52,7 @@ class FileDialogTest : public testing::Test {
         return {};
     }
 
-    const fs::path folder_ =
-        fs::temp_directory_path() / ("file_dialog_test." + std::to_string(::getpid()));
+    const test::TemporaryFolder folder_;
 };
 
 TEST_F(FileDialogTest, WithoutAProgramNoneIsAvailable) {
@@ -81,7 +76,7 @@ TEST_F(FileDialogTest, APathWithBlanksAndQuotesArrivesWhole) {
     EXPECT_NE(words.find("--file-selection\n"), std::string::npos) << words;
     EXPECT_NE(words.find("--filename=/seas/it's $(touch hit).toml\n"), std::string::npos) << words;
     EXPECT_NE(words.find("--confirm-overwrite\n"), std::string::npos) << words;
-    EXPECT_FALSE(fs::exists(folder_ / "hit"));
+    EXPECT_FALSE(std::filesystem::exists(folder_.file("hit")));
 }
 
 TEST_F(FileDialogTest, ADialogThatIsOpenBlocksNothing) {
@@ -91,7 +86,7 @@ TEST_F(FileDialogTest, ADialogThatIsOpenBlocksNothing) {
     EXPECT_TRUE(dialog.is_open());
     EXPECT_FALSE(dialog.poll());
     dialog.ask(Purpose::open, "/");  // a second one does not open
-    std::ofstream(folder_ / "answered") << "";
+    std::ofstream(folder_.file("answered")) << "";
     EXPECT_EQ(answer_of(dialog).path, "/seas/a.toml");
     EXPECT_FALSE(dialog.is_open());
 }
@@ -103,14 +98,8 @@ TEST_F(FileDialogTest, ACancelledOneHasNoPathAndAFailedOneIsAnError) {
     EXPECT_EQ(answer_of(dialog).path, "");
     install("zenity", "exit 5\n");
     dialog.ask(Purpose::open, "/");
-    try {
-        answer_of(dialog);
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("zenity failed with exit code 5"),
-                  std::string::npos)
-            << error.what();
-    }
+    const std::string said = test::message_of([&] { answer_of(dialog); });
+    EXPECT_NE(said.find("zenity failed with exit code 5"), std::string::npos) << said;
     EXPECT_FALSE(dialog.is_open());
 }
 

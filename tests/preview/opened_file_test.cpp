@@ -6,42 +6,27 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <fstream>
 
 #include "ocean/channel.hpp"
-#include "ocean/error.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/terrainfile.hpp"
+#include "refusal.hpp"
+#include "temporary_folder.hpp"
 
 namespace ocean::app {
 namespace {
 
-namespace fs = std::filesystem;
-
 class OpenedFileTest : public testing::Test {
   protected:
-    void SetUp() override { fs::create_directories(folder_); }
-    void TearDown() override { fs::remove_all(folder_); }
-
     std::string file(const std::string& name, const std::string& content) const {
-        std::ofstream(folder_ / name, std::ios::binary) << content;
-        return (folder_ / name).string();
-    }
-    std::string refusal(const std::string& path) const {
-        try {
-            read_opened_file(path, *make_subject(Sea{}));
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "";
+        std::ofstream(folder_.file(name), std::ios::binary) << content;
+        return folder_.file(name);
     }
 
-    const fs::path folder_ =
-        fs::temp_directory_path() / ("opened_file_test." + std::to_string(::getpid()));
+    const test::TemporaryFolder folder_;
 };
 
 TEST_F(OpenedFileTest, ASeaFileIsASea) {
@@ -61,12 +46,8 @@ TEST_F(OpenedFileTest, ATerrainFileIsATerrain) {
 
 TEST_F(OpenedFileTest, ATerrainHasNoTake) {
     const std::string path = file("storm.txt", "1.5 wind_speed 12\n");
-    try {
-        read_opened_file(path, *make_subject(TerrainModel{}));
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_EQ(error.what(), path + ": is a take, and a terrain has none; open its sea first");
-    }
+    EXPECT_EQ(test::message_of([&] { read_opened_file(path, *make_subject(TerrainModel{})); }),
+              path + ": is a take, and a terrain has none; open its sea first");
 }
 
 TEST_F(OpenedFileTest, ATakeIsForTheShownSea) {
@@ -83,12 +64,13 @@ TEST_F(OpenedFileTest, ATakeIsForTheShownSea) {
 
 TEST_F(OpenedFileTest, AWrongFileSaysWhy) {
     const auto says = [&](const std::string& path, const std::string& words) {
-        const std::string message = refusal(path);
+        const std::string message =
+            test::message_of([&] { read_opened_file(path, *make_subject(Sea{})); });
         EXPECT_NE(message.find(words), std::string::npos) << path << ": " << message;
         EXPECT_NE(message.find(path), std::string::npos) << message;
     };
-    says(folder_.string(), "is a folder");
-    says((folder_ / "none").string(), "no such file");
+    says(folder_.path(), "is a folder");
+    says(folder_.file("none"), "no such file");
     says(file("photo.jpg", std::string("\xff\xd8\xff\xe0\0\x10JFIF", 10)), "is none of these");
     says(file("broken.toml", "libocean = 1\n[grid]\nresolution = 100\n"), "allowed");
     says(file("steep.toml", "libocean = 1\n[terrain]\nbeta = 99\n"), "allowed");
@@ -99,8 +81,8 @@ TEST_F(OpenedFileTest, AWrongFileSaysWhy) {
     says(file("cut.exr", "\x76\x2f\x31\x01"), "cut.exr");
     says(file("photo.png", "\x89PNG\r\n\x1a\n"), "photo.png");
     says(file("empty.toml", ""), "libocean");
-    ::mkfifo((folder_ / "pipe").c_str(), 0600);
-    says((folder_ / "pipe").string(), "is a pipe");
+    ::mkfifo(folder_.file("pipe").c_str(), 0600);
+    says(folder_.file("pipe"), "is a pipe");
 }
 
 }  // namespace

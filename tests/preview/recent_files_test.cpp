@@ -7,14 +7,13 @@
 
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
 #include "ocean/error.hpp"
+#include "temporary_folder.hpp"
 
 namespace ocean::app {
 namespace {
@@ -23,17 +22,10 @@ namespace fs = std::filesystem;
 
 class RecentFilesTest : public testing::Test {
   protected:
-    void SetUp() override {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     void write(const std::string& text) const { std::ofstream(list_, std::ios::binary) << text; }
 
-    const fs::path folder_ =
-        fs::temp_directory_path() / ("recent_files_test." + std::to_string(::getpid()));
-    const std::string list_ = (folder_ / "state" / "recent").string();
+    const test::TemporaryFolder folder_;
+    const std::string list_ = folder_.file("state/recent");
 };
 
 TEST_F(RecentFilesTest, KeepsTenFilesTheNewestFirst) {
@@ -56,7 +48,7 @@ TEST_F(RecentFilesTest, ARelativePathIsMadeAbsolute) {
 }
 
 TEST_F(RecentFilesTest, HostileLinesAreLeftOut) {
-    fs::create_directories(folder_ / "state");
+    fs::create_directories(folder_.file("state"));
     std::string zero("/with\0zero", 10);
     write("relative.toml\n\n/a\tb\n/bell\a\n" + zero + "\n/\xff\xfe\n/" + std::string(5000, 'x') +
           "\n/good.toml\n/good.toml\n../up\n/last");
@@ -76,7 +68,7 @@ TEST_F(RecentFilesTest, APathThatALineCannotHoldIsNotListed) {
 
 TEST_F(RecentFilesTest, AListThatCannotBeWrittenIsAnError) {
     write("");
-    std::ofstream(folder_ / "state") << "a file where the folder should be";
+    std::ofstream(folder_.file("state")) << "a file where the folder should be";
     EXPECT_THROW(RecentFiles(list_).add("/sea.toml"), Error);
     EXPECT_TRUE(RecentFiles(list_).read().empty());
     EXPECT_NO_THROW(RecentFiles("").add("/sea.toml"));
