@@ -43,6 +43,23 @@ wind_direction = 25.0
 """
 
 
+TELL = '#macro Tell(Value) #debug concat("V ", str(Value, 0, 12), "\\n") #end\n'
+
+
+def tell(*values) -> str:
+    """The words of a scene that tells these values."""
+    return "".join(f'#debug concat("V ", str({value}, 0, 12), "\\n")\n' for value in values)
+
+
+def flat(cover="0", foam="0", dx="0", dz="0") -> str:
+    """The words of a scene whose sea has other functions than its maps."""
+    functions = {"Cover": cover, "Foam": foam, "DX": dx, "DZ": dz}
+    return "".join(
+        f"#undef Ocean_{name}\n#declare Ocean_{name} = function(x, z) {{ {value} }}\n"
+        for name, value in functions.items()
+    )
+
+
 @functools.cache
 def exported(sea: str, *arguments) -> Path:
     """Returns a folder that `ocean povray` wrote once in this session; Folder copies it."""
@@ -69,46 +86,50 @@ class Folder:
         else:
             shutil.copytree(exported(sea, *arguments), path, dirs_exist_ok=True)
 
-    def run(self, scene: str, *arguments, width=8, height=8, good=True) -> str:
+    head = '#include "ocean.inc"\n'
+    load = 'Ocean_Load("sea_0001")\n'
+
+    def run(self, scene: str, *arguments, **options) -> str:
         """Returns POV-Ray's log of a scene, which includes ocean.inc first."""
-        return povray(
-            self.path,
-            '#version 3.7;\n#include "ocean.inc"\n' + scene,
-            *arguments,
-            width=width,
-            height=height,
-            good=good,
-        )
+        return povray(self.path, "#version 3.7;\n" + self.head + scene, *arguments, **options)
+
+    def seen(self, scene: str, *arguments, settings="", **options):
+        """Returns the picture of a scene after Ocean_Load, as read_png does."""
+        settings = f"global_settings {{ assumed_gamma 1.0 {settings} }}\n"
+        self.run(settings + self.load + scene, *arguments, **options)
+        return read_png(self.path / "out.png")
+
+    def told(self, scene: str, **options):
+        """Returns what a scene tells after Ocean_Load, by Tell or tell()."""
+        return floats_of(self.run(self.load + TELL + scene, **options))
+
+    def error(self, scene: str) -> str:
+        """Returns the log of a scene that POV-Ray refuses, in a line."""
+        return " ".join(self.run(scene, good=False).split())
 
 
 def ocean(folder: Path, *arguments, **options):
-    return subprocess.run(
-        [OCEAN, *map(str, arguments)], cwd=folder, capture_output=True, text=True, **options
-    )
+    """Runs a command, whose first words may be one text."""
+    words = [*str(arguments[0]).split(), *map(str, arguments[1:])]
+    return subprocess.run([OCEAN, *words], cwd=folder, capture_output=True, text=True, **options)
 
 
 def povray(folder: Path, scene: str, *arguments, width=8, height=8, good=True) -> str:
     """Renders to out.png, 16 bits a channel, linear."""
     (folder / "test.pov").write_text(scene)
+    command = f"povray test.pov +Oout.png +W{width} +H{height} -D -A +FN16 File_Gamma=1.0 +WT2"
     done = subprocess.run(
-        [
-            "povray",
-            "test.pov",
-            "+Oout.png",
-            f"+W{width}",
-            f"+H{height}",
-            "-D",
-            "-A",
-            "+FN16",
-            "File_Gamma=1.0",
-            "+WT2",
-            *map(str, arguments),
-        ],
-        cwd=folder,
-        capture_output=True,
-        text=True,
+        [*command.split(), *map(str, arguments)], cwd=folder, capture_output=True, text=True
     )
     assert (done.returncode == 0) == good, done.stderr[-3000:]
+    return done.stderr
+
+
+def render_as_it_is(folder: Path, name="scene.pov", *arguments):
+    """Renders a scene of a folder by POV-Ray's own settings, to its file; returns the log."""
+    command = ["povray", name, *arguments, "-D", "-A"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr[-2000:]
     return done.stderr
 
 

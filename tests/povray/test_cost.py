@@ -59,7 +59,7 @@ def test_the_view_parses_as_fast_as_a_period_of_its_sea(tmp_path):
 def test_the_first_picture_and_each_further_frame_parse_in_four_seconds(tmp_path, detail):
     """The scene of a new folder of Beaufort 6 at 320 x 180: 2.0 s for each of two frames, at any
     Detail, as no column is narrower than a pixel; before, 2.5 s at Detail 1 and 8.6 s at 2."""
-    preset = ocean(tmp_path, "presets", "beaufort_6").stdout
+    preset = ocean(tmp_path, "presets beaufort_6").stdout
     folder = Folder(tmp_path / "folder", preset, "--frames", "1-2")
     scene = SCENE.read_text().replace("View_Angle, 1)", f"View_Angle, {detail})")
     scene = scene.split('#include "ocean.inc"')[1]

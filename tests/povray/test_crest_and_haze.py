@@ -5,9 +5,8 @@ formulas of shaders/wave/crest_light.glsl and haze.glsl."""
 
 import numpy
 import pytest
-from conftest import PERIOD, floats_of, read_png, surface
+from conftest import PERIOD, flat, floats_of, read_png, surface, tell
 
-TELL = '#macro Tell(Value) #debug concat("V ", str(Value, 0, 12), "\\n") #end\n'
 COLOUR = numpy.array([0.9, 0.7, 0.4])
 
 
@@ -48,14 +47,7 @@ def crest_of_a_plane(folder, altitude, tilt, height, squeeze, near=True):
     log = folder.run(
         f"""global_settings {{ assumed_gamma 1.0 }}
 Ocean_Load("sea_0001")
-#undef Ocean_Cover
-#declare Ocean_Cover = function(x, z) {{ 0 }}
-#undef Ocean_Foam
-#declare Ocean_Foam = function(x, z) {{ 0 }}
-#undef Ocean_DX
-#declare Ocean_DX = function(x, z) {{ {-squeeze}*x }}
-#undef Ocean_DZ
-#declare Ocean_DZ = function(x, z) {{ 0 }}
+{flat(dx=f"{-squeeze}*x")}
 #declare Ocean_Hs = 2;
 #declare Ocean_Sky_Light = 0;
 #declare Ocean_Repeats_ = {1000 if near else 1e-3};
@@ -76,9 +68,9 @@ mesh2 {{
     face_indices {{ 1, <0, 1, 2> }}
     Ocean_Material("jerlov_ii")
 }}
-{TELL}
 #declare C = Ocean_Water_Crest[Ocean_Water_Type_("jerlov_ii")];
-Tell(C.x) Tell(C.y) Tell(C.z) Tell(Ocean_Water_Ior)"""
+"""
+        + tell("C.x", "C.y", "C.z", "Ocean_Water_Ior")
     )
     *water, ior = floats_of(log)
     sight = (at - eye) / numpy.linalg.norm(at - eye)
@@ -135,10 +127,9 @@ Tell(Ocean_Squeezed_(P.x, P.z))
 """
         for a, b in zip(i, j, strict=True)
     )
-    declared = 'Ocean_Load("sea_0001")\nOcean_Eye_At(<0, 9, 0>, 60)\n' + sun(20)[1]
-    declared += "Ocean_Foam_Settings_()\n"
-    log = choppy.run(f"{declared}Ocean_Declare_Nearness_()\nOcean_Declare_Crest_()\n{TELL}{calls}")
-    at_label, at_place, unmoved = floats_of(log).reshape(-1, 3).T
+    declared = "Ocean_Eye_At(<0, 9, 0>, 60)\n" + sun(20)[1] + "Ocean_Foam_Settings_()\n"
+    declared += "Ocean_Declare_Nearness_()\nOcean_Declare_Crest_()\n"
+    at_label, at_place, unmoved = choppy.told(declared + calls).reshape(-1, 3).T
     exact = 1.4 - sea.jacobian[j, i]
     alike = numpy.corrcoef(at_label, exact)[0, 1]
     off = (at_label - exact).std() / exact.std()
@@ -154,10 +145,8 @@ Tell(Ocean_Squeezed_(P.x, P.z))
 
 
 def picture(folder, declared, size=(160, 90), angle=60, down=2.0):
-    folder.run(
-        f"""global_settings {{ assumed_gamma 1.0 max_trace_level 4 }}
-Ocean_Load("sea_0001")
-#declare Eye = <0, 3, 0>;
+    return folder.seen(
+        f"""#declare Eye = <0, 3, 0>;
 #declare Target = Eye + <10, -{down}, 0>;
 camera {{ location Eye right x*image_width/image_height angle {angle} look_at Target }}
 Ocean_Eye_At(Eye, {angle})
@@ -165,10 +154,8 @@ Ocean_Sun(20, 0)
 Ocean_Sky(0)
 {declared}
 object {{ Ocean_View(Eye, Target, {angle}, 0.5) Ocean_Material("jerlov_ii") no_reflection }}""",
-        width=size[0],
-        height=size[1],
-    )
-    return read_png(folder.path / "out.png")
+        settings="max_trace_level 4", width=size[0], height=size[1],
+    )  # fmt: skip
 
 
 def test_without_light_of_crests_nothing_changes(choppy):
@@ -246,10 +233,8 @@ def test_the_sea_fades_into_the_sky_in_haze(choppy):
     """A flat black sea, whose material is hazed as things are; and the horizon of a real one."""
     way, declared = sun(20)
     for distance in (500.0, 2500.0):
-        choppy.run(
-            f"""global_settings {{ assumed_gamma 1.0 }}
-Ocean_Load("sea_0001")
-{declared}
+        shown = choppy.seen(
+            f"""{declared}
 #declare Ocean_Sky_Light = 0;
 #declare Ocean_Air_Light = <{SKY[0]}, {SKY[1]}, {SKY[2]}>;
 #declare Ocean_Visibility = {VISIBILITY};
@@ -263,7 +248,7 @@ mesh2 {{
 }}"""
         )
         share = 1 - 0.02 ** (numpy.hypot(distance, 50) / VISIBILITY)
-        seen = read_png(choppy.path / "out.png").mean((0, 1))
+        seen = shown.mean((0, 1))
         print(f"\n{distance}: {seen}, expected {SKY * share}")
         assert seen == pytest.approx(SKY * share, rel=0.01)
     hazy = picture(choppy, "#declare Ocean_Visibility = 300;", (80, 160), 0.5, 0.01)

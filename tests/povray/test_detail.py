@@ -9,13 +9,11 @@ import subprocess
 
 import numpy
 import pytest
-from conftest import Folder, floats_of, read_png, sea_text
+from conftest import TELL, Folder, floats_of, sea_text
 
 import libocean
 
-TELL = '#macro Tell(Value) #debug concat("V ", str(Value, 0, 12), "\\n") #end\n'
-NEAR = """Ocean_Load("sea_0001")
-Ocean_Eye_At(<0, 5, 0>, 60)
+NEAR = """Ocean_Eye_At(<0, 5, 0>, 60)
 #declare Ocean_Pixel_ = 1e-9;
 Ocean_Foam_Settings_()
 Ocean_Declare_Nearness_()
@@ -58,7 +56,7 @@ def test_the_tiles_are_those_of_the_sea(fresh, tiles):
         for band in range(2)
         for part, axes in ((0, "1, 0"), (0, "0, 1"), (0.5, "1, 0"))
     )
-    found = floats_of(fresh.run(NEAR + TELL + calls)).reshape(100, 2, 3)
+    found = fresh.told(NEAR + calls).reshape(100, 2, 3)
     for band in range(2):
         slopes = tiles.bands[band].slope
         assert numpy.abs(found[:, band, 0] - slopes[j, i, 0]).max() < 6.2e-5
@@ -78,7 +76,7 @@ def test_near_slopes_are_as_steep_as_the_sea_and_do_not_repeat(fresh, tiles):
             for x, z in points
             for more, axes in reads
         )
-        found = floats_of(fresh.run(NEAR + TELL + calls)).reshape(-1, 3)
+        found = fresh.told(NEAR + calls).reshape(-1, 3)
         whole = (found[:, :2] ** 2).sum(1).mean() / (of_sea.variance_x + of_sea.variance_y)
         again = (found[:, 0] * found[:, 2]).mean() / of_sea.variance_x
         print(f"\nband {band}: {whole:.4f} of its variance; a tile on {again:.3f}")
@@ -89,9 +87,8 @@ def test_near_slopes_are_as_steep_as_the_sea_and_do_not_repeat(fresh, tiles):
 
 def lit(folder, towards, declared=""):
     """A flat sheet of 0.4 m in the light of a lamp at 45 degrees, a picture of 100 x 100."""
-    folder.run(
-        f"""global_settings {{ assumed_gamma 1.0 }}
-{NEAR}{declared}
+    return folder.seen(
+        f"""{NEAR}{declared}
 camera {{ orthographic location <20, 5, 30> direction -y right 0.4*x up 0.4*z }}
 light_source {{ <{towards[0]}, 1, {towards[1]}>*1e7 rgb 1 parallel point_at 0 }}
 plane {{ y, 0 pigment {{ rgb 1 }} finish {{ ambient 0 diffuse 1 }}
@@ -99,8 +96,7 @@ plane {{ y, 0 pigment {{ rgb 1 }} finish {{ ambient 0 diffuse 1 }}
               60*Ocean_Far_ accuracy Ocean_Far_ }} }}""",
         width=100,
         height=100,
-    )
-    return read_png(folder.path / "out.png")[..., 0]
+    )[..., 0]
 
 
 def test_a_normal_leans_by_the_slope_itself(fresh):
@@ -115,7 +111,7 @@ def test_a_normal_leans_by_the_slope_itself(fresh):
             f" {29.8 + (b + 0.5) * 0.004}, {name}))"
             for a, b in zip(i, j, strict=True)
         )
-        expected = floats_of(fresh.run(NEAR + TELL + calls))
+        expected = fresh.told(NEAR + calls)
         assert expected.std() > 0.04
         # 16 bits of light are 3e-5 of a slope.
         assert numpy.abs(slopes[j, i] - expected).max() < 1e-4
@@ -137,7 +133,7 @@ def test_shown_and_left_slopes_are_those_that_the_map_lacks(fresh, tiles):
         )
         for footprint in footprints
     )
-    found = floats_of(fresh.run(NEAR + TELL + calls)).reshape(-1, 3)
+    found = fresh.told(NEAR + calls).reshape(-1, 3)
     shown = found[:, 1] ** 2 * of_bands[0] + found[:, 2] ** 2 * of_bands[1]
     assert (shown + found[:, 0] * lost) / lost == pytest.approx(1.0, abs=0.01)
     assert found[0, 0] < 0.05 and found[-1, 0] == pytest.approx(1.0)
@@ -149,10 +145,8 @@ def test_near_water_shows_the_slope_tiles(fresh):
     left half of the lower half of a picture."""
 
     def fine_contrast(declared):
-        fresh.run(
-            f"""global_settings {{ assumed_gamma 1.0 max_trace_level 4 }}
-Ocean_Load("sea_0001")
-{declared}
+        picture = fresh.seen(
+            f"""{declared}
 #declare Eye = <0, 1.6, 0>;
 #declare Target = Eye + <10, -3, 3>;
 camera {{ location Eye right x*image_width/image_height angle 60 look_at Target }}
@@ -160,12 +154,9 @@ Ocean_Eye_At(Eye, 60)
 Ocean_Sun(35, 60)
 Ocean_Sky(0.3)
 object {{ Ocean_View(Eye, Target, 60, 0.5) Ocean_Material("jerlov_ii") no_reflection }}""",
-            "+SR81",
-            "+EC120",
-            width=240,
-            height=160,
-        )
-        grey = read_png(fresh.path / "out.png").mean(-1)[:80, :120]
+            *("+SR81", "+EC120"), settings="max_trace_level 4", width=240, height=160,
+        )  # fmt: skip
+        grey = picture.mean(-1)[:80, :120]
         sums = numpy.cumsum(numpy.cumsum(numpy.pad(grey, ((1, 0), (1, 0))), 0), 1)
         means = (sums[9:, 9:] - sums[:-9, 9:] - sums[9:, :-9] + sums[:-9, :-9]) / 81
         return (grey[4:-4, 4:-4] - means).std()

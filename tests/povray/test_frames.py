@@ -133,9 +133,8 @@ def test_stepped_chunks_meet(tmp_path):
 def test_frames_of_another_sea_or_form_are_left_out_with_a_warning(tmp_path):
     sea = sea_text(resolution=64, period=60.0)
     export(tmp_path, sea, "--frames", "1-6", "--near-only")
-    command = ["povray", "its_sea.toml", "-o", ".", "--frames", "1-3"]
     for options in (["--set", "seed=2", "--near-only"], ["--fps", "25", "--near-only"], []):
-        done = ocean(tmp_path, *command, *options)
+        done = ocean(tmp_path, "povray its_sea.toml -o . --frames 1-3", *options)
         assert done.returncode == 0
         assert "of another sea or of other options: 4-6; ./ocean.ini leaves them out" in done.stderr
         assert settings(tmp_path)["Final_Frame"] == "3"
@@ -176,7 +175,7 @@ def test_any_name_of_a_file_gives_a_scene_without_warnings(tmp_path):
         "wind_speed = 7.0\n", ""
     )
     (tmp_path / "sea.toml").write_text(sea.replace("60.0", "400.0"))
-    done = ocean(tmp_path, "povray", "sea.toml", "-o", "Ausgabe 'ä\"", "--near-only")
+    done = ocean(tmp_path, "povray sea.toml --near-only -o", "Ausgabe 'ä\"")
     assert (done.returncode, done.stderr.count("warning")) == (0, 0), done.stderr
     folder = tmp_path / "Ausgabe 'ä\""
     assert (folder / "ocean_parameters.inc").read_text().isascii()
@@ -196,6 +195,6 @@ def test_any_name_of_a_file_gives_a_scene_without_warnings(tmp_path):
 
 def test_a_line_end_in_the_name_of_a_mesh_stays_in_its_comment(tmp_path):
     (tmp_path / "sea.toml").write_text(SEA)
-    assert ocean(tmp_path, "bake", "sea.toml", "-o", 'a\n"ü.inc').returncode == 0
+    assert ocean(tmp_path, "bake sea.toml -o", 'a\n"ü.inc').returncode == 0
     (tmp_path / "plain.inc").write_bytes((tmp_path / 'a\n"ü.inc').read_bytes())
     povray(tmp_path, '#version 3.7;\n#include "plain.inc"\nobject { Ocean_Surface }')

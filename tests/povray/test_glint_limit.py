@@ -66,13 +66,8 @@ def test_the_reported_share_is_the_light_that_is_shown(fresh, name):
     scene = SCENES[name].read_text().split('#include "ocean.inc"')[1]
 
     def mean(limit):
-        log = fresh.run(
-            f"#declare Ocean_Glint_Limit = {limit};\n{scene}",
-            "+FE",
-            "+Oout.exr",
-            width=160,
-            height=90,
-        )
+        declared = f"#declare Ocean_Glint_Limit = {limit};\n"
+        log = fresh.run(declared + scene, "+FE", "+Oout.exr", width=160, height=90)
         image = oiio.ImageBuf(str(fresh.path / "out.exr"))
         return image.get_pixels(oiio.FLOAT)[..., :3].max(2).mean(), log
 

@@ -8,7 +8,7 @@ from math import erfc
 
 import numpy
 import pytest
-from conftest import floats_of, read_png
+from conftest import flat, floats_of, read_png, tell
 from test_crest_and_haze import fresnel
 
 FAINT = 0.002  # of the sun, so that what it makes of the water is within a PNG's range
@@ -45,13 +45,7 @@ def black_sea(altitude):
     a = numpy.radians(altitude)
     return f"""global_settings {{ assumed_gamma 1.0 }}
 Ocean_Load("sea_0001")
-#undef Ocean_Cover
-#declare Ocean_Cover = function(x, z) {{ 0 }}
-#undef Ocean_DX
-#declare Ocean_DX = function(x, z) {{ 0 }}
-#undef Ocean_DZ
-#declare Ocean_DZ = function(x, z) {{ 0 }}
-#for (I, 0, dimension_size(Ocean_Water_Albedo, 1) - 1)
+{flat()}#for (I, 0, dimension_size(Ocean_Water_Albedo, 1) - 1)
     #declare Ocean_Water_Albedo[I] = <0, 0, 0>;
 #end
 #declare Ocean_Sky_Light = 0;
@@ -107,13 +101,9 @@ Ocean_Eye_At(<{-1000 * numpy.cos(e)}, {1000 * numpy.sin(e)}, 0>, 1)
 #declare Ocean_Pixel_ = {pixel};
 camera {{ location Ocean_Eye_ right 0.03*x up 0.03*y look_at 0 }}
 {flat_sheet(0.0, 0.0)}
-#debug concat("V ", str(Ocean_Detail_Left_(0, 0, 0), 0, 4), "\\n")""",
-        "+A0.01",
-        "+AM1",
-        "+R2",
-        width=60,
-        height=60,
-    )
+{tell("Ocean_Detail_Left_(0, 0, 0)")}""",
+        *("+A0.01", "+AM1", "+R2"), width=60, height=60,
+    )  # fmt: skip
     light = read_png(folder.path / "out.png").mean(2) / FAINT
     return floats_of(log)[0], light.mean(), light.std() / light.mean()
 
@@ -163,10 +153,8 @@ def test_glitter_reaches_the_horizon(choppy, altitude):
     of what the formula says, which knows no shadows. Normals that lean to the eye alone would show
     none of a sun as low as 4 degrees."""
     whole, _ = slopes_of(choppy)
-    choppy.run(
-        f"""global_settings {{ assumed_gamma 1.0 max_trace_level 3 }}
-Ocean_Load("sea_0001")
-#declare Eye = <0, 12, 0>;
+    picture = choppy.seen(
+        f"""#declare Eye = <0, 12, 0>;
 #declare Target = Eye + <100, -1, 0>;
 camera {{ location Eye right x*image_width/image_height angle 4 look_at Target }}
 Ocean_Eye_At(Eye, 4)
@@ -180,10 +168,9 @@ Ocean_Eye_At(Eye, 4)
 #declare Ocean_Foam_Amount = 0;
 light_source {{ 1e7*Ocean_Sun_Direction rgb {FAINT} parallel point_at 0 }}
 object {{ Ocean_View(Eye, Target, 4, 0.5) Ocean_Material("jerlov_ii") no_reflection }}""",
-        width=40,
-        height=80,
-    )
-    rows = read_png(choppy.path / "out.png").mean((1, 2)) / FAINT
+        settings="max_trace_level 3", width=40, height=80,
+    )  # fmt: skip
+    rows = picture.mean((1, 2)) / FAINT
     first = 40 + int(numpy.tan(numpy.radians(0.573)) / (2 * numpy.tan(numpy.radians(2))) * 40)
     light, wanted = [], []
     for row in range(first - 12, first - 3):

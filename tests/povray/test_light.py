@@ -7,7 +7,7 @@ import re
 import numpy
 import OpenImageIO as oiio
 import pytest
-from conftest import Folder, floats_of, read_png, sea_text
+from conftest import Folder, floats_of, read_png, sea_text, tell
 
 
 @pytest.mark.parametrize("height", [2, 60, 2000, 15000])
@@ -15,10 +15,8 @@ from conftest import Folder, floats_of, read_png, sea_text
 def test_sky_and_sea_meet_at_the_horizon(choppy, height, told):
     """Black water: all that is not water is sky, as bright at the horizon as above it."""
     columns, rows = 32, 240
-    choppy.run(
-        f"""global_settings {{ assumed_gamma 1.0 }}
-Ocean_Load("sea_0001")
-#declare Eye = <0, {height}, 0>;
+    picture = choppy.seen(
+        f"""#declare Eye = <0, {height}, 0>;
 {"Ocean_Eye_At(Eye, 2)" if told else ""}
 #declare Target = Eye + <1, -{numpy.sqrt(2 * height / 6371000.0)}, 0>;
 camera {{ location Eye right x*image_width/image_height angle 1.2 look_at Target }}
@@ -27,8 +25,7 @@ Ocean_Sky(0)
 object {{ Ocean_View(Eye, Target, 1.2, 0.05) pigment {{ rgb 0 }} }}""",
         width=columns,
         height=rows,
-    )
-    picture = read_png(choppy.path / "out.png").mean(axis=2)
+    ).mean(axis=2)
     water = picture < 1e-4
     assert 0.2 < water.mean() < 0.8, "there is no horizon in the picture"
     first = int(numpy.argmax(~water[:, columns // 2]))  # rows begin at the bottom
@@ -43,10 +40,8 @@ def test_far_water_blurs_the_clouds_that_it_mirrors(tmp_path):
     smooth = "pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection { 0, 1 fresnel on } }"
     contrast = {}
     for water in (f"{smooth} interior {{ ior Ocean_Water_Ior }}", 'Ocean_Material("jerlov_ii")'):
-        folder.run(
-            f"""global_settings {{ assumed_gamma 1.0 max_trace_level 4 }}
-Ocean_Load("sea_0001")
-#declare Eye = <0, 20, 0>;
+        picture = folder.seen(
+            f"""#declare Eye = <0, 20, 0>;
 #declare Target = Eye + <1, -0.012, 0.1>;
 camera {{ location Eye right x*image_width/image_height angle 30 look_at Target }}
 Ocean_Eye_At(Eye, 30)
@@ -57,13 +52,9 @@ Ocean_Eye_At(Eye, 30)
 Ocean_Sky(0.5)
 #declare Ocean_Sky_Light = 0;
 object {{ Ocean_View(Eye, Target, 30, 1) {water} no_reflection }}""",
-            "+A0.05",
-            "+AM2",
-            "+R2",
-            width=320,
-            height=100,
-        )
-        rows = read_png(folder.path / "out.png").mean(axis=2)
+            *("+A0.05", "+AM2", "+R2"), settings="max_trace_level 4", width=320, height=100,
+        )  # fmt: skip
+        rows = picture.mean(axis=2)
         horizon = int(numpy.argmax(rows.mean(axis=1) > 0.5))
         far = rows[horizon - 18 : horizon - 2]
         columns = far.mean(axis=0)
@@ -98,8 +89,7 @@ Ocean_Eye_At(0, 60)
 camera {{ spherical angle 360 180 location 0 look_at x }}
 Ocean_Sun({altitude}, 40)
 Ocean_Sky({clouds})
-#macro Tell(V) #debug concat("V ", str(V, 0, 9), "\n") #end
-Tell(Ocean_Sky_Light.x) Tell(Ocean_Sky_Light.y) Tell(Ocean_Sky_Light.z)""",
+{tell("Ocean_Sky_Light.x", "Ocean_Sky_Light.y", "Ocean_Sky_Light.z")}""",
         "+FE",
         f"+Osky_{altitude}.exr",
         width=columns,
@@ -123,13 +113,12 @@ def test_twilight_is_as_dark_as_it_is(choppy):
     sunset = brightness(choppy, 0)
     for altitude, lux in ((-2.0, 199.0), (-4.0, 29.9)):
         assert brightness(choppy, altitude) / sunset == pytest.approx(lux / 758.6, rel=0.15)
-    log = choppy.run(
-        """#macro Tell(V) #debug concat("V ", str(V, 0, 9), "\\n") #end
-Tell(Ocean_Twilight_(20)) Tell(Ocean_Twilight_(0)) Tell(758.6*Ocean_Twilight_(-6))
+    told = choppy.told(
+        """Tell(Ocean_Twilight_(20)) Tell(Ocean_Twilight_(0)) Tell(758.6*Ocean_Twilight_(-6))
 Tell(758.6*Ocean_Twilight_(-12)) Tell(758.6*Ocean_Twilight_(-18)) Tell(Ocean_Twilight_(-60))
 #for (K, 0, 199) Tell(Ocean_Twilight_(-K/10)) #end"""
     )
-    day, sunset, civil, nautical, astronomical, night, *course = floats_of(log)
+    day, sunset, civil, nautical, astronomical, night, *course = told
     assert day == 1 and sunset == pytest.approx(1, rel=1e-6)
     assert civil == pytest.approx(3.4, rel=0.02)
     assert nautical == pytest.approx(0.0083, rel=0.1)
@@ -155,10 +144,8 @@ sphere {{ 0, 1 pigment {{ rgb 1 }} finish {{ ambient 0 diffuse 1 }} }}""",
 
 def test_tiles_and_lace_reach_as_far_whatever_the_sea_level(choppy):
     """Their reach is a distance in pixels; and a material before the view knows of Ocean_Eye_At."""
-    log = choppy.run(
-        """Ocean_Load("sea_0001")
-#macro Tell(V) #debug concat("V ", str(V, 0, 9), "\\n") #end
-#macro Probe(Height, Angle, Distance)  // of tiles; lace two and a half times as far
+    told = choppy.told(
+        """#macro Probe(Height, Angle, Distance)  // of tiles; lace two and a half times as far
     Ocean_Eye_At(<3, Height, 5>, Angle)
     #declare Water = Ocean_Material("jerlov_ii")
     Tell(1 - Ocean_Detail_Left_(3, Height - Distance, 5))
@@ -168,7 +155,7 @@ Probe(-2, 60, 12) Probe(0, 60, 12) Probe(700, 60, 12)
 Probe(5, 60, 6) Probe(5, 30, 12) Probe(5, 60, 900)""",
         width=480,
     )
-    tiles, lace = floats_of(log).reshape(6, 2).T
+    tiles, lace = told.reshape(6, 2).T
     for seen in (tiles, lace):
         assert seen[0] == pytest.approx(seen[1]) == pytest.approx(seen[2])
     assert tiles[3] > tiles[0] > 0.01 > tiles[5]

@@ -5,7 +5,7 @@ the horizon, where no pixel shows a wave, it has no spots."""
 
 import numpy
 import pytest
-from conftest import Folder, read_png, sea_text, surface
+from conftest import Folder, sea_text, surface
 
 CELL, CELLS = 1.35, 128  # [m]: of the map of the preset beaufort_6
 SIDE = CELL * CELLS
@@ -47,23 +47,16 @@ def test_the_skyline_from_a_trough_has_no_step(low_sea, number):
     heading = 0.4 + 1.6 * number
     true, away = skyline(heights, eye, heading)
     rows = int(max(true.max() + 4, -true.min() + 4))
-    folder.run(
-        f"""global_settings {{ assumed_gamma 1.0 }}
-Ocean_Load("sea_0001")
-#declare Eye = <{eye[0]}, {eye[1]}, {eye[2]}>;
+    white = folder.seen(
+        f"""#declare Eye = <{eye[0]}, {eye[1]}, {eye[2]}>;
 #declare Target = Eye + <{numpy.cos(heading)}, 0, {numpy.sin(heading)}>;
 camera {{ location Eye right x*image_width/image_height angle {ANGLE} look_at Target }}
 background {{ rgb 1 }}
 object {{ Ocean_View(Eye, Target, {ANGLE}, 1) pigment {{ rgb 0 }} }}""",
-        "+A0.1",
-        "+AM1",
-        "+R3",
-        f"+SR{HEIGHT // 2 - rows + 1}",
-        f"+ER{HEIGHT // 2 + rows}",
+        *("+A0.1", "+AM1", "+R3", f"+SR{HEIGHT // 2 - rows + 1}", f"+ER{HEIGHT // 2 + rows}"),
         width=WIDTH,
         height=HEIGHT,
-    )
-    white = read_png(folder.path / "out.png")[..., 0]
+    )[..., 0]
     part = white[HEIGHT // 2 - rows : HEIGHT // 2 + rows]
     seen = rows - part.sum(0)
     # Farther than a period the sea is another one.
@@ -83,20 +76,17 @@ object {{ Ocean_View(Eye, Target, {ANGLE}, 1) pigment {{ rgb 0 }} }}""",
 
 def test_the_row_of_the_horizon_has_no_spots(choppy):
     """There the mesh hides all slopes, and pixels show the mean of the sky that these mirror."""
-    choppy.run(
-        """global_settings { assumed_gamma 1.0 }
-Ocean_Load("sea_0001")
-#declare Eye = <0, 6, 0>;
+    picture = choppy.seen(
+        """#declare Eye = <0, 6, 0>;
 #declare Target = Eye + <1, -0.12, 0>;
 camera { location Eye right x*image_width/image_height angle 60 look_at Target }
 Ocean_Eye_At(Eye, 60) Ocean_Sun(24, 14) Ocean_Sky(0)
 object { Ocean_View(Eye, Target, 60, 1) Ocean_Material("jerlov_ii") no_reflection }""",
-        "+SR55",
-        "+ER60",
+        *("+SR55", "+ER60"),
         width=320,
         height=180,
     )
-    rows = read_png(choppy.path / "out.png")[::-1][54:60, :, 0]
+    rows = picture[::-1][54:60, :, 0]
     sky, water = rows[:3], rows[3:]
     assert water.mean() < 0.9 * sky.mean()
     spots = numpy.abs(numpy.diff(water, axis=1)).mean(1)

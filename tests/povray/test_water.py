@@ -4,7 +4,7 @@
 
 import numpy
 import pytest
-from conftest import Folder, floats_of, read_png, sea_text
+from conftest import Folder, flat, sea_text
 
 
 @pytest.mark.parametrize("hollow", ["", "hollow"])
@@ -22,15 +22,13 @@ def test_light_is_lost_by_beers_law_for_a_camera_under_water(choppy, form, hollo
     form = form if form.startswith("intersection") else "object { " + form + " }"
     losses = []
     for depth in (4.0, 9.0, 16.0):
-        choppy.run(
-            f"""global_settings {{ assumed_gamma 1.0 }}
-Ocean_Load("sea_0001")
-camera {{ orthographic location <30, -3, 30> direction -y right 0.5*x up 0.5*z }}
+        picture = choppy.seen(
+            f"""camera {{ orthographic location <30, -3, 30> direction -y right 0.5*x up 0.5*z }}
 {form}
 box {{ <-500, -{3 + depth} - 1, -500>, <500, -{3 + depth}, 500>
       pigment {{ rgb 1 }} finish {{ ambient 0 diffuse 0 emission 0.9 }} }}"""
         )
-        seen = read_png(choppy.path / "out.png").mean(axis=(0, 1)) / 0.9
+        seen = picture.mean(axis=(0, 1)) / 0.9
         absorption = numpy.array([0.314, 0.128, 0.180])  # of jerlov_3c, as water_types.cpp has it
         losses.append(seen / numpy.exp(-absorption * depth))
     print(losses)
@@ -39,28 +37,25 @@ box {{ <-500, -{3 + depth} - 1, -500>, <500, -{3 + depth}, 500>
 
 @pytest.mark.parametrize("form", ["Ocean_Volume(<30, 0, 30>, 60, 20, 0.25)", "Ocean_Block(20)"])
 def test_the_water_glows_without_a_word_from_its_user(choppy, form):
-    choppy.run(
-        f"""global_settings {{ assumed_gamma 1.0 }}
-Ocean_Load("sea_0001")
-camera {{ orthographic location <30, -3, 30> direction -y right 0.5*x up 0.5*z }}
+    picture = choppy.seen(
+        f"""camera {{ orthographic location <30, -3, 30> direction -y right 0.5*x up 0.5*z }}
 object {{ {form} Ocean_Underwater("jerlov_3c", 1) }}"""
     )
-    assert read_png(choppy.path / "out.png").mean() > 0.01
+    assert picture.mean() > 0.01
 
 
 def test_light_from_above_is_lost_by_beers_law_too(choppy):
     """A floor 8 m down, lit by a lamp above clear water; seen from below, without the eye's way."""
     lit = []
     for water in ("", 'object { Ocean_Block(20) Ocean_Clear_Material("jerlov_3c") }'):
-        choppy.run(
-            f"""global_settings {{ assumed_gamma 1.0 max_trace_level 9 }}
-Ocean_Load("sea_0001")
-camera {{ orthographic location <30, -7.9, 30> direction -y right 0.5*x up 0.5*z }}
+        picture = choppy.seen(
+            f"""camera {{ orthographic location <30, -7.9, 30> direction -y right 0.5*x up 0.5*z }}
 light_source {{ <30, 1e5, 30> rgb 0.5 parallel point_at <30, 0, 30> }}
 {water}
-box {{ <-500, -9, -500>, <500, -8, 500> pigment {{ rgb 1 }} finish {{ ambient 0 diffuse 1 }} }}"""
+box {{ <-500, -9, -500>, <500, -8, 500> pigment {{ rgb 1 }} finish {{ ambient 0 diffuse 1 }} }}""",
+            settings="max_trace_level 9",
         )
-        lit.append(read_png(choppy.path / "out.png").mean(axis=(0, 1)))
+        lit.append(picture.mean(axis=(0, 1)))
     surface_height = 0.5  # of the sea there, at most
     absorption = numpy.array([0.314, 0.128, 0.180])
     loss = -numpy.log(lit[1] / lit[0])
@@ -87,27 +82,24 @@ def test_no_water_stands_in_a_hull(choppy, tmp_path, form):
     folder = choppy
     if "Height_Field" in form:
         folder = Folder(tmp_path, sea_text(), "--format", "height_field")
-    log = folder.run(
-        f"""Ocean_Load("sea_0001")
-#declare Hull = object {{ {HULL} translate <45, 0, 45> }}
+    told = folder.told(
+        f"""#declare Hull = object {{ {HULL} translate <45, 0, 45> }}
 #declare Whole = object {{ {form} }}
 #declare Cut = Ocean_Cut_Out(Whole, Hull)
-#macro Tell(Water, X, Z)
+#macro Probe(Water, X, Z)
     #local Normal = <0, 0, 0>;
     #local Hit = trace(Water, <45 + X, 20, 45 + Z>, -y, Normal);
-    #debug concat("V ", str(vlength(Normal)*(1 + (Hit.y < -5)), 0, 3), "\n")
+    Tell(vlength(Normal)*(1 + (Hit.y < -5)))
 #end
-#for (K, 0, 6) Tell(Whole, K - 3, 1.2) Tell(Cut, K - 3, 1.2) Tell(Cut, K - 3, 3.5) #end"""
+#for (K, 0, 6) Probe(Whole, K - 3, 1.2) Probe(Cut, K - 3, 1.2) Probe(Cut, K - 3, 3.5) #end"""
     )
-    whole, inside, beside = floats_of(log).reshape(7, 3).T
+    whole, inside, beside = told.reshape(7, 3).T
     assert numpy.all(whole == pytest.approx(1.0, abs=1e-3)), "there was no water to cut"
     assert not numpy.any(inside == pytest.approx(1.0, abs=1e-3))
     assert numpy.all(beside == pytest.approx(1.0, abs=1e-3)), "too much was cut away"
 
 
-POOL = """global_settings { assumed_gamma 1.0 max_trace_level 10 photons { count 150000 } }
-Ocean_Load("sea_0001")
-camera { orthographic location <5, 8, 5> direction -y right 5*x up 5*z }
+POOL = """camera { orthographic location <5, 8, 5> direction -y right 5*x up 5*z }
 light_source { <20, 60, 10> rgb 0.2 parallel point_at 0 photons { refraction on reflection off } }
 intersection {
     object { Ocean_Block(4) }
@@ -131,46 +123,30 @@ def test_the_waves_of_a_pool_gather_light(tmp_path):
             waves="significant_wave_height = 0.12\npeak_period = 1.2",
         ),
     )
-    folder.run(POOL, width=100, height=100)
-    light = read_png(folder.path / "out.png")[..., 1]
+    settings = "max_trace_level 10 photons { count 150000 }"
+    light = folder.seen(POOL, settings=settings, width=100, height=100)[..., 1]
     contrast = numpy.percentile(light, 99.5) / light.mean()
     print(f"\ncontrast {contrast:.2f}")
     assert contrast > 2.0
 
 
-SHEET = """global_settings { assumed_gamma 1.0 max_trace_level 5 }
-Ocean_Load("sea_0001")
-#undef Ocean_Cover
-#declare Ocean_Cover = function(x, z) { COVER }
-#undef Ocean_Foam
-#declare Ocean_Foam = function(x, z) { 0 }
-#undef Ocean_DX
-#declare Ocean_DX = function(x, z) { 0 }
-#undef Ocean_DZ
-#declare Ocean_DZ = function(x, z) { 0 }
+def sheet(folder, height, cover, more, width, pixels=100):
+    """A flat surface seen from straight above or below."""
+    picture = folder.seen(
+        f"""{flat(cover)}
 #declare Ocean_Direction = 0;
 #declare Ocean_Foam_Streaks = 0;
 #declare Ocean_Repeats_ = 1000;
 #declare Ocean_Sky_Light = 1;
-Ocean_Eye_At(<30, HEIGHT, 40>, 60)
+Ocean_Eye_At(<30, {height}, 40>, 60)
 #declare Ocean_Pixel_ = 1e-9;
-"""
-
-
-def sheet(folder, height, cover, more, width, pixels=100):
-    """A flat surface seen from straight above or below."""
-    words = SHEET.replace("COVER", str(cover)).replace("HEIGHT", str(height))
-    log = folder.run(
-        f"""{words}
 camera {{ orthographic location <30, {height}, 40> direction {-numpy.sign(height)}*y
          right {width}*x up {width}*z }}
 {more}""",
-        width=pixels,
-        height=pixels,
-    )
-    picture = read_png(folder.path / "out.png")[..., 0]
+        settings="max_trace_level 5", width=pixels, height=pixels,
+    )  # fmt: skip
     # POV-Ray keeps right and up as they are, whichever way it looks.
-    return picture, log
+    return picture[..., 0]
 
 
 def test_ripples_are_the_same_surface_from_below(choppy):
@@ -181,8 +157,8 @@ def test_ripples_are_the_same_surface_from_below(choppy):
 Ocean_Foam_Settings_() Ocean_Declare_Nearness_() Ocean_Declare_Detail_()
 plane { y, 0 pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection 1 }
     Ocean_Ripples_(Ocean_Eye_Is_Under_()) }"""
-    above, _ = sheet(choppy, 5.0, 0, mirror, 0.4)
-    below, _ = sheet(choppy, -5.0, 0, mirror, 0.4)
+    above = sheet(choppy, 5.0, 0, mirror, 0.4)
+    below = sheet(choppy, -5.0, 0, mirror, 0.4)
     a, b = (above - 0.5) / 0.4, (below - 0.5) / 0.4
     print(f"\nfrom above {a.std():.4f}, from below {b.std():.4f}, their sum {(a + b).std():.5f}")
     assert a.std() > 0.05
@@ -197,13 +173,13 @@ def test_foam_is_seen_from_below(choppy, cover):
     face_indices { 1, <0, 1, 2> }
     material { Ocean_Clear_Texture_() interior { ior 1 } }
 }"""
-    above, _ = sheet(choppy, 5.0, cover, water, 60, 150)  # the same places of the net
-    below, _ = sheet(choppy, -5.0, cover, water, 60, 150)
+    above = sheet(choppy, 5.0, cover, water, 60, 150)  # the same places of the net
+    below = sheet(choppy, -5.0, cover, water, 60, 150)
     ratio = below.mean() / above.mean()
     print(f"\nfoam {above.mean():.4f} from above, {below.mean():.4f} from below")
     assert above.mean() > 0.2 * cover and above.std() > 0.05
     assert ratio == pytest.approx(0.45, rel=0.02)
-    bare, _ = sheet(choppy, -5.0, 0, water, 60, 30)
+    bare = sheet(choppy, -5.0, 0, water, 60, 30)
     assert bare.max() < 1e-3
 
 
@@ -211,20 +187,16 @@ def test_snells_window_is_broken_by_ripples(choppy):
     """From 3 m down: the sky above a sharp horizon; steps between pixels along its edge."""
 
     def seen(more):
-        choppy.run(
-            f"""global_settings {{ assumed_gamma 1.0 max_trace_level 4 }}
-Ocean_Load("sea_0001")
-#declare Eye = <30, -3, 40>;
+        return choppy.seen(
+            f"""#declare Eye = <30, -3, 40>;
 camera {{ location Eye right x*image_width/image_height angle 70 look_at Eye + <10, 9, 0> }}
 Ocean_Eye_At(Eye, 70)
 {more}
 #declare Ocean_Foam_Amount = 0;
 sky_sphere {{ pigment {{ rgb 1 }} }}
 object {{ Ocean_Volume(<30, 0, 40>, 60, 20, 0.5) Ocean_Clear_Material("jerlov_i") }}""",
-            width=120,
-            height=90,
-        )
-        return read_png(choppy.path / "out.png")[..., 1]
+            settings="max_trace_level 4", width=120, height=90,
+        )[..., 1]  # fmt: skip
 
     rippled, smooth = seen(""), seen("#declare Ocean_Detail_Bands_ = 0;")
     edges = [numpy.abs(numpy.diff(p, axis=1)).mean() for p in (rippled, smooth)]
@@ -235,10 +207,8 @@ object {{ Ocean_Volume(<30, 0, 40>, 60, 20, 0.5) Ocean_Clear_Material("jerlov_i"
 def test_shafts_of_light_follow_the_refracted_sun(choppy):
     """Between two depths what the waves gather moves by the way of the light in water, and on the
     average over the sea it is as much light as without waves."""
-    log = choppy.run(
-        """Ocean_Load("sea_0001")
-#macro Tell(V) #debug concat("V ", str(V, 0, 9), "\n") #end
-#declare Ocean_Sun_Direction = <cos(radians(40)), sin(radians(40)), 0>;
+    told = choppy.told(
+        """#declare Ocean_Sun_Direction = <cos(radians(40)), sin(radians(40)), 0>;
 Ocean_Declare_Focus_()
 #declare Way = cos(radians(40))/Ocean_Water_Ior;
 #declare Way = Way/sqrt(1 - Way*Way);
@@ -250,7 +220,7 @@ Ocean_Declare_Focus_()
     Tell(Ocean_Focus_(X + Way, -5, Z))
 #end"""
     )
-    upper, along, against = floats_of(log).reshape(-1, 3).T
+    upper, along, against = told.reshape(-1, 3).T
     follows = numpy.corrcoef(upper, along)[0, 1]
     other = numpy.corrcoef(upper, against)[0, 1]
     print(
