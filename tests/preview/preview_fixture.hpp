@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "ocean/internal/gl/context.hpp"
@@ -43,6 +44,18 @@ class PreviewTest : public ::testing::Test {
         const Canvas canvas(side, side, GL_RGBA32F);
         renderer.draw(sea, camera, look, {.width = side, .height = side, .view = View::numbers});
         return canvas.rgba();
+    }
+
+    /// Returns the significant height of a period that is seen from above.
+    double height(Renderer& renderer, const DrawnSea& sea) {
+        const Camera above{.eye = {0.5 * kPeriod, 0.5 * kPeriod, 0.5 * kPeriod},
+                           .heading = 0.0,
+                           .pitch = -90.0,
+                           .field_of_view = 90.0};
+        double squares = 0.0;
+        const auto values = numbers(renderer, sea, above, 64);
+        for (std::size_t p = 1; p < values.size(); p += 4) squares += values[p] * values[p];
+        return 4.0 * std::sqrt(squares / (64.0 * 64.0));
     }
 
     /// Returns the light of each pixel, row after row, the bottom row first: R, G, B, 1.

@@ -446,13 +446,6 @@ TEST_F(PreviewTest, HeightsOfACrossFadeAreTheBlendOfBothSeas) {
     SeaMaps from_maps({.compute = false, .foam_resolution = 64});
     SeaMaps to_maps({.compute = false, .foam_resolution = 64});
     Renderer renderer({.cells = 32});
-    const Camera camera = above(0.5 * kPeriod, 0.5 * kPeriod, 0.5 * kPeriod);
-    const auto height_of = [&](const DrawnSea& sea) {
-        const auto values = numbers(renderer, sea, camera, 64);
-        double squares = 0.0;
-        for (std::size_t p = 1; p < values.size(); p += 4) squares += values[p] * values[p];
-        return 4.0 * std::sqrt(squares / (64.0 * 64.0));
-    };
     for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
         double found = 0.0;
         double expected = 0.0;
@@ -466,15 +459,15 @@ TEST_F(PreviewTest, HeightsOfACrossFadeAreTheBlendOfBothSeas) {
             Ocean to_sea(stronger, {.foam_start = FoamStart::empty});
             const DrawnSea from = from_maps.show(from_sea, 3.0);
             const DrawnSea to = to_maps.show(to_sea, 3.0);
-            const double height = height_of(cross_fade(from, to, share));
-            const double before = height_of(from), after = height_of(to);
-            found += height;
+            const double faded = height(renderer, cross_fade(from, to, share));
+            const double before = height(renderer, from), after = height(renderer, to);
+            found += faded;
             expected += std::sqrt((1.0 - weight) * before * before + weight * after * after);
             if (share == 0.0) {
-                EXPECT_NEAR(height, before, 1e-5);
+                EXPECT_NEAR(faded, before, 1e-5);
             }
             if (share == 1.0) {
-                EXPECT_NEAR(height, after, 1e-5);
+                EXPECT_NEAR(faded, after, 1e-5);
             }
         }
         EXPECT_NEAR(found / expected, 1.0, 0.05) << share;
@@ -491,26 +484,20 @@ TEST_F(PreviewTest, WavesThatBothSeasHaveDoNotGrowInTheMiddleOfACrossFade) {
     SeaMaps from_maps({.compute = false, .foam_resolution = 64});
     SeaMaps to_maps({.compute = false, .foam_resolution = 64});
     Renderer renderer({.cells = 32});
-    const Camera camera = above(0.5 * kPeriod, 0.5 * kPeriod, 0.5 * kPeriod);
-    const auto height_of = [&](const DrawnSea& sea) {
-        const auto values = numbers(renderer, sea, camera, 64);
-        double squares = 0.0;
-        for (std::size_t p = 1; p < values.size(); p += 4) squares += values[p] * values[p];
-        return 4.0 * std::sqrt(squares / (64.0 * 64.0));
-    };
     const DrawnSea from = from_maps.show(from_sea, 3.0);
     const DrawnSea to = to_maps.show(to_sea, 3.0);
     const double correlation = height_correlation(from_sea.modes(3.0), 3.0, to_sea.modes(3.0), 3.0);
     EXPECT_GT(correlation, 0.8);
     for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9}) {
-        const double before = height_of(from), after = height_of(to);
+        const double before = height(renderer, from), after = height(renderer, to);
         const double weight = std::pow(std::sin(0.25 * kTwoPi * share), 2);
         const double expected =
             std::sqrt((1.0 - weight) * before * before + weight * after * after);
-        EXPECT_NEAR(height_of(cross_fade(from, to, share, correlation)) / expected, 1.0, 0.05);
+        EXPECT_NEAR(height(renderer, cross_fade(from, to, share, correlation)) / expected, 1.0,
+                    0.05);
         // Without it the sea would be half as high again.
         if (share == 0.5) {
-            EXPECT_GT(height_of(cross_fade(from, to, share)) / expected, 1.3);
+            EXPECT_GT(height(renderer, cross_fade(from, to, share)) / expected, 1.3);
         }
     }
 }
