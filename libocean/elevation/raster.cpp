@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A raster as bytes: see raster_wire.hpp. Numbers have the byte order of the machine; a message
+// A raster as bytes: see raster.hpp. Numbers have the byte order of the machine; a message
 // begins with its kind, a text with its size.
 #include "raster.hpp"
 

@@ -30,6 +30,11 @@ def tables(folder: Path = HERE) -> dict:
     return tomllib.loads((folder / "views.toml").read_text(encoding="utf-8"))
 
 
+def names(folder: Path = HERE) -> list[str]:
+    """Returns the names of the views of the sheet."""
+    return tables(folder)["beside"]
+
+
 def view_of(name: str, folder: Path = HERE) -> dict:
     """Returns a view, with what is default."""
     read = tables(folder)
@@ -237,7 +242,7 @@ def measure(folder: Path) -> None:
     """Prints the list above in numbers, of FOLDER/VIEW.HOST.png."""
     import numpy
 
-    for name in tables()["beside"]:
+    for name in names():
         view = view_of(name)
         pictures = {host: read(folder / f"{name}.{host}.png") for host in HOSTS}
         rows = {host: horizon_row(view, picture) for host, picture in pictures.items()}
@@ -260,7 +265,7 @@ def measure(folder: Path) -> None:
 def main() -> None:
     match sys.argv[1:]:
         case ["names"]:
-            print(*tables()["beside"], sep="\n")
+            print(*names(), sep="\n")
         case ["sea", name]:
             print(view_of(name)["sea"])
         case ["size", name]:

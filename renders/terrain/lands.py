@@ -21,11 +21,6 @@ sys.path.append(str(HERE.parent / "preview"))
 import hosts  # noqa: E402
 
 
-def names() -> list[str]:
-    """Returns the names of the views of the sheet."""
-    return hosts.tables(HERE)["beside"]
-
-
 def view_of(name: str) -> dict:
     return hosts.view_of(name, HERE)
 
@@ -80,7 +75,7 @@ def measure(folder: Path) -> None:
     """Prints the list above in numbers."""
     import numpy
 
-    for name in names():
+    for name in hosts.names(HERE):
         view = view_of(name)
         pictures = {host: hosts.read(folder / f"{name}.{host}.png") for host in hosts.HOSTS}
         lines = {host: skyline(view, picture) for host, picture in pictures.items()}
@@ -103,7 +98,7 @@ def measure(folder: Path) -> None:
 def main() -> None:
     match sys.argv[1:]:
         case ["names"]:
-            print(*names(), sep="\n")
+            print(*hosts.names(HERE), sep="\n")
         case ["land", name]:
             print(view_of(name)["land"])
         case ["size", name]:

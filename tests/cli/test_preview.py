@@ -515,7 +515,7 @@ def significant_height(sea: str) -> float:
     "sea",
     [
         name if name == "foam" else pytest.param(name, marks=pytest.mark.slow)
-        for name in hosts.beside()
+        for name in hosts.names()
     ],
 )
 def test_a_sea_is_as_it_was_looked_at(folder, sea):
@@ -538,7 +538,7 @@ def test_a_sea_is_as_it_was_looked_at(folder, sea):
         for path in (GOLDEN, folder)
     ]
     assert len(rows[1]) == 12
-    close = 1e-3 * significant_height(hosts.views()[sea]["sea"])
+    close = 1e-3 * significant_height(hosts.view_of(sea)["sea"])
     assert numpy.array(rows[1]) == pytest.approx(numpy.array(rows[0]), abs=close), again
 
     # Pixels are of the renderer that made them: other drivers filter otherwise.

@@ -28,7 +28,7 @@ PLACES = [
 
 def shown(name: str, *arguments) -> str:
     """What ocean-preview prints of a view."""
-    view = hosts.views()[name]
+    view = hosts.view_of(name)
     sea = view["sea"] if ":" in view["sea"] else ROOT / view["sea"]
     # The context makes no use of a display that is there.
     kept = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
@@ -41,7 +41,7 @@ def main() -> None:
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else HERE
     probes = [word for x, y in PLACES for word in ("--probe", f"{x},{y}")]
     rows = ["sea,x,y,mesh,maps"]
-    for name in sys.argv[2:] or hosts.beside():
+    for name in sys.argv[2:] or hosts.names():
         picture = ("--offscreen", folder / f"{name}.png", "--size", "160x90", "-q")
         for line in shown(name, *probes, *picture).splitlines()[: len(PLACES)]:
             x, y, mesh, maps = map(float, line.split(",")[:4])
