@@ -108,10 +108,10 @@ class PlaneSceneTest : public ::testing::Test {
     }
     void TearDown() override { scene_rows().pop_back(); }
 
-    std::string refusal(PreviewWords words) const {
+    std::string refusal(const PreviewWords& words, std::vector<GivenOption> given = {}) const {
         EnvironmentFiles environments;
         try {
-            require_fit(preview_options(words, environments), open_scene({file_, {}}));
+            require_fit(preview_options(words, given, environments), open_scene({file_, {}}));
         } catch (const Error& error) {
             return error.what();
         }
@@ -143,8 +143,8 @@ TEST_F(PlaneSceneTest, OptionsThatItLacksAreRefusedWithItsName) {
     EXPECT_EQ(refusal(words), "");
     words.view = "foam";
     EXPECT_EQ(refusal(words), "--view: a plane has no view 'foam'; allowed: shaded");
-    words.time = 3.0;
-    EXPECT_EQ(refusal(words), "--time is for a sea; this is a plane");
+    const std::vector<OptionGroup> groups = preview_option_groups(words);
+    EXPECT_EQ(refusal({}, {{&groups[0].options[0], "3"}}), "--time is for a sea; this is a plane");
 }
 
 TEST_F(PlaneSceneTest, AWindowShowsWalksOnChangesAndSavesIt) {

@@ -61,7 +61,7 @@ void warn_of(const OpenedScene& scene, const Context& context) {
 
 void run(const PreviewWords& words, const Context& context) {
     EnvironmentFiles environments;
-    const PreviewOptions options = preview_options(words, environments);
+    const PreviewOptions options = preview_options(words, context.given, environments);
     std::vector<ListedPicture> pictures;
     if (!words.pictures.empty()) pictures = read_picture_list(words.pictures, words);
     const OpenedScene scene = open_scene(words.sea);

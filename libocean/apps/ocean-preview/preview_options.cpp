@@ -3,8 +3,6 @@
 #include "preview_options.hpp"
 
 #include <algorithm>
-#include <type_traits>
-#include <variant>
 
 #include "ocean/bake/plan.hpp"
 #include "ocean/channel.hpp"
@@ -142,35 +140,16 @@ void place_environment(const PreviewWords& words, EnvironmentFiles& environments
         within(words.environment_turn.value_or(0.0), "--environment-turn", -3600.0, 3600.0);
 }
 
-bool same_value(const OptionTarget& a, const OptionTarget& b) {
-    return std::visit(
-        [&](auto target) {
-            if constexpr (std::is_pointer_v<decltype(target)>) {
-                return *target == *std::get<decltype(target)>(b);
-            } else {
-                return true;
-            }
-        },
-        a);
-}
-
-/// Lists the given options that only one kind of subject has: those that are not as by default.
-void list_special(PreviewWords words, PreviewOptions& options) {
-    if (options.eye_place == EyePlace::on_ground) {
-        options.special.push_back({kTerrainKind, "--eye X,Y"});
+/// Returns the given options that only one kind of subject has.
+std::vector<SpecialOption> special_options(std::span<const GivenOption> given, EyePlace eye) {
+    std::vector<SpecialOption> special;
+    if (eye == EyePlace::on_ground) special.push_back({kTerrainKind, "--eye X,Y"});
+    for (const auto& [option, value] : given) {
+        if (option->subject.empty()) continue;
+        const std::string said = option->names == "--look" ? " " + value : "";
+        special.push_back({option->subject, option->names + said});
     }
-    PreviewWords defaults;
-    const std::vector<OptionGroup> plain = preview_option_groups(defaults);
-    std::size_t at = 0;
-    for (const OptionGroup& group : preview_option_groups(words)) {
-        const std::vector<Option>& by_default = plain[at++].options;
-        for (std::size_t i = 0; i < by_default.size(); ++i) {
-            const Option& option = group.options[i];
-            if (option.subject.empty() || same_value(option.target, by_default[i].target)) continue;
-            const std::string value = option.names == "--look" ? " " + words.look : "";
-            options.special.push_back({option.subject, option.names + value});
-        }
-    }
+    return special;
 }
 
 }  // namespace
@@ -292,11 +271,12 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
     };
 }
 
-PreviewOptions preview_options(const PreviewWords& words, EnvironmentFiles& environments) {
+PreviewOptions preview_options(const PreviewWords& words, std::span<const GivenOption> given,
+                               EnvironmentFiles& environments) {
     PreviewOptions options;
     static_cast<PlainOptions&>(options) = words;
     place_camera(words, options);
-    list_special(words, options);
+    options.special = special_options(given, options.eye_place);
     preview::Look& look = options.look;
     look.kind = preview::look_of(words.look);
     if (!words.sun.empty()) {

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -86,8 +87,10 @@ struct PreviewOptions : PlainOptions {
 std::vector<OptionGroup> preview_option_groups(PreviewWords& words);
 /// Skies by the names of their files: a sky of several pictures is read once.
 using EnvironmentFiles = std::map<std::string, std::shared_ptr<const preview::Environment>>;
-/// Returns the values of the options, and reads the sky that they name. Throws Error.
-PreviewOptions preview_options(const PreviewWords& words, EnvironmentFiles& environments);
+/// Returns the values of the options, and reads the sky that they name. `given`: those that
+/// require_fit refuses where the subject lacks them. Throws Error.
+PreviewOptions preview_options(const PreviewWords& words, std::span<const GivenOption> given,
+                               EnvironmentFiles& environments);
 /// Throws Error invalid_value if the options have a view, a cascade or anything else that the scene
 /// does not have.
 void require_fit(const PreviewOptions& options, const OpenedScene& scene);
