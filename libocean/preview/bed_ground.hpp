@@ -4,7 +4,6 @@
 // A bed as land for the renderer: the texels of its ground and of its sand.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 

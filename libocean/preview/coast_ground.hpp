@@ -5,13 +5,27 @@
 // both end in one line.
 #pragma once
 
+#include <array>
+#include <glm/glm.hpp>
+
 #include "clipmap.hpp"
-#include "coast_block.hpp"
 #include "drawable.hpp"
 #include "land_block.hpp"
+#include "ocean/internal/preview/coast_maps.hpp"
+#include "ocean/internal/preview/picture.hpp"
 #include "texture_units.hpp"
 
 namespace ocean::preview {
+
+/// The uniform block of shaders/preview/coast_block.glsl, which says what each value is.
+struct CoastBlock {
+    std::array<glm::vec4, kMaxWindows> window{};
+    glm::vec4 edge{};
+    glm::ivec4 count{};
+};
+static_assert(sizeof(CoastBlock) == (kMaxWindows + 2) * 16, "std140 has no other padding");
+
+CoastBlock make_coast_block(const DrawnCoast& coast, const Camera& camera);
 
 /// Binds the windows of a coast for the current program, which uses `sampler` for their means.
 void bind_coast(gl::ShaderProgram& program, TextureUnits& units, const DrawnCoast& coast,

@@ -2,10 +2,92 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cover_map.hpp"
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <utility>
+
+#include "ocean/internal/directional_spectrum.hpp"
+#include "ocean/internal/foam.hpp"
 #include "ocean/internal/gl/context.hpp"
 #include "ocean/internal/gl/textures.hpp"
+#include "ocean/parameter_table.hpp"
 
 namespace ocean::preview {
+namespace {
+
+struct Stopped {};
+
+bool have_same_waves(const Parameters& a, const Parameters& b) {
+    const auto first = first_dirty_stage(a, b);
+    return !first || *first > Stage::spectrum;
+}
+
+}  // namespace
+
+/// A solution in work. It owns all that it reads, because the sea changes meanwhile.
+struct CoverPower::Job {
+    Job(DirectionalSpectrum of, Parameters at, const FoamWhitecaps& whitecaps)
+        : spectrum(std::move(of)),
+          parameters(std::move(at)),
+          power(std::async(std::launch::async, [this, whitecaps] {
+              ThreadPool pool(1);
+              pool.set_interrupt([this] {
+                  if (stopped) throw Stopped();
+              });
+              return cover_power({spectrum, parameters}, whitecaps, pool);
+          })) {}
+    ~Job() { stopped = true; }  // the future waits for the thread
+
+    bool done() const {
+        return power.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    }
+
+    std::atomic<bool> stopped = false;
+    DirectionalSpectrum spectrum;
+    Parameters parameters;
+    std::future<double> power;
+};
+
+CoverPower::CoverPower() = default;
+CoverPower::~CoverPower() = default;
+
+double CoverPower::of(OpenSea& sea, double time, const ShownFoam& foam) {
+    if (job_ && job_->done()) power_ = std::exchange(job_, nullptr)->power.get();
+    if (job_) return power_;
+    const Modes& modes = sea.modes(time);
+    Parameters parameters = sea.sea().at(time);
+    const bool known =
+        modes.revision == revision_ && parameters.surface == settings_ && foam == foam_;
+    if (known) return power_;
+    revision_ = modes.revision;
+    settings_ = parameters.surface;
+    foam_ = foam;
+    const SurfaceSettings past = lattice_settings(modes, parameters, foam.past);
+    const SurfaceSettings shown =
+        foam.is_past_alone() ? past : with_threshold(settings_, modes, foam.whitecaps_held_by);
+    const FoamWhitecaps whitecaps = foam_whitecaps(modes, foam, past, shown);
+    job_ = std::make_unique<Job>(sea.spectrum(time), std::move(parameters), whitecaps);
+    return power_;
+}
+
+Pending CoverPower::pending() const {
+    if (!job_) return Pending::nothing;
+    return job_->done() ? Pending::ready : Pending::in_work;
+}
+
+const CoverPattern& CoverPatterns::of(const Parameters& parameters, ThreadPool& pool) {
+    if (made_of_ && have_same_waves(parameters, *made_of_)) return pattern_;
+    const SpectralMoments moments =
+        make_directional_spectrum(parameters, pool).moments(parameters.water);
+    const double height = moments.significant_wave_height();
+    pattern_.direction = moments.mean_direction;
+    pattern_.stretch = 1.5 + 0.7 * std::clamp((height - 4.0) / 3.0, 0.0, 1.0);
+    pattern_.streaks = 0.3 * std::clamp((height - 2.0) / 4.0, 0.0, 1.0);
+    made_of_ = parameters;
+    return pattern_;
+}
 
 CoverMap::CoverMap()
     : program_({{GL_VERTEX_SHADER, "preview/sky.vert"}, {GL_FRAGMENT_SHADER, "preview/cover.frag"}},

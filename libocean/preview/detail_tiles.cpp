@@ -3,7 +3,6 @@
 #include "detail_tiles.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "ocean/detail.hpp"
 #include "ocean/internal/gl/textures.hpp"
@@ -12,15 +11,15 @@ namespace ocean::preview {
 namespace {
 
 constexpr DetailSettings kSettings{.resolution = 0, .samples = 512};
-constexpr std::size_t kSide = 512;
+constexpr std::size_t kTileSide = 512;
 
 /// Returns the means of the squares and of the product.
 SlopeVariance variance_of(const std::vector<float>& slopes) {
     SlopeVariance sum;
-    for (std::size_t row = 0; row < kSide; ++row) {
+    for (std::size_t row = 0; row < kTileSide; ++row) {
         float x[4] = {}, y[4] = {}, xy[4] = {};
-        const float* s = &slopes[2 * kSide * row];
-        for (std::size_t i = 0; i < kSide; i += 4) {
+        const float* s = &slopes[2 * kTileSide * row];
+        for (std::size_t i = 0; i < kTileSide; i += 4) {
             for (std::size_t k = 0; k < 4; ++k) {
                 const float a = s[2 * (i + k)], b = s[2 * (i + k) + 1];
                 x[k] += a * a;
@@ -32,7 +31,7 @@ SlopeVariance variance_of(const std::vector<float>& slopes) {
         sum.y += static_cast<double>(y[0] + y[1] + y[2] + y[3]);
         sum.xy += static_cast<double>(xy[0] + xy[1] + xy[2] + xy[3]);
     }
-    constexpr double kCount = kSide * kSide;
+    constexpr double kCount = kTileSide * kTileSide;
     return {sum.x / kCount, sum.y / kCount, sum.xy / kCount};
 }
 
@@ -83,7 +82,7 @@ double read_variance(const Level& level) {
 std::array<double, kTileLevels> read_shares(const std::vector<float>& slopes) {
     std::array<double, kTileLevels> shares{};
     const SlopeVariance whole = variance_of(slopes);
-    Level level{kSide, slopes};
+    Level level{kTileSide, slopes};
     for (double& share : shares) {
         share = whole.mean_square_slope() > 0.0 ? read_variance(level) / whole.mean_square_slope()
                                                 : 1.0;
@@ -110,11 +109,12 @@ void DetailTiles::set_sea(OpenSea& sea, const DrawnCascade& finest) {
     const std::size_t bands = detail_bands(sea_->parameters(), kSettings).size();
     maps_ = {};
     if (bands > 0) {
-        maps_ = gl::make_texture_array(GL_RG32F, kSide, static_cast<int>(bands), gl::Mipmaps::yes);
+        maps_ =
+            gl::make_texture_array(GL_RG32F, kTileSide, static_cast<int>(bands), gl::Mipmaps::yes);
         // A read between two levels would have the variance of neither.
         glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
     }
-    images_.assign(bands, std::vector<float>(2 * kSide * kSide));
+    images_.assign(bands, std::vector<float>(2 * kTileSide * kTileSide));
     read_.clear();
 }
 
@@ -137,10 +137,10 @@ const std::vector<DrawnTile>& DetailTiles::make(OpenSea& sea, double time,
     for (std::size_t i = 0; i < images_.size(); ++i) {
         const auto layer = static_cast<int>(i);
         glBindTexture(GL_TEXTURE_2D_ARRAY, maps_.name());
-        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, kSide, kSide, 1, GL_RG, GL_FLOAT,
-                        images_[i].data());
+        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, kTileSide, kTileSide, 1, GL_RG,
+                        GL_FLOAT, images_[i].data());
         const DetailBand& band = budget.bands[i];
-        tiles_.push_back({maps_.name(), layer, static_cast<int>(kSide), band.tile,
+        tiles_.push_back({maps_.name(), layer, static_cast<int>(kTileSide), band.tile,
                           band.shortest_wave, band.longest_wave, variance_of(images_[i]),
                           read_[i]});
     }

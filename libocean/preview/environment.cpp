@@ -11,9 +11,9 @@
 #include <glm/glm.hpp>
 #include <string>
 
-#include "angles.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/grid.hpp"
+#include "projection.hpp"
 
 namespace ocean::preview {
 namespace {

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ground.hpp"
 
-#include <algorithm>
 #include <cmath>
 
-#include "filter_taps.hpp"
+#include "texture_units.hpp"
 #include "view_table.hpp"
 
 namespace ocean::preview {

@@ -10,7 +10,7 @@
 namespace ocean::preview {
 namespace {
 
-constexpr std::ptrdiff_t kComponents = 4;  // of a texel; the height is the first
+constexpr std::ptrdiff_t kTexelFloats = 4;  // of a texel; the height is the first
 
 std::pair<float, float> joined(const std::pair<float, float>& a, const std::pair<float, float>& b) {
     return {std::min(a.first, b.first), std::max(a.second, b.second)};
@@ -35,15 +35,15 @@ void HeightRanges::add_finest(const LandImage& image, float margin) {
     for (int b = 0; b < side; ++b) {
         Range* const ranges = level.ranges.data() + b * side;
         for (int j = b * kBlock; j <= (b + 1) * kBlock; ++j) {
-            const float* const row = image.texels.data() + kComponents * inside(j) * n;
+            const float* const row = image.texels.data() + kTexelFloats * inside(j) * n;
             for (int a = 0; a < side; ++a) {
                 const int end = std::min((a + 1) * kBlock, n);
-                const float beyond = row[kComponents * inside(end)];
+                const float beyond = row[kTexelFloats * inside(end)];
                 float low = std::min(ranges[a].first, beyond);
                 float high = std::max(ranges[a].second, beyond);
                 for (int i = a * kBlock; i < end; ++i) {
-                    low = std::min(low, row[kComponents * i]);
-                    high = std::max(high, row[kComponents * i]);
+                    low = std::min(low, row[kTexelFloats * i]);
+                    high = std::max(high, row[kTexelFloats * i]);
                 }
                 ranges[a] = {low, high};
             }

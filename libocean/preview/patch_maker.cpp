@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "ocean/thread_pool.hpp"
-
 namespace ocean::preview {
 namespace {
 

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ocean/internal/preview/picture.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <span>
 
-#include "angles.hpp"
 #include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/nearest_name.hpp"
+#include "projection.hpp"
 #include "view_table.hpp"
 
 namespace ocean::preview {

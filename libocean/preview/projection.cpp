@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "angles.hpp"
 #include "wave/wave.hpp"
 
 namespace ocean::preview {

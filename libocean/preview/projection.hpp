@@ -1,14 +1,18 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// From positions relative to the eye to clip coordinates.
+// From positions relative to the eye to clip coordinates. Options give angles in degrees; formulas
+// use radians.
 #pragma once
 
 #include <glm/glm.hpp>
 
+#include "ocean/internal/grid.hpp"
 #include "ocean/internal/preview/picture.hpp"
 
 namespace ocean::preview {
+
+inline constexpr double kRadians = kPi / 180.0;  // [rad] of a degree
 
 struct Projection {
     glm::mat4 clip_from_world;  // of positions relative to the eye

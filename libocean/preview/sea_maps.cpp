@@ -4,12 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <vector>
 
 #include "cover_map.hpp"
-#include "cover_pattern.hpp"
-#include "cover_power.hpp"
 #include "detail_tiles.hpp"
 #include "ocean/internal/foam.hpp"
 #include "ocean/internal/open_sea.hpp"

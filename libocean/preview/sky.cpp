@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "angles.hpp"
+#include "projection.hpp"
 
 namespace ocean::preview {
 namespace {

@@ -1,14 +1,21 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The texture units of a program, given out one after another.
+// The texture units of a program, given out one after another, and samplers of footprints.
 #pragma once
 
 #include <string>
 
+#include "ocean/internal/gl/objects.hpp"
 #include "ocean/internal/gl/shader_program.hpp"
+#include "ocean/internal/preview/renderer.hpp"
 
 namespace ocean::preview {
+
+/// Returns the samples along a footprint; 0: the driver's anisotropic filter fits it.
+int filter_taps(const RendererOptions& options);
+/// Returns a sampler through all mipmaps for these taps.
+gl::Sampler make_footprint_sampler(int taps);
 
 class TextureUnits {
   public:

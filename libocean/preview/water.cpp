@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "filter_taps.hpp"
 #include "frame_block.hpp"
 #include "ocean/error.hpp"
+#include "texture_units.hpp"
 #include "view_table.hpp"
 #include "wave/wave.hpp"
 

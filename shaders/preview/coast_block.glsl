@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The windows of a coast in one picture; libocean/preview/coast_block.hpp is its twin.
+// The windows of a coast in one picture; libocean/preview/coast_ground.hpp is its twin.
 
 layout(std140) uniform CoastBlock {
     // For each window, the finest first: place of the eye in its samples, 1/cell [1/m], samples

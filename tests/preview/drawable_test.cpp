@@ -8,8 +8,8 @@
 
 #include <cmath>
 
-#include "angles.hpp"
 #include "preview_fixture.hpp"
+#include "projection.hpp"
 #include "shader_text.hpp"
 #include "wave/wave.hpp"
 

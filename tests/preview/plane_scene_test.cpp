@@ -16,7 +16,7 @@
 #include "ocean-preview/panel/changes.hpp"
 #include "ocean-preview/scene_argument.hpp"
 #include "ocean-preview/window/camera_control.hpp"
-#include "ocean-preview/window/saved_scene.hpp"
+#include "ocean-preview/window/session_files.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/text.hpp"
 #include "temporary_folder.hpp"

@@ -7,29 +7,72 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "bridge_run.hpp"
+#include "bridge_link.hpp"
 #include "console.hpp"
 #include "frame_budget.hpp"
 #include "interrupt.hpp"
 #include "land_camera.hpp"
+#include "live_sea.hpp"
 #include "ocean/bake/plan.hpp"
+#include "ocean/error.hpp"
+#include "ocean/internal/bridge/line_client.hpp"
 #include "ocean/internal/gl/context.hpp"
 #include "ocean/internal/io/output_file.hpp"
 #include "ocean/internal/io/png.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/internal/preview/canvas.hpp"
 #include "ocean/internal/text.hpp"
-#include "picture_file.hpp"
+#include "picture_list.hpp"
 #include "scene.hpp"
-#include "stage_layout.hpp"
+#include "stage_picture.hpp"
 #include "workload.hpp"
 
 namespace ocean::app {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kStep{20};
+constexpr std::chrono::seconds kMaxJoinTime{3};
+
+double milliseconds_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Joins the bridge, applies the values that its clients have set and calls `changed` once; then,
+/// for so many seconds, after each further change of the sea, with the milliseconds since it
+/// arrived. Values hold at once, nothing glides. Throws Error output if no bridge answers.
+void run_with_bridge(const bridge::LineClientOptions& options, double seconds, LiveSea& sea,
+                     Console& console, const std::function<void(double milliseconds)>& changed) {
+    BridgeLink link(options, {.record = [](bool, const std::string&) {}});
+    const Clock::time_point start = Clock::now();
+    while (!link.joined() && Clock::now() - start < kMaxJoinTime) {
+        link.wait_and_apply(sea, kStep);
+    }
+    const auto note_log = [&] {
+        for (const std::string& line : link.extract_log()) console.note("bridge: " + line);
+    };
+    note_log();
+    if (!link.joined()) {
+        throw Error(ErrorKind::output, "no bridge answers at " + options.server.text());
+    }
+    sea.settle();
+    changed(milliseconds_since(start));
+    const Clock::time_point joined = Clock::now();
+    while (std::chrono::duration<double>(Clock::now() - joined).count() < seconds) {
+        const bool moved = link.wait_and_apply(sea, kStep);
+        note_log();
+        if (!moved) continue;
+        const Clock::time_point heard = Clock::now();
+        sea.settle();
+        changed(milliseconds_since(heard));
+    }
+}
 
 /// A context, and the backend that computes the sea.
 struct Device {

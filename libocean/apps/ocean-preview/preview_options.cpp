@@ -11,7 +11,7 @@
 #include "ocean/internal/io/panorama.hpp"
 #include "ocean/internal/text.hpp"
 #include "ocean/internal/water_types.hpp"
-#include "picture_file.hpp"
+#include "picture_list.hpp"
 
 namespace ocean::app {
 namespace {

@@ -43,4 +43,11 @@ StagePicture make_stage_picture(gl::StageMaker& maker, Ocean& sea, double time, 
 ///   spectrum   the filtered transform in the same greys
 StagePicture make_stage_picture(const TerrainStages& stages, std::string_view name);
 
+/// Returns a picture of that size. A plane of wavenumbers stands left as a whole, and right its
+/// middle, with 95 % of the energy, as large as fits; a frame marks the middle in the whole. A plan
+/// of the transform fills the picture. A plane that is larger than its half shows the brightest
+/// pixel of each square. A plane without a middle stands alone, as large as fits; where it is
+/// larger than the picture, a pixel is the mean of a square.
+StagePicture laid_out(const StagePicture& stage, int width, int height);
+
 }  // namespace ocean::app

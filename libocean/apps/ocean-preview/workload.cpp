@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 #include <string_view>
 
 #include "ocean/error.hpp"
@@ -12,7 +11,7 @@
 #include "ocean/internal/cascades.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/io/output_file.hpp"
-#include "picture_file.hpp"
+#include "picture_list.hpp"
 #include "user_files.hpp"
 
 namespace ocean::app {

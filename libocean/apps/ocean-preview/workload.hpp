@@ -7,7 +7,6 @@
 #include <functional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "live_sea.hpp"
 #include "ocean/internal/gl/context.hpp"

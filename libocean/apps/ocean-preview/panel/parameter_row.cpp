@@ -5,12 +5,11 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstring>
 #include <optional>
 
 #include "ocean/internal/text.hpp"
-#include "panel/panel_length.hpp"
+#include "panel/widgets.hpp"
 
 namespace ocean::app {
 namespace {

@@ -10,10 +10,18 @@
 #include <string>
 #include <string_view>
 
-#include "panel/panel_length.hpp"
 #include "panel/panel_state.hpp"
 
 namespace ocean::app {
+
+// At scale 1 [pixels]: the height of a letter, and the panel with a margin on either side.
+inline constexpr float kLetterSize = 13.0f;
+inline constexpr float kPanelMargin = 8.0f;
+inline constexpr float kPanelWidth = 376.0f;
+
+/// Returns the present length, in ImGui's units, of one that is given at scale 1. Within a frame of
+/// ImGui.
+float panel_length(float at_scale_one);
 
 /// Width of a widget whose label stands right of it, at scale 1.
 inline constexpr float kWidgetWidth = 150.0f;

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "panel/panel_length.hpp"
+#include "panel/widgets.hpp"
 #include "preview_options.hpp"
 
 namespace ocean::app {

@@ -12,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "console.hpp"
 #include "land_camera.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/text.hpp"
 #include "offscreen_run.hpp"
 #include "panel/changes.hpp"

@@ -16,7 +16,6 @@
 #include "preview_options.hpp"
 #include "window/controls.hpp"
 #include "window/gui.hpp"
-#include "window/saved_scene.hpp"
 #include "window/session_bridge.hpp"
 #include "window/session_files.hpp"
 #include "window/stage_timer.hpp"

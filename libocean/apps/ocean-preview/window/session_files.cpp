@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "window/session_files.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <new>
 #include <string_view>
@@ -14,12 +13,19 @@
 #include "ocean/internal/io/output_file.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/internal/text.hpp"
+#include "ocean/seafile.hpp"
 #include "offscreen_run.hpp"
 #include "panel/changes.hpp"
 #include "scene_argument.hpp"
 
 namespace ocean::app {
 namespace {
+
+/// Returns the take of a sea as text; "" for a sea without one and for any other subject.
+std::string take_of(const Subject& scene) {
+    const Sea* const sea = find_sea(scene);
+    return sea != nullptr ? write_take(sea->take) : "";
+}
 
 /// Returns true for the source of a scene that is a file.
 bool is_file(const std::string& source) {
@@ -42,6 +48,38 @@ std::string with_extension(const std::string& name) {
 }
 
 }  // namespace
+
+std::string free_name(const std::string& stem, const std::string& ending) {
+    for (int n = 1;; ++n) {
+        const std::string name = stem + "-" + std::to_string(n) + ending;
+        if (!std::filesystem::exists(utf8_path(name))) return name;
+    }
+}
+
+SavedScene::SavedScene(std::string stem, const OpenedScene& scene) : stem_(std::move(stem)) {
+    set_read(*scene);
+}
+
+std::string SavedScene::save(const Subject& scene, const std::string& requested) {
+    std::string name = requested + ".toml";
+    if (requested.empty()) {
+        name = free_name(stem_ + (take_of(scene).empty() ? "-changed" : "-performed"), ".toml");
+    } else if (std::filesystem::exists(utf8_path(name))) {
+        name = free_name(requested, ".toml");
+    }
+    io::write_file_atomically(name, scene.text());
+    set_read(scene);
+    return name;
+}
+
+void SavedScene::set_read(const Subject& scene) {
+    kept_take_ = take_of(scene);
+}
+
+bool SavedScene::lacks(const Subject& scene) const {
+    const std::string take = take_of(scene);
+    return !take.empty() && take != kept_take_;
+}
 
 SessionFiles::SessionFiles(const SubjectArgument& source, LiveScene& scene, PanelState& state,
                            SavedScene& saved, Console& console)

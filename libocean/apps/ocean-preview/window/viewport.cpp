@@ -10,10 +10,10 @@
 #include <cstdint>
 
 #include "ocean/internal/io/png.hpp"
-#include "panel/panel_length.hpp"
-#include "picture_file.hpp"
+#include "panel/widgets.hpp"
+#include "picture_list.hpp"
 #include "scene_argument.hpp"
-#include "window/saved_scene.hpp"
+#include "window/session_files.hpp"
 #include "workload.hpp"
 
 namespace ocean::app {

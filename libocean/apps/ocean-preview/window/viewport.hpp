@@ -13,7 +13,7 @@
 #include "panel/panel_state.hpp"
 #include "preview_options.hpp"
 #include "scene.hpp"
-#include "stage_layout.hpp"
+#include "stage_picture.hpp"
 
 namespace ocean::app {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "filter_taps.hpp"
+#include "texture_units.hpp"
 
 #include "ocean/internal/gl/context.hpp"
 
