@@ -17,7 +17,6 @@
 #include <string>
 #include <vector>
 
-#include "ocean_catalogue.hpp"
 #include "ocean_program.hpp"
 #include "seafile/corpus.hpp"
 #include "temporary_folder.hpp"

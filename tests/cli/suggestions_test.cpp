@@ -18,7 +18,7 @@
 #include "ocean/internal/water_types.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
-#include "ocean_catalogue.hpp"
+#include "ocean_program.hpp"
 #if __has_include("ocean/internal/bridge/line_protocol.hpp")
 #include "ocean/internal/bridge/line_protocol.hpp"
 #include "ocean/internal/bridge/value_table.hpp"

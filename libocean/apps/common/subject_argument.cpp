@@ -6,9 +6,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "any_spectra.hpp"
-#include "assignment.hpp"
 #include "ocean/channel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
@@ -24,6 +25,23 @@
 
 namespace ocean::app {
 namespace {
+
+/// NAME=VALUE, as --set gives it to a parameter.
+struct Assignment {
+    std::string name;
+    std::string value;  // may be empty
+};
+
+/// Returns the parts of the argument of a --set. example: an assignment that an error shows. Throws
+/// Error invalid_value.
+Assignment parse_assignment(const std::string& text, std::string_view example) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+        throw Error(ErrorKind::invalid_value,
+                    "--set " + text + ": allowed is NAME=VALUE, such as " + std::string(example));
+    }
+    return {text.substr(0, equals), text.substr(equals + 1)};
+}
 
 // The differences between kinds of subjects.
 

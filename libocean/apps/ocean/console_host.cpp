@@ -5,7 +5,6 @@
 #include "console_host.hpp"
 
 #include "console.hpp"
-#include "ocean/internal/bake/estimate.hpp"
 #include "text.hpp"
 
 namespace ocean::app {

@@ -26,7 +26,6 @@
 #include "source_text.hpp"
 #include "standard_input.hpp"
 #include "subject_argument.hpp"
-#include "terrain_info_text.hpp"
 
 namespace ocean::app {
 namespace {

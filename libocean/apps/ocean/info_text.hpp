@@ -8,8 +8,14 @@
 
 #include "ocean/internal/find_crest.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/terrain.hpp"
+#include "ocean/terrain_model.hpp"
 
 namespace ocean::app {
+
+/// Returns the statistics of a terrain; `name` is its file or preset.
+std::string terrain_info_text(const TerrainModel& terrain, const std::string& name,
+                              const TerrainState& state);
 
 /// Returns a description of the sea in the quantities of oceanography; `source` is its name.
 std::string info_text(const Sea& sea, const std::string& source, const SeaState& state,

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The `ocean` command; see ocean_program.hpp.
-#include "ocean_catalogue.hpp"
 #include "ocean_program.hpp"
 
 int main(int argc, char** argv) {

@@ -4,9 +4,14 @@
 // See ocean_program.hpp.
 #include "ocean_program.hpp"
 
+#include <vector>
+
 #include "command_line.hpp"
 #include "commands.hpp"
 #include "ocean/version.hpp"
+#if OCEAN_HAS_GL
+#include "ocean/gl/backend.hpp"
+#endif
 
 namespace ocean::app {
 namespace {
@@ -18,6 +23,26 @@ Exit codes: 0 done, 1 failed at run time (disk, memory), 2 wrong usage or bad
 sea file, 130 interrupted, 141 standard output was closed.)";
 
 }  // namespace
+
+const Catalogue& ocean_catalogue() {
+#if OCEAN_HAS_GL
+    static const std::vector<Backend> backends = [] {
+        const std::span<const Backend> core = core_backends();
+        std::vector<Backend> all(core.begin(), core.end());
+        all.push_back(gl::kBackend);
+        all.push_back(gl::kThesisBackend);
+        return all;
+    }();
+    static const Catalogue catalogue = [] {
+        Catalogue longer = standard_catalogue();
+        longer.backends = backends;
+        return longer;
+    }();
+    return catalogue;
+#else
+    return standard_catalogue();
+#endif
+}
 
 int run_ocean(int argc, char** argv, const Catalogue& catalogue) {
     return run_program(

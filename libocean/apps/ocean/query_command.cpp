@@ -4,7 +4,6 @@
 // `ocean query`: prints the displaced surface at points of the world; reads and writes CSV.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>

@@ -4,8 +4,12 @@
 // `ocean spectrum`: prints the directional spectrum of a sea as CSV, from the table that modes, CPU
 // and GPU share, or the rings of a terrain, and draws them as a plot.
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <filesystem>
 #include <memory>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,22 +19,84 @@
 #include "interrupt.hpp"
 #include "ocean/channel.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/internal/io/output_file.hpp"
 #include "ocean/internal/io/png.hpp"
 #include "ocean/internal/platform.hpp"
+#include "ocean/internal/terrain_rings.hpp"
 #include "ocean/internal/text.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/terrainfile.hpp"
-#include "plot/plot_file.hpp"
-#include "plot/spectrum_plot.hpp"
-#include "plot/terrain_plot.hpp"
-#include "spectrum_csv.hpp"
+#include "plot/plots.hpp"
 #include "subject_argument.hpp"
-#include "terrain_spectrum.hpp"
+#include "text.hpp"
 
 namespace ocean::app {
 namespace {
+
+constexpr double kDegrees = 180.0 / kPi;
+
+std::span<const double> row_of(const DirectionalSpectrum& spectrum, std::size_t row) {
+    const auto columns = static_cast<std::size_t>(spectrum.directions());
+    return spectrum.table().subspan(row * columns, columns);
+}
+
+/// Returns "mean,spread" of one row [degrees], with empty cells if it has no energy. The spread is
+/// sqrt(2 (1 - r)), where r is the length of the mean direction vector.
+std::string direction_cells(std::span<const double> row) {
+    std::complex<double> vector = 0.0;
+    double sum = 0.0;
+    for (std::size_t j = 0; j < row.size(); ++j) {
+        const double theta = kTwoPi * static_cast<double>(j) / static_cast<double>(row.size());
+        vector += std::polar(row[j], theta);
+        sum += row[j];
+    }
+    if (!(sum > 0.0)) return ",";
+    const double degrees = std::arg(vector) * kDegrees;
+    const double spread = std::sqrt(std::max(0.0, 2.0 * (1.0 - std::abs(vector) / sum)));
+    return format_text("%.6g,%.6g", degrees < 0.0 ? degrees + 360.0 : degrees, spread * kDegrees);
+}
+
+/// Returns a line for each row of the table; the trapezoidal rule over them is the exact variance.
+std::string frequency_csv(const DirectionalSpectrum& spectrum) {
+    std::string csv = "frequency_hz,density_m2_per_hz,mean_direction_deg,directional_spread_deg\n";
+    const std::span<const double> omega = spectrum.angular_frequencies();
+    for (std::size_t i = 0; i < omega.size(); ++i) {
+        csv += format_text("%.12g,%.12g,", omega[i] / kTwoPi,
+                           kTwoPi * spectrum.frequency_density(omega[i]));
+        csv += direction_cells(row_of(spectrum, i)) + '\n';
+    }
+    return csv;
+}
+
+/// Returns a line for each row and direction.
+std::string directional_csv(const DirectionalSpectrum& spectrum) {
+    std::string csv = "frequency_hz,direction_deg,density_m2_per_hz_per_deg\n";
+    const std::span<const double> omega = spectrum.angular_frequencies();
+    for (std::size_t i = 0; i < omega.size(); ++i) {
+        const std::span<const double> row = row_of(spectrum, i);
+        for (std::size_t j = 0; j < row.size(); ++j) {
+            const double degrees = 360.0 * static_cast<double>(j) / static_cast<double>(row.size());
+            csv += format_text("%.12g,%.9g,%.9g\n", omega[i] / kTwoPi, degrees,
+                               row[j] * kTwoPi / kDegrees);
+        }
+    }
+    return csv;
+}
+
+/// Returns the rings as a table with a header line.
+std::string terrain_rings_csv(std::span<const TerrainRing> rings) {
+    std::string csv =
+        "wavenumber,wavelength_m,count,density,asked_m4,seeds_mean_m4,seeds_scatter_log10\n";
+    for (const TerrainRing& ring : rings) {
+        csv += format_text("%.9g,%.6g,%.0f,%.6g,%.6g,%.6g,%.4f\n", ring.wavenumber,
+                           kTwoPi / ring.wavenumber, ring.count, ring.tile, ring.asked, ring.mean,
+                           ring.scatter);
+    }
+    return csv;
+}
 
 constexpr std::string_view kPlotCommand = "spectrum";
 

@@ -3,7 +3,6 @@
 //
 // `ocean terrain fit`: writes a terrain file with the spectrum of an elevation model, and reports
 // how well it fits.
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -21,8 +20,7 @@
 #include "ocean/internal/platform.hpp"
 #include "ocean/internal/terrain_fit.hpp"
 #include "ocean/terrainfile.hpp"
-#include "plot/fit_plot.hpp"
-#include "plot/plot_file.hpp"
+#include "plot/plots.hpp"
 #include "terrain_fit_text.hpp"
 #include "text.hpp"
 

@@ -4,8 +4,6 @@
 // See terrain_fit_text.hpp.
 #include "terrain_fit_text.hpp"
 
-#include <cmath>
-
 #include "ocean/internal/json.hpp"
 #include "ocean/terrain_table.hpp"
 #include "text.hpp"

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// See fit_plot.hpp.
-#include "fit_plot.hpp"
+// See plots.hpp.
+#include "plots.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 
 #include "land_panels.hpp"
 #include "ocean/terrain.hpp"

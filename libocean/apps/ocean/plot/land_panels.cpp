@@ -4,9 +4,7 @@
 // See land_panels.hpp.
 #include "land_panels.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 #include "ocean/internal/grid.hpp"
 #include "text.hpp"

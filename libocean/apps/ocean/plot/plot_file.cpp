@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "plot_file.hpp"
+#include "plots.hpp"
 
 #include <algorithm>
 

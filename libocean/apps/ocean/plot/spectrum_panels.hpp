@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The two panels of the spectrum's plot, one file each, and their common data.
+// The two panels of the spectrum's plot, and their common data.
 #pragma once
 
 #include <vector>

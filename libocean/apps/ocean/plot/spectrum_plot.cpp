@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// See spectrum_plot.hpp.
-#include "spectrum_plot.hpp"
+// See plots.hpp.
+#include "plots.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// See terrain_plot.hpp.
-#include "terrain_plot.hpp"
+// See plots.hpp.
+#include "plots.hpp"
 
 #include <algorithm>
 #include <cmath>
