@@ -19,26 +19,11 @@
 #include "ocean/internal/surf_traces.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/sea_bed.hpp"
-#include "waves/query/query_points.hpp"
 
 namespace ocean {
 namespace {
 
 constexpr ChannelSet kFoamChannels = {Channel::foam, Channel::cover};
-
-void require_region(const Domain& domain) {
-    const auto is_side = [&](std::size_t axis) {
-        return domain.samples[axis] >= 2 && domain.samples[axis] <= kMaxRegionSide &&
-               std::isfinite(domain.origin[axis]) && std::isfinite(domain.size[axis]) &&
-               domain.size[axis] > 0.0;
-    };
-    if (!domain.wraps && is_side(0) && is_side(1)) return;
-    throw Error(ErrorKind::invalid_value,
-                "the region has " + std::to_string(domain.samples[0]) + " x " +
-                    std::to_string(domain.samples[1]) +
-                    " samples; allowed: a rectangle that does not wrap, 2 .. " +
-                    std::to_string(kMaxRegionSide) + " samples along each side");
-}
 
 /// The clock of the foam of breaking waves: their fronts are some metres wide, so that a quarter of
 /// a second passes no gap.
@@ -64,86 +49,56 @@ void Coast::drop(const OpenSea::Ended& ended) {
 }
 
 CoastSea Coast::sea_at(double time) {
-    const DirectionalSpectrum& spectrum = open_.spectrum(time);
-    return {open_.parameters(), spectrum, open_.spectrum_revision(), open_.modes(time), shown()};
+    const DirectionalSpectrum& spectrum = open().spectrum(time);
+    return {parameters(), spectrum, open().spectrum_revision(), open().modes(time), shown()};
 }
 
 ShoreSurface& Coast::surface(double time, ShoreSurface::Rates rates) {
-    return chain_.surface(sea_at(time), time, rates, open_.pool(), open_.options().build_progress);
+    return chain_.surface(sea_at(time), time, rates, open().pool(),
+                          open().options().build_progress);
 }
 
 CoastChain::Exact Coast::exact(double time) {
-    return chain_.exact(sea_at(time), time, open_.pool(), open_.options().build_progress);
+    return chain_.exact(sea_at(time), time, open().pool(), open().options().build_progress);
 }
 
 void Coast::prepare() {
-    chain_.statics(sea_at(open_.parameters().time.start), open_.pool(),
-                   open_.options().build_progress);
+    chain_.statics(sea_at(parameters().time.start), open().pool(), open().options().build_progress);
 }
 
 FoamLayer Coast::surf_layer(SurfTrace trace, double time, SurfReader& reader, FoamState& state) {
     const auto surface_at = [this](double t) -> const ShoreSurface& {
-        ++open_.stage_runs().foam_ticks;
+        ++open().stage_runs().foam_ticks;
         return surface(t, ShoreSurface::Rates::without);
     };
     const double lifetime =
-        trace == SurfTrace::foam ? open_.parameters().water.shore.surf_foam_lifetime : kDryingTime;
-    return state.layer(time, reader.source(trace, lifetime, surface_at, open_.pool(),
-                                           open_.options().foam_progress));
+        trace == SurfTrace::foam ? parameters().water.shore.surf_foam_lifetime : kDryingTime;
+    return state.layer(time, reader.source(trace, lifetime, surface_at, open().pool(),
+                                           open().options().foam_progress));
 }
 
-Surface Coast::open_foam(double time, ChannelSet channels) {
-    Surface foam(Lattice{shown(), open_.parameters().grid.patch_size}, time, channels);
-    open_.evaluate_into(time, outputs_of(foam), shown());
-    return foam;
-}
-
-void Coast::begin_region(double time, const Domain& domain, ChannelSet channels,
-                         std::size_t new_maps) {
-    require_time(time);
-    require_region(domain);
-    open_.parameters_at(time);  // throws if the sea is not valid
+PlacedSea::RegionMaps Coast::region_maps(ChannelSet channels) const {
     const bool has_foam = channels.intersects(kFoamChannels);
     const bool has_wet = channels.contains(channel_of(LandMask::wetness));
-    const auto maps = static_cast<std::uint64_t>(new_maps + (has_foam ? kFoamMaps + 1 : 0) +
-                                                 (has_wet ? kFoamMaps : 0));
-    const std::uint64_t points = has_foam || has_wet ? sizeof(WorldPoint) : 0;
-    require_memory(domain.count() * (maps * sizeof(float) + points),
-                   "a region of " + std::to_string(domain.samples[0]) + " x " +
-                       std::to_string(domain.samples[1]) + " samples");
-}
-
-Surface Coast::region(double time, const Domain& domain, ChannelSet channels) {
-    begin_region(time, domain, channels, static_cast<std::size_t>(channels.size()));
-    Surface map(domain, time, channels);
-    write_region(time, domain, outputs_of(map));
-    return map;
-}
-
-void Coast::region_into(double time, const Domain& domain, std::span<const MapOutput> outputs) {
-    if (!fields_of(outputs).empty()) {
-        throw Error(ErrorKind::unsupported,
-                    "a region has no linear fields: over a bed waves do not add up");
-    }
-    begin_region(time, domain, channels_of(outputs), 0);
-    write_region(time, domain, outputs);
+    return {(has_foam ? kFoamMaps + 1 : std::size_t{0}) + (has_wet ? kFoamMaps : std::size_t{0}),
+            has_foam || has_wet};
 }
 
 void Coast::write_region(double time, const Domain& domain, std::span<const MapOutput> outputs) {
-    const Parameters& parameters = open_.parameters();
+    const Parameters& parameters = this->parameters();
     const ChannelSet channels = channels_of(outputs);
-    ++open_.stage_runs().surface;
+    ++open().stage_runs().surface;
     if (!traces_ || traces_->domain != domain) {
         traces_.reset();
         traces_ = std::make_unique<RegionTraces>(domain);
     }
-    const FoamStart start = open_.options().foam_start;
+    const FoamStart start = open().options().foam_start;
     RegionFoamMaps foam;
     if (channels.intersects(kFoamChannels)) {
         if (!traces_->foam) traces_->foam.emplace(surf_clock(parameters), domain.count(), start);
         foam.surf = surf_layer(SurfTrace::foam, time, traces_->reader, *traces_->foam);
         foam.open =
-            open_foam(time, channels.without(kEveryMask | kEveryChannel.without(kFoamChannels)));
+            open_map(time, channels.without(kEveryMask | kEveryChannel.without(kFoamChannels)));
     }
     FoamLayer wet;
     if (channels.contains(channel_of(LandMask::wetness))) {
@@ -153,20 +108,20 @@ void Coast::write_region(double time, const Domain& domain, std::span<const MapO
     ShoreSurface& surface =
         this->surface(time, region_parts(channels) == JetParts::all ? ShoreSurface::Rates::with
                                                                     : ShoreSurface::Rates::without);
-    const SurfaceSettings& settings = open_.shown_settings(time, shown());
+    const SurfaceSettings& settings = open().shown_settings(time, shown());
     const RegionChannels writer(surface, channels, settings, foam, wet, bed());
-    surface.prepare(open_.modes(time), domain, open_.pool());
-    writer.write(chain_.summed_by(open_.options().backend), domain, outputs, open_.pool());
+    surface.prepare(open().modes(time), domain, open().pool());
+    writer.write(chain_.summed_by(open().options().backend), domain, outputs, open().pool());
 }
 
 void Coast::add_foam(double time, std::span<QuerySample> samples,
                      std::span<const ShorePoint> found) {
     std::vector<WorldPoint> labels;
     for (const QuerySample& sample : samples) labels.push_back({sample.label[0], sample.label[1]});
-    FoamState state(surf_clock(open_.parameters()), labels.size());
+    FoamState state(surf_clock(parameters()), labels.size());
     SurfReader reader([&labels] { return labels; });
     const RegionFoamMaps foam{surf_layer(SurfTrace::foam, time, reader, state),
-                              open_foam(time, Channel::foam)};
+                              open_map(time, Channel::foam)};
     for (std::size_t i = 0; i < labels.size(); ++i) {
         samples[i].foam =
             static_cast<double>(foam.foam(labels[i], i, found[i].breaking, found[i].surf));
@@ -174,11 +129,11 @@ void Coast::add_foam(double time, std::span<QuerySample> samples,
 }
 
 const SprayFollower& Coast::spray(double time, const SpraySettings& settings) {
-    const Domain domain = spray_domain(open_.parameters());
+    const Domain domain = spray_domain(parameters());
     const auto require_room = [&] {
         require_memory(2 * domain.count() * kSprayChannels.size() * sizeof(float), "spray");
     };
-    return open_.spray(time, settings, domain, require_room, [&](double t, Surface& map) {
+    return open().spray(time, settings, domain, require_room, [&](double t, Surface& map) {
         map = region(t, domain, kSprayChannels);
         leave_out_swash(bed(), map);
     });

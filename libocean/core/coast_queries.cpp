@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The coast's queries at points: the surface over the bed, the water below it, floating bodies.
+// The coast's queries at points: the surface over the bed and the water below it.
 #include <algorithm>
 #include <vector>
 
@@ -14,39 +14,39 @@ namespace ocean {
 
 void Coast::query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
                   const QueryOptions& options) {
-    const Parameters& parameters = open_.parameters();
+    const Parameters& parameters = this->parameters();
     require_finite(points);
     require_query_of_coast(parameters.grid, options);
     if (points.empty()) return;
     std::vector<ShorePoint> found(points.size());
     if (options.exact) {
         const CoastChain::Exact exact = this->exact(time);
-        query_shore(exact.surface, points, samples, found, &exact.sums, open_.pool());
+        query_shore(exact.surface, points, samples, found, &exact.sums, open().pool());
     } else {
         ShoreSurface& surface = this->surface(time, ShoreSurface::Rates::with);
         const auto [west, east] = std::ranges::minmax(points, {}, &WorldPoint::x);
-        surface.prepare(open_.modes(time), west.x - surface.reach(), east.x + surface.reach(),
-                        open_.pool());
-        query_shore(surface, points, samples, found, nullptr, open_.pool());
+        surface.prepare(open().modes(time), west.x - surface.reach(), east.x + surface.reach(),
+                        open().pool());
+        query_shore(surface, points, samples, found, nullptr, open().pool());
     }
     if (options.foam) add_foam(time, samples.first(points.size()), found);
 }
 
 double Coast::query_height_error(double time, const QueryOptions& options) {
     if (!options.exact) return surface(time, ShoreSurface::Rates::without).height_error();
-    return query_bounds(open_.modes(time), shown(), shown(), true, open_.pool()).error;
+    return query_bounds(open().modes(time), shown(), shown(), true, open().pool()).error;
 }
 
 void Coast::water_motion(double time, std::span<const WaterPoint> points,
                          std::span<WaterMotion> motions, const QueryOptions& options) {
-    const Parameters& parameters = open_.parameters();
+    const Parameters& parameters = this->parameters();
     require_query_of_coast(parameters.grid, options);
     for_each_height(points, motions,
                     [&](double z, std::span<const WorldPoint> level, std::span<WaterMotion> found) {
                         const auto sample = [&](const ShoreSurface& surface,
                                                 const ShoreSums* sums) {
-                            motion_.sample(surface, open_.modes(time), parameters.water, level, z,
-                                           found, sums, open_.pool());
+                            motion_.sample(surface, open().modes(time), parameters.water, level, z,
+                                           found, sums, open().pool());
                         };
                         if (options.exact) {
                             const CoastChain::Exact exact = this->exact(time);
@@ -55,18 +55,6 @@ void Coast::water_motion(double time, std::span<const WaterPoint> points,
                             sample(surface(time, ShoreSurface::Rates::with), nullptr);
                         }
                     });
-}
-
-void Coast::float_poses(double time, std::span<const FloatBody> bodies,
-                        std::span<FloatPose> poses) {
-    const double spacing = open_.parameters().grid.patch_size / shown();
-    const SampleSurface surface = [&](std::span<const WorldPoint> points,
-                                      std::span<QuerySample> samples) {
-        query(time, points, samples, {.foam = false});
-    };
-    std::vector<FloatPose> found;
-    for (const FloatBody& body : bodies) found.push_back(float_pose(surface, spacing, body));
-    std::ranges::copy(found, poses.begin());
 }
 
 }  // namespace ocean

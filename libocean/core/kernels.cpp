@@ -14,6 +14,7 @@
 
 #include "coast/loops/band_sector_task.hpp"
 #include "coast/loops/signal_task.hpp"
+#include "hulls/wake_task.hpp"
 #include "land/gullies/gullies_task.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/text.hpp"
@@ -28,6 +29,7 @@ namespace ocean {
     extern const BandSectorLoop kBandSectorLoop; \
     extern const SignalLoop kSignalLoop;         \
     extern const GullyLoop kGullyLoop;           \
+    extern const WakeLoop kWakeLoop;             \
     }
 OCEAN_DECLARE_KERNEL(avx512)
 OCEAN_DECLARE_KERNEL(avx2)
@@ -43,6 +45,7 @@ struct Kernel {
     const BandSectorLoop* band_sector_loop;
     const SignalLoop* signal_loop;
     const GullyLoop* gully_loop;
+    const WakeLoop* wake_loop;
     unsigned leaf_1, leaf_7, saved_states;
 };
 
@@ -53,8 +56,9 @@ struct Kernel {
     bit_AVX512F | bit_AVX512BW | bit_AVX512DQ | bit_AVX512VL;
 #endif
 
-#define OCEAN_KERNEL_ENTRY(name) \
-    SimdLevel::name, &name::kCode, &name::kBandSectorLoop, &name::kSignalLoop, &name::kGullyLoop
+#define OCEAN_KERNEL_ENTRY(name)                                                                  \
+    SimdLevel::name, &name::kCode, &name::kBandSectorLoop, &name::kSignalLoop, &name::kGullyLoop, \
+        &name::kWakeLoop
 /// The best first. A build may leave out any: OCEAN_KERNELS and OCEAN_PORTABLE_KERNEL in CMake.
 constexpr Kernel kKernels[] = {
 #if defined(OCEAN_KERNEL_AVX512)
@@ -166,6 +170,9 @@ SignalLoop signal_loop(SimdLevel level) {
 }
 GullyLoop gully_loop(SimdLevel level) {
     return *find_kernel(level).gully_loop;
+}
+WakeLoop wake_loop(SimdLevel level) {
+    return *find_kernel(level).wake_loop;
 }
 
 }  // namespace ocean

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The facade: an open sea, and the coast that it has over a bed.
+// The facade: an open sea, the coast that it has over a bed, and its hulls.
 #include "ocean/ocean.hpp"
 
 #include <string>
 #include <utility>
 
 #include "coast.hpp"
+#include "hull_sea.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/open_sea.hpp"
 #include "ocean/parameter_table.hpp"
@@ -17,14 +18,16 @@ namespace ocean {
 
 Ocean::Ocean(Sea sea, OceanOptions options)
     : open_(std::make_unique<OpenSea>(std::move(sea), std::move(options))),
-      coast_(std::make_unique<Coast>(*open_)) {}
+      coast_(std::make_unique<Coast>(*open_)),
+      hulls_(std::make_unique<HullSea>(*open_)) {}
 
 Ocean::Ocean(Parameters parameters, OceanOptions options)
     : Ocean(Sea{std::move(parameters), {}}, std::move(options)) {}
 
 Ocean::Ocean(const Ocean& built, OceanOptions options)
     : open_(std::make_unique<OpenSea>(*built.open_, std::move(options))),
-      coast_(std::make_unique<Coast>(*built.coast_, *open_)) {}
+      coast_(std::make_unique<Coast>(*built.coast_, *open_)),
+      hulls_(std::make_unique<HullSea>(*open_)) {}
 
 Ocean::~Ocean() = default;
 
@@ -51,7 +54,9 @@ void Ocean::perform(double time, std::string_view name, std::string_view value) 
 }
 
 void Ocean::change(Sea sea) {
-    coast_->drop(open_->change(std::move(sea)));
+    const OpenSea::Ended ended = open_->change(std::move(sea));
+    coast_->drop(ended);
+    hulls_->drop(ended);
 }
 
 bool Ocean::has_bed() const {
@@ -66,11 +71,20 @@ OpenSea& Ocean::without_bed(std::string_view what) {
                     "it does not repeat; request a region");
 }
 
-Coast& Ocean::coast() {
-    if (has_bed()) return *coast_;
+PlacedSea* Ocean::placed() const {
+    if (has_bed()) return coast_.get();
+    return parameters().hulls.empty() ? nullptr : hulls_.get();
+}
+
+PlacedSea& Ocean::region_sea() const {
+    if (PlacedSea* const sea = placed()) return *sea;
     throw Error(ErrorKind::unsupported,
                 "this sea has no bed (water.seabed): it repeats, and its maps are those of one "
                 "period");
+}
+
+bool Ocean::repeats() const {
+    return placed() == nullptr;
 }
 
 const DirectionalSpectrum& Ocean::spectrum(double time) {
@@ -82,7 +96,9 @@ const Modes& Ocean::modes(double time) {
 }
 
 SeaState Ocean::state() {
-    return open_->state();
+    SeaState state = open_->state();
+    if (PlacedSea* const sea = placed()) sea->warn(state);
+    return state;
 }
 
 Surface Ocean::evaluate(double time, ChannelSet channels, int resolution) {
@@ -99,15 +115,15 @@ void Ocean::evaluate_cascade_into(std::size_t cascade, double time,
 }
 
 Surface Ocean::region(double time, const Domain& domain, ChannelSet channels) {
-    return coast().region(time, domain, channels);
+    return region_sea().region(time, domain, channels);
 }
 
 void Ocean::region_into(double time, const Domain& domain, std::span<const MapOutput> outputs) {
-    coast().region_into(time, domain, outputs);
+    region_sea().region_into(time, domain, outputs);
 }
 
 void Ocean::prepare_coast() {
-    coast().prepare();
+    region_sea().prepare();
 }
 
 double Ocean::cover_power(double time, int resolution) {
@@ -136,7 +152,8 @@ std::vector<MistPuff> Ocean::mist(double time, const SpraySettings& settings) {
 }
 
 const SprayFollower& Ocean::spray_at(double time, const SpraySettings& settings) {
-    return has_bed() ? coast_->spray(time, settings) : open_->spray(time, settings);
+    PlacedSea* const sea = placed();
+    return sea != nullptr ? sea->spray(time, settings) : open_->spray(time, settings);
 }
 
 std::int64_t Ocean::foam_settling_ticks() const {
@@ -157,24 +174,25 @@ ThreadPool& Ocean::pool() {
 
 void Ocean::query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
                   const QueryOptions& options) {
-    if (has_bed()) return coast_->query(time, points, samples, options);
+    if (PlacedSea* const sea = placed()) return sea->query(time, points, samples, options);
     open_->query(time, points, samples, options);
 }
 
 double Ocean::query_height_error(double time, const QueryOptions& options) {
-    return has_bed() ? coast_->query_height_error(time, options)
-                     : open_->query_height_error(time, options);
+    PlacedSea* const sea = placed();
+    return sea != nullptr ? sea->query_height_error(time, options)
+                          : open_->query_height_error(time, options);
 }
 
 void Ocean::water_motion(double time, std::span<const WaterPoint> points,
                          std::span<WaterMotion> motions, const QueryOptions& options) {
-    if (has_bed()) return coast_->water_motion(time, points, motions, options);
+    if (PlacedSea* const sea = placed()) return sea->water_motion(time, points, motions, options);
     open_->water_motion(time, points, motions, options);
 }
 
 void Ocean::float_poses(double time, std::span<const FloatBody> bodies,
                         std::span<FloatPose> poses) {
-    if (has_bed()) return coast_->float_poses(time, bodies, poses);
+    if (PlacedSea* const sea = placed()) return sea->float_poses(time, bodies, poses);
     open_->float_poses(time, bodies, poses);
 }
 

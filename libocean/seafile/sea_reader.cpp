@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Reads sea files, strictly: from text to a validated Sea through the parameter table, including
-// its records and its take.
+// its records, its tracks and its take.
 #include <algorithm>
 #include <memory>
 #include <span>
@@ -16,6 +16,7 @@
 #include "ocean/seafile.hpp"
 #include "table_reader.hpp"
 #include "take.hpp"
+#include "track_file.hpp"
 
 namespace ocean {
 namespace {
@@ -39,6 +40,9 @@ class SeaReader {
     bool read_record(Parameters& parameters, std::string_view section, std::size_t wave,
                      const TomlEntry& entry) const;
     bool read_bed(std::string_view section, const TomlEntry& entry);
+    bool read_track(Parameters& parameters, std::string_view section, std::size_t hull,
+                    const TomlEntry& entry);
+    void resolve_tracks(std::vector<Hull>& hulls) const;
     void resolve_record(WaveSystem& system, std::size_t wave) const;
     void resolve_bed(Water& water);
     void check_inlined(const WaveSystem& system, std::size_t wave) const;
@@ -63,7 +67,7 @@ OwnParts<Parameters> SeaReader::parts() {
                 [this](Parameters& parameters, std::string_view section, std::size_t wave,
                        const TomlEntry& entry) {
                     return read_record(parameters, section, wave, entry) ||
-                           read_bed(section, entry);
+                           read_bed(section, entry) || read_track(parameters, section, wave, entry);
                 }};
 }
 
@@ -73,6 +77,7 @@ Sea SeaReader::read(std::string_view text) {
     std::vector<WaveSystem>& waves = sea.parameters.waves;
     for (std::size_t wave = 0; wave < waves.size(); ++wave) resolve_record(waves[wave], wave);
     resolve_bed(sea.parameters.water);
+    resolve_tracks(sea.parameters.hulls);
     read_take(sea);
     try {
         validate(sea);
@@ -98,6 +103,30 @@ bool SeaReader::read_bed(std::string_view section, const TomlEntry& entry) {
         return read_bed_table(entry, bed_);
     } catch (const Error& error) {
         throw file().in_front(error, entry.line);
+    }
+}
+
+bool SeaReader::read_track(Parameters& parameters, std::string_view section, std::size_t hull,
+                           const TomlEntry& entry) {
+    if (section != "hulls" || entry.key != kTrackKey) return false;
+    const std::string name = "hulls." + std::to_string(hull) + "." + std::string(kTrackKey);
+    try {
+        auto track = std::make_shared<const HullTrack>(read_track_rows(entry, name));
+        require_track(*track, name);
+        parameters.hulls[hull].track = std::move(track);
+    } catch (const Error& error) {
+        throw file().in_front(error, entry.line);
+    }
+    return true;
+}
+
+void SeaReader::resolve_tracks(std::vector<Hull>& hulls) const {
+    for (std::size_t hull = 0; hull < hulls.size(); ++hull) {
+        try {
+            resolve_track(hulls[hull], hull, base_dir_);
+        } catch (const Error& error) {
+            throw in_line_of_parameter(error);
+        }
     }
 }
 
@@ -244,6 +273,10 @@ void resolve_files(Sea& sea, const std::string& base_dir, const SpectrumReader& 
     }
     Water& water = sea.parameters.water;
     if (!water.seabed.empty() && water.bed == nullptr) read_bed_again(water, base_dir);
+    std::vector<Hull>& hulls = sea.parameters.hulls;
+    for (std::size_t hull = 0; hull < hulls.size(); ++hull) {
+        resolve_track(hulls[hull], hull, base_dir);
+    }
     resolve_take(sea, base_dir);
 }
 
@@ -255,6 +288,7 @@ std::vector<std::string> named_files(const Sea& sea) {
     add(sea.parameters.water.seabed);
     add(sea.parameters.time.take);
     for (const WaveSystem& system : sea.parameters.waves) add(system.file);
+    for (const Hull& hull : sea.parameters.hulls) add(hull.track_file);
     return files;
 }
 

@@ -16,6 +16,8 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/cascades.hpp"
 #include "ocean/internal/directional_spectrum.hpp"
+#include "ocean/internal/foam.hpp"
+#include "ocean/internal/hull_rules.hpp"
 #include "ocean/internal/map_levels.hpp"
 #include "ocean/internal/sea_bytes.hpp"
 #include "ocean/internal/surface_query.hpp"
@@ -128,6 +130,9 @@ class SeaSubject final : public Subject {
     std::vector<std::string> warnings(double time) const override {
         const Parameters parameters = sea_.at(time);
         std::vector<std::string> all = full_development_warnings(parameters);
+        for (std::string& warning : hull_warnings(parameters)) {
+            if (!extent_.is_region()) all.push_back(std::move(warning));
+        }
         if (parameters.water.bed) {
             const SeaBed& bed = *parameters.water.bed;
             std::ranges::move(bed_warnings(bed, parameters.water), std::back_inserter(all));
@@ -142,15 +147,17 @@ class SeaSubject final : public Subject {
     ChannelSet channels() const override {
         ChannelSet all;
         for (int c = 0; c < kChannelCount; ++c) all = all | static_cast<Channel>(c);
-        return extent_.is_region() ? all | masks_of(kSeaKind) : all;
+        return sea_.parameters.water.bed ? all | masks_of(kSeaKind) : all;
     }
     int default_resolution() const override { return extent_.default_resolution(grid()); }
     Domain domain(int resolution) const override { return extent_.domain(grid(), resolution); }
     std::optional<int> backend_resolution(const Backend& backend, int resolution) const override {
         if (!extent_.is_region()) return resolution;
         // The foam of the open sea is followed on separate maps.
-        const bool knows_coasts = backend == Backend::cpu || backend.start_coast != nullptr;
-        return knows_coasts ? std::optional(default_map_resolution(grid())) : std::nullopt;
+        const bool sums_coasts = backend.start_coast != nullptr && sea_.parameters.water.bed;
+        return backend == Backend::cpu || sums_coasts
+                   ? std::optional(default_map_resolution(grid()))
+                   : std::nullopt;
     }
     double shortest_wave(int resolution) const override {
         const double held = extent_.is_region() ? 2.0 * domain(resolution).step(0)
@@ -173,6 +180,18 @@ class SeaSubject final : public Subject {
         Costs costs{.shared = modes_bytes(grid())};
         // With a take, each SubjectMaps has its own time.
         if (timeline().plays_take) costs.each = modes_bytes(grid());
+        if (extent_.is_region() && !sea_.parameters.water.bed) {
+            costs.each += hull_sea_bytes(sea_.parameters);
+            costs.map = [this](const MapsOptions&, ChannelSet channels, int) {
+                const bool has_foam = channels.intersects({Channel::foam, Channel::cover});
+                const int shown = default_map_resolution(grid());
+                return has_foam ? maps_bytes(shown, kFoamMaps + 2) : 0;
+            };
+            costs.eulerian_heights = [this](int resolution) {
+                return region_heights_bytes(domain(resolution));
+            };
+            return costs;
+        }
         if (extent_.is_region()) {
             costs.shared += coast_bytes(sea_.parameters);
             // Foam is followed on separate maps, over one period and over the region.
@@ -210,7 +229,7 @@ std::unique_ptr<Subject> make_subject(Sea sea) {
 }
 
 std::unique_ptr<Subject> make_region_subject(Sea sea, const Region& region) {
-    if (!sea.parameters.water.bed) {
+    if (!sea.parameters.water.bed && sea.parameters.hulls.empty()) {
         throw Error(ErrorKind::unsupported,
                     "--region: this sea has no bed (water.seabed), so that it repeats, and its "
                     "maps are those of one period");

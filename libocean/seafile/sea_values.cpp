@@ -12,8 +12,10 @@
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
+#include "table_writer.hpp"
 #include "take.hpp"
 #include "toml_text.hpp"
+#include "track_file.hpp"
 
 namespace ocean {
 namespace {
@@ -21,6 +23,10 @@ namespace {
 /// Returns "[waves.0.measured_record]", the name of a system's record among the values.
 std::string record_name(std::size_t system) {
     return "[waves." + std::to_string(system) + "." + std::string(kMeasuredRecord) + "]";
+}
+/// Returns "[hulls.0.track]", the name of a hull's rows among the values.
+std::string track_name(std::size_t hull) {
+    return "[hulls." + std::to_string(hull) + "." + std::string(kTrackKey) + "]";
 }
 std::string take_name() {
     return "[" + std::string(kTakeSection) + "]";
@@ -60,6 +66,8 @@ class ValueList {
             take_ = given.value;
         } else if (is_bed_name(given.name)) {
             bed_ = given.value;
+        } else if (given.name.starts_with("[hulls.")) {
+            tracks_[hull_of_track(given.name)] = given.value;
         } else if (given.name.starts_with('[')) {
             records_[system_of_record(given.name)] = given.value;
         } else {
@@ -94,6 +102,16 @@ class ValueList {
                "a parameter, " + take_name() + ", " + bed_name(kBedHeights) + ", " +
                    bed_name(kBedTerrain) + ", or " + record_name(0) + " .. " +
                    record_name(kMaxWaveSystems - 1));
+    }
+
+    std::size_t hull_of_track(std::string_view name) {
+        for (std::size_t hull = 0; hull < kMaxHulls; ++hull) {
+            if (name != track_name(hull)) continue;
+            std::size_t& hulls = items_["hulls"];
+            hulls = std::max(hulls, hull + 1);
+            return hull;
+        }
+        refuse("name", name, track_name(0) + " .. " + track_name(kMaxHulls - 1));
     }
 
     void add_parameter(const NamedValue& given) {
@@ -153,12 +171,15 @@ class ValueList {
             if (section == "waves" && record != records_.end()) {
                 out += "\n" + std::string(record->second);
             }
+            const auto track = tracks_.find(item);
+            if (section == "hulls" && track != tracks_.end()) out += track->second;
         }
         return out;
     }
 
     std::map<Key, std::string_view> values_;
     std::map<std::size_t, std::string_view> records_;
+    std::map<std::size_t, std::string_view> tracks_;
     std::string_view take_;
     std::string_view bed_;
     std::map<std::string_view, std::size_t> items_;  // of each section that is a list
@@ -177,6 +198,10 @@ std::vector<NamedText> sea_values(const Sea& sea) {
                 values.push_back({row.path(item), to_text(value_of(parameters, {&row, item}))});
             }
         }
+    }
+    for (std::size_t hull = 0; hull < parameters.hulls.size(); ++hull) {
+        const std::string track = track_text(parameters.hulls[hull]);
+        if (!track.empty()) values.push_back({track_name(hull), track});
     }
     std::size_t systems = 0;
     for (const std::string& table : cut_at_tables(write_sea(sea))) {

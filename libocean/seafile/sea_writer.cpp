@@ -6,7 +6,7 @@
 // a measured system is inlined as [waves.measured_record]. `file` and `record` are kept beside it
 // as its source: a reader that finds the table opens no file, and refuses the sea if `record` was
 // edited to request another time. To choose again, delete the table. A take is inlined too, as
-// [take], and a bed as bed_file.hpp says.
+// [take], the tracks of hulls as their rows, and a bed as bed_file.hpp says.
 #include "bed_file.hpp"
 #include "measured_record.hpp"
 #include "ocean/parameter_table.hpp"
@@ -14,6 +14,7 @@
 #include "table_writer.hpp"
 #include "take.hpp"
 #include "toml_text.hpp"
+#include "track_file.hpp"
 
 namespace ocean {
 namespace {
@@ -65,6 +66,7 @@ std::string write_sea(const Sea& sea) {
     const auto line = [&](const ParameterRef& ref) { return parameter_line(parameters, ref); };
     const auto inlined = [&](std::string_view section, std::size_t item) {
         if (section == "water") return bed_text(parameters.water);
+        if (section == "hulls") return track_text(parameters.hulls[item]);
         return section == "waves" ? measured_record_text(parameters.waves[item]) : "";
     };
     return std::string(kSeaOpening) +

@@ -225,6 +225,8 @@ def test_presets_and_parameters_are_listed():
         text = sea.text + "\n[[crests]]\ntime = 5.0\n"
     with libocean.parse(text) as sea:
         for parameter in libocean.parameters():
+            if parameter["section"] == "hulls":
+                continue  # this sea has none
             section = {"waves": "waves.0", "crests": "crests.0"}.get(
                 parameter["section"], parameter["section"]
             )

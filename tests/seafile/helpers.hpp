@@ -90,6 +90,7 @@ inline bool same_value(const ParameterValue& a, const ParameterValue& b) {
 /// Returns the first parameter in which two seas differ in any bit; empty if they are equal.
 inline std::string difference(const Sea& a, const Sea& b) {
     if (a.parameters.waves.size() != b.parameters.waves.size()) return "waves";
+    if (a.parameters.hulls != b.parameters.hulls) return "hulls";
     if (a.parameters.crests.size() != b.parameters.crests.size()) return "crests";
     for (const ParameterInfo& info : parameter_table()) {
         for (std::size_t item = 0; item < info.member.items(a.parameters); ++item) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Broken texts of sea files, takes, rings and grids of heights: the folder `sentences` has a table
-// for each reader, whose rows are a text and the one sentence that refuses it.
+// Broken texts of sea files, takes, tracks, rings and grids of heights: the folder `sentences` has
+// a table for each reader, whose rows are a text and the one sentence that refuses it.
 
 #include <iostream>
 
@@ -10,6 +10,7 @@
 #include "helpers.hpp"
 #include "ocean/internal/elevation_file.hpp"
 #include "ocean/internal/measured_rings.hpp"
+#include "track_file.hpp"
 
 namespace ocean::test {
 namespace {
@@ -23,7 +24,9 @@ const std::map<std::string, Read> kReaders = {
      }},
     {"rings", [](const std::string& text) { parse_rings(text, "r.csv"); }},
     {"sea", [](const std::string& text) { parse(text); }},
-    {"take", [](const std::string& text) { parse_take(text, "storm.take", Parameters{}); }}};
+    {"take", [](const std::string& text) { parse_take(text, "storm.take", Parameters{}); }},
+    {"track",
+     [](const std::string& text) { require_track(parse_track(text, "boat.csv"), "boat.csv"); }}};
 
 class Sentences : public testing::TestWithParam<std::filesystem::path> {};
 

@@ -35,6 +35,7 @@ const std::map<std::string, std::vector<std::string>> kTexts = {
     {"waves.N.file", {data_dir() + "/spectra/ndbc_41010.csv"}},
     {"waves.N.record", {"2020-06-07T11:50"}},
     {"waves.N.place", {"41010"}},
+    {"hulls.N.track_file", {"other_boat.csv"}},
     {"terrain.measured", {"rings.csv", "other.csv"}},
     {"terrain.base", {"other.asc"}},
 };
@@ -146,6 +147,8 @@ void write_files(const TemporaryFolder& folder) {
     folder.write("other.take", "0.1 choppiness 0.5\n");
     folder.write("rings.csv", "wavenumber,density\n0.01,5\n0.1,0.5\n1,0.001\n");
     folder.write("other.csv", "wavenumber,density\n0.01,9\n0.1,0.4\n1,0.002\n");
+    folder.write("boat.csv", "time,x,y\n-60,-240,40\n60,360,40\n");
+    folder.write("other_boat.csv", "time,x,y\n-60,-240,44\n60,360,44\n");
 }
 
 // ---- What is compared
@@ -223,11 +226,12 @@ class SeaHandle {
             const auto channel = static_cast<Channel>(c);
             if (kWithCover || channel != Channel::cover) channels = channels | channel;
         }
-        if (ocean_.parameters().water.bed == nullptr) {
+        if (ocean_.repeats()) {
             add_map(shown, "map", ocean_.evaluate(time, channels));
         } else {
             using enum LandMask;
-            channels = channels | channel_of(depth) | channel_of(breaking) | channel_of(wetness);
+            const ChannelSet masks = channel_of(depth) | channel_of(breaking) | channel_of(wetness);
+            if (ocean_.parameters().water.bed) channels = channels | masks;
             add_map(shown, "region", ocean_.region(time, kPart, channels));
         }
         std::vector<QuerySample> samples(kPoints.size());
@@ -398,6 +402,11 @@ TEST(SetKey, OfAnOpenSeaGivesWhatItsTextGives) {
                "[[crests]]\ntime = 0.4\nx = 30.0\ny = 45.0\nheight = \"0.6 Hs\"\n"
                "direction = 20.0\n"},
               "crests");
+    keys.walk({"hull",
+               "[grid]\nresolution = 32\npatch_size = 200.0\n[surface]\nfoam_lifetime = 0.0\n"
+               "[[waves]]\nwind_speed = 6.0\n[[hulls]]\nlength = 12.0\nbeam = 3.0\n"
+               "draught = 0.8\nwake_resolution = 64\ntrack_file = \"boat.csv\"\n"},
+              "hulls");
     keys.expect_all({}, {{"waves.N.place", "the only place of the file is the nearest one"}});
 }
 

@@ -82,6 +82,7 @@ TEST(ParameterTable, DefaultsAreThePublishedOnes) {
 TEST(ParameterTable, EveryDefaultIsAcceptedBackAsText) {
     Parameters p;
     p.crests.resize(1);
+    p.hulls.resize(1);
     for (const ParameterInfo& info : parameter_table()) {
         const std::string text = get_parameter(p, info.path());
         EXPECT_NO_THROW(set_parameter(p, info.path(), text)) << info.path() << " = " << text;

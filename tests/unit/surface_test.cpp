@@ -3,6 +3,7 @@
 //
 // The surface: direction and speed of its waves, its geometry, and the agreement of the backends.
 #include "ocean/surface.hpp"
+#include "ocean/internal/hull_rules.hpp"
 
 #include <thread>
 
@@ -277,6 +278,9 @@ TEST(Ocean, EachParameterRunsItsOwnStagesAgainAndNoOthers) {
         Parameters parameters =
             test::wind_sea(32, 100.0, {.spectrum = SpectrumKind::tma, .depth = 30.0});
         parameters.surface.foam_lifetime = 0.2;
+        parameters.hulls.resize(1);
+        parameters.hulls.front().track = std::make_shared<const HullTrack>(
+            HullTrack{{{0.0, 0.0, 0.0}, {5.0, 25.0, 0.0}, {10.0, 0.0, 0.0}}, {}});
         const std::string name = info.path(0);
         if (info.key == "amplitude") parameters.waves.front().amplitude = 2.0;
         if (info.section == "crests") parameters.crests.resize(1);

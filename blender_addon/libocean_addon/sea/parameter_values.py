@@ -12,7 +12,9 @@ from ..shared.native import libocean
 from ..shared.parameter_table import ParameterTable, is_optional
 from . import sea_text
 
-TABLE: list[dict[str, Any]] = [row for row in libocean.parameters() if row["section"] != "crests"]
+TABLE: list[dict[str, Any]] = [
+    row for row in libocean.parameters() if row["section"] not in {"crests", *sea_text.NOT_SHOWN}
+]
 """The parameters that are properties; crests are kept as they are in the file."""
 
 DIVISORS = 5  # of a list of cascades, at most

@@ -60,16 +60,24 @@ class SeaValues:
 _TAKE = "[take]"  # tables that the library names beside the parameters
 _BEDS = ("[water.bed_heights]", "[water.bed_terrain]")
 
+_UNSUPPORTED = 5  # OCEAN_UNSUPPORTED of libocean.h
+NOT_SHOWN = {"hulls": "the wakes of hulls; `ocean bake --region` and queries have them"}
+"""Sections of a sea file that have no properties, with what is missing without them."""
+
 
 def _record_name(system: int) -> str:
     return f"[waves.{system}.measured_record]"
 
 
 def read(sea) -> SeaValues:
-    """Returns the values of an open sea (libocean.Sea)."""
+    """Returns the values of an open sea (libocean.Sea). Raises UnsupportedError for a sea that
+    Blender would show without a part of it."""
     found = SeaValues({}, [])
     for name, text in sea.values.items():
         section, _, key = name.strip("[]").partition(".")
+        if section in NOT_SHOWN:
+            fault = f"[[{section}]]: Blender does not show {NOT_SHOWN[section]}"
+            raise libocean.UnsupportedError(fault, _UNSUPPORTED)
         if name == _TAKE:
             found.take = text
         elif name in _BEDS:

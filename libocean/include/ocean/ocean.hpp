@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The facade of seas: picks the open sea or, over a bed, its coast. Both keep what they compute,
-// and compute again only what a changed parameter, or the take at another time, dirties. One thread
-// at a time per object; several objects run in parallel.
+// The facade of seas: picks the open sea, its coast over a bed, or the sea with the wakes of its
+// hulls. Each keeps what it computes, and computes again only what a changed parameter, or the take
+// at another time, dirties. One thread at a time per object; several objects run in parallel.
 //
 //     Ocean ocean(read_sea("storm.toml"));
 //     const Surface surface = ocean.evaluate(12.0, {Channel::height, Channel::foam}, 1024);
@@ -38,7 +38,9 @@ namespace ocean {
 class DirectionalSpectrum;
 struct Modes;
 class Coast;
+class HullSea;
 class OpenSea;
+class PlacedSea;
 class SprayFollower;
 
 /// Computes everything of one sea.
@@ -53,6 +55,8 @@ class Ocean {
 
     const Sea& sea() const;
     const Parameters& parameters() const;
+    /// Returns true for an open sea without hulls: its maps of one period show all of it.
+    bool repeats() const;
     /// Returns a number that changes whenever the sea changes.
     std::uint64_t revision() const;
     /// Sets a parameter by name. Throws Error and changes nothing if the value is refused. Rules
@@ -91,19 +95,20 @@ class Ocean {
     /// The backend cpu writes each value once, from the last stage of the transform. Throws as
     /// evaluate().
     void evaluate_into(double time, std::span<const MapOutput> outputs, int resolution = 0);
-    /// Returns a map over a domain that does not wrap, of a sea over a bed: sample (i, j) is that
-    /// of the label domain.place(i, j). Beside the channels of the table it may have the masks
-    /// depth, breaking and wetness (land_mask.hpp). Foam is followed as for evaluate(). The first
-    /// call computes where the waves go over the bed, which takes seconds: see
-    /// OceanOptions::build_progress. Throws Error unsupported for a sea without a bed,
+    /// Returns a map over a domain that does not wrap, of a sea over a bed or with hulls: sample
+    /// (i, j) is that of the label domain.place(i, j). Over a bed it may have the masks depth,
+    /// breaking and wetness (land_mask.hpp) beside the channels of the table. Foam is followed as
+    /// for evaluate(); that of hulls is the open sea's and where waves break now. The first call
+    /// computes where the waves go over the bed, which takes seconds: see
+    /// OceanOptions::build_progress. Throws Error unsupported for a sea without a bed and hulls,
     /// invalid_value for a domain that wraps or has other than 2 .. kMaxRegionSide samples along a
     /// side, and out_of_memory.
     Surface region(double time, const Domain& domain, ChannelSet channels);
     /// Writes a region into a host's buffers of domain.samples[0] samples in a row. The outputs may
     /// hold channels alone. Throws as region().
     void region_into(double time, const Domain& domain, std::span<const MapOutput> outputs);
-    /// Computes now what the first region or query of a sea over a bed would compute. Throws as
-    /// region().
+    /// Computes now what the first region or query of a sea that does not repeat would compute.
+    /// Throws as region().
     void prepare_coast();
     /// Returns the exponent p of cover = foam^p on a map of `resolution` samples (see
     /// foam_layer.hpp), for hosts that compute cover from foam themselves. Takes some tenths of a
@@ -161,7 +166,8 @@ class Ocean {
     /// Writes the pose of each body, see float_pose().
     void float_poses(double time, std::span<const FloatBody> bodies, std::span<FloatPose> poses);
 
-    /// Returns the sea as if it had no bed: the water around a coast, for hosts that show both.
+    /// Returns the sea as if it had no bed and no hulls: the water around a coast, for hosts that
+    /// show both.
     OpenSea& open_sea() { return *open_; }
 
   private:
@@ -169,12 +175,15 @@ class Ocean {
     /// Returns the open sea. Throws Error unsupported for a sea over a bed, which `what` does not
     /// know.
     OpenSea& without_bed(std::string_view what);
-    /// Returns the coast. Throws Error unsupported for a sea without a bed.
-    Coast& coast();
+    /// Returns the sea that does not repeat; nullptr: the open sea is all.
+    PlacedSea* placed() const;
+    /// Returns the sea that has regions. Throws Error unsupported for a sea that repeats.
+    PlacedSea& region_sea() const;
     const SprayFollower& spray_at(double time, const SpraySettings& settings);
 
     std::unique_ptr<OpenSea> open_;
-    std::unique_ptr<Coast> coast_;  // of the open sea; used while it has a bed
+    std::unique_ptr<Coast> coast_;    // of the open sea; used while it has a bed
+    std::unique_ptr<HullSea> hulls_;  // the same; used while it has hulls
 };
 
 }  // namespace ocean

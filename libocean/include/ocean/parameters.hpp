@@ -36,6 +36,7 @@ enum class FoamCoverage { monahan, threshold };
 enum class BedUnit { m, ft, us_ft };
 enum class BedSign { up, down };
 enum class Swash { on, off };
+enum class HullShape { wall_sided, wigley };
 
 /// Where foam begins; no parameter of a sea file.
 enum class FoamStart {
@@ -45,6 +46,7 @@ enum class FoamStart {
 
 struct SeaBed;          // sea_bed.hpp
 struct SpectrumRecord;  // below
+struct HullTrack;       // below
 
 /// The edge of a sea with a bed: [water.shore].
 struct ShoreSettings {
@@ -176,6 +178,26 @@ inline constexpr std::size_t kMaxCrests = 16;
 /// Max height of a crest, in units of the significant wave height: one crest in 10^14 exceeds it.
 inline constexpr double kMaxCrestHeight = 2.0;
 
+/// A hull that makes waves: [[hulls]].
+struct Hull {
+    double length = 30.0;
+    double beam = 6.0;
+    double draught = 1.8;
+    HullShape shape = HullShape::wall_sided;
+    double factor = 1.0;
+    std::string track_file;
+    double wake_size = 0.0;  // 0: chosen, see wake_lattice.hpp
+    int wake_resolution = 256;
+    double wake_age = 0.0;  // 0: chosen
+
+    /// The track, read by ocean::seafile or given by a host. Shared and never modified. Not in the
+    /// table.
+    std::shared_ptr<const HullTrack> track;
+
+    /// Compares tracks by their content.
+    bool operator==(const Hull& other) const;
+};
+
 /// Times lie within -kLatestTime .. kLatestTime [s]: 31 years. A double resolves a tenth of a
 /// microsecond there.
 inline constexpr double kLatestTime = 1e9;
@@ -190,8 +212,10 @@ struct Parameters {
     std::uint32_t seed = 1;
     std::vector<WaveSystem> waves = {WaveSystem{}};  // 1 .. kMaxWaveSystems
     std::vector<Crest> crests = {};                  // 0 .. kMaxCrests
+    std::vector<Hull> hulls = {};                    // at most kMaxHulls
 };
 inline constexpr std::size_t kMaxWaveSystems = 16;
+inline constexpr std::size_t kMaxHulls = 16;
 
 // ---- Measured spectra
 
@@ -231,6 +255,33 @@ struct SpectrumRecord {
     bool is_directional() const { return !direction.empty(); }
     bool has_directions() const { return has_moments() || is_directional(); }
     bool operator==(const SpectrumRecord&) const = default;
+};
+
+// ---- Tracks of hulls
+
+struct TrackRow {
+    double time;  // [s]
+    double x, y;  // of the middle of the hull [m]
+    bool operator==(const TrackRow&) const = default;
+};
+
+/// The direction in which a hull travels and its speed at one row.
+struct TrackCourse {
+    double heading;  // counter-clockwise from +x [degrees]
+    double speed;    // [m/s]
+    bool operator==(const TrackCourse&) const = default;
+};
+
+/// The track of a hull: rows ordered by time. Between them the hull follows a smooth curve through
+/// their positions. It exists from the first row to the last; in a sea with a loop the track
+/// repeats.
+struct HullTrack {
+    std::vector<TrackRow> rows;
+    /// One for each row, or none: courses then follow from the positions.
+    std::vector<TrackCourse> courses;
+
+    double duration() const { return rows.back().time - rows.front().time; }
+    bool operator==(const HullTrack&) const = default;
 };
 
 }  // namespace ocean

@@ -48,26 +48,27 @@ Sea read_sea(const std::string& path, const SpectrumReader& reader = read_spectr
 Sea parse_sea(std::string_view toml, const std::string& name, const std::string& base_dir,
               const SpectrumReader& reader = read_spectra);
 /// Reads the files that the parameters name and the sea has not read yet, after set_parameter: the
-/// record of each measured system that has none, the bed of a sea that has none, and a take other
-/// than the present one. Throws as read_spectra, choose_record, read_terrain, read_elevation,
-/// make_sea_bed and parse_take, as errors of the parameter that names the file.
+/// record of each measured system that has none, the track of each hull that has none, the bed of a
+/// sea that has none, and a take other than the present one. Throws as read_spectra, choose_record,
+/// read_terrain, read_elevation, make_sea_bed and parse_take, as errors of the parameter that names
+/// the file.
 void resolve_files(Sea& sea, const std::string& base_dir,
                    const SpectrumReader& reader = read_spectra);
-/// Returns the files that a sea names, as its own file spells them: its bed, its take and
-/// its spectra.
+/// Returns the files that a sea names, as its own file spells them: its bed, its take,
+/// its spectra and the tracks of its hulls.
 std::vector<std::string> named_files(const Sea& sea);
 /// Returns the resolved sea as text: every key of the table that is set and not neutral
-/// (OptionalColumns in table.hpp), the chosen records inlined as [waves.measured_record], the take
-/// as [take] and the bed as [water.bed_terrain] or, up to 1 MB, [water.bed_heights], which a reader
-/// prefers to `file`, `take` and `seabed`; for a larger bed the text has the hash alone.
-/// parse_sea(write_sea(s)) gives the same sea bit by bit. Throws Error invalid_value for a text
-/// that is not UTF-8 and for a sea that breaks a rule between parameters, which parse_sea would
-/// refuse.
+/// (OptionalColumns in table.hpp), the chosen records inlined as [waves.measured_record], the
+/// tracks of hulls as `track`, the take as [take] and the bed as [water.bed_terrain] or, up to 1
+/// MB, [water.bed_heights], which a reader prefers to `file`, `take` and `seabed`; for a larger bed
+/// the text has the hash alone. parse_sea(write_sea(s)) gives the same sea bit by bit. Throws Error
+/// invalid_value for a text that is not UTF-8 and for a sea that breaks a rule between parameters,
+/// which parse_sea would refuse.
 std::string write_sea(const Sea& sea);
 
 /// A parameter's name and value, as set_parameter takes them, or a table that a resolved file
-/// carries beside its parameters: "[take]", "[waves.0.measured_record]", "[water.bed_heights]" or
-/// "[water.bed_terrain]" with its lines.
+/// carries beside its parameters: "[take]", "[waves.0.measured_record]", "[hulls.0.track]",
+/// "[water.bed_heights]" or "[water.bed_terrain]" with its lines.
 struct NamedText {
     std::string name;
     std::string value;
@@ -147,8 +148,8 @@ RecordSummary summarize(const SpectrumRecord& record);
 /// Returns a valid, resolved sea as a subject: one period of an open sea, or the whole bed of a sea
 /// over a bed.
 std::unique_ptr<Subject> make_subject(Sea sea);
-/// Returns a region of a sea over a bed as a subject. Throws Error unsupported for a sea without a
-/// bed, and as domain_of(region).
+/// Returns a region of a sea over a bed or with hulls as a subject. Throws Error unsupported for a
+/// sea without either, and as domain_of(region).
 std::unique_ptr<Subject> make_region_subject(Sea sea, const Region& region);
 /// Returns the sea or region that the text() of its subject describes. `name` stands for a path in
 /// messages. Throws Error as parse_sea.

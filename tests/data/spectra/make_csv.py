@@ -4,6 +4,7 @@
 
 The mean direction is alpha1, the spread sqrt(2 (1 - r1)) in degrees; what the buoy lacks is empty.
 """
+
 import math
 import pathlib
 import re
@@ -17,8 +18,10 @@ def first_row(suffix):
 
 
 density, alpha1, r1 = first_row("data_spec"), first_row("swdir"), first_row("swr1")
-lines = ["# Station 41010 of NDBC, one time",
-         "station,time,frequency (Hz),density (m2/Hz),mean_direction,spread"]
+lines = [
+    "# Station 41010 of NDBC, one time",
+    "station,time,frequency (Hz),density (m2/Hz),mean_direction,spread",
+]
 for f in density:
     known = alpha1[f] != 999.0 and r1[f] != 999.0
     angles = f"{alpha1[f]:.1f},{math.degrees(math.sqrt(2 * (1 - r1[f]))):.4f}" if known else ","

@@ -113,6 +113,10 @@ void SeaScene::draw_parameters(LiveScene& scene, PanelState& state) {
     for (std::size_t crest = 0; crest < live_.sea().parameters.crests.size(); ++crest) {
         rows.section("Crest " + std::to_string(crest), "crests", crest, false);
     }
+    const std::size_t hulls = live_.sea().parameters.hulls.size();
+    for (std::size_t hull = 0; hull < hulls; ++hull) {
+        rows.section("Hull " + std::to_string(hull), "hulls", hull, false);
+    }
     rows.section("Surface and foam", "surface", 0, false);
     rows.section("Water body", "water", 0, false);
     rows.section("Shore", "water.shore", 0, false);

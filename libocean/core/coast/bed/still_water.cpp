@@ -15,12 +15,12 @@ namespace ocean {
 namespace {
 
 constexpr double kSoftShore = 0.15;  // half the rise over which land begins to swallow [m]
-constexpr double kInward = 1e-6;     // cosine to a side's normal below which waves run along it
+constexpr double kAlongSide = 1e-6;  // cosine to a side's normal below which waves run along it
 
 enum class Shore : std::uint8_t { unknown, land, open, still };
 
 /// The samples of a bed while they are sorted.
-struct Samples {
+struct WaterSamples {
     int columns, rows;
     std::vector<Shore> shore;
     std::vector<std::uint32_t> next;  // samples whose neighbours are still to be visited
@@ -50,10 +50,10 @@ struct Samples {
 };
 
 /// Marks the water along a side as reached, if waves of a direction enter by that side.
-void enter(Samples& samples, const BorderSide& side, double cell, PlaneVector direction,
+void enter(WaterSamples& samples, const BorderSide& side, double cell, PlaneVector direction,
            double beyond) {
     const double inward = direction.dot(side.inward);
-    if (inward < kInward) return;
+    if (inward < kAlongSide) return;
     const double along = direction.x * side.di + direction.y * side.dj;
     const double shadow = beyond * std::abs(along) / inward / cell;  // of outer land [samples]
     double after_land = shadow + 1.0;
@@ -65,7 +65,7 @@ void enter(Samples& samples, const BorderSide& side, double cell, PlaneVector di
     }
 }
 
-void flood(Samples& samples) {
+void flood(WaterSamples& samples) {
     while (!samples.next.empty()) {
         const std::uint32_t sample = samples.next.back();
         samples.next.pop_back();
@@ -75,7 +75,7 @@ void flood(Samples& samples) {
 }
 
 /// Returns for each sample whether it is still, or, on land, whether the nearest water is.
-std::vector<std::uint8_t> spread_over_land(Samples& samples) {
+std::vector<std::uint8_t> spread_over_land(WaterSamples& samples) {
     std::vector<std::uint32_t> line, further;
     for (std::size_t n = 0; n < samples.shore.size(); ++n) {
         if (samples.shore[n] == Shore::unknown) samples.shore[n] = Shore::still;
@@ -108,7 +108,7 @@ float passing(double height) {
 
 StillWater find_still_water(const BedGrid& bed_height, std::span<const double> directions) {
     const Domain& domain = bed_height.domain;
-    Samples samples{domain.samples[0], domain.samples[1], {}, {}};
+    WaterSamples samples{domain.samples[0], domain.samples[1], {}, {}};
     bool has_land = false;
     for (const float height : bed_height.values) {
         const bool is_land = passing(double{height}) <= 0.0f;

@@ -3,12 +3,10 @@
 #include "coast/surface/region_channels.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 #include <vector>
 
-#include "coast/surface/shore_query.hpp"
 #include "coast/surface/swash.hpp"
 #include "ocean/internal/coast_waves.hpp"
 #include "ocean/internal/surf_traces.hpp"
@@ -16,41 +14,11 @@
 #include "ocean/page_vector.hpp"
 #include "ocean/thread_pool.hpp"
 #include "wave/wave.hpp"
-#include "waves/query/query_points.hpp"
 
 namespace ocean {
-namespace {
-
-/// Returns a channel of one period at a label, linear between its samples.
-float read_period(const Surface& map, Channel channel, WorldPoint label) {
-    const std::span<const float> values = map.channel(channel);
-    const int samples = map.resolution();
-    const double u = wrapped(label.x, map.period()) / map.period() * samples;
-    const double v = wrapped(label.y, map.period()) / map.period() * samples;
-    const int i = static_cast<int>(u);
-    const int j = static_cast<int>(v);
-    const auto at = [&](int column, int row) {
-        return values[static_cast<std::size_t>(row & (samples - 1)) *
-                          static_cast<std::size_t>(samples) +
-                      static_cast<std::size_t>(column & (samples - 1))];
-    };
-    const auto s = static_cast<float>(u - i);
-    const auto t = static_cast<float>(v - j);
-    const auto row = [&](int of) { return at(i, of) + s * (at(i + 1, of) - at(i, of)); };
-    return row(j) + t * (row(j + 1) - row(j));
-}
-
-constexpr ChannelSet kRates = {Channel::vx, Channel::vy, Channel::vz};
-constexpr ChannelSet kNormals = {Channel::nx, Channel::ny, Channel::nz};
-constexpr ChannelSet kGradients = {
-    Channel::nx,   Channel::ny,   Channel::nz,   Channel::slope_x,  Channel::slope_y,
-    Channel::dx_x, Channel::dy_y, Channel::dx_y, Channel::jacobian, Channel::whitecap};
-
-}  // namespace
-
 JetParts region_parts(ChannelSet channels) {
-    if (channels.intersects(kRates)) return JetParts::all;
-    return channels.intersects(kGradients) ? JetParts::gradient : JetParts::value;
+    if (needs_rates(channels)) return JetParts::all;
+    return needs_gradients(channels) ? JetParts::gradient : JetParts::value;
 }
 
 float RegionFoamMaps::surf_alone(std::size_t index, float breaking) const {
@@ -117,133 +85,60 @@ void RegionChannels::write(const CoastFunction& sum_waves, const Domain& domain,
     }
 }
 
-struct RegionChannels::Piece {
-    static constexpr std::size_t kSize = 256;
-
-    std::size_t first;  // index of the first sample in the region
-    std::size_t count;
-    std::array<WorldPoint, kSize> labels;
-    std::array<ShorePoint, kSize> points;
-    std::array<std::array<float, 3>, kSize> normals;  // if a channel needs them
-    std::array<float, kSize> jacobians;               // the same
-};
-
 void RegionChannels::write_row(const Domain& domain, int j, ReadySums ready,
                                std::span<const MapOutput> outputs) const {
-    const auto width = static_cast<std::size_t>(domain.samples[0]);
-    const auto row = static_cast<std::size_t>(j);
-    Piece piece;
-    for (std::size_t first = 0; first < width; first += Piece::kSize) {
-        const std::size_t count = std::min(Piece::kSize, width - first);
-        piece.first = row * width + first;
-        piece.count = count;
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto [x, y] = domain.place(static_cast<int>(first + i), j);
-            piece.labels[i] = {x, y};
-        }
-        surface_.read(std::span(piece.labels).first(count), parts_,
-                      std::span(piece.points).first(count), nullptr,
+    const auto read = [&](std::span<const WorldPoint> labels, std::span<ShorePoint> points,
+                          std::size_t first) {
+        surface_.read(labels, parts_, points, nullptr,
                       {ready.sums, ready.labels, ready.first + first});
-        if (channels_.intersects(kNormals)) {
-            for (std::size_t i = 0; i < count; ++i) {
-                piece.normals[i] = shore_normal(piece.points[i]);
-            }
-        }
-        if (channels_.intersects({Channel::jacobian, Channel::whitecap})) {
-            for (std::size_t i = 0; i < count; ++i) {
-                piece.jacobians[i] = shore_jacobian(piece.points[i]);
-            }
-        }
-        for (const MapOutput& output : outputs) {
-            const auto used = output.used();
-            float* const to =
-                output.data + row * output.pitch(domain.samples[0]) + first * used.size();
-            for (std::size_t c = 0; c < used.size(); ++c) {
-                if (used[c].quantity.is_channel()) write_piece(piece, used[c], to + c, used.size());
-            }
-        }
-    }
+    };
+    const auto own = [&](const Piece& piece, const RegionTarget& target) {
+        write_own(piece, target);
+    };
+    write_region_row<ShorePoint>(domain, j, channels_, outputs, read, own);
 }
 
-void RegionChannels::write_piece(const Piece& piece, const MapOutput::Component& component,
-                                 float* to, std::size_t step) const {
-    const Channel channel = component.quantity.channel();
+void RegionChannels::write_own(const Piece& piece, const RegionTarget& target) const {
     const auto each = [&](const auto& value) {
-        for (std::size_t i = 0; i < piece.count; ++i) to[i * step] = component.factor * value(i);
+        target.write(piece.count,
+                     [&](std::size_t i) { return value(piece.points[i], i, piece.first + i); });
     };
-    const auto each_point = [&](const auto& value) {
-        each([&](std::size_t i) { return value(piece.points[i]); });
-    };
-    switch (channel) {
-        case Channel::dx:
-            return each_point([](const ShorePoint& point) { return point.dx.value(); });
-        case Channel::dy:
-            return each_point([](const ShorePoint& point) { return point.dy.value(); });
-        case Channel::height:
-            return each_point([](const ShorePoint& point) { return point.height.value(); });
-        case Channel::nx:
-            return each([&](std::size_t i) { return piece.normals[i][0]; });
-        case Channel::ny:
-            return each([&](std::size_t i) { return piece.normals[i][1]; });
-        case Channel::nz:
-            return each([&](std::size_t i) { return piece.normals[i][2]; });
-        case Channel::slope_x:
-            return each_point([](const ShorePoint& point) { return point.height.by_x(); });
-        case Channel::slope_y:
-            return each_point([](const ShorePoint& point) { return point.height.by_y(); });
-        case Channel::jacobian:
-            return each([&](std::size_t i) { return piece.jacobians[i]; });
-        case Channel::whitecap:
-            return each([&](std::size_t i) {
-                const ShorePoint& point = piece.points[i];
-                const float offshore = wave::single_precision::surface_whitecap(
-                    piece.jacobians[i], static_cast<float>(settings_.foam_threshold),
-                    static_cast<float>(settings_.foam_width));
-                return std::max((1.0f - point.surf) * offshore, point.breaking);
-            });
-        case Channel::foam:
-            return each([&](std::size_t i) {
-                const ShorePoint& point = piece.points[i];
-                return foam_.foam(piece.labels[i], piece.first + i, point.breaking, point.surf);
-            });
-        case Channel::vx:
-            return each_point([](const ShorePoint& point) { return point.dx.by_t(); });
-        case Channel::vy:
-            return each_point([](const ShorePoint& point) { return point.dy.by_t(); });
-        case Channel::vz:
-            return each_point([](const ShorePoint& point) { return point.height.by_t(); });
-        case Channel::dx_x:
-            return each_point([](const ShorePoint& point) { return point.dx.by_x(); });
-        case Channel::dy_y:
-            return each_point([](const ShorePoint& point) { return point.dy.by_y(); });
-        // Over a bed the two mixed derivatives differ a little.
-        case Channel::dx_y:
-            return each_point(
-                [](const ShorePoint& point) { return 0.5f * (point.dx.by_y() + point.dy.by_x()); });
-        case Channel::cover:
-            return each([&](std::size_t i) {
-                const ShorePoint& point = piece.points[i];
-                return foam_.cover(piece.labels[i], piece.first + i, point.breaking, point.surf);
-            });
-    }
-    if (channel == channel_of(LandMask::breaking)) {
-        return each_point([](const ShorePoint& point) { return point.breaking; });
-    }
-    if (channel == channel_of(LandMask::wetness)) {
-        return each([&](std::size_t i) {
-            const float past = wet_.map == nullptr ? 0.0f : wet_.fade * wet_.map[piece.first + i];
-            return std::max(piece.points[i].wetness, past);
+    if (target.channel == Channel::whitecap) {
+        return each([&](const ShorePoint& point, std::size_t i, std::size_t) {
+            const float offshore = wave::single_precision::surface_whitecap(
+                piece.jacobians[i], static_cast<float>(settings_.foam_threshold),
+                static_cast<float>(settings_.foam_width));
+            return std::max((1.0f - point.surf) * offshore, point.breaking);
         });
     }
-    if (channel == channel_of(LandMask::depth)) {
-        return each([&](std::size_t i) {
-            const ShorePoint& point = piece.points[i];
+    if (target.channel == Channel::foam) {
+        return each([&](const ShorePoint& point, std::size_t i, std::size_t at) {
+            return foam_.foam(piece.labels[i], at, point.breaking, point.surf);
+        });
+    }
+    if (target.channel == Channel::cover) {
+        return each([&](const ShorePoint& point, std::size_t i, std::size_t at) {
+            return foam_.cover(piece.labels[i], at, point.breaking, point.surf);
+        });
+    }
+    if (target.channel == channel_of(LandMask::breaking)) {
+        return each(
+            [](const ShorePoint& point, std::size_t, std::size_t) { return point.breaking; });
+    }
+    if (target.channel == channel_of(LandMask::wetness)) {
+        return each([&](const ShorePoint& point, std::size_t, std::size_t at) {
+            const float past = wet_.map == nullptr ? 0.0f : wet_.fade * wet_.map[at];
+            return std::max(point.wetness, past);
+        });
+    }
+    if (target.channel == channel_of(LandMask::depth)) {
+        return each([&](const ShorePoint& point, std::size_t i, std::size_t) {
             const double x = piece.labels[i].x + static_cast<double>(point.dx.value());
             const double y = piece.labels[i].y + static_cast<double>(point.dy.value());
             return point.height.value() - bed_height(bed_, x, y);
         });
     }
-    each([](std::size_t) { return 0.0f; });
+    each([](const ShorePoint&, std::size_t, std::size_t) { return 0.0f; });
 }
 
 }  // namespace ocean

@@ -14,6 +14,7 @@
 #include "ocean/query.hpp"
 #include "ocean/sea_bed.hpp"
 #include "ocean/surface.hpp"
+#include "waves/labels/region_rows.hpp"
 
 namespace ocean {
 
@@ -60,15 +61,13 @@ class RegionChannels {
                std::span<const MapOutput> outputs, ThreadPool& pool) const;
 
   private:
-    /// Some samples of a row, with the values that several channels share.
-    struct Piece;
+    using Piece = RegionPiece<ShorePoint>;
 
     /// Writes row j. `ready`: the sums at its labels.
     void write_row(const Domain& domain, int j, ReadySums ready,
                    std::span<const MapOutput> outputs) const;
-    /// Writes one component of the samples, `step` floats apart.
-    void write_piece(const Piece& piece, const MapOutput::Component& component, float* to,
-                     std::size_t step) const;
+    /// Writes a channel that does not follow from height and offsets alone.
+    void write_own(const Piece& piece, const RegionTarget& target) const;
 
     const ShoreSurface& surface_;
     ChannelSet channels_;

@@ -12,10 +12,10 @@
 #include "coast/loops/band_signals.hpp"
 #include "coast/statics/shore_bands.hpp"
 #include "coast/statics/shore_depths.hpp"
-#include "coast/surface/open_surface.hpp"
 #include "field/jet.hpp"
 #include "field/quad_grid.hpp"
 #include "ocean/internal/coast_waves.hpp"
+#include "waves/labels/open_surface.hpp"
 
 namespace ocean {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The surface of a sea over its bed at points of the world: the label that is displayed at each
-// point, found by Newton's method, and the surface there.
+// point, and the surface there.
 #pragma once
 
 #include <span>
@@ -24,10 +24,5 @@ void query_shore(const ShoreSurface& surface, std::span<const WorldPoint> points
 /// Throws Error unsupported for a query of a coarser map's waves, which a coast cannot select, and
 /// invalid_value for a `refine` that a map of the grid does not allow.
 void require_query_of_coast(const Grid& grid, const QueryOptions& options);
-
-/// Returns the unit normal of the displayed surface at a label, on the side seen from above.
-std::array<float, 3> shore_normal(const ShorePoint& point);
-/// Returns the Jacobian of the displayed surface: below 0 it has folded over.
-float shore_jacobian(const ShorePoint& point);
 
 }  // namespace ocean

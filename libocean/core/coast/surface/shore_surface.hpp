@@ -19,7 +19,6 @@
 #include "coast/statics/breaking.hpp"
 #include "coast/statics/shore_statics.hpp"
 #include "coast/surface/open_spans.hpp"
-#include "coast/surface/open_surface.hpp"
 #include "coast/surface/surf_labels.hpp"
 #include "coast/surface/swash.hpp"
 #include "field/jet.hpp"
@@ -28,6 +27,8 @@
 #include "ocean/internal/wave_sum.hpp"
 #include "ocean/parameters.hpp"
 #include "ocean/query.hpp"
+#include "waves/labels/label_point.hpp"
+#include "waves/labels/open_surface.hpp"
 
 namespace ocean {
 
@@ -36,10 +37,8 @@ struct BlockPlaces;
 struct BlockSignal;
 struct ShoalingBlock;
 
-/// The surface at one label. A point is displayed at its label plus (dx, dy).
-struct ShorePoint {
-    Jet height;             // over still water [m]
-    Jet dx, dy;             // offset of the displayed point, choppiness included [m]
+/// The surface at one label.
+struct ShorePoint : LabelPoint {
     float bed = 0.0f;       // height of the bed below the label [m]; meaningless beyond the bed
     float on_bed = 0.0f;    // weight of the coast's surface: 1 over the bed, 0 beyond its border
     float surf = 0.0f;      // 0 where waves break by the wind, 1 where they break by the

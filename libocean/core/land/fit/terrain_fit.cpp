@@ -144,14 +144,14 @@ double kept_rms(FitJudge& judge, const Relief& bed) {
 }
 
 /// Sums over seeds.
-struct RingSums {
+struct FitSums {
     double density = 0.0;
     double logarithm = 0.0;
     double square = 0.0;
 };
 
 void judge_fit(FitJudge& judge, std::span<const std::uint32_t> seeds, TerrainFit& fit) {
-    std::vector<RingSums> sums(judge.bed_rings().size());
+    std::vector<FitSums> sums(judge.bed_rings().size());
     const auto count = static_cast<double>(seeds.size());
     fit.model.anisotropy = 0.0;
     judge.measure(fit.terrain, seeds,

@@ -250,7 +250,7 @@ GaugeSeries read_gauge_series(Ocean& ocean, const std::vector<Gauge>& gauges,
                               const std::function<void(std::size_t)>& progress) {
     GaugeSeries series{times.count(), gauges.size(), {}};
     series.values.resize(series.times * row_length(series));
-    if (ocean.parameters().water.bed) {
+    if (!ocean.repeats()) {
         read_coast(ocean, gauges, times, progress, series);
     } else if (ocean.sea().take.empty()) {
         read_still_sea(ocean, gauges, times, pool, progress, series);

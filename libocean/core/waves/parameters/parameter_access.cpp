@@ -48,14 +48,16 @@ std::optional<Stage> first_dirty_stage(const Parameters& before, const Parameter
     if (!same_systems(before, after)) return Stage::spectrum;
     std::optional<Stage> first;
     if (!same_bed(before.water, after.water)) first = Stage::surface;
-    if (before.crests.size() != after.crests.size()) first = Stage::modes;
     for (const ParameterInfo& info : parameter_table()) {
         if (first && *first <= info.dirties) continue;
-        const std::size_t items = std::min(info.member.items(before), info.member.items(after));
-        for (std::size_t item = 0; item < items; ++item) {
-            if (info.member.get(before, item) != info.member.get(after, item)) first = info.dirties;
+        const std::size_t items = info.member.items(before);
+        bool same = items == info.member.items(after);
+        for (std::size_t item = 0; same && item < items; ++item) {
+            same = info.member.get(before, item) == info.member.get(after, item);
         }
+        if (!same) first = info.dirties;
     }
+    if (!first && before.hulls != after.hulls) first = Stage::clock;  // another track
     return first;
 }
 
@@ -65,6 +67,10 @@ void set_parameter(Parameters& parameters, std::string_view name, std::string_vi
     assign(changed, ref, parse_value(*ref.info, ref.item, text));
     if (names_record(*ref.info) && value_of(changed, ref) != value_of(parameters, ref)) {
         changed.waves[ref.item].measured = nullptr;  // it belongs to the previous name
+    }
+    if (ref.info->holds<&Hull::track_file>() &&
+        value_of(changed, ref) != value_of(parameters, ref)) {
+        changed.hulls[ref.item].track = nullptr;
     }
     if (value_of(changed, ref) != value_of(parameters, ref)) {
         changed.water.bed = bed_after(*ref.info, changed.water);

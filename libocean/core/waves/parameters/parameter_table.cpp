@@ -28,8 +28,9 @@ constexpr TableSection kRandom{"random"};
 constexpr TableSection kWaves{"waves", "wave system", kMaxWaveSystems};
 // Its keys are common words, so that none of them alone names a crest.
 constexpr TableSection kCrests{"crests", "crest", kMaxCrests, false};
-constexpr TableSection kSections[] = {kWater, kShore,  kGrid,  kSurface,
-                                      kTime,  kRandom, kWaves, kCrests};
+constexpr TableSection kHulls{"hulls", "hull", kMaxHulls};
+constexpr TableSection kSections[] = {kWater,  kShore, kGrid,   kSurface, kTime,
+                                      kRandom, kWaves, kCrests, kHulls};
 
 constexpr OptionalColumns used_by(std::string_view words, NumberRule rule = NumberRule::any) {
     return {.used_by = words, .rule = rule};
@@ -272,6 +273,42 @@ constexpr ParameterInfo kTable[] = {
      "systems. Unset means that of all waves.",
      member<&Parameters::crests, &Crest::direction>(), -360.0, 360.0, -180.0, 180.0, kRebuild,
      Stage::modes},
+
+    {kHulls, "length", "m", "Hull length", "Length of the hull in the water.",
+     member<&Parameters::hulls, &Hull::length>(), 0.5, 1000.0, 3.0, 300.0, kRebuild, Stage::clock},
+    {kHulls, "beam", "m", "Beam", "Width of the hull at the water line.",
+     member<&Parameters::hulls, &Hull::beam>(), 0.05, 200.0, 1.0, 50.0, kRebuild, Stage::clock},
+    {kHulls, "draught", "m", "Draught", "Depth of the hull below the water line.",
+     member<&Parameters::hulls, &Hull::draught>(), 0.02, 100.0, 0.2, 15.0, kRebuild, Stage::clock},
+    {kHulls, "shape", "", "Hull shape",
+     "wall_sided: vertical sides with a parabolic water line; wigley: Wigley's parabolas, a finer "
+     "hull of two thirds of that volume.",
+     member<&Parameters::hulls, &Hull::shape>(), 0, 0, 0, 0, kRebuild, Stage::clock},
+    {kHulls, "factor", "", "Wake factor",
+     "Factor on the height of the waves. At 1 it is that of linear theory, which no measured wash "
+     "has confirmed: for full hulls near the hump speed it is probably too high.",
+     member<&Parameters::hulls, &Hull::factor>(), 0.0, 10.0, 0.0, 2.0, kRebuild, Stage::clock,
+     neutral("1")},
+    {kHulls, "track_file", "", "Track file",
+     "CSV file of the track, with a header: time,x,y, or time,x,y,heading,speed, or way points "
+     "x,y,speed; relative to the sea file. The rows themselves may stand in the sea file as track "
+     "= [[time, x, y], ...].",
+     member<&Parameters::hulls, &Hull::track_file>(), 0, 0, 0, 0, kRebuild, Stage::clock,
+     neutral("")},
+    {kHulls, "wake_size", "m", "Wake size",
+     "Side of the square of water around the hull that shows its wake; 0 means chosen: 16 lengths "
+     "or 12 of its transverse waves, at most 32 lengths.",
+     member<&Parameters::hulls, &Hull::wake_size>(), 0.0, 100000.0, 0.0, 5000.0, kRebuild,
+     Stage::clock, neutral("0")},
+    {kHulls, "wake_resolution", "samples", "Wake resolution",
+     "Samples along each side of that square; a power of two.",
+     member<&Parameters::hulls, &Hull::wake_resolution>(), 64, 2048, 128, 1024, kRebuild,
+     Stage::clock, OptionalColumns{.rule = NumberRule::power_of_two, .neutral = "256"}},
+    {kHulls, "wake_age", "s", "Wake age",
+     "Age at which waves are forgotten, faded out over its last quarter; 0 means chosen: 3.2 times "
+     "the time in which the hull crosses the square.",
+     member<&Parameters::hulls, &Hull::wake_age>(), 0.0, 3600.0, 0.0, 600.0, kRebuild, Stage::clock,
+     OptionalColumns{.min_nonzero = 10.0, .neutral = "0"}},
 };
 
 /// A type that converts to a value of any type.
@@ -306,6 +343,7 @@ static_assert(rows_of("time") == member_count<Timing>());
 static_assert(rows_of("waves") + 3 ==
               member_count<WaveSystem>());  // energy_share, wind_onset, measured
 static_assert(rows_of("crests") == member_count<Crest>());
+static_assert(rows_of("hulls") + 1 == member_count<Hull>());  // track
 
 constexpr Table<Parameters> kSeaTable{"sea", kSections, kTable};
 static_assert(is_consistent(kSeaTable));

@@ -8,6 +8,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/cascades.hpp"
+#include "ocean/internal/hull_rules.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/sea_bed.hpp"
 
@@ -164,6 +165,7 @@ void validate(const Parameters& parameters) {
     validate_bed(parameters.water);
     validate_band(parameters.surface);
     validate_cascades(parameters.grid);
+    validate_hulls(parameters);
     for (std::size_t i = 0; i < parameters.waves.size(); ++i) {
         const WaveSystem& system = parameters.waves[i];
         const std::string name = "waves." + std::to_string(i);

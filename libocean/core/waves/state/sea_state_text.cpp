@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ocean/internal/grid.hpp"
+#include "ocean/internal/hull_rules.hpp"
 #include "ocean/internal/json.hpp"
 #include "ocean/internal/spreading.hpp"
 #include "waves/modes/mode_lattice.hpp"
@@ -158,6 +159,7 @@ void add_record_warnings(const Parameters& parameters, SeaState& state) {
 void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
     const auto warn = [&state](std::string text) { state.warnings.push_back(std::move(text)); };
     add_record_warnings(parameters, state);
+    for (std::string& text : hull_warnings(parameters)) warn(std::move(text));
     if (parameters.water.bed != nullptr) {
         for (std::string& text : bed_warnings(*parameters.water.bed, parameters.water)) {
             warn(std::move(text));

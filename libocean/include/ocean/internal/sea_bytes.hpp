@@ -23,6 +23,8 @@ std::uint64_t work_bytes(const Grid& grid, const Backend& backend, ChannelSet ch
                          int resolution, std::span<const ChannelInfo> host_channels = {});
 /// Returns the bytes of the coast of a sea over a bed, the work space that builds it included.
 std::uint64_t coast_bytes(const Parameters& parameters);
+/// Returns the bytes of the maps of a sea with hulls.
+std::uint64_t hull_sea_bytes(const Parameters& parameters);
 /// Returns the bytes that a region of these channels needs beside the region.
 std::uint64_t region_work_bytes(const Parameters& parameters, const Domain& domain,
                                 ChannelSet channels);

@@ -5,6 +5,7 @@
 The values are those of the real-time tables; only their arrangement is that of the yearly files:
 frequencies in the header, oldest line first, r1 and r2 in hundredths.
 """
+
 import gzip
 import pathlib
 import re

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "coast/surface/open_surface.hpp"
+#include "waves/labels/open_surface.hpp"
 
 #include <algorithm>
 #include <array>
@@ -58,6 +58,10 @@ void OpenSurface::move_to(const Modes& modes, double time, bool rates, ThreadPoo
     rates_ = rates;
     maps_->strips.begin(modes, time, outputs, pool);
     has_begun_ = true;
+}
+
+void OpenSurface::repack(const Modes& modes, ThreadPool& pool) {
+    if (maps_) maps_->strips.repack(modes, spline_factor(modes, shown_, samples_), pool);
 }
 
 void OpenSurface::prepare(double first, double last, ThreadPool& pool) const {

@@ -37,6 +37,8 @@ class OpenSurface {
     /// Begins a time, unless it has begun; makes no map. `modes` must be the constructor's modes.
     /// rates: reads have derivatives in time.
     void move_to(const Modes& modes, double time, bool rates, ThreadPool& pool);
+    /// Replaces the modes by others of the same lattice. No time may have begun.
+    void repack(const Modes& modes, ThreadPool& pool);
     /// Ends the time that has begun; its memory stays.
     void forget() { has_begun_ = false; }
     /// Makes the strips for reads at x from `first` to `last` [m], on all threads. Other reads make

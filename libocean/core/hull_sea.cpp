@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "hull_sea.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "ocean/error.hpp"
+#include "ocean/internal/cascades.hpp"
+#include "ocean/internal/directional_spectrum.hpp"
+#include "ocean/internal/memory.hpp"
+#include "ocean/internal/sea_bytes.hpp"
+#include "ocean/internal/text.hpp"
+#include "ocean/land_mask.hpp"
+#include "ocean/thread_pool.hpp"
+#include "wave/wave.hpp"
+#include "waves/labels/label_search.hpp"
+#include "waves/labels/region_rows.hpp"
+#include "waves/query/query_bounds.hpp"
+#include "waves/query/query_points.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr ChannelSet kFoamChannels = {Channel::foam, Channel::cover};
+
+/// The whitecaps and the foam of a surface with wakes. Foam is the open sea's, followed over time;
+/// where the sum of both breaks now, its whitecap is foam too. That whitecap leaves no foam behind.
+class SummedFoam {
+  public:
+    SummedFoam(const SurfaceSettings& settings, const Surface& open, float cover_power)
+        : threshold_(static_cast<float>(settings.foam_threshold)),
+          width_(static_cast<float>(settings.foam_width)),
+          open_(open),
+          cover_power_(cover_power) {}
+
+    float whitecap(const LabelPoint& point) const {
+        return wave::single_precision::surface_whitecap(label_jacobian(point), threshold_, width_);
+    }
+    float foam(WorldPoint label, const LabelPoint& point) const {
+        return std::max(read_period(open_, Channel::foam, label), whitecap(point));
+    }
+    float cover(WorldPoint label, const LabelPoint& point) const {
+        return std::max(read_period(open_, Channel::cover, label),
+                        std::pow(whitecap(point), cover_power_));
+    }
+
+  private:
+    float threshold_;
+    float width_;
+    const Surface& open_;
+    float cover_power_;
+};
+
+}  // namespace
+
+void HullSea::drop(const OpenSea::Ended& ended) {
+    if (ended.grid) surface_.reset();
+}
+
+void HullSea::prepare() {
+    surface(parameters().time.start, false);
+}
+
+void HullSea::warn(SeaState& state) {
+    constexpr double kSteep = 0.1;  // breaking waves
+    const Parameters& sea = parameters();
+    for (std::size_t i = 0; i < sea.hulls.size(); ++i) {
+        const WakeSteepness waves =
+            wake_steepness(sea.hulls[i], sea.water, sea.time.loop_period, open().pool());
+        if (waves.steepness <= kSteep) continue;
+        const std::string name = "hulls." + std::to_string(i);
+        state.warnings.push_back(
+            name + " makes waves of " + fixed_text(waves.height, 2) +
+            " m at its highest speed, one length beside it, " + fixed_text(waves.steepness, 2) +
+            " of their length; linear theory, which makes them, holds to 0.1: make " + name +
+            ".factor smaller, or the hull finer");
+    }
+}
+
+HullSurface& HullSea::surface(double time, bool rates) {
+    // Copied: a later stage may change the chain's.
+    const Parameters now = open().parameters_at(time);
+    const Modes& modes = open().modes(time);
+    const bool is_current = surface_ && modes_ == modes.revision && hulls_ == now.hulls &&
+                            water_ == now.water && choppiness_ == now.surface.choppiness;
+    if (!is_current) {
+        surface_.reset();
+        require_memory(hull_sea_bytes(now), "the wakes of the hulls");
+        const double height = 4.0 * std::sqrt(open().spectrum(time).variance(now.water));
+        surface_.emplace(modes, now, shown(), height, open().pool());
+        modes_ = modes.revision;
+        hulls_ = now.hulls;
+        water_ = now.water;
+        choppiness_ = now.surface.choppiness;
+    }
+    surface_->move_to(modes, time, rates, open().pool());
+    return *surface_;
+}
+
+PlacedSea::RegionMaps HullSea::region_maps(ChannelSet) const {
+    return {};
+}
+
+void HullSea::write_region(double time, const Domain& domain, std::span<const MapOutput> outputs) {
+    const ChannelSet channels = channels_of(outputs);
+    ++open().stage_runs().surface;
+    const bool has_foam = channels.intersects(kFoamChannels);
+    const Surface foam_of_open =
+        has_foam
+            ? open_map(time, channels.without(kEveryMask | kEveryChannel.without(kFoamChannels)))
+            : Surface();
+    const auto power = channels.contains(Channel::cover)
+                           ? static_cast<float>(open().cover_power(time, shown()))
+                           : 1.0f;
+    const SurfaceSettings settings = open().shown_settings(time, shown());
+    const SummedFoam foam(settings, foam_of_open, power);
+    const HullSurface& surface = this->surface(time, needs_rates(channels));
+    surface.prepare(domain.origin[0], domain.origin[0] + domain.size[0], open().pool());
+    const auto read = [&](std::span<const WorldPoint> labels, std::span<LabelPoint> points,
+                          std::size_t) { surface.read(labels, points); };
+    const auto own = [&](const RegionPiece<LabelPoint>& piece, const RegionTarget& target) {
+        target.write(piece.count, [&](std::size_t i) {
+            const LabelPoint& point = piece.points[i];
+            if (target.channel == Channel::whitecap) return foam.whitecap(point);
+            if (target.channel == Channel::foam) return foam.foam(piece.labels[i], point);
+            if (target.channel == Channel::cover) return foam.cover(piece.labels[i], point);
+            return 0.0f;
+        });
+    };
+    open().pool().for_each_item(domain.samples[1], [&](int j, int) {
+        write_region_row<LabelPoint>(domain, j, channels, outputs, read, own);
+    });
+}
+
+void HullSea::query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
+                    const QueryOptions& options) {
+    require_finite(points);
+    if (options.resolution != 0 && options.resolution != shown()) {
+        throw Error(ErrorKind::unsupported,
+                    "resolution = " + std::to_string(options.resolution) +
+                        ": with hulls a query reads all waves of the grid; allowed: 0 or " +
+                        std::to_string(shown()));
+    }
+    spline_resolution(parameters().grid.resolution, {.refine = options.refine});
+    if (points.empty()) return;
+    HullSurface& surface = this->surface(time, true);
+    if (options.exact) {
+        require_memory(3 * WaveSum::bytes(open().modes(time), 1), "an exact query of this sea");
+        surface.prepare_sums(open().modes(time), parameters().water);
+    } else {
+        const auto [west, east] = std::ranges::minmax(points, {}, &WorldPoint::x);
+        surface.prepare(west.x - surface.reach(), east.x + surface.reach(), open().pool());
+    }
+    std::vector<LabelPoint> found(points.size());
+    const auto read = [&](std::span<const WorldPoint> labels, std::span<LabelPoint> at) {
+        surface.read(labels, at, options.exact);
+    };
+    // A sum over all modes takes long enough to be a work item of its own.
+    const std::size_t piece = options.exact ? 1 : kSearchBlock;
+    search_labels(read, surface.reach(), piece, points, samples, std::span(found), open().pool());
+    if (options.foam) add_foam(time, samples.first(points.size()), found);
+}
+
+void HullSea::add_foam(double time, std::span<QuerySample> samples,
+                       std::span<const LabelPoint> found) {
+    const Surface open_foam = open_map(time, Channel::foam);
+    const SurfaceSettings settings = open().shown_settings(time, shown());
+    const SummedFoam foam(settings, open_foam, 1.0f);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const WorldPoint label{samples[i].label[0], samples[i].label[1]};
+        samples[i].foam = static_cast<double>(foam.foam(label, found[i]));
+    }
+}
+
+double HullSea::query_height_error(double time, const QueryOptions& options) {
+    if (!options.exact) return surface(time, false).height_error();
+    return query_bounds(open().modes(time), shown(), shown(), true, open().pool()).error;
+}
+
+void HullSea::water_motion(double, std::span<const WaterPoint>, std::span<WaterMotion>,
+                           const QueryOptions&) {
+    throw Error(ErrorKind::unsupported,
+                "the motion of the water below the wakes of hulls is not computed; allowed: a sea "
+                "without hulls");
+}
+
+const SprayFollower& HullSea::spray(double time, const SpraySettings& settings) {
+    return open().spray(time, settings);
+}
+
+}  // namespace ocean

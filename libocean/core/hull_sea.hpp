@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The sea of an Ocean with hulls: the open sea and the wakes, which add up at labels. Regions and
+// answers at points come from that one surface.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "hulls/hull_surface.hpp"
+#include "ocean/internal/revision.hpp"
+#include "placed_sea.hpp"
+
+namespace ocean {
+
+/// The sea must have hulls while its functions are called.
+class HullSea final : public PlacedSea {
+  public:
+    using PlacedSea::PlacedSea;
+
+    void drop(const OpenSea::Ended& ended) override;
+    void prepare() override;
+    void warn(SeaState& state) override;
+
+    /// Returns the spray of the open sea, which knows no wake.
+    const SprayFollower& spray(double time, const SpraySettings& settings) override;
+
+    void query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
+               const QueryOptions& options) override;
+    double query_height_error(double time, const QueryOptions& options) override;
+    /// Throws Error unsupported: wakes are known at the surface alone.
+    void water_motion(double time, std::span<const WaterPoint> points,
+                      std::span<WaterMotion> motions, const QueryOptions& options) override;
+
+    /// Returns the surface at a time, for tests.
+    const HullSurface& surface(double time) { return surface(time, true); }
+
+  private:
+    RegionMaps region_maps(ChannelSet channels) const override;
+    void write_region(double time, const Domain& domain,
+                      std::span<const MapOutput> outputs) override;
+    HullSurface& surface(double time, bool rates);
+    /// Writes the foam of samples of a query. `found`: the surface at their labels.
+    void add_foam(double time, std::span<QuerySample> samples, std::span<const LabelPoint> found);
+
+    std::optional<HullSurface> surface_;
+    // What surface_ was made of.
+    Revision modes_;
+    std::vector<Hull> hulls_;
+    Water water_;
+    double choppiness_ = 0.0;
+};
+
+}  // namespace ocean

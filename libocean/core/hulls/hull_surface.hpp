@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The surface of an open sea with hulls, a pure function of label and time: the open sea's waves
+// and the wakes add up at each label, and normal, Jacobian and whitecaps follow from the sums.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "hulls/wake.hpp"
+#include "ocean/domain.hpp"
+#include "ocean/internal/modes.hpp"
+#include "ocean/internal/wave_sum.hpp"
+#include "ocean/parameters.hpp"
+#include "ocean/query.hpp"
+#include "waves/labels/label_point.hpp"
+#include "waves/labels/open_surface.hpp"
+
+namespace ocean {
+
+class ThreadPool;
+
+class HullSurface {
+  public:
+    /// `shown`: samples of the sea's map whose waves count. height: significant wave height of the
+    /// open sea [m], to which the error of its spline is relative. Keeps no reference to its
+    /// arguments.
+    HullSurface(const Modes& modes, const Parameters& parameters, int shown, double height,
+                ThreadPool& pool);
+
+    /// Begins a time [s], unless it has begun. `modes` must be the constructor's.
+    void move_to(const Modes& modes, double time, bool rates, ThreadPool& pool);
+    /// Makes the maps for labels between x = `first` and `last` [m], on all threads.
+    void prepare(double first, double last, ThreadPool& pool) const;
+    /// Makes the sums over all waves for read(..., exact). The time must have begun with rates.
+    void prepare_sums(const Modes& modes, const Water& water);
+
+    /// Writes the surface at each label. Several threads may read at once. exact: sums all waves.
+    void read(std::span<const WorldPoint> labels, std::span<LabelPoint> points,
+              bool exact = false) const;
+
+    double time() const { return time_; }
+    /// Returns the max distance between a label and the point where it is displayed [m].
+    double reach() const { return reach_; }
+    /// Returns the rms error of heights by the open sea's spline [m].
+    double height_error() const { return open_.height_error(); }
+    std::span<const std::unique_ptr<Wake>> wakes() const { return wakes_; }
+
+  private:
+    LinearWaves<Jet> waves_at(double x, double y, bool exact) const;
+
+    double choppiness_;
+    int shown_;
+    double open_reach_;
+    OpenSurface open_;
+    std::vector<std::unique_ptr<Wake>> wakes_;
+    double reach_ = 0.0;
+    double time_ = 0.0;
+    bool has_begun_ = false;
+    bool rates_ = false;
+    std::optional<WaveSum> sum_;
+    double sum_time_ = 0.0;
+};
+
+}  // namespace ocean

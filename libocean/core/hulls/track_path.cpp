@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "hulls/track_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "ocean/internal/grid.hpp"
+
+namespace ocean {
+namespace {
+
+/// Returns the slope from one row to the next.
+PathVector leg_slope(const TrackRow& a, const TrackRow& b) {
+    const double seconds = b.time - a.time;
+    return {(b.x - a.x) / seconds, (b.y - a.y) / seconds};
+}
+
+/// Returns the slope at `at` of the parabola through three rows.
+PathVector parabola_slope(const TrackRow& before, const TrackRow& at, const TrackRow& after) {
+    const PathVector a = leg_slope(before, at);
+    const PathVector b = leg_slope(at, after);
+    const double share = (at.time - before.time) / (after.time - before.time);
+    return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+}
+
+/// Returns the velocities at the rows. A track that repeats goes on from its last row to its
+/// second.
+std::vector<PathVector> row_velocities(const HullTrack& track, bool repeats) {
+    const std::vector<TrackRow>& rows = track.rows;
+    std::vector<PathVector> velocities(rows.size());
+    const std::size_t last = rows.size() - 1;
+    for (std::size_t i = 0; i <= last; ++i) {
+        if (!track.courses.empty()) {
+            const auto [heading, speed] = track.courses[i];
+            velocities[i] = {speed * std::cos(heading * kDegree),
+                             speed * std::sin(heading * kDegree)};
+        } else if (i > 0 && i < last) {
+            velocities[i] = parabola_slope(rows[i - 1], rows[i], rows[i + 1]);
+        } else if (repeats) {
+            TrackRow before = rows[last - 1];
+            before.time -= track.duration();
+            velocities[i] = parabola_slope(before, rows[0], rows[1]);
+        } else {
+            velocities[i] =
+                i == 0 ? leg_slope(rows[0], rows[1]) : leg_slope(rows[last - 1], rows[last]);
+        }
+    }
+    return velocities;
+}
+
+}  // namespace
+
+TrackPath::TrackPath(std::shared_ptr<const HullTrack> track, double loop_period)
+    : track_(std::move(track)),
+      velocities_(row_velocities(*track_, loop_period > 0.0)),
+      period_(loop_period > 0.0 ? track_->duration() : 0.0) {}
+
+double TrackPath::begin() const {
+    return period_ > 0.0 ? -std::numeric_limits<double>::infinity() : track_->rows.front().time;
+}
+
+PathVector TrackPath::place(double time) const {
+    const std::vector<TrackRow>& rows = track_->rows;
+    if (period_ > 0.0) {
+        const double since = std::fmod(time - rows.front().time, period_);
+        time = rows.front().time + (since < 0.0 ? since + period_ : since);
+    }
+    if (time <= rows.front().time) return {rows.front().x, rows.front().y};
+    if (time >= rows.back().time) return {rows.back().x, rows.back().y};
+    const auto after = std::ranges::upper_bound(rows, time, {}, &TrackRow::time);
+    const auto i = static_cast<std::size_t>(after - rows.begin()) - 1;
+    const TrackRow& a = rows[i];
+    const TrackRow& b = rows[i + 1];
+    const double seconds = b.time - a.time;
+    const double u = (time - a.time) / seconds;
+    const double ease = u * u * (3.0 - 2.0 * u);
+    const double from_a = u * (1.0 - u) * (1.0 - u) * seconds;
+    const double from_b = -u * u * (1.0 - u) * seconds;
+    const PathVector& v = velocities_[i];
+    const PathVector& w = velocities_[i + 1];
+    return {a.x + ease * (b.x - a.x) + from_a * v.x + from_b * w.x,
+            a.y + ease * (b.y - a.y) + from_a * v.y + from_b * w.y};
+}
+
+}  // namespace ocean

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The wake of one hull at one time: a layer of linear waves over the square around the hull, which
+// does not wrap. Its height, displacement and rates are added to the open sea's at the same label.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "field/jet.hpp"
+#include "hulls/track_path.hpp"
+#include "hulls/wake_lattice.hpp"
+#include "hulls/wake_nodes.hpp"
+#include "ocean/internal/modes.hpp"
+#include "ocean/internal/wave_sum.hpp"
+#include "ocean/page_vector.hpp"
+#include "ocean/parameters.hpp"
+#include "waves/labels/open_surface.hpp"
+
+namespace ocean {
+
+class ThreadPool;
+
+/// The waves of a hull at its highest speed, one length beside it.
+struct WakeSteepness {
+    double height = 0.0;     // from trough to crest [m]
+    double steepness = 0.0;  // height / length of the waves at the edge of the wedge
+};
+/// Returns the steepness of the waves of a valid hull; 0 for a hull that does not move.
+WakeSteepness wake_steepness(const Hull& hull, const Water& water, double loop_period,
+                             ThreadPool& pool);
+
+class Wake {
+  public:
+    /// The hull must be valid. loop_period: of the sea.
+    Wake(const Hull& hull, const Water& water, double loop_period, ThreadPool& pool);
+
+    /// Computes the waves of a time [s]. rates: reads have derivatives in time. The bits depend on
+    /// the time alone, not on earlier times, and are the same for any number of threads.
+    void move_to(double time, bool rates, ThreadPool& pool);
+    /// Makes the maps for reads at labels between x = `first` and `last` [m], on all threads. Other
+    /// reads make theirs on the calling thread.
+    void prepare(double first, double last, ThreadPool& pool) const;
+
+    /// Returns true if the square holds a label.
+    bool holds(double x, double y) const;
+    /// Returns the waves at a label of the square; 0 at its rim. Several threads may read at once.
+    LinearWaves<Jet> read(double x, double y) const;
+    /// Returns the same from a sum over all waves in double precision.
+    LinearWaves<Jet> read_exactly(double x, double y) const;
+    /// Makes the sums of this time for read_exactly.
+    void prepare_sums(const Water& water);
+
+    const WakeSize& size() const { return size_; }
+    const WakePast& past() const { return past_; }
+    /// Returns the waves of the time, relative to past().place.centre.
+    const Modes& modes() const { return waves_; }
+
+    static std::uint64_t bytes(int resolution);
+
+  private:
+    WakeSize size_;
+    TrackPath path_;
+    WakeLattice lattice_;
+    WakePast past_;
+    Modes waves_;
+    Modes rates_;  // of the waves: amplitudes da/dt
+    OpenSurface map_;
+    OpenSurface rate_map_;
+    PageVector<float> amplitudes_;  // re, im, then those of the rates
+    double half_length_;            // of the hull [m]
+    bool has_rates_ = false;
+    std::optional<WaveSum> sum_, rate_sum_;
+};
+
+}  // namespace ocean

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "hulls/wake_lattice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "field/ease.hpp"
+#include "ocean/internal/dispersion.hpp"
+
+namespace ocean {
+namespace {
+
+/// Waves end by a C2 step of k between these shares of the Nyquist line.
+constexpr double kRollBegin = 0.8;
+constexpr double kRollEnd = 1.0;
+constexpr double kNoGain = 1e-6;
+
+/// Returns Int_0^1 (1 - s^2) e^(-qs) ds.
+double parabola_integral(double q) {
+    return 1.0 / q - 2.0 / (q * q * q) + std::exp(-q) * (2.0 / (q * q) + 2.0 / (q * q * q));
+}
+
+}  // namespace
+
+WakeSize wake_size(const Hull& hull, double highest_speed, const Water& water) {
+    WakeSize size{hull.wake_size, hull.wake_resolution, hull.wake_age};
+    const double transverse = kTwoPi * highest_speed * highest_speed / water.gravity;
+    if (size.side == 0.0) {
+        size.side = std::min(std::max(16.0 * hull.length, 12.0 * transverse), 32.0 * hull.length);
+    }
+    if (size.age == 0.0) {
+        size.age = std::clamp(3.2 * size.side / std::max(highest_speed, 0.1), 60.0, 600.0);
+    }
+    return size;
+}
+
+double hull_volume(const Hull& hull) {
+    const double box = hull.length * hull.beam * hull.draught;
+    return hull.shape == HullShape::wigley ? box * 4.0 / 9.0 : box * 2.0 / 3.0;
+}
+
+double down_hull(const Hull& hull, double k, double depth) {
+    const double q = k * hull.draught;
+    const double bottom = std::exp(-2.0 * k * depth);  // 0 in deep water
+    const double upward = bottom > 0.0 ? std::exp(q - 2.0 * k * depth) : 0.0;
+    const bool is_wigley = hull.shape == HullShape::wigley;
+    // To q^2 where the closed forms cancel.
+    constexpr double kSmall = 1e-3;
+    if (q < kSmall) return 1.0 - (is_wigley ? 3.0 / 8.0 : 0.5) * q * std::tanh(k * depth);
+    if (!is_wigley) {
+        return (-std::expm1(-q) + (upward - bottom)) / (q * (1.0 + bottom));
+    }
+    // e^(2kd) may overflow, so that the part that rises with the depth is written out.
+    const double rising =
+        upward * (2.0 / (q * q) - 2.0 / (q * q * q)) + bottom * (2.0 / (q * q * q) - 1.0 / q);
+    return 1.5 * (parabola_integral(q) + rising) / (1.0 + bottom);
+}
+
+WakeLattice::WakeLattice(const Hull& hull, const WakeSize& size, const Water& water)
+    : lattice_{size.resolution, size.side}, displacement_(lattice_.size()) {
+    const Dispersion dispersion(water);
+    const double step = lattice_.wavenumber_step();
+    const int half = lattice_.resolution / 2;
+    const double nyquist = step * half;
+    const double whole = 0.5 * hull.factor * hull_volume(hull) / (size.side * size.side);
+    for (int j = 0; j < lattice_.resolution; ++j) {
+        const int m = signed_wavenumber(j, lattice_.resolution);
+        for (int i = 0; i < lattice_.resolution; ++i) {
+            const int n = signed_wavenumber(i, lattice_.resolution);
+            if ((n == 0 && m == 0) || n == -half || m == -half) continue;
+            const double k = step * std::hypot(n, m);
+            const DispersionPoint wave = dispersion.at(k);
+            const std::size_t at = mode_index(n, m, lattice_.resolution);
+            displacement_[at] = static_cast<float>(wave.horizontal_displacement / k);
+            const double roll = 1.0 - ease(kRollBegin, kRollEnd, k / nyquist);
+            if (roll < kNoGain) continue;
+            const double rate = wave.angular_frequency / kTwoPi;
+            index_.push_back(static_cast<std::uint32_t>(at));
+            n_.push_back(static_cast<float>(n));
+            m_.push_back(static_cast<float>(m));
+            rate_high_.push_back(static_cast<float>(rate));
+            rate_low_.push_back(
+                static_cast<float>(rate - static_cast<double>(static_cast<float>(rate))));
+            group_x_.push_back(static_cast<float>(wave.group_velocity * step * n / k));
+            group_y_.push_back(static_cast<float>(wave.group_velocity * step * m / k));
+            gain_.push_back(static_cast<float>(whole * roll * down_hull(hull, k, water.depth)));
+        }
+    }
+    const std::size_t padded = (n_.size() + kWakeBlock - 1) / kWakeBlock * kWakeBlock;
+    for (PageVector<float>* const values :
+         {&n_, &m_, &rate_high_, &rate_low_, &group_x_, &group_y_, &gain_}) {
+        values->resize(padded, 0.0f);
+    }
+    for (std::size_t first = 0; first < padded; first += kWakeBlock) {
+        const auto [least_x, most_x] =
+            std::minmax_element(&group_x_[first], &group_x_[first] + kWakeBlock);
+        const auto [least_y, most_y] =
+            std::minmax_element(&group_y_[first], &group_y_[first] + kWakeBlock);
+        velocities_.push_back({*least_x, *most_x, *least_y, *most_y});
+    }
+}
+
+Modes WakeLattice::still_modes() const {
+    Modes modes;
+    modes.lattice = lattice_;
+    CascadeModes& waves = modes.cascades.emplace_back();
+    waves.lattice = lattice_;
+    waves.h0.assign(lattice_.size(), std::complex<float>{});
+    waves.rate_high.assign(lattice_.size(), 0.0f);
+    waves.rate_low.assign(lattice_.size(), 0.0f);
+    waves.displacement.assign(displacement_.begin(), displacement_.end());
+    waves.shell_covariance.resize(static_cast<std::size_t>(lattice_.resolution / 2));
+    for (std::size_t i = 0; i < index_.size(); ++i) {
+        waves.rate_high[index_[i]] = rate_high_[i];
+        waves.rate_low[index_[i]] = rate_low_[i];
+    }
+    modes.lattice_revision = Revision::begin();
+    return modes;
+}
+
+void WakeLattice::set_amplitudes(const float* re, const float* im, Modes& modes) const {
+    PageVector<std::complex<float>>& h0 = modes.cascades.front().h0;
+    for (std::size_t i = 0; i < index_.size(); ++i) h0[index_[i]] = {re[i], im[i]};
+    modes.revision = Revision::begin();
+}
+
+std::uint64_t WakeLattice::bytes(int resolution) {
+    constexpr std::uint64_t kArrays = 7 + 1 + 1;  // of the waves, with index and displacement
+    constexpr std::uint64_t kModes = 2 * (2 + 1 + 1 + 1);  // of values and rates
+    constexpr std::uint64_t kAmplitudes = 4;
+    return Lattice{resolution, 1.0}.size() * sizeof(float) * (kArrays + kModes + kAmplitudes);
+}
+
+}  // namespace ocean

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The waves that the wake of a hull may have: a lattice over the square around it, with what the
+// hull's shape gives each wave.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "hulls/wake_task.hpp"
+#include "ocean/internal/grid.hpp"
+#include "ocean/internal/modes.hpp"
+#include "ocean/page_vector.hpp"
+#include "ocean/parameters.hpp"
+
+namespace ocean {
+
+/// The size of a wake: what the hull's keys say, or what is chosen in their place.
+struct WakeSize {
+    double side = 0.0;  // [m]
+    int resolution = 0;
+    double age = 0.0;  // [s]
+};
+/// Returns the size of a wake. Chosen: 16 lengths of the hull or 12 transverse waves of its highest
+/// speed, at most 32 lengths; and 3.2 times the time in which it crosses that, 60 to 600 s.
+WakeSize wake_size(const Hull& hull, double highest_speed, const Water& water);
+
+/// Returns the volume of a hull [m^3].
+double hull_volume(const Hull& hull);
+/// Returns the mean of cosh k(z + d) / cosh kd over the draught, weighted by the breadth of the
+/// hull's sections: 1 for long waves, 0 for short ones. In deep water the function is e^(kz).
+double down_hull(const Hull& hull, double k, double depth);
+
+/// Arrays of waves, one value for each wave that has energy, padded to kWakeBlock.
+class WakeLattice {
+  public:
+    WakeLattice(const Hull& hull, const WakeSize& size, const Water& water);
+
+    const Lattice& lattice() const { return lattice_; }
+    /// Returns the number of waves, padded.
+    std::size_t count() const { return n_.size(); }
+    const float* n() const { return n_.data(); }
+    const float* m() const { return m_.data(); }
+    const float* rate_high() const { return rate_high_.data(); }
+    const float* rate_low() const { return rate_low_.data(); }
+    const float* group_x() const { return group_x_.data(); }
+    const float* group_y() const { return group_y_.data(); }
+    const float* gain() const { return gain_.data(); }
+    const GroupVelocities* velocities() const { return velocities_.data(); }
+
+    /// Returns modes without amplitudes, for the open sea's synthesis at time 0.
+    Modes still_modes() const;
+    /// Sets the amplitudes of still_modes() from arrays of count() values.
+    void set_amplitudes(const float* re, const float* im, Modes& modes) const;
+
+    static std::uint64_t bytes(int resolution);
+
+  private:
+    Lattice lattice_;
+    PageVector<float> n_, m_, rate_high_, rate_low_, group_x_, group_y_, gain_;
+    std::vector<GroupVelocities> velocities_;  // of each block
+    std::vector<std::uint32_t> index_;         // in the lattice; without the padding
+    std::vector<float> displacement_;          // coth(k d) / k of all modes [m]
+};
+
+}  // namespace ocean

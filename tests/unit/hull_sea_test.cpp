@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A sea with hulls is one surface: regions and queries show the open sea plus the wakes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "hulls/wake.hpp"
+#include "ocean/error.hpp"
+#include "ocean/internal/hull_rules.hpp"
+#include "ocean/ocean.hpp"
+#include "ocean/sea_bed.hpp"
+#include "test_seas.hpp"
+
+namespace ocean {
+namespace {
+
+Hull boat(double speed = 5.0) {
+    Hull hull;
+    hull.length = 12.0;
+    hull.beam = 3.0;
+    hull.draught = 0.8;
+    hull.wake_resolution = 64;
+    auto track = std::make_shared<HullTrack>();
+    track->rows = {{-100.0, -100.0 * speed, 20.0}, {100.0, 100.0 * speed, 20.0}};
+    hull.track = track;
+    return hull;
+}
+
+Parameters sea_with_boat() {
+    Parameters parameters = test::wind_sea(64, 200.0);
+    parameters.hulls.push_back(boat());
+    return parameters;
+}
+
+/// The stern and the wake of the boat at 3 s.
+const Domain kWake{{-60.0, 0.0}, {80.0, 40.0}, {41, 21}, false};
+constexpr double kTime = 3.0;
+
+TEST(HullSea, AQueryFindsTheSurfaceOfTheRegion) {
+    Ocean ocean(sea_with_boat());
+    const Surface map = ocean.region(
+        kTime, kWake,
+        {Channel::dx, Channel::dy, Channel::height, Channel::nx, Channel::vz, Channel::foam});
+    const double height = ocean.state().significant_wave_height.resolved;
+    std::vector<WorldPoint> points;
+    std::vector<std::size_t> at;
+    for (int j = 0; j < 21; j += 4) {
+        for (int i = 0; i < 41; i += 4) {
+            const auto n = static_cast<std::size_t>(j * 41 + i);
+            const auto [x, y] = kWake.place(i, j);
+            points.push_back({x + static_cast<double>(map.channel(Channel::dx)[n]),
+                              y + static_cast<double>(map.channel(Channel::dy)[n])});
+            at.push_back(n);
+        }
+    }
+    std::vector<QuerySample> samples(points.size());
+    ocean.query(kTime, points, samples);
+    std::vector<QuerySample> exact(points.size());
+    ocean.query(kTime, points, exact, {.exact = true, .foam = false});
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto of = [&](Channel channel) {
+            return static_cast<double>(map.channel(channel)[at[i]]);
+        };
+        EXPECT_NEAR(samples[i].height, of(Channel::height), 1e-5 * height);
+        EXPECT_NEAR(samples[i].normal[0], of(Channel::nx), 1e-4);
+        EXPECT_NEAR(samples[i].velocity[2], of(Channel::vz), 1e-4);
+        EXPECT_NEAR(samples[i].foam, of(Channel::foam), 1e-3);
+        EXPECT_NEAR(exact[i].height, of(Channel::height), 3e-3 * height);
+    }
+}
+
+TEST(HullSea, ARegionIsTheOpenSeaPlusTheWake) {
+    Ocean ocean(sea_with_boat());
+    const Surface both = ocean.region(kTime, kWake, {Channel::height, Channel::dx});
+    Parameters calm = sea_with_boat();
+    calm.waves.front().wind_speed = 0.0;
+    const Surface wake = Ocean(calm).region(kTime, kWake, {Channel::height, Channel::dx});
+    Parameters away = sea_with_boat();
+    auto far = std::make_shared<HullTrack>(*away.hulls.front().track);
+    for (TrackRow& row : far->rows) row.y += 5000.0;
+    away.hulls.front().track = far;
+    const Surface open = Ocean(away).region(kTime, kWake, {Channel::height, Channel::dx});
+    double highest = 0.0;
+    for (const Channel channel : {Channel::height, Channel::dx}) {
+        for (std::size_t i = 0; i < kWake.count(); ++i) {
+            const float sum = open.channel(channel)[i] + wake.channel(channel)[i];
+            EXPECT_NEAR(both.channel(channel)[i], sum, 1e-5);
+            highest = std::max(highest, std::abs(static_cast<double>(wake.channel(channel)[i])));
+        }
+    }
+    EXPECT_GT(highest, 0.05);
+}
+
+TEST(HullSea, TheOpenSeaAwayFromTheBoatIsThatOfItsMap) {
+    Ocean ocean(sea_with_boat());
+    // Samples of the map of one period, 5000 m from the boat.
+    const double step = 200.0 / 64;
+    const Domain there{{5000.0, 5000.0}, {step * 63, step * 63}, {64, 64}, false};
+    const Surface region = ocean.region(kTime, there, Channel::height);
+    const Surface map = ocean.evaluate(kTime, Channel::height, 64);
+    const double height = ocean.state().significant_wave_height.resolved;
+    for (std::size_t i = 0; i < map.channel(Channel::height).size(); ++i) {
+        EXPECT_NEAR(region.channel(Channel::height)[i], map.channel(Channel::height)[i],
+                    2e-6 * height);
+    }
+}
+
+TEST(HullSea, MapsOfOnePeriodKeepTheirBitsAndWarn) {
+    Ocean with(sea_with_boat());
+    Ocean without(test::wind_sea(64, 200.0));
+    const ChannelSet channels = {Channel::height, Channel::foam};
+    const Surface a = with.evaluate(kTime, channels, 64);
+    const Surface b = without.evaluate(kTime, channels, 64);
+    EXPECT_TRUE(std::ranges::equal(a.channel(Channel::height), b.channel(Channel::height)));
+    EXPECT_TRUE(std::ranges::equal(a.channel(Channel::foam), b.channel(Channel::foam)));
+    const auto is_of_wakes = [](const std::string& text) {
+        return text.find("wakes of hulls") != std::string::npos;
+    };
+    EXPECT_TRUE(std::ranges::any_of(with.state().warnings, is_of_wakes));
+    EXPECT_FALSE(std::ranges::any_of(without.state().warnings, is_of_wakes));
+}
+
+TEST(HullSea, AnotherBoatAddsItsWakeAndAFactorScalesIt) {
+    Parameters parameters = sea_with_boat();
+    parameters.waves.front().wind_speed = 0.0;
+    Ocean ocean(parameters);
+    const Surface one = ocean.region(kTime, kWake, Channel::height);
+    ocean.set("hulls.0.factor", "2");
+    const Surface twice = ocean.region(kTime, kWake, Channel::height);
+    parameters.hulls.push_back(parameters.hulls.front());
+    const Surface two = Ocean(parameters).region(kTime, kWake, Channel::height);
+    for (std::size_t i = 0; i < kWake.count(); ++i) {
+        const float h = one.channel(Channel::height)[i];
+        EXPECT_NEAR(twice.channel(Channel::height)[i], 2.0f * h, 1e-6);
+        EXPECT_NEAR(two.channel(Channel::height)[i], 2.0f * h, 1e-6);
+    }
+}
+
+TEST(HullSea, AloneAndInASequenceAreTheSameBits) {
+    const ChannelSet channels = {Channel::height, Channel::vx, Channel::whitecap, Channel::foam};
+    Ocean sequence(sea_with_boat());
+    for (const double time : {1.0, 5.0, 2.0}) sequence.region(time, kWake, channels);
+    const Surface a = sequence.region(kTime, kWake, channels);
+    const Surface b = Ocean(sea_with_boat(), {.threads = 1}).region(kTime, kWake, channels);
+    for (const Channel channel : {Channel::height, Channel::vx, Channel::whitecap, Channel::foam}) {
+        EXPECT_TRUE(std::ranges::equal(a.channel(channel), b.channel(channel)));
+    }
+}
+
+TEST(HullSea, ATakeChangesTheSeaUnderTheBoat) {
+    Sea sea{sea_with_boat(), {}};
+    sea.take.events.push_back({1.0, find_parameter("wind_speed"), 14.0});
+    Ocean alone(sea);
+    const Surface a = alone.region(kTime, kWake, Channel::height);
+    Ocean sequence(sea);
+    sequence.region(0.5, kWake, Channel::height);
+    const Surface b = sequence.region(kTime, kWake, Channel::height);
+    EXPECT_TRUE(std::ranges::equal(a.channel(Channel::height), b.channel(Channel::height)));
+}
+
+TEST(HullSea, AFloatRisesOnAWake) {
+    Parameters parameters = sea_with_boat();
+    parameters.waves.front().wind_speed = 0.0;
+    Ocean ocean(parameters);
+    // Beside the boat, which is at 15 m.
+    const FloatBody buoy{.x = 0.0, .y = 26.0, .heading = 0.0, .length = 1.0, .width = 1.0};
+    double highest = 0.0;
+    for (double time = 0.0; time < 8.0; time += 1.0) {
+        FloatPose pose;
+        ocean.float_poses(time, {&buoy, 1}, {&pose, 1});
+        highest = std::max(highest, std::abs(pose.position[2]));
+    }
+    EXPECT_GT(highest, 0.05);
+}
+
+std::string refusal(const Parameters& parameters) {
+    try {
+        validate(parameters);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(HullSea, RefusesWhatItCannotHold) {
+    const auto changed = [](const auto& change) {
+        Parameters parameters = sea_with_boat();
+        change(parameters, parameters.hulls.front());
+        return refusal(parameters);
+    };
+    EXPECT_EQ(changed([](Parameters&, Hull&) {}), "");
+    EXPECT_EQ(changed([](Parameters&, Hull& hull) { hull.track = nullptr; }),
+              "hulls.0: has no track; allowed: track = [[time, x, y], ...] or track_file = a CSV "
+              "file");
+    EXPECT_EQ(changed([](Parameters&, Hull& hull) { hull.wake_size = 40.0; }),
+              "hulls.0.wake_size = 40 m: does not hold the hull and its waves; allowed: 0, or at "
+              "least four lengths of the hull, 48 m");
+    EXPECT_EQ(changed([](Parameters& sea, Hull&) { sea.water.depth = 0.5; }),
+              "hulls.0.draught = 0.8 m; allowed: less than water.depth = 0.5 m");
+    EXPECT_EQ(changed([](Parameters& sea, Hull&) { sea.time.loop_period = 60.0; }),
+              "hulls.0.track: ends 1000 m from where it begins, and the sea loops; allowed: with "
+              "time.loop_period = 60 s: a track that ends where it began, in a whole part of the "
+              "loop");
+    const auto flat = [](Parameters& sea, Hull&) {
+        GivenBed given;
+        given.grid = {{0.0, 0.0}, {160.0, 160.0}, {17, 17}, false};
+        given.heights.assign(17 * 17, -20.0f);
+        sea.water.bed = make_sea_bed(std::move(given), sea.water);
+    };
+    EXPECT_EQ(changed(flat),
+              "hulls: a hull needs an open sea: over a bed its waves would refract, which is not "
+              "computed; allowed: no hulls with water.seabed");
+    Parameters many = sea_with_boat();
+    auto track = std::make_shared<HullTrack>();
+    for (int i = 0; i < 1'000'000; ++i) track->rows.push_back({0.5 * i, 0.0, 0.0});
+    many.hulls.front().track = track;
+    EXPECT_EQ(refusal(many),
+              "hulls.0.track: makes 1000000 rows of tracks; allowed: at most 50000 of all hulls "
+              "together; a row for each second is plenty");
+}
+
+TEST(HullSea, HasNoWaterBelowItsWakesAndRefusesOtherQueries) {
+    Ocean ocean(sea_with_boat());
+    const WaterPoint point{0.0, 0.0, -1.0};
+    WaterMotion motion;
+    EXPECT_THROW(ocean.water_motion(0.0, {&point, 1}, {&motion, 1}), Error);
+    const WorldPoint place{0.0, 0.0};
+    QuerySample sample;
+    EXPECT_THROW(ocean.query(0.0, {&place, 1}, {&sample, 1}, {.resolution = 32}), Error);
+    const Domain wraps = Domain::tile(100.0, 32);
+    EXPECT_THROW(ocean.region(0.0, wraps, Channel::height), Error);
+    EXPECT_FALSE(ocean.repeats());
+}
+
+}  // namespace
+}  // namespace ocean
