@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "coast/surface/coast_chain.hpp"
 #include "coast/surface/shore_motion.hpp"
@@ -41,6 +42,9 @@ class Coast final : public PlacedSea {
     /// Returns the surface over the bed at a time. Valid until the next call.
     ShoreSurface& surface(double time, ShoreSurface::Rates rates);
     CoastChain::Exact exact(double time);
+    std::string_view why_no_linear_fields() const override {
+        return "over a bed waves do not add up";
+    }
     RegionMaps region_maps(ChannelSet channels) const override;
     void write_region(double time, const Domain& domain,
                       std::span<const MapOutput> outputs) override;

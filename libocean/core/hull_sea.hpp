@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "hulls/hull_surface.hpp"
@@ -38,6 +39,9 @@ class HullSea final : public PlacedSea {
     const HullSurface& surface(double time) { return surface(time, true); }
 
   private:
+    std::string_view why_no_linear_fields() const override {
+        return "with hulls it shows the displaced surface";
+    }
     RegionMaps region_maps(ChannelSet channels) const override;
     void write_region(double time, const Domain& domain,
                       std::span<const MapOutput> outputs) override;

@@ -47,7 +47,7 @@ Surface PlacedSea::region(double time, const Domain& domain, ChannelSet channels
 void PlacedSea::region_into(double time, const Domain& domain, std::span<const MapOutput> outputs) {
     if (!fields_of(outputs).empty()) {
         throw Error(ErrorKind::unsupported,
-                    "a region has no linear fields: over a bed waves do not add up");
+                    "a region has no linear fields: " + std::string(why_no_linear_fields()));
     }
     begin_region(time, domain, channels_of(outputs), 0);
     write_region(time, domain, outputs);

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string_view>
 
 #include "ocean/domain.hpp"
 #include "ocean/internal/open_sea.hpp"
@@ -56,6 +57,7 @@ class PlacedSea {
         bool labels = false;
     };
     virtual RegionMaps region_maps(ChannelSet channels) const = 0;
+    virtual std::string_view why_no_linear_fields() const = 0;
     /// Writes a region that has been checked.
     virtual void write_region(double time, const Domain& domain,
                               std::span<const MapOutput> outputs) = 0;

@@ -147,8 +147,8 @@ void write_files(const TemporaryFolder& folder) {
     folder.write("other.take", "0.1 choppiness 0.5\n");
     folder.write("rings.csv", "wavenumber,density\n0.01,5\n0.1,0.5\n1,0.001\n");
     folder.write("other.csv", "wavenumber,density\n0.01,9\n0.1,0.4\n1,0.002\n");
-    folder.write("boat.csv", "time,x,y\n-60,-240,40\n60,360,40\n");
-    folder.write("other_boat.csv", "time,x,y\n-60,-240,44\n60,360,44\n");
+    folder.write("boat.csv", "time,x,y\n-400,-1940,40\n60,360,40\n");
+    folder.write("other_boat.csv", "time,x,y\n-400,-1940,44\n60,360,44\n");
 }
 
 // ---- What is compared
@@ -230,7 +230,7 @@ class SeaHandle {
             add_map(shown, "map", ocean_.evaluate(time, channels));
         } else {
             using enum LandMask;
-            const ChannelSet masks = channel_of(depth) | channel_of(breaking) | channel_of(wetness);
+            const ChannelSet masks = {channel_of(depth), channel_of(breaking), channel_of(wetness)};
             if (ocean_.parameters().water.bed) channels = channels | masks;
             add_map(shown, "region", ocean_.region(time, kPart, channels));
         }

@@ -97,6 +97,11 @@ std::vector<io::HeaderString> spray_setting_strings(const SpraySettings& setting
 FrameMaps spray_maps(const BakePlan& draft) {
     const Parameters& parameters = sea_of(*draft.subject).parameters;
     const bool has_bed = parameters.water.bed != nullptr;
+    if (!has_bed && !draft.domain().wraps) {
+        throw Error(ErrorKind::unsupported,
+                    "--products spray: it knows no wakes of hulls, so that it has no region; "
+                    "allowed: the spray of the period, without --region");
+    }
     FrameMaps maps{{}, {has_bed ? draft.resolution : spray_domain(parameters).samples[0]}};
     maps.sequential = true;
     return maps;

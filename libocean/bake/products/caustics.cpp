@@ -70,6 +70,11 @@ MadePlan<CausticsRequest> resolve(const BakePlan& draft, const CausticsRequest& 
                     "--products caustics: they fall on a level plane, and this sea has a bed "
                     "(water.seabed)");
     }
+    if (!draft.domain().wraps) {
+        throw Error(ErrorKind::unsupported,
+                    "--products caustics: they repeat with their map, and this region of a sea "
+                    "with hulls does not");
+    }
     const double water = body.depth;
     CausticsRequest settings = requested;
     settings.resolved.depth = requested.depth.value_or(std::min(water, kDefaultDepth));

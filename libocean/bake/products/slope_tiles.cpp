@@ -122,7 +122,15 @@ std::vector<const Product*> with_bands(const std::vector<const Product*>& produc
 MadePlan<TileSettings> resolve(const BakePlan& draft, const TileSettings& requested,
                                const std::vector<const Product*>& products) {
     const DetailSettings detail = {draft.resolution, requested.samples.value_or(kDefaultSamples)};
-    return {with_bands(products, sea_of(*draft.subject).parameters, detail),
+    const Parameters& parameters = sea_of(*draft.subject).parameters;
+    const bool has_tiles = std::ranges::any_of(
+        products, [](const Product* product) { return kSlopeTiles.has(*product); });
+    if (has_tiles && !parameters.water.bed && !draft.domain().wraps) {
+        throw Error(ErrorKind::unsupported,
+                    "--products detail: slope tiles repeat, and this region of a sea with hulls "
+                    "does not");
+    }
+    return {with_bands(products, parameters, detail),
             {},
             {requested.samples, detail, std::make_shared<DetailBudgets>()}};
 }
