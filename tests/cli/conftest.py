@@ -9,6 +9,7 @@ import resource
 import shutil
 import subprocess
 import time
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -46,6 +47,18 @@ fetch = 100000.0
 """
 
 
+def table(name: str) -> dict:
+    """A table of the folder `rows`."""
+    return tomllib.loads(Path(__file__).with_name("rows").joinpath(f"{name}.toml").read_text())
+
+
+def words_of(arguments) -> list[str]:
+    """The words of a call, the first of which may be a line of words."""
+    return [word for first in arguments[:1] for word in str(first).split()] + [
+        str(word) for word in arguments[1:]
+    ]
+
+
 class Program:
     """The program and the folder that it runs in."""
 
@@ -54,7 +67,7 @@ class Program:
 
     def __call__(self, *arguments, **options) -> subprocess.CompletedProcess:
         return subprocess.run(
-            [OCEAN, *map(str, arguments)],
+            [OCEAN, *words_of(arguments)],
             cwd=self.folder,
             capture_output=True,
             text=True,
@@ -67,6 +80,9 @@ class Program:
         done = self(*arguments)
         assert done.returncode == 0, done.stderr
         return done.stdout
+
+    def bake(self, *arguments) -> list[str]:
+        return self.good("bake sea.toml", *words_of(arguments)).splitlines()
 
     def bad(self, *arguments, code: int = 2) -> str:
         """The one line that a run prints which fails with this exit code."""

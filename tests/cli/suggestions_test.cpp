@@ -3,8 +3,8 @@
 //
 // Claims: of ten names of each table that messages suggest from (commands, options, keys, formats,
 // products, presets, words of the wire) every typo of one letter suggests the name, and nothing is
-// suggested that is more than two edits away. The tables of the folder `refusals` and
-// test_suggestions.py have the places that suggest.
+// suggested that is more than two edits away. The tables of the folders `refusals`
+// and `mistakes` have the places that suggest.
 #include <gtest/gtest.h>
 
 #include <algorithm>

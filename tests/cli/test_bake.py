@@ -12,10 +12,6 @@ import OpenImageIO
 import pytest
 
 
-def bake(ocean, *arguments):
-    return ocean.good("bake", "sea.toml", *arguments).splitlines()
-
-
 def image(ocean, name):
     """(spec, pixels) of an EXR, row 0 = y of the first sample."""
     buffer = OpenImageIO.ImageBuf(str(ocean.folder / name))
@@ -24,24 +20,24 @@ def image(ocean, name):
 
 
 def test_the_default_frame_is_the_first_of_the_sea(ocean):
-    names = bake(ocean, "-o", "s.####.exr", "--products", "height", "--set", "first_frame=101")
+    names = ocean.bake("-o s.####.exr --products height --set first_frame=101")
     assert names == ["s.height.0101.exr"]
     spec, _ = image(ocean, names[0])
     assert float(spec["ocean:time"]) == 0.0
 
 
 def test_time_comes_from_the_sea_not_from_the_range(ocean):
-    bake(ocean, "-o", "a/s.####.exr", "--frames", "9", "--set", "start=3")
+    ocean.bake("-o a/s.####.exr --frames 9 --set start=3")
     spec, _ = image(ocean, "a/s.normal.0009.exr")
     assert float(spec["ocean:time"]) == 3.0 + 8.0 / 24.0
-    bake(ocean, "-o", "b/s.####.exr", "--frames", "9", "--fps", "48")
+    ocean.bake("-o b/s.####.exr --frames 9 --fps 48")
     spec, _ = image(ocean, "b/s.normal.0009.exr")
     assert float(spec["ocean:time"]) == 8.0 / 48.0
 
 
 def test_channels_types_and_headers(ocean):
     products = "height,displacement,slope,normal,jacobian,velocity"
-    bake(ocean, "-o", "s.####.exr", "--products", products, "--frames", "2")
+    ocean.bake("-o s.####.exr --products", products, "--frames", "2")
     kinds = {
         "height": (1, "half"),
         "displacement": (3, "float"),
@@ -61,16 +57,8 @@ def test_channels_types_and_headers(ocean):
 
 
 def test_height_has_the_promised_statistics_and_fields_agree(ocean):
-    bake(
-        ocean,
-        "-o",
-        "s.####.exr",
-        "--products",
-        "height,displacement,normal,jacobian",
-        "--type",
-        "float",
-        "--axes",
-        "zup",
+    ocean.bake(
+        "-o s.####.exr --products height,displacement,normal,jacobian --type float --axes zup",
     )
     fields = {
         name: image(ocean, f"s.{name}.0001.exr")[1]
@@ -79,7 +67,7 @@ def test_height_has_the_promised_statistics_and_fields_agree(ocean):
     assert np.array_equal(fields["height"][..., 0], fields["displacement"][..., 2])
     assert np.abs(np.linalg.norm(fields["normal"], axis=2) - 1.0).max() < 1e-5
     assert fields["jacobian"].mean() == pytest.approx(1.0, abs=0.02)
-    state = json.loads(ocean.good("info", "sea.toml", "--json"))
+    state = json.loads(ocean.good("info sea.toml --json"))
     height = state["significant_wave_height"]["resolved"]
     # One realisation of a 200 m patch: the mean over seeds is the business of the unit tests.
     assert 4.0 * fields["height"].std() == pytest.approx(height, rel=0.25)
@@ -88,31 +76,21 @@ def test_height_has_the_promised_statistics_and_fields_agree(ocean):
 def test_axes_turn_vectors(ocean):
     fields = {}
     for axes in ("zup", "yup", "tnb"):
-        bake(ocean, "-o", f"{axes}.exr", "--products", "displacement", "--axes", axes)
+        ocean.bake("-o", f"{axes}.exr", "--products", "displacement", "--axes", axes)
         spec, fields[axes] = image(ocean, f"{axes}.exr")
         assert spec["ocean:axes"] == axes
     x, y, z = np.moveaxis(fields["zup"], 2, 0)
     assert np.array_equal(fields["tnb"], np.stack([x, z, y], axis=2))
     assert np.array_equal(fields["yup"], np.stack([x, z, -y], axis=2))
-    bake(ocean, "-o", "default.exr", "--products", "displacement")
+    ocean.bake("-o default.exr --products displacement")
     assert np.array_equal(image(ocean, "default.exr")[1], fields["tnb"])
 
 
 def test_the_bottom_scanline_is_the_first_row(ocean):
     # A lone wave train that travels north: h(y, t) = h(y - c t, 0) moves up in the picture.
-    narrow = [
-        "--products",
-        "height",
-        "--type",
-        "float",
-        "--set",
-        "wind_direction=90",
-        "--set",
-        "longest_wavelength=60",
-        "--set",
-        "shortest_wavelength=45",
-    ]
-    bake(ocean, "-o", "s.####.exr", "--frames", "1-2", "--fps", "4", *narrow)
+    narrow = ["--products", "height", "--type", "float", "--set", "wind_direction=90", "--set",
+              "longest_wavelength=60", "--set", "shortest_wavelength=45"]  # fmt: skip
+    ocean.bake("-o s.####.exr --frames 1-2 --fps 4", *narrow)
     first, second = (
         np.fft.fft(image(ocean, f"s.height.000{n}.exr")[1][..., 0].mean(axis=1)) for n in (1, 2)
     )
@@ -123,7 +101,7 @@ def test_the_bottom_scanline_is_the_first_row(ocean):
 
 
 def test_layered_files_have_all_products(ocean):
-    bake(ocean, "-o", "s.exr", "--layout", "layered")
+    ocean.bake("-o s.exr --layout layered")
     spec, pixels = image(ocean, "s.exr")
     normal = {"normal.X", "normal.Y", "normal.Z"}
     assert {"R", "G", "B", "A", "foam.V"} | normal == set(spec.channelnames)
@@ -131,33 +109,23 @@ def test_layered_files_have_all_products(ocean):
 
 
 def test_type_and_compression_are_obeyed(ocean):
-    bake(ocean, "-o", "h.exr", "--products", "displacement", "--type", "half")
-    bake(ocean, "-o", "p.exr", "--products", "displacement", "--compression", "pxr24")
+    ocean.bake("-o h.exr --products displacement --type half")
+    ocean.bake("-o p.exr --products displacement --compression pxr24")
     assert str(image(ocean, "h.exr")[0].format) == "half"
     assert image(ocean, "p.exr")[0]["compression"] == "pxr24"
-    exact = bake(ocean, "-o", "f.exr", "--products", "displacement")
+    exact = ocean.bake("-o f.exr --products displacement")
     error = np.abs(image(ocean, "p.exr")[1] - image(ocean, exact[0])[1]).max()
     assert 0.0 < error < 1e-4
 
 
 def test_resolution_and_backend_change_no_sample(ocean):
-    bake(ocean, "-o", "a.exr", "--products", "height", "--type", "float")
-    bake(ocean, "-o", "b.exr", "--products", "height", "--type", "float", "--resolution", "128")
+    ocean.bake("-o a.exr --products height --type float")
+    ocean.bake("-o b.exr --products height --type float --resolution 128")
     small, large = image(ocean, "a.exr")[1], image(ocean, "b.exr")[1]
     assert large.shape == (128, 128, 1)
     assert np.abs(large[::2, ::2] - small).max() < 1e-5 * small.std()
     for backend in ("radix2", "dft"):
-        bake(
-            ocean,
-            "-o",
-            f"{backend}.exr",
-            "--products",
-            "height",
-            "--type",
-            "float",
-            "--backend",
-            backend,
-        )
+        ocean.bake(f"-o {backend}.exr --products height --type float --backend {backend}")
         other = image(ocean, f"{backend}.exr")[1]
         assert np.sqrt(((other - small) ** 2).mean()) < 2e-6 * small.std()
         # Another way of summing rounds otherwise: the choice was obeyed.
@@ -166,11 +134,11 @@ def test_resolution_and_backend_change_no_sample(ocean):
 
 def test_bytes_do_not_depend_on_threads_order_or_split(ocean):
     frames = ["1", "2", "3", "4"]
-    bake(ocean, "-o", "one/s.####.exr", "--frames", "1-4", "--threads", "1")
-    bake(ocean, "-o", "two/s.####.exr", "--frames", "1-4", "--threads", "2")
-    bake(ocean, "-o", "back/s.####.exr", "--frames", "4,3,2,1", "--threads", "3")
+    ocean.bake("-o one/s.####.exr --frames 1-4 --threads 1")
+    ocean.bake("-o two/s.####.exr --frames 1-4 --threads 2")
+    ocean.bake("-o back/s.####.exr --frames 4,3,2,1 --threads 3")
     for frame in frames:
-        bake(ocean, "-o", "alone/s.####.exr", "--frames", frame)
+        ocean.bake("-o alone/s.####.exr --frames", frame)
     expected = ocean.hashes("one")
     assert len(expected) == 13 and len(set(expected.values())) == 13
     for folder in ("two", "back", "alone"):
@@ -179,13 +147,13 @@ def test_bytes_do_not_depend_on_threads_order_or_split(ocean):
 
 def test_a_height_field_is_16_bit_and_closed(ocean):
     upright = ["--set", "choppiness=0"]
-    bake(ocean, "-o", "s.png", *upright)
+    ocean.bake("-o s.png", *upright)
     buffer = OpenImageIO.ImageBuf(str(ocean.folder / "s.png"))
     assert buffer.spec().format == OpenImageIO.UINT16 and buffer.spec().nchannels == 1
     codes = buffer.get_pixels(OpenImageIO.UINT16)[..., 0]
     assert codes.shape == (65, 65)
     assert np.array_equal(codes[0], codes[-1]) and np.array_equal(codes[:, 0], codes[:, -1])
-    bake(ocean, "-o", "s.exr", "--products", "height", "--type", "float", *upright)
+    ocean.bake("-o s.exr --products height --type float", *upright)
     height = image(ocean, "s.exr")[1][..., 0]
     side = dict(
         line.split(maxsplit=1)
@@ -200,7 +168,7 @@ def test_a_height_field_is_16_bit_and_closed(ocean):
 
 def test_a_height_field_shows_a_choppy_sea_at_its_places(ocean):
     """The displacement inverted, as `ocean query` has it."""
-    bake(ocean, "-o", "s.png")
+    ocean.bake("-o s.png")
     codes = OpenImageIO.ImageBuf(str(ocean.folder / "s.png")).get_pixels(OpenImageIO.UINT16)
     text = (ocean.folder / "s.png.inc").read_text()
     base, scale = (
@@ -214,15 +182,15 @@ def test_a_height_field_shows_a_choppy_sea_at_its_places(ocean):
     query = ["query", "sea.toml", "--points", "p.csv", "--frame", "1", "--refine", "2"]
     truth = np.array([float(row.split(",")[2]) for row in ocean.good(*query).splitlines()[1:]])
     assert np.abs(heights[j, i] - truth).max() <= 0.5 * scale / 65536.0 + 1e-6
-    bake(ocean, "-o", "flat.exr", "--products", "height", "--type", "float")
+    ocean.bake("-o flat.exr --products height --type float")
     by_label = image(ocean, "flat.exr")[1][..., 0]
     assert np.abs(by_label[j, i] - truth).max() > 0.01
 
 
 def test_meshes_are_mesh2_of_one_period_or_of_a_view(ocean):
-    bake(ocean, "-o", "patch.inc")
+    ocean.bake("-o patch.inc")
     camera = ["--eye", "10,20,6", "--heading", "90", "--field-of-view", "50"]
-    bake(ocean, "-o", "view.inc", *camera, "--mesh-columns", "64", "--mesh-rows", "80")
+    ocean.bake("-o view.inc", *camera, "--mesh-columns", "64", "--mesh-rows", "80")
     for name in ("patch.inc", "view.inc"):
         text = (ocean.folder / name).read_text()
         assert "#declare Ocean_Surface" in text and "mesh2" in text
@@ -240,7 +208,7 @@ def test_waves_too_short_for_the_map_tilt_the_normals(ocean):
     view = ["--eye", "0,0,6", "--mesh-columns", "16", "--mesh-rows", "16"]
     texts = []
     for variance in (["--slope-variance", "0"], ["--slope-variance", "0.02"], []):
-        bake(ocean, "-o", "s.inc", *view, *variance)
+        ocean.bake("-o s.inc", *view, *variance)
         texts.append((ocean.folder / "s.inc").read_text())
     # The default is what the spectrum has beyond the map, and it has some.
     assert len(set(texts)) == 3
@@ -249,9 +217,9 @@ def test_waves_too_short_for_the_map_tilt_the_normals(ocean):
 
 
 def test_an_existing_frame_is_replaced_whole(ocean):
-    bake(ocean, "-o", "s.exr", "--products", "height", "--set", "seed=9")
+    ocean.bake("-o s.exr --products height --set seed=9")
     old = (ocean.folder / "s.exr").read_bytes()
-    bake(ocean, "-o", "s.exr", "--products", "height")
+    ocean.bake("-o s.exr --products height")
     new = (ocean.folder / "s.exr").read_bytes()
     assert new[:4] == b"\x76\x2f\x31\x01" and new != old
     assert ocean.files(".") == ["buoy.toml", "s.exr", "s.manifest.json", "sea.toml"]
@@ -259,7 +227,7 @@ def test_an_existing_frame_is_replaced_whole(ocean):
 
 def cpu_seconds(ocean, *arguments):
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    bake(ocean, *arguments)
+    ocean.bake(*arguments)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
@@ -272,10 +240,10 @@ def test_files_are_compressed_where_it_pays(ocean):
         return image(ocean, path.name)[0]["compression"]
 
     small = {"normal", "slope", "jacobian", "whitecap", "foam", "derivatives", "cover"}
-    bake(ocean, "-o", "s.exr", "--products", products)
-    bake(ocean, "-o", "f.exr", "--products", products, "--type", "float")
-    bake(ocean, "-o", "l.exr", "--products", "normal,foam", "--layout", "layered")
-    bake(ocean, "-o", "m.exr", "--products", "displacement,foam", "--layout", "layered")
+    ocean.bake("-o s.exr --products", products)
+    ocean.bake("-o f.exr --products", products, "--type", "float")
+    ocean.bake("-o l.exr --products normal,foam --layout layered")
+    ocean.bake("-o m.exr --products displacement,foam --layout layered")
     for product in products.split(","):
         assert used(f"s.{product}.*exr") == ("rle" if product in small else "none"), product
         always = product in {"slope", "whitecap", "foam", "cover"}
@@ -285,24 +253,15 @@ def test_files_are_compressed_where_it_pays(ocean):
 
 
 def test_compression_costs_less_than_half_a_bake(ocean):
-    common = (
-        "--resolution",
-        "1024",
-        "--threads",
-        "1",
-        "--frames",
-        "1-4",
-        "--set",
-        "foam_lifetime=0",
-    )
-    plain = cpu_seconds(ocean, "-o", "p/s.####.exr", "--compression", "none", *common)
-    usual = cpu_seconds(ocean, "-o", "u/s.####.exr", *common)
+    common = "--resolution 1024 --threads 1 --frames 1-4 --set foam_lifetime=0"
+    plain = cpu_seconds(ocean, f"{common} -o p/s.####.exr --compression none")
+    usual = cpu_seconds(ocean, f"{common} -o u/s.####.exr")
     assert usual < 1.5 * plain
 
 
 def test_lists_may_have_blanks_and_rates_be_fractions(ocean):
-    bake(ocean, "-o", "a/s.####.exr", "--frames", " 1-3 , 5", "--products", "height, slope")
-    bake(ocean, "-o", "b/s.####.exr", "--frames", "1-3,5", "--products", "height,slope")
+    ocean.bake("-o a/s.####.exr --frames", " 1-3 , 5", "--products", "height, slope")
+    ocean.bake("-o b/s.####.exr --frames 1-3,5 --products height,slope")
     assert ocean.hashes("a") == ocean.hashes("b")
-    bake(ocean, "-o", "t.exr", "--products", "height", "--fps", "24000/1001", "--frames", "25")
+    ocean.bake("-o t.exr --products height --fps 24000/1001 --frames 25")
     assert ocean.manifest("t.manifest.json")["t.exr"]["time"] == pytest.approx(1.001, abs=1e-12)

@@ -25,9 +25,9 @@ def test_a_dry_run_writes_nothing(ocean):
     assert plan["free_bytes"] == pytest.approx(shutil.disk_usage(ocean.folder).free, rel=0.5)
     assert 0 < plan["memory_bytes"] < 1 << 30
     for output in ("out/s.png", "out/s.inc", "out/s.df3"):
-        done = ocean("bake", "sea.toml", "-o", output, "-n", "--json")
+        done = ocean("bake sea.toml -o", output, "-n", "--json")
         names = done.stdout.splitlines()
-        ocean.good("bake", "sea.toml", "-o", output)
+        ocean.good("bake sea.toml -o", output)
         size = sum((ocean.folder / name).stat().st_size for name in names)
         assert size <= events(done)[0]["bytes"]
 
@@ -67,12 +67,9 @@ def test_a_dry_run_tells_the_memory_that_is_used(ocean, options):
 
 
 def test_a_dry_run_says_what_would_be_kept(ocean):
-    ocean.good("bake", "sea.toml", "--frames", "1-3", "-o", "s.####.exr", "--products", "height")
+    ocean.good("bake sea.toml --frames 1-3 -o s.####.exr --products height")
     before = ocean.hashes(".")
-    done = ocean(
-        "bake", "sea.toml", "--frames", "2-5", "-o", "s.####.exr", "--products", "height",
-        "--skip-existing", "-n",
-    )  # fmt: skip
+    done = ocean("bake sea.toml --frames 2-5 -o s.####.exr --products height --skip-existing -n")
     assert done.stdout.splitlines() == [
         "s.height.0002.exr\tkept",
         "s.height.0003.exr\tkept",
@@ -150,7 +147,7 @@ def test_with_keep_going_the_other_frames_go_on(ocean, blocked):
 
 
 def test_json_lines_count_what_became_of_each_frame(ocean, blocked):
-    ocean.good("bake", "sea.toml", "-o", pattern("out"), "--products", "height", "--frames", "2-3")
+    ocean.good("bake sea.toml -o", pattern("out"), "--products", "height", "--frames", "2-3")
     done = ocean(*blocked, "--keep-going", "--skip-existing", "--json")
     log = events(done)
     assert log[0]["event"] == "start" and log[0]["total"] == 10
@@ -186,6 +183,6 @@ def test_commands_end_silently_at_a_closed_pipe(ocean, command):
 def test_a_pipe_gets_no_manifest(ocean):
     os.mkfifo(ocean.folder / "s.png")
     reader = subprocess.Popen(["cat", "s.png"], cwd=ocean.folder, stdout=subprocess.PIPE)
-    ocean.good("bake", "sea.toml", "-o", "s.png")
+    ocean.good("bake sea.toml -o s.png")
     assert reader.communicate(timeout=120)[0].startswith(b"\x89PNG")
     assert set(ocean.manifest("s.manifest.json")) == {"s.png.txt", "s.png.inc"}

@@ -16,37 +16,37 @@ def grid(rise: float = 1.0) -> str:
 def test_info_describes_the_bed_and_the_text_holds_it(ocean):
     ocean.write("coast/sea.toml", SEA)
     ocean.write("coast/bed.asc", grid())
-    text = ocean.good("info", "coast/sea.toml")
+    text = ocean.good("info coast/sea.toml")
     assert "21 x 5 samples 5 m apart, from (0, 0) m" in text
     assert "-9.5 to 10.5 m over still water" in text
     assert "47.6 % is wet, 28.6 % shallower than the sea" in text
-    bed = json.loads(ocean.good("info", "coast/sea.toml", "--json"))["bed"]
+    bed = json.loads(ocean.good("info coast/sea.toml --json"))["bed"]
     assert bed["samples"] == [21, 5] and bed["wet_share"] == 10 / 21
     assert f"SHA-256 {bed['sha256']}" in text
-    ocean.write("elsewhere/sea.toml", ocean.good("info", "coast/sea.toml", "--sea-file"))
-    again = json.loads(ocean.good("info", "elsewhere/sea.toml", "--json"))["bed"]
+    ocean.write("elsewhere/sea.toml", ocean.good("info coast/sea.toml --sea-file"))
+    again = json.loads(ocean.good("info elsewhere/sea.toml --json"))["bed"]
     assert again == bed
 
 
 def test_a_bed_of_depths_is_warned_of(ocean):
     ocean.write("sea.toml", SEA)
     ocean.write("bed.asc", grid().replace("-", ""))
-    state = json.loads(ocean.good("info", "sea.toml", "--json"))
+    state = json.loads(ocean.good("info sea.toml --json"))
     assert any("land alone" in warning for warning in state["warnings"])
     ocean.write("bed.asc", grid(1000.0))
-    state = json.loads(ocean.good("info", "sea.toml", "--json"))
+    state = json.loads(ocean.good("info sea.toml --json"))
     assert any("check seabed_unit" in warning for warning in state["warnings"])
 
 
 def test_set_takes_a_bed_from_where_the_user_stands(ocean):
     ocean.write("coast/sea.toml", "libocean = 1\n[grid]\nresolution = 64\n")
     ocean.write("bed.asc", grid())
-    assert "21 x 5" in ocean.good("info", "coast/sea.toml", "--set", "seabed=bed.asc")
+    assert "21 x 5" in ocean.good("info coast/sea.toml --set seabed=bed.asc")
 
 
 def test_a_folder_for_povray_has_the_coast(ocean):
     ocean.write("sea.toml", SEA)
     ocean.write("bed.asc", grid())
-    files = ocean.good("povray", "sea.toml", "-o", "f", "-n").split()
+    files = ocean.good("povray sea.toml -o f -n").split()
     for name in ("coast.inc", "coast_0001.df3", "land.df3", "sea_0001.df3", "scene.pov"):
         assert f"f/{name}" in files, name

@@ -63,10 +63,18 @@ class Bridge:
         )
         self.log = Lines(self.process.stderr)
         self.port = int(self.log.wait_for(r"listening on 127\.0\.0\.1:(\d+)")[1])
+        self.address = f"127.0.0.1:{self.port}"
 
     def connect(self) -> socket.socket:
         client = socket.create_connection(("127.0.0.1", self.port), timeout=PATIENCE)
-        self.line_of(client)
+        assert self.line_of(client).startswith("OBP 1 ")
+        return client
+
+    def say(self, *lines: str) -> socket.socket:
+        """As a client of its own; the connection, which has been greeted and answered."""
+        client = self.connect()
+        for line in lines:
+            assert self.ask(client, line) == "OK", line
         return client
 
     @staticmethod
@@ -109,15 +117,6 @@ def typed(program: list, text: bytes) -> subprocess.Popen:
     process.stdin.write(text)
     process.stdin.flush()
     return process
-
-
-def refusal(*arguments) -> str:
-    done = subprocess.run(
-        [BRIDGE, *map(str, arguments)], capture_output=True, text=True, timeout=PATIENCE
-    )
-    assert done.returncode == 2, done.stderr
-    assert done.stderr.count("\n") == 1
-    return done.stderr
 
 
 def telnet(port: int, text: bytes) -> str:
@@ -469,29 +468,6 @@ def test_learning_prints_the_map_of_what_is_moved(tmp_path, start):
     while not (told := bridge.line_of(client)).startswith("UPD "):
         pass
     assert told.split()[1] == "choppiness"
-
-
-@pytest.mark.parametrize(
-    ("arguments", "says"),
-    [
-        (["--listen", "0.0.0.0:0"], "only with --token-file"),
-        (["--learn", "wind_sped"], "did you mean"),
-        (["--learn", "spectrum"], "spectrum is not a number"),
-        (["--learn", "--osc", "9100"], "OSC needs no map"),
-        (["--learn", "--client", "127.0.0.1"], "--learn is for boards"),
-        (["--learn", "--map", "no.toml"], "no.toml: no such file"),
-        (["--listen", "127.0.0.1:99999"], "allowed: HOST:PORT"),
-        (["--map", "no.toml"], "no.toml: no such file"),
-        (["--dummy", "no.txt"], "no.txt: no such file"),
-        (["--dummy", "storm.toml"], "write the SEA before"),
-        (["--replay", "no.txt"], "no.txt: no such file"),
-        (["--clients", "0"], "--clients"),
-        (["--set", "wind_speed=3"], "--set requires a SEA"),
-        (["no.toml"], "no such file"),
-    ],
-)
-def test_wrong_uses_are_named(arguments, says):
-    assert says in refusal(*arguments)
 
 
 def test_more_clients_than_descriptors_are_refused_at_the_start():

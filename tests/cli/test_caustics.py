@@ -12,16 +12,12 @@ def image(ocean, name):
     return buffer.spec(), buffer.get_pixels(OpenImageIO.FLOAT)[::-1]
 
 
-def bake(ocean, *arguments):
-    return ocean.good("bake", "sea.toml", *arguments).splitlines()
-
-
 def bytes_of(ocean, name):
     return (ocean.folder / name).read_bytes()
 
 
 def test_caustics_are_a_product_beside_others(ocean):
-    names = bake(ocean, "-o", "o/s.####.exr", "--products", "displacement,caustics")
+    names = ocean.bake("-o o/s.####.exr --products displacement,caustics")
     assert names == ["o/s.displacement.0001.exr", "o/s.caustics.0001.exr"]
     spec, pixels = image(ocean, "o/s.caustics.0001.exr")
     assert spec.channelnames == ("Y",) and str(spec.format) == "half"
@@ -31,50 +27,50 @@ def test_caustics_are_a_product_beside_others(ocean):
     assert spec.getattribute("ocean:sun") == "90,0"
     assert abs(pixels.mean() - 1) < 1e-3 and pixels.std() > 0.03 and pixels.min() >= 0
     assert image(ocean, names[0])[0].getattribute("ocean:sun") is None
-    bake(ocean, "-o", "alone.exr", "--products", "caustics")
+    ocean.bake("-o alone.exr --products caustics")
     assert bytes_of(ocean, "alone.exr") == bytes_of(ocean, names[1])
-    bake(ocean, "-o", "l.exr", "--products", "displacement,caustics", "--layout", "layered")
+    ocean.bake("-o l.exr --products displacement,caustics --layout layered")
     spec, layers = image(ocean, "l.exr")
     assert "caustics.V" in spec.channelnames
     assert (layers[..., spec.channelnames.index("caustics.V")] == pixels[..., 0]).all()
 
 
 def test_caustics_conserve_light(ocean):
-    bake(ocean, "-o", "s.exr", "--products", "caustics", "--type", "float")
+    ocean.bake("-o s.exr --products caustics --type float")
     assert abs(image(ocean, "s.exr")[1].astype(np.float64).mean() - 1) < 1e-6
 
 
 def test_caustics_fall_on_the_floor_of_shallow_water(ocean):
     for depth, shown in (("3.5", "3.5"), ("40", "10"), ("inf", "10")):
-        bake(ocean, "-o", f"{depth}.exr", "--products", "caustics", "--set", f"depth={depth}")
+        ocean.bake("-o", f"{depth}.exr", "--products", "caustics", "--set", f"depth={depth}")
         assert image(ocean, f"{depth}.exr")[0].getattribute("ocean:caustics_depth") == shown
-    bake(ocean, "-o", "s.exr", "--products", "caustics", "--caustics-depth", "25")
+    ocean.bake("-o s.exr --products caustics --caustics-depth 25")
     assert image(ocean, "s.exr")[0].getattribute("ocean:caustics_depth") == "25"
 
 
 def test_from_bakes_the_same_file(ocean):
     options = ["--caustics-depth", "4.5", "--sun", "40, 200"]
-    bake(ocean, "-o", "a.exr", "--products", "caustics", *options)
-    bake(ocean, "-o", "l.exr", "--products", "height,caustics", "--layout", "layered", *options)
+    ocean.bake("-o a.exr --products caustics", *options)
+    ocean.bake("-o l.exr --products height,caustics --layout layered", *options)
     assert image(ocean, "a.exr")[0].getattribute("ocean:sun") == "40,200"
     for name in ("a", "l"):
-        ocean.good("bake", "--from", f"{name}.exr", "-o", f"again/{name}.exr", "--threads", "1")
+        ocean.good("bake --from", f"{name}.exr", "-o", f"again/{name}.exr", "--threads", "1")
         assert bytes_of(ocean, f"again/{name}.exr") == bytes_of(ocean, f"{name}.exr")
-    ocean.good("bake", "--from", "a.exr", "-o", "other.exr", "--sun", "41,200")
+    ocean.good("bake --from a.exr -o other.exr --sun 41,200")
     spec = image(ocean, "other.exr")[0]
     assert spec.getattribute("ocean:sun") == "41,200"
     assert spec.getattribute("ocean:caustics_depth") == "4.5"
     # Another product gets none of the strings of caustics.
-    ocean.good("bake", "--from", "a.exr", "-o", "h.exr", "--products", "height")
+    ocean.good("bake --from a.exr -o h.exr --products height")
     assert image(ocean, "h.exr")[0].getattribute("ocean:sun") is None
 
 
 def test_only_files_that_would_be_written_again_are_kept(ocean):
     frames = ["-o", "o/s.####.exr", "--products", "caustics", "--frames", "1-3", "--skip-existing"]
-    bake(ocean, *frames, "--threads", "1")
+    ocean.bake(*frames, "--threads", "1")
     before = ocean.hashes("o")
     (ocean.folder / "o/s.caustics.0002.exr").unlink()
-    bake(ocean, *frames, "--threads", "2")
+    ocean.bake(*frames, "--threads", "2")
     assert ocean.hashes("o") == before
-    bake(ocean, *frames, "--sun", "50,0")
+    ocean.bake(*frames, "--sun", "50,0")
     assert all(ocean.hashes("o")[name] != before[name] for name in before if name.endswith("exr"))

@@ -10,19 +10,8 @@ from coasts import REGION, image
 
 
 def test_a_region_is_the_surface_that_queries_find(coast):
-    coast.good(
-        "bake",
-        "sea.toml",
-        "-o",
-        "s.exr",
-        *REGION,
-        "--frames",
-        "5",
-        "--axes",
-        "zup",
-        "--products",
-        "displacement,depth,breaking,wetness",
-    )
+    products = "--products displacement,depth,breaking,wetness"
+    coast.bake(f"-o s.exr --frames 5 --axes zup {products}", *REGION)
     offsets = image(coast.folder / "s.displacement.0005.exr")
     assert offsets.shape == (16, 31, 3)
     depth = image(coast.folder / "s.depth.0005.exr")
@@ -32,7 +21,7 @@ def test_a_region_is_the_surface_that_queries_find(coast):
     labels = np.stack(np.meshgrid(40 + 4.0 * np.arange(31), 20 + 4.0 * np.arange(16)), -1)
     places = (labels + offsets[..., :2]).reshape(-1, 2)
     coast.write("points.csv", "x,y\n" + "".join(f"{x:.7f},{y:.7f}\n" for x, y in places))
-    answer = coast.good("query", "sea.toml", "--time", str(4 / 24), "--points", "points.csv")
+    answer = coast.good("query sea.toml --time", str(4 / 24), "--points", "points.csv")
     rows = list(csv.DictReader(io.StringIO(answer)))
     heights = np.array([float(row["height"]) for row in rows])
     assert np.abs(heights - offsets[..., 2].ravel()).max() < 1e-4
@@ -40,9 +29,9 @@ def test_a_region_is_the_surface_that_queries_find(coast):
 
 def test_a_frame_alone_is_the_frame_in_sequence_and_from_its_own_header(coast):
     products = ("--products", "displacement,foam")
-    coast.good("bake", "sea.toml", "-o", "a/s.####.exr", *REGION, "--frames", "30-32", *products)
-    coast.good("bake", "sea.toml", "-o", "b/s.####.exr", *REGION, "--frames", "32", *products)
-    coast.good("bake", "--from", "a/s.foam.0032.exr", "-o", "c/s.####.exr", *products)
+    coast.good("bake sea.toml -o a/s.####.exr", *REGION, "--frames", "30-32", *products)
+    coast.good("bake sea.toml -o b/s.####.exr", *REGION, "--frames", "32", *products)
+    coast.good("bake --from a/s.foam.0032.exr -o c/s.####.exr", *products)
     for name in ("s.displacement.0032.exr", "s.foam.0032.exr"):
         alone = (coast.folder / "b" / name).read_bytes()
         assert alone == (coast.folder / "a" / name).read_bytes()
@@ -50,14 +39,14 @@ def test_a_frame_alone_is_the_frame_in_sequence_and_from_its_own_header(coast):
 
 
 def test_without_a_region_the_whole_bed_is_baked(coast):
-    coast.good("bake", "sea.toml", "-o", "s.exr", "--products", "height")
+    coast.good("bake sea.toml -o s.exr --products height")
     assert image(coast.folder / "s.exr").shape == (26, 46)
 
 
 def test_beds_that_do_not_suit_their_waves_are_warned_of(coast):
-    shown = coast("info", "sea.toml", "--set", "waves.0.wind_direction=180")
+    shown = coast("info sea.toml --set waves.0.wind_direction=180")
     assert "no wave reaches the bed" in shown.stderr
-    shown = coast("info", "sea.toml", "--set", "grid.patch_size=100")
+    shown = coast("info sea.toml --set grid.patch_size=100")
     assert "repeat every 100 m" in shown.stderr
 
 
@@ -71,7 +60,7 @@ def test_an_exact_query_and_a_gauge_find_the_surface_of_the_region(coast):
     difference = np.abs(rows[0] - rows[1])
     assert 0.0 < difference[:, 2].max() < 1e-5, "both interpolate, or differ by more than that"
     record = ("--from", "1", "--to", "1", "--rate", "1")
-    coast.good("gauge", "sea.toml", "--points", "points.csv", *record, "-o", "g.csv", "-q")
+    coast.good("gauge sea.toml --points points.csv", *record, "-o", "g.csv", "-q")
     lines = csv.DictReader((coast.folder / "g.csv").read_text().splitlines())
     read = [float(row["elevation"]) for row in lines]
     assert np.abs(np.array(read) - rows[1][:, 2]).max() < 1e-6

@@ -29,9 +29,7 @@ def labels():
 def query(coast, places, *arguments):
     """Columns of what `ocean query` finds at places (n, 2), by name."""
     coast.write("points.csv", "x,y\n" + "".join(f"{x!r},{y!r}\n" for x, y in places.tolist()))
-    text = coast.good(
-        "query", "sea.toml", "--points", "points.csv", "--frame", "9", "--no-foam", *arguments
-    )
+    text = coast.good("query sea.toml --points points.csv --frame 9 --no-foam", *arguments)
     rows = list(csv.DictReader(io.StringIO(text)))
     return {name: np.array([float(row[name]) for row in rows]) for name in rows[0]}
 

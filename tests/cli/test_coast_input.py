@@ -9,7 +9,7 @@ import io
 import numpy as np
 import pytest
 from coasts import BEACH, REGION, SEA, grid, image
-from conftest import BUOY
+from conftest import BUOY, table
 
 HEADER = "ncols 46\nnrows 26\nxllcenter 0\nyllcenter 0\ncellsize 4\nbyteorder LSBFIRST\n"
 FLOATS = BEACH[::-1].astype("<f4").tobytes()
@@ -30,7 +30,7 @@ def test_floats_that_do_not_fit_their_header_are_refused(coast, floats, header, 
     coast.write("bed.flt", floats)
     if header is not None:
         coast.write("bed.hdr", header)
-    message = coast.bad("bake", "sea.toml", "-o", "s.exr", *REGION)
+    message = coast.bad("bake sea.toml -o s.exr", *REGION)
     assert sentence in message, message
 
 
@@ -39,7 +39,7 @@ def test_rows_and_columns_in_exchange_are_another_coast(coast):
     coast.write("sea.toml", SEA.replace("bed.asc", "bed.flt"))
     coast.write("bed.flt", FLOATS)
     coast.write("bed.hdr", HEADER.replace("ncols 46\nnrows 26", "ncols 26\nnrows 46"))
-    shown = coast("bake", "sea.toml", "-o", "s.exr", *REGION, "--products", "height")
+    shown = coast("bake sea.toml -o s.exr", *REGION, "--products", "height")
     assert "the waves come in over 73.9 % of those sides in water shallower" in shown.stderr
     assert "48.4 % of the region lies beyond the bed, 0 .. 100 m along x" in shown.stderr
 
@@ -47,55 +47,35 @@ def test_rows_and_columns_in_exchange_are_another_coast(coast):
 def test_a_changed_or_missing_bed_is_told_by_its_hash(coast):
     # Above 1 MB of heights the text holds the hash alone.
     coast.write("bed.asc", grid(np.tile(BEACH, (24, 10))))
-    coast.write("held.toml", coast.good("info", "sea.toml", "--sea-file"))
+    coast.write("held.toml", coast.good("info sea.toml --sea-file"))
     coast.write("bed.asc", grid(np.tile(BEACH, (24, 10)) + 0.5))
-    message = coast.bad("bake", "held.toml", "-o", "s.exr", *REGION)
+    message = coast.bad("bake held.toml -o s.exr", *REGION)
     assert "is another bed: its hash is" in message and "allowed: the bed with the hash" in message
     (coast.folder / "bed.asc").unlink()
-    assert "no such file" in coast.bad("bake", "held.toml", "-o", "s.exr", *REGION)
+    assert "no such file" in coast.bad("bake held.toml -o s.exr", *REGION)
 
 
 def test_another_unit_needs_the_file_of_the_bed(coast):
     # The text holds heights, but in metres they are those of another unit.
-    coast.write("held.toml", coast.good("info", "sea.toml", "--sea-file"))
+    coast.write("held.toml", coast.good("info sea.toml --sea-file"))
     (coast.folder / "bed.asc").unlink()
-    coast.good("info", "held.toml")
-    message = coast.bad("info", "held.toml", "--set", "seabed_unit=ft")
+    coast.good("info held.toml")
+    message = coast.bad("info held.toml --set seabed_unit=ft")
     assert 'water.seabed = "bed.asc": bed.asc: no such file' in message, message
     assert "or leave both as they were" in message and "has changed" not in message
 
 
-@pytest.mark.parametrize(
-    ("bed", "settings", "sentence"),
-    [
-        (np.abs(BEACH) + 1.0, (), "the bed is land alone, from 1 m to 13 m over still water"),
-        (np.zeros((26, 46)), (), "no wave reaches the bed"),
-        (DEEP, (), "the bed is water alone, from 400 m to 400 m deep: it has no shore"),
-        (DEEP, (), "no water over the bed is shallower than water.depth = 12 m"),
-        (DEEP / 133.0, (), "over 100 % of those sides in water shallower than half a peak"),
-        (BEACH, ("level=50",), "the bed is water alone, from 47 m to 62 m deep"),
-        (BEACH, ("level=-50",), "the bed is land alone, from 38 m to 53 m over still water"),
-        (BEACH, ("seabed_sign=down",), "no wave reaches the bed"),
-        (BEACH, ("seabed_unit=ft",), "down to 3.658 m"),
-        (BEACH, ("depth=0.5",), "76.1 % of the bed is deeper than water.depth = 0.5 m"),
-        (BEACH, ("patch_size=50",), "180 m long and the waves offshore repeat every 50 m"),
-        (BEACH, ("wind_direction=90",), "come in over 76.1 % of those sides"),
-        (BEACH, ("wind_direction=180",), "are land alone: no wave reaches the bed"),
-        (-BEACH, (), "by sides that are 100 % land, and those behind are 100 % water, 3 m deep"),
-        (-BEACH, ("wind_direction=40",), 'be upside down, which seabed_sign = "down" turns over'),
-        (BEACH, ("seabed_sign=down",), 'be upside down, which seabed_sign = "up" turns over'),
-        (BEACH / 0.3048, (), "it is 39.37 m deep where the waves come in, 3.28 times water.depth"),
-        (BEACH, ("seabed_unit=us_ft",), "0.305 times water.depth = 12 m, as heights in metres are"),
-        (
-            BEACH,
-            ("seabed_origin=[500000,0]",),
-            "region lies beyond the bed, 500000 .. 500180 m along x",
-        ),
-    ],
-)
-def test_an_unsuitable_coast_is_planned_and_baked_with_a_warning(coast, bed, settings, sentence):
-    coast.write("bed.asc", grid(bed))
-    chosen = [word for setting in settings for word in ("--set", setting)]
+BEDS = {
+    "beach": BEACH, "land": np.abs(BEACH) + 1.0, "level": np.zeros((26, 46)), "deep": DEEP,
+    "shallow": DEEP / 133.0, "upside down": -BEACH, "in feet": BEACH / 0.3048,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("row", table("coast_input")["warned"], ids=lambda row: row["says"][:60])
+def test_an_unsuitable_coast_is_planned_and_baked_with_a_warning(coast, row):
+    sentence = row["says"]
+    coast.write("bed.asc", grid(BEDS[row.get("bed", "beach")]))
+    chosen = ["--set", row["set"]] if "set" in row else []
     bake = ("bake", "sea.toml", "-o", "s.exr", *REGION, "--products", "height", *chosen)
     planned = coast(*bake, "-n")
     assert planned.returncode == 0 and sentence in planned.stderr, planned.stderr
@@ -108,7 +88,7 @@ def test_an_unsuitable_coast_is_planned_and_baked_with_a_warning(coast, bed, set
 
 @pytest.mark.parametrize("direction", [0, 40, 90, -60])
 def test_a_beach_is_taken_for_a_beach(coast, direction):
-    shown = coast("info", "sea.toml", "--set", f"wind_direction={direction}")
+    shown = coast("info sea.toml --set", f"wind_direction={direction}")
     assert shown.returncode == 0
     assert "upside down" not in shown.stderr and "seabed_unit" not in shown.stderr
 
@@ -123,7 +103,7 @@ def test_a_beach_is_taken_for_a_beach(coast, direction):
 )
 def test_cells_in_a_wrong_unit_are_warned_of(coast, cell, sentence):
     coast.write("bed.asc", grid(BEACH, cell))
-    done = coast("bake", "sea.toml", "-o", "s.exr", *REGION, "--products", "height")
+    done = coast("bake sea.toml -o s.exr", *REGION, "--products", "height")
     assert done.returncode == 0 and sentence in done.stderr, done.stderr
 
 
@@ -139,7 +119,7 @@ def test_cells_of_spray_that_are_wider_than_breakers_are_told(coast):
 
 def test_one_of_several_systems_that_comes_from_land_is_named(coast):
     coast.write("sea.toml", SEA + BACK)
-    shown = coast("info", "sea.toml")
+    shown = coast("info sea.toml")
     assert "the sides by which the waves of waves.1 come in are land alone" in shown.stderr
     assert "waves.0" not in shown.stderr
 
@@ -152,7 +132,7 @@ def test_points_beyond_the_bed_and_in_its_ground_are_counted(coast):
     assert "2 of 4 points lie in the ground of the bed" in shown
     assert "in the ground" not in coast(*query).stderr
     gauge = ("--points", "points.csv", "--from", "0", "--to", "1", "--rate", "1")
-    shown = coast("gauge", "sea.toml", *gauge).stderr
+    shown = coast("gauge sea.toml", *gauge).stderr
     assert "2 of 4 points lie beyond the bed" in shown
     assert "1 of 4 points lie in the ground of the bed" in shown  # still water's level on land
     assert "refine = 3; allowed" in coast(*query, "--refine", "3").stderr.splitlines()[-1]
@@ -207,9 +187,6 @@ def test_queries_agree_with_the_region_whatever_the_choppiness(coast):
     labels = np.stack(np.meshgrid(40 + 4.0 * np.arange(31), 20 + 4.0 * np.arange(16)), -1)
     places = (labels + offsets[..., :2]).reshape(-1, 2)
     coast.write("points.csv", "x,y\n" + "".join(f"{x:.7f},{y:.7f}\n" for x, y in places))
-    answer = coast.good(
-        "query", "sea.toml", "--frame", "5", "--points", "points.csv", "--no-foam",
-        "--set", "choppiness=2",
-    )  # fmt: skip
+    answer = coast.good("query sea.toml --frame 5 --points points.csv --no-foam --set choppiness=2")
     heights = np.array([float(row["height"]) for row in csv.DictReader(io.StringIO(answer))])
     assert np.abs(heights - offsets[..., 2].ravel()).max() < 1e-4

@@ -15,10 +15,6 @@ def image(ocean, name):
     return buffer.spec(), buffer.get_pixels(OpenImageIO.FLOAT)[::-1]
 
 
-def bake(ocean, *arguments):
-    return ocean.good("bake", "sea.toml", *arguments).splitlines()
-
-
 def bytes_of(ocean, name):
     return (ocean.folder / name).read_bytes()
 
@@ -28,7 +24,7 @@ def numbers(spec, name):
 
 
 def test_each_band_has_a_file_of_its_own(ocean):
-    names = bake(ocean, "-o", "o/s.####.exr", "--products", "height,detail")
+    names = ocean.bake("-o o/s.####.exr --products height,detail")
     bands = [f"o/s.detail{band}.0001.exr" for band in (1, 2, 3)]
     assert names == ["o/s.height.0001.exr", *bands]
     longest = None
@@ -49,12 +45,12 @@ def test_each_band_has_a_file_of_its_own(ocean):
         assert found == pytest.approx([along_x, along_y], rel=0.2)
         assert 1e-4 < numbers(spec, "slope_residual")[0] < 1e-3
     assert longest == 0.012
-    bake(ocean, "-o", "alone.exr", "--products", "detail2")
+    ocean.bake("-o alone.exr --products detail2")
     assert bytes_of(ocean, "alone.exr") == bytes_of(ocean, bands[1])
 
 
 def test_bands_begin_where_the_map_ends(ocean):
-    bake(ocean, "-o", "s.exr", "--products", "detail1", "--resolution", "256", *SMALL)
+    ocean.bake("-o s.exr --products detail1 --resolution 256", *SMALL)
     spec, pixels = image(ocean, "s.exr")
     assert pixels.shape[0] == 256 and spec.getattribute("ocean:map_resolution") == "256"
     # The sea's own modes end first: 64 of them.
@@ -62,29 +58,29 @@ def test_bands_begin_where_the_map_ends(ocean):
 
 
 def test_from_bakes_the_same_file(ocean):
-    bake(ocean, "-o", "a.exr", "--products", "detail2", "--resolution", "32", "--type", "float")
-    bake(ocean, "-o", "b.exr", "--products", "detail1", "--compression", "zip", *SMALL)
+    ocean.bake("-o a.exr --products detail2 --resolution 32 --type float")
+    ocean.bake("-o b.exr --products detail1 --compression zip", *SMALL)
     for name in ("a", "b"):
-        ocean.good("bake", "--from", f"{name}.exr", "-o", f"again/{name}.exr", "--threads", "1")
+        ocean.good("bake --from", f"{name}.exr", "-o", f"again/{name}.exr", "--threads", "1")
         assert bytes_of(ocean, f"again/{name}.exr") == bytes_of(ocean, f"{name}.exr")
-    ocean.good("bake", "--from", "b.exr", "-o", "other.exr", "--detail-samples", "512")
+    ocean.good("bake --from b.exr -o other.exr --detail-samples 512")
     assert image(ocean, "other.exr")[1].shape[0] == 512
     # Another product gets none of the strings of detail.
-    ocean.good("bake", "--from", "b.exr", "-o", "h.exr", "--products", "height")
+    ocean.good("bake --from b.exr -o h.exr --products height")
     spec, pixels = image(ocean, "h.exr")
     assert pixels.shape[0] == 64 and spec.getattribute("ocean:tile") is None
 
 
 def test_only_files_that_would_be_written_again_are_kept(ocean):
     frames = ["-o", "o/s.####.exr", "--products", "detail", "--frames", "1-3", *SMALL]
-    dry = bake(ocean, *frames, "--dry-run")
-    assert bake(ocean, *frames, "--skip-existing", "--threads", "1") == dry and len(dry) == 9
+    dry = ocean.bake(*frames, "--dry-run")
+    assert ocean.bake(*frames, "--skip-existing", "--threads", "1") == dry and len(dry) == 9
     before = ocean.hashes("o")
     (ocean.folder / "o/s.detail2.0002.exr").unlink()
-    bake(ocean, *frames, "--skip-existing", "--threads", "2")
+    ocean.bake(*frames, "--skip-existing", "--threads", "2")
     assert ocean.hashes("o") == before
     for shard in ("1/2", "2/2"):
-        bake(ocean, *[part.replace("o/", "p/") for part in frames], "--shard", shard)
+        ocean.bake(*[part.replace("o/", "p/") for part in frames], "--shard", shard)
     parts = ocean.hashes("p")
     assert {name: parts[name] for name in before if name.endswith("exr")} == {
         name: value for name, value in before.items() if name.endswith("exr")
@@ -94,7 +90,7 @@ def test_only_files_that_would_be_written_again_are_kept(ocean):
 def test_a_take_changes_the_tiles_of_each_frame(ocean):
     (ocean.folder / "wind.take").write_text("0.0 wind_speed 16\n")
     frames = ("--frames", "1,25", "--set", "take=wind.take", *SMALL)
-    bake(ocean, "-o", "o/s.####.exr", "--products", "detail1", *frames)
+    ocean.bake("-o o/s.####.exr --products detail1", *frames)
     calm, windy = (image(ocean, f"o/s.detail1.00{n}.exr") for n in ("01", "25"))
     assert numbers(windy[0], "slope_variance")[0] > 1.1 * numbers(calm[0], "slope_variance")[0]
     assert windy[1].std() > 1.05 * calm[1].std()

@@ -13,19 +13,8 @@ import numpy as np
 import pytest
 from conftest import OCEAN, cpu_seconds
 
-COLUMNS = [
-    "time",
-    "gauge",
-    "x",
-    "y",
-    "elevation",
-    "slope_x",
-    "slope_y",
-    "velocity_x",
-    "velocity_y",
-    "velocity_z",
-    "pressure",
-]
+COLUMNS = ["time", "gauge", "x", "y", "elevation", "slope_x", "slope_y", "velocity_x",
+           "velocity_y", "velocity_z", "pressure"]  # fmt: skip
 RECORD = ["--from", "0", "--to", "10", "--rate", "4"]
 
 
@@ -62,7 +51,7 @@ def test_a_line_for_each_time_and_gauge_both_ends_included(gauge):
 
 def test_npy_holds_the_numbers_of_the_csv(ocean, gauge):
     gauges = gauge("x,y,z\n0,0,0\n50,20,-3\n")
-    ocean.good("gauge", "sea.toml", "--points", "points.csv", *RECORD, "-o", "g.npy", "-q")
+    ocean.good("gauge sea.toml --points points.csv", *RECORD, "-o", "g.npy", "-q")
     array = np.load(ocean.folder / "g.npy")
     assert array.shape == (41, 2, 10) and array.dtype == np.float64
     names = [name for name in COLUMNS if name != "gauge"]
@@ -74,8 +63,8 @@ def test_npy_holds_the_numbers_of_the_csv(ocean, gauge):
 def test_the_record_is_the_same_for_any_number_of_threads(ocean):
     ocean.write("points.csv", "x,y\n0,0\n33,44\n")
     for threads in ("1", "2", "3"):
-        ocean.good("gauge", "sea.toml", "--points", "points.csv", "--from", "0", "--to", "40",
-                   "--rate", "5", "-o", f"{threads}.npy", "-q", "--threads", threads)  # fmt: skip
+        sea = "gauge sea.toml --points points.csv --from 0 --to 40 --rate 5 -q -o"
+        ocean.good(sea, f"{threads}.npy", "--threads", threads)
     one, two, three = ((ocean.folder / f"{n}.npy").read_bytes() for n in "123")
     assert one == two == three
 
@@ -163,10 +152,8 @@ def test_a_short_record_has_no_limits_and_says_so(ocean):
 
 def test_a_flat_sea_has_no_waves(ocean):
     ocean.write("points.csv", "x,y\n0,0\n")
-    report = json.loads(
-        ocean.good("gauge", "sea.toml", "--set", "wind_speed=0", "--points", "points.csv",
-                   "--from", "0", "--to", "100", "--rate", "4", "--json", "-q")
-    )  # fmt: skip
+    sea = "gauge sea.toml --set wind_speed=0 --points points.csv"
+    report = json.loads(ocean.good(f"{sea} --from 0 --to 100 --rate 4 --json -q"))
     (gauge,) = report["gauges"]
     assert gauge["waves"] == 0
     assert gauge["significant_wave_height"] == {"value": 0, "lower": 0, "upper": 0}
@@ -182,7 +169,7 @@ def test_a_small_patch_is_warned_of(ocean):
 
 def test_unknown_columns_are_ignored_with_a_warning(ocean):
     ocean.write("points.csv", "x;y;depth\n1,5;2;3\n")
-    done = ocean("gauge", "sea.toml", "--points", "points.csv", *RECORD, "-o", "g.csv")
+    done = ocean("gauge sea.toml --points points.csv", *RECORD, "-o", "g.csv")
     assert done.returncode == 0 and "ignored unknown columns: 'depth'" in done.stderr
     assert (ocean.folder / "g.csv").read_text().splitlines()[1].startswith("0,1,1.5,2,")
 
@@ -202,7 +189,7 @@ def test_an_interrupted_run_leaves_nothing(ocean):
 
 
 def test_points_come_from_standard_input_too(ocean):
-    done = ocean("gauge", "sea.toml", "--points", "-", *RECORD, "--json", "-q", input="x,y\n1,2\n")
+    done = ocean("gauge sea.toml --points -", *RECORD, "--json", "-q", input="x,y\n1,2\n")
     assert done.returncode == 0
     assert [gauge["name"] for gauge in json.loads(done.stdout)["gauges"]] == ["1"]
 

@@ -192,7 +192,7 @@ def test_stages_lead_from_the_amplitudes_to_the_heights(ocean):
     """h0 to h(k, t) to the map: what numpy makes of one stage is the next."""
 
     def stage(name, *options):
-        ocean.good("bake", "sea.toml", "-o", f"{name}.exr", "--stage", name, *options)
+        ocean.good("bake sea.toml -o", f"{name}.exr", "--stage", name, *options)
         return pixels(ocean.folder / f"{name}.exr")[::-1]  # from the bottom up
 
     h0, spectrum, butterfly = stage("h0"), stage("spectrum"), stage("butterfly")
@@ -205,7 +205,7 @@ def test_stages_lead_from_the_amplitudes_to_the_heights(ocean):
     heights = spectrum[..., 0] + 1j * spectrum[..., 1]
     assert numpy.allclose(heights, amplitudes + mirrored, rtol=0, atol=1e-7)
 
-    ocean.good("bake", "sea.toml", "-o", "map.exr", "--products", "height", "--type", "float")
+    ocean.good("bake sea.toml -o map.exr --products height --type float")
     expected = pixels(ocean.folder / "map.exr")[::-1, :, 0]
     transformed = numpy.fft.ifft2(numpy.fft.ifftshift(heights), norm="forward").real
     assert numpy.abs(transformed - expected).max() < 2e-6 * expected.std() * 10
@@ -221,18 +221,17 @@ def test_stages_lead_from_the_amplitudes_to_the_heights(ocean):
 
 
 def test_stages_of_several_frames_have_names_and_what_is_not_ours_stays(ocean):
-    out = ocean.good("bake", "sea.toml", "-o", "s.exr", "--stage", "spectrum", "--frames", "1-2")
+    out = ocean.good("bake sea.toml -o s.exr --stage spectrum --frames 1-2")
     assert out.split() == ["s.0001.exr", "s.0002.exr"]
     first, second = (pixels(ocean.folder / name) for name in out.split())
     assert (first != second).any()
-    ocean.good("bake", "sea.toml", "-o", "s.exr", "--stage", "spectrum", "--frames", "1-2")
+    ocean.good("bake sea.toml -o s.exr --stage spectrum --frames 1-2")
     ocean.write("mine.exr", "my own")
-    assert "is not replaced" in ocean.bad("bake", "sea.toml", "-o", "mine.exr", "--stage", "h0")
+    assert "is not replaced" in ocean.bad("bake sea.toml -o mine.exr --stage h0")
     assert (ocean.folder / "mine.exr").read_text() == "my own"
-    message = ocean.bad("bake", "sea.toml", "-o", "s.exr", "--stage", "horizontal-7")
+    message = ocean.bad("bake sea.toml -o s.exr --stage horizontal-7")
     assert "horizontal-1 .. horizontal-6" in message
-    assert "--stage" in ocean.bad("bake", "sea.toml", "-o", "t.exr", "--stage", "h0", "--products",
-                                  "height")  # fmt: skip
+    assert "--stage" in ocean.bad("bake sea.toml -o t.exr --stage h0 --products height")
 
 
 def test_the_shared_library_knows_no_gl():

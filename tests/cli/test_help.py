@@ -68,7 +68,7 @@ def test_the_page_of_a_format_has_products_options_and_an_example(ocean, name):
         option in flat and product in flat and f"ocean bake preset:beaufort_5 -o {output}" in flat
     )
     # The general help has the format in one line.
-    row = next(line for line in ocean.good("bake", "--help").splitlines() if f"  {name} " in line)
+    row = next(line for line in ocean.good("bake --help").splitlines() if f"  {name} " in line)
     assert output[-4:] in row and rows_of(row) == {name: 1}
 
 
@@ -81,19 +81,19 @@ def test_the_example_of_a_page_runs(ocean):
 
 
 def test_a_format_is_found_by_its_name_and_its_extension(ocean):
-    page = ocean.good("bake", "--help", "mesh2")
+    page = ocean.good("bake --help mesh2")
     for words in (["--help", "inc"], ["--help", ".inc"], ["-h", "mesh2"], ["--help=mesh2"]):
         assert ocean.good("bake", *words) == page
 
 
 def test_help_of_another_word_is_refused_with_the_one_meant(ocean):
-    message = ocean.bad("bake", "--help", "vdx" if "vdb" in FORMATS else "exs")
+    message = ocean.bad("bake --help", "vdx" if "vdb" in FORMATS else "exs")
     assert re.search(r"unknown format '\w+'; did you mean \w+\?; known: exr, df3", message)
     # A sea is no page.
-    assert ocean.good("bake", "--help", "sea.toml") == ocean.good("bake", "--help")
+    assert ocean.good("bake --help sea.toml") == ocean.good("bake --help")
 
 
 def test_shared_options_with_other_texts_point_to_the_pages(ocean):
-    text = " ".join(ocean.good("bake", "--help").split())
+    text = " ".join(ocean.good("bake --help").split())
     assert "--axes AXES Differs: see the help of exr, ply, obj, usda" in text
     assert text.count("Maximum age of a particle of spray") == 1

@@ -11,30 +11,15 @@ import OpenImageIO
 import pytest
 from conftest import BUOY
 
-PAIRS = [
-    "significant_wave_height",
-    "peak_period",
-    "energy_period",
-    "mean_period",
-    "peak_wavelength",
-    "mean_square_slope",
-    "mean_direction",
-    "directional_spread",
-]
-NUMBERS = [
-    "energy_resolved",
-    "shortest_wave",
-    "longest_wave",
-    "period",
-    "memory_bytes",
-    "foam_preroll_seconds",
-    "loop_error",
-    "folded_share",
-]
+PAIRS = ["significant_wave_height", "peak_period", "energy_period", "mean_period",
+         "peak_wavelength", "mean_square_slope", "mean_direction",
+         "directional_spread"]  # fmt: skip
+NUMBERS = ["energy_resolved", "shortest_wave", "longest_wave", "period", "memory_bytes",
+           "foam_preroll_seconds", "loop_error", "folded_share"]  # fmt: skip
 
 
 def state_of(ocean, *arguments):
-    return json.loads(ocean.good("info", "--json", *arguments))
+    return json.loads(ocean.good("info --json", *arguments))
 
 
 def columns(text):
@@ -58,15 +43,15 @@ peak_period = 14.0
 
 def test_a_sea_that_cannot_be_is_warned_of(ocean):
     ocean.write("swell.toml", SWELL)
-    calm = ocean("info", "swell.toml")
+    calm = ocean("info swell.toml")
     assert re.search(r"Whitecaps +none", calm.stdout)
     assert "warning: the wind is unknown" in calm.stderr
-    assert "wind_speed" not in ocean.good("info", "--sea-file", "swell.toml")
-    blown = ocean("info", "swell.toml", "--set", "wind_speed=10")
+    assert "wind_speed" not in ocean.good("info --sea-file swell.toml")
+    blown = ocean("info swell.toml --set wind_speed=10")
     assert re.search(r"Whitecaps +0\.99 % of the sea", blown.stdout)
     assert "no wind" not in blown.stderr
     shallow = ("--set", "depth=1.5", "--set", "wind_speed=10", "--set", "choppiness=4")
-    done = ocean("info", "swell.toml", *shallow)
+    done = ocean("info swell.toml", *shallow)
     assert "warning: waves of 1.00 m in water.depth = 1.50 m" in done.stderr
     state = state_of(ocean, "swell.toml", *shallow)
     assert state["folded_share"] > 0.01
@@ -88,7 +73,7 @@ def test_a_fetch_beyond_full_development_is_warned_of_wherever_the_sea_goes(ocea
     developed sea [Pierson and Moskowitz 1964] has 0.561 m, which JONSWAP has at 30.5 km."""
     ocean.write("light.toml", LIGHT)
     warning = r"warning: waves\.0\.fetch = 300000 m .* 1\.97 m, .* 0\.561 m .* 30500 m"
-    assert re.search(warning, ocean("info", "light.toml").stderr)
+    assert re.search(warning, ocean("info light.toml").stderr)
     assert state_of(ocean, "light.toml")["significant_wave_height"]["asked"] == pytest.approx(
         1.974, abs=5e-4
     ), "the sea is what was asked for"
@@ -99,7 +84,7 @@ def test_a_fetch_beyond_full_development_is_warned_of_wherever_the_sea_goes(ocea
         done = ocean(*command)
         assert done.returncode == 0, done.stderr
         assert len(re.findall(warning, done.stderr)) == 1, done.stderr
-    developed = ocean("info", "light.toml", "--set", "fetch=30500").stderr
+    developed = ocean("info light.toml --set fetch=30500").stderr
     assert "full development" not in developed
 
 
@@ -107,7 +92,7 @@ def test_a_take_that_lets_the_wind_fall_is_warned_of_by_its_bake(ocean):
     ocean.write(
         "fall.toml", LIGHT.replace("5.0", "20.0") + '[take]\nlines = ["0.1 wind_speed 5"]\n'
     )
-    done = ocean("bake", "fall.toml", "--frames", "1-24", "-o", "out/sea_####.exr")
+    done = ocean("bake fall.toml --frames 1-24 -o out/sea_####.exr")
     assert done.returncode == 0, done.stderr
     found = re.findall(r"warning: frame (\d+): waves\.0\.fetch", done.stderr)
     assert len(found) == 1 and int(found[0]) > 3, done.stderr
@@ -132,8 +117,8 @@ def test_json_has_the_documented_keys(ocean):
 
 
 def test_a_baked_file_says_which_frame_it_is(ocean):
-    ocean.good("bake", "sea.toml", "--frames", "12", "-o", "s.####.exr", "--products", "height")
-    assert "s.height.0012.exr, frame 12 at 0.458333 s\n" in ocean.good("info", "s.height.0012.exr")
+    ocean.good("bake sea.toml --frames 12 -o s.####.exr --products height")
+    assert "s.height.0012.exr, frame 12 at 0.458333 s\n" in ocean.good("info s.height.0012.exr")
     state = state_of(ocean, "s.height.0012.exr")
     assert (state["frame"], state["time"]) == (12, pytest.approx(11 / 24))
     assert not {"frame", "time"} & state_of(ocean, "sea.toml").keys()
@@ -174,23 +159,23 @@ def test_every_record_of_the_buoy_has_the_files_own_height_and_direction(ocean):
 
 
 def test_text_says_the_same_as_json(ocean):
-    text = ocean.good("info", "sea.toml")
+    text = ocean.good("info sea.toml")
     state = state_of(ocean, "sea.toml")
     found = re.search(r"Significant height +(\S+) m +(\S+) m", text)
     assert float(found[1]) == pytest.approx(state["significant_wave_height"]["asked"], rel=1e-3)
     assert float(found[2]) == pytest.approx(state["significant_wave_height"]["resolved"], rel=1e-3)
-    assert "-0.0" not in ocean.good("info", "preset:beaufort_6")
+    assert "-0.0" not in ocean.good("info preset:beaufort_6")
 
 
 def test_direction_is_ours_and_nautical(ocean):
     # Towards 30 degrees from east is towards 060 on the compass, so from 240.
-    text = ocean.good("info", "sea.toml")
+    text = ocean.good("info sea.toml")
     assert re.search(r"Mean direction, to +30\.0 deg", text)
     assert re.search(r"nautical, from +240\.0 deg", text)
 
 
 def test_a_measured_sea_names_its_station_and_time(ocean):
-    text = ocean.good("info", "buoy.toml")
+    text = ocean.good("info buoy.toml")
     assert "measured: 41010, 2020-06-08T03:50 UTC" in text
 
 
@@ -210,7 +195,7 @@ def test_set_changes_a_parameter_and_may_be_repeated(ocean):
 
 
 def test_set_of_a_record_reads_that_record(ocean):
-    text = ocean.good("info", "buoy.toml", "--set", "record=2020-06-08T02:50")
+    text = ocean.good("info buoy.toml --set record=2020-06-08T02:50")
     assert "2020-06-08T02:50" in text
     assert state_of(ocean, "buoy.toml") != state_of(
         ocean, "buoy.toml", "--set", "record=2020-06-08T02:50"
@@ -218,7 +203,7 @@ def test_set_of_a_record_reads_that_record(ocean):
 
 
 def test_a_grid_that_holds_too_little_is_warned_of(ocean):
-    done = ocean("info", "sea.toml", "--set", "patch_size=20")
+    done = ocean("info sea.toml --set patch_size=20")
     assert done.returncode == 0
     assert "ocean: warning: " in done.stderr
     assert "warning" not in done.stdout
@@ -234,20 +219,20 @@ def test_threads_do_not_change_the_numbers(ocean):
 def test_info_of_a_baked_file_is_info_of_the_sea(ocean, sea):
     ocean.good("bake", sea, "-o", "out/s.exr", "--products", "height")
     assert state_of(ocean, "out/s.exr") == {**state_of(ocean, sea), "frame": 1, "time": 0.0}
-    assert ocean.good("info", "out/s.exr", "--sea-file") == ocean.good("info", sea, "--sea-file")
+    assert ocean.good("info out/s.exr --sea-file") == ocean.good("info", sea, "--sea-file")
 
 
 def test_a_baked_file_needs_no_buoy_file(ocean):
     copy = ocean.write("b.data_spec", BUOY.read_bytes())
     ocean.write("b.toml", 'libocean = 1\n[[waves]]\nspectrum = "measured"\nfile = "b.data_spec"\n')
-    ocean.good("bake", "b.toml", "-o", "s.exr", "--products", "height")
+    ocean.good("bake b.toml -o s.exr --products height")
     before = state_of(ocean, "b.toml")
     copy.unlink()
     assert state_of(ocean, "s.exr") == {**before, "frame": 1, "time": 0.0}
 
 
 def test_the_printed_sea_file_is_the_same_sea(ocean):
-    ocean.write("again.toml", ocean.good("info", "buoy.toml", "--sea-file"))
+    ocean.write("again.toml", ocean.good("info buoy.toml --sea-file"))
     assert state_of(ocean, "again.toml") == state_of(ocean, "buoy.toml")
 
 
@@ -260,8 +245,8 @@ def test_trapezoid_over_the_csv_is_the_asked_height(ocean, sea):
 
 
 def test_directional_csv_sums_to_the_frequency_csv(ocean):
-    flat = columns(ocean.good("spectrum", "sea.toml"))
-    full = columns(ocean.good("spectrum", "sea.toml", "--directional"))
+    flat = columns(ocean.good("spectrum sea.toml"))
+    full = columns(ocean.good("spectrum sea.toml --directional"))
     rows = len(flat["frequency_hz"])
     density = full["density_m2_per_hz_per_deg"].reshape(rows, -1)
     step = 360.0 / density.shape[1]
@@ -283,8 +268,8 @@ def test_csv_has_no_nan(ocean):
 
 
 def test_csv_goes_into_a_file_whose_folder_is_made(ocean):
-    text = ocean.good("spectrum", "sea.toml")
-    assert ocean.good("spectrum", "sea.toml", "-o", "new/s.csv") == "new/s.csv\n"
+    text = ocean.good("spectrum sea.toml")
+    assert ocean.good("spectrum sea.toml -o new/s.csv") == "new/s.csv\n"
     assert (ocean.folder / "new/s.csv").read_text() == text
     assert ocean.files("new") == ["s.csv"]
 
@@ -302,7 +287,7 @@ def test_plot_is_a_picture(ocean, sea):
 
 def test_plot_shows_as_much_resolved_as_asked_energy(ocean):
     large = ["--set", "patch_size=1000", "--set", "resolution=512"]
-    ocean.good("spectrum", "sea.toml", "--plot", "p.png", *large)
+    ocean.good("spectrum sea.toml --plot p.png", *large)
     image = OpenImageIO.ImageBuf(str(ocean.folder / "p.png"))
     # The left panel up to its legend; its scale of pixels is 1.5 to the point.
     panel = image.get_pixels(OpenImageIO.UINT8)[159:795, 126:570].astype(int)

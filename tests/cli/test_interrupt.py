@@ -12,17 +12,8 @@ import OpenImageIO
 import pytest
 from conftest import OCEAN, children_seconds, cpu_seconds
 
-BAKE = [
-    OCEAN,
-    "bake",
-    "sea.toml",
-    "-o",
-    "out/s.####.exr",
-    "--frames",
-    "1-5000",
-    "--set",
-    "resolution=512",
-]
+BAKE = [OCEAN, "bake", "sea.toml", "-o", "out/s.####.exr", "--frames", "1-5000", "--set",
+        "resolution=512"]  # fmt: skip
 PLAIN = ["--products", "displacement,normal"]
 
 
@@ -124,5 +115,5 @@ def test_what_a_killed_bake_leaves_is_removed_by_the_next(ocean):
     process.communicate(timeout=120)
     assert process.returncode == -signal.SIGKILL
     ocean.write("out/.s.exr.ocean-999999999-0.tmp", "left")
-    ocean.good("bake", "sea.toml", "-o", "out/s.####.exr")
+    ocean.good("bake sea.toml -o out/s.####.exr")
     check_whole_files(ocean)

@@ -34,7 +34,7 @@ def levels(path):
 @pytest.mark.parametrize("product", ["displacement", "foam", "caustics"])
 def test_the_line_of_the_readme(ocean, product):
     # Strong enough for foam.
-    ocean.good("bake", "sea.toml", "-o", "s.exr", "--products", product, "--set", "wind_speed=16")
+    ocean.good("bake sea.toml -o s.exr --products", product, "--set", "wind_speed=16")
     command = [*readme_line(), "s.exr", "-o", "s.tx.exr"]
     subprocess.run(command, check=True, cwd=ocean.folder, timeout=120)
     plain_spec, (plain,) = levels(ocean.folder / "s.exr")

@@ -26,9 +26,8 @@ def maps(ocean):
     """Displacement, normal, foam and velocity of frame 3, the bottom row first, z up."""
     products = "displacement,normal,foam,velocity"
     ocean.good(
-        "bake", "sea.toml", "-o", "map.exr", "--frames", "3", "--products", products,
-        "--type", "float", "--axes", "zup", "--layout", "separate",
-    )  # fmt: skip
+        "bake sea.toml -o map.exr --frames 3 --products", products,
+        "--type", "float", "--axes", "zup", "--layout", "separate")  # fmt: skip
 
     found = sorted(path.name for path in ocean.folder.glob("*.exr"))
     names = {product: next(n for n in found if product in n) for product in products.split(",")}
@@ -46,12 +45,8 @@ def expected_points(displacement):
     return numpy.dstack([x, y, 0 * x]) + displacement
 
 
-def bake(ocean, *arguments) -> None:
-    ocean.good("bake", "sea.toml", "--frames", "3", *arguments)
-
-
 def test_a_ply_has_what_the_maps_have(ocean, maps):
-    bake(ocean, "-o", "a.ply")
+    ocean.bake("--frames 3 -o a.ply")
     mesh = meshio.read(ocean.folder / "a.ply")
     points = mesh.points.reshape(N + 1, N + 1, 3)
     assert abs(points - expected_points(maps("displacement")[..., :3])).max() < 2e-5
@@ -81,8 +76,8 @@ def test_a_ply_has_what_the_maps_have(ocean, maps):
 
 
 def test_an_obj_has_the_same_vertices(ocean, maps):
-    bake(ocean, "-o", "a.ply")
-    bake(ocean, "-o", "a.obj", "--products", "normal,foam")
+    ocean.bake("--frames 3 -o a.ply")
+    ocean.bake("--frames 3 -o a.obj --products normal,foam")
     ply = meshio.read(ocean.folder / "a.ply")
     lines = (ocean.folder / "a.obj").read_text().splitlines()
     vertices = numpy.array([line.split()[1:] for line in lines if line.startswith("v ")], "f4")
@@ -96,15 +91,15 @@ def test_an_obj_has_the_same_vertices(ocean, maps):
         corner.split("/") for line in lines if line[:2] == "f " for corner in line.split()[1:]
     ]
     assert all(len(corner) == 3 and len(set(corner)) == 1 for corner in corners)
-    bake(ocean, "-o", "b.obj")
+    ocean.bake("--frames 3 -o b.obj")
     mesh = meshio.read(ocean.folder / "b.obj")
     assert abs(mesh.points - ply.points).max() < 1e-5
     assert (mesh.cells_dict["triangle"] == ply.cells_dict["triangle"]).all()
 
 
 def test_y_up_turns_every_vector(ocean):
-    bake(ocean, "-o", "z.ply")
-    bake(ocean, "-o", "y.ply", "--axes", "yup")
+    ocean.bake("--frames 3 -o z.ply")
+    ocean.bake("--frames 3 -o y.ply --axes yup")
     z, y = (meshio.read(ocean.folder / name) for name in ("z.ply", "y.ply"))
     assert (y.points == z.points[:, [0, 2, 1]] * [1, 1, -1]).all()
     for names in (("nx", "ny", "nz"), ("vx", "vy", "vz")):
@@ -116,19 +111,19 @@ def test_y_up_turns_every_vector(ocean):
 
 
 def test_a_mesh_has_the_requested_products_only(ocean):
-    bake(ocean, "-o", "a.ply", "--products", "foam")
+    ocean.bake("--frames 3 -o a.ply --products foam")
     assert set(meshio.read(ocean.folder / "a.ply").point_data) == {"s", "t", "foam"}
-    bake(ocean, "-o", "b.ply", "--products", "position")
+    ocean.bake("--frames 3 -o b.ply --products position")
     assert set(meshio.read(ocean.folder / "b.ply").point_data) == {"s", "t"}
-    bake(ocean, "-o", "b.obj", "--products", "position", "--resolution", "32")
+    ocean.bake("--frames 3 -o b.obj --products position --resolution 32")
     assert "\nf 1/1 2/2 34/34\n" in (ocean.folder / "b.obj").read_text()
 
 
 @pytest.mark.parametrize("extension", ["ply", "obj"])
 def test_from_bakes_the_same_mesh(ocean, extension):
     arguments = ["--axes", "yup", "--products", "normal,foam", "--resolution", "32"]
-    bake(ocean, "-o", f"a.{extension}", *arguments)
-    ocean.good("bake", "--from", f"a.{extension}", "-o", f"b.{extension}")
+    ocean.bake("--frames 3 -o", f"a.{extension}", *arguments)
+    ocean.good("bake --from", f"a.{extension}", "-o", f"b.{extension}")
     first, second = (ocean.folder / f"{name}.{extension}" for name in "ab")
     assert first.read_bytes() == second.read_bytes()
     assert "9 m/s" in ocean.good("info", f"a.{extension}")
@@ -168,7 +163,7 @@ def recipe_without_uv(data, suffix):
 @pytest.mark.parametrize("extension", ["ply", "obj"])
 def test_a_mesh_of_before_uv_is_known_and_made_again(ocean, extension):
     command = ["-o", f"a.{extension}", "--resolution", str(N), "--products", "normal,foam"]
-    bake(ocean, *command)
+    ocean.bake("--frames 3", *command)
     path = ocean.folder / f"a.{extension}"
     wanted = path.read_bytes()
     old = without_uv(path)
@@ -182,11 +177,11 @@ def test_a_mesh_of_before_uv_is_known_and_made_again(ocean, extension):
     listed = text.replace(entry["sha256"], hashlib.sha256(old).hexdigest())
     listed = listed.replace(entry["recipe"], recipe_without_uv(wanted, path.suffix))
     manifest.write_text(listed)
-    bake(ocean, *command, "--skip-existing")
+    ocean.bake("--frames 3", *command, "--skip-existing")
     assert path.read_bytes() == wanted
     (ocean.folder / "a.manifest.json").unlink()
     path.write_bytes(old)
-    bake(ocean, *command)  # it is ours: replaced
+    ocean.bake("--frames 3", *command)  # it is ours: replaced
     assert path.read_bytes() == wanted
 
 
@@ -215,7 +210,7 @@ def test_frames_shards_and_resume(ocean, extension):
 def test_a_mesh_of_512_squared_takes_less_than_two_seconds(ocean):
     """Processor time, which other programs do not change."""
     before = children_seconds()
-    bake(ocean, "-o", "a.obj", "--resolution", "512")
+    ocean.bake("--frames 3 -o a.obj --resolution 512")
     used = children_seconds() - before
     print(f"OBJ of 512 x 512 in {used:.2f} s")
     assert 0.0 < used < 2.0

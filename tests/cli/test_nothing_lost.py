@@ -91,13 +91,13 @@ def test_links_to_another_disk_are_written_through(ocean):
 
 
 def test_a_folder_for_povray_is_made_again_from_its_own_sea(ocean):
-    ocean.good("povray", "sea.toml", "-o", "scene")
+    ocean.good("povray sea.toml -o scene")
     expected = ocean.hashes("scene")
-    ocean.good("povray", "scene/sea.toml", "-o", "scene")
+    ocean.good("povray scene/sea.toml -o scene")
     assert ocean.hashes("scene") == expected
-    ocean.good("povray", "sea.toml", "-o", "scene", "--resolution", "32")
+    ocean.good("povray sea.toml -o scene --resolution 32")
     assert "is an input of this command" in ocean.bad(
-        "povray", "scene/sea.toml", "-o", "scene", "--set", "wind_speed=3"
+        "povray scene/sea.toml -o scene --set wind_speed=3"
     )
 
 
@@ -130,10 +130,10 @@ def test_an_image_does_not_replace_a_file_of_the_user(ocean, name, command):
 
 
 def test_a_plot_holds_its_sea(ocean):
-    ocean.good("spectrum", "sea.toml", "--plot", "a.png")
-    assert ocean.good("info", "a.png", "--sea-file") == ocean.good("info", "sea.toml", "--sea-file")
-    ocean.good("foam-texture", "lace", "--size", "64", "-o", "b.png")
-    assert "b.png: shows a foam_texture instead of a sea" in ocean.bad("info", "b.png")
+    ocean.good("spectrum sea.toml --plot a.png")
+    assert ocean.good("info a.png --sea-file") == ocean.good("info sea.toml --sea-file")
+    ocean.good("foam-texture lace --size 64 -o b.png")
+    assert "b.png: shows a foam_texture instead of a sea" in ocean.bad("info b.png")
 
 
 @pytest.mark.parametrize("stem", ["a" * 251, "ü" * 125 + "x"])
@@ -141,7 +141,7 @@ def test_the_longest_names_are_written(ocean, stem):
     """255 bytes, which file systems take: temporaries and manifests have names that fit."""
     before = {*ocean.files("."), "bed.asc"}
     ocean.write("bed.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\n1 2\n3 4\n")
-    ocean.good("terrain", "import", "bed.asc", "-o", f"{stem}.flt")
+    ocean.good("terrain import bed.asc -o", f"{stem}.flt")
     for frame in "12":  # the second finds the manifest of the first
         ocean.good(
             *("bake", "sea.toml", "-o", f"{stem}.exr", "--products", "height", "--frames", frame)

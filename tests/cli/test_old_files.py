@@ -57,7 +57,7 @@ def test_an_old_mesh_is_baked_again_for_its_uv(old):
 
 
 def test_the_text_of_their_sea_is_the_same_to_the_byte(old):
-    old.good("bake", "sea.toml", "-o", "new/s.####.exr", *BAKES["exr"])
+    old.good("bake sea.toml -o new/s.####.exr", *BAKES["exr"])
     names = [name for name in old.files("bake") if name.endswith(".exr")]
     assert len(names) == 4
     for name in names:
@@ -67,16 +67,16 @@ def test_the_text_of_their_sea_is_the_same_to_the_byte(old):
 
 
 def test_their_sea_is_read_from_them(old):
-    sea = json.loads(old.good("info", "sea.toml", "--json"))
+    sea = json.loads(old.good("info sea.toml --json"))
     for name in ["bake/s.displacement.0003.exr", "bake/s.0003.ply"]:
         again = json.loads(old.good("info", name, "--json"))
         assert again["significant_wave_height"] == sea["significant_wave_height"]
         assert again["peak_period"] == sea["peak_period"]
     # Its take too: what a frame baked of it shows is what the sea file makes.
-    old.good("bake", "bake/s.foam.0004.exr", "-o", "of_bake/s.####.exr", *BAKES["exr"])
-    old.good("bake", "sea.toml", "-o", "of_sea/s.####.exr", *BAKES["exr"])
+    old.good("bake bake/s.foam.0004.exr -o of_bake/s.####.exr", *BAKES["exr"])
+    old.good("bake sea.toml -o of_sea/s.####.exr", *BAKES["exr"])
     assert frames_in(old, "of_bake") == frames_in(old, "of_sea")
 
 
 def test_their_take_is_read(old):
-    assert "2 changes from 0.05 to 0.1 s" in old.good("info", "sea.toml")
+    assert "2 changes from 0.05 to 0.1 s" in old.good("info sea.toml")

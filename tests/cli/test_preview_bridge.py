@@ -6,7 +6,6 @@ import os
 import random
 import re
 import signal
-import socket
 import subprocess
 import threading
 import time
@@ -16,12 +15,12 @@ from pathlib import Path
 import numpy
 import OpenImageIO as oiio
 import pytest
+from conftest import OCEAN, cpu_seconds
+from test_bridge import Bridge
 
-OCEAN = os.environ["OCEAN"]
 PREVIEW = os.environ.get("OCEAN_PREVIEW", "")
-BRIDGE = os.environ.get("OCEAN_BRIDGE", "")
-if not PREVIEW or not BRIDGE:
-    pytest.skip("ocean-preview or ocean-bridge was not built", allow_module_level=True)
+if not PREVIEW:
+    pytest.skip("ocean-preview was not built", allow_module_level=True)
 SEA = """libocean = 1
 [grid]
 resolution = 64
@@ -35,37 +34,6 @@ wind_direction = 30.0
 """
 PATIENCE = 240.0  # s, for what hangs; not for what is slow on a busy machine
 KEPT = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
-
-
-class Bridge:
-    """With a dummy board, at a port that is free."""
-
-    def __init__(self, folder: Path, *arguments: str):
-        command = [BRIDGE, "sea.toml", "--dummy", "--listen", "127.0.0.1:0", *arguments]
-        self.program = subprocess.Popen(command, cwd=folder, stderr=subprocess.PIPE, text=True)
-        self.lines = []
-        for line in self.program.stderr:
-            self.lines.append(line)
-            found = re.search(r"listening on (127\.0\.0\.1:(\d+))", line)
-            if found:
-                self.address, self.port = found[1], int(found[2])
-                break
-        threading.Thread(target=lambda: self.lines.extend(self.program.stderr), daemon=True).start()
-
-    def say(self, *lines: str) -> socket.socket:
-        """As a client of its own; the connection, which has been greeted and answered."""
-        connection = socket.create_connection(("127.0.0.1", self.port), timeout=PATIENCE)
-        reader = connection.makefile("r", encoding="utf-8", newline="\n")
-        assert reader.readline().startswith("OBP 1 ")
-        for line in lines:
-            connection.sendall(f"{line}\r\n".encode())
-            answer = reader.readline().strip()
-            assert answer == "OK", answer
-        return connection
-
-    def end(self):
-        self.program.terminate()
-        self.program.wait(timeout=PATIENCE)
 
 
 def wait_for(condition, *programs: subprocess.Popen):
@@ -87,11 +55,6 @@ def lines_of(stream) -> list[str]:
     return lines
 
 
-def seconds_of_processor(program: subprocess.Popen) -> float:
-    fields = Path(f"/proc/{program.pid}/stat").read_text().rsplit(")", 1)[1].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
-
-
 @pytest.fixture
 def folder(tmp_path):
     (tmp_path / "sea.toml").write_text(SEA)
@@ -100,9 +63,27 @@ def folder(tmp_path):
 
 @pytest.fixture
 def bridge(folder):
-    started = Bridge(folder)
+    started = Bridge(folder, "sea.toml", "--dummy")
     yield started
-    started.end()
+    started.stop()
+
+
+@pytest.fixture
+def window(folder, bridge, display):
+    """Opens windows that have joined the bridge; in the end they are closed."""
+    opened = []
+
+    def one(*options, **streams) -> subprocess.Popen:
+        command = [PREVIEW, "sea.toml", "--bridge", bridge.address, "--size", "64x64", *options]
+        streams = {"stderr": subprocess.DEVNULL} | streams
+        environment = os.environ | {"DISPLAY": display}
+        opened.append(subprocess.Popen(command, cwd=folder, env=environment, **streams))
+        return opened[-1]
+
+    yield one
+    for each in opened:
+        each.terminate()
+        each.wait(timeout=PATIENCE)
 
 
 def preview(folder: Path, *arguments) -> subprocess.CompletedProcess:
@@ -158,7 +139,7 @@ def test_a_knob_moves_the_sea_that_is_shown(folder, bridge):
     )
     first = follows.stdout.readline().split(",")
     assert first[1:3] == ["3", "4"]
-    start = seconds_of_processor(follows)
+    start = cpu_seconds(follows)
     hand = bridge.say("OUT board0/a1 10")
     heights = [first[3]]
     for value in (60, 120, 180, 90):
@@ -167,7 +148,7 @@ def test_a_knob_moves_the_sea_that_is_shown(folder, bridge):
         assert line[3] != heights[-1]
         heights.append(line[3])
     # It follows at once: another height is a small part of what the start is.
-    assert seconds_of_processor(follows) - start < 4 * 0.5 * start
+    assert cpu_seconds(follows) - start < 4 * 0.5 * start
     follows.send_signal(signal.SIGINT)
     assert follows.wait(timeout=PATIENCE) == 130
     # After its seconds it ends by itself.
@@ -203,121 +184,97 @@ def test_what_a_board_performed_is_baked_as_it_was_shown(folder, bridge, backend
         assert abs(heights - baked).max() < 1e-5 * 4 * baked.std()
 
 
-def test_a_window_that_never_recorded_says_nothing_of_it(folder, bridge, display):
+def test_a_window_that_never_recorded_says_nothing_of_it(bridge, window):
     """Its word could end a take that another has just begun."""
-    window = subprocess.Popen(
-        [PREVIEW, "sea.toml", "--size", "320x200", "--bridge", bridge.address],
-        cwd=folder,
-        env=os.environ | {"DISPLAY": display},
-        stderr=subprocess.DEVNULL,
-    )
-    try:
-        watch = bridge.say()
-        watch.settimeout(PATIENCE)
-        watch.sendall(b"SUBSCRIBE app.time app.record\r\n")
-        told = []
-        for line in watch.makefile("r", encoding="utf-8"):
-            told.append(line.strip())
-            if sum(line.startswith("UPD app.time") for line in told) == 4:
-                break
-        assert any("WRITER app.time" in line for line in told), told
-        assert not any("WRITER app.record" in line for line in told), told
-    finally:
-        window.terminate()
-        window.wait(timeout=PATIENCE)
+    window()
+    watch = bridge.say()
+    watch.settimeout(PATIENCE)
+    watch.sendall(b"SUBSCRIBE app.time app.record\r\n")
+    told = []
+    for line in watch.makefile("r", encoding="utf-8"):
+        told.append(line.strip())
+        if sum(line.startswith("UPD app.time") for line in told) == 4:
+            break
+    assert any("WRITER app.time" in line for line in told), told
+    assert not any("WRITER app.record" in line for line in told), told
 
 
-def test_a_window_that_is_joined_writes_the_take(folder, bridge, display):
-    window = subprocess.Popen(
-        [PREVIEW, "sea.toml", "--size", "320x200", "--bridge", bridge.address],
-        cwd=folder,
-        env=os.environ | {"DISPLAY": display},
-        stderr=subprocess.DEVNULL,
-    )
-    try:
-        watch = bridge.say()
-        watch.settimeout(PATIENCE)
-        watch.sendall(b"SUBSCRIBE app.time\r\n")
-        told = watch.makefile("r", encoding="utf-8")
+def test_a_window_that_is_joined_writes_the_take(folder, bridge, window):
+    shown = window()
+    watch = bridge.say()
+    watch.settimeout(PATIENCE)
+    watch.sendall(b"SUBSCRIBE app.time\r\n")
+    told = watch.makefile("r", encoding="utf-8")
 
-        def writer_of_the_time() -> str:
-            while True:
-                found = re.search(r"EVT WRITER app.time (\S+)", told.readline())
-                if found:
-                    return found[1]
+    def writer_of_the_time() -> str:
+        while True:
+            found = re.search(r"EVT WRITER app.time (\S+)", told.readline())
+            if found:
+                return found[1]
 
-        the_window = writer_of_the_time()
-        hand = bridge.say()
-        reader = hand.makefile("r", encoding="utf-8")
+    the_window = writer_of_the_time()
+    hand = bridge.say()
+    reader = hand.makefile("r", encoding="utf-8")
 
-        def ask(line: str) -> str:
-            hand.sendall(f"{line}\r\n".encode())
-            return reader.readline().strip()
+    def ask(line: str) -> str:
+        hand.sendall(f"{line}\r\n".encode())
+        return reader.readline().strip()
 
-        def time_of_the_sea() -> float:
-            return float(ask("GET app.time").split()[2])
+    def time_of_the_sea() -> float:
+        return float(ask("GET app.time").split()[2])
 
-        # It says how fast it draws, and where its clock is.
-        wait_for(lambda: float(ask("GET app.frame_rate").split()[2]) > 0.0, window)
-        assert ask("RECORD START storm.take") == "OK"
-        ask("OUT board0/a1 10")
-        for value in (60, 120, 180):
-            assert ask(f"OUT board0/a1 {value}") == "OK"
-            # Each is heard at a time of its own: the window tells its clock when it has heard.
-            for _ in range(2):
-                before = time_of_the_sea()
-                wait_for(lambda before=before: time_of_the_sea() > before, window)
-        # Another sea is shown too, and is in no take.
-        assert ask("SET random.seed 12") == "OK"
-        assert ask("RECORD STOP") == "OK"
-        saved = folder / "storm.toml"
-        wait_for(saved.exists, window)
-        sea = tomllib.loads(saved.read_text())
-        assert {line.split()[1] for line in sea["take"]["lines"]} == {"waves.0.wind_speed"}
-        assert float(sea["take"]["lines"][0].split()[0]) > 0.0
-        # Its clock is heard and set.
-        assert ask("SET app.pause 1") == "OK"
+    # It says how fast it draws, and where its clock is.
+    wait_for(lambda: float(ask("GET app.frame_rate").split()[2]) > 0.0, shown)
+    assert ask("RECORD START storm.take") == "OK"
+    ask("OUT board0/a1 10")
+    for value in (60, 120, 180):
+        assert ask(f"OUT board0/a1 {value}") == "OK"
+        # Each is heard at a time of its own: the window tells its clock when it has heard.
+        for _ in range(2):
+            before = time_of_the_sea()
+            wait_for(lambda before=before: time_of_the_sea() > before, shown)
+    # Another sea is shown too, and is in no take.
+    assert ask("SET random.seed 12") == "OK"
+    assert ask("RECORD STOP") == "OK"
+    saved = folder / "storm.toml"
+    wait_for(saved.exists, shown)
+    sea = tomllib.loads(saved.read_text())
+    assert {line.split()[1] for line in sea["take"]["lines"]} == {"waves.0.wind_speed"}
+    assert float(sea["take"]["lines"][0].split()[0]) > 0.0
+    # Its clock is heard and set.
+    assert ask("SET app.pause 1") == "OK"
 
-        def stands() -> bool:
-            before = ask("GET app.time")
-            time.sleep(1.0)  # of a clock that stands nothing is told: it would be several times
-            return ask("GET app.time") == before
+    def stands() -> bool:
+        before = ask("GET app.time")
+        time.sleep(1.0)  # of a clock that stands nothing is told: it would be several times
+        return ask("GET app.time") == before
 
-        # When it tells this as its own time, it has heard of the pause before.
-        assert ask("SET app.time 50") == "OK"
-        while writer_of_the_time() == the_window:
-            pass
-        while writer_of_the_time() != the_window:
-            pass
-        wait_for(lambda: time_of_the_sea() == 50.0, window)
-        assert stands()
-        assert ask("SET app.time 100") == "OK"
-        assert ask("SET app.pause 0") == "OK"
-        wait_for(lambda: time_of_the_sea() > 100.5, window)
-        # A button that is held for a moment only, perhaps for less than a frame.
-        assert ask("SET app.pause 1") == "OK"
-        time.sleep(0.2)
-        assert ask("SET app.pause 0") == "OK"
-        paused_at = time_of_the_sea()
-        wait_for(lambda: time_of_the_sea() > paused_at + 1.0, window)
-    finally:
-        window.terminate()
-        window.wait(timeout=PATIENCE)
+    # When it tells this as its own time, it has heard of the pause before.
+    assert ask("SET app.time 50") == "OK"
+    while writer_of_the_time() == the_window:
+        pass
+    while writer_of_the_time() != the_window:
+        pass
+    wait_for(lambda: time_of_the_sea() == 50.0, shown)
+    assert stands()
+    assert ask("SET app.time 100") == "OK"
+    assert ask("SET app.pause 0") == "OK"
+    wait_for(lambda: time_of_the_sea() > 100.5, shown)
+    # A button that is held for a moment only, perhaps for less than a frame.
+    assert ask("SET app.pause 1") == "OK"
+    time.sleep(0.2)
+    assert ask("SET app.pause 0") == "OK"
+    paused_at = time_of_the_sea()
+    wait_for(lambda: time_of_the_sea() > paused_at + 1.0, shown)
 
 
-def test_of_two_windows_one_has_the_clock_and_both_follow_it(folder, bridge, display):
+def test_of_two_windows_one_has_the_clock_and_both_follow_it(bridge, window):
     told = []
 
     def open_window() -> subprocess.Popen:
-        window = subprocess.Popen(
-            [PREVIEW, "sea.toml", "--size", "64x64", "--bridge", bridge.address, "-v"],
-            cwd=folder,
-            env=os.environ | {"DISPLAY": display},
-            stderr=subprocess.PIPE,
-            text=True,
-        )
-        told.append(lines_of(window.stderr))
-        return window
+        opened = window("-v", stderr=subprocess.PIPE, text=True)
+        told.append(lines_of(opened.stderr))
+        return opened
 
     hand = bridge.say()
     reader = hand.makefile("r", encoding="utf-8")
@@ -332,32 +289,27 @@ def test_of_two_windows_one_has_the_clock_and_both_follow_it(folder, bridge, dis
                 return found
 
     windows = [open_window()]
-    try:
-        tell("SUBSCRIBE app.time")
-        first = clock_of(r"EVT WRITER app.time (\S+)")[1]
-        windows.append(open_window())
-        # It knows whose clock is shown when it knows the values.
-        wait_for(lambda: any("its values have come" in line for line in told[1]), *windows)
-        tell("SET app.time 500")
-        clock_of(r"EVT WRITER app.time (?!" + first + ")")
-        clock_of(r"EVT WRITER app.time " + first)
-        # What it had said of its clock before it heard may come between.
-        clock_of(r"UPD app.time [5-8]\d\d")
-        # From now on nobody but the first window tells it, until that is closed.
-        times = [float(clock_of("UPD app.time (.*)")[1]) for _ in range(4)]
-        assert times == sorted(times) and 500.0 < times[0] < times[-1] < 900.0
-        windows[0].terminate()
-        second = clock_of(r"EVT WRITER app.time (\S+)")[1]
-        assert second != first
-        assert 500.0 < float(clock_of("UPD app.time (.*)")[1]) < 900.0
-    finally:
-        for window in windows:
-            window.terminate()
-            window.wait(timeout=PATIENCE)
+    tell("SUBSCRIBE app.time")
+    first = clock_of(r"EVT WRITER app.time (\S+)")[1]
+    windows.append(open_window())
+    # It knows whose clock is shown when it knows the values.
+    wait_for(lambda: any("its values have come" in line for line in told[1]), *windows)
+    tell("SET app.time 500")
+    clock_of(r"EVT WRITER app.time (?!" + first + ")")
+    clock_of(r"EVT WRITER app.time " + first)
+    # What it had said of its clock before it heard may come between.
+    clock_of(r"UPD app.time [5-8]\d\d")
+    # From now on nobody but the first window tells it, until that is closed.
+    times = [float(clock_of("UPD app.time (.*)")[1]) for _ in range(4)]
+    assert times == sorted(times) and 500.0 < times[0] < times[-1] < 900.0
+    windows[0].terminate()
+    second = clock_of(r"EVT WRITER app.time (\S+)")[1]
+    assert second != first
+    assert 500.0 < float(clock_of("UPD app.time (.*)")[1]) < 900.0
 
 
 def test_a_lost_bridge_is_told_and_what_it_moved_holds(folder):
-    first = Bridge(folder)
+    first = Bridge(folder, "sea.toml", "--dummy")
     join = ("sea.toml", "--bridge", first.address, "--probe", "3,4", "--follow", 600, "-v")
     follows = subprocess.Popen(
         [PREVIEW, *map(str, join)],
@@ -371,7 +323,7 @@ def test_a_lost_bridge_is_told_and_what_it_moved_holds(folder):
     first.say("SET wind_speed 17")
     moved = follows.stdout.readline().split(",", 1)[1]
     errors = lines_of(follows.stderr)
-    first.end()
+    first.stop()
     wait_for(lambda: any("lost" in line for line in errors), follows)
     follows.send_signal(signal.SIGINT)
     out = follows.stdout.read()
@@ -379,19 +331,3 @@ def test_a_lost_bridge_is_told_and_what_it_moved_holds(folder):
     expected = preview(folder, "sea.toml", "--set", "wind_speed=17", "--probe", "3,4").stdout
     # Its foam has only begun.
     assert moved.split(",")[:6] == expected.split(",")[:6] and out == ""
-
-
-@pytest.mark.parametrize(
-    ("arguments", "code", "words"),
-    [
-        (("--bridge", "127.0.0.1:1"), 1, "127.0.0.1:1"),
-        (("--bridge", "nowhere:70000"), 2, "--bridge"),
-        (("--follow", "3"), 2, "--bridge"),
-        (("--serve", "127.0.0.1:0"), 2, "--serve is for the window"),
-        (("--serve", "127.0.0.1:0", "--bridge", "127.0.0.1:1"), 2, "--serve runs a bridge"),
-        (("--bridge", "127.0.0.1:1", "--token-file", "none"), 2, "none"),
-    ],
-)
-def test_wrong_options_are_refused(folder, arguments, code, words):
-    done = preview(folder, "sea.toml", "--probe", "0,0", *arguments)
-    assert done.returncode == code and words in done.stderr, done.stderr

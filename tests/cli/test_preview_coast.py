@@ -61,7 +61,7 @@ def test_land_water_and_surf_in_one_scene(folder):
 
 
 def test_the_probe_ends_with_the_water(folder):
-    lines = good(folder, "sea.toml", "--eye", "224,96,2", "--probe", "224,96", "--probe", "290,96")
+    lines = good(folder, "sea.toml --eye 224,96,2 --probe 224,96 --probe 290,96")
     wet, dry = (line.split(",") for line in lines.splitlines())
     assert len(wet) == 7 and len(dry) == 2
 

@@ -26,7 +26,7 @@ def points(ocean):
 
 
 def test_every_point_has_its_row_in_order(ocean, points):
-    rows = table(ocean.good("query", "sea.toml", "--time", 12, "--points", "points.csv"))
+    rows = table(ocean.good("query sea.toml --time 12 --points points.csv"))
     np.testing.assert_array_equal(rows["x"], points[:, 0])
     np.testing.assert_array_equal(rows["y"], points[:, 1])
     assert 0.2 < rows["height"].std() < 1.0
@@ -52,7 +52,7 @@ def test_exact_and_refined_agree_with_the_default_to_the_stated_bounds(ocean, po
 
 
 def test_points_come_from_standard_input_and_go_to_a_file(ocean, points):
-    expected = ocean.good("query", "sea.toml", "--time", 12, "--points", "points.csv")
+    expected = ocean.good("query sea.toml --time 12 --points points.csv")
     arguments = ("query", "sea.toml", "--time", "12", "--points", "-", "-o", "out/heights.csv")
     done = ocean(*arguments, input=(ocean.folder / "points.csv").read_text())
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
@@ -62,9 +62,9 @@ def test_points_come_from_standard_input_and_go_to_a_file(ocean, points):
 
 def test_a_frame_is_a_time(ocean, points):
     # Frame 25 at 24 frames per second, the first being 1.
-    by_frame = ocean.good("query", "sea.toml", "--frame", 25, "--points", "points.csv")
-    assert by_frame == ocean.good("query", "sea.toml", "--time", 1, "--points", "points.csv")
-    assert by_frame != ocean.good("query", "sea.toml", "--time", 0, "--points", "points.csv")
+    by_frame = ocean.good("query sea.toml --frame 25 --points points.csv")
+    assert by_frame == ocean.good("query sea.toml --time 1 --points points.csv")
+    assert by_frame != ocean.good("query sea.toml --time 0 --points points.csv")
 
 
 def test_threads_change_nothing(ocean, points):
@@ -74,13 +74,13 @@ def test_threads_change_nothing(ocean, points):
 
 def test_tables_as_people_write_them_are_read(ocean):
     plain = ocean.good(
-        "query", "sea.toml", "--time", 0, "--points", ocean.write("a.csv", "x,y\n1,2\n-30,4e1\n")
+        "query sea.toml --time 0 --points", ocean.write("a.csv", "x,y\n1,2\n-30,4e1\n")
     )
     dressed = b"\xef\xbb\xbf# two masts\r\n\r\n y , x \r\n 2.0,+1\r\n# the other\r\n40, -30.\r\n"
-    text = ocean.good("query", "sea.toml", "--time", 0, "--points", ocean.write("b.csv", dressed))
+    text = ocean.good("query sea.toml --time 0 --points", ocean.write("b.csv", dressed))
     assert text == plain
     empty = ocean.write("empty.csv", "x,y\n")
-    assert ocean.good("query", "sea.toml", "--time", 0, "--points", empty) == HEADER + "\n"
+    assert ocean.good("query sea.toml --time 0 --points", empty) == HEADER + "\n"
 
 
 @pytest.mark.parametrize(
@@ -103,11 +103,9 @@ def test_the_tables_of_other_programs_give_the_heights_of_the_plain_one(ocean, t
 
 
 def test_unknown_columns_are_ignored_with_a_warning(ocean):
-    plain = ocean.good(
-        "query", "sea.toml", "--time", 0, "--points", ocean.write("a.csv", "x,y\n1,2\n")
-    )
+    plain = ocean.good("query sea.toml --time 0 --points", ocean.write("a.csv", "x,y\n1,2\n"))
     ocean.write("b.csv", "depth [m];x;time;y\n12,5;1;2020-06-08;2\n")
-    done = ocean("query", "sea.toml", "--time", "0", "--points", "b.csv")
+    done = ocean("query sea.toml --time 0 --points b.csv")
     assert (done.returncode, done.stdout) == (0, plain)
     assert done.stderr == (
         "ocean: warning: --points: ignored unknown columns: 'depth [m]', 'time'\n"
@@ -142,15 +140,15 @@ def test_tables_of_other_programs_are_read(ocean):
     assert rows[1] == expected[1] + ',"Buoy; north"'
     assert rows[2] == expected[2] + ",b"
     read = ("--from", "0", "--to", "9", "--rate", "2")
-    assert "Buoy; north" in ocean.good("gauge", "sea.toml", "--points", other.name, *read)
+    assert "Buoy; north" in ocean.good("gauge sea.toml --points", other.name, *read)
 
 
 def test_the_sea_comes_from_standard_input(ocean):
     ocean.write("p.csv", "x,y\n1,2\n")
-    expected = ocean.good("query", "sea.toml", "--time", "1", "--points", "p.csv")
+    expected = ocean.good("query sea.toml --time 1 --points p.csv")
     done = ocean.shell('"$OCEAN" query - --time 1 --points p.csv < sea.toml')
     assert (done.returncode, done.stdout) == (0, expected), done.stderr
     done = ocean.shell('cat sea.toml | "$OCEAN" info --json -')
-    assert done.stdout == ocean.good("info", "--json", "sea.toml")
+    assert done.stdout == ocean.good("info --json sea.toml")
     both = ocean.shell('"$OCEAN" query - --time 1 --points - < sea.toml')
     assert both.returncode == 2 and "standard input: is read once" in both.stderr

@@ -4,12 +4,13 @@
 
 import gzip
 import json
+import re
 import resource
 import shutil
 import subprocess
 
 import pytest
-from conftest import BUOY, DATA, OCEAN
+from conftest import BUOY, DATA, OCEAN, table
 
 SPECTRA = DATA / "spectra"
 
@@ -23,25 +24,15 @@ def test_a_line_for_each_record_under_a_header(ocean):
     assert header == ["time,", "UTC", "station", "latitude", "longitude", "depth/m", "Hs/m", "Tp/s",
                       "Te/s", "Tm01/s", "from", "spread"]  # fmt: skip
     assert [line[0] for line in lines] == [f"2022-09-12T0{hour}:00" for hour in (6, 7, 8, 9)]
-    assert lines[0][1:] == [
-        "44097",
-        "40.9800",
-        "-71.1200",
-        "46.6",
-        "1.16",
-        "13.6",
-        "11.5",
-        "9.8",
-        "114",
-        "26",
-    ]
+    assert lines[0][1:] == ["44097", "40.9800", "-71.1200", "46.6", "1.16", "13.6", "11.5",
+                            "9.8", "114", "26"]  # fmt: skip
 
 
 def test_unknown_values_are_a_dash_or_null(ocean):
     ocean.write("one.csv", "frequency,density\n0.1,1\n0.2,3\n0.4,2\n")
-    _, line = rows(ocean.good("records", "one.csv"))
+    _, line = rows(ocean.good("records one.csv"))
     assert line == ["-", "-", "-", "-", "-", "3.35", "5.0", "4.6", "4.0", "-", "-"]
-    (record,) = json.loads(ocean.good("records", "one.csv", "--json"))
+    (record,) = json.loads(ocean.good("records one.csv --json"))
     assert record == {
         "time": "",
         "station": "",
@@ -62,21 +53,10 @@ def test_unknown_values_are_a_dash_or_null(ocean):
 
 
 @pytest.mark.parametrize(
-    ("name", "count", "directions"),
-    [
-        ("ndbc_41010.data_spec", 48, "moments"),
-        ("ndbc_historical/41010w2020.txt.gz", 48, "moments"),
-        ("ndbc_41010.csv", 1, "moments"),
-        ("ww3_station_44097.spec", 4, "full"),
-        ("swan_nz_west_coast.spec", 5, "full"),
-        ("swan_1d.spec", 3, "moments"),
-        ("spotter_20210929b.csv", 21, "moments"),
-        ("spotter_20180214.json", 8, "moments"),
-        ("buoy}2024-09-09T01h15Z.spt", 1, "moments"),
-        ("triaxys.DIRSPEC", 1, "full"),
-    ],
+    ("name", "told"), table("records")["formats"].items(), ids=lambda part: str(part)[:40]
 )
-def test_formats_are_recognised_by_content_packed_or_not(ocean, name, count, directions):
+def test_formats_are_recognised_by_content_packed_or_not(ocean, name, told):
+    count, directions = told
     records = json.loads(ocean.good("records", SPECTRA / name, "--json"))
     assert len(records) == count
     assert {record["directions"] for record in records} == {directions}
@@ -90,22 +70,16 @@ def test_formats_are_recognised_by_content_packed_or_not(ocean, name, count, dir
 
 
 @pytest.mark.parametrize(
-    "name",
-    [
-        "spotter_20210929b.csv",
-        "spotter_20180214.json",
-        "buoy}2024-09-09T01h15Z.spt",
-        "triaxys.DIRSPEC",
-    ],
+    "name", [name for name in table("records")["formats"] if re.match("spotter|buoy|triaxys", name)]
 )
 def test_a_sea_saved_from_a_buoys_file_needs_it_no_more(ocean, name):
     shutil.copy(SPECTRA / name, ocean.folder)
     ocean.write("b.toml", f'libocean = 1\n[[waves]]\nspectrum = "measured"\nfile = "{name}"\n')
-    before = ocean.good("info", "b.toml", "--json")
-    ocean.write("saved.toml", ocean.good("info", "b.toml", "--sea-file"))
+    before = ocean.good("info b.toml --json")
+    ocean.write("saved.toml", ocean.good("info b.toml --sea-file"))
     (ocean.folder / name).unlink()
-    assert ocean.good("info", "saved.toml", "--json") == before
-    assert "no such file" in ocean.bad("info", "b.toml")
+    assert ocean.good("info saved.toml --json") == before
+    assert "no such file" in ocean.bad("info b.toml")
 
 
 def test_a_buoy_whose_companions_are_packed_keeps_its_directions(ocean):
@@ -115,11 +89,11 @@ def test_a_buoy_whose_companions_are_packed_keeps_its_directions(ocean):
             ocean.write(packed.stem, gzip.decompress(packed.read_bytes()))
         else:
             shutil.copy(packed, ocean.folder)
-    here = json.loads(ocean.good("records", "41010w2020.txt", "--json"))
+    here = json.loads(ocean.good("records 41010w2020.txt --json"))
     there = ocean.good("records", SPECTRA / "ndbc_historical" / "41010w2020.txt.gz", "--json")
     assert here == json.loads(there)
     (ocean.folder / "41010k2020.txt.gz").unlink()
-    without = json.loads(ocean.good("records", "41010w2020.txt", "--json"))
+    without = json.loads(ocean.good("records 41010w2020.txt --json"))
     assert {record["directions"] for record in without} == {"none"}
 
 

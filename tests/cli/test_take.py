@@ -10,18 +10,18 @@ SEA = 'libocean = 1\n[time]\ntake = "storm.take"\n[grid]\nresolution = 64\npatch
 def test_info_says_how_long_the_performance_is(ocean):
     ocean.write("take.toml", SEA)
     ocean.write("storm.take", "1 swell 0\n2.5 wind_speed 12\n")
-    assert "2 changes from 1 to 2.5 s" in ocean.good("info", "take.toml")
-    assert "change" not in ocean.good("info", "take.toml", "--set", "take=")
+    assert "2 changes from 1 to 2.5 s" in ocean.good("info take.toml")
+    assert "change" not in ocean.good("info take.toml --set take=")
 
 
 def test_a_resolved_sea_needs_no_take_file(ocean):
     ocean.write("take.toml", SEA)
     storm = ocean.write("storm.take", "1 wind_speed 12 # gusts\n3.5 spreading mitsuyasu\n")
-    resolved = ocean.good("info", "take.toml", "--sea-file")
+    resolved = ocean.good("info take.toml --sea-file")
     assert '"1 waves.0.wind_speed 12"' in resolved
     storm.unlink()
     ocean.write("elsewhere/resolved.toml", resolved)
-    assert ocean.good("info", "elsewhere/resolved.toml", "--sea-file") == resolved
+    assert ocean.good("info elsewhere/resolved.toml --sea-file") == resolved
 
 
 def test_set_of_a_take_is_relative_to_the_working_directory(ocean):
@@ -50,18 +50,10 @@ def test_a_performance_bakes_the_same_alone_and_in_sequence(ocean):
     assert all(side[name] == whole[name] for name in pictures)
     # A baked frame holds the performance: the others come from it.
     (ocean.folder / "storm.take").unlink()
-    ocean.good(
-        "bake",
-        "--from",
-        "all/s.displacement.0002.exr",
-        "-o",
-        "from/s.####.exr",
-        "--frames",
-        "6",
-        "--products",
-        "displacement,normal,foam",
-    )
-    ocean.good("bake", "--from", "all/s.displacement.0002.exr", "-o", "one.exr", "--set", "take=")
+    products = "displacement,normal,foam"
+    frame = "all/s.displacement.0002.exr"
+    ocean.good(f"bake --from {frame} -o from/s.####.exr --frames 6 --products {products}")
+    ocean.good("bake --from all/s.displacement.0002.exr -o one.exr --set take=")
     name = "s.displacement.0006.exr"
     assert ocean.hashes("from")[name] == whole[name]
 
@@ -78,21 +70,7 @@ def test_queries_and_gauges_follow_a_performance(ocean):
 
     assert height("take.toml", "0.5") == height("calm.toml", "0.5")
     assert height("take.toml", "4") != height("calm.toml", "4")
-    ocean.good(
-        "gauge",
-        "take.toml",
-        "--points",
-        "p.csv",
-        "--from",
-        "0.5",
-        "--to",
-        "4",
-        "--rate",
-        "2",
-        "-o",
-        "g.csv",
-        "-q",
-    )
+    ocean.good("gauge take.toml --points p.csv --from 0.5 --to 4 --rate 2 -o g.csv -q")
     rows = [line.split(",") for line in (ocean.folder / "g.csv").read_text().splitlines()[1:]]
     rms = sum(float(row[4]) ** 2 for row in rows) ** 0.5
     for row in rows:

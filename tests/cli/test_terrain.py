@@ -31,7 +31,7 @@ def pixels(ocean, name):
 
 
 def test_a_terrain_is_one_channel_of_floats(land):
-    assert land.good("terrain", "land.toml", "-o", "land.exr") == "land.exr\n"
+    assert land.good("terrain land.toml -o land.exr") == "land.exr\n"
     heights, spec = pixels(land, "land.exr")
     assert list(spec.channelnames) == ["Y"]
     assert heights.shape == (64, 64, 1)
@@ -41,29 +41,29 @@ def test_a_terrain_is_one_channel_of_floats(land):
 
 def test_threads_and_runs_give_the_same_bytes(land):
     for threads, name in ((1, "a.exr"), (2, "b.exr")):
-        land.good("terrain", "land.toml", "-o", name, "--threads", threads, "-q")
+        land.good("terrain land.toml -o", name, "--threads", threads, "-q")
     assert (land.folder / "a.exr").read_bytes() == (land.folder / "b.exr").read_bytes()
-    land.good("terrain", "--from", "a.exr", "-o", "c.exr", "-q")
+    land.good("terrain --from a.exr -o c.exr -q")
     assert (land.folder / "c.exr").read_bytes() == (land.folder / "a.exr").read_bytes()
 
 
 def test_tiles_repeat_and_are_remembered(land):
-    land.good("terrain", "land.toml", "-o", "one.exr", "-q")
-    land.good("terrain", "land.toml", "--tiles", "2x3", "-o", "many.exr", "-q")
+    land.good("terrain land.toml -o one.exr -q")
+    land.good("terrain land.toml --tiles 2x3 -o many.exr -q")
     one, _ = pixels(land, "one.exr")
     many, _ = pixels(land, "many.exr")
     np.testing.assert_array_equal(many, np.tile(one, (3, 2, 1)))
-    land.good("terrain", "--from", "many.exr", "-o", "again.exr", "-q")
+    land.good("terrain --from many.exr -o again.exr -q")
     again, _ = pixels(land, "again.exr")
     np.testing.assert_array_equal(again, many)
     # A file of other tiles is not kept.
-    done = land("terrain", "land.toml", "-o", "many.exr", "--skip-existing")
+    done = land("terrain land.toml -o many.exr --skip-existing")
     assert "skipped" not in done.stderr
 
 
 def test_stages_are_images(land):
     for stage in ("noise", "transform", "filter", "filtered", "height"):
-        land.good("terrain", "land.toml", "--stage", stage, "-o", f"{stage}.exr", "-q")
+        land.good("terrain land.toml --stage", stage, "-o", f"{stage}.exr", "-q")
     noise, _ = pixels(land, "noise.exr")
     filtered, spec = pixels(land, "filtered.exr")
     assert noise.std() == pytest.approx(1.0, abs=0.05)
@@ -72,36 +72,36 @@ def test_stages_are_images(land):
 
 
 def test_the_spectrum_of_a_terrain_is_its_rings(land):
-    header, *rows = land.good("spectrum", "land.toml", "--seeds", 4).splitlines()
+    header, *rows = land.good("spectrum land.toml --seeds 4").splitlines()
     assert header.startswith("wavenumber,wavelength_m,count,density,asked_m4")
     table = np.array([[float(cell) for cell in row.split(",")] for row in rows])
     slope = np.polyfit(np.log(table[4:, 0]), np.log(table[4:, 4]), 1)[0]
     assert slope == pytest.approx(-3.8, abs=0.02)
     assert np.abs(np.log10(table[6:, 5] / table[6:, 4])).max() < 0.2
-    land.good("spectrum", "land.toml", "--plot", "plot.png", "-o", "rings.csv")
-    of_plot = json.loads(land.good("info", "--json", "plot.png"))
+    land.good("spectrum land.toml --plot plot.png -o rings.csv")
+    of_plot = json.loads(land.good("info --json plot.png"))
     assert of_plot["rms"]["asked"] == pytest.approx(12.0)
     land.write("again.toml", LAND.replace("beta = 1.9\n", 'measured = "rings.csv"\n'))
-    land.good("terrain", "again.toml", "-o", "again.exr", "-q")
+    land.good("terrain again.toml -o again.exr -q")
 
 
 def test_info_says_what_was_asked_for_and_what_the_tile_holds(land):
-    state = json.loads(land.good("info", "--json", "land.toml"))
+    state = json.loads(land.good("info --json land.toml"))
     assert state["rms"]["asked"] == pytest.approx(12.0)
     assert state["rms"]["resolved"] == pytest.approx(12.0, rel=1e-6)
     assert state["mean"] == 1000.0 and state["cell"] == 10.0
     total = sum(octave["rms"]["resolved"] ** 2 for octave in state["octaves"])
     assert np.sqrt(total) == pytest.approx(12.0, rel=0.01)
-    text = land.good("info", "land.toml")
+    text = land.good("info land.toml")
     assert "density k^-3.8, H = 0.9, D = 2.1" in text
-    land.good("terrain", "land.toml", "-o", "land.ply", "-q")
-    assert json.loads(land.good("info", "--json", "land.ply"))["rms"] == state["rms"]
-    resolved = land.good("info", "--sea-file", "land.ply")
+    land.good("terrain land.toml -o land.ply -q")
+    assert json.loads(land.good("info --json land.ply"))["rms"] == state["rms"]
+    resolved = land.good("info --sea-file land.ply")
     assert resolved.startswith("# A terrain") and "beta = 1.9" in resolved
 
 
 def test_set_changes_a_parameter(land):
-    land.good("terrain", "land.toml", "--set", "rms=3", "--set", "beta=2.5", "-o", "x.exr", "-q")
+    land.good("terrain land.toml --set rms=3 --set beta=2.5 -o x.exr -q")
     heights, _ = pixels(land, "x.exr")
     assert heights.std() == pytest.approx(3.0, rel=1e-5)
 
@@ -110,10 +110,10 @@ def test_presets_and_parameters_are_listed_by_kind(ocean):
     listed = ocean.good("presets")
     assert listed.index("Seas\n") < listed.index("beaufort_0") < listed.index("Terrains\n")
     assert listed.index("Terrains\n") < listed.index("tujunga")
-    kinds = {row["name"]: row["kind"] for row in json.loads(ocean.good("presets", "--json"))}
+    kinds = {row["name"]: row["kind"] for row in json.loads(ocean.good("presets --json"))}
     assert kinds["tujunga"] == "terrain" and kinds["beaufort_5"] == "sea"
-    assert "[terrain]" in ocean.good("presets", "tujunga")
-    assert "beta = 2" in ocean.good("params", "terrain")
-    assert "wind_speed" in ocean.good("params", "sea")
-    keys = {row["key"] for row in json.loads(ocean.good("params", "terrain", "--json"))}
+    assert "[terrain]" in ocean.good("presets tujunga")
+    assert "beta = 2" in ocean.good("params terrain")
+    assert "wind_speed" in ocean.good("params sea")
+    keys = {row["key"] for row in json.loads(ocean.good("params terrain --json"))}
     assert {"beta", "breaks", "range", "period"} <= keys

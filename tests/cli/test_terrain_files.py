@@ -58,7 +58,7 @@ class Hills:
 
     def bake(self, name: str, *arguments):
         options = [] if self.tiles == "1x1" else ["--tiles", self.tiles]
-        self.ocean.good("terrain", "hills.toml", *options, "-o", name, *arguments)
+        self.ocean.good("terrain hills.toml", *options, "-o", name, *arguments)
         return self.folder / name
 
     def closed(self, values=None):
@@ -72,7 +72,7 @@ class Hills:
         names = files or (name,)
         said = self.ocean.good("info", names[0])
         assert "Terrain" in said and "1000 m, 64 samples" in said
-        self.ocean.good("terrain", "--from", names[0], "-o", again)
+        self.ocean.good("terrain --from", names[0], "-o", again)
         stem, other = name.rsplit(".", 1)[0], again.rsplit(".", 1)[0]
         for file in names:
             twin = self.folder / file.replace(stem, other, 1)
@@ -142,7 +142,7 @@ def test_a_png_states_its_range_and_is_right_to_half_its_quantum(hills):
     assert f"base = {base.decode()}\n" in beside and f"scale = {scale.decode()}\n" in beside
     hills.is_made_again_from("t.png", "u.png", "t.png", "t.png.txt", "t.png.inc")
     # Another format, from it.
-    hills.ocean.good("terrain", "--from", "t.png", "-o", "from_png.exr")
+    hills.ocean.good("terrain --from t.png -o from_png.exr")
     assert (hills.folder / "from_png.exr").read_bytes() == (
         hills.folder / "reference.exr"
     ).read_bytes()

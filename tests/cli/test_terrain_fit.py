@@ -14,13 +14,13 @@ BED = DATA / "elevation" / "jacksboro.tif"
 
 
 def facts(ocean, *arguments) -> dict:
-    return json.loads(ocean.good("terrain", "fit", *arguments, "--json"))
+    return json.loads(ocean.good("terrain fit", *arguments, "--json"))
 
 
 @pytest.fixture
 def bed(ocean) -> str:
     """The elevation model as raw floats."""
-    done = ocean("terrain", "import", BED, "-o", "bed.flt")
+    done = ocean("terrain import", BED, "-o", "bed.flt")
     if "built without libtiff" in done.stderr:
         pytest.skip("the program was built without libtiff")
     assert done.returncode == 0, done.stderr
@@ -45,9 +45,9 @@ def numpy_rings(heights, dx, dy, edges):
 
 def test_the_rings_are_those_that_numpy_measures(ocean, bed):
     n = 256  # a power of two: nothing is padded, and both sum the same waves
-    dx, dy = json.loads(ocean.good("terrain", "import", bed, "--json"))["cell"]
+    dx, dy = json.loads(ocean.good("terrain import", bed, "--json"))["cell"]
     edges = f"0,0,{(n - 0.5) * dx},{(n - 0.5) * dy}"
-    ocean.good("terrain", "import", bed, "-o", "square.flt", "--crop", edges)
+    ocean.good("terrain import", bed, "-o", "square.flt", "--crop", edges)
     bed = "square.flt"
     heights = numpy.fromfile(ocean.folder / bed, "<f4").reshape(n, n).astype(float)
     lowest = 2 * 2 * numpy.pi / (n * min(dx, dy))
@@ -55,7 +55,7 @@ def test_the_rings_are_those_that_numpy_measures(ocean, bed):
     count = int(numpy.ceil(4 * numpy.log2(end / lowest)))
     edges = [lowest * 2 ** (i / 4) for i in range(count)] + [end]
     expected = numpy_rings(heights, dx, dy, edges)
-    ocean.good("terrain", "fit", bed, "--rings", "rings.csv", "--seeds", "4")
+    ocean.good("terrain fit", bed, "--rings", "rings.csv", "--seeds", "4")
     rings = numpy.genfromtxt(ocean.folder / "rings.csv", delimiter=",", names=True)
     assert rings.dtype.names == (
         "wavenumber", "density", "count", "model", "scatter", "residual")  # fmt: skip
@@ -79,7 +79,7 @@ def test_the_table_law_has_the_density_of_the_land(ocean, bed):
     text = (ocean.folder / "land.toml").read_text()
     assert text.startswith("# Fitted by `ocean terrain fit` to bed.flt, law table.\n")
     assert 'measured = "bed.flt"' in text and "[terrain.measured_rings]" in text
-    ocean.good("terrain", "land.toml", "-o", "land.exr")
+    ocean.good("terrain land.toml -o land.exr")
     heights = OpenImageIO.ImageBuf(str(ocean.folder / "land.exr")).get_pixels()[:, :, 0]
     assert heights.shape == (512, 512)
     assert heights.std() == pytest.approx(model["rms"], rel=0.6)  # one seed
@@ -105,7 +105,7 @@ def test_every_law_keeps_the_variance_of_a_known_land(ocean, law):
             "nodata_value -9999\nbyteorder LSBFIRST\n"
         )
         facts(ocean, "known.flt", "-o", "land.toml", "--law", law, "--seeds", "4")
-        ocean.good("terrain", "land.toml", "-o", "land.exr")
+        ocean.good("terrain land.toml -o land.exr")
         baked = OpenImageIO.ImageBuf(str(ocean.folder / "land.exr")).get_pixels()[:, :, 0]
         assert baked.std() ** 2 == pytest.approx(3600, rel=0.05), seed
         text = (ocean.folder / "land.toml").read_text()
@@ -124,7 +124,7 @@ def test_a_broken_law_has_a_few_parameters(ocean, bed):
     assert 500 < parameters["break_wavelength"] < 3000
     text = (ocean.folder / "land.toml").read_text()
     assert "measured_rings" not in text and "breaks = [[" in text
-    assert ocean.good("info", "land.toml")
+    assert ocean.good("info land.toml")
     ridged = facts(ocean, bed, "--law", "broken", "--ridge", "--seeds", "4")
     assert len(ridged["parameters"]) == 6
     one = facts(ocean, bed, "--law", "one", "--seeds", "4")
@@ -133,7 +133,7 @@ def test_a_broken_law_has_a_few_parameters(ocean, bed):
 
 
 def test_the_plot_shows_spectrum_and_relief(ocean, bed):
-    ocean.good("terrain", "fit", bed, "--plot", "fit.png", "--seeds", "4", "-q")
+    ocean.good("terrain fit", bed, "--plot", "fit.png", "--seeds", "4", "-q")
     image = OpenImageIO.ImageBuf(str(ocean.folder / "fit.png"))
     pixels = image.get_pixels()[:, :, :3]
     height, width = pixels.shape[:2]
@@ -142,13 +142,13 @@ def test_the_plot_shows_spectrum_and_relief(ocean, bed):
     right = pixels[150:900, int(0.78 * width) : int(0.95 * width)]
     assert len(numpy.unique((255 * right[..., 0]).round())) > 60
     assert (pixels[150:650, 200 : width // 2] > 0.8).all(axis=2).mean() > 0.8
-    ocean.good("terrain", "fit", bed, "--plot", "fit.png", "--seeds", "4", "-q")  # its own
+    ocean.good("terrain fit", bed, "--plot", "fit.png", "--seeds", "4", "-q")  # its own
     (ocean.folder / "fit.png").write_bytes(b"\x89PNG mine")
-    assert "'fit.png' exists" in ocean.bad("terrain", "fit", bed, "--plot", "fit.png")
+    assert "'fit.png' exists" in ocean.bad("terrain fit", bed, "--plot", "fit.png")
 
 
 def test_the_report_can_be_read(ocean, bed):
-    done = ocean("terrain", "fit", bed, "--seeds", "4")
+    done = ocean("terrain fit", bed, "--seeds", "4")
     assert done.returncode == 0
     lines = done.stdout.splitlines()
     assert lines[0].startswith("model    403 x 344 cells, 30.05 km x 31.81 km")
@@ -165,4 +165,4 @@ def test_land_that_cannot_be_fitted_is_a_sentence(ocean):
         "flat.asc": "flat land has no spectrum to fit",
         "hole.asc": "`ocean terrain import hole.asc --holes fill -o bed.flt`",
     }.items():
-        assert words in ocean.bad("terrain", "fit", file), file
+        assert words in ocean.bad("terrain fit", file), file

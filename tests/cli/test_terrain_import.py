@@ -94,12 +94,12 @@ def test_a_matrix_places_a_raster_and_a_turned_one_is_refused(ocean):
     write((CELL, 0, 0, WEST, 0, -CELL, 0, NORTH, 0, 0, 0, 0, 0, 0, 0, 1))
     assert facts(ocean, "m.tif")["origin"] == [WEST + 15.0, NORTH - ROWS * CELL + 15.0]
     write((CELL, 3, 0, WEST, 3, -CELL, 0, NORTH, 0, 0, 0, 0, 0, 0, 0, 1))
-    assert "is turned against east and north; `gdalwarp`" in ocean.bad("terrain", "import", "m.tif")
+    assert "is turned against east and north; `gdalwarp`" in ocean.bad("terrain import m.tif")
     write((-CELL, 0, 0, WEST, 0, -CELL, 0, NORTH, 0, 0, 0, 0, 0, 0, 0, 1))
-    assert "is mirrored; `gdalwarp` turns it" in ocean.bad("terrain", "import", "m.tif")
+    assert "is mirrored; `gdalwarp` turns it" in ocean.bad("terrain import m.tif")
     upside_down = [*placed_tags(1024, 0, 1, 1), (274, "H", 1, 4, True)]
     write_tags(ocean.folder / "m.tif", land(), upside_down)
-    assert "its first row elsewhere than on top" in ocean.bad("terrain", "import", "m.tif")
+    assert "its first row elsewhere than on top" in ocean.bad("terrain import m.tif")
 
 
 def test_degrees_are_scaled_by_the_latitude_of_the_centre(ocean):
@@ -155,14 +155,14 @@ def test_holes_are_told_refused_and_filled(ocean):
     write_tiff(ocean.folder / "holes.tif", data, nodata=-32768.0)
     found = facts(ocean, "holes.tif")
     assert found["holes"] == 200 and found["share_of_holes"] == pytest.approx(200 / 3750)
-    done = ocean("terrain", "import", "holes.tif", "-o", "bed.flt")
+    done = ocean("terrain import holes.tif -o bed.flt")
     assert done.returncode == 2 and "200 of 3750 cells" in done.stdout
     assert done.stderr == (
         "ocean: holes.tif: 200 of 3750 heights are missing; --holes fill fills them with the "
         "smooth surface around them\n"
     )
     assert not (ocean.folder / "bed.flt").exists()
-    ocean.good("terrain", "import", "holes.tif", "-o", "bed.flt", "--holes", "fill")
+    ocean.good("terrain import holes.tif -o bed.flt --holes fill")
     heights = read_back(ocean)[0]
     known = data != -32768.0
     assert (heights[known] == data[known]).all()
@@ -206,15 +206,15 @@ def test_srtm_tiles_lie_where_their_names_say(ocean):
     data[5, 7] = round(float(heights[5, 7]))
     assert (numpy.round(heights) == data).all()
     (ocean.folder / "tile.HGT").write_bytes(data.tobytes())
-    assert "--corner N34W119" in ocean.bad("terrain", "import", "tile.HGT")
+    assert "--corner N34W119" in ocean.bad("terrain import tile.HGT")
     assert facts(ocean, "tile.HGT", "--corner", "s01e006")["geographic_origin"] == [6.0, -1.0]
 
 
 def test_a_png_has_the_heights_of_its_range(ocean):
     grey = numpy.linspace(0, 65535, 40 * 20).round().astype("uint16").reshape(20, 40)
     (ocean.folder / "h.png").write_bytes(png(grey))
-    assert "--cell METRES" in ocean.bad("terrain", "import", "h.png")
-    assert "--range LOWEST,HIGHEST" in ocean.bad("terrain", "import", "h.png", "--cell", "5")
+    assert "--cell METRES" in ocean.bad("terrain import h.png")
+    assert "--range LOWEST,HIGHEST" in ocean.bad("terrain import h.png --cell 5")
     found = facts(ocean, "h.png", "--cell", "5", "--range", "-100,900", "-o", "bed.flt")
     assert (found["lowest"], found["highest"]) == (-100.0, 900.0) and found["cell"] == [5.0, 5.0]
     assert numpy.abs(read_back(ocean)[0] - (grey / 65.535 - 100.0)).max() < 1e-4
@@ -223,16 +223,7 @@ def test_a_png_has_the_heights_of_its_range(ocean):
 
 
 def test_an_exr_image_has_heights(ocean):
-    ocean.good(
-        "terrain",
-        "preset:gabilan_mesa",
-        "--set",
-        "resolution=64",
-        "--set",
-        "patch_size=1000",
-        "-o",
-        "t.exr",
-    )
+    ocean.good("terrain preset:gabilan_mesa --set resolution=64 --set patch_size=1000 -o t.exr")
     found = facts(ocean, "t.exr", "-o", "bed.flt")
     assert found["samples"] == [64, 64] and found["cell"] == [1000 / 64] * 2
     assert any("libocean wrote" in note for note in found["notes"])
@@ -280,11 +271,11 @@ def test_the_channel_of_an_exr_image_is_the_one_whose_name_says_height(ocean):
     }
     for name, channels in wrong.items():
         write_exr(ocean.folder / f"{name}.exr", **channels)
-        message = ocean.bad("terrain", "import", f"{name}.exr", "--cell", "5")
+        message = ocean.bad("terrain import", f"{name}.exr", "--cell", "5")
         listed = ", ".join(sorted(channel.replace("__", ".") for channel in channels))
         assert f"has the channels {listed}, of which several may be the heights" in message, name
     write_exr(ocean.folder / "alpha.exr", A=hills)
-    message = ocean.bad("terrain", "import", "alpha.exr", "--cell", "5")
+    message = ocean.bad("terrain import alpha.exr --cell 5")
     assert "has no channel of heights, only A" in message
 
 
@@ -317,14 +308,14 @@ def test_a_crop_keeps_the_cells_within_its_edges(ocean):
     assert (read_back(ocean)[0] == data[ROWS - 25 : ROWS - 5, 10:40]).all()
     assert read_back(ocean)[1] == Affine(CELL, 0, edges[0], 0, -CELL, edges[3])
     assert "--crop leaves fewer than 2 x 2 cells" in ocean.bad(
-        "terrain", "import", "dem.tif", "--crop", "0,0,10,10"
+        "terrain import dem.tif --crop 0,0,10,10"
     )
 
 
 def test_facts_without_an_output_write_nothing(ocean):
     write_tiff(ocean.folder / "dem.tif", land())
     before = sorted(ocean.folder.iterdir())
-    text = ocean.good("terrain", "import", "dem.tif")
+    text = ocean.good("terrain import dem.tif")
     assert sorted(ocean.folder.iterdir()) == before
     assert "size     75 x 50 cells, 2250 m x 1500 m\n" in text
     assert "cell     30.000 m x 30.000 m\n" in text
@@ -335,17 +326,15 @@ def test_only_files_of_this_command_are_replaced(ocean):
     write_tiff(ocean.folder / "dem.tif", land())
     (ocean.folder / "bed.prj").write_text("mine")
     assert "'bed.prj' exists and was not written by" in ocean.bad(
-        "terrain", "import", "dem.tif", "-o", "bed.flt"
+        "terrain import dem.tif -o bed.flt"
     )
     (ocean.folder / "bed.prj").unlink()
-    ocean.good("terrain", "import", "dem.tif", "-o", "bed.flt")
-    ocean.good("terrain", "import", "dem.tif", "-o", "bed.flt")
-    assert "is an input of this command" in ocean.bad(
-        "terrain", "import", "bed.flt", "-o", "bed.flt"
-    )
+    ocean.good("terrain import dem.tif -o bed.flt")
+    ocean.good("terrain import dem.tif -o bed.flt")
+    assert "is an input of this command" in ocean.bad("terrain import bed.flt -o bed.flt")
     header = (ocean.folder / "bed.hdr").read_text().replace("creator libocean\n", "")
     (ocean.folder / "bed.hdr").write_text(header)
-    assert "'bed.flt' exists" in ocean.bad("terrain", "import", "dem.tif", "-o", "bed.flt")
+    assert "'bed.flt' exists" in ocean.bad("terrain import dem.tif -o bed.flt")
 
 
 def test_each_bad_file_gets_one_sentence(ocean):
@@ -387,7 +376,7 @@ def test_each_bad_file_gets_one_sentence(ocean):
         options = ["--cell", "2"] if name.endswith(("png", "exr")) else []
         if name.endswith("png"):
             options += ["--range", "0,1"]
-        message = ocean.bad("terrain", "import", name, "-o", "bed.flt", *options)
+        message = ocean.bad("terrain import", name, "-o", "bed.flt", *options)
         assert sentence in message, name
         assert len(message) < 400
     assert not (folder / "bed.flt").exists()
@@ -400,13 +389,13 @@ def test_options_that_a_geotiff_does_not_need_are_refused(ocean):
         ("--range", "0,1"): "are heights themselves",
         ("--crop", "1E,2N,3E,4N"): "--crop in degrees: dem.tif has cells of metres",
     }.items():
-        assert words in ocean.bad("terrain", "import", "dem.tif", *options), options
+        assert words in ocean.bad("terrain import dem.tif", *options), options
 
 
 def test_a_terrain_that_names_a_tiff_is_told_the_command(ocean):
     write_tiff(ocean.folder / "dem.tif", land())
     (ocean.folder / "t.toml").write_text('libocean = 1\n[terrain]\nmeasured = "dem.tif"\n')
-    message = ocean.bad("terrain", "t.toml", "-o", "t.exr")
+    message = ocean.bad("terrain t.toml -o t.exr")
     assert "`ocean terrain import dem.tif -o bed.flt`" in message
 
 

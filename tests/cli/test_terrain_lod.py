@@ -59,10 +59,10 @@ def read_exr(path):
 
 def test_the_mesh_of_an_island_is_closed_up_to_its_sides(ocean):
     ocean.write("land.toml", ISLAND)
-    done = ocean("terrain", "land.toml", "-o", "l.ply", "--lod", EYE, "-n")
+    done = ocean("terrain land.toml -o l.ply --lod", EYE, "-n")
     most = int(re.search(r"at most (\d+) triangles, up to \d+ m from the eye", done.stderr)[1])
     assert not (ocean.folder / "l.ply").exists()
-    ocean.good("terrain", "land.toml", "-o", "l.ply", "--lod", EYE, "--products", "normal,cliff")
+    ocean.good("terrain land.toml -o l.ply --lod", EYE, "--products", "normal,cliff")
     mesh = Around(ocean.folder / "l.ply")
     assert 0.5 * most < len(mesh.triangles) <= most
     mesh.is_seen_from_above()
@@ -85,7 +85,7 @@ def test_the_mesh_of_an_island_is_closed_up_to_its_sides(ocean):
 def test_vertices_have_the_heights_and_normals_of_the_land(ocean, land):
     ocean.write("land.toml", ISLAND if land == "island" else TILE)
     eye = "100,1500,0.5"
-    ocean.good("terrain", "land.toml", "-o", "l.ply", "--lod", eye, "--farthest", "900")
+    ocean.good("terrain land.toml -o l.ply --lod", eye, "--farthest", "900")
     mesh = Around(ocean.folder / "l.ply")
     middle = numpy.array([100.0, 1500.0])
     # Vertices of a level that has not begun to morph lie on its lattice and have its heights. The
@@ -96,7 +96,7 @@ def test_vertices_have_the_heights_and_normals_of_the_land(ocean, land):
         region = f"{low[0]},{low[1]},{low[0] + 2 * half},{low[1] + 2 * half}"
         more = ["--products", "height,normal", "--type", "float", "--axes", "zup"]
         where = ["--region", region, "--cell", cell]
-        ocean.good("terrain", "land.toml", *where, "-o", f"r{cell}.exr", *more)
+        ocean.good("terrain land.toml", *where, "-o", f"r{cell}.exr", *more)
         heights = read_exr(ocean.folder / f"r{cell}.height.0001.exr")
         index = (mesh.points[:, :2] - low) / cell
         on = (index == numpy.round(index)).all(axis=1) & (index >= 0).all(axis=1)
@@ -123,13 +123,13 @@ def test_vertices_have_the_heights_and_normals_of_the_land(ocean, land):
 
 def test_a_tile_repeats_up_to_the_farthest(ocean):
     ocean.write("land.toml", TILE)
-    ocean.good("terrain", "land.toml", "-o", "l.ply", "--lod", "0,0,400")
+    ocean.good("terrain land.toml -o l.ply --lod 0,0,400")
     mesh = Around(ocean.folder / "l.ply")
     mesh.is_seen_from_above()
     border = mesh.points[mesh.open_edges()].reshape(-1, 3)
     assert numpy.hypot(border[:, 0], border[:, 1]).min() >= 150e3
     assert mesh.data["s"].max() > 100 and len(mesh.triangles) < 1e6
-    ocean.good("terrain", "land.toml", "-o", "n.ply", "--lod", "0,0,400", "--farthest", "5000")
+    ocean.good("terrain land.toml -o n.ply --lod 0,0,400 --farthest 5000")
     near = Around(ocean.folder / "n.ply")
     border = near.points[near.open_edges()].reshape(-1, 3)
     assert 5000 <= numpy.hypot(border[:, 0], border[:, 1]).min() < 20000
@@ -138,7 +138,7 @@ def test_a_tile_repeats_up_to_the_farthest(ocean):
 def test_far_from_the_origin_vertices_are_as_far_apart_as_floats_can_tell(ocean):
     ocean.write("land.toml", TILE)
     eye = "5000000.3,700000,60"
-    ocean.good("terrain", "land.toml", "-o", "l.ply", "--lod", eye, "--farthest", "800")
+    ocean.good("terrain land.toml -o l.ply --lod", eye, "--farthest", "800")
     mesh = Around(ocean.folder / "l.ply")
     assert len(numpy.unique(mesh.points, axis=0)) == len(mesh.points)
     mesh.open_edges()
@@ -148,11 +148,11 @@ def test_far_from_the_origin_vertices_are_as_far_apart_as_floats_can_tell(ocean)
 def test_ply_obj_and_usd_hold_one_mesh_and_make_it_again(ocean):
     ocean.write("land.toml", ISLAND)
     options = ["--lod", EYE, "--farthest", "700", "--products"]
-    ocean.good("terrain", "land.toml", "-o", "l.ply", *options, "normal,cliff,shelter")
-    ocean.good("terrain", "land.toml", "-o", "l.obj", *options, "normal,cliff")
-    ocean.good("terrain", "land.toml", "-o", "l.usda", *options, "normal,cliff,shelter")
+    ocean.good("terrain land.toml -o l.ply", *options, "normal,cliff,shelter")
+    ocean.good("terrain land.toml -o l.obj", *options, "normal,cliff")
+    ocean.good("terrain land.toml -o l.usda", *options, "normal,cliff,shelter")
     for name, file in (("m.ply", "l.ply"), ("m.obj", "l.obj"), ("m.usda", "l.0001.usdc")):
-        ocean.good("terrain", "--from", file, "-o", name)
+        ocean.good("terrain --from", file, "-o", name)
     for file in "l.ply", "l.obj", "l.0001.usdc", "l.topology.usdc":
         twin = ocean.folder / file.replace("l.", "m.", 1)
         assert (ocean.folder / file).read_bytes() == twin.read_bytes(), file

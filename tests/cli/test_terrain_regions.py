@@ -48,17 +48,17 @@ class Part:
         self.ocean, self.name = ocean, name
         ocean.write("land.toml", LANDS[name])
         wide = ["--region", "200,1300,1000,1800", "--cell", "10"]
-        ocean.good("terrain", "land.toml", *wide, "-o", "wide.exr")
+        ocean.good("terrain land.toml", *wide, "-o", "wide.exr")
         whole = read_exr(ocean.folder / "wide.exr")
         assert whole.shape == (51, 81)
         self.heights = whole[10 : 10 + ROWS, 10 : 10 + COLUMNS].astype(float)
 
     def bake(self, name: str, *arguments):
-        self.ocean.good("terrain", "land.toml", *REGION, "-o", name, *arguments)
+        self.ocean.good("terrain land.toml", *REGION, "-o", name, *arguments)
         return self.ocean.folder / name
 
     def is_made_again_from(self, name: str, again: str, *files: str):
-        self.ocean.good("terrain", "--from", files[0] if files else name, "-o", again)
+        self.ocean.good("terrain --from", files[0] if files else name, "-o", again)
         stem, other = name.rsplit(".", 1)[0], again.rsplit(".", 1)[0]
         for file in files or (name,):
             twin = self.ocean.folder / file.replace(stem, other, 1)
@@ -83,7 +83,7 @@ def test_an_exr_has_the_bits_of_the_land_and_is_made_again(part):
     part.bake("m.exr", "--products", f"height,{mask}")
     mask_file = f"m.{mask}.0001.exr"
     assert read_exr(part.ocean.folder / mask_file).shape == (ROWS, COLUMNS)
-    part.ocean.good("terrain", "--from", mask_file, "-o", "n.exr")
+    part.ocean.good("terrain --from", mask_file, "-o", "n.exr")
     twin = part.ocean.folder / "n.exr"
     assert twin.read_bytes() == (part.ocean.folder / mask_file).read_bytes()
 
@@ -94,7 +94,7 @@ def test_neighbouring_geotiffs_merge_without_a_seam(part):
         pytest.skip("rasterio is not in .venv; scripts/test installs it")
     halves = ["300,1400,600,1750", "600,1400,900,1750"]
     for name, half in zip(("west.tif", "east.tif"), halves, strict=True):
-        part.ocean.good("terrain", "land.toml", "--region", half, "--cell", "10", "-o", name)
+        part.ocean.good("terrain land.toml --region", half, "--cell", "10", "-o", name)
     judge = Path(__file__).with_name("region_judge.py")
     done = subprocess.run(
         [pythons[0], judge, "merged.npy", "west.tif", "east.tif"],

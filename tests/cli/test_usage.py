@@ -41,7 +41,7 @@ def test_version_names_the_libraries(ocean):
 
 
 def test_formats_of_params_exclude_each_other(ocean):
-    done = ocean("params", "--json", "--markdown")
+    done = ocean("params --json --markdown")
     assert done.returncode == 2 and done.stdout == ""
 
 
@@ -65,7 +65,7 @@ def test_a_closed_pipe_ends_the_program_silently(ocean):
 
 
 def test_progress_is_not_on_standard_output(ocean):
-    done = ocean("bake", "sea.toml", "-o", "out/s.####.exr", "--frames", "1-2")
+    done = ocean("bake sea.toml -o out/s.####.exr --frames 1-2")
     assert done.stdout.splitlines() == [
         f"out/s.{product}.000{frame}.exr"
         for frame in (1, 2)
@@ -77,16 +77,13 @@ def test_progress_is_not_on_standard_output(ocean):
 
 
 def test_quiet_says_nothing(ocean):
-    done = ocean("bake", "sea.toml", "-o", "out/s.exr", "-q")
+    done = ocean("bake sea.toml -o out/s.exr -q")
     assert (done.stdout, done.stderr) == ("", "")
-    assert ocean("info", "sea.toml", "-q", "--set", "wind_speed=0").stderr == ""
+    assert ocean("info sea.toml -q --set wind_speed=0").stderr == ""
 
 
 def test_verbose_says_more(ocean):
-    assert (
-        "frame 7 is at 0.25 s"
-        in ocean("bake", "sea.toml", "-o", "s.exr", "-v", "--frames", "7").stderr
-    )
+    assert "frame 7 is at 0.25 s" in ocean("bake sea.toml -o s.exr -v --frames 7").stderr
 
 
 def test_json_progress_is_a_line_for_each_event(ocean):
@@ -105,7 +102,7 @@ def test_json_errors_and_warnings_parse_too(ocean):
     assert done.returncode == 2
     assert json.loads(done.stderr)["event"] == "error"
     assert 'no "sea".toml' in json.loads(done.stderr)["message"]
-    done = ocean("info", "sea.toml", "--json", "--set", "wind_speed=0")
+    done = ocean("info sea.toml --json --set wind_speed=0")
     assert json.loads(done.stderr)["event"] == "warning"
     json.loads(done.stdout)
 
@@ -134,7 +131,7 @@ def test_a_terminal_gets_a_bar_with_eta(ocean):
 
 
 def test_params_text_and_json_name_every_parameter(ocean):
-    table = json.loads(ocean.good("params", "--json"))
+    table = json.loads(ocean.good("params --json"))
     text = ocean.good("params")
     for entry in table:
         assert f"  {entry['key']} = " in text
@@ -144,7 +141,7 @@ def test_params_text_and_json_name_every_parameter(ocean):
 
 
 def preset_names(ocean) -> list[str]:
-    return [entry["name"] for entry in json.loads(ocean.good("presets", "--json"))]
+    return [entry["name"] for entry in json.loads(ocean.good("presets --json"))]
 
 
 def test_every_preset_is_listed(ocean):
@@ -161,7 +158,7 @@ def test_every_preset_is_a_file(ocean, is_bay):
     assert names
     for name in names:
         ocean.write("preset.toml", ocean.good("presets", name))
-        state = ocean.good("info", "preset.toml", "--json")
+        state = ocean.good("info preset.toml --json")
         assert state == ocean.good("info", "preset:" + name, "--json")
         # JSON has no NaN or infinity; Python would read both.
         json.loads(state, parse_constant=lambda word: pytest.fail(word))

@@ -22,17 +22,13 @@ N = 64
 PERIOD = 200.0
 
 
-def bake(ocean, *arguments) -> None:
-    ocean.good("bake", "sea.toml", *arguments)
-
-
 def mesh_of(stage) -> UsdGeom.Mesh:
     return UsdGeom.Mesh(stage.GetPrimAtPath("/Ocean"))
 
 
 def test_a_stage_has_the_points_of_every_frame(ocean):
-    bake(ocean, "-o", "out/sea.usda", "--frames", "1-4")
-    bake(ocean, "-o", "ply/sea.####.ply", "--frames", "1-4")
+    ocean.bake("-o out/sea.usda --frames 1-4")
+    ocean.bake("-o ply/sea.####.ply --frames 1-4")
     stage = Usd.Stage.Open(str(ocean.folder / "out/sea.usda"))
     assert UsdGeom.GetStageUpAxis(stage) == "Z" and UsdGeom.GetStageMetersPerUnit(stage) == 1.0
     assert (stage.GetStartTimeCode(), stage.GetEndTimeCode()) == (1.0, 4.0)
@@ -94,17 +90,14 @@ def test_a_stage_has_the_points_of_every_frame(ocean):
 
 
 def test_rates_steps_axes_and_what_is_asked_for(ocean):
-    bake(
-        ocean, "-o", "out/sea.usda", "--frames", "10-30x10", "--fps", "25", "--axes", "yup",
-        "--products", "foam",
-    )  # fmt: skip
+    ocean.bake("-o out/sea.usda --frames 10-30x10 --fps 25 --axes yup --products foam")
     stage = Usd.Stage.Open(str(ocean.folder / "out/sea.usda"))
     assert UsdGeom.GetStageUpAxis(stage) == "Y" and stage.GetTimeCodesPerSecond() == 25.0
     mesh = mesh_of(stage)
     assert mesh.GetPointsAttr().GetTimeSamples() == [10.0, 20.0, 30.0]
     assert mesh.GetVelocitiesAttr().Get(20) is None
     assert not mesh.GetNormalsAttr().HasAuthoredValue()
-    bake(ocean, "-o", "z.usda", "--frames", "20", "--fps", "25", "--products", "foam")
+    ocean.bake("-o z.usda --frames 20 --fps 25 --products foam")
     turned = numpy.array(mesh.GetPointsAttr().Get(20))
     assert (numpy.array(mesh.GetExtentAttr().Get(20)) == [turned.min(0), turned.max(0)]).all()
     upright = Usd.Stage.Open(str(ocean.folder / "z.usda"))
@@ -154,24 +147,24 @@ def time_codes(ocean, name="out/sea.usda"):
 
 def test_chunks_in_any_order_and_twice_are_the_stage_of_all(ocean):
     for chunk in ("4-6", "1-3", "1-3", "4-6"):
-        bake(ocean, "-o", "out/sea.usda", "--frames", chunk)
+        ocean.bake("-o out/sea.usda --frames", chunk)
     assert time_codes(ocean) == (1.0, 6.0, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0])
-    bake(ocean, "-o", "whole/sea.usda", "--frames", "1-6")
+    ocean.bake("-o whole/sea.usda --frames 1-6")
     assert ocean.hashes("out") == ocean.hashes("whole")
     # Steps that meet, chunks that overlap.
     for chunk in ("1-9x4", "3-7x4", "1-3x2"):
-        bake(ocean, "-o", "steps/sea.usda", "--frames", chunk)
+        ocean.bake("-o steps/sea.usda --frames", chunk)
     assert time_codes(ocean, "steps/sea.usda") == (1.0, 9.0, [1.0, 3.0, 5.0, 7.0, 9.0])
 
 
 def test_a_gap_between_chunks_shows_no_other_file_and_is_told(ocean):
     """Frames 4-6 are of another sea: a template of clips would show them."""
-    bake(ocean, "-o", "out/sea.usda", "--frames", "4-6", "--set", "seed=2")
-    first = ocean("bake", "sea.toml", "-o", "out/sea.usda", "--frames", "1-3")
+    ocean.bake("-o out/sea.usda --frames 4-6 --set seed=2")
+    first = ocean("bake sea.toml -o out/sea.usda --frames 1-3")
     left_out = "of another sea or of other options: 4-6; out/sea.usda leaves them out"
     assert first.returncode == 0 and left_out in first.stderr
     assert time_codes(ocean) == (1.0, 3.0, [1.0, 2.0, 3.0])
-    second = ocean("bake", "sea.toml", "-o", "out/sea.usda", "--frames", "7-9")
+    second = ocean("bake sea.toml -o out/sea.usda --frames 7-9")
     assert left_out in second.stderr and "do not exist yet" in second.stderr
     assert time_codes(ocean) == (1.0, 9.0, [1.0, 2.0, 3.0, 7.0, 8.0, 9.0])
     stage = Usd.Stage.Open(str(ocean.folder / "out/sea.usda"))
@@ -181,16 +174,16 @@ def test_a_gap_between_chunks_shows_no_other_file_and_is_told(ocean):
     assert numpy.array(points.Get(5)) == pytest.approx(mean, abs=1e-4)
     del stage, points  # USD reads a layer anew when nobody holds it any more
     assert '"missing": [4,5,6]' in (ocean.folder / "out/sea.manifest.json").read_text()
-    done = ocean("bake", "sea.toml", "-o", "out/sea.usda", "--frames", "4-6")
+    done = ocean("bake sea.toml -o out/sea.usda --frames 4-6")
     assert "leaves them out" not in done.stderr and "do not exist yet" not in done.stderr
-    bake(ocean, "-o", "whole/sea.usda", "--frames", "1-9")
+    ocean.bake("-o whole/sea.usda --frames 1-9")
     assert ocean.hashes("out") == ocean.hashes("whole")
     # A frame that was deleted is a gap again; what has other products or rate is another sea's.
     (ocean.folder / "out/sea.0002.usdc").unlink()
-    assert "yet" in ocean("bake", "sea.toml", "-o", "out/sea.usda", "--frames", "9").stderr
+    assert "yet" in ocean("bake sea.toml -o out/sea.usda --frames 9").stderr
     assert time_codes(ocean)[2] == [1.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]
     for options in (["--products", "foam"], ["--fps", "25"], ["--axes", "yup"]):
-        said = ocean("bake", "sea.toml", "-o", "out/sea.usda", "--frames", "9", *options).stderr
+        said = ocean("bake sea.toml -o out/sea.usda --frames 9", *options).stderr
         assert "1, 3-8; out/sea.usda leaves them out" in said
         assert time_codes(ocean)[2] == [9.0]
 
@@ -207,39 +200,39 @@ def test_chunks_at_the_same_time_lose_none(ocean):
     ]
     assert [run.wait(timeout=120) for run in runs] == [0] * 5
     assert time_codes(ocean) == (1.0, 32.0, [float(frame) for frame in range(1, 33)])
-    bake(ocean, "-o", "whole/sea.usda", "--frames", "1-32", "--products", "position")
+    ocean.bake("-o whole/sea.usda --frames 1-32 --products position")
     assert ocean.hashes("out") == ocean.hashes("whole")
 
 
 def test_names_with_quotes_and_at_signs_are_found(ocean):
     for stem in ('Fünen @ "Ost"', "a@@b"):
         for chunk in ("1-2", "5-6"):
-            bake(ocean, "-o", f"{stem}.usda", "--frames", chunk, "--products", "position")
+            ocean.bake("-o", f"{stem}.usda", "--frames", chunk, "--products", "position")
         assert time_codes(ocean, f"{stem}.usda")[2] == [1.0, 2.0, 5.0, 6.0]
-        bake(ocean, "-o", f"{stem}.usda", "--frames", "3-4", "--products", "position")
+        ocean.bake("-o", f"{stem}.usda", "--frames", "3-4", "--products", "position")
         assert time_codes(ocean, f"{stem}.usda")[2] == [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
 
 
 def test_from_bakes_the_same_frame(ocean):
-    bake(ocean, "-o", "a.usda", "--frames", "3", "--axes", "yup", "--resolution", "32")
-    ocean.good("bake", "--from", "a.0003.usdc", "-o", "b.usda")
+    ocean.bake("-o a.usda --frames 3 --axes yup --resolution 32")
+    ocean.good("bake --from a.0003.usdc -o b.usda")
     first, second = (ocean.folder / f"{name}.0003.usdc" for name in "ab")
     assert first.read_bytes() == second.read_bytes()
-    assert "9 m/s" in ocean.good("info", "a.0003.usdc")
+    assert "9 m/s" in ocean.good("info a.0003.usdc")
 
 
 def test_a_file_that_is_cut_off_anywhere_is_refused(ocean):
-    bake(ocean, "-o", "a.usda", "--frames", "3", "--resolution", "32")
+    ocean.bake("-o a.usda --frames 3 --resolution 32")
     whole = (ocean.folder / "a.0003.usdc").read_bytes()
     for size in range(0, len(whole), max(1, len(whole) // 40)):
         cut = ocean.write("cut.usdc", whole[:size])
-        assert "cut.usdc" in ocean.bad("bake", "--from", "cut.usdc", "-o", "b.usda")
+        assert "cut.usdc" in ocean.bad("bake --from cut.usdc -o b.usda")
         with pytest.raises(Exception, match=r"."):
             if Sdf.Layer.OpenAsAnonymous(str(cut)) is None:
                 raise ValueError("refused")
 
 
 def test_a_large_frame_is_little_more_than_its_floats(ocean):
-    bake(ocean, "-o", "a.usda", "--frames", "1", "--resolution", "1024")
+    ocean.bake("-o a.usda --frames 1 --resolution 1024")
     size = (ocean.folder / "a.0001.usdc").stat().st_size
     assert size < 1.02 * 1025 * 1025 * 10 * 4
