@@ -14,7 +14,7 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 import pytest
-from conftest import evaluated_mesh, failing, keyed, positions, save, times
+from conftest import evaluated_mesh, failing, keyed, positions, save
 from libocean_addon.bundled import libocean
 from libocean_addon.legacy import ocean_command
 from libocean_addon.shared import compat
@@ -76,6 +76,10 @@ def files(folder: Path) -> list[Path]:
 
 def numbers(folder: Path) -> list[int]:
     return [int(path.stem[-4:]) for path in files(folder)]
+
+
+def times(folder: Path) -> dict[str, int]:
+    return {path.name: path.stat().st_mtime_ns for path in files(folder)}
 
 
 def dense(grid) -> tuple[np.ndarray, np.ndarray]:
