@@ -46,10 +46,11 @@ TEST_P(FoamCoverOf, ItsMeanIsThatOfTheWhitecaps) {
     EXPECT_NEAR(cover / whitecap, 1.0, 0.02);
 }
 
-// Beaufort 4, 6 and 10. Of these, Foam.TheMeanWhitecapIsThatOfRandomGradients says that their
+// Beaufort 4, 6, 8, 9 and 10. Of these, Foam.TheMeanWhitecapIsThatOfRandomGradients says that their
 // mean is Monahan's.
 INSTANTIATE_TEST_SUITE_P(Each, FoamCoverOf,
-                         testing::Values(Weather{6.7, 24}, Weather{12.3, 12}, Weather{26.4, 8}));
+                         testing::Values(Weather{6.7, 24}, Weather{12.3, 12}, Weather{18.9, 8},
+                                         Weather{22.6, 8}, Weather{26.4, 8}));
 
 TEST(FoamCover, ThePowerDependsOnNoThreadsAndNoSeed) {
     Parameters parameters = sea_of(12.3);

@@ -200,7 +200,7 @@ TEST_P(FoamLatticeCoverOf, TheMeanCoverOfAFinerMapIsThatOfItsWhitecaps) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, FoamLatticeCoverOf,
-                         testing::Values(Weather{12.3, 8}, Weather{22.6, 6}));
+                         testing::Values(Weather{12.3, 8}, Weather{18.9, 6}, Weather{22.6, 6}));
 
 }  // namespace
 }  // namespace ocean
