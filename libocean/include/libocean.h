@@ -695,10 +695,10 @@ typedef struct {
     int32_t reserved;
 } ocean_domain;
 OCEAN_API ocean_result ocean_terrain_domain(const ocean_terrain* terrain, ocean_domain* domain);
-/* A region of a terrain or of a sea over a bed: columns x rows samples, 2 .. 32768 each, `cell`
- * apart [m], sample (0, 0) at (x, y). struct_size = sizeof(ocean_region_request), output_size =
- * sizeof(ocean_output). The outputs are as those of ocean_request, with `columns` samples in a row;
- * seam must be 0. */
+/* A region of a terrain or of a sea over a bed or with hulls: columns x rows samples, 2 .. 32768
+ * each, `cell` apart [m], sample (0, 0) at (x, y). struct_size = sizeof(ocean_region_request),
+ * output_size = sizeof(ocean_output). The outputs are as those of ocean_request, with `columns`
+ * samples in a row; seam must be 0. */
 typedef struct {
     size_t struct_size;
     double x;
@@ -717,11 +717,11 @@ typedef struct {
 OCEAN_API ocean_result ocean_terrain_region(ocean_terrain* terrain,
                                             const ocean_region_request* request);
 /* ocean_region computes all outputs of a region of a sea over a bed (water.seabed, ocean_set_bed)
- * at a time [s] together, by label. Beside the channels of every sea it has OCEAN_DEPTH,
- * OCEAN_BREAKING and OCEAN_WETNESS. The first call computes where the waves go over the bed, which
- * takes seconds; later calls keep that until bed or waves change. UNSUPPORTED for a sea without a
- * bed. All other functions that compute maps or slope tiles of a sea return UNSUPPORTED for a sea
- * over a bed: their maps repeat, and it does not. */
+ * or with hulls at a time [s] together, by label. Over a bed it has OCEAN_DEPTH, OCEAN_BREAKING and
+ * OCEAN_WETNESS beside the channels of every sea. The first call computes where the waves go over
+ * the bed, which takes seconds; later calls keep that until bed or waves change. UNSUPPORTED for a
+ * sea without a bed and hulls. All other functions that compute maps or slope tiles of a sea return
+ * UNSUPPORTED for a sea over a bed: their maps repeat, and it does not. */
 OCEAN_API ocean_result ocean_region(ocean_sea* sea, double time,
                                     const ocean_region_request* request);
 /* ocean_bed_region writes the heights of the bed of a sea over still water [m], linear between its

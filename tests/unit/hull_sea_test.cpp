@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "hulls/wake.hpp"
@@ -101,12 +103,14 @@ TEST(HullSea, TheOpenSeaAwayFromTheBoatIsThatOfItsMap) {
     // Samples of the map of one period, 5000 m from the boat.
     const double step = 200.0 / 64;
     const Domain there{{5000.0, 5000.0}, {step * 63, step * 63}, {64, 64}, false};
-    const Surface region = ocean.region(kTime, there, Channel::height);
-    const Surface map = ocean.evaluate(kTime, Channel::height, 64);
+    const ChannelSet channels = {Channel::height, Channel::dx, Channel::slope_y};
+    const Surface region = ocean.region(kTime, there, channels);
+    const Surface map = ocean.evaluate(kTime, channels, 64);
     const double height = ocean.state().significant_wave_height.resolved;
-    for (std::size_t i = 0; i < map.channel(Channel::height).size(); ++i) {
-        EXPECT_NEAR(region.channel(Channel::height)[i], map.channel(Channel::height)[i],
-                    2e-6 * height);
+    for (const Channel channel : {Channel::height, Channel::dx, Channel::slope_y}) {
+        for (std::size_t i = 0; i < map.channel(channel).size(); ++i) {
+            EXPECT_NEAR(region.channel(channel)[i], map.channel(channel)[i], 1e-5 * height);
+        }
     }
 }
 
@@ -123,6 +127,20 @@ TEST(HullSea, MapsOfOnePeriodKeepTheirBitsAndWarn) {
     };
     EXPECT_TRUE(std::ranges::any_of(with.state().warnings, is_of_wakes));
     EXPECT_FALSE(std::ranges::any_of(without.state().warnings, is_of_wakes));
+}
+
+TEST(HullSea, WavesThatLinearTheoryCannotMakeAreWarnedOf) {
+    const auto is_steep = [](const Parameters& parameters) {
+        const std::vector<std::string> warnings = Ocean(parameters).state().warnings;
+        return std::ranges::any_of(warnings, [](const std::string& text) {
+            return text.find("linear theory") != std::string::npos;
+        });
+    };
+    Parameters parameters = sea_with_boat();
+    parameters.hulls.front().factor = 0.1;
+    EXPECT_FALSE(is_steep(parameters));
+    parameters.hulls.front().factor = 10.0;
+    EXPECT_TRUE(is_steep(parameters));
 }
 
 TEST(HullSea, AnotherBoatAddsItsWakeAndAFactorScalesIt) {

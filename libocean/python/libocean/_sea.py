@@ -52,11 +52,11 @@ class Sea(Maps, Queries):
         fields: Iterable[str] = ("displacement",),
         axes: str = "zup",
     ) -> dict[str, Array]:
-        """Returns fields of a region of a sea over a bed at `time` [s] by name, arrays (rows,
-        columns) or (rows, columns, 3), by label. origin: the place of sample (0, 0) [m]; samples:
-        columns and rows, `cell` apart [m]. Beside the fields of every sea it has "depth",
-        "breaking" and "wetness". The first call computes where the waves go over the bed, which
-        takes seconds."""
+        """Returns fields of a region of a sea over a bed or with hulls at `time` [s] by name,
+        arrays (rows, columns) or (rows, columns, 3), by label. origin: the place of sample (0, 0)
+        [m]; samples: columns and rows, `cell` apart [m]. Over a bed it has "depth", "breaking" and
+        "wetness" beside the fields of every sea. The first call computes where the waves go over
+        the bed, which takes seconds."""
         maps = region_arrays(fields, samples)
         request = region_request(origin, cell, maps.values(), axes)
         self._call("ocean_region", number("time", time), ctypes.byref(request))
