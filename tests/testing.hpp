@@ -3,7 +3,11 @@
 //
 // GoogleTest, the standard library as most tests use it, and what tests of every folder share. The
 // programs precompile it.
-#pragma once
+//
+// A guard stands here in place of #pragma once: GCC tells a precompiled header from the same file by
+// its time, and a compiler cache keeps the time of another clone.
+#ifndef OCEAN_TESTS_TESTING_HPP
+#define OCEAN_TESTS_TESTING_HPP
 
 #include <gtest/gtest.h>
 
@@ -129,3 +133,5 @@ Grid<Index, Pair<Index>> pairs(std::type_identity_t<Index> columns,
 }
 
 }  // namespace ocean::test
+
+#endif
