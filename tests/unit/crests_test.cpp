@@ -58,7 +58,7 @@ Parameters changed(const std::function<void(Parameters&)>& change) {
     return parameters;
 }
 
-struct NamedSea {
+struct CrestSea {
     const char* name;
     Parameters parameters;
 
@@ -70,7 +70,7 @@ struct NamedSea {
 };
 
 /// Seas of all kinds; the shortest wave of each is a twelfth of the peak's or a little less.
-std::vector<NamedSea> seas() {
+std::vector<CrestSea> crest_seas() {
     const auto phillips = [](Parameters& p) {
         p.waves = {WaveSystem{}};
         p.waves.front().wind_speed = 17.0;
@@ -116,7 +116,7 @@ std::vector<NamedSea> seas() {
 }
 
 TEST(Crests, StandAtTheirPlaceAndTimeWhateverTheSea) {
-    for (NamedSea& sea : seas()) {
+    for (CrestSea& sea : crest_seas()) {
         for (const double height : {1.3, -0.9}) {
             sea.parameters.crests.front().height = {height, true};
             const Modes modes = modes_of(sea.parameters);
@@ -144,7 +144,7 @@ TEST(Crests, AreLevelAndAtTheirHighestMoment) {
 }
 
 TEST(Crests, AreTheHighestPointsNearThem) {
-    for (NamedSea& sea : seas()) {
+    for (CrestSea& sea : crest_seas()) {
         const double wanted = 1.1 * requested_height(sea.parameters);
         for (const std::uint32_t seed : {1u, 2u}) {
             sea.parameters.seed = seed;
@@ -310,7 +310,7 @@ TEST(Crests, OfAFinerGridAreMadeOfTheSameLongWaves) {
 // Two systems cross: the direction of the crest picks the one whose way it goes.
 TEST(Crests, TravelInTheirDirection) {
     for (const double direction : {-60.0, 30.0}) {
-        Parameters parameters = seas()[3].parameters;
+        Parameters parameters = crest_seas()[3].parameters;
         parameters.crests.front().direction = direction;
         const Crest& crest = parameters.crests.front();
         const Modes modes = modes_of(parameters);
