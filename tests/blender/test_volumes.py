@@ -79,7 +79,7 @@ def numbers(folder: Path) -> list[int]:
 
 
 def times(folder: Path) -> dict[str, int]:
-    return {path.name: path.stat().st_mtime_ns for path in files(folder)}
+    return {path.name: path.stat().st_mtime_ns for path in folder.glob("*.vdb")}
 
 
 def dense(grid) -> tuple[np.ndarray, np.ndarray]:
