@@ -4,8 +4,8 @@
 // GoogleTest, the standard library as most tests use it, and what tests of every folder share. The
 // programs precompile it.
 //
-// A guard stands here in place of #pragma once: GCC tells a precompiled header from the same file by
-// its time, and a compiler cache keeps the time of another clone.
+// A guard stands here in place of #pragma once: GCC tells a precompiled header from the same file
+// by its time, and a compiler cache keeps the time of another clone.
 #ifndef OCEAN_TESTS_TESTING_HPP
 #define OCEAN_TESTS_TESTING_HPP
 

@@ -50,7 +50,7 @@ class HullSea final : public PlacedSea {
     void add_foam(double time, std::span<QuerySample> samples, std::span<const LabelPoint> found);
 
     std::optional<HullSurface> surface_;
-    // What surface_ was made of.
+    // The sea from which surface_ was made:
     Revision modes_;
     std::vector<Hull> hulls_;
     Water water_;

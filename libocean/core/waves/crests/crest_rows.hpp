@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What crests ask of the waves: rows, each a linear functional of the modes,
+// The rows of crests, which the waves must satisfy; each is a linear functional of the modes,
 //   c = 2 Re sum h0 phi,   phi = g e^{i (k.x - omega t)},
 // with g = 1 for the height, i k for the slopes, -i omega for the rise dh/dt and -i k coth(kd) /
 // |k| for the horizontal displacement. Their covariances under the sea's spectrum are
