@@ -42,12 +42,12 @@ def load(tmp_path):
     return put
 
 
-def test_crests_of_a_file_are_shown_kept_and_saved(load, tmp_path):
+def test_crests_of_a_file_are_shown_kept_and_saved(tmp_path):
     """The panel does not show them yet; nothing that it does loses them."""
     ob = add_ocean(64, kind="PATCH")
     path = tmp_path / "hero.toml"
     crest = '[[crests]]\ntime = 3.0\nx = 40.0\ny = 50.0\nheight = "1.2 Hs"\n'
-    path.write_text(SEA.format(period=ROUND, seed=1) + crest)
+    path.write_text(SEA.format(period=ROUND, seed=1, past=0.0) + crest)
     bpy.context.view_layer.objects.active = ob
     assert bpy.ops.libocean.load_sea(filepath=str(path)) == {"FINISHED"}
     ob.libocean.choppiness = 0.8
