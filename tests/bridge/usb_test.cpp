@@ -231,8 +231,9 @@ TEST_F(Usb, WhatNoOutputTakesIsRefused) {
                                                      {"board0/dac1", NAN},
                                                      {"board0/dac3", 1},
                                                      {"other/dac1", 1}}) {
-        ocean::test::expect_refusal(ErrorKind::invalid_value, channel,
-                                    [&] { source_->put(channel, value); });
+        ocean::test::expect_refusal(
+            ErrorKind::invalid_value, channel,
+            [this, &channel = channel, value = value] { source_->put(channel, value); });
     }
 }
 

@@ -50,7 +50,8 @@ TEST(ValueTable, UnknownNamesSayWhatIsNear) {
          std::vector<std::pair<std::string, std::string>>{{"wind_sped", "wind_speed"},
                                                           {"app.paus", "app.pause"},
                                                           {"waves.1.fetch", "waves.0"}}) {
-        ocean::test::expect_refusal(ErrorKind::not_found, near, [&] { table.find(name); });
+        ocean::test::expect_refusal(ErrorKind::not_found, near,
+                                    [&table, &name = name] { table.find(name); });
     }
 }
 
