@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Names of variables and attributes, compared without the differences between writers.
+// Names of variables and attributes, compared without the differences between writers, and numbers
+// of a file as sentences show them.
 #pragma once
 
 #include <algorithm>
@@ -25,6 +26,12 @@ inline std::string plain_name(std::string_view name) {
     std::string plain = lower_case(name);
     std::erase_if(plain, [](char c) { return c == '_' || c == '-' || c == ' ' || c == '.'; });
     return plain;
+}
+
+/// Returns a number in at most 23 characters.
+inline std::string shown(double value) {
+    std::string digits = std::to_string(value);
+    return digits.size() > 20 ? digits.substr(0, 20) + "..." : digits;
 }
 
 }  // namespace ocean::netcdf

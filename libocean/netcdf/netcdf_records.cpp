@@ -25,11 +25,6 @@ namespace {
 
 constexpr double kPerRadian = kPi / 180.0;  // [m^2 s/rad] to [m^2/Hz/degree]
 
-std::string shown(double value) {
-    std::string digits = std::to_string(value);
-    return digits.size() > 20 ? digits.substr(0, 20) + "..." : digits;
-}
-
 class RecordMaker {
   public:
     explicit RecordMaker(const Content& content)

@@ -27,11 +27,6 @@ constexpr double kSameFrequency = 1e-5;
 /// Bins without a unit that span less than this are radians.
 constexpr double kRadianCircle = 6.5;
 
-std::string shown(double value) {
-    std::string digits = std::to_string(value);
-    return digits.size() > 20 ? digits.substr(0, 20) + "..." : digits;
-}
-
 /// Returns true for 1, 2, 3 ...: numbers of bins, which also stand in for a missing coordinate.
 bool are_numbers(const std::vector<double>& values) {
     for (std::size_t i = 0; i < values.size(); ++i) {
