@@ -15,7 +15,7 @@
 
 namespace ocean::netcdf {
 
-/// What a flag says of a value.
+/// The quality that a flag gives a value.
 enum class Quality { good, doubtful, bad };
 
 /// The meaning of a variable's flags by its flag_values and flag_meanings. Without them by the

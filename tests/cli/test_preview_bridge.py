@@ -297,7 +297,7 @@ def test_of_two_windows_one_has_the_clock_and_both_follow_it(bridge, window):
     tell("SET app.time 500")
     clock_of(r"EVT WRITER app.time (?!" + first + ")")
     clock_of(r"EVT WRITER app.time " + first)
-    # What it had said of its clock before it heard may come between.
+    # Times that it sent before it heard of the change may come between.
     clock_of(r"UPD app.time [5-8]\d\d")
     # From now on nobody but the first window tells it, until that is closed.
     times = [float(clock_of("UPD app.time (.*)")[1]) for _ in range(4)]

@@ -8,8 +8,8 @@
 // NewWave [Tromans 1991]; what the rows leave open keeps its draw and its variance, at any depth
 // and for any spectrum. Six rows make the crest: its height A; slopes and rise dh/dt of 0; and a
 // displacement of 0, so that the point of that label is shown at its own place under any
-// choppiness. Twenty-two heights around it take the six rows' mean shape, or a wave of the draw
-// near it would be higher. Tests: Crests.IsTheHighestPointNear,
+// choppiness. The heights of crest_neighbours() around it take the six rows' mean shape, or a wave
+// of the draw near it would be higher. Tests: Crests.IsTheHighestPointNear,
 // Crests.SeedsHaveMeanAndVarianceOfTheory.
 #include "ocean/internal/crests.hpp"
 
