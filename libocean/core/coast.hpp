@@ -32,7 +32,6 @@ class Coast final : public PlacedSea {
 
     void query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
                const QueryOptions& options) override;
-    double query_height_error(double time, const QueryOptions& options) override;
     void water_motion(double time, std::span<const WaterPoint> points,
                       std::span<WaterMotion> motions, const QueryOptions& options) override;
 
@@ -45,6 +44,7 @@ class Coast final : public PlacedSea {
     std::string_view why_no_linear_fields() const override {
         return "over a bed waves do not add up";
     }
+    double height_error(double time) override;
     RegionMaps region_maps(ChannelSet channels) const override;
     void write_region(double time, const Domain& domain,
                       std::span<const MapOutput> outputs) override;

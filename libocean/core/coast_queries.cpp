@@ -7,7 +7,6 @@
 
 #include "coast.hpp"
 #include "coast/surface/shore_query.hpp"
-#include "waves/query/query_bounds.hpp"
 #include "waves/query/query_points.hpp"
 
 namespace ocean {
@@ -32,9 +31,8 @@ void Coast::query(double time, std::span<const WorldPoint> points, std::span<Que
     if (options.foam) add_foam(time, samples.first(points.size()), found);
 }
 
-double Coast::query_height_error(double time, const QueryOptions& options) {
-    if (!options.exact) return surface(time, ShoreSurface::Rates::without).height_error();
-    return query_bounds(open().modes(time), shown(), shown(), true, open().pool()).error;
+double Coast::height_error(double time) {
+    return surface(time, ShoreSurface::Rates::without).height_error();
 }
 
 void Coast::water_motion(double time, std::span<const WaterPoint> points,

@@ -17,7 +17,6 @@
 #include "wave/wave.hpp"
 #include "waves/labels/label_search.hpp"
 #include "waves/labels/region_rows.hpp"
-#include "waves/query/query_bounds.hpp"
 #include "waves/query/query_points.hpp"
 
 namespace ocean {
@@ -35,15 +34,15 @@ class SummedFoam {
           open_(open),
           cover_power_(cover_power) {}
 
-    float whitecap(const LabelPoint& point) const {
-        return wave::single_precision::surface_whitecap(label_jacobian(point), threshold_, width_);
+    float whitecap(float jacobian) const {
+        return wave::single_precision::surface_whitecap(jacobian, threshold_, width_);
     }
     float foam(WorldPoint label, const LabelPoint& point) const {
-        return std::max(read_period(open_, Channel::foam, label), whitecap(point));
+        return std::max(read_period(open_, Channel::foam, label), whitecap(label_jacobian(point)));
     }
     float cover(WorldPoint label, const LabelPoint& point) const {
         return std::max(read_period(open_, Channel::cover, label),
-                        std::pow(whitecap(point), cover_power_));
+                        std::pow(whitecap(label_jacobian(point)), cover_power_));
     }
 
   private:
@@ -80,8 +79,7 @@ void HullSea::warn(SeaState& state) {
 }
 
 HullSurface& HullSea::surface(double time, bool rates) {
-    // Copied: a later stage may change the chain's.
-    const Parameters now = open().parameters_at(time);
+    const Parameters& now = open().parameters_at(time);
     const Modes& modes = open().modes(time);
     const bool is_current = surface_ && modes_ == modes.revision && hulls_ == now.hulls &&
                             water_ == now.water && choppiness_ == now.surface.choppiness;
@@ -121,13 +119,19 @@ void HullSea::write_region(double time, const Domain& domain, std::span<const Ma
     const auto read = [&](std::span<const WorldPoint> labels, std::span<LabelPoint> points,
                           std::size_t) { surface.read(labels, points); };
     const auto own = [&](const RegionPiece<LabelPoint>& piece, const RegionTarget& target) {
-        target.write(piece.count, [&](std::size_t i) {
-            const LabelPoint& point = piece.points[i];
-            if (target.channel == Channel::whitecap) return foam.whitecap(point);
-            if (target.channel == Channel::foam) return foam.foam(piece.labels[i], point);
-            if (target.channel == Channel::cover) return foam.cover(piece.labels[i], point);
-            return 0.0f;
-        });
+        const auto each = [&](const auto& value) { target.write(piece.count, value); };
+        switch (target.channel) {
+            case Channel::whitecap:
+                return each([&](std::size_t i) { return foam.whitecap(piece.jacobians[i]); });
+            case Channel::foam:
+                return each(
+                    [&](std::size_t i) { return foam.foam(piece.labels[i], piece.points[i]); });
+            case Channel::cover:
+                return each(
+                    [&](std::size_t i) { return foam.cover(piece.labels[i], piece.points[i]); });
+            default:
+                return each([](std::size_t) { return 0.0f; });
+        }
     };
     open().pool().for_each_item(domain.samples[1], [&](int j, int) {
         write_region_row<LabelPoint>(domain, j, channels, outputs, read, own);
@@ -174,9 +178,8 @@ void HullSea::add_foam(double time, std::span<QuerySample> samples,
     }
 }
 
-double HullSea::query_height_error(double time, const QueryOptions& options) {
-    if (!options.exact) return surface(time, false).height_error();
-    return query_bounds(open().modes(time), shown(), shown(), true, open().pool()).error;
+double HullSea::height_error(double time) {
+    return surface(time, false).height_error();
 }
 
 void HullSea::water_motion(double, std::span<const WaterPoint>, std::span<WaterMotion>,

@@ -30,7 +30,6 @@ class HullSea final : public PlacedSea {
 
     void query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
                const QueryOptions& options) override;
-    double query_height_error(double time, const QueryOptions& options) override;
     /// Throws Error unsupported: wakes are known at the surface alone.
     void water_motion(double time, std::span<const WaterPoint> points,
                       std::span<WaterMotion> motions, const QueryOptions& options) override;
@@ -42,6 +41,7 @@ class HullSea final : public PlacedSea {
     std::string_view why_no_linear_fields() const override {
         return "with hulls it shows the displaced surface";
     }
+    double height_error(double time) override;
     RegionMaps region_maps(ChannelSet channels) const override;
     void write_region(double time, const Domain& domain,
                       std::span<const MapOutput> outputs) override;

@@ -11,6 +11,7 @@
 #include "ocean/internal/cascades.hpp"
 #include "ocean/internal/memory.hpp"
 #include "waves/labels/region_rows.hpp"
+#include "waves/query/query_bounds.hpp"
 
 namespace ocean {
 
@@ -51,6 +52,11 @@ void PlacedSea::region_into(double time, const Domain& domain, std::span<const M
     }
     begin_region(time, domain, channels_of(outputs), 0);
     write_region(time, domain, outputs);
+}
+
+double PlacedSea::query_height_error(double time, const QueryOptions& options) {
+    if (!options.exact) return height_error(time);
+    return query_bounds(open_.modes(time), shown(), shown(), true, open_.pool()).error;
 }
 
 void PlacedSea::float_poses(double time, std::span<const FloatBody> bodies,

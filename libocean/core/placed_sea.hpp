@@ -37,7 +37,7 @@ class PlacedSea {
 
     virtual void query(double time, std::span<const WorldPoint> points,
                        std::span<QuerySample> samples, const QueryOptions& options) = 0;
-    virtual double query_height_error(double time, const QueryOptions& options) = 0;
+    double query_height_error(double time, const QueryOptions& options);
     virtual void water_motion(double time, std::span<const WaterPoint> points,
                               std::span<WaterMotion> motions, const QueryOptions& options) = 0;
     void float_poses(double time, std::span<const FloatBody> bodies, std::span<FloatPose> poses);
@@ -47,6 +47,8 @@ class PlacedSea {
     const Parameters& parameters() const { return open_.parameters(); }
     /// Returns the samples of the open sea's map whose waves count.
     int shown() const;
+    /// Returns the rms error of heights [m] that are not exact.
+    virtual double height_error(double time) = 0;
     /// Returns channels of the open sea over one period.
     Surface open_map(double time, ChannelSet channels);
 

@@ -21,17 +21,6 @@ LinearWaves<Jet> sum_of(const LinearWaves<Jet>& a, const LinearWaves<Jet>& b) {
             a.displacement_y + b.displacement_y};
 }
 
-LinearWaves<Jet> exact_waves(const WaveSum& sea, double x, double y) {
-    const LinearSample at = sea.at_label(x, y);
-    const auto jet = [](double value, double by_x, double by_y, double by_t) {
-        return Jet(static_cast<float>(value), static_cast<float>(by_x), static_cast<float>(by_y),
-                   static_cast<float>(by_t));
-    };
-    return {jet(at.height, at.slope_x, at.slope_y, at.height_rate),
-            jet(at.displacement_x, at.gradient_xx, at.gradient_xy, at.displacement_x_rate),
-            jet(at.displacement_y, at.gradient_xy, at.gradient_yy, at.displacement_y_rate)};
-}
-
 }  // namespace
 
 HullSurface::HullSurface(const Modes& modes, const Parameters& parameters, int shown, double height,
@@ -76,7 +65,7 @@ void HullSurface::prepare_sums(const Modes& modes, const Water& water) {
 }
 
 LinearWaves<Jet> HullSurface::waves_at(double x, double y, bool exact) const {
-    LinearWaves<Jet> waves = exact ? exact_waves(*sum_, x, y) : open_.read<Jet>(x, y);
+    LinearWaves<Jet> waves = exact ? waves_of<Jet>(sum_->at_label(x, y)) : open_.read<Jet>(x, y);
     for (const auto& wake : wakes_) {
         if (!wake->holds(x, y)) continue;
         waves = sum_of(waves, exact ? wake->read_exactly(x, y) : wake->read(x, y));

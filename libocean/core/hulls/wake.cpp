@@ -51,11 +51,6 @@ Jet with_rate(const Jet& value, float rate) {
     return {value.value(), value.by_x(), value.by_y(), rate};
 }
 
-Jet jet_of(double value, double by_x, double by_y, double by_t) {
-    return {static_cast<float>(value), static_cast<float>(by_x), static_cast<float>(by_y),
-            static_cast<float>(by_t)};
-}
-
 }  // namespace
 
 Wake::Wake(const Hull& hull, const Water& water, double loop_period, ThreadPool& pool)
@@ -150,13 +145,12 @@ void Wake::prepare_sums(const Water& water) {
 LinearWaves<Jet> Wake::read_exactly(double x, double y) const {
     const double u = x - past_.place.centre.x;
     const double v = y - past_.place.centre.y;
-    const LinearSample at = sum_->at_label(u, v);
+    LinearSample at = sum_->at_label(u, v);
     const LinearSample rate = rate_sum_->at_label(u, v);
-    const LinearWaves<Jet> waves{
-        jet_of(at.height, at.slope_x, at.slope_y, rate.height),
-        jet_of(at.displacement_x, at.gradient_xx, at.gradient_xy, rate.displacement_x),
-        jet_of(at.displacement_y, at.gradient_xy, at.gradient_yy, rate.displacement_y)};
-    return within_rim(waves, u, v, size_.side);
+    at.height_rate = rate.height;
+    at.displacement_x_rate = rate.displacement_x;
+    at.displacement_y_rate = rate.displacement_y;
+    return within_rim(waves_of<Jet>(at), u, v, size_.side);
 }
 
 std::uint64_t Wake::bytes(int resolution) {

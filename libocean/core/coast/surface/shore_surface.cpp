@@ -25,23 +25,6 @@ namespace {
 constexpr double kOpenTolerance = 2e-7;
 constexpr double kSignalTolerance = 2e-6;
 
-/// Returns the sum of all modes at a label.
-template <typename Scalar>
-LinearWaves<Scalar> exact_waves(const WaveSum& sea, double x, double y) {
-    const LinearSample at = sea.at_label(x, y);
-    const auto jet = [](double value, double by_x, double by_y, double by_t) {
-        if constexpr (std::is_same_v<Scalar, Jet>) {
-            return Jet(static_cast<float>(value), static_cast<float>(by_x),
-                       static_cast<float>(by_y), static_cast<float>(by_t));
-        } else {
-            return Plain(static_cast<float>(value));
-        }
-    };
-    return {jet(at.height, at.slope_x, at.slope_y, at.height_rate),
-            jet(at.displacement_x, at.gradient_xx, at.gradient_xy, at.displacement_x_rate),
-            jet(at.displacement_y, at.gradient_xy, at.gradient_yy, at.displacement_y_rate)};
-}
-
 }  // namespace
 
 void ShoreSums::set_time(double to) {
@@ -157,8 +140,9 @@ void ShoreSurface::read_block(Block<Scalar>& block, const ReadySums& ready,
             block.open[i] = {};
         } else {
             const double x = block.places.x[i], y = block.places.y[i];
-            block.open[i] = block.exact != nullptr ? exact_waves<Scalar>(block.exact->open, x, y)
-                                                   : open_.read<Scalar>(x, y);
+            block.open[i] = block.exact != nullptr
+                                ? waves_of<Scalar>(block.exact->open.at_label(x, y))
+                                : open_.read<Scalar>(x, y);
         }
     }
     if (block.shoaling.places.count > 0) {
@@ -298,7 +282,7 @@ void ShoreSurface::finish(Block<Scalar>& block, std::span<ShorePoint> points) co
         // Waves in no band change with the shortest waves in bands.
         const double x = shoaling.places.x[n], y = shoaling.places.y[n];
         const auto unbanded = block.exact != nullptr
-                                  ? exact_waves<Scalar>(block.exact->remainder, x, y)
+                                  ? waves_of<Scalar>(block.exact->remainder.at_label(x, y))
                                   : remainder_.read<Scalar>(x, y);
         const Scalar short_wave_gain =
             Scalar(1.0f) +

@@ -8,9 +8,11 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <type_traits>
 
 #include "field/jet.hpp"
 #include "ocean/internal/modes.hpp"
+#include "ocean/internal/wave_sum.hpp"
 #include "waves/query/spline_map.hpp"
 #include "waves/query/spline_strips.hpp"
 
@@ -26,6 +28,22 @@ struct LinearWaves {
     Scalar displacement_x;  // [m]
     Scalar displacement_y;
 };
+
+/// Returns the waves of a sum over modes at one label. Scalar: Jet, or Plain without derivatives.
+template <typename Scalar>
+LinearWaves<Scalar> waves_of(const LinearSample& at) {
+    const auto scalar = [](double value, double by_x, double by_y, double by_t) {
+        if constexpr (std::is_same_v<Scalar, Jet>) {
+            return Jet(static_cast<float>(value), static_cast<float>(by_x),
+                       static_cast<float>(by_y), static_cast<float>(by_t));
+        } else {
+            return Plain(static_cast<float>(value));
+        }
+    };
+    return {scalar(at.height, at.slope_x, at.slope_y, at.height_rate),
+            scalar(at.displacement_x, at.gradient_xx, at.gradient_xy, at.displacement_x_rate),
+            scalar(at.displacement_y, at.gradient_xy, at.gradient_yy, at.displacement_y_rate)};
+}
 
 class OpenSurface {
   public:
