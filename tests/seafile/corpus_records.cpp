@@ -10,6 +10,7 @@
 #include "helpers.hpp"
 #include "ocean/internal/directional_record.hpp"
 #include "ocean/internal/grid.hpp"
+#include "ocean/internal/text.hpp"
 
 namespace ocean::test {
 namespace {
