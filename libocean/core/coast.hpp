@@ -13,6 +13,7 @@
 #include "coast/surface/coast_chain.hpp"
 #include "coast/surface/shore_motion.hpp"
 #include "coast/surface/surf_reader.hpp"
+#include "ocean/land_mask.hpp"
 #include "placed_sea.hpp"
 
 namespace ocean {
@@ -41,6 +42,8 @@ class Coast final : public PlacedSea {
     /// Returns the surface over the bed at a time. Valid until the next call.
     ShoreSurface& surface(double time, ShoreSurface::Rates rates);
     CoastChain::Exact exact(double time);
+    std::string_view name() const override { return "a sea over a bed"; }
+    ChannelSet masks() const override { return kMasksOverBed; }
     std::string_view why_no_linear_fields() const override {
         return "over a bed waves do not add up";
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "hulls/hull_marks.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/cascades.hpp"
 #include "ocean/internal/directional_spectrum.hpp"
@@ -50,6 +51,33 @@ class SummedFoam {
     float width_;
     const Surface& open_;
     float cover_power_;
+};
+
+/// The masks of all hulls together.
+class AllMarks {
+  public:
+    AllMarks(const Parameters& sea, bool wanted, double time) {
+        if (!wanted) return;
+        for (const Hull& hull : sea.hulls) {
+            hulls_.emplace_back(hull, sea.time.loop_period).move_to(time);
+        }
+    }
+
+    float trail(WorldPoint label) const {
+        float most = 0.0f;
+        for (const HullMarks& hull : hulls_) most = std::max(most, hull.trail(label));
+        return most;
+    }
+    float dry(WorldPoint label, const LabelPoint& point) const {
+        const WorldPoint place{label.x + static_cast<double>(point.dx.value()),
+                               label.y + static_cast<double>(point.dy.value())};
+        float most = 0.0f;
+        for (const HullMarks& hull : hulls_) most = std::max(most, hull.inside(place));
+        return most;
+    }
+
+  private:
+    std::vector<HullMarks> hulls_;
 };
 
 }  // namespace
@@ -118,20 +146,17 @@ void HullSea::write_region(double time, const Domain& domain, std::span<const Ma
     surface.prepare(domain.origin[0], domain.origin[0] + domain.size[0], open().pool());
     const auto read = [&](std::span<const WorldPoint> labels, std::span<LabelPoint> points,
                           std::size_t) { surface.read(labels, points); };
+    const AllMarks marks(parameters(), channels.intersects(kHullMasks), time);
     const auto own = [&](const RegionPiece<LabelPoint>& piece, const RegionTarget& target) {
-        const auto each = [&](const auto& value) { target.write(piece.count, value); };
-        switch (target.channel) {
-            case Channel::whitecap:
-                return each([&](std::size_t i) { return foam.whitecap(piece.jacobians[i]); });
-            case Channel::foam:
-                return each(
-                    [&](std::size_t i) { return foam.foam(piece.labels[i], piece.points[i]); });
-            case Channel::cover:
-                return each(
-                    [&](std::size_t i) { return foam.cover(piece.labels[i], piece.points[i]); });
-            default:
-                return each([](std::size_t) { return 0.0f; });
-        }
+        target.write(piece.count, [&](std::size_t i) {
+            const WorldPoint label = piece.labels[i];
+            const LabelPoint& point = piece.points[i];
+            if (target.channel == Channel::whitecap) return foam.whitecap(piece.jacobians[i]);
+            if (target.channel == Channel::foam) return foam.foam(label, point);
+            if (target.channel == Channel::cover) return foam.cover(label, point);
+            if (target.channel == channel_of(LandMask::trail)) return marks.trail(label);
+            return marks.dry(label, point);  // region() has refused all others
+        });
     };
     open().pool().for_each_item(domain.samples[1], [&](int j, int) {
         write_region_row<LabelPoint>(domain, j, channels, outputs, read, own);

@@ -12,6 +12,7 @@
 
 #include "hulls/hull_surface.hpp"
 #include "ocean/internal/revision.hpp"
+#include "ocean/land_mask.hpp"
 #include "placed_sea.hpp"
 
 namespace ocean {
@@ -38,6 +39,8 @@ class HullSea final : public PlacedSea {
     const HullSurface& surface(double time) { return surface(time, true); }
 
   private:
+    std::string_view name() const override { return "a sea with hulls"; }
+    ChannelSet masks() const override { return kHullMasks; }
     std::string_view why_no_linear_fields() const override {
         return "with hulls it shows the displaced surface";
     }

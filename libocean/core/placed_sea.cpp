@@ -10,6 +10,7 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/cascades.hpp"
 #include "ocean/internal/memory.hpp"
+#include "ocean/land_mask.hpp"
 #include "waves/labels/region_rows.hpp"
 #include "waves/query/query_bounds.hpp"
 
@@ -25,11 +26,24 @@ Surface PlacedSea::open_map(double time, ChannelSet channels) {
     return map;
 }
 
+void PlacedSea::require_masks(ChannelSet channels) const {
+    std::string own;
+    for (const Product& mask : kMaskProducts) {
+        if (masks().contains(mask.set())) own += (own.empty() ? "" : ", ") + std::string(mask.name);
+    }
+    for (const Product& mask : kMaskProducts) {
+        if (!channels.intersects(mask.set()) || masks().contains(mask.set())) continue;
+        throw Error(ErrorKind::unsupported, std::string(name()) + " has no " +
+                                                std::string(mask.name) + "; its masks: " + own);
+    }
+}
+
 void PlacedSea::begin_region(double time, const Domain& domain, ChannelSet channels,
                              std::size_t new_maps) {
     require_time(time);
     require_region(domain);
     open_.parameters_at(time);  // throws if the sea is not valid
+    require_masks(channels);
     const RegionMaps needed = region_maps(channels);
     const auto maps = static_cast<std::uint64_t>(new_maps + needed.maps);
     const std::uint64_t points = needed.labels ? sizeof(WorldPoint) : 0;

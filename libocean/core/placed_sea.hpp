@@ -60,14 +60,20 @@ class PlacedSea {
     };
     virtual RegionMaps region_maps(ChannelSet channels) const = 0;
     virtual std::string_view why_no_linear_fields() const = 0;
+    /// Returns the masks that a region has.
+    virtual ChannelSet masks() const = 0;
+    /// Returns "a sea with hulls".
+    virtual std::string_view name() const = 0;
     /// Writes a region that has been checked.
     virtual void write_region(double time, const Domain& domain,
                               std::span<const MapOutput> outputs) = 0;
 
   private:
-    /// Throws as region() before a region is computed, and out_of_memory if `new_maps` maps of its
-    /// samples do not fit beside what it needs.
+    /// Throws as region() before a region is computed, unsupported for a mask that this sea has
+    /// not, and out_of_memory if `new_maps` maps of its samples do not fit beside what it needs.
     void begin_region(double time, const Domain& domain, ChannelSet channels, std::size_t new_maps);
+
+    void require_masks(ChannelSet channels) const;
 
     OpenSea& open_;
 };

@@ -110,7 +110,9 @@ enum {
     OCEAN_CLIFF,     /* 0 .. 1 */
     OCEAN_SHELTER,   /* 0 .. 1 */
     OCEAN_DEPTH,     /* of a sea over a bed: height of the water over it, below 0 where dry [m] */
-    OCEAN_BREAKING   /* of a sea over a bed: fronts of waves that break by the depth, 0 .. 1 */
+    OCEAN_BREAKING,  /* of a sea over a bed: fronts of waves that break by the depth, 0 .. 1 */
+    OCEAN_TRAIL,     /* of a sea with hulls: white water behind them, 0 .. 1 */
+    OCEAN_DRY        /* of a sea with hulls: 1 inside their water lines, 0.5 on them, 0 outside */
 };
 
 /* Axes in which a vector (x, y, z) is stored: (x, y, z), (x, z, -y) or (x, z, y). */
@@ -718,7 +720,7 @@ OCEAN_API ocean_result ocean_terrain_region(ocean_terrain* terrain,
                                             const ocean_region_request* request);
 /* ocean_region computes all outputs of a region of a sea over a bed (water.seabed, ocean_set_bed)
  * or with hulls at a time [s] together, by label. Over a bed it has OCEAN_DEPTH, OCEAN_BREAKING and
- * OCEAN_WETNESS beside the channels of every sea. The first call computes where the waves go over
+ * OCEAN_WETNESS beside the channels of every sea, with hulls OCEAN_TRAIL and OCEAN_DRY. The first call computes where the waves go over
  * the bed, which takes seconds; later calls keep that until bed or waves change. UNSUPPORTED for a
  * sea without a bed and hulls. All other functions that compute maps or slope tiles of a sea return
  * UNSUPPORTED for a sea over a bed: their maps repeat, and it does not. */

@@ -147,7 +147,8 @@ class SeaSubject final : public Subject {
     ChannelSet channels() const override {
         ChannelSet all;
         for (int c = 0; c < kChannelCount; ++c) all = all | static_cast<Channel>(c);
-        return sea_.parameters.water.bed ? all | masks_of(kSeaKind) : all;
+        if (sea_.parameters.water.bed) all = all | kMasksOverBed;
+        return sea_.parameters.hulls.empty() ? all : all | kHullMasks;
     }
     int default_resolution() const override { return extent_.default_resolution(grid()); }
     Domain domain(int resolution) const override { return extent_.domain(grid(), resolution); }

@@ -63,12 +63,45 @@ double TrackPath::begin() const {
     return period_ > 0.0 ? -std::numeric_limits<double>::infinity() : track_->rows.front().time;
 }
 
+double TrackPath::track_time(double time) const {
+    if (period_ <= 0.0) return time;
+    const double first = track_->rows.front().time;
+    const double since = std::fmod(time - first, period_);
+    return first + (since < 0.0 ? since + period_ : since);
+}
+
+PathVector TrackPath::heading(double time) const {
+    constexpr double kMoment = 0.05;  // [s]
+    constexpr double kMoved = 1e-3;   // [m]
+    const auto way = [&](double from, double to) {
+        const PathVector a = place(from);
+        const PathVector b = place(to);
+        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        return length > kMoved ? PathVector{(b.x - a.x) / length, (b.y - a.y) / length}
+                               : PathVector{};
+    };
+    const auto moves = [](const PathVector& v) { return v.x != 0.0 || v.y != 0.0; };
+    PathVector found = way(time - kMoment, time);
+    if (moves(found)) return found;
+    const std::vector<TrackRow>& rows = track_->rows;
+    const auto passed = static_cast<std::size_t>(
+        std::ranges::upper_bound(rows, track_time(time), {}, &TrackRow::time) - rows.begin());
+    if (!track_->courses.empty()) {
+        const double heading = track_->courses[std::max<std::size_t>(passed, 1) - 1].heading;
+        return {std::cos(heading * kDegree), std::sin(heading * kDegree)};
+    }
+    for (std::size_t row = passed; row > 0 && !moves(found); --row) {
+        found = way(rows[row - 1].time - kMoment, rows[row - 1].time);
+    }
+    for (std::size_t row = 0; row < rows.size() && !moves(found); ++row) {
+        found = way(rows[row].time, rows[row].time + kMoment);
+    }
+    return found;
+}
+
 PathVector TrackPath::place(double time) const {
     const std::vector<TrackRow>& rows = track_->rows;
-    if (period_ > 0.0) {
-        const double since = std::fmod(time - rows.front().time, period_);
-        time = rows.front().time + (since < 0.0 ? since + period_ : since);
-    }
+    time = track_time(time);
     if (time <= rows.front().time) return {rows.front().x, rows.front().y};
     if (time >= rows.back().time) return {rows.back().x, rows.back().y};
     const auto after = std::ranges::upper_bound(rows, time, {}, &TrackRow::time);

@@ -28,12 +28,20 @@ class TrackPath {
     /// after the last.
     PathVector place(double time) const;
 
+    /// Returns the direction of the motion at a time, of length 1; at rest that of its course or,
+    /// without courses, of its last motion, before the first motion that of the first. 0 for a hull
+    /// that never moves.
+    PathVector heading(double time) const;
+
     /// Returns the time of the first row; minus infinity for a track that repeats.
     double begin() const;
     /// Returns the time after which a track repeats; 0: never.
     double period() const { return period_; }
 
   private:
+    /// Returns the time within the track that a time stands for.
+    double track_time(double time) const;
+
     std::shared_ptr<const HullTrack> track_;
     std::vector<PathVector> velocities_;  // at the rows
     double period_ = 0.0;

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Masks of a land and of a sea over a bed: scalar maps beside the heights that no wave of the open
-// sea has, for materials and scattered plants. A new mask is an enumerator and a row here. Files,
-// command lines, the functions of terrain.inc and the slices of their maps follow from the row;
-// tests/python/test_masks_in_every_host.py names what a host must write itself.
+// Masks of a land, of a sea over a bed and of a sea with hulls: scalar maps beside the heights that
+// no wave of the open sea has, for materials and scattered plants. A new mask is an enumerator and
+// a row here. Files, command lines, the functions of terrain.inc and the slices of their maps
+// follow from the row; tests/python/test_masks_in_every_host.py names what a host must write
+// itself.
 //
 //     const Surface map = terrain.surface({Channel::height, channel_of(LandMask::wear)});
 //     std::span<const float> wear = map.channel(channel_of(LandMask::wear));
@@ -39,7 +40,9 @@ enum class LandMask {
     cliff,
     shelter,
     depth,
-    breaking
+    breaking,
+    trail,
+    dry
 };
 inline constexpr int kMaskCount = static_cast<int>(enum_count<LandMask>());
 static_assert(kFirstMask + kMaskCount <= kChannelNumbers);
@@ -91,12 +94,17 @@ inline constexpr auto kMaskProducts = [] {
                      kSeaKind),
         detail::mask(breaking, "", half, "Fronts of waves that break by the depth, 0 .. 1",
                      kSeaKind),
+        detail::mask(trail, "", half, "White water behind hulls, 0 .. 1", kSeaKind),
+        detail::mask(dry, "", half, "Inside of hulls, where no water is, 0 .. 1", kSeaKind),
     });
 }();
 static_assert(kMaskProducts.size() == static_cast<std::size_t>(kMaskCount));
 
 /// The masks whose values are -1 .. 1. Other masks without a unit are 0 .. 1.
 inline constexpr ChannelSet kSignedMasks = channel_of(LandMask::wear);
+
+/// The masks of a sea with hulls. The other masks of a sea are those of a sea over a bed.
+inline constexpr ChannelSet kHullMasks = {channel_of(LandMask::trail), channel_of(LandMask::dry)};
 
 /// Returns the masks that a kind of subject can have, all masks for "", as a set of channels.
 constexpr ChannelSet masks_of(std::string_view kind) {
@@ -108,5 +116,6 @@ constexpr ChannelSet masks_of(std::string_view kind) {
     return masks;
 }
 inline constexpr ChannelSet kEveryMask = masks_of("");
+inline constexpr ChannelSet kMasksOverBed = masks_of(kSeaKind).without(kHullMasks);
 
 }  // namespace ocean

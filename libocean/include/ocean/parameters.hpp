@@ -185,6 +185,7 @@ struct Hull {
     double draught = 1.8;
     HullShape shape = HullShape::wall_sided;
     double factor = 1.0;
+    double trail_lifetime = 25.0;  // of the white water behind it [s]
     std::string track_file;
     double wake_size = 0.0;  // 0: chosen, see wake_lattice.hpp
     int wake_resolution = 256;

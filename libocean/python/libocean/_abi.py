@@ -63,6 +63,8 @@ CHANNELS = {
     "shelter": 49,
     "depth": 50,
     "breaking": 51,
+    "trail": 52,
+    "dry": 53,
 }
 
 AXES = {"zup": 0, "yup": 1, "tnb": 2}

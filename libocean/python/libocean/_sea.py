@@ -55,8 +55,8 @@ class Sea(Maps, Queries):
         """Returns fields of a region of a sea over a bed or with hulls at `time` [s] by name,
         arrays (rows, columns) or (rows, columns, 3), by label. origin: the place of sample (0, 0)
         [m]; samples: columns and rows, `cell` apart [m]. Over a bed it has "depth", "breaking" and
-        "wetness" beside the fields of every sea. The first call computes where the waves go over
-        the bed, which takes seconds."""
+        "wetness" beside the fields of every sea, with hulls "trail" and "dry". The first call
+        computes where the waves go over the bed, which takes seconds."""
         maps = region_arrays(fields, samples)
         request = region_request(origin, cell, maps.values(), axes)
         self._call("ocean_region", number("time", time), ctypes.byref(request))
@@ -72,7 +72,8 @@ class Sea(Maps, Queries):
     ) -> None:
         """Writes a region as region() returns it into existing float32 arrays of one shape, each of
         shape (rows, columns, n) with the names of its n channels, 1 to 4 of those of fill(),
-        "depth", "breaking" and "wetness"; "" leaves a component as it is."""
+        "depth", "breaking" and "wetness" over a bed, "trail" and "dry" with hulls; "" leaves a
+        component as it is."""
         request = region_request(origin, cell, region_buffers(buffers), axes)
         self._call("ocean_region", number("time", time), ctypes.byref(request))
 

@@ -36,9 +36,11 @@ _MASK_TEXTS = {
     "shelter": "Shelter of the nearest shore from the sea, 0 .. 1, (R, R).",
     "depth": "The height of the water over the bed [m], below 0 where it is dry, (R, R).",
     "breaking": "Fronts of waves that break by the depth, 0 .. 1, (R, R).",
+    "trail": "White water behind hulls, 0 .. 1, (R, R).",
+    "dry": "1 inside the water lines of hulls, 0.5 on them, 0 outside, (R, R).",
 }
 MASKS = _CHANNELS[len(CHANNELS) :]
-"""The masks of terrains and of seas over a bed, in the order of the C enum."""
+"""The masks of terrains, of seas over a bed and of seas with hulls, in the order of the C enum."""
 
 
 def channel_number(name: str) -> int:
@@ -115,6 +117,8 @@ class Surface(ReadOnly):
     shelter: Array
     depth: Array
     breaking: Array
+    trail: Array
+    dry: Array
 
     def __init__(
         self,

@@ -289,6 +289,11 @@ constexpr ParameterInfo kTable[] = {
      "has confirmed: for full hulls near the hump speed it is probably too high.",
      member<&Parameters::hulls, &Hull::factor>(), 0.0, 10.0, 0.0, 2.0, kRebuild, Stage::clock,
      neutral("1")},
+    {kHulls, "trail_lifetime", "s", "Trail lifetime",
+     "Time in which the white water behind the hull fades to 1/e, in the mask `trail`; 0 leaves it "
+     "out.",
+     member<&Parameters::hulls, &Hull::trail_lifetime>(), 0.0, 600.0, 0.0, 120.0, kRebuild,
+     Stage::clock, OptionalColumns{.min_nonzero = 0.1, .neutral = "25"}},
     {kHulls, "track_file", "", "Track file",
      "CSV file of the track, with a header: time,x,y, or time,x,y,heading,speed, or way points "
      "x,y,speed; relative to the sea file. The rows themselves may stand in the sea file as track "
