@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The folder of a sea over a bed for POV-Ray; see povray_folder.hpp. It is the folder of the open
-// sea beside the coast, with a map of the coast for each frame, the bed as a land, and the macros
-// of both.
+// The folder of a sea over a bed or with hulls for POV-Ray; see povray_folder.hpp. It is the folder
+// of the open sea beside the region, with a map of the region for each frame, the bed as a land,
+// and the macros of all.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -90,40 +90,45 @@ FolderFile& named(std::vector<FolderFile>& files, std::string_view name) {
     return *std::ranges::find(files, name, &FolderFile::name);
 }
 
-void add_coast(std::vector<FolderFile>& files, const BakePlan& coast) {
-    named(files, "ocean_parameters.inc").text += io::povray_coast_declarations(
-        coast.domain(), sea_of(*coast.subject).parameters.water.bed->domain, coast.subject_id);
+void add_region(std::vector<FolderFile>& files, const BakePlan& region) {
+    const auto& bed = sea_of(*region.subject).parameters.water.bed;
+    named(files, "ocean_parameters.inc").text += io::povray_region_declarations(
+        region.domain(), bed ? &bed->domain : nullptr, region.subject_id);
+}
+
+/// Returns the files of the bed as a land.
+std::vector<FolderFile> land_files(const SeaBed& sea_bed) {
+    const Surface land = bed_land(sea_bed);
+    const std::string id = sea_bed.sha256.substr(0, 16);
+    const io::PovrayBed bed{land, kBedMasks, id};
+    return {{"terrain_parameters.inc", io::povray_bed_parameters(bed)},
+            {"land.df3.inc", io::povray_bed_words(bed)},
+            {"land.df3", io::df3_text(land, io::df3_slices(kTerrainKind))},
+            {"land_masks.df3", io::masks_df3_text(land, kBedMasks)}};
 }
 
 }  // namespace
 
-std::vector<FolderFile> povray_coast_frame_lists(const PovrayCoastPlans& plans,
-                                                 const SeaState& state,
-                                                 const std::vector<int>& frames) {
+std::vector<FolderFile> povray_region_frame_lists(const PovrayRegionPlans& plans,
+                                                  const SeaState& state,
+                                                  const std::vector<int>& frames) {
     std::vector<FolderFile> files = povray_frame_lists(plans.open, state, frames);
-    add_coast(files, plans.coast);
+    add_region(files, plans.region);
     return files;
 }
 
-std::vector<FolderFile> povray_coast_files(const PovrayCoastPlans& plans, const SeaState& state,
-                                           const std::vector<int>& frames, const FoamImages& foam) {
-    const Water& water = sea_of(*plans.coast.subject).parameters.water;
-    if (!water.bed) throw Error(ErrorKind::unsupported, "this folder needs a sea over a bed");
+std::vector<FolderFile> povray_region_files(const PovrayRegionPlans& plans, const SeaState& state,
+                                            const std::vector<int>& frames,
+                                            const FoamImages& foam) {
+    const auto& bed = sea_of(*plans.region.subject).parameters.water.bed;
     std::vector<FolderFile> files = povray_folder_files(plans.open, state, frames, foam);
-    add_coast(files, plans.coast);
-    named(files, "scene.pov").text = kCoastScenePov;
+    add_region(files, plans.region);
+    named(files, "scene.pov").text = bed ? kCoastScenePov : kHullScenePov;
     named(files, "sea.toml").text =
-        "# The sea of this folder, by `ocean povray`.\n" + plans.coast.subject_text;
-    const Surface land = bed_land(*water.bed);
-    const std::string id = water.bed->sha256.substr(0, 16);
-    const io::PovrayBed bed{land, kBedMasks, id};
-    std::vector<FolderFile> more = {{"coast.inc", std::string(kCoastInc)},
-                                    {"terrain.inc", std::string(kTerrainInc)},
-                                    {"terrain_parameters.inc", io::povray_bed_parameters(bed)},
-                                    {"land.df3.inc", io::povray_bed_words(bed)},
-                                    {"land.df3", io::df3_text(land, io::df3_slices(kTerrainKind))},
-                                    {"land_masks.df3", io::masks_df3_text(land, kBedMasks)}};
-    std::ranges::move(more, std::back_inserter(files));
+        "# The sea of this folder, by `ocean povray`.\n" + plans.region.subject_text;
+    files.push_back({"coast.inc", std::string(kCoastInc)});
+    files.push_back({"terrain.inc", std::string(kTerrainInc)});
+    if (bed) std::ranges::move(land_files(*bed), std::back_inserter(files));
     return files;
 }
 

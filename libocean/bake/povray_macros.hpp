@@ -11,6 +11,7 @@ namespace ocean {
 
 extern const std::string_view kCoastInc;
 extern const std::string_view kCoastScenePov;
+extern const std::string_view kHullScenePov;
 extern const std::string_view kOceanInc;
 extern const std::string_view kScenePov;
 extern const std::string_view kTerrainInc;

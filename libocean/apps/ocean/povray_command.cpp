@@ -78,6 +78,8 @@ A sea over a bed (water.seabed) gets land too: its folder has also coast.inc,
 coast_0001.df3 and land.df3. --region and --cell choose the part of the bed that
 the map shows and how finely: waves at the feet of a viewer need 1 m or less. By
 default it is all of the bed, at the bed's cell. Around it lies the open sea.
+With --region and --cell a sea with hulls shows their wakes there, and its
+folder has coast.inc and coast_0001.df3.
 
 SEA may be a terrain: a terrain file, preset:tujunga or a baked file of one. Its
 folder has terrain.inc, terrain_parameters.inc, terrain.toml and one map, and is

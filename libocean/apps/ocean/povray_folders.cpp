@@ -93,9 +93,10 @@ std::unique_ptr<Subject> part_of(const Model& model, const std::optional<Region>
 
 PovrayFolder sea_folder(const PovrayRequest& request, const Sea& sea, const Context& context) {
     if (!request.region.region.empty() || !request.region.cell.empty()) {
-        throw Error(ErrorKind::unsupported,
-                    "--region and --cell: only a terrain and a sea over a bed (water.seabed) have "
-                    "them, and this is an open sea");
+        throw Error(
+            ErrorKind::unsupported,
+            "--region and --cell: only a terrain, a sea over a bed (water.seabed) and a sea "
+            "with hulls have them, and this is an open sea");
     }
     const bool df3 = request.format == "df3";
     if (request.near_only && !df3) {
@@ -125,9 +126,10 @@ PovrayFolder sea_folder(const PovrayRequest& request, const Sea& sea, const Cont
     return folder;
 }
 
-/// Returns the sea without its bed: what lies beside the coast.
+/// Returns the sea without its bed and its hulls: what lies beside a region.
 Sea open_sea_of(const Sea& sea) {
     Sea open = sea;
+    open.parameters.hulls.clear();
     Water& water = open.parameters.water;
     const Water none;
     water.bed.reset();
@@ -140,44 +142,45 @@ Sea open_sea_of(const Sea& sea) {
     return open;
 }
 
-/// Returns for each frame a map of the coast and the maps of the open sea beside it. A frame counts
-/// once its open sea is there: the coast comes first.
-PovrayFolder coast_folder(const PovrayRequest& request, const Sea& sea, const Context& context) {
+/// Returns for each frame a map of a region, by default of the whole bed, and the maps of the open
+/// sea beside it. A frame counts once its open sea is there: the region comes first.
+PovrayFolder region_folder(const PovrayRequest& request, const Sea& sea, const Context& context) {
     if (request.format != "df3") {
         throw Error(
             ErrorKind::unsupported,
-            "--format " + request.format +
-                ": a sea over a bed (water.seabed) has df3 alone, from which its water, its "
-                "foam and its depth are read; `ocean bake --region` writes a mesh2");
+            "--format " + request.format + ": a sea " +
+                (sea.parameters.water.bed ? "over a bed (water.seabed)" : "with hulls") +
+                " has df3 alone, from which its water, its foam and its masks are read; `ocean "
+                "bake --region` writes a mesh2");
     }
     std::vector<const char*> flags = {"detail-map"};
     if (!request.near_only) flags.push_back("far-maps");
     BakePlan open = plan_map(map_options(request, "sea_####", "df3", flags, context),
                              [&] { return make_subject(open_sea_of(sea)); });
     refuse_large_mesh(open.resolution);
-    const std::optional<Region> region = parse_region(request.region);
+    const std::optional<Region> part = parse_region(request.region);
     BakeOptions options = map_options(request, "coast_####", "df3", {"mask-map"}, context);
     options.resolution.clear();  // that of the open sea
     options.max_resolution = 0;
-    BakePlan coast = plan_map(options, [&] { return part_of(sea, region); });
-    if (coast.resolution > kMaxPovrayResolution) {
+    BakePlan region = plan_map(options, [&] { return part_of(sea, part); });
+    if (region.resolution > kMaxPovrayResolution) {
         throw Error(ErrorKind::invalid_value,
                     format_text("%s has %d samples along its longer side; allowed are at most %d: "
                                 "choose a part of it with --region and --cell",
-                                region ? "--region: it" : "the bed", coast.resolution,
+                                part ? "--region: it" : "the bed", region.resolution,
                                 kMaxPovrayResolution));
     }
     const SeaState state = state_of(open);
     PovrayFolder folder;
-    folder.plans.push_back(std::move(coast));
+    folder.plans.push_back(std::move(region));
     folder.plans.push_back(std::move(open));
     folder.counted = 1;
     folder.files = [state, path = request.folder](const auto& plans, const auto& frames) {
-        return povray_coast_files({plans[1], plans[0]}, state, frames,
-                                  {path, cache_file("povray")});
+        return povray_region_files({plans[1], plans[0]}, state, frames,
+                                   {path, cache_file("povray")});
     };
     folder.frame_lists = [state](const auto& plans, const auto& frames) {
-        return povray_coast_frame_lists({plans[1], plans[0]}, state, frames);
+        return povray_region_frame_lists({plans[1], plans[0]}, state, frames);
     };
     return folder;
 }
@@ -262,8 +265,9 @@ PovrayFolder plan_povray_folder(const PovrayRequest& request, const OpenedSubjec
     }
     const Sea& sea = std::get<Sea>(subject);
     refuse_folder_of(request.folder, "terrain.ini", "a terrain", "a sea");
-    return sea.parameters.water.bed ? coast_folder(request, sea, context)
-                                    : sea_folder(request, sea, context);
+    const bool shows_wakes = !sea.parameters.hulls.empty() && !request.region.region.empty();
+    return sea.parameters.water.bed || shows_wakes ? region_folder(request, sea, context)
+                                                   : sea_folder(request, sea, context);
 }
 
 }  // namespace ocean::app

@@ -92,7 +92,7 @@ FormatPlan<Df3Settings> resolve(const BakePlan& draft, const Df3Settings& reques
         settings.masks = io::df3_masks(draft.subject->channels());
         if (settings.masks.empty() && draft.subject->kind() == kSeaKind) {
             throw Error(ErrorKind::unsupported,
-                        "--mask-map: a sea without a bed (water.seabed) has no masks");
+                        "--mask-map: a sea without a bed (water.seabed) and hulls has no masks");
         }
         for (const Channel mask : settings.masks) maps.channels = maps.channels | ChannelSet{mask};
     }

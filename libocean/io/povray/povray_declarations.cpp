@@ -253,9 +253,12 @@ std::string povray_land_map_declarations(const Domain& domain) {
     return text;
 }
 
-std::string povray_coast_declarations(const Domain& domain, const Domain& bed,
-                                      std::string_view id) {
-    std::string text = "\n// ---- Coast: the map of the water over the bed ----\n";
+std::string povray_region_declarations(const Domain& domain, const Domain* bed,
+                                       std::string_view id) {
+    std::string text = bed != nullptr
+                           ? "\n// ---- Coast: the map of the water over the bed ----\n"
+                           : "\n// ---- Hulls: the map of the water with their wakes ----\n";
+    if (bed == nullptr) declare(text, "Ocean_Coast_Hulls_", "true");
     declare(text, "Ocean_Coast_Id_", string_literal(id), "its frames say the same");
     declare(text, "Ocean_Coast_Columns", std::to_string(domain.samples[0]), "samples to the east");
     declare(text, "Ocean_Coast_Rows", std::to_string(domain.samples[1]), "samples to the north");
@@ -263,12 +266,12 @@ std::string povray_coast_declarations(const Domain& domain, const Domain& bed,
     declare(text, "Ocean_Coast_Corner", ground_vector(domain.origin), "m, the south-west one");
     declare(text, "Ocean_Coast_Extent", ground_vector(domain.size), "m, its sides");
     // A side belongs to the bed if its last sample does: the bed fades into the open sea by itself.
-    std::array<bool, 4> fades{};
-    for (std::size_t axis = 0; axis < 2; ++axis) {
+    std::array<bool, 4> fades{true, true, true, true};
+    for (std::size_t axis = 0; bed != nullptr && axis < 2; ++axis) {
         const double cell = domain.step(axis);
-        fades[2 * axis] = domain.origin[axis] > bed.origin[axis] + cell;
+        fades[2 * axis] = domain.origin[axis] > bed->origin[axis] + cell;
         fades[2 * axis + 1] =
-            domain.origin[axis] + domain.size[axis] < bed.origin[axis] + bed.size[axis] - cell;
+            domain.origin[axis] + domain.size[axis] < bed->origin[axis] + bed->size[axis] - cell;
     }
     declare(text, "Ocean_Coast_Fades",
             array_of(fades, [](bool fade) { return std::string(fade ? "true" : "false"); }),

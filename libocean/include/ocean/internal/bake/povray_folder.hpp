@@ -42,21 +42,20 @@ std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const SeaState
 /// mesh.
 std::vector<FolderFile> povray_terrain_files(const BakePlan& plan, const TerrainState& state,
                                              std::string_view format);
-/// The plans of the folder of a sea over a bed: its open sea, without the bed, and its coast, a
+/// The plans of the folder of a sea over a bed or with hulls: its open sea, without these, and a
 /// region of the sea. The references must outlive it.
-struct PovrayCoastPlans {
+struct PovrayRegionPlans {
     const BakePlan& open;
-    const BakePlan& coast;
+    const BakePlan& region;
 };
-/// Returns all files of the folder of a sea over a bed except its frames: the files of its open
-/// sea, and the bed as a land. `state` is the state of the open sea. Throws Error unsupported for a
-/// coast without a bed.
-std::vector<FolderFile> povray_coast_files(const PovrayCoastPlans& plans, const SeaState& state,
-                                           const std::vector<int>& frames, const FoamImages& foam);
-/// Returns only the files of povray_coast_files() that depend on the frames.
-std::vector<FolderFile> povray_coast_frame_lists(const PovrayCoastPlans& plans,
-                                                 const SeaState& state,
-                                                 const std::vector<int>& frames);
+/// Returns all files of such a folder except its frames: the files of its open sea, and the bed as
+/// a land. `state` is the state of the open sea.
+std::vector<FolderFile> povray_region_files(const PovrayRegionPlans& plans, const SeaState& state,
+                                            const std::vector<int>& frames, const FoamImages& foam);
+/// Returns only the files of povray_region_files() that depend on the frames.
+std::vector<FolderFile> povray_region_frame_lists(const PovrayRegionPlans& plans,
+                                                  const SeaState& state,
+                                                  const std::vector<int>& frames);
 /// Returns only the files of povray_folder_files() that depend on the frames.
 std::vector<FolderFile> povray_frame_lists(const BakePlan& plan, const SeaState& state,
                                            const std::vector<int>& frames);

@@ -61,9 +61,11 @@ struct PovrayTerrain {
 std::string povray_declarations(const PovrayTerrain& folder);
 /// Returns the declarations of the place of a land's map.
 std::string povray_land_map_declarations(const Domain& domain);
-/// Returns the declarations of the map of a coast: its place, which of its sides lie within the
-/// bed, and the id of its frames.
-std::string povray_coast_declarations(const Domain& domain, const Domain& bed, std::string_view id);
+/// Returns the declarations of the map of a region: its place, which of its sides fade into the
+/// open sea, and the id of its frames. bed: of a coast, whose own sides do not fade; null for a
+/// region with hulls.
+std::string povray_region_declarations(const Domain& domain, const Domain* bed,
+                                       std::string_view id);
 
 /// The map of the bed of a sea in the form that terrain.inc reads. The references must outlive it.
 struct PovrayBed {
