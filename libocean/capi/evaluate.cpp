@@ -141,6 +141,32 @@ ocean_result ocean_region(ocean_sea* sea, double time, const ocean_region_reques
     });
 }
 
+ocean_result ocean_wake_count(const ocean_sea* sea, size_t* count) {
+    return in_handle(sea, [&] {
+        require(count, "count");
+        *count = sea->ocean->parameters().hulls.size();
+    });
+}
+
+ocean_result ocean_wake_domain(const ocean_sea* sea, size_t hull, double time,
+                               ocean_domain* domain) {
+    return in_handle(sea, [&] {
+        require_finite(time, "time", "seconds");
+        write_domain(sea->ocean->wake_domain(hull, time), domain);
+    });
+}
+
+ocean_result ocean_wake_region(ocean_sea* sea, size_t hull, double time,
+                               const ocean_region_request* request) {
+    return in_handle(sea, [&] {
+        require(request, "request");
+        require_finite(time, "time", "seconds");
+        std::vector<MapOutput>& maps = sea->map_outputs;
+        const Domain region = read_region(request, maps);
+        sea->ocean->wake_into(hull, time, region, maps);
+    });
+}
+
 ocean_result ocean_bed_region(const ocean_sea* sea, double x, double y, double cell,
                               int32_t columns, int32_t rows, float* heights) {
     return in_handle(sea, [&] {

@@ -219,4 +219,18 @@ Domain read_region(const ocean_region_request* request, std::vector<MapOutput>& 
     return region;
 }
 
+void write_domain(const Domain& own, ocean_domain* domain) {
+    require(domain, "domain");
+    require_struct_size(domain->struct_size, sizeof(ocean_domain), "struct_size", "ocean_domain",
+                        sizeof(ocean_domain));
+    *domain = {.struct_size = sizeof(ocean_domain),
+               .x = own.origin[0],
+               .y = own.origin[1],
+               .cell = own.step(0),
+               .columns = own.samples[0],
+               .rows = own.samples[1],
+               .wraps = own.wraps ? 1 : 0,
+               .reserved = 0};
+}
+
 }  // namespace ocean::capi

@@ -58,6 +58,8 @@ void read_outputs(const OutputArray& outputs, std::size_t count, int columns, in
 /// Returns the domain of a region and writes its outputs to `maps`. Throws CallError for sides and
 /// numbers out of range, and as read_outputs.
 Domain read_region(const ocean_region_request* request, std::vector<MapOutput>& maps);
+/// Writes a domain of equal steps both ways. Throws CallError for a struct of another size.
+void write_domain(const Domain& own, ocean_domain* domain);
 /// Returns the samples of a region from (x, y) on. Throws CallError for numbers out of range.
 Domain region_domain(double x, double y, double cell, std::int32_t columns, std::int32_t rows);
 /// Returns the word of OCEAN_ZUP, OCEAN_YUP or OCEAN_TNB. Throws CallError for another number.

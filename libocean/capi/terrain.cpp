@@ -226,20 +226,7 @@ ocean_result ocean_terrain_evaluate(ocean_terrain* terrain, const ocean_request*
 }
 
 ocean_result ocean_terrain_domain(const ocean_terrain* terrain, ocean_domain* domain) {
-    return in_handle(terrain, [&] {
-        require(domain, "domain");
-        require_struct_size(domain->struct_size, sizeof(ocean_domain), "struct_size",
-                            "ocean_domain", sizeof(ocean_domain));
-        const Domain own = terrain->land->domain();
-        *domain = {.struct_size = sizeof(ocean_domain),
-                   .x = own.origin[0],
-                   .y = own.origin[1],
-                   .cell = own.step(0),
-                   .columns = own.samples[0],
-                   .rows = own.samples[1],
-                   .wraps = own.wraps ? 1 : 0,
-                   .reserved = 0};
-    });
+    return in_handle(terrain, [&] { write_domain(terrain->land->domain(), domain); });
 }
 
 ocean_result ocean_terrain_region(ocean_terrain* terrain, const ocean_region_request* request) {

@@ -10,6 +10,7 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/cascades.hpp"
 #include "ocean/internal/directional_spectrum.hpp"
+#include "ocean/internal/hull_rules.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/sea_bytes.hpp"
 #include "ocean/internal/text.hpp"
@@ -107,6 +108,12 @@ void HullSea::warn(SeaState& state) {
 }
 
 HullSurface& HullSea::surface(double time, bool rates) {
+    HullSurface& surface = still_surface(time);
+    surface.move_to(open().modes(time), time, rates, open().pool());
+    return surface;
+}
+
+HullSurface& HullSea::still_surface(double time) {
     const Parameters& now = open().parameters_at(time);
     const Modes& modes = open().modes(time);
     const bool is_current = surface_ && modes_ == modes.revision && hulls_ == now.hulls &&
@@ -115,13 +122,12 @@ HullSurface& HullSea::surface(double time, bool rates) {
         surface_.reset();
         require_memory(hull_sea_bytes(now), "the wakes of the hulls");
         const double height = 4.0 * std::sqrt(open().spectrum(time).variance(now.water));
-        surface_.emplace(modes, now, shown(), height, open().pool());
+        surface_.emplace(now, shown(), height, open().pool());
         modes_ = modes.revision;
         hulls_ = now.hulls;
         water_ = now.water;
         choppiness_ = now.surface.choppiness;
     }
-    surface_->move_to(modes, time, rates, open().pool());
     return *surface_;
 }
 
@@ -160,6 +166,41 @@ void HullSea::write_region(double time, const Domain& domain, std::span<const Ma
     };
     open().pool().for_each_item(domain.samples[1], [&](int j, int) {
         write_region_row<LabelPoint>(domain, j, channels, outputs, read, own);
+    });
+}
+
+Domain HullSea::wake_domain(std::size_t hull, double time) const {
+    require_time(time);
+    const Parameters& sea = parameters();
+    const Hull& of = sea.hulls[hull];
+    const WakeSize size = wake_size(of, fastest_leg(*of.track).speed, sea.water);
+    const double step = size.side / size.resolution;
+    const TrackPath path(of.track, sea.time.loop_period);
+    const PathVector centre = wake_place(path, time, size.side, step).centre;
+    return {{centre.x - 0.5 * size.side, centre.y - 0.5 * size.side},
+            {size.side - step, size.side - step},
+            {size.resolution, size.resolution},
+            false};
+}
+
+void HullSea::wake_into(std::size_t hull, double time, const Domain& domain,
+                        std::span<const MapOutput> outputs) {
+    require_time(time);
+    require_region(domain);
+    const ChannelSet channels = channels_of(outputs);
+    if (channels.intersects(kEveryMask | kFoamChannels | ChannelSet(Channel::whitecap))) {
+        throw Error(ErrorKind::unsupported,
+                    "a wake alone has no foam and no masks; allowed: channels of its waves");
+    }
+    HullSurface& surface = still_surface(time);
+    surface.move_wakes_to(time, needs_rates(channels), open().pool());
+    surface.wakes()[hull]->prepare(domain.origin[0], domain.origin[0] + domain.size[0],
+                                   open().pool());
+    const auto read = [&](std::span<const WorldPoint> labels, std::span<LabelPoint> points,
+                          std::size_t) { surface.read_wake(hull, labels, points); };
+    const auto no_more = [](const RegionPiece<LabelPoint>&, const RegionTarget&) {};
+    open().pool().for_each_item(domain.samples[1], [&](int j, int) {
+        write_region_row<LabelPoint>(domain, j, channels, outputs, read, no_more);
     });
 }
 

@@ -5,6 +5,7 @@
 // answers at points come from that one surface.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -29,6 +30,10 @@ class HullSea final : public PlacedSea {
     /// Returns the spray of the open sea, which knows no wake.
     const SprayFollower& spray(double time, const SpraySettings& settings) override;
 
+    Domain wake_domain(std::size_t hull, double time) const;
+    void wake_into(std::size_t hull, double time, const Domain& domain,
+                   std::span<const MapOutput> outputs);
+
     void query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
                const QueryOptions& options) override;
     /// Throws Error unsupported: wakes are known at the surface alone.
@@ -49,6 +54,8 @@ class HullSea final : public PlacedSea {
     void write_region(double time, const Domain& domain,
                       std::span<const MapOutput> outputs) override;
     HullSurface& surface(double time, bool rates);
+    /// Returns the surface of the sea at a time, which has not begun there.
+    HullSurface& still_surface(double time);
     /// Writes the foam of samples of a query. `found`: the surface at their labels.
     void add_foam(double time, std::span<QuerySample> samples, std::span<const LabelPoint> found);
 

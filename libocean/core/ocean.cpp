@@ -122,6 +122,27 @@ void Ocean::region_into(double time, const Domain& domain, std::span<const MapOu
     region_sea().region_into(time, domain, outputs);
 }
 
+void Ocean::require_hull(std::size_t hull) const {
+    const std::size_t count = parameters().hulls.size();
+    if (hull < count) return;
+    throw Error(ErrorKind::invalid_value,
+                {.parameter = "hull",
+                 .value = std::to_string(hull),
+                 .allowed = count == 0 ? "none: this sea has no hulls"
+                                       : "0 .. " + std::to_string(count - 1)});
+}
+
+Domain Ocean::wake_domain(std::size_t hull, double time) const {
+    require_hull(hull);
+    return hulls_->wake_domain(hull, time);
+}
+
+void Ocean::wake_into(std::size_t hull, double time, const Domain& domain,
+                      std::span<const MapOutput> outputs) {
+    require_hull(hull);
+    hulls_->wake_into(hull, time, domain, outputs);
+}
+
 void Ocean::prepare_coast() {
     region_sea().prepare();
 }

@@ -683,9 +683,9 @@ OCEAN_API ocean_result ocean_terrain_evaluate(ocean_terrain* terrain, const ocea
  * INVALID_VALUE for a refine or a resolution that is not allowed. */
 OCEAN_API ocean_result ocean_terrain_query_points(ocean_terrain* terrain,
                                                   const ocean_query_request* request);
-/* The samples of a terrain's own map: sample (0, 0) lies at (x, y), and samples `cell` apart [m].
- * wraps: 1 = a tile that repeats after columns * cell; 0 = a land that exists once. struct_size =
- * sizeof(ocean_domain), set by the caller. */
+/* The samples of a terrain's own map, or of the wake of a hull: sample (0, 0) lies at (x, y), and
+ * samples `cell` apart [m]. wraps: 1 = a tile that repeats after columns * cell; 0 = a land that
+ * exists once. struct_size = sizeof(ocean_domain), set by the caller. */
 typedef struct {
     size_t struct_size;
     double x;
@@ -768,6 +768,22 @@ OCEAN_API ocean_result ocean_terrain_mesh(ocean_terrain* terrain, const ocean_me
  * [m]. count: floats in data, min R * R. */
 OCEAN_API ocean_result ocean_terrain_stage(ocean_terrain* terrain, const char* step, float* data,
                                            size_t count);
+/* ocean_wake_count writes the number of hulls of a sea, each of which makes a wake; 0 without
+ * hulls.
+ */
+OCEAN_API ocean_result ocean_wake_count(const ocean_sea* sea, size_t* count);
+/* ocean_wake_domain writes the samples of the wake of hull `hull`, 0 .. count - 1, at a time [s]: a
+ * square of columns * cell a side that moves with the hull by whole cells and does not wrap.
+ * INVALID_VALUE for a hull that the sea does not have. */
+OCEAN_API ocean_result ocean_wake_domain(const ocean_sea* sea, size_t hull, double time,
+                                         ocean_domain* domain);
+/* ocean_wake_region computes all outputs of a region of that wake without the open sea together, by
+ * label. In each channel that adds up (see ocean_request) a region of the sea is the sum of the
+ * open sea and of its wakes. A wake is 0 beyond its square. Any origin and cell are allowed, not
+ * only those of its domain. INVALID_VALUE for a hull that the sea does not have, UNSUPPORTED for
+ * foam and masks. */
+OCEAN_API ocean_result ocean_wake_region(ocean_sea* sea, size_t hull, double time,
+                                         const ocean_region_request* request);
 
 #ifdef __cplusplus
 }

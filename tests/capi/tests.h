@@ -73,6 +73,7 @@
     TEST(a_second_thread_in_a_sea_is_told_and_free_waits)              \
     TEST(a_progress_function_ends_a_call_and_the_sea_goes_on)          \
     TEST(a_clone_gives_the_same_maps_and_changes_alone)                \
+    TEST(the_wake_of_each_hull_is_written_alone)                       \
     TEST(the_host_s_rounding_changes_nothing_and_stays)                \
     TEST(children_use_and_free_the_seas_of_their_parent)               \
     TEST(values_that_go_together_are_set_together)                     \

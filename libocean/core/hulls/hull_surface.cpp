@@ -23,12 +23,8 @@ LinearWaves<Jet> sum_of(const LinearWaves<Jet>& a, const LinearWaves<Jet>& b) {
 
 }  // namespace
 
-HullSurface::HullSurface(const Modes& modes, const Parameters& parameters, int shown, double height,
-                         ThreadPool& pool)
-    : choppiness_(parameters.surface.choppiness),
-      shown_(shown),
-      open_reach_(query_bounds(modes, shown, 2 * shown, true, pool).farthest),
-      open_(modes, shown, kOpenTolerance * height, pool) {
+HullSurface::HullSurface(const Parameters& parameters, int shown, double height, ThreadPool& pool)
+    : choppiness_(parameters.surface.choppiness), shown_(shown), height_(height) {
     for (const Hull& hull : parameters.hulls) {
         wakes_.push_back(
             std::make_unique<Wake>(hull, parameters.water, parameters.time.loop_period, pool));
@@ -36,24 +32,35 @@ HullSurface::HullSurface(const Modes& modes, const Parameters& parameters, int s
 }
 
 void HullSurface::move_to(const Modes& modes, double time, bool rates, ThreadPool& pool) {
-    if (has_begun_ && time == time_ && (rates_ || !rates)) return;
-    has_begun_ = false;
-    open_.forget();
-    open_.move_to(modes, time, rates, pool);
+    if (begun_ && begun_->serves(time, rates)) return;
+    if (!open_) {
+        open_reach_ = query_bounds(modes, shown_, 2 * shown_, true, pool).farthest;
+        open_.emplace(modes, shown_, kOpenTolerance * height_, pool);
+    }
+    move_wakes_to(time, rates, pool);
+    begun_.reset();
+    open_->forget();
+    open_->move_to(modes, time, rates, pool);
     double farthest = open_reach_;
     for (const auto& wake : wakes_) {
-        wake->move_to(time, rates, pool);
         const int waves = wake->size().resolution;
         farthest += query_bounds(wake->modes(), waves, 2 * waves, true, pool).farthest;
     }
     reach_ = choppiness_ * farthest;
     time_ = time;
-    rates_ = rates;
-    has_begun_ = true;
+    begun_ = {time, rates};
+}
+
+void HullSurface::move_wakes_to(double time, bool rates, ThreadPool& pool) {
+    if (wakes_begun_ && wakes_begun_->serves(time, rates)) return;
+    begun_.reset();
+    wakes_begun_.reset();
+    for (const auto& wake : wakes_) wake->move_to(time, rates, pool);
+    wakes_begun_ = {time, rates};
 }
 
 void HullSurface::prepare(double first, double last, ThreadPool& pool) const {
-    open_.prepare(first, last, pool);
+    open_->prepare(first, last, pool);
     for (const auto& wake : wakes_) wake->prepare(first, last, pool);
 }
 
@@ -65,7 +72,7 @@ void HullSurface::prepare_sums(const Modes& modes, const Water& water) {
 }
 
 LinearWaves<Jet> HullSurface::waves_at(double x, double y, bool exact) const {
-    LinearWaves<Jet> waves = exact ? waves_of<Jet>(sum_->at_label(x, y)) : open_.read<Jet>(x, y);
+    LinearWaves<Jet> waves = exact ? waves_of<Jet>(sum_->at_label(x, y)) : open_->read<Jet>(x, y);
     for (const auto& wake : wakes_) {
         if (!wake->holds(x, y)) continue;
         waves = sum_of(waves, exact ? wake->read_exactly(x, y) : wake->read(x, y));
@@ -75,11 +82,23 @@ LinearWaves<Jet> HullSurface::waves_at(double x, double y, bool exact) const {
 
 void HullSurface::read(std::span<const WorldPoint> labels, std::span<LabelPoint> points,
                        bool exact) const {
-    const auto chop = static_cast<float>(-choppiness_);
     for (std::size_t i = 0; i < labels.size(); ++i) {
-        const LinearWaves<Jet> waves = waves_at(labels[i].x, labels[i].y, exact);
-        points[i] = {waves.height, chop * waves.displacement_x, chop * waves.displacement_y};
+        points[i] = displayed(waves_at(labels[i].x, labels[i].y, exact));
     }
+}
+
+void HullSurface::read_wake(std::size_t hull, std::span<const WorldPoint> labels,
+                            std::span<LabelPoint> points) const {
+    const Wake& wake = *wakes_[hull];
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const auto [x, y] = labels[i];
+        points[i] = wake.holds(x, y) ? displayed(wake.read(x, y)) : LabelPoint{};
+    }
+}
+
+LabelPoint HullSurface::displayed(const LinearWaves<Jet>& waves) const {
+    const auto chop = static_cast<float>(-choppiness_);
+    return {waves.height, chop * waves.displacement_x, chop * waves.displacement_y};
 }
 
 std::uint64_t hull_sea_bytes(const Parameters& parameters) {

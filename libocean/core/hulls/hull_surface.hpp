@@ -5,6 +5,7 @@
 // and the wakes add up at each label, and normal, Jacobian and whitecaps follow from the sums.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
@@ -28,11 +29,12 @@ class HullSurface {
     /// `shown`: samples of the sea's map whose waves count. height: significant wave height of the
     /// open sea [m], to which the error of its spline is relative. Keeps no reference to its
     /// arguments.
-    HullSurface(const Modes& modes, const Parameters& parameters, int shown, double height,
-                ThreadPool& pool);
+    HullSurface(const Parameters& parameters, int shown, double height, ThreadPool& pool);
 
-    /// Begins a time [s], unless it has begun. `modes` must be the constructor's.
+    /// Begins a time [s], unless it has begun. `modes` must be the same each time.
     void move_to(const Modes& modes, double time, bool rates, ThreadPool& pool);
+    /// Begins a time for read_wake() alone.
+    void move_wakes_to(double time, bool rates, ThreadPool& pool);
     /// Makes the maps for labels between x = `first` and `last` [m], on all threads.
     void prepare(double first, double last, ThreadPool& pool) const;
     /// Makes the sums over all waves for read(..., exact). The time must have begun with rates.
@@ -42,25 +44,40 @@ class HullSurface {
     void read(std::span<const WorldPoint> labels, std::span<LabelPoint> points,
               bool exact = false) const;
 
+    /// Writes the wake of one hull at each label; 0 outside its square.
+    void read_wake(std::size_t hull, std::span<const WorldPoint> labels,
+                   std::span<LabelPoint> points) const;
+
     double time() const { return time_; }
     /// Returns the max distance between a label and the point where it is displayed [m].
     double reach() const { return reach_; }
     /// Returns the rms error of heights by the open sea's spline [m].
-    double height_error() const { return open_.height_error(); }
+    double height_error() const { return open_->height_error(); }
     std::span<const std::unique_ptr<Wake>> wakes() const { return wakes_; }
 
   private:
+    LabelPoint displayed(const LinearWaves<Jet>& waves) const;
     LinearWaves<Jet> waves_at(double x, double y, bool exact) const;
+
+    struct Begun {
+        double time;
+        bool rates;
+
+        bool serves(double at, bool with_rates) const {
+            return at == time && (rates || !with_rates);
+        }
+    };
 
     double choppiness_;
     int shown_;
-    double open_reach_;
-    OpenSurface open_;
+    double height_;
+    double open_reach_ = 0.0;
+    std::optional<OpenSurface> open_;
     std::vector<std::unique_ptr<Wake>> wakes_;
     double reach_ = 0.0;
     double time_ = 0.0;
-    bool has_begun_ = false;
-    bool rates_ = false;
+    std::optional<Begun> begun_;
+    std::optional<Begun> wakes_begun_;
     std::optional<WaveSum> sum_;
     double sum_time_ = 0.0;
 };

@@ -107,6 +107,14 @@ class Ocean {
     /// Writes a region into a host's buffers of domain.samples[0] samples in a row. The outputs may
     /// hold channels alone. Throws as region().
     void region_into(double time, const Domain& domain, std::span<const MapOutput> outputs);
+    /// Returns the samples of the wake of hull `hull` at a time: a square that moves with the hull
+    /// by whole samples. Throws Error invalid_value if the sea has no such hull.
+    Domain wake_domain(std::size_t hull, double time) const;
+    /// Writes that wake without the open sea, by label: a region of the sea is the sum of both in
+    /// each channel that adds up. It is 0 beyond its square. Throws as wake_domain() and region(),
+    /// and unsupported for foam and masks.
+    void wake_into(std::size_t hull, double time, const Domain& domain,
+                   std::span<const MapOutput> outputs);
     /// Computes now what the first region or query of a sea that does not repeat would compute.
     /// Throws as region().
     void prepare_coast();
@@ -177,6 +185,8 @@ class Ocean {
     OpenSea& without_bed(std::string_view what);
     /// Returns the sea that does not repeat; nullptr: the open sea is all.
     PlacedSea* placed() const;
+    /// Throws Error invalid_value unless the sea has that hull.
+    void require_hull(std::size_t hull) const;
     /// Returns the sea that has regions. Throws Error unsupported for a sea that repeats.
     PlacedSea& region_sea() const;
     const SprayFollower& spray_at(double time, const SpraySettings& settings);

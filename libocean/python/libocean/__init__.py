@@ -18,6 +18,7 @@ from ._answers import (
     FloatPose,
     Samples,
     Spray,
+    WakeDomain,
     Water,
 )
 from ._foam import foam_texture, foam_texture_period
@@ -76,6 +77,7 @@ __all__ = [
     "TerrainDomain",
     "TerrainMesh",
     "UnsupportedError",
+    "WakeDomain",
     "Water",
     "foam_texture",
     "foam_texture_period",

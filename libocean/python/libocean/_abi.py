@@ -408,6 +408,9 @@ ARGUMENTS: dict[str, list[Any]] = {
     ],
     "ocean_terrain_mesh": [c_void_p, POINTER(MeshRequest), POINTER(c_size_t), POINTER(c_size_t)],
     "ocean_terrain_stage": [c_void_p, c_char_p, POINTER(c_float), c_size_t],
+    "ocean_wake_count": [c_void_p, POINTER(c_size_t)],
+    "ocean_wake_domain": [c_void_p, c_size_t, c_double, POINTER(Domain)],
+    "ocean_wake_region": [c_void_p, c_size_t, c_double, POINTER(RegionRequest)],
 }
 
 RESULTS: dict[str, Any] = {

@@ -71,6 +71,17 @@ class Water(NamedTuple):
     """(n,), without the hydrostatic part [Pa]."""
 
 
+class WakeDomain(NamedTuple):
+    """The samples of the wake of a hull, a square that does not wrap."""
+
+    origin: tuple[float, float]
+    """The place of sample (0, 0) [m]."""
+    cell: float
+    """The distance of samples [m]."""
+    samples: int
+    """Along a side."""
+
+
 class FloatPose(NamedTuple):
     """The planes on which n floating bodies lie, as arrays of n rows."""
 

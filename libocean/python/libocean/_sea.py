@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from . import _abi
-from ._answers import DETAIL_BAND, Array, Detail, pointer_to
+from ._answers import DETAIL_BAND, Array, Detail, WakeDomain, pointer_to
 from ._checks import columns_and_rows, number, resolution_or_0, row, text, whole
 from ._library import choose
 from ._maps import Maps
@@ -76,6 +76,38 @@ class Sea(Maps, Queries):
         component as it is."""
         request = region_request(origin, cell, region_buffers(buffers), axes)
         self._call("ocean_region", number("time", time), ctypes.byref(request))
+
+    @property
+    def wake_count(self) -> int:
+        """The number of hulls, each of which makes a wake."""
+        count = ctypes.c_size_t()
+        self._call("ocean_wake_count", ctypes.byref(count))
+        return count.value
+
+    def wake_domain(self, hull: int, time: float) -> WakeDomain:
+        """Returns the samples of the wake of a hull, 0 .. wake_count - 1, at `time` [s]: a square
+        that moves with the hull by whole cells."""
+        own = _abi.Domain(ctypes.sizeof(_abi.Domain))
+        at = number("time", time)
+        self._call("ocean_wake_domain", whole("hull", hull, 0), at, ctypes.byref(own))
+        return WakeDomain((own.x, own.y), own.cell, own.columns)
+
+    def fill_wake(
+        self,
+        hull: int,
+        time: float,
+        buffers: Iterable[tuple[Array, Sequence[str]]],
+        origin: tuple[float, float],
+        cell: float,
+        axes: str = "zup",
+    ) -> None:
+        """Writes the wake of a hull without the open sea, by label, as fill_region() does. In each
+        channel that adds up ("dx", "dy", "height", slopes, velocities, derivatives of the offset) a
+        region of the sea is the sum of the open sea and of its wakes. A wake is 0 beyond its
+        square; any origin and cell are allowed. It has no foam."""
+        request = region_request(origin, cell, region_buffers(buffers), axes)
+        at = number("time", time)
+        self._call("ocean_wake_region", whole("hull", hull, 0), at, ctypes.byref(request))
 
     def bed_region(
         self, origin: tuple[float, float], samples: tuple[int, int], cell: float
