@@ -20,9 +20,9 @@ CoastBlock make_coast_block(const DrawnCoast& coast, const Camera& camera) {
         };
         block.window[w] = glm::vec4(place(0), place(1), 1.0 / window.cell, window.samples);
     }
-    const Domain& bed = coast.bed->domain;
-    const double west = bed.origin[0] - camera.eye[0], south = bed.origin[1] - camera.eye[1];
-    block.edge = glm::vec4(west, south, west + bed.size[0], south + bed.size[1]);
+    const Domain& area = coast.area;
+    const double west = area.origin[0] - camera.eye[0], south = area.origin[1] - camera.eye[1];
+    block.edge = glm::vec4(west, south, west + area.size[0], south + area.size[1]);
     block.count = glm::ivec4(static_cast<int>(coast.windows.size()), 0, 0, 0);
     return block;
 }
@@ -51,12 +51,13 @@ CoastGround::CoastGround(const RendererOptions& options)
 }
 
 double CoastGround::farthest(const DrawnCoast& coast, const PictureFrame& frame) {
-    const double highest = std::max(coast.ground.heights[1], 0.1);
+    const double highest = coast.bed ? std::max(coast.ground.heights[1], 0.1) : coast.highest;
     return 1.05 * (horizon_distance(frame.camera.eye[2]) + horizon_distance(highest));
 }
 
 void CoastGround::prepare(const DrawnCoast& coast, const PictureFrame& frame) {
     coast_block_.set(make_coast_block(coast, frame.camera));
+    if (!coast.bed) return;
     land_block_.set(make_land_block(coast.ground, {}, frame, shadow_steps_));
 }
 

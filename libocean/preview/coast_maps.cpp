@@ -55,9 +55,8 @@ double DrawnCoast::ground_at(double x, double y) const {
 }
 
 double DrawnCoast::surface_at(double x, double y) const {
-    const double bed_there = ground_at(x, y);
-    const auto height = read_windows(windows, &CoastImage::shape, 2, x, y);
-    return std::max(bed_there, height.value_or(0.0));
+    const double height = read_windows(windows, &CoastImage::shape, 2, x, y).value_or(0.0);
+    return bed ? std::max(ground_at(x, y), height) : height;
 }
 
 class CoastMaps::Impl {
@@ -68,6 +67,7 @@ class CoastMaps::Impl {
                                            const std::array<double, 3>& eye) {
         DrawnCoast& shown = next();
         show_bed(shown, sea.parameters().water.bed);
+        shown.area = placed_area(sea, time);
         shown.windows = surface_.at(sea, time, eye);
         upload(shown);
         return shown_;
@@ -76,6 +76,7 @@ class CoastMaps::Impl {
     std::shared_ptr<const DrawnCoast> show_ground(const std::shared_ptr<const SeaBed>& bed) {
         DrawnCoast& shown = next();
         show_bed(shown, bed);
+        shown.area = bed->domain;
         shown.windows.clear();
         return shown_;
     }
@@ -114,6 +115,7 @@ class CoastMaps::Impl {
     void show_bed(DrawnCoast& shown, const std::shared_ptr<const SeaBed>& bed) {
         if (shown.bed == bed) return;
         shown.bed = bed;
+        if (!bed) return;
         shown.ground = bed_land(*bed, bed_image(*bed, kMaxGround));
         const LandImage& image = *shown.ground.image;
         glActiveTexture(GL_TEXTURE0);

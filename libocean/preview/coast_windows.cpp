@@ -26,9 +26,11 @@ constexpr double kSettledLifetimes = 3.0;
 constexpr Channel kDepth = channel_of(LandMask::depth);
 constexpr Channel kBreaking = channel_of(LandMask::breaking);
 constexpr ChannelSet kTraceChannels = {kDepth, kBreaking};
-constexpr ChannelSet kShapeChannels = {
-    Channel::dx,   Channel::dy,   Channel::height, Channel::slope_x, Channel::slope_y,
-    Channel::dx_x, Channel::dy_y, Channel::dx_y,   kDepth,           kBreaking};
+constexpr Channel kTrail = channel_of(LandMask::trail);
+constexpr ChannelSet kShapeChannels = {Channel::dx,      Channel::dy,      Channel::height,
+                                       Channel::slope_x, Channel::slope_y, Channel::dx_x,
+                                       Channel::dy_y,    Channel::dx_y};
+constexpr float kDeep = 1e3f;  // depth of water without a bed, as the shaders have it [m]
 
 std::size_t sample_count(const CoastWindow& window) {
     return static_cast<std::size_t>(window.samples) * static_cast<std::size_t>(window.samples);
@@ -45,13 +47,13 @@ std::optional<std::size_t> nearest_sample(const CoastWindow& window, double x, d
            static_cast<std::size_t>(i);
 }
 
-/// Returns the part of a window over a bed: beside it the open sea is shown.
-CoastPart part_over(const CoastWindow& window, const Domain& bed, Domain& domain) {
+/// Returns the part of a window in an area: beside it the open sea is shown.
+CoastPart part_in(const CoastWindow& window, const Domain& area, Domain& domain) {
     CoastPart part;
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const auto corner = static_cast<double>(window.corner[axis]);
-        const double low = bed.origin[axis] / window.cell - corner;
-        const double high = (bed.origin[axis] + bed.size[axis]) / window.cell - corner;
+        const double low = area.origin[axis] / window.cell - corner;
+        const double high = (area.origin[axis] + area.size[axis]) / window.cell - corner;
         const double last = window.samples - 1;
         const int first = static_cast<int>(std::clamp(std::floor(low), 0.0, last));
         const int end = static_cast<int>(std::clamp(std::ceil(high), 0.0, last));
@@ -106,7 +108,8 @@ void write_image(CoastImage& image, const CoastPart& part, const CoastTraces& tr
     const auto dx = read(Channel::dx), dy = read(Channel::dy), height = read(Channel::height);
     const auto slope_x = read(Channel::slope_x), slope_y = read(Channel::slope_y);
     const auto dx_x = read(Channel::dx_x), dy_y = read(Channel::dy_y), dx_y = read(Channel::dx_y);
-    const auto depth = read(kDepth);
+    const bool has_bed = part.surface.channels().contains(kDepth);
+    const auto depth = has_bed ? read(kDepth) : std::span<const float>();
     visit_part(part, image.window.samples, [&](std::size_t to, std::size_t n) {
         const auto set = [&](std::vector<float>& of, float a, float b, float c, float d) {
             float* const texel = &of[kWindowComponents * to];
@@ -116,12 +119,13 @@ void write_image(CoastImage& image, const CoastPart& part, const CoastTraces& tr
             texel[3] = d;
         };
         const float foam = traces.foam[to];
-        set(image.shape, scale * dx[n], scale * dy[n], height[n], depth[n]);
+        set(image.shape, scale * dx[n], scale * dy[n], height[n], has_bed ? depth[n] : kDeep);
         set(image.gradients, slope_x[n], slope_y[n], scale * dx_x[n], scale * dy_y[n]);
         set(image.moments, slope_x[n] * slope_x[n], slope_y[n] * slope_y[n],
             slope_x[n] * slope_y[n], scale * dx_y[n]);
-        set(image.traces, std::pow(foam, kSurfCoverPower), foam * foam * foam, traces.wet[to],
-            0.0f);
+        // A trail is a share of the water, as cover is.
+        const float cover = has_bed ? std::pow(foam, kSurfCoverPower) : foam;
+        set(image.traces, cover, foam * foam * foam, traces.wet[to], 0.0f);
     });
 }
 
@@ -171,9 +175,26 @@ std::optional<double> read_windows(const std::vector<CoastImage>& windows,
     return std::nullopt;
 }
 
+Domain placed_area(const Ocean& sea, double time) {
+    if (const auto& bed = sea.parameters().water.bed) return bed->domain;
+    Domain area = sea.wake_domain(0, time);
+    for (std::size_t hull = 1; hull < sea.parameters().hulls.size(); ++hull) {
+        const Domain wake = sea.wake_domain(hull, time);
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const double low = std::min(area.origin[axis], wake.origin[axis]);
+            const double high =
+                std::max(area.origin[axis] + area.size[axis], wake.origin[axis] + wake.size[axis]);
+            area.origin[axis] = low;
+            area.size[axis] = high - low;
+        }
+    }
+    return area;
+}
+
 std::vector<CoastImage>& CoastSurface::at(Ocean& sea, double time,
                                           const std::array<double, 3>& eye) {
     const std::vector<CoastWindow> windows = coast_windows(eye, options_);
+    const bool over_bed = sea.parameters().water.bed != nullptr;
     const double lifetime = sea.parameters().water.shore.surf_foam_lifetime;
     const bool is_new = !followed_ || revision_ != sea.revision() || time < *followed_ ||
                         time > *followed_ + kSettledLifetimes * lifetime;
@@ -183,8 +204,9 @@ std::vector<CoastImage>& CoastSurface::at(Ocean& sea, double time,
         followed_.reset();
     }
     move_traces(windows);
-    if (is_new && options_.foam_start == FoamStart::settled) settle(sea, time);
-    const std::vector<CoastPart> parts = follow(sea, time, kShapeChannels);
+    if (is_new && over_bed && options_.foam_start == FoamStart::settled) settle(sea, time);
+    const std::vector<CoastPart> parts =
+        follow(sea, time, kShapeChannels | (over_bed ? kTraceChannels : ChannelSet(kTrail)));
     images_.resize(windows.size());
     const double choppiness = sea.parameters().surface.choppiness;
     for (std::size_t w = 0; w < windows.size(); ++w) {
@@ -209,13 +231,20 @@ std::vector<CoastPart> CoastSurface::follow(Ocean& sea, double time, ChannelSet 
     const auto left_of = [&](double of) { return static_cast<float>(std::exp(-passed / of)); };
     const float foam_left = lifetime > 0.0 ? left_of(lifetime) : 0.0f;
     const float wet_left = left_of(kDryingTime);
-    const Domain& bed = sea.parameters().water.bed->domain;
+    const Domain area = placed_area(sea, time);
     std::vector<CoastPart> parts;
     for (CoastTraces& traces : traces_) {
         Domain domain{.origin = {}, .size = {}, .samples = {}, .wraps = false};
-        CoastPart& part = parts.emplace_back(part_over(traces.window, bed, domain));
+        CoastPart& part = parts.emplace_back(part_in(traces.window, area, domain));
+        if (channels.contains(kTrail)) std::ranges::fill(traces.foam, 0.0f);
         if (domain.samples[0] < 2 || domain.samples[1] < 2) continue;
         part.surface = sea.region(time, domain, channels);
+        if (channels.contains(kTrail)) {  // which has no past
+            const auto trail = part.surface.channel(kTrail);
+            visit_part(part, traces.window.samples,
+                       [&](std::size_t to, std::size_t from) { traces.foam[to] = trail[from]; });
+            continue;
+        }
         const auto breaking = part.surface.channel(kBreaking);
         const auto depth = part.surface.channel(kDepth);
         visit_part(part, traces.window.samples, [&](std::size_t to, std::size_t from) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The windows of a coast around the eye, their values by the coast's surface, and the foam and wet
-// ground that breaking waves have left at their samples.
+// The windows around the eye of a sea that does not repeat, their values by its surface, and the
+// foam and wet ground that breaking waves have left at their samples.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,10 @@ struct CoastTraces {
     std::vector<float> foam, wet;  // 0 .. 1
 };
 
-/// The part of a window that lies over a bed, and its surface.
+/// Returns the area of a sea beside which it is the open sea: its bed, or the box of all wakes.
+Domain placed_area(const Ocean& sea, double time);
+
+/// The part of a window that lies in that area, and its surface.
 struct CoastPart {
     std::array<int, 2> first{};  // sample
     Surface surface = {};        // empty: none of the window does

@@ -45,8 +45,12 @@ class SeaMaps::Impl {
             done("detail");
         }
         shown_.coast = nullptr;
-        if (const auto& bed = of.parameters().water.bed) {
-            shown_.coast = eye ? coast_.show(of, time, *eye) : coast_.show_ground(bed);
+        const auto& bed = of.parameters().water.bed;
+        if (eye && (bed || !of.parameters().hulls.empty())) {
+            shown_.coast = coast_.show(of, time, *eye);
+            done("coast");
+        } else if (bed) {
+            shown_.coast = coast_.show_ground(bed);
             done("coast");
         }
         return shown_;
@@ -137,7 +141,7 @@ class SeaMaps::Impl {
     CoverMap cover_;
     CoverPatterns patterns_;
     DetailTiles detail_;
-    CoastMaps coast_;  // of a sea over a bed
+    CoastMaps coast_;  // of a sea that does not repeat
     DrawnSea shown_;
     Revision described_;  // revision of the described modes
 };

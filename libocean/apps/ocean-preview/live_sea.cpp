@@ -52,14 +52,15 @@ std::unique_ptr<preview::SeaMaps> LiveSea::make_maps(const Computing& computing)
 }
 
 preview::DrawnSea LiveSea::show(const std::array<double, 3>& eye) {
-    const auto eye_of = [&](bool has_coast) {
-        return has_coast ? std::optional(eye) : std::nullopt;
+    const auto eye_of = [&](bool has_coast, const Ocean& sea) {
+        return has_coast || !sea.parameters().hulls.empty() ? std::optional(eye) : std::nullopt;
     };
     maps_->set_detail(near_detail);
-    preview::DrawnSea shown = maps_->show(*ocean_, time_, eye_of(has_coast_));
+    preview::DrawnSea shown = maps_->show(*ocean_, time_, eye_of(has_coast_, *ocean_));
     if (!before_) return shown;
     maps_before_->set_detail(near_detail);
-    const preview::DrawnSea from = maps_before_->show(*before_, time_before_, eye_of(had_coast_));
+    const preview::DrawnSea from =
+        maps_before_->show(*before_, time_before_, eye_of(had_coast_, *before_));
     shown = maps_->fade_from(from, faded_);
     return preview::cross_fade(from, shown, faded_, correlation_);
 }

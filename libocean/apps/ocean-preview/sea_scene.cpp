@@ -106,7 +106,7 @@ SeaScene::SeaScene(const Sea& sea, const SceneOptions& options)
 }
 
 CameraGround SeaScene::ground() {
-    if (shown_.coast) return ground_of(shown_.coast);
+    if (shown_.coast && shown_.coast->bed) return ground_of(shown_.coast);
     const auto height = [this](double x, double y) {
         const WorldPoint place{x, y};
         QuerySample sample{};

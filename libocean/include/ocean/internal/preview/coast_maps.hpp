@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The sea over a bed for the renderer: nested windows of the coast's surface around the eye,
-// computed by the CPU, and the bed as ground.
+// The part of a sea that does not repeat, for the renderer: nested windows around the eye of a
+// coast's surface or of a sea with hulls, computed by the CPU, and the bed of a coast as ground.
 #pragma once
 
 #include <array>
@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "ocean/domain.hpp"
 #include "ocean/internal/foam.hpp"
 #include "ocean/internal/preview/land_maps.hpp"
 #include "ocean/sea_bed.hpp"
@@ -39,7 +40,8 @@ struct CoastImage {
     std::vector<float> shape, gradients, moments, traces;  // four floats a sample
 };
 
-/// A coast at a time. Its textures are valid until the next show() of its CoastMaps.
+/// A coast, or a sea with hulls, at a time. Its textures are valid until the next show() of its
+/// CoastMaps.
 struct DrawnCoast {
     // Arrays of textures with a layer for each window.
     unsigned shape = 0;      // Dx, Dy at choppiness 1, height, depth of the water over the bed [m]
@@ -49,11 +51,12 @@ struct DrawnCoast {
     /// The finest window first; empty while the coast is being computed, when the open sea is
     /// shown.
     std::vector<CoastImage> windows;
-    std::shared_ptr<const SeaBed> bed;
-    DrawnLand ground;      // the bed as land, without a field
+    Domain area;                        // beside it the open sea is shown
+    std::shared_ptr<const SeaBed> bed;  // null: a sea with hulls
+    DrawnLand ground;                   // the bed as land, without a field
     double highest = 0.0;  // greatest distance of the surface from still water, over water [m]
 
-    /// Returns the height of the bed [m]; beyond the bed, the height of its edge.
+    /// Returns the height of the bed [m]; beyond the bed, the height of its edge. There is a bed.
     double ground_at(double x, double y) const;
     /// Returns the height of the water, or of dry ground [m]. The water is displaced sideways by
     /// less than a cell of its window.
@@ -82,9 +85,10 @@ class CoastMaps {
     CoastMaps(const CoastMaps&) = delete;
     CoastMaps& operator=(const CoastMaps&) = delete;
 
-    /// Returns the coast of a sea with a bed at a time [s] for an eye [m]. Foam of breaking waves
-    /// and wet ground are followed from call to call at samples that are fixed in the world; new
-    /// samples of a window begin with the values of the coarser window. Throws Error.
+    /// Returns the coast of a sea with a bed, or the wakes of a sea with hulls, at a time [s] for
+    /// an eye [m]. Foam of breaking waves and wet ground are followed from call to call at samples
+    /// that are fixed in the world; new samples of a window begin with the values of the coarser
+    /// window. Throws Error.
     std::shared_ptr<const DrawnCoast> show(Ocean& sea, double time,
                                            const std::array<double, 3>& eye);
     /// Returns the ground alone, for a coast that is still being computed.

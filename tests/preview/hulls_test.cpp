@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The wakes of hulls in a picture: the drawn water has the heights of the library's region, trails
+// are its foam, and where no wake is the open sea is drawn as ever.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "coast_windows.hpp"
+#include "ocean/internal/preview/probe.hpp"
+#include "ocean/land_mask.hpp"
+#include "ocean/ocean.hpp"
+#include "preview/preview_fixture.hpp"
+
+namespace ocean::preview {
+namespace {
+
+constexpr double kBoatTime = 3.0;
+constexpr std::array<double, 3> kBoatEye = {-6.0, 12.0, 3.0};
+
+/// A boat of 12 m that goes east and is at (15, 20) at the time.
+Parameters sea_with_boat() {
+    Parameters parameters = test::wind_sea(64, 200.0);
+    Hull& hull = parameters.hulls.emplace_back();
+    hull.length = 12.0;
+    hull.beam = 3.0;
+    hull.draught = 0.8;
+    hull.wake_resolution = 64;
+    auto track = std::make_shared<HullTrack>();
+    track->rows = {{-100.0, -500.0, 20.0}, {100.0, 500.0, 20.0}};
+    hull.track = track;
+    return parameters;
+}
+
+class HullPreviewTest : public PreviewTest {
+  protected:
+    static SeaMapsOptions options() {
+        SeaMapsOptions options;
+        options.compute = false;
+        options.coast.samples = 64;
+        return options;
+    }
+    static Camera camera() {
+        Camera camera;
+        camera.eye = kBoatEye;
+        camera.look_at({5.0, 20.0, 0.0});
+        return camera;
+    }
+
+    Ocean sea_{sea_with_boat()};
+    SeaMaps maps_{options()};
+    Renderer renderer_{{.cells = 32}};
+};
+
+TEST_F(HullPreviewTest, VerticesAtSamplesOfAWindowHaveTheHeightsOfTheRegion) {
+    const DrawnSea sea = maps_.show(sea_, kBoatTime, kBoatEye);
+    const Domain labels{{-4.0, 16.0}, {8.0, 8.0}, {9, 9}, false};
+    const Surface region =
+        sea_.region(kBoatTime, labels, {Channel::dx, Channel::dy, Channel::height});
+    for (const int n : {0, 8, 20, 40, 50, 72, 80}) {
+        const auto [x, y] = labels.place(n % 9, n / 9);
+        const auto at = [&](Channel channel) {
+            return static_cast<double>(region.channel(channel)[static_cast<std::size_t>(n)]);
+        };
+        const auto found =
+            probe(renderer_, sea, camera(), {x + at(Channel::dx), y + at(Channel::dy)});
+        ASSERT_TRUE(found) << x << " " << y;
+        EXPECT_NEAR(found->mesh_height, at(Channel::height),
+                    1e-5 * sea.significant_wave_height + 2e-5)
+            << x << " " << y;
+    }
+    Surface wake(labels, kBoatTime, Channel::height);
+    sea_.wake_into(0, kBoatTime, labels, outputs_of(wake));
+    EXPECT_GT(std::ranges::max(wake.channel(Channel::height)), 0.05f);
+}
+
+TEST_F(HullPreviewTest, TrailsAreFoamAndItsDepthIsThatOfTheOpenSea) {
+    const DrawnSea sea = maps_.show(sea_, kBoatTime, kBoatEye);
+    ASSERT_TRUE(sea.coast);
+    EXPECT_FALSE(sea.coast->bed);
+    const auto& windows = sea.coast->windows;
+    const Domain row{{0.0, 20.0}, {9.0, 1.0}, {10, 2}, false};
+    const Surface region = sea_.region(kBoatTime, row, channel_of(LandMask::trail));
+    for (std::size_t i = 0; i < 10; ++i) {
+        const auto x = static_cast<double>(i);
+        const double trail = static_cast<double>(region.channel(channel_of(LandMask::trail))[i]);
+        const auto cover = read_windows(windows, &CoastImage::traces, 0, x, 20.0);
+        EXPECT_NEAR(cover.value_or(-1.0), trail, 1e-6);
+        EXPECT_EQ(read_windows(windows, &CoastImage::shape, 3, x, 20.0), 1000.0);
+    }
+    EXPECT_GT(region.channel(channel_of(LandMask::trail))[5], 0.3f);
+}
+
+TEST_F(HullPreviewTest, WhereNoWakeIsTheOpenSeaIsDrawn) {
+    Camera away = camera();
+    away.eye = {-6.0, 2000.0, 3.0};
+    away.look_at({-6.0, 2100.0, 0.0});
+    Parameters parameters = sea_with_boat();
+    parameters.hulls.clear();
+    Ocean open(parameters);
+    const auto with_hulls = picture(renderer_, maps_.show(sea_, kBoatTime, away.eye), away);
+    const auto without = picture(renderer_, maps_.show(open, kBoatTime, away.eye), away);
+    // The mesh is that of the windows, finer than the maps.
+    double difference = 0.0;
+    for (std::size_t i = 0; i < without.size(); ++i) {
+        difference += std::abs(static_cast<double>(with_hulls[i]) - without[i]);
+    }
+    EXPECT_LT(difference / static_cast<double>(without.size()), 2.0);
+}
+
+}  // namespace
+}  // namespace ocean::preview
