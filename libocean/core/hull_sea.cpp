@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "hulls/hull_marks.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/cascades.hpp"
 #include "ocean/internal/directional_spectrum.hpp"
+#include "ocean/internal/grid.hpp"
 #include "ocean/internal/hull_rules.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/sea_bytes.hpp"
@@ -54,6 +56,24 @@ class SummedFoam {
     float cover_power_;
 };
 
+/// Returns a warning if the samples of a wake are too far apart for the waves behind the hull at
+/// its highest speed; "" if they hold them, or if the hull is too slow to make any to speak of.
+std::string coarse_wake(const Hull& hull, std::size_t number, const Water& water) {
+    constexpr double kSlow = 0.15;    // Froude number
+    constexpr double kSamples = 4.0;  // of a wave at least
+    const double speed = fastest_leg(*hull.track).speed;
+    if (speed < kSlow * std::sqrt(water.gravity * hull.length)) return "";
+    const WakeSize size = wake_size(hull, speed, water);
+    const double cell = size.side / size.resolution;
+    const double wave = kTwoPi * speed * speed / water.gravity;
+    if (wave >= kSamples * cell) return "";
+    const std::string name = "hulls." + std::to_string(number);
+    return "the waves behind " + name + " are " + fixed_text(wave, 1) +
+           " m long at its highest speed, and its wake has samples " + fixed_text(cell, 1) +
+           " m apart, which leave most of them out: raise " + name +
+           ".wake_resolution, or make wake_size smaller";
+}
+
 /// The masks of all hulls together.
 class AllMarks {
   public:
@@ -95,6 +115,9 @@ void HullSea::warn(SeaState& state) {
     constexpr double kSteep = 0.1;  // breaking waves
     const Parameters& sea = parameters();
     for (std::size_t i = 0; i < sea.hulls.size(); ++i) {
+        if (std::string coarse = coarse_wake(sea.hulls[i], i, sea.water); !coarse.empty()) {
+            state.warnings.push_back(std::move(coarse));
+        }
         const WakeSteepness waves =
             wake_steepness(sea.hulls[i], sea.water, sea.time.loop_period, open().pool());
         if (waves.steepness <= kSteep) continue;

@@ -8,12 +8,14 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "hulls/wake.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/hull_rules.hpp"
+#include "ocean/land_mask.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/sea_bed.hpp"
 #include "test_seas.hpp"
@@ -129,18 +131,33 @@ TEST(HullSea, MapsOfOnePeriodKeepTheirBitsAndWarn) {
     EXPECT_FALSE(std::ranges::any_of(without.state().warnings, is_of_wakes));
 }
 
-TEST(HullSea, WavesThatLinearTheoryCannotMakeAreWarnedOf) {
-    const auto is_steep = [](const Parameters& parameters) {
+TEST(HullSea, WavesThatTheoryOrSamplesCannotHoldAreWarnedOf) {
+    const auto warns = [](const Parameters& parameters, std::string_view words) {
         const std::vector<std::string> warnings = Ocean(parameters).state().warnings;
-        return std::ranges::any_of(warnings, [](const std::string& text) {
-            return text.find("linear theory") != std::string::npos;
+        return std::ranges::any_of(warnings, [words](const std::string& text) {
+            return text.find(words) != std::string::npos;
         });
     };
+    constexpr std::string_view kSteep = "linear theory", kCoarse = "which leave most of them out";
     Parameters parameters = sea_with_boat();
-    parameters.hulls.front().factor = 0.1;
-    EXPECT_FALSE(is_steep(parameters));
-    parameters.hulls.front().factor = 10.0;
-    EXPECT_TRUE(is_steep(parameters));
+    Hull& hull = parameters.hulls.front();
+    hull.factor = 0.1;
+    EXPECT_FALSE(warns(parameters, kSteep));
+    EXPECT_FALSE(warns(parameters, kCoarse));
+    hull.factor = 10.0;
+    EXPECT_TRUE(warns(parameters, kSteep));
+    hull.wake_size = 5000.0;  // samples 78 m apart, waves of 16 m
+    EXPECT_TRUE(warns(parameters, kCoarse));
+}
+
+TEST(HullSea, ATrailChangesWithItsLifetime) {
+    constexpr Channel kTrail = channel_of(LandMask::trail);
+    Ocean ocean(sea_with_boat());
+    const Surface before = ocean.region(kTime, kWake, kTrail);
+    ocean.set("hulls.0.trail_lifetime", "50");
+    const Surface after = ocean.region(kTime, kWake, kTrail);
+    EXPECT_GT(std::ranges::max(after.channel(kTrail)), std::ranges::max(before.channel(kTrail)));
+    EXPECT_FALSE(ocean.parameters().hulls == sea_with_boat().hulls);
 }
 
 TEST(HullSea, AnotherBoatAddsItsWakeAndAFactorScalesIt) {

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 
 #include "ocean/error.hpp"
 #include "ocean/internal/grid.hpp"
@@ -75,6 +77,7 @@ class TrackRules {
                    "at most " + fixed_speed(kMaxHullSpeed));
         }
         if (row > 1) check_turn(row, leg_to(track_, row - 1), leg);
+        if (!track_.courses.empty()) check_change_of_course(row, leg.seconds);
     }
 
     void check_course(std::size_t row) const {
@@ -89,13 +92,24 @@ class TrackRules {
 
     /// Turns are judged while the hull moves: at rest the heading is noise.
     void check_turn(std::size_t row, const Leg& before, const Leg& after) const {
-        constexpr double kMoving = 1.0;  // [m/s]
         if (before.speed < kMoving || after.speed < kMoving) return;
-        const double angle =
-            std::abs(std::remainder(after.heading - before.heading, kTwoPi)) / kDegree;
-        const double rate = angle / (0.5 * (before.seconds + after.seconds));
+        refuse_turn(row - 1, (after.heading - before.heading) / kDegree,
+                    0.5 * (before.seconds + after.seconds));
+    }
+
+    void check_change_of_course(std::size_t row, double seconds) const {
+        const TrackCourse& from = track_.courses[row - 1];
+        const TrackCourse& to = track_.courses[row];
+        if (from.speed < kMoving || to.speed < kMoving) return;
+        refuse_turn(row, to.heading - from.heading, seconds);
+    }
+
+    /// Throws if a turn by `degrees` in `seconds` is too fast.
+    void refuse_turn(std::size_t row, double degrees, double seconds) const {
+        const double angle = std::abs(std::remainder(degrees, 360.0));
+        const double rate = angle / seconds;
         if (rate <= kMaxTurnRate) return;
-        refuse(row - 1,
+        refuse(row,
                "turns by " + std::to_string(std::lround(angle)) + " degrees at " +
                    std::to_string(std::lround(rate)) + " degrees a second",
                "at most " + std::to_string(std::lround(kMaxTurnRate)) + " degrees a second");
@@ -104,6 +118,8 @@ class TrackRules {
     static std::string fixed_speed(double speed) {
         return std::to_string(std::lround(speed)) + " m/s";
     }
+
+    static constexpr double kMoving = 1.0;  // [m/s]
 
     const HullTrack& track_;
     const std::string& name_;
@@ -137,6 +153,16 @@ void validate_hull(const Hull& hull, const Parameters& parameters, const std::st
                      .allowed = "track = [[time, x, y], ...] or track_file = a CSV file"});
     }
     require_track(*hull.track, name + ".track");
+    const auto require_within_length = [&](std::string_view key, double value) {
+        if (value <= hull.length) return;
+        throw Error(ErrorKind::invalid_value,
+                    {.what = "theory is that of a hull that is longer than wide and deep",
+                     .parameter = name + "." + std::string(key),
+                     .value = to_text(value) + " m",
+                     .allowed = "at most its length, " + to_text(hull.length) + " m"});
+    };
+    require_within_length("beam", hull.beam);
+    require_within_length("draught", hull.draught);
     if (hull.draught >= parameters.water.depth) {
         throw Error(
             ErrorKind::invalid_value,
@@ -164,7 +190,8 @@ bool Hull::operator==(const Hull& other) const {
     const bool same_track = track == other.track ||
                             (track != nullptr && other.track != nullptr && *track == *other.track);
     return same_track && length == other.length && beam == other.beam && draught == other.draught &&
-           shape == other.shape && factor == other.factor && track_file == other.track_file &&
+           shape == other.shape && factor == other.factor &&
+           trail_lifetime == other.trail_lifetime && track_file == other.track_file &&
            wake_size == other.wake_size && wake_resolution == other.wake_resolution &&
            wake_age == other.wake_age;
 }

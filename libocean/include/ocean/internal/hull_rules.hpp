@@ -30,8 +30,8 @@ FastestLeg fastest_leg(const HullTrack& track);
 /// Checks a track: two or more rows in order of time, finite numbers, no jump, no turn on the spot.
 /// Throws Error invalid_value that names the row; `name` is the parameter.
 void require_track(const HullTrack& track, const std::string& name);
-/// Checks the rules of all hulls: each has a track, its wake's square holds it, its draught is less
-/// than the depth, a loop has closed tracks. Throws Error invalid_value, and unsupported over a
+/// Checks the rules of all hulls: each has a track, is longer than wide and deep, its wake's square
+/// holds it, its draught is less than the depth, a loop has closed tracks. Throws Error invalid_value, and unsupported over a
 /// bed.
 void validate_hulls(const Parameters& parameters);
 /// Returns warnings about the hulls of a valid sea, a sentence each.
