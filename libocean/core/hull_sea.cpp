@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hulls/hull_marks.hpp"
+#include "hulls/wake_motion.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/cascades.hpp"
 #include "ocean/internal/directional_spectrum.hpp"
@@ -271,11 +272,14 @@ double HullSea::height_error(double time) {
     return surface(time, false).height_error();
 }
 
-void HullSea::water_motion(double, std::span<const WaterPoint>, std::span<WaterMotion>,
-                           const QueryOptions&) {
-    throw Error(ErrorKind::unsupported,
-                "the motion of the water below the wakes of hulls is not computed; allowed: a sea "
-                "without hulls");
+void HullSea::water_motion(double time, std::span<const WaterPoint> points,
+                           std::span<WaterMotion> motions, const QueryOptions& options) {
+    open().water_motion(time, points, motions, options);
+    HullSurface& surface = still_surface(time);
+    surface.move_wakes_to(time, false, open().pool());
+    for (const auto& wake : surface.wakes()) {
+        add_wake_motion(*wake, parameters().water, options.exact, points, motions, open().pool());
+    }
 }
 
 const SprayFollower& HullSea::spray(double time, const SpraySettings& settings) {

@@ -36,7 +36,6 @@ class HullSea final : public PlacedSea {
 
     void query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
                const QueryOptions& options) override;
-    /// Throws Error unsupported: wakes are known at the surface alone.
     void water_motion(double time, std::span<const WaterPoint> points,
                       std::span<WaterMotion> motions, const QueryOptions& options) override;
 

@@ -53,6 +53,17 @@ def test_the_wake_counts_and_maps_of_a_period_warn(boat):
     assert done.returncode == 0 and "wakes of hulls do not repeat" in done.stderr
 
 
-def test_a_gauge_says_what_it_lacks(boat):
+def test_gauges_and_volumes_have_the_wake(boat):
     gauge = ("--points", "points.csv", "--from", "0", "--to", "1", "--rate", "2", "-o", "g.csv")
-    assert "motion of the water below the wakes" in boat.bad("gauge", "sea.toml", *gauge)
+    still = "hulls.0.factor=0"
+    rows = {}
+    for name, more in ("wake", ()), ("none", ("--set", still)):
+        boat.good("gauge", "sea.toml", *gauge, *more)
+        text = (boat.folder / "g.csv").read_text().splitlines()[1]
+        rows[name] = [float(word) for word in text.split(",")]
+        boat.good("bake", "sea.toml", *REGION, "-o", f"{name}.vdb", "--frames", "1", *more)
+    elevation, up = (abs(rows["wake"][k] - rows["none"][k]) for k in (4, 9))
+    assert elevation > 0.02 and up > 0.02
+    assert rows["wake"][4] == pytest.approx(height(boat, "sea.toml"), abs=2e-4)
+    volumes = [(boat.folder / f"{name}.vdb").read_bytes() for name in rows]
+    assert volumes[0] != volumes[1]

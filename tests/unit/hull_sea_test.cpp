@@ -15,6 +15,7 @@
 #include "hulls/wake.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/hull_rules.hpp"
+#include "ocean/internal/open_sea.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/sea_bed.hpp"
@@ -259,11 +260,46 @@ TEST(HullSea, RefusesWhatItCannotHold) {
               "together; a row for each second is plenty");
 }
 
-TEST(HullSea, HasNoWaterBelowItsWakesAndRefusesOtherQueries) {
+TEST(HullSea, TheWaterBelowMovesAsItsWakesDo) {
+    // At the level of still water it moves as the surface does, to the error of splines.
+    Parameters parameters = sea_with_boat();
+    parameters.surface.choppiness = 1.0;
+    Ocean ocean(parameters);
+    const Domain behind{{-40.0, 14.0}, {30.0, 12.0}, {4, 4}, false};
+    const Surface region = ocean.region(kTime, behind, {Channel::vx, Channel::vy, Channel::vz});
+    std::vector<WaterPoint> points;
+    for (int j = 0; j < 4; ++j) {
+        for (int i = 0; i < 4; ++i) {
+            const auto [x, y] = behind.place(i, j);
+            points.push_back({x, y, 0.0});
+        }
+    }
+    points.push_back({-40.0, 20.0, -4.0});
+    std::vector<WaterMotion> motions(points.size()), exact(points.size()), open(points.size());
+    ocean.water_motion(kTime, points, motions);
+    ocean.water_motion(kTime, points, exact, {.exact = true});
+    ocean.open_sea().water_motion(kTime, points, open, {});
+    double fastest = 0.0;
+    for (std::size_t n = 0; n < 16; ++n) {
+        const auto shown = [&](Channel channel) {
+            return static_cast<double>(region.channel(channel)[n]);
+        };
+        EXPECT_NEAR(motions[n].velocity_x, shown(Channel::vx), 4e-3);
+        EXPECT_NEAR(motions[n].velocity_y, shown(Channel::vy), 4e-3);
+        EXPECT_NEAR(motions[n].velocity_z, shown(Channel::vz), 4e-3);
+        EXPECT_NEAR(motions[n].velocity_z, exact[n].velocity_z, 4e-3);
+        EXPECT_NEAR(motions[n].pressure, exact[n].pressure, 5.0);
+        fastest = std::max(fastest, std::abs(motions[n].velocity_z - open[n].velocity_z));
+    }
+    EXPECT_GT(fastest, 0.1);
+    // Waves of 16 m are a fifth at 4 m.
+    const double deep = std::abs(motions[16].velocity_z - open[16].velocity_z);
+    EXPECT_GT(deep, 1e-4);
+    EXPECT_LT(deep, 0.3 * fastest);
+}
+
+TEST(HullSea, RefusesOtherQueries) {
     Ocean ocean(sea_with_boat());
-    const WaterPoint point{0.0, 0.0, -1.0};
-    WaterMotion motion;
-    EXPECT_THROW(ocean.water_motion(0.0, {&point, 1}, {&motion, 1}), Error);
     const WorldPoint place{0.0, 0.0};
     QuerySample sample;
     EXPECT_THROW(ocean.query(0.0, {&place, 1}, {&sample, 1}, {.resolution = 32}), Error);

@@ -123,6 +123,11 @@ bool Wake::holds(double x, double y) const {
     return std::abs(x - past_.place.centre.x) < half && std::abs(y - past_.place.centre.y) < half;
 }
 
+double Wake::share_at(double x, double y) const {
+    return rim_factor(x - past_.place.centre.x, size_.side).value *
+           rim_factor(y - past_.place.centre.y, size_.side).value;
+}
+
 LinearWaves<Jet> Wake::read(double x, double y) const {
     const double u = x - past_.place.centre.x;
     const double v = y - past_.place.centre.y;

@@ -45,6 +45,8 @@ class Wake {
 
     /// Returns true if the square holds a label.
     bool holds(double x, double y) const;
+    /// Returns the share of the waves that the rim leaves at a label, 0 .. 1.
+    double share_at(double x, double y) const;
     /// Returns the waves at a label of the square; 0 at its rim. Several threads may read at once.
     LinearWaves<Jet> read(double x, double y) const;
     /// Returns the same from a sum over all waves in double precision.

@@ -47,6 +47,7 @@ auto along(const Modes& modes, const Water& water, double z) {
         const double omega = kTwoPi * rate_unit *
                              (static_cast<double>(cascade.rate_high[at]) +
                               static_cast<double>(cascade.rate_low[at]));
+        if (omega == 0.0) return ModeScale{0.0f, 1.0f};  // a wave that is left out
         const double fall = omega * omega / water.gravity;
         const double potential = orbital_decay(k, z, water.depth).along / k;
         return ModeScale{static_cast<float>(fall * potential),
