@@ -29,7 +29,7 @@ namespace ocean {
     extern const BandSectorLoop kBandSectorLoop; \
     extern const SignalLoop kSignalLoop;         \
     extern const GullyLoop kGullyLoop;           \
-    extern const WakeLoop kWakeLoop;             \
+    extern const WakeLoops kWakeLoops;           \
     }
 OCEAN_DECLARE_KERNEL(avx512)
 OCEAN_DECLARE_KERNEL(avx2)
@@ -45,7 +45,7 @@ struct Kernel {
     const BandSectorLoop* band_sector_loop;
     const SignalLoop* signal_loop;
     const GullyLoop* gully_loop;
-    const WakeLoop* wake_loop;
+    const WakeLoops* wake_loops;
     unsigned leaf_1, leaf_7, saved_states;
 };
 
@@ -58,7 +58,7 @@ struct Kernel {
 
 #define OCEAN_KERNEL_ENTRY(name)                                                                  \
     SimdLevel::name, &name::kCode, &name::kBandSectorLoop, &name::kSignalLoop, &name::kGullyLoop, \
-        &name::kWakeLoop
+        &name::kWakeLoops
 /// The best first. A build may leave out any: OCEAN_KERNELS and OCEAN_PORTABLE_KERNEL in CMake.
 constexpr Kernel kKernels[] = {
 #if defined(OCEAN_KERNEL_AVX512)
@@ -171,8 +171,8 @@ SignalLoop signal_loop(SimdLevel level) {
 GullyLoop gully_loop(SimdLevel level) {
     return *find_kernel(level).gully_loop;
 }
-WakeLoop wake_loop(SimdLevel level) {
-    return *find_kernel(level).wake_loop;
+WakeLoops wake_loops(SimdLevel level) {
+    return *find_kernel(level).wake_loops;
 }
 
 }  // namespace ocean

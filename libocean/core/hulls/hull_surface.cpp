@@ -43,8 +43,7 @@ void HullSurface::move_to(const Modes& modes, double time, bool rates, ThreadPoo
     open_->move_to(modes, time, rates, pool);
     double farthest = open_reach_;
     for (const auto& wake : wakes_) {
-        const int waves = wake->size().resolution;
-        farthest += query_bounds(wake->modes(), waves, 2 * waves, true, pool).farthest;
+        farthest += wake->farthest();
     }
     reach_ = choppiness_ * farthest;
     time_ = time;

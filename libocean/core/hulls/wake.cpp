@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/prefault_pages.hpp"
 #include "base/simd/simd_level.hpp"
 #include "field/ease.hpp"
 #include "ocean/internal/hull_rules.hpp"
@@ -20,8 +20,9 @@ namespace {
 constexpr double kRimBegin = 0.46;
 constexpr double kRimEnd = 0.495;
 
-/// Any error of the spline will do: it has the least samples, twice the lattice's.
-constexpr double kAnyError = std::numeric_limits<double>::infinity();
+/// The hull goes at most this share of its square in a span of the windows: within it W stays 1
+/// around the hull, which lies at most 0.26 from the middle.
+constexpr double kWayOfSpan = 0.035;
 
 /// Returns the factor of one axis, with its slope as the first of the jet's derivatives.
 struct RimFactor {
@@ -47,66 +48,83 @@ LinearWaves<Jet> within_rim(const LinearWaves<Jet>& waves, double x, double y, d
     return {factor * waves.height, factor * waves.displacement_x, factor * waves.displacement_y};
 }
 
-Jet with_rate(const Jet& value, float rate) {
-    return {value.value(), value.by_x(), value.by_y(), rate};
-}
-
 }  // namespace
 
 Wake::Wake(const Hull& hull, const Water& water, double loop_period, ThreadPool& pool)
     : size_(wake_size(hull, fastest_leg(*hull.track).speed, water)),
       path_(hull.track, loop_period),
+      clock_(path_, kWayOfSpan * size_.side / std::max(fastest_leg(*hull.track).speed, 1e-9)),
       lattice_(hull, size_, water),
       waves_(lattice_.still_modes()),
-      rates_(lattice_.still_modes()),
-      map_(waves_, size_.resolution, kAnyError, pool),
-      rate_map_(rates_, size_.resolution, kAnyError, pool),
-      amplitudes_(4 * lattice_.count()),
-      half_length_(0.5 * hull.length) {}
+      map_(waves_, size_.resolution),
+      factors_(lattice_.factors(map_.factor(waves_))),
+      amplitudes_(2 * lattice_.count()),
+      settled_(4 * lattice_.count()),
+      half_length_(0.5 * hull.length) {
+    prefault_pages(amplitudes_, pool);
+    prefault_pages(settled_, pool);
+}
+
+void Wake::settle(std::int64_t span, ThreadPool& pool) {
+    span_.reset();
+    const double step = size_.side / size_.resolution;
+    const double begin = clock_.begin(span), end = clock_.begin(span + 1);
+    const WakePlace place = wake_place(path_, begin, size_.side, step);
+    const WakePast past = wake_past(path_, clock_.settled(path_, span, size_.age), begin, place);
+    const WindowNodes first(past, 0.0, place.middle, size_.age);
+    const WindowNodes second(past, end - begin, wake_place(path_, end, size_.side, step).middle,
+                             size_.age);
+    const std::size_t count = lattice_.count();
+    const WakeLoops loops = wake_loops(simd_level());
+    pool.for_each_range(static_cast<int>(count / kWakeBlock), [&](int from, int to) {
+        PageVector<float> choices(first.count());
+        float* const at = settled_.data() + static_cast<std::size_t>(from) * kWakeBlock;
+        loops.sum({.waves = lattice_.waves(from, to),
+                   .past = past.in(size_.side, half_length_),
+                   .windows = {first.window(), second.window()},
+                   .node_count = first.count(),
+                   .choices = choices.data(),
+                   .re = {at, at + 2 * count},
+                   .im = {at + count, at + 3 * count}});
+    });
+    settled_centre_ = place.centre;
+    span_ = span;
+}
 
 void Wake::move_to(double time, bool rates, ThreadPool& pool) {
+    const std::int64_t span = clock_.span_of(time);
+    if (span_ != span) settle(span, pool);
+    const double begin = clock_.begin(span), end = clock_.begin(span + 1);
     const double step = size_.side / size_.resolution;
-    past_ = wake_past(path_, time, size_.age, size_.side, step);
-    has_rates_ = rates;
+    past_ = wake_past(path_, clock_.newest(path_, time), time,
+                      wake_place(path_, time, size_.side, step));
     sum_.reset();
-    rate_sum_.reset();
-    const std::size_t count = lattice_.count();
-    const WakeLoop loop = wake_loop(simd_level());
-    float* const re = amplitudes_.data();
-    const auto groups = static_cast<int>(count / kWakeBlock);
-    pool.for_each_range(groups, [&](int first, int last) {
-        const std::size_t from = static_cast<std::size_t>(first) * kWakeBlock;
-        loop({.count = static_cast<std::size_t>(last - first) * kWakeBlock,
-              .velocities = lattice_.velocities() + first,
-              .n = lattice_.n() + from,
-              .m = lattice_.m() + from,
-              .rate_high = lattice_.rate_high() + from,
-              .rate_low = lattice_.rate_low() + from,
-              .group_x = lattice_.group_x() + from,
-              .group_y = lattice_.group_y() + from,
-              .gain = lattice_.gain() + from,
-              .runs = past_.runs.data(),
-              .run_count = past_.runs.size(),
-              .ages = past_.ages.data(),
-              .size = size_.side,
-              .half_length = half_length_,
-              .hull_x = past_.hull.x,
-              .hull_y = past_.hull.y,
-              .velocity_x = past_.velocity.x,
-              .velocity_y = past_.velocity.y,
-              .re = re + from,
-              .im = re + count + from,
-              .rate_re = rates ? re + 2 * count + from : nullptr,
-              .rate_im = rates ? re + 3 * count + from : nullptr});
-    });
-    const auto begin = [&](Modes& modes, const float* from, OpenSurface& map) {
-        lattice_.set_amplitudes(from, from + count, modes);
-        map.forget();
-        map.repack(modes, pool);
-        map.move_to(modes, 0.0, false, pool);
+    const auto shift = [&](double from, double to) {
+        return static_cast<float>(std::round((to - from) / step) / size_.resolution);
     };
-    begin(waves_, re, map_);
-    if (rates) begin(rates_, re + 2 * count, rate_map_);
+    const std::size_t count = lattice_.count();
+    const WakeLoops loops = wake_loops(simd_level());
+    pool.for_each_range(static_cast<int>(count / kWakeBlock), [&](int from, int to) {
+        const std::size_t first = static_cast<std::size_t>(from) * kWakeBlock;
+        const float* const at = settled_.data() + first;
+        loops.frame({.waves = lattice_.waves(from, to),
+                     .past = past_.in(size_.side, half_length_),
+                     .re = {at, at + 2 * count},
+                     .im = {at + count, at + 3 * count},
+                     .share = static_cast<float>((time - begin) / (end - begin)),
+                     .since = begin - time,
+                     .shift_x = shift(settled_centre_.x, past_.place.centre.x),
+                     .shift_y = shift(settled_centre_.y, past_.place.centre.y),
+                     .moves = past_.moves(),
+                     .to_re = amplitudes_.data() + first,
+                     .to_im = amplitudes_.data() + count + first});
+    });
+    const float* const re = amplitudes_.data();
+    farthest_ = lattice_.farthest(re, re + count);
+    lattice_.set_amplitudes(re, re + count, factors_.data(), waves_);
+    map_.forget();
+    map_.repack(waves_, pool);
+    map_.move_to(waves_, 0.0, rates, pool);
 }
 
 void Wake::prepare(double first, double last, ThreadPool& pool) const {
@@ -115,7 +133,6 @@ void Wake::prepare(double first, double last, ThreadPool& pool) const {
     const double to = std::min(last - past_.place.centre.x, half);
     if (from > to) return;
     map_.prepare(from, to, pool);
-    if (has_rates_) rate_map_.prepare(from, to, pool);
 }
 
 bool Wake::holds(double x, double y) const {
@@ -131,35 +148,29 @@ double Wake::share_at(double x, double y) const {
 LinearWaves<Jet> Wake::read(double x, double y) const {
     const double u = x - past_.place.centre.x;
     const double v = y - past_.place.centre.y;
-    LinearWaves<Jet> waves = map_.read<Jet>(u, v);
-    if (has_rates_) {
-        const LinearWaves<Plain> rates = rate_map_.read<Plain>(u, v);
-        waves = {with_rate(waves.height, rates.height.value()),
-                 with_rate(waves.displacement_x, rates.displacement_x.value()),
-                 with_rate(waves.displacement_y, rates.displacement_y.value())};
-    }
-    return within_rim(waves, u, v, size_.side);
+    return within_rim(map_.read<Jet>(u, v), u, v, size_.side);
+}
+
+Modes Wake::modes() const {
+    Modes modes = lattice_.still_modes();
+    const PageVector<float> ones(lattice_.count(), 1.0f);
+    const float* const re = amplitudes_.data();
+    lattice_.set_amplitudes(re, re + lattice_.count(), ones.data(), modes);
+    return modes;
 }
 
 void Wake::prepare_sums(const Water& water) {
-    if (sum_) return;
-    sum_.emplace(waves_, water);
-    rate_sum_.emplace(rates_, water);
+    if (!sum_) sum_.emplace(modes(), water);
 }
 
 LinearWaves<Jet> Wake::read_exactly(double x, double y) const {
     const double u = x - past_.place.centre.x;
     const double v = y - past_.place.centre.y;
-    LinearSample at = sum_->at_label(u, v);
-    const LinearSample rate = rate_sum_->at_label(u, v);
-    at.height_rate = rate.height;
-    at.displacement_x_rate = rate.displacement_x;
-    at.displacement_y_rate = rate.displacement_y;
-    return within_rim(waves_of<Jet>(at), u, v, size_.side);
+    return within_rim(waves_of<Jet>(sum_->at_label(u, v)), u, v, size_.side);
 }
 
 std::uint64_t Wake::bytes(int resolution) {
-    return WakeLattice::bytes(resolution) + 2 * SurfaceQuery::map_bytes(resolution, {.refine = 1});
+    return WakeLattice::bytes(resolution) + SurfaceQuery::map_bytes(resolution, {.refine = 1});
 }
 
 WakeSteepness wake_steepness(const Hull& hull, const Water& water, double loop_period,

@@ -37,7 +37,8 @@ class Wake {
     Wake(const Hull& hull, const Water& water, double loop_period, ThreadPool& pool);
 
     /// Computes the waves of a time [s]. rates: reads have derivatives in time. The bits depend on
-    /// the time alone, not on earlier times, and are the same for any number of threads.
+    /// the time alone, not on earlier times, and are the same for any number of threads. Times of
+    /// one span of the clock share most of the work.
     void move_to(double time, bool rates, ThreadPool& pool);
     /// Makes the maps for reads at labels between x = `first` and `last` [m], on all threads. Other
     /// reads make theirs on the calling thread.
@@ -56,24 +57,32 @@ class Wake {
 
     const WakeSize& size() const { return size_; }
     const WakePast& past() const { return past_; }
-    /// Returns the waves of the time, relative to past().place.centre.
-    const Modes& modes() const { return waves_; }
+    /// Returns the waves of the time, relative to past().place.centre, as those of the time 0.
+    Modes modes() const;
+    /// Returns a bound of the displacement at choppiness 1 [m], as query_bounds() does.
+    double farthest() const { return farthest_; }
 
     static std::uint64_t bytes(int resolution);
 
   private:
+    /// Sums the past up to the begin of a span of the clock, in the windows of its ends.
+    void settle(std::int64_t span, ThreadPool& pool);
+
     WakeSize size_;
     TrackPath path_;
+    WakeClock clock_;
     WakeLattice lattice_;
-    WakePast past_;
-    Modes waves_;
-    Modes rates_;  // of the waves: amplitudes da/dt
+    WakePast past_;  // since the begin of the span
+    Modes waves_;    // with the factors of the spline
     OpenSurface map_;
-    OpenSurface rate_map_;
-    PageVector<float> amplitudes_;  // re, im, then those of the rates
-    double half_length_;            // of the hull [m]
-    bool has_rates_ = false;
-    std::optional<WaveSum> sum_, rate_sum_;
+    PageVector<float> factors_;
+    PageVector<float> amplitudes_;  // re, im
+    PageVector<float> settled_;     // re, im in the window of the span's begin, then of its end
+    std::optional<std::int64_t> span_;
+    PathVector settled_centre_;
+    double half_length_;  // of the hull [m]
+    double farthest_ = 0.0;
+    std::optional<WaveSum> sum_;
 };
 
 }  // namespace ocean

@@ -6,8 +6,9 @@
 // linear from w0 to w1:
 //     Int (w0 + (w1 - w0) u) e^(i (p + b u)) du = e^(ip) (w0 (Z0 - Z1) + w1 Z1)
 //     Z0 = Int e^(ibu) du,   Z1 = Int u e^(ibu) du
-// A run has one b: its sum needs a window and a rotation for each node. The build compiles it once
-// for each instruction set (core/CMakeLists.txt).
+// A run has one b: its sum needs a window and a rotation for each node. Where the window is 1, n
+// segments are one whose phase is n b: Int_0^n e^(ibu) du = (e^(inb) - 1) / (ib). The build
+// compiles it once for each instruction set (core/CMakeLists.txt).
 #pragma once
 
 #include "base/simd/simd.hpp"
@@ -30,7 +31,7 @@ OCEAN_INLINE Complex times(Complex a, Complex b) {
 }
 
 /// Returns 1 up to kWindowBegin and 0 from kWindowEnd on, with two continuous derivatives.
-OCEAN_INLINE Vec window(Vec share) {
+OCEAN_INLINE Vec window_of(Vec share) {
     const Vec per_width(1.0f / (kWindowEnd - kWindowBegin));
     Vec r = (magnitude(share) - Vec(kWindowBegin)) * per_width;
     r = min(max(r, Vec(0.0f)), Vec(1.0f));
@@ -84,139 +85,234 @@ OCEAN_INLINE SegmentIntegrals segment_integrals(Vec turns) {
     return z;
 }
 
+/// Returns Int_0^n e^(i (p + b u)) du from begin = e^(ip) and end = e^(i (p + nb)), at b = 2 pi
+/// turns.
+OCEAN_INLINE Complex flat_integral(Vec turns, float n, Complex begin, Complex end) {
+    const Vec b = turns * Vec(kWakeTwoPi);
+    const Vec phase = b * Vec(n);
+    const Vec phase2 = phase * phase;
+    const IntLanes small = phase2.v < Vec(0.25f).v;
+    const Vec inverse = Vec(1.0f) / select(small, Vec(1.0f), b);
+    const Complex far{(end.im - begin.im) * inverse, (begin.re - end.re) * inverse};
+    // n Z0 by its series to (nb)^7.
+    Vec re = fma(phase2, Vec(-1.0f / 5040.0f), Vec(1.0f / 120.0f));
+    re = fma(fma(re, phase2, Vec(-1.0f / 6.0f)), phase2, Vec(1.0f)) * Vec(n);
+    Vec im = fma(phase2, Vec(-1.0f / 40320.0f), Vec(1.0f / 720.0f));
+    im = fma(fma(im, phase2, Vec(-1.0f / 24.0f)), phase2, Vec(0.5f)) * (phase * Vec(n));
+    const Complex near = times({re, im}, begin);
+    return {select(small, near.re, far.re), select(small, near.im, far.im)};
+}
+
 /// The waves of one group of lanes.
-struct WakeWaves {
+struct WaveLanes {
     Vec n, m, rate_high, rate_low, group_x, group_y, gain;
 
-    /// Returns turns of k.(x, y), in parts of the square, without whole turns.
-    OCEAN_INLINE Vec turns_at(const PhaseClock& x, const PhaseClock& y) const {
-        const Vec none(0.0f);
-        return x.turns(n, none) + y.turns(m, none);
-    }
+    OCEAN_INLINE WaveLanes(const WakeWaves& waves, std::size_t i)
+        : n(load(waves.n + i)),
+          m(load(waves.m + i)),
+          rate_high(load(waves.rate_high + i)),
+          rate_low(load(waves.rate_low + i)),
+          group_x(load(waves.group_x + i)),
+          group_y(load(waves.group_y + i)),
+          gain(load(waves.gain + i)) {}
 };
 
-/// Nodes of a run; none if last < first.
-struct NodeRange {
-    int first, last;
-
-    /// Keeps the nodes j with a + b j < limit. Rounding keeps a node more, whose weight is 0.
-    OCEAN_INLINE void keep_below(float a, float b, float limit) {
-        const float room = limit - a;
-        const auto whole = [](float j) OCEAN_INLINE_LAMBDA {
-            return j < -1.0f ? -1 : j > 1e6f ? 1000000 : static_cast<int>(j);
-        };
-        if (b > 0.0f) {
-            const int end = whole(room / b + 1.0f);
-            last = end < last ? end : last;
-        } else if (b < 0.0f) {
-            const int begin = whole(room / b);
-            first = begin > first ? begin : first;
-        } else if (room < 0.0f) {
-            last = -1;
-        }
-    }
-};
-
-/// Returns the nodes at which a packet of the block may be within the window: places are linear in
-/// the node's number.
-OCEAN_INLINE NodeRange nodes_within(const WakeTask& task, const WakeRun& run,
-                                    const GroupVelocities& group) {
-    const float limit = kWindowEnd * static_cast<float>(task.size);
-    const auto ago = static_cast<float>(-run.since), step = static_cast<float>(run.seconds);
-    const auto dx = static_cast<float>(run.dx), dy = static_cast<float>(run.dy);
-    NodeRange nodes{0, run.segments};
-    nodes.keep_below(run.from_middle_x + group.least_x * ago, dx - group.least_x * step, limit);
-    nodes.keep_below(-run.from_middle_x - group.most_x * ago, -dx + group.most_x * step, limit);
-    nodes.keep_below(run.from_middle_y + group.least_y * ago, dy - group.least_y * step, limit);
-    nodes.keep_below(-run.from_middle_y - group.most_y * ago, -dy + group.most_y * step, limit);
-    return nodes;
+/// Returns e^(ip) at a node: omega (s - t) - k.X.
+OCEAN_INLINE Complex node_turn(const WakeRuns& past, int node, const WaveLanes& waves) {
+    const WakeNode& at = past.nodes[node];
+    const double per_side = 1.0 / past.size;
+    const Vec none(0.0f);
+    const Vec place = PhaseClock(at.x * per_side).turns(waves.n, none) +
+                      PhaseClock(at.y * per_side).turns(waves.m, none);
+    const SinCosLanes wave =
+        sin_cos(PhaseClock(at.since).turns(waves.rate_high, waves.rate_low) - place);
+    return {wave.cosine, wave.sine};
 }
 
-/// Returns the sum of a run, times -i (k.v) F W.
-OCEAN_INLINE Complex add_run(const WakeTask& task, const WakeRun& run, const NodeRange& nodes,
-                             const WakeWaves& waves, Complex sum) {
-    const double per_side = 1.0 / task.size;
-    const Vec seconds(run.seconds), step_x(run.dx * per_side), step_y(run.dy * per_side);
-    const Vec along = fma(waves.n, step_x, waves.m * step_y);  // turns of k.step
-    const SegmentIntegrals z = segment_integrals(fms(waves.rate_high, seconds, along));
-    const double passed = nodes.first;
-    const Vec phase =
-        PhaseClock(run.since + passed * run.seconds).turns(waves.rate_high, waves.rate_low) -
-        waves.turns_at(PhaseClock((run.x + passed * run.dx) * per_side),
-                       PhaseClock((run.y + passed * run.dy) * per_side));
-    const SinCosLanes begin = sin_cos(phase);
-    Complex turn{begin.cosine, begin.sine};
-    const auto side = static_cast<float>(per_side);
-    const auto first = static_cast<float>(-run.since);
-    const auto step = static_cast<float>(run.seconds);
-    const auto dx = static_cast<float>(run.dx), dy = static_cast<float>(run.dy);
+/// The phases of a run's segments.
+struct RunLanes {
+    Vec along;  // turns of k.step
+    Vec turns;  // of b
+
+    OCEAN_INLINE RunLanes(const WakeRuns& past, const WakeRun& run, const WaveLanes& waves) {
+        const double per_side = 1.0 / past.size;
+        along = fma(waves.n, Vec(run.dx * per_side), waves.m * Vec(run.dy * per_side));
+        turns = fms(waves.rate_high, Vec(run.seconds), along);
+    }
+    /// Returns (k.v) F / F(0) times the seconds of a segment: k.v times them is the phase of its
+    /// way.
+    OCEAN_INLINE Vec force(const WakeRuns& past, const WakeRun& run) const {
+        const auto way = static_cast<float>(__builtin_sqrt(run.dx * run.dx + run.dy * run.dy));
+        const auto half_length = static_cast<float>(past.half_length);
+        return along * Vec(kWakeTwoPi) * along_hull(along * Vec(half_length / way));
+    }
+};
+
+// Both windows of a node are 0 for all waves of a block, both are 1, or neither.
+constexpr float kOutside = 0.0f;
+constexpr float kInside = 1.0f;
+constexpr float kBetween = 0.5f;
+
+/// Writes the choices of the nodes of a block of waves.
+OCEAN_INLINE void choose_nodes(const WakeSums& task, const GroupVelocities& group) {
+    const auto size = static_cast<float>(task.past.size);
+    const Vec zero(0.0f), one(1.0f);
+    for (std::size_t j = 0; j < task.node_count; j += kLanes) {
+        Vec weakest = one, strongest = zero;
+        for (const WakeWindow& window : task.windows) {
+            const Vec ago = load(window.ago + j), weight = load(window.weight + j);
+            const Vec x = load(window.x + j), y = load(window.y + j);
+            const Vec west = fma(ago, Vec(group.least_x), x), east = fma(ago, Vec(group.most_x), x);
+            const Vec south = fma(ago, Vec(group.least_y), y);
+            const Vec north = fma(ago, Vec(group.most_y), y);
+            const Vec nearest_off = max(max(west, -east), max(south, -north));
+            const Vec farthest_off = max(max(-west, east), max(-south, north));
+            const IntLanes out = nearest_off.v > Vec(kWindowEnd * size).v;
+            const IntLanes in = farthest_off.v < Vec(kWindowBegin * size).v;
+            strongest = max(strongest, select(out, zero, weight));
+            weakest = min(weakest, select(in, weight, zero));
+        }
+        const IntLanes all = weakest.v == one.v;
+        const IntLanes any = strongest.v > zero.v;
+        store(task.choices + j,
+              select(all, Vec(kInside), select(any, Vec(kBetween), Vec(kOutside))));
+    }
+}
+
+/// The last phase that a past computed.
+struct LastTurn {
+    int node = -1;
+    Complex turn;
+
+    OCEAN_INLINE Complex at(int wanted, const WakeRuns& past, const WaveLanes& waves) const {
+        return node == wanted ? turn : node_turn(past, wanted, waves);
+    }
+};
+
+/// Returns the integral of a run's segments first .. last with the window 1.
+OCEAN_INLINE Complex flat_run(const WakeRuns& past, const RunLanes& run, int first, int last,
+                              const WaveLanes& waves, LastTurn& edge) {
+    const Complex begin = edge.at(first, past, waves);
+    edge = {last, node_turn(past, last, waves)};
+    return flat_integral(run.turns, static_cast<float>(last - first), begin, edge.turn);
+}
+
+/// Adds -i force integral.
+OCEAN_INLINE void add_forced(Vec force, Complex integral, Complex& sum) {
+    sum = {fma(force, integral.im, sum.re), fnma(force, integral.re, sum.im)};
+}
+
+OCEAN_INLINE Vec weight_of(const WakeWindow& window, float side, int node, const WaveLanes& waves) {
+    const Vec ago(window.ago[node]);
+    const Vec x = fma(waves.group_x, ago, Vec(window.x[node])) * Vec(side);
+    const Vec y = fma(waves.group_y, ago, Vec(window.y[node])) * Vec(side);
+    return window_of(x) * window_of(y) * Vec(window.weight[node]);
+}
+
+/// Adds a run to the sums of both windows.
+OCEAN_INLINE void add_run(const WakeSums& task, const WakeRun& run, const WaveLanes& waves,
+                          LastTurn& edge, Complex (&sums)[2]) {
+    const float* const choices = task.choices;
+    const auto both = [choices](int j, float choice) OCEAN_INLINE_LAMBDA {
+        return choices[j] == choice && choices[j + 1] == choice;
+    };
+    int j = run.first;
+    while (j < run.last && both(j, kOutside)) ++j;
+    if (j == run.last) return;
+    const RunLanes lanes(task.past, run, waves);
+    const auto side = static_cast<float>(1.0 / task.past.size);
+    const Complex none{Vec(0.0f), Vec(0.0f)};
+    Complex flat = none;
     // Sums of w e^(ip) over the segments' first nodes, and over their last.
-    Complex firsts{Vec(0.0f), Vec(0.0f)}, lasts{Vec(0.0f), Vec(0.0f)};
-    Complex term{Vec(0.0f), Vec(0.0f)};
-    for (int j = nodes.first; j <= nodes.last; ++j) {
-        const auto at = static_cast<float>(j);
-        const Vec ago(first - at * step);
-        const Vec x = fma(waves.group_x, ago, Vec(run.from_middle_x + at * dx)) * Vec(side);
-        const Vec y = fma(waves.group_y, ago, Vec(run.from_middle_y + at * dy)) * Vec(side);
-        const Vec weight =
-            window(x) * window(y) * Vec(task.ages[run.ages + static_cast<std::size_t>(j)]);
-        term = {weight * turn.re, weight * turn.im};
-        if (j < run.segments) firsts = firsts + term;
-        if (j > 0) lasts = lasts + term;
-        turn = times(turn, z.turn);
-    }
-    const Complex backwards{z.turn.re, -z.turn.im};
-    const Complex integral = times(z.zero - z.one, firsts) + times(times(z.one, backwards), lasts);
-    // k.v times the seconds of a segment is the phase of its way.
-    const auto way = static_cast<float>(__builtin_sqrt(run.dx * run.dx + run.dy * run.dy));
-    const Vec hull_turns = along * Vec(static_cast<float>(task.half_length) / way);
-    const Vec force = along * Vec(kWakeTwoPi) * along_hull(hull_turns);
-    return {fma(force, integral.im, sum.re), fnma(force, integral.re, sum.im)};
-}
-
-/// Returns da/dt: the waves go on, and the hull feeds them.
-OCEAN_INLINE Complex wake_rate(const WakeTask& task, const WakeWaves& waves, Complex amplitude) {
-    const Vec omega = waves.rate_high * Vec(kWakeTwoPi);
-    Complex rate{omega * amplitude.im, -(omega * amplitude.re)};
-    const double speed =
-        __builtin_sqrt(task.velocity_x * task.velocity_x + task.velocity_y * task.velocity_y);
-    if (!(speed > 0.0)) return rate;
-    const double per_side = 1.0 / task.size;
-    const Vec along =
-        fma(waves.n, Vec(task.velocity_x * per_side), waves.m * Vec(task.velocity_y * per_side));
-    const SinCosLanes place = sin_cos(
-        waves.turns_at(PhaseClock(task.hull_x * per_side), PhaseClock(task.hull_y * per_side)));
-    const Vec force =
-        along * Vec(kWakeTwoPi) * along_hull(along * Vec(task.half_length / speed)) * waves.gain;
-    // -i f e^(-i phase) = -f sin(phase) - i f cos(phase)
-    rate.re = fnma(force, place.sine, rate.re);
-    rate.im = fnma(force, place.cosine, rate.im);
-    return rate;
-}
-
-static void run_wake_loop(const WakeTask& task) {
-    for (std::size_t i = 0; i < task.count; i += kLanes) {
-        const WakeWaves waves{load(task.n + i),         load(task.m + i),
-                              load(task.rate_high + i), load(task.rate_low + i),
-                              load(task.group_x + i),   load(task.group_y + i),
-                              load(task.gain + i)};
-        Complex sum{Vec(0.0f), Vec(0.0f)};
-        for (std::size_t r = 0; r < task.run_count; ++r) {
-            const NodeRange nodes =
-                nodes_within(task, task.runs[r], task.velocities[i / kWakeBlock]);
-            if (nodes.first <= nodes.last) sum = add_run(task, task.runs[r], nodes, waves, sum);
+    Complex firsts[2] = {none, none}, lasts[2] = {none, none};
+    SegmentIntegrals z{none, none, none};
+    bool is_flat = true;
+    while (j < run.last) {
+        if (both(j, kInside)) {
+            int end = j + 1;
+            while (end < run.last && choices[end + 1] == kInside) ++end;
+            flat = flat + flat_run(task.past, lanes, j, end, waves, edge);
+            j = end;
+        } else if (both(j, kOutside)) {
+            ++j;
+        } else {
+            if (is_flat) z = segment_integrals(lanes.turns);
+            is_flat = false;
+            Complex turn = edge.at(j, task.past, waves);
+            Vec weights[2];
+            for (int w = 0; w < 2; ++w) weights[w] = weight_of(task.windows[w], side, j, waves);
+            do {
+                const Complex next = times(turn, z.turn);
+                for (int w = 0; w < 2; ++w) {
+                    firsts[w] = firsts[w] + Complex{weights[w] * turn.re, weights[w] * turn.im};
+                    weights[w] = weight_of(task.windows[w], side, j + 1, waves);
+                    lasts[w] = lasts[w] + Complex{weights[w] * next.re, weights[w] * next.im};
+                }
+                turn = next;
+                ++j;
+            } while (j < run.last && !both(j, kInside) && !both(j, kOutside));
         }
-        const Complex amplitude{sum.re * waves.gain, sum.im * waves.gain};
-        store(task.re + i, amplitude.re);
-        store(task.im + i, amplitude.im);
-        if (task.rate_re == nullptr) continue;
-        const Complex rate = wake_rate(task, waves, amplitude);
-        store(task.rate_re + i, rate.re);
-        store(task.rate_im + i, rate.im);
+    }
+    const Vec force = lanes.force(task.past, run);
+    const Complex backwards{z.turn.re, -z.turn.im};
+    for (int w = 0; w < 2; ++w) {
+        Complex integral = flat;
+        if (!is_flat) {
+            integral = integral + times(z.zero - z.one, firsts[w]) +
+                       times(times(z.one, backwards), lasts[w]);
+        }
+        add_forced(force, integral, sums[w]);
     }
 }
 
-extern const WakeLoop kWakeLoop;
-constexpr WakeLoop kWakeLoop = run_wake_loop;
+static void run_wake_sums(const WakeSums& task) {
+    for (std::size_t i = 0; i < task.waves.count; i += kLanes) {
+        if (i % kWakeBlock == 0) choose_nodes(task, task.waves.velocities[i / kWakeBlock]);
+        const WaveLanes waves(task.waves, i);
+        Complex sums[2] = {{Vec(0.0f), Vec(0.0f)}, {Vec(0.0f), Vec(0.0f)}};
+        LastTurn edge;
+        for (std::size_t r = 0; r < task.past.run_count; ++r) {
+            add_run(task, task.past.runs[r], waves, edge, sums);
+        }
+        for (int w = 0; w < 2; ++w) {
+            store(task.re[w] + i, sums[w].re * waves.gain);
+            store(task.im[w] + i, sums[w].im * waves.gain);
+        }
+    }
+}
+
+static void run_wake_frame(const WakeFrame& task) {
+    const PhaseClock since(task.since);
+    for (std::size_t i = 0; i < task.waves.count; i += kLanes) {
+        const WaveLanes waves(task.waves, i);
+        const Complex first{load(task.re[0] + i), load(task.im[0] + i)};
+        const Complex second{load(task.re[1] + i), load(task.im[1] + i)};
+        const Vec share(task.share);
+        const Complex before{fma(share, second.re - first.re, first.re),
+                             fma(share, second.im - first.im, first.im)};
+        const Vec shift = fma(waves.n, Vec(task.shift_x), waves.m * Vec(task.shift_y));
+        const SinCosLanes wave =
+            sin_cos(since.turns(waves.rate_high, waves.rate_low) + (shift - nearest(shift)));
+        Complex sum = times(before, {wave.cosine, wave.sine});
+        Complex added{Vec(0.0f), Vec(0.0f)};
+        LastTurn edge;
+        for (std::size_t r = 0; r < task.past.run_count; ++r) {
+            const WakeRun& run = task.past.runs[r];
+            const RunLanes lanes(task.past, run, waves);
+            const Vec force = lanes.force(task.past, run);
+            add_forced(force, flat_run(task.past, lanes, run.first, run.last, waves, edge), added);
+            if (!task.moves || r + 1 < task.past.run_count) continue;
+            // The hull feeds the waves now: dh0/dt = -i omega h0 has it, and the height does not.
+            const Vec pushed =
+                force / (waves.rate_high * Vec(static_cast<float>(run.seconds) * kWakeTwoPi));
+            added = {fma(pushed, edge.turn.re, added.re), fma(pushed, edge.turn.im, added.im)};
+        }
+        store(task.to_re + i, fma(waves.gain, added.re, sum.re));
+        store(task.to_im + i, fma(waves.gain, added.im, sum.im));
+    }
+}
+
+extern const WakeLoops kWakeLoops;
+constexpr WakeLoops kWakeLoops = {run_wake_sums, run_wake_frame};
 
 }  // namespace ocean::OCEAN_KERNEL

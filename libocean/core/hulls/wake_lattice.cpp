@@ -85,14 +85,17 @@ WakeLattice::WakeLattice(const Hull& hull, const WakeSize& size, const Water& wa
                 static_cast<float>(rate - static_cast<double>(static_cast<float>(rate))));
             group_x_.push_back(static_cast<float>(wave.group_velocity * step * n / k));
             group_y_.push_back(static_cast<float>(wave.group_velocity * step * m / k));
+            moved_.push_back(
+                static_cast<float>(wave.horizontal_displacement * wave.horizontal_displacement));
             gain_.push_back(static_cast<float>(whole * roll * down_hull(hull, k, water.depth)));
         }
     }
     const std::size_t padded = (n_.size() + kWakeBlock - 1) / kWakeBlock * kWakeBlock;
     for (PageVector<float>* const values :
-         {&n_, &m_, &rate_high_, &rate_low_, &group_x_, &group_y_, &gain_}) {
+         {&n_, &m_, &rate_low_, &group_x_, &group_y_, &gain_, &moved_}) {
         values->resize(padded, 0.0f);
     }
+    rate_high_.resize(padded, 1.0f);
     for (std::size_t first = 0; first < padded; first += kWakeBlock) {
         const auto [least_x, most_x] =
             std::minmax_element(&group_x_[first], &group_x_[first] + kWakeBlock);
@@ -100,6 +103,19 @@ WakeLattice::WakeLattice(const Hull& hull, const WakeSize& size, const Water& wa
             std::minmax_element(&group_y_[first], &group_y_[first] + kWakeBlock);
         velocities_.push_back({*least_x, *most_x, *least_y, *most_y});
     }
+}
+
+WakeWaves WakeLattice::waves(int first, int last) const {
+    const std::size_t from = static_cast<std::size_t>(first) * kWakeBlock;
+    return {.count = static_cast<std::size_t>(last - first) * kWakeBlock,
+            .velocities = velocities_.data() + first,
+            .n = n_.data() + from,
+            .m = m_.data() + from,
+            .rate_high = rate_high_.data() + from,
+            .rate_low = rate_low_.data() + from,
+            .group_x = group_x_.data() + from,
+            .group_y = group_y_.data() + from,
+            .gain = gain_.data() + from};
 }
 
 Modes WakeLattice::still_modes() const {
@@ -120,16 +136,40 @@ Modes WakeLattice::still_modes() const {
     return modes;
 }
 
-void WakeLattice::set_amplitudes(const float* re, const float* im, Modes& modes) const {
+void WakeLattice::set_amplitudes(const float* re, const float* im, const float* factors,
+                                 Modes& modes) const {
     PageVector<std::complex<float>>& h0 = modes.cascades.front().h0;
-    for (std::size_t i = 0; i < index_.size(); ++i) h0[index_[i]] = {re[i], im[i]};
+    for (std::size_t i = 0; i < index_.size(); ++i) {
+        h0[index_[i]] = {factors[i] * re[i], factors[i] * im[i]};
+    }
     modes.revision = Revision::begin();
 }
 
+PageVector<float> WakeLattice::factors(const ModeFactor& factor) const {
+    PageVector<float> factors(count());
+    for (std::size_t i = 0; i < count(); ++i) {
+        factors[i] = factor(0, static_cast<int>(n_[i]), static_cast<int>(m_[i])).amplitude;
+    }
+    return factors;
+}
+
+double WakeLattice::farthest(const float* re, const float* im) const {
+    float squares[kWakeBlock] = {};
+    for (std::size_t i = 0; i < count(); i += kWakeBlock) {
+        for (std::size_t l = 0; l < kWakeBlock; ++l) {
+            const std::size_t at = i + l;
+            squares[l] += (re[at] * re[at] + im[at] * im[at]) * moved_[at];
+        }
+    }
+    double sum = 0.0;
+    for (const float square : squares) sum += static_cast<double>(square);
+    return 1.0001 * 8.0 * std::sqrt(2.0 * sum);
+}
+
 std::uint64_t WakeLattice::bytes(int resolution) {
-    constexpr std::uint64_t kArrays = 7 + 1 + 1;  // of the waves, with index and displacement
-    constexpr std::uint64_t kModes = 2 * (2 + 1 + 1 + 1);  // of values and rates
-    constexpr std::uint64_t kAmplitudes = 4;
+    constexpr std::uint64_t kArrays = 8 + 1 + 1;  // of the waves, with index and displacement
+    constexpr std::uint64_t kModes = 2 + 1 + 1 + 1;
+    constexpr std::uint64_t kAmplitudes = 2 * 2 + 2 + 1;  // two windows, the frame, the factors
     return Lattice{resolution, 1.0}.size() * sizeof(float) * (kArrays + kModes + kAmplitudes);
 }
 

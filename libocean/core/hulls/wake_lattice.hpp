@@ -14,6 +14,7 @@
 #include "ocean/internal/modes.hpp"
 #include "ocean/page_vector.hpp"
 #include "ocean/parameters.hpp"
+#include "waves/kernel/packed_modes.hpp"
 
 namespace ocean {
 
@@ -41,25 +42,24 @@ class WakeLattice {
     const Lattice& lattice() const { return lattice_; }
     /// Returns the number of waves, padded.
     std::size_t count() const { return n_.size(); }
-    const float* n() const { return n_.data(); }
-    const float* m() const { return m_.data(); }
-    const float* rate_high() const { return rate_high_.data(); }
-    const float* rate_low() const { return rate_low_.data(); }
-    const float* group_x() const { return group_x_.data(); }
-    const float* group_y() const { return group_y_.data(); }
-    const float* gain() const { return gain_.data(); }
-    const GroupVelocities* velocities() const { return velocities_.data(); }
+    /// Returns the waves of blocks first .. last - 1.
+    WakeWaves waves(int first, int last) const;
 
     /// Returns modes without amplitudes, for the open sea's synthesis at time 0.
     Modes still_modes() const;
-    /// Sets the amplitudes of still_modes() from arrays of count() values.
-    void set_amplitudes(const float* re, const float* im, Modes& modes) const;
+    /// Sets the amplitudes of still_modes() from arrays of count() values. factors: of each wave.
+    void set_amplitudes(const float* re, const float* im, const float* factors, Modes& modes) const;
+    /// Returns the factors of the waves, count() of them.
+    PageVector<float> factors(const ModeFactor& factor) const;
+    /// Returns a bound of the displacement by amplitudes, as query_bounds() does.
+    double farthest(const float* re, const float* im) const;
 
     static std::uint64_t bytes(int resolution);
 
   private:
     Lattice lattice_;
     PageVector<float> n_, m_, rate_high_, rate_low_, group_x_, group_y_, gain_;
+    PageVector<float> moved_;                  // square of the displacement over the height
     std::vector<GroupVelocities> velocities_;  // of each block
     std::vector<std::uint32_t> index_;         // in the lattice; without the padding
     std::vector<float> displacement_;          // coth(k d) / k of all modes [m]

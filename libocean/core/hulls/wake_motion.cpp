@@ -25,15 +25,16 @@ void add_wake_motion(const Wake& wake, const Water& water, bool exact,
         at.push_back(i);
     }
     std::vector<WaterMotion> found(below.size());
+    const Modes waves = wake.modes();
     std::optional<OrbitalMotion> motion;
     for_each_height(
         below, found,
         [&](double z, std::span<const WorldPoint> level, std::span<WaterMotion> level_motions) {
             // The amplitudes of a wake have the phases of its time.
             if (motion) {
-                motion->move_to(wake.modes(), water, 0.0, z, pool);
+                motion->move_to(waves, water, 0.0, z, pool);
             } else {
-                motion.emplace(wake.modes(), water, 0.0, z, QueryOptions{.exact = exact}, pool);
+                motion.emplace(waves, water, 0.0, z, QueryOptions{.exact = exact}, pool);
             }
             motion->sample(level, level_motions, pool);
         });

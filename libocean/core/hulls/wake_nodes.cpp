@@ -16,69 +16,25 @@ constexpr double kStraight = 1e-3;   // distance from a straight line of constan
 constexpr double kTrail = 0.26;      // share of the square by which it trails the hull
 constexpr double kFadeOfAge = 0.75;  // share of the age at which waves begin to fade
 constexpr double kAtRest = 1e-3;     // [m/s]
+constexpr double kRounding = 1e-9;
 
 PathVector operator-(const PathVector& a, const PathVector& b) {
     return {a.x - b.x, a.y - b.y};
 }
 
-/// The ticks of the clock. In a loop a whole number of the largest blocks fits into the period.
-class WakeClock {
-  public:
-    explicit WakeClock(const TrackPath& path) : path_(path) {
-        if (path.period() <= 0.0) return;
-        constexpr double kBlock = kWakeTick * (1 << kBlocks);
-        tick_ = path.period() / std::ceil(path.period() / kBlock) / (1 << kBlocks);
+/// Returns true if a hull moves straight on at one speed between two times.
+bool is_straight(const TrackPath& path, double from, double to) {
+    const PathVector a = path.place(from);
+    const PathVector b = path.place(to);
+    for (int i = 1; i < 4; ++i) {
+        const double u = 0.25 * i;
+        const PathVector at = path.place(from + u * (to - from));
+        const double off = std::max(std::abs(at.x - a.x - u * (b.x - a.x)),
+                                    std::abs(at.y - a.y - u * (b.y - a.y)));
+        if (off > kStraight) return false;
     }
-
-    /// Returns the times of the nodes from `age` before `time` to `time` itself.
-    std::vector<double> nodes(double time, double age) const {
-        // Whole blocks, or the weights of the oldest nodes would jump.
-        const double block = tick_ * (1 << kBlocks);
-        const double first = std::max(path_.begin(), std::floor((time - age) / block) * block);
-        if (!(time > first)) return {};
-        std::int64_t n = floor_tick(time);
-        const auto oldest = static_cast<std::int64_t>(std::ceil(first / tick_ - kRounding));
-        std::vector<double> times;
-        if (time > at(n) + kRounding) times.push_back(time);
-        times.push_back(at(n));
-        while (n > oldest) {
-            int q = 0;
-            while (q < kBlocks && may_merge(n, q + 1, oldest)) ++q;
-            n -= std::int64_t{1} << q;
-            times.push_back(at(n));
-        }
-        std::ranges::reverse(times);
-        return times;
-    }
-
-  private:
-    static constexpr double kRounding = 1e-9;
-
-    double at(std::int64_t n) const { return static_cast<double>(n) * tick_; }
-    std::int64_t floor_tick(double time) const {
-        return static_cast<std::int64_t>(std::floor(time / tick_ + kRounding));
-    }
-    /// Returns true if a block of 2^q ticks may end at tick n.
-    bool may_merge(std::int64_t n, int q, std::int64_t oldest) const {
-        const std::int64_t ticks = std::int64_t{1} << q;
-        return n % ticks == 0 && n - ticks >= oldest && is_straight(at(n - ticks), at(n));
-    }
-    bool is_straight(double from, double to) const {
-        const PathVector a = path_.place(from);
-        const PathVector b = path_.place(to);
-        for (int i = 1; i < 4; ++i) {
-            const double u = 0.25 * i;
-            const PathVector at = path_.place(from + u * (to - from));
-            const double off = std::max(std::abs(at.x - a.x - u * (b.x - a.x)),
-                                        std::abs(at.y - a.y - u * (b.y - a.y)));
-            if (off > kStraight) return false;
-        }
-        return true;
-    }
-
-    const TrackPath& path_;
-    double tick_ = kWakeTick;
-};
+    return true;
+}
 
 /// Returns true if a segment goes on from a run with the same length and speed.
 bool goes_on(const WakeRun& run, double seconds, const PathVector& step) {
@@ -104,46 +60,104 @@ WakePlace wake_place(const TrackPath& path, double time, double size, double ste
     return {{std::round(middle.x / step) * step, std::round(middle.y / step) * step}, middle};
 }
 
-WakePast wake_past(const TrackPath& path, double time, double age, double size, double step) {
-    WakePast past;
-    past.place = wake_place(path, time, size, step);
-    past.hull = path.place(time) - past.place.centre;
-    const std::vector<double> nodes = WakeClock(path).nodes(time, age);
-    const auto weight = [&](double node) {
-        return static_cast<float>(ease(1.0, kFadeOfAge, (time - node) / age));
+WakeClock::WakeClock(const TrackPath& path, double longest) {
+    // In a loop a whole number of the largest blocks fits into the period.
+    if (path.period() > 0.0) {
+        constexpr double kBlock = kWakeTick * (1 << kBlocks);
+        tick_ = path.period() / std::ceil(path.period() / kBlock) / (1 << kBlocks);
+    }
+    while (ticks_ < 1 << kBlocks && 2.0 * tick_ * static_cast<double>(ticks_) <= longest) {
+        ticks_ *= 2;
+    }
+}
+
+std::int64_t WakeClock::span_of(double time) const {
+    const double spans = time / (tick_ * static_cast<double>(ticks_));
+    return static_cast<std::int64_t>(std::ceil(spans - kRounding)) - 1;
+}
+
+std::vector<double> WakeClock::settled(const TrackPath& path, std::int64_t span, double age) const {
+    // Whole blocks, or the weights of the oldest nodes would jump.
+    const double block = tick_ * (1 << kBlocks);
+    const auto oldest =
+        static_cast<std::int64_t>(std::floor((begin(span) - age) / block)) * (1 << kBlocks);
+    return nodes(path, oldest, begin(span));
+}
+
+std::vector<double> WakeClock::newest(const TrackPath& path, double time) const {
+    const std::int64_t span = span_of(time);
+    if (begin(span) >= path.begin() && is_straight(path, begin(span), time)) {
+        return {begin(span), time};
+    }
+    return nodes(path, span * ticks_, time);
+}
+
+/// Returns nodes from the tick `oldest` on, but none before the track begins.
+std::vector<double> WakeClock::nodes(const TrackPath& path, std::int64_t oldest,
+                                     double time) const {
+    const auto at = [this](std::int64_t n) { return static_cast<double>(n) * tick_; };
+    if (at(oldest) < path.begin()) {
+        oldest = static_cast<std::int64_t>(std::ceil(path.begin() / tick_ - kRounding));
+    }
+    auto n = static_cast<std::int64_t>(std::floor(time / tick_ + kRounding));
+    if (n < oldest) return {};
+    std::vector<double> times;
+    if (time > at(n) + kRounding) times.push_back(time);
+    times.push_back(at(n));
+    const auto may_merge = [&](std::int64_t ticks) {
+        return n % ticks == 0 && n - ticks >= oldest && is_straight(path, at(n - ticks), at(n));
     };
-    const PathVector from_middle = past.place.centre - past.place.middle;
-    bool open = false;
-    for (std::size_t j = 0; j + 1 < nodes.size(); ++j) {
-        const double seconds = nodes[j + 1] - nodes[j];
-        const PathVector a = path.place(nodes[j]);
-        const PathVector way = path.place(nodes[j + 1]) - a;
-        const bool rests = std::hypot(way.x, way.y) < kAtRest * seconds;
-        past.velocity = rests ? PathVector{} : PathVector{way.x / seconds, way.y / seconds};
-        if (rests) {
-            open = false;
-            continue;
-        }
+    while (n > oldest) {
+        std::int64_t ticks = 1;
+        while (ticks < 1 << kBlocks && may_merge(2 * ticks)) ticks *= 2;
+        n -= ticks;
+        times.push_back(at(n));
+    }
+    std::ranges::reverse(times);
+    return times;
+}
+
+WakePast wake_past(const TrackPath& path, const std::vector<double>& times, double time,
+                   const WakePlace& place) {
+    WakePast past{place, {}, {}};
+    for (const double node : times) {
+        const PathVector at = path.place(node) - place.centre;
+        past.nodes.push_back({node - time, at.x, at.y});
+    }
+    for (std::size_t j = 0; j + 1 < times.size(); ++j) {
+        const WakeNode& a = past.nodes[j];
+        const WakeNode& b = past.nodes[j + 1];
+        const double seconds = times[j + 1] - times[j];
+        const PathVector way{b.x - a.x, b.y - a.y};
+        if (std::hypot(way.x, way.y) < kAtRest * seconds) continue;
+        const auto first = static_cast<int>(j);
+        const bool open = !past.runs.empty() && past.runs.back().last == first;
         if (open && goes_on(past.runs.back(), seconds, way)) {
-            ++past.runs.back().segments;
+            ++past.runs.back().last;
         } else {
-            const PathVector at = a - past.place.centre;
-            past.runs.push_back({.since = nodes[j] - time,
-                                 .x = at.x,
-                                 .y = at.y,
-                                 .from_middle_x = static_cast<float>(at.x + from_middle.x),
-                                 .from_middle_y = static_cast<float>(at.y + from_middle.y),
-                                 .seconds = seconds,
-                                 .dx = way.x,
-                                 .dy = way.y,
-                                 .segments = 1,
-                                 .ages = past.ages.size()});
-            past.ages.push_back(weight(nodes[j]));
-            open = true;
+            past.runs.push_back({first, first + 1, seconds, way.x, way.y});
         }
-        past.ages.push_back(weight(nodes[j + 1]));
     }
     return past;
+}
+
+WindowNodes::WindowNodes(const WakePast& past, double later, const PathVector& middle, double age)
+    : count_((past.nodes.size() + kWakeBlock - 1) / kWakeBlock * kWakeBlock), values_(4 * count_) {
+    std::ranges::fill(values_, 0.0f);
+    const PathVector from_middle = past.place.centre - middle;
+    for (std::size_t j = 0; j < past.nodes.size(); ++j) {
+        const WakeNode& node = past.nodes[j];
+        const double ago = later - node.since;
+        values_[j] = static_cast<float>(node.x + from_middle.x);
+        values_[count_ + j] = static_cast<float>(node.y + from_middle.y);
+        values_[2 * count_ + j] = static_cast<float>(ago);
+        values_[3 * count_ + j] = static_cast<float>(ease(1.0, kFadeOfAge, ago / age));
+    }
+}
+
+WakeWindow WindowNodes::window() const {
+    const float* const values = values_.data();
+    return {values, values + count_, values + 2 * count_, values + 3 * count_};
 }
 
 }  // namespace ocean

@@ -18,12 +18,18 @@
 // The integral is exact for a straight run of constant speed with W linear between its nodes. Nodes
 // lie on an absolute clock, so that they do not depend on t; straight stretches merge into dyadic
 // blocks, and equal blocks into runs. Test: Wake.EnergyGainedPerMetreIsMichells.
+//
+// W of a frame lies between those of two times of the same clock, in proportion: the sums over the
+// past before the first of them serve all frames between them, and only what follows is added anew.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "hulls/track_path.hpp"
 #include "hulls/wake_task.hpp"
+#include "ocean/page_vector.hpp"
 
 namespace ocean {
 
@@ -35,19 +41,62 @@ struct WakePlace {
     PathVector centre;  // of the lattice, on a multiple of its step: maps move by whole samples
     PathVector middle;  // of the window, which moves smoothly
 };
-
-/// The nodes of one time, relative to it and to the centre of the square.
-struct WakePast {
-    WakePlace place;
-    std::vector<WakeRun> runs;  // those that move
-    std::vector<float> ages;    // weights by age of the nodes of each run, one run after another
-    PathVector hull;            // from the centre [m]
-    PathVector velocity;        // over the last run [m/s]
-};
-
 /// Returns the square at a time. It trails the hull by at most 0.26 of its side.
 WakePlace wake_place(const TrackPath& path, double time, double size, double step);
-/// Returns the nodes of the last `age` seconds.
-WakePast wake_past(const TrackPath& path, double time, double age, double size, double step);
+
+/// Absolute times: ticks for nodes, and spans of 1, 2, 4 or 8 ticks for windows.
+class WakeClock {
+  public:
+    /// longest: of a span [s]. A span of one tick may be longer.
+    WakeClock(const TrackPath& path, double longest);
+
+    /// Returns the span in which a time lies: begin(span) < time <= begin(span + 1).
+    std::int64_t span_of(double time) const;
+    double begin(std::int64_t span) const { return static_cast<double>(span * ticks_) * tick_; }
+
+    /// Returns the times of the nodes up to the begin of a span, from `age` before it on.
+    std::vector<double> settled(const TrackPath& path, std::int64_t span, double age) const;
+    /// Returns the times of the nodes from the begin of the span of a time to that time.
+    std::vector<double> newest(const TrackPath& path, double time) const;
+
+  private:
+    std::vector<double> nodes(const TrackPath& path, std::int64_t oldest, double time) const;
+
+    double tick_ = kWakeTick;
+    std::int64_t ticks_ = 1;  // of a span
+};
+
+/// The past of a hull as nodes, relative to a time and to the centre of the square at that time.
+struct WakePast {
+    WakePlace place;
+    std::vector<WakeNode> nodes;
+    std::vector<WakeRun> runs;  // those that move
+
+    /// Returns true if the hull moves at the last node.
+    bool moves() const {
+        return !runs.empty() && runs.back().last + 1 == static_cast<int>(nodes.size());
+    }
+    /// Returns the past of a hull in a square [m].
+    WakeRuns in(double size, double half_length) const {
+        return {nodes.data(), runs.data(), runs.size(), size, half_length};
+    }
+};
+WakePast wake_past(const TrackPath& path, const std::vector<double>& times, double time,
+                   const WakePlace& place);
+
+/// The nodes of a past in the window of another time.
+class WindowNodes {
+  public:
+    /// later: from the time of the past [s]. age: of the oldest waves [s].
+    WindowNodes(const WakePast& past, double later, const PathVector& middle, double age);
+
+    /// Returns the number of nodes, padded.
+    std::size_t count() const { return count_; }
+    WakeWindow window() const;
+
+  private:
+    std::size_t count_;
+    PageVector<float> values_;
+};
 
 }  // namespace ocean

@@ -45,12 +45,19 @@ OpenSurface::OpenSurface(const Modes& modes, int shown, double tolerance, Thread
       period_(modes.lattice.period),
       height_error_(query_bounds(modes, shown, samples_, false, pool).error) {}
 
+OpenSurface::OpenSurface(const Modes& modes, int shown)
+    : shown_(shown), samples_(2 * shown), period_(modes.lattice.period), has_factor_(true) {}
+
+ModeFactor OpenSurface::factor(const Modes& modes) const {
+    return spline_factor(modes, shown_, samples_);
+}
+
 void OpenSurface::move_to(const Modes& modes, double time, bool rates, ThreadPool& pool) {
     if (has_begun_) return;
     const Lattice lattice{samples_, period_};
     if (!maps_) {
-        maps_ =
-            std::make_unique<Maps>(modes, lattice, spline_factor(modes, shown_, samples_), pool);
+        maps_ = std::make_unique<Maps>(modes, lattice, has_factor_ ? ModeFactor() : factor(modes),
+                                       pool);
     }
     if (rates && !maps_->velocity) maps_->velocity.emplace(lattice, pool);
     std::vector<MapOutput> outputs = {maps_->position.output(kPosition)};
@@ -61,7 +68,7 @@ void OpenSurface::move_to(const Modes& modes, double time, bool rates, ThreadPoo
 }
 
 void OpenSurface::repack(const Modes& modes, ThreadPool& pool) {
-    if (maps_) maps_->strips.repack(modes, spline_factor(modes, shown_, samples_), pool);
+    if (maps_) maps_->strips.repack(modes, {}, pool);
 }
 
 void OpenSurface::prepare(double first, double last, ThreadPool& pool) const {
