@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Wave gauges, spray and textures of foam: checks each request and copies its answer out. Particles
-// of spray are counted first and computed once.
+// Wave gauges, spray, crests and textures of foam: checks each request and copies its answer out.
+// Particles of spray are counted first and computed once.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "guard.hpp"
+#include "ocean/internal/find_crest.hpp"
 #include "ocean/internal/foam_texture.hpp"
 #include "ocean/internal/gauge_series.hpp"
 #include "ocean/internal/memory.hpp"
@@ -158,6 +159,26 @@ ocean_result ocean_spray(ocean_sea* sea, const ocean_spray_request* request, siz
             std::memcpy(out, &particle, size);
             out += asked.particle_size;
         }
+    });
+}
+
+ocean_result ocean_find_crest(ocean_sea* sea, double from, double to, const double* box,
+                              ocean_crest* crest) {
+    return in_handle(sea, [&] {
+        require_time(from);
+        require_time(to);
+        require(crest, "crest");
+        require_struct_size(crest->struct_size, sizeof(ocean_crest), "struct_size", "ocean_crest",
+                            sizeof(ocean_crest));
+        CrestWindow window{.from = from, .to = to};
+        if (box != nullptr) {
+            for (std::size_t i = 0; i < 4; ++i) {
+                require_finite(box[i], "box[" + std::to_string(i) + "]", "m");
+            }
+            window.place = {box[0], box[1], box[2], box[3]};
+        }
+        const FoundCrest found = find_highest_crest(*sea->ocean, window);
+        *crest = {sizeof(ocean_crest), found.time, found.x, found.y, found.height};
     });
 }
 

@@ -13,6 +13,7 @@
 #include "ocean/internal/sea_bytes.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/surface.hpp"
+#include "waves/crests/crest_waves.hpp"
 #include "waves/modes/mode_lattice.hpp"
 
 namespace ocean {
@@ -78,7 +79,7 @@ void Chain::make_modes(ThreadPool& pool, StageRuns& runs) {
     }
     Modes& modes = *modes_.own();
     modes.revision = {};  // while they are neither the old ones nor the new
-    make_waves(*lattice_, spectrum, parameters_, pool, modes);
+    gains_ = make_waves(*lattice_, spectrum, parameters_, pool, modes);
     modes.revision = revision(Stage::modes);
 }
 
@@ -119,6 +120,12 @@ double Chain::shown_cover_power(const ShownFoam& foam, ThreadPool& pool, StageRu
         power.revision = revision(Stage::foam);
     }
     return power.value;
+}
+
+void Chain::add_crests(ThreadPool& pool, StageRuns& runs, SeaState& state) {
+    if (parameters_.crests.empty()) return;
+    const Modes& modes = this->modes(pool, runs);
+    ocean::add_crests({spectrum(pool, runs), parameters_, *lattice_, gains_}, modes, pool, state);
 }
 
 }  // namespace ocean

@@ -12,6 +12,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <vector>
 
 #include "base/shared_value.hpp"
 #include "ocean/internal/foam.hpp"
@@ -21,6 +22,7 @@
 namespace ocean {
 
 class ModeLattice;
+struct SeaState;
 
 /// A copy shares all results with the original; it is for another thread.
 class Chain {
@@ -49,6 +51,8 @@ class Chain {
                                          StageRuns& runs);
     /// Returns the exponent p of cover = foam^p.
     double shown_cover_power(const ShownFoam& foam, ThreadPool& pool, StageRuns& runs);
+    /// Adds the crests of the sea to a state of it.
+    void add_crests(ThreadPool& pool, StageRuns& runs, SeaState& state);
 
   private:
     static constexpr std::size_t kStages = static_cast<std::size_t>(Stage::clock) + 1;
@@ -70,7 +74,8 @@ class Chain {
     std::array<Revision, kStages> revisions_;
     Cached<std::shared_ptr<const DirectionalSpectrum>> spectrum_;
     std::shared_ptr<const ModeLattice> lattice_;
-    SharedValue<Modes> modes_;  // with their own revision
+    SharedValue<Modes> modes_;   // with their own revision
+    std::vector<double> gains_;  // of the energy of each of their cascades
     std::map<int, Cached<SurfaceSettings>> shown_;
     std::map<FoamLattice, Cached<SurfaceSettings>> past_;  // of spread lattices
     std::map<ShownFoam, Cached<double>> cover_powers_;

@@ -12,7 +12,6 @@
 
 #include "chain.hpp"
 #include "ocean/error.hpp"
-#include "ocean/internal/crests.hpp"
 #include "ocean/internal/map_request.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/sea_bytes.hpp"
@@ -51,6 +50,7 @@ OpenSea::OpenSea(Sea sea, OceanOptions options)
       maps_(std::make_unique<MapWriter>(options_.backend, options_.channels)) {
     pool_.set_interrupt(options_.interrupt);
     go_to(sea_.parameters.time.start);
+    if (!sea_.parameters.crests.empty()) current_modes();  // which refuse impossible crests
 }
 
 OpenSea::OpenSea(const OpenSea& built, OceanOptions options)
@@ -148,7 +148,7 @@ SeaState OpenSea::state() {
     const DirectionalSpectrum& spectrum = this->spectrum(sea_.parameters.time.start);
     SeaState state = sea_state(spectrum, now(), pool_);
     add_whitecaps(current_modes(), now().surface, state);
-    add_crests(chain_->spectrum(pool_, runs_), now(), pool_, state);
+    chain_->add_crests(pool_, runs_, state);
     return state;
 }
 

@@ -784,6 +784,21 @@ OCEAN_API ocean_result ocean_wake_domain(const ocean_sea* sea, size_t hull, doub
  * foam and masks. */
 OCEAN_API ocean_result ocean_wake_region(ocean_sea* sea, size_t hull, double time,
                                          const ocean_region_request* request);
+/* The highest point of a crest: the displayed point at (x, y) [m] is `height` over still water [m]
+ * at `time` [s]. struct_size = sizeof(ocean_crest), set by the caller. */
+typedef struct {
+    size_t struct_size;
+    double time;
+    double x;
+    double y;
+    double height;
+} ocean_crest;
+/* ocean_find_crest finds the highest crest of a sea from the time `from` up to `to` [s]. box: west,
+ * south, east and north of the place to search [m]; NULL = one period. It computes 24 maps for each
+ * peak period, max 20000. INVALID_VALUE for a flat sea or a longer search, UNSUPPORTED for a sea
+ * over a bed. */
+OCEAN_API ocean_result ocean_find_crest(ocean_sea* sea, double from, double to, const double* box,
+                                        ocean_crest* crest);
 
 #ifdef __cplusplus
 }

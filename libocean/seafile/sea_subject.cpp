@@ -115,7 +115,9 @@ class SeaMaps final : public SubjectMaps {
 class SeaSubject final : public Subject {
   public:
     SeaSubject(Sea sea, std::optional<Domain> region)
-        : sea_(std::move(sea)), extent_(sea_, region) {}
+        : sea_(std::move(sea)), extent_(sea_, region) {
+        if (!sea_.parameters.crests.empty()) Ocean{sea_};  // which refuses impossible crests
+    }
 
     const Sea& sea() const { return sea_; }
 

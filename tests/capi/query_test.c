@@ -336,3 +336,52 @@ void gauges_read_what_queries_find(void) {
     gauges[0].velocity[1] = 0.0;
     REFUSED(gauges[1].fixes = tow + 4; gauges[1].fix_count = 1; gauges[0].fixes = NULL);
 }
+
+/* The small sea with a crest at 5 s and (60, 140) m, `height` as a sea file has it. */
+static ocean_result open_hero(const char* height, ocean_sea** sea) {
+    char text[1024];
+    const int length = snprintf(text, sizeof(text),
+                                "%s\n[[crests]]\ntime = 5.0\nx = 60.0\ny = 140.0\nheight = %s\n",
+                                kSmallSea, height);
+    return ocean_parse(text, (size_t)length, NULL, NULL, sea);
+}
+
+void the_highest_crest_is_found_in_time_and_place(void) {
+    const double box[4] = {120.0, 0.0, 180.0, 60.0};
+    const double empty_box[4] = {50.0, 50.0, 50.0, 60.0};
+    const double endless_box[4] = {0.0, 0.0, HUGE_VAL, 60.0};
+    ocean_crest crest = {.struct_size = sizeof(crest)};
+    ocean_sea* sea = NULL;
+    OK(open_hero("\"1.2 Hs\"", &sea));
+    OK(ocean_find_crest(sea, 0.0, 10.0, NULL, &crest));
+    CHECK(fabs(crest.time - 5.0) < 0.5);
+    CHECK(hypot(crest.x - 60.0, crest.y - 140.0) < 8.0);
+    const double hero = crest.height;
+    float sample[9];
+    OK(ocean_query(sea, crest.time, &crest.x, 1, sample, 9));
+    CHECK(fabs(sample[2] - hero) < 0.02 * hero);
+    OK(ocean_find_crest(sea, 0.0, 10.0, box, &crest));
+    CHECK(crest.height < 0.8 * hero);
+    CHECK(crest.x >= 120.0 && crest.x <= 180.0 && crest.y >= 0.0 && crest.y <= 60.0);
+    const double height = crest.height;
+    BAD_VALUE(ocean_find_crest(sea, 5.0, 4.0, NULL, &crest));
+    BAD_VALUE(ocean_find_crest(sea, 0.0, 1e8, NULL, &crest));
+    BAD_VALUE(ocean_find_crest(sea, 0.0, 1.0, empty_box, &crest));
+    BAD_ARGUMENT(ocean_find_crest(sea, 0.0, 1.0, endless_box, &crest));
+    BAD_VALUE(ocean_find_crest(sea, HUGE_VAL, HUGE_VAL, NULL, &crest));
+    BAD_ARGUMENT(ocean_find_crest(sea, 0.0, 1.0, NULL, NULL));
+    BAD_ARGUMENT(ocean_find_crest(NULL, 0.0, 1.0, NULL, &crest));
+    crest.struct_size = 8;
+    BAD_ARGUMENT(ocean_find_crest(sea, 0.0, 1.0, NULL, &crest));
+    CHECK(crest.height == height);
+    ocean_free(sea);
+}
+
+void impossible_crests_are_refused_when_a_sea_is_opened(void) {
+    ocean_sea* sea = NULL;
+    BAD_VALUE(open_hero("40.0", &sea));
+    CHECK_HOLDS(ocean_last_error(), "crests.0.height = 40 m");
+    BAD_VALUE(open_hero("1.0\n[[crests]]\ntime = 5.1\nx = 60.5\ny = 140.0\nheight = -1.0", &sea));
+    CHECK_HOLDS(ocean_last_error(), "contradicts the crests near it");
+    CHECK(sea == NULL);
+}

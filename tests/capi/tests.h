@@ -55,6 +55,8 @@
     TEST(points_are_described_in_full)                                 \
     TEST(water_is_asked_at_any_depths)                                 \
     TEST(gauges_read_what_queries_find)                                \
+    TEST(the_highest_crest_is_found_in_time_and_place)                 \
+    TEST(impossible_crests_are_refused_when_a_sea_is_opened)           \
     TEST(spray_is_counted_then_copied)                                 \
     TEST(spray_goes_on_from_frame_to_frame)                            \
     TEST(bad_spray_requests_are_refused_and_write_nothing)             \

@@ -320,6 +320,16 @@ class MeshRequest(ctypes.Structure):
     ]
 
 
+class Crest(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("time", c_double),
+        ("x", c_double),
+        ("y", c_double),
+        ("height", c_double),
+    ]
+
+
 ARGUMENTS: dict[str, list[Any]] = {
     "ocean_abi_version": [],
     "ocean_version": [],
@@ -411,6 +421,7 @@ ARGUMENTS: dict[str, list[Any]] = {
     "ocean_wake_count": [c_void_p, POINTER(c_size_t)],
     "ocean_wake_domain": [c_void_p, c_size_t, c_double, POINTER(Domain)],
     "ocean_wake_region": [c_void_p, c_size_t, c_double, POINTER(RegionRequest)],
+    "ocean_find_crest": [c_void_p, c_double, c_double, POINTER(c_double), POINTER(Crest)],
 }
 
 RESULTS: dict[str, Any] = {

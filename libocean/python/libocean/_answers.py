@@ -131,6 +131,19 @@ class Detail(NamedTuple):
     """Mean square slope of the waves shorter than all bands: roughness at any distance."""
 
 
+class FoundCrest(NamedTuple):
+    """The highest point of a crest."""
+
+    time: float
+    """[s]"""
+    x: float
+    """East, of the shown point [m]."""
+    y: float
+    """North [m]."""
+    height: float
+    """Over still water [m]."""
+
+
 class Spray(NamedTuple):
     """Particles of spray, each a parcel of drops of one size, as arrays of n rows."""
 

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from . import _abi
-from ._answers import DETAIL_BAND, Array, Detail, WakeDomain, pointer_to
+from ._answers import DETAIL_BAND, Array, Detail, FoundCrest, WakeDomain, pointer_to
 from ._checks import columns_and_rows, number, resolution_or_0, row, text, whole
 from ._library import choose
 from ._maps import Maps
@@ -120,6 +120,18 @@ class Sea(Maps, Queries):
         heights = np.empty((rows, columns), np.float32)
         self._call("ocean_bed_region", *place, columns, rows, pointer_to(heights))
         return heights
+
+    def find_crest(
+        self, start: float, end: float, box: tuple[float, float, float, float] | None = None
+    ) -> FoundCrest:
+        """Returns the highest crest of the sea from one time to another [s]. box: west, south, east
+        and north of the place to search [m]; None: one period. It computes 24 maps for each peak
+        period, max 20000."""
+        place = None if box is None else (ctypes.c_double * 4)(*row("box", box, 4))
+        crest = _abi.Crest(ctypes.sizeof(_abi.Crest))
+        times = number("start", start), number("end", end)
+        self._call("ocean_find_crest", *times, place, ctypes.byref(crest))
+        return FoundCrest(crest.time, crest.x, crest.y, crest.height)
 
     def provenance(
         self,

@@ -10,7 +10,6 @@
 #include "ocean/internal/dispersion.hpp"
 #include "ocean/internal/text.hpp"
 #include "waves/crests/crest_conditions.hpp"
-#include "waves/modes/mode_lattice.hpp"
 
 namespace ocean {
 
@@ -118,13 +117,8 @@ void add_warnings(double long_share, SeaState& state) {
 
 }  // namespace
 
-void add_crests(const DirectionalSpectrum& spectrum, const Parameters& parameters, ThreadPool& pool,
-                SeaState& state) {
-    if (parameters.crests.empty()) return;
-    const ModeLattice lattice(parameters, ModeLattice::Memory::none, pool);
-    Modes modes = lattice.still_modes(pool);
-    const std::vector<double> gains = lattice.set_waves(spectrum, 0.0, pool, modes);
-    const CrestSource source{spectrum, parameters, lattice, gains};
+void add_crests(const CrestSource& source, const Modes& modes, ThreadPool& pool, SeaState& state) {
+    const Parameters& parameters = source.parameters;
     const CrestWaves longer(source, modes, CrestPart::long_waves, long_wave_limit(source), pool);
     const LongSums sums = sums_of(longer, long_conditions(longer));
     const double hs = state.significant_wave_height.asked;

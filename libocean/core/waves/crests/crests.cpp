@@ -52,11 +52,12 @@ void set_crests(const CrestSource& source, ThreadPool& pool, Modes& modes) {
 
 }  // namespace
 
-void make_waves(const ModeLattice& lattice, const DirectionalSpectrum& spectrum,
-                const Parameters& parameters, ThreadPool& pool, Modes& modes) {
+std::vector<double> make_waves(const ModeLattice& lattice, const DirectionalSpectrum& spectrum,
+                               const Parameters& parameters, ThreadPool& pool, Modes& modes) {
     const double wind = strongest_wind(parameters).value_or(0.0);
-    const std::vector<double> gains = lattice.set_waves(spectrum, wind, pool, modes);
+    std::vector<double> gains = lattice.set_waves(spectrum, wind, pool, modes);
     set_crests({spectrum, parameters, lattice, gains}, pool, modes);
+    return gains;
 }
 
 Modes make_modes(const DirectionalSpectrum& spectrum, const Parameters& parameters,
