@@ -56,7 +56,7 @@ def parts() -> list:
     from .coast import properties as coast_properties
     from .floating import floating
     from .look import first_view, material
-    from .sea import hints, operators, panels, properties, records
+    from .sea import crest_operators, crest_panels, hints, operators, panels, properties, records
     from .terrain import look_panels as terrain_look_panels
     from .terrain import material as terrain_material
     from .terrain import operators as terrain_operators
@@ -70,6 +70,7 @@ def parts() -> list:
         properties,
         material,
         operators,
+        crest_operators,
         first_view,
         records,
         bake,
@@ -77,6 +78,7 @@ def parts() -> list:
         hints,
         whole_sea,
         panels,
+        crest_panels,
         terrain_properties,
         terrain_operators,
         terrain_material,

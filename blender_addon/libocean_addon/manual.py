@@ -12,6 +12,8 @@ MANUAL = Path(__file__).with_name("README.md").as_uri()
 
 # The first that fits; Blender asks in lower case.
 _SECTIONS = (
+    ("bpy.ops.libocean.*crest*", "#crests-on-cue"),
+    ("bpy.types.oceancrest*", "#crests-on-cue"),
     ("bpy.ops.libocean.*terrain*", "#terrain"),
     ("bpy.ops.libocean.*_break*", "#terrain"),
     ("bpy.types.terrain*", "#terrain"),

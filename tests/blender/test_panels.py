@@ -9,7 +9,7 @@ from conftest import add_ocean
 from layouts import Layout, cut_in, drawn_by, narrow_editor, shown_in
 from libocean_addon.coast import panels as coast_panels
 from libocean_addon.floating import floating
-from libocean_addon.sea import facts, panels, parameter_values
+from libocean_addon.sea import crest_panels, facts, panels, parameter_values
 from libocean_addon.shared import changes, failures, resolutions
 from libocean_addon.shared.property_texts import pairs_of
 from libocean_addon.terrain import look_panels
@@ -44,7 +44,10 @@ class Panels:
 
 
 class SeaPanels(Panels):
-    classes = tuple(cls for cls in panels.CLASSES if issubclass(cls, bpy.types.Panel))
+    classes = (
+        *(cls for cls in panels.CLASSES if issubclass(cls, bpy.types.Panel)),
+        crest_panels.CrestsPanel,
+    )
     states = (
         ("use_foam", True),
         ("foam_coverage", "threshold"),
@@ -57,12 +60,14 @@ class SeaPanels(Panels):
         ("use_scene_frame_rate", False),
         ("take", "/nowhere.take"),
         ("active_wave", 7),
+        ("active_crest", 7),
     )
     kinds, spectra = ("HORIZON", "PATCH"), ("phillips", "tma", "measured", "jonswap")
     lists = {"list": 2, "numbers": 2}
 
     def add(self, request) -> None:
         add_ocean(64, kind="PATCH", preset="beaufort_6", use_material=False)
+        bpy.ops.libocean.add_crest()
 
     def show_all(self, settings) -> None:
         settings.cascades, settings.use_cascade_divisors = 2, True

@@ -43,7 +43,6 @@ def load(tmp_path):
 
 
 def test_crests_of_a_file_are_shown_kept_and_saved(tmp_path):
-    """The panel does not show them yet; nothing that it does loses them."""
     ob = add_ocean(64, kind="PATCH")
     path = tmp_path / "hero.toml"
     crest = '[[crests]]\ntime = 3.0\nx = 40.0\ny = 50.0\nheight = "1.2 Hs"\n'
@@ -62,7 +61,8 @@ def test_crests_of_a_file_are_shown_kept_and_saved(tmp_path):
     bpy.ops.wm.save_as_mainfile(filepath=str(blend))
     bpy.ops.wm.open_mainfile(filepath=str(blend))
     settings = bpy.data.objects[name].libocean
-    assert "crests.0.height" in settings.crest_values and settings.problem == ""
+    (row,) = settings.crests
+    assert row.empty.location[:] == (40.0, 50.0, 0.0) and settings.problem == ""
 
 
 def significant_wave_height(sea) -> float:

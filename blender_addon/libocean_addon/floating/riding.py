@@ -16,7 +16,7 @@ import math
 import bpy
 from mathutils import Matrix, Vector
 
-from ..shared import subject
+from ..shared import places, subject
 from ..shared.failures import NotReadyError, NotShownError
 from ..shared.native import libocean
 
@@ -96,12 +96,6 @@ def _own_place(ob, seen, motion) -> Matrix:
     return motion.matrix_world.inverted_safe() @ seen.matrix_world
 
 
-def _heading(rotation: Matrix) -> float:
-    """Degrees counter-clockwise from +x, of the own x axis."""
-    forward = rotation.col[0]
-    return math.degrees(math.atan2(forward[1], forward[0]))
-
-
 def _pose(settings, ocean, heading: float, location: Vector, moment):
     """Returns height and axes of the plane below; None where there is no sea. Raises NotShownError
     and NotReadyError."""
@@ -109,17 +103,15 @@ def _pose(settings, ocean, heading: float, location: Vector, moment):
     scale = to_world.median_scale
     if not scale > 0.0:
         return None
-    local = to_world.inverted() @ Vector((*location.xy, to_world.translation.z))
-    place, turn = local, to_world.to_3x3().normalized()
     water = subject.water_of(ocean)
     if water is None:
         return None
-    if water.is_in_world(ocean):
-        place, turn = turn @ local + to_world.translation, Matrix.Identity(3)
+    at_rest = Vector((*location.xy, to_world.translation.z))
+    labels, turn = places.to_labels(ocean, in_world=water.is_in_world(ocean))
     level = Matrix.Rotation(math.radians(heading), 3, "Z")
     body = (
-        *place.xy,
-        _heading(turn.inverted() @ level),
+        *(labels @ at_rest).xy,
+        places.heading(turn.inverted() @ level),
         settings.length / scale,
         settings.width / scale,
     )
@@ -128,7 +120,7 @@ def _pose(settings, ocean, heading: float, location: Vector, moment):
         return None
     position, up, forward = (Vector(row[0].tolist()) for row in pose[:3])
     axes = turn @ Matrix((forward, up.cross(forward), up)).transposed()
-    rest = to_world @ Vector((*local.xy, 0.0))
+    rest = to_world @ Vector((*(to_world.inverted() @ at_rest).xy, 0.0))
     return rest.z + scale * (turn @ Vector((0.0, 0.0, position.z))).z, axes
 
 
@@ -167,7 +159,7 @@ def ride(ob, depsgraph, moment) -> None:
     seen, seen_motion, sea = (o.evaluated_get(depsgraph) if depsgraph else o for o in objects)
     place = _own_place(ob, seen, seen_motion)
     rotation = place.to_3x3().normalized()
-    heading = _heading(rotation)
+    heading = places.heading(rotation)
     pose, problem = None, ""
     try:
         pose = _pose(seen.libocean_float, sea, heading, place.translation, moment)

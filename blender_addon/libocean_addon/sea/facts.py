@@ -9,7 +9,7 @@ import math
 
 from ..shared import drafts, meshes
 from ..shared.compat import tr_label
-from . import atlas, live, messages
+from . import atlas, crests, live, messages
 from .open_sea import OpenSea, sea_of
 
 
@@ -123,4 +123,5 @@ def warnings_of(ob) -> list[str]:
     if sea.handle is None:
         return []
     systems = len(sea.values.waves)
-    return [messages.in_words(text, systems) for text in _state(ob, sea)["warnings"]]
+    found = (messages.in_words(text, systems) for text in _state(ob, sea)["warnings"])
+    return [crests.in_words(ob, text) for text in found]

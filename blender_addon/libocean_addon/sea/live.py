@@ -49,11 +49,8 @@ def frame_rate(scene) -> float:
 
 
 def current_values(settings, scene) -> sea_text.SeaValues:
-    values = parameter_values.values_of(settings)
-    if settings.use_scene_frame_rate:
-        rate = frame_rate(scene)
-        values.values["fps"] = repr(rate)
-    return values
+    rate = repr(frame_rate(scene)) if settings.use_scene_frame_rate else ""
+    return parameter_values.values_of(settings, rate)
 
 
 def _targets(ob, modifier, size: int, *, render: bool, shared: bool, draft: bool = False) -> dict:

@@ -54,9 +54,22 @@ class OpenSea(OpenSubject):
         return libocean.parse(values.text(), base_dir=base_dir, progress=drafts.tell_watcher)
 
     def follow(self, values: sea_text.SeaValues) -> None:
-        if values != self.values:
-            messages.require_files(values)
+        if values == self.values:
+            return
+        messages.require_files(values)
         super().follow(values)
+        if values.crests:
+            self._require_waves()
+
+    def _require_waves(self) -> None:
+        """Closes the sea and raises libocean.Error if its waves cannot make its crests, which the
+        library finds out when it makes them."""
+        try:
+            self.handle.fill(0.0, [(np.empty((32, 32, 1), np.float32), ("height",))])
+        except libocean.Error:
+            self.close()
+            self.values = None
+            raise
 
     def for_points(self):
         """Returns a second handle of the sea: requests for maps and for points in turn would each

@@ -23,7 +23,7 @@ from ..shared.subject_operators import (
     new_object,
     preset_values,
 )
-from . import live, node_group
+from . import live, node_group, parameter_values
 from .properties import SETTINGS
 from .resolutions import OF_SEA
 from .subject import SEA
@@ -170,6 +170,12 @@ class LoadSeaPreset(OnOcean, LoadPreset, bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     preset: bpy.props.EnumProperty(name="Preset", description="The sea to take", items=PRESETS)
+
+    def preset_for(self, ob):
+        """Returns the sea of the preset with the crests that the object has."""
+        values = super().preset_for(ob)
+        values.crests = parameter_values.values_of(ob.libocean).crests
+        return values
 
 
 class OnSea(OnOcean):

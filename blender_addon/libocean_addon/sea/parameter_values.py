@@ -4,18 +4,17 @@
 
 from __future__ import annotations
 
-import json
 from typing import Any
 
 from ..shared import changes, property_texts
 from ..shared.native import libocean
 from ..shared.parameter_table import ParameterTable, is_optional
-from . import sea_text
+from . import crests, sea_text
 
 TABLE: list[dict[str, Any]] = [
     row for row in libocean.parameters() if row["section"] not in {"crests", *sea_text.NOT_SHOWN}
 ]
-"""The parameters that are properties; crests are kept as they are in the file."""
+"""The parameters that are properties of a sea and of its wave systems."""
 
 DIVISORS = 5  # of a list of cascades, at most
 
@@ -40,10 +39,13 @@ def entries(*, waves: bool) -> list[dict[str, Any]]:
     return PARAMETERS.entries(items=waves)
 
 
-def values_of(group) -> sea_text.SeaValues:
-    """Returns the values of the properties. group: Object.libocean, evaluated or not."""
+def values_of(group, fps: str = "") -> sea_text.SeaValues:
+    """Returns the values of the properties. group: Object.libocean, evaluated or not; fps: frames a
+    second in place of the group's own."""
+    values = property_texts.texts_of(group, PARAMETERS, items=False)
+    values["fps"] = fps or values["fps"]
     return sea_text.SeaValues(
-        property_texts.texts_of(group, PARAMETERS, items=False),
+        values,
         [
             sea_text.WaveValues(
                 property_texts.texts_of(system, PARAMETERS, items=True), system.measured_record
@@ -52,7 +54,7 @@ def values_of(group) -> sea_text.SeaValues:
         ],
         group.take_lines,
         group.bed_lines,
-        json.loads(group.crest_values or "{}"),
+        crests.values_of(group, values),
     )
 
 
@@ -70,11 +72,11 @@ def switch_on_given(group) -> None:
 
 def assign(group, sea: sea_text.SeaValues) -> None:
     """Puts a sea into the properties."""
+    own_crests = values_of(group).crests
     with changes.quiet():
         group.exact = ""
         group.take_lines = sea.take
         group.bed_lines = sea.bed
-        group.crest_values = json.dumps(sea.crests) if sea.crests else ""
         property_texts.set_texts(group, sea.values, PARAMETERS, items=False)
         group.waves.clear()
         for system in sea.waves:
@@ -82,4 +84,6 @@ def assign(group, sea: sea_text.SeaValues) -> None:
             added.measured_record = system.record
             property_texts.set_texts(added, system.values, PARAMETERS, items=True)
         group.active_wave = 0
+        if sea.crests != own_crests:
+            crests.assign(group, sea)
     changes.tell(group)

@@ -39,6 +39,21 @@ class OceanWaves(bpy.types.PropertyGroup):
     }
 
 
+@overridable
+class OceanCrest(bpy.types.PropertyGroup):
+    """One crest on cue, at the place of an empty"""
+
+    subject = "sea"
+
+    __annotations__ = {
+        **SETTINGS["OceanCrest"],
+        "empty": bpy.props.PointerProperty(
+            type=bpy.types.Object, name="Empty", description="Its place", update=changed
+        ),
+        "exact": _EXACT,
+    }
+
+
 def _map_resolution(where: str) -> dict:
     return OF_SEA.properties(
         f"{where.lower()}_resolution",
@@ -115,6 +130,7 @@ class OceanSettings(Limited, bpy.types.PropertyGroup):
         **SETTINGS["OceanSettings"],
         "exact": _EXACT,
         "waves": bpy.props.CollectionProperty(type=OceanWaves),
+        "crests": bpy.props.CollectionProperty(type=OceanCrest),
         "use_cascade_divisors": bpy.props.BoolProperty(
             name="Own divisors",
             description="Set the divisor of the patch's period for each cascade, instead of having "
@@ -149,7 +165,7 @@ class OceanSettings(Limited, bpy.types.PropertyGroup):
     }
 
 
-CLASSES = (OceanWaves, OceanBake, OceanVolumes, OceanSettings)
+CLASSES = (OceanWaves, OceanCrest, OceanBake, OceanVolumes, OceanSettings)
 
 
 register, unregister = registration.functions(CLASSES, settings={"libocean": OceanSettings})

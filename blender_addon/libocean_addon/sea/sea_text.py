@@ -34,12 +34,12 @@ class SeaValues:
     bed: str = ""
     """The lines of its bed."""
     crests: dict[str, str] = dataclasses.field(default_factory=dict)
-    """The values of its crests by name, "crests.0.time"; the add-on passes them on."""
+    """The values of its crests by name, "crests.0.time"."""
 
     def structure(self) -> tuple[Any, ...]:
         """Returns the part that cannot be changed parameter by parameter in an open sea."""
-        crests = tuple(self.crests.items())
-        return (self.take, self.bed, crests, *(system.record for system in self.waves))
+        records = (system.record for system in self.waves)
+        return (self.take, self.bed, len(self.crests), *records)
 
     def by_name(self) -> dict[str, str]:
         """Returns every parameter under the name that the library knows it by: "waves.1.fetch"."""

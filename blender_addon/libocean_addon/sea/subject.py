@@ -9,6 +9,7 @@ from ..shared.compat import tr
 from ..shared.native import libocean
 from ..shared.subject import Parameters, Subject
 from . import (
+    crests,
     live,
     messages,
     node_group,
@@ -19,7 +20,13 @@ from . import (
     versions,
 )
 
-PARAMETERS = Parameters(
+
+class _Parameters(Parameters):
+    def sentence(self, ob, failure: Exception) -> str:
+        return crests.in_words(ob, super().sentence(ob, failure))
+
+
+PARAMETERS = _Parameters(
     settings="libocean",
     items="waves",
     words=messages.WORDS,

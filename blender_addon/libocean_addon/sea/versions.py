@@ -4,9 +4,11 @@
 
 from __future__ import annotations
 
+import json
+
 from ..bake import baked
 from ..shared import changes, meshes, resolutions
-from . import parameter_values
+from . import crests, parameter_values
 
 
 def upgrade(ob) -> None:
@@ -16,6 +18,11 @@ def upgrade(ob) -> None:
         return
     settings = ob.libocean
     with changes.quiet():
+        if settings.crest_values:
+            values = parameter_values.values_of(settings)
+            values.crests = json.loads(settings.crest_values)
+            crests.assign(settings, values)
+            settings.crest_values = ""
         parameter_values.switch_on_given(settings)
         # Numbers that no list has, which the library refused.
         for name in ("viewport_resolution", "render_resolution"):

@@ -25,7 +25,7 @@ def _exact(text: str) -> dict[str, str]:
     return json.loads(text) if text else {}
 
 
-def _shortest(value: float) -> str:
+def shortest(value: float) -> str:
     """Returns the shortest decimal of a single-precision number: 12.3, not 12.300000190734863."""
     return str(np.float32(value))
 
@@ -42,11 +42,11 @@ def _shown(value, kind: str) -> str:
     if kind == "list":
         return "[" + ", ".join(str(item) for item in value if item > 0) + "]"
     if kind == "numbers":
-        return "[" + ", ".join(map(_shortest, value)) + "]"
+        return "[" + ", ".join(map(shortest, value)) + "]"
     if kind == "pairs":
-        pairs = (f"[{_shortest(first)}, {_shortest(second)}]" for first, second in pairs_of(value))
+        pairs = (f"[{shortest(first)}, {shortest(second)}]" for first, second in pairs_of(value))
         return "[" + ", ".join(pairs) + "]"
-    return _shortest(value) if kind == "float" else str(value)
+    return shortest(value) if kind == "float" else str(value)
 
 
 _HELD_INEXACTLY = ("float", "int", "numbers", "pairs")

@@ -99,9 +99,12 @@ def preset_values(parameters: Parameters, name: str):
 class LoadPreset(OnSubject):
     """Base of operators with a list `preset`."""
 
+    def preset_for(self, _ob):
+        """Returns the values that an object gets."""
+        return preset_values(self.subject.parameters, self.preset)
+
     def execute(self, context):
-        parameters = self.subject.parameters
-        parameters.assign(context.object, preset_values(parameters, self.preset))
+        self.subject.parameters.assign(context.object, self.preset_for(context.object))
         return {"FINISHED"}
 
 
