@@ -251,15 +251,6 @@ def test_a_file_that_cannot_be_used_is_named_without_a_number(ocean, tmp_path):
         assert f"Error: {missing}: No such file or directory" in said
 
 
-def test_a_sea_with_hulls_is_refused_and_changes_nothing(ocean, tmp_path):
-    path = tmp_path / "ferry.toml"
-    path.write_text("libocean = 1\n[[hulls]]\ntrack = [[0, 0, 0], [9, 50, 0]]\n")
-    before = text_of(ocean)
-    with pytest.raises(RuntimeError, match="Blender does not show the wakes of hulls"):
-        bpy.ops.libocean.load_sea(filepath=str(path))
-    assert text_of(ocean) == before
-
-
 def test_a_value_beyond_its_limits_is_said_and_stays(ocean):
     system = ocean.libocean.waves[0]
     system.wind_speed = 500.0

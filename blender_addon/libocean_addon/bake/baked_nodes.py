@@ -8,7 +8,7 @@ neither the add-on nor a handler.
 
 from __future__ import annotations
 
-from ..sea import ring_nodes
+from ..sea import ring_nodes, wake_nodes
 from ..shared import compat
 
 FIELDS = ("Displacement", "Cover", "Velocity", "Normal", "Jacobian")
@@ -124,6 +124,9 @@ class BakedFields:
 
     def lost_slopes(self):
         return self.inputs["Slope Variance"]
+
+    def wakes(self, _turn):
+        return wake_nodes.NoWakes()
 
     def cover_power(self):
         return self.inputs[COVER_POWER]

@@ -123,5 +123,5 @@ def warnings_of(ob) -> list[str]:
     if sea.handle is None:
         return []
     systems = len(sea.values.waves)
-    found = (messages.in_words(text, systems) for text in _state(ob, sea)["warnings"])
-    return [crests.in_words(ob, text) for text in found]
+    found = [*_state(ob, sea)["warnings"], *sea.wakes.warnings(sea.values)]
+    return [crests.in_words(ob, messages.in_words(text, systems)) for text in found]

@@ -10,15 +10,16 @@ shared/life.py calls it by the row in subject.py.
 from __future__ import annotations
 
 import contextlib
+import math
 
 from ..bake import baked
 from ..bake.baked_nodes import COVER_POWER
 from ..look import detail, sun_focus
-from ..shared import console, images, meshes, modifier_groups
+from ..shared import console, field_nodes, images, meshes, modifier_groups
 from ..shared.compat import tr_label
 from ..shared.native import libocean
 from ..shared.subject import Moment, Picture, Shown
-from . import atlas, horizon_mesh, node_group, parameter_values, sea_text
+from . import atlas, horizon_mesh, node_group, parameter_values, sea_text, wakes
 from .open_sea import COVER, NO_COVER, QUICK, OpenSea, sea_of
 from .sea_job import SeaJob
 
@@ -179,8 +180,10 @@ class SeaPicture(Picture):
             names = ("Slope Variance", node_group.render_twin("Slope Variance"))
             modifier_groups.assign(self.modifier, dict(zip(names, lost, strict=True)))
         if self.settings.kind == "HORIZON":
-            samples = samples_of(self.settings, self.opened.handle.map_resolution())
-            modifier_groups.assign(self.modifier, {"Samples": float(samples)})
+            modifier_groups.assign(self.modifier, {"Samples": float(self.ring_samples())})
+
+    def ring_samples(self) -> int:
+        return samples_of(self.settings, self.opened.handle.map_resolution())
 
 
 def _set_inputs(picture: SeaPicture, *, draft: bool) -> None:
@@ -193,6 +196,8 @@ def _set_inputs(picture: SeaPicture, *, draft: bool) -> None:
         place = picture.seen.matrix_world.translation
         turn = tuple(picture.seen.matrix_world.to_euler("XYZ"))
     origin = (place[0] % period, place[1] % period, 0.0)
+    is_turned = math.hypot(*turn) > field_nodes.SMALLEST_TURN
+    wakes.follow(picture, (place[0], place[1]), turned=is_turned, draft=draft)
     # A draft in the viewport has fewer samples than are asked for.
     shown = modifier_groups.value(modifier, "Displacement")
     samples = shown.size[0] if shown is not None else sizes[0]

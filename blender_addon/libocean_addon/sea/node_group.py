@@ -22,10 +22,10 @@ from ..bake.baked_nodes import (
 from ..shared import compat, field_nodes, modifier_groups
 from ..shared.field_nodes import Turn
 from ..shared.node_builder import Builder
-from . import ring_nodes
+from . import ring_nodes, wake_nodes
 from .ring_nodes import far_image
 
-VERSION = 6
+VERSION = 7
 MARK = "libocean"  # custom property of a group: the version that built it
 _KIND = "libocean_kind"
 
@@ -69,6 +69,7 @@ def _declare(group, kind: str) -> None:
     socket(group, "Mask", "NodeSocketString")
     for name in ("Use Mask", "Use Foam", "Use Velocity", "Use Normal"):
         socket(group, name, "NodeSocketBool")
+    wake_nodes.declare(group)
     socket(group, "Geometry", "NodeSocketGeometry", output=True)
 
 
@@ -117,6 +118,9 @@ class _LiveFields:
     def lost_slopes(self):
         return self.shown("Slope Variance", "FLOAT")
 
+    def wakes(self, turn: Turn):
+        return wake_nodes.Wakes(self.b, self.inputs, turn)
+
 
 class _Flat:
     """A mesh that shows the finest map wherever it lies."""
@@ -156,6 +160,7 @@ def _displaced(b: Builder, inputs, fields, lookup, turn: Turn):
     """The geometry with its attributes, moved."""
     group = b.group
     mask = field_nodes.mask(b, inputs)
+    wakes = fields.wakes(turn)
 
     geometry, offset = compat.capture(
         group, lookup.start(inputs["Geometry"]), lookup.color("Displacement")
@@ -169,25 +174,46 @@ def _displaced(b: Builder, inputs, fields, lookup, turn: Turn):
 
     stored, velocity = compat.capture(group, geometry, lookup.color("Velocity"))
     squeezed = b.number("SUBTRACT", fields.jacobian(velocity, lookup), 1.0)
-    jacobian = b.number("MULTIPLY_ADD", squeezed, mask, 1.0)
-    stored = b.store(stored, "jacobian", "FLOAT", jacobian)
-    velocity = turn.to_local(b.scale(velocity, mask))
-    # Cycles takes `velocity` for motion blur and shows shaders zeros in its place.
-    stored = b.store(stored, "velocity", "FLOAT_VECTOR", velocity)
-    stored = b.store(stored, "ocean_velocity", "FLOAT_VECTOR", velocity)
+
+    def with_velocity(stored, wake=None, squeezed_more=0.0):
+        moving, all_squeezed = velocity, squeezed
+        if wake is not None:
+            moving = b.math("ADD", velocity, wake)
+            all_squeezed = b.number("ADD", squeezed, squeezed_more)
+        jacobian = b.number("MULTIPLY_ADD", all_squeezed, mask, 1.0)
+        stored = b.store(stored, "jacobian", "FLOAT", jacobian)
+        moving = turn.to_local(b.scale(moving, mask))
+        # Cycles takes `velocity` for motion blur and shows shaders zeros in its place.
+        stored = b.store(stored, "velocity", "FLOAT_VECTOR", moving)
+        if wake is not None:
+            moving = field_nodes.attribute(b, "velocity")
+        return b.store(stored, "ocean_velocity", "FLOAT_VECTOR", moving)
+
+    stored = wakes.added(stored, "Velocity", with_velocity)
     geometry = b.switch("GEOMETRY", inputs["Use Velocity"], geometry, stored)
 
     stored, normal, slope_variance = lookup.normal(geometry)
     normal = field_nodes.toward_up(b, normal, mask)
-    stored = b.store(stored, "ocean_normal", "FLOAT_VECTOR", turn.to_local(normal))
+
+    def with_normal(stored, wake=None, _alpha=None):
+        tilted = normal
+        if wake is not None:
+            tilted = field_nodes.tilted(b, normal, b.scale(wake, mask))
+        return b.store(stored, "ocean_normal", "FLOAT_VECTOR", turn.to_local(tilted))
+
+    stored = wakes.added(stored, "Normal", with_normal)
     slope_variance = b.number("MULTIPLY", slope_variance, mask)
     stored = b.store(stored, "slope_variance", "FLOAT", slope_variance)
     geometry = b.switch("GEOMETRY", inputs["Use Normal"], geometry, stored)
 
-    moved = b.node("GeometryNodeSetPosition")
-    b.link(geometry, moved.inputs["Geometry"])
-    b.link(turn.to_local(b.scale(offset, mask)), moved.inputs["Offset"])
-    return moved.outputs["Geometry"]
+    def displaced(geometry, wake=None, _alpha=None):
+        moved = b.node("GeometryNodeSetPosition")
+        b.link(geometry, moved.inputs["Geometry"])
+        whole = offset if wake is None else b.math("ADD", offset, wake)
+        b.link(turn.to_local(b.scale(whole, mask)), moved.inputs["Offset"])
+        return moved.outputs["Geometry"]
+
+    return wakes.added(geometry, "Displacement", displaced)
 
 
 def _build(group, kind: str, *, baked: bool) -> None:
@@ -250,4 +276,5 @@ def image_inputs(group) -> list[str]:
     fields = [*FIELDS, *baked_nodes.FIELDS]
     names = {name for field in fields for name in (field, far_image(field))}
     names |= {render_twin(name) for name in names}
+    names |= set(wake_nodes.image_inputs())
     return [name for name in compat.input_identifiers(group) if name in names]

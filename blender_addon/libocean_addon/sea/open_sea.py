@@ -14,7 +14,7 @@ import numpy as np
 from ..shared import drafts, images, paths
 from ..shared.native import libocean
 from ..shared.open_subject import OpenByObject, OpenSubject
-from . import atlas, messages, node_group, sea_text
+from . import atlas, messages, node_group, sea_text, wakes
 from .sea_job import SeaJob
 
 CHANNELS = atlas.FINEST
@@ -41,6 +41,7 @@ class OpenSea(OpenSubject):
         self.share: tuple[int, float] | None = None  # changes, share_within_limits()
         self.point_sea = None
         self.point_changes = 0
+        self.wakes = wakes.WakeSea()
         self.buffers: dict[tuple[str, int], np.ndarray] = {}
         self.detail_pixels: np.ndarray | None = None  # the pixels for the image of a band
         self.ready: tuple | None = (
@@ -51,7 +52,8 @@ class OpenSea(OpenSubject):
 
     def _open(self, values: sea_text.SeaValues):
         base_dir = paths.blend_folder()
-        return libocean.parse(values.text(), base_dir=base_dir, progress=drafts.tell_watcher)
+        text = values.without_hulls().text()
+        return libocean.parse(text, base_dir=base_dir, progress=drafts.tell_watcher)
 
     def follow(self, values: sea_text.SeaValues) -> None:
         if values == self.values:
@@ -72,8 +74,10 @@ class OpenSea(OpenSubject):
             raise
 
     def for_points(self):
-        """Returns a second handle of the sea: requests for maps and for points in turn would each
-        discard the library's cache for the other."""
+        """Returns a second handle of the sea, with its hulls: requests for maps and for points in
+        turn would each discard the library's cache for the other."""
+        if self.values.hulls:
+            return self.wakes.of(self.values)
         if self.point_sea is None or self.point_changes != self.changes:
             if self.point_sea is not None:
                 self.point_sea.close()
@@ -204,6 +208,7 @@ class OpenSea(OpenSubject):
         if self.point_sea is not None:
             self.point_sea.close()
         self.point_sea = None
+        self.wakes.close()
         super().close()
 
 

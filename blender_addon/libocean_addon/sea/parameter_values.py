@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import functools
+import json
 from typing import Any
 
 from ..shared import changes, property_texts
@@ -12,7 +14,7 @@ from ..shared.parameter_table import ParameterTable, is_optional
 from . import crests, sea_text
 
 TABLE: list[dict[str, Any]] = [
-    row for row in libocean.parameters() if row["section"] not in {"crests", *sea_text.NOT_SHOWN}
+    row for row in libocean.parameters() if row["section"] not in {"crests", "hulls"}
 ]
 """The parameters that are properties of a sea and of its wave systems."""
 
@@ -39,6 +41,12 @@ def entries(*, waves: bool) -> list[dict[str, Any]]:
     return PARAMETERS.entries(items=waves)
 
 
+@functools.lru_cache(maxsize=8)
+def _hulls_of(text: str) -> dict[str, str]:
+    """Returns the values of hulls; their tracks may be long, and they are read at each frame."""
+    return json.loads(text or "{}")
+
+
 def values_of(group, fps: str = "") -> sea_text.SeaValues:
     """Returns the values of the properties. group: Object.libocean, evaluated or not; fps: frames a
     second in place of the group's own."""
@@ -55,6 +63,7 @@ def values_of(group, fps: str = "") -> sea_text.SeaValues:
         group.take_lines,
         group.bed_lines,
         crests.values_of(group, values),
+        _hulls_of(group.hull_values),
     )
 
 
@@ -77,6 +86,7 @@ def assign(group, sea: sea_text.SeaValues) -> None:
         group.exact = ""
         group.take_lines = sea.take
         group.bed_lines = sea.bed
+        group.hull_values = json.dumps(sea.hulls) if sea.hulls else ""
         property_texts.set_texts(group, sea.values, PARAMETERS, items=False)
         group.waves.clear()
         for system in sea.waves:

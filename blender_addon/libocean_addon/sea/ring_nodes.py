@@ -8,7 +8,7 @@ maps they show there.
 
 from __future__ import annotations
 
-from ..shared import compat
+from ..shared import compat, field_nodes
 
 RING = "ocean_ring"
 """Attribute of a horizon's vertices: the number of the ring, how far it has become the next one,
@@ -44,9 +44,7 @@ class Rings:
 
     def __init__(self, b, inputs, fields, turn) -> None:
         self.b, self.inputs, self.fields, self.turn = b, inputs, fields, turn
-        named = b.node("GeometryNodeInputNamedAttribute", data_type="FLOAT_VECTOR")
-        named.inputs["Name"].default_value = RING
-        self.level, self.share, self.cells = b.parts(compat.active(named.outputs, "Attribute"))
+        self.level, self.share, self.cells = b.parts(field_nodes.attribute(b, RING))
         # Values that depend on inputs alone are computed once, not for each vertex.
         self.texels = b.number("DIVIDE", 0.5, fields.half_texel())
         self.origin = fields.origin()

@@ -36,6 +36,10 @@ class SeaValues:
     crests: dict[str, str] = dataclasses.field(default_factory=dict)
     """The values of its crests by name, "crests.0.time"."""
 
+    hulls: dict[str, str] = dataclasses.field(default_factory=dict)
+    """The values of its hulls by name, "hulls.0.length", and the lines of their tracks by that of
+    the table, "[hulls.0.track]"."""
+
     def structure(self) -> tuple[Any, ...]:
         """Returns the part that cannot be changed parameter by parameter in an open sea."""
         records = (system.record for system in self.waves)
@@ -48,21 +52,20 @@ class SeaValues:
             named.update({f"waves.{number}.{key}": text for key, text in system.values.items()})
         return named
 
+    def without_hulls(self) -> SeaValues:
+        return dataclasses.replace(self, hulls={})
+
     def text(self) -> str:
         """Returns the sea file of these values, not resolved."""
         tables = {_record_name(number): system.record for number, system in enumerate(self.waves)}
         tables[_TAKE] = self.take
         tables[self.bed.partition("\n")[0].strip()] = self.bed
         given = {name: text for name, text in tables.items() if text}
-        return libocean.text_of_values({**self.by_name(), **given})
+        return libocean.text_of_values({**self.by_name(), **self.hulls, **given})
 
 
 _TAKE = "[take]"  # tables that the library names beside the parameters
 _BEDS = ("[water.bed_heights]", "[water.bed_terrain]")
-
-_UNSUPPORTED = 5  # OCEAN_UNSUPPORTED of libocean.h
-NOT_SHOWN = {"hulls": "the wakes of hulls; `ocean bake --region` and queries have them"}
-"""Sections of a sea file that have no properties, with what is missing without them."""
 
 
 def _record_name(system: int) -> str:
@@ -70,20 +73,18 @@ def _record_name(system: int) -> str:
 
 
 def read(sea) -> SeaValues:
-    """Returns the values of an open sea (libocean.Sea). Raises UnsupportedError for a sea that
-    Blender would show without a part of it."""
+    """Returns the values of an open sea (libocean.Sea)."""
     found = SeaValues({}, [])
     for name, text in sea.values.items():
         section, _, key = name.strip("[]").partition(".")
-        if section in NOT_SHOWN:
-            fault = f"[[{section}]]: Blender does not show {NOT_SHOWN[section]}"
-            raise libocean.UnsupportedError(fault, _UNSUPPORTED)
         if name == _TAKE:
             found.take = text
         elif name in _BEDS:
             found.bed = text
         elif section == "crests":
             found.crests[name] = text
+        elif section == "hulls":
+            found.hulls[name] = text
         elif section != "waves":
             found.values[key.rpartition(".")[2]] = text
         else:

@@ -53,6 +53,13 @@ def place_in_map(b: Builder, turn: Turn, inputs):
     return b.math("MINIMUM", b.math("MAXIMUM", place, inputs["Low"]), inputs["High"])
 
 
+def attribute(b: Builder, name: str):
+    """Returns a vector that the points have."""
+    named = b.node("GeometryNodeInputNamedAttribute", data_type="FLOAT_VECTOR")
+    named.inputs["Name"].default_value = name
+    return compat.active(named.outputs, "Attribute")
+
+
 def mask(b: Builder, inputs):
     """Returns the value of the attribute in the input Mask; 1 unless Use Mask is set."""
     named = b.node("GeometryNodeInputNamedAttribute", data_type="FLOAT")
@@ -64,6 +71,12 @@ def toward_up(b: Builder, normal, share):
     """Returns a normal that is (0, 0, 1) where the share of a mask is 0."""
     up = (0.0, 0.0, 1.0)
     return b.math("ADD", b.scale(b.math("SUBTRACT", normal, up), share), up)
+
+
+def tilted(b: Builder, normal, slopes):
+    """Returns a normal on which slopes (x, y) of other waves lie, to first order in both."""
+    steep = b.scale(b.math("MULTIPLY", slopes, (1.0, 1.0, 0.0)), b.parts(normal)[2])
+    return b.math("NORMALIZE", b.math("SUBTRACT", normal, steep))
 
 
 def branches(

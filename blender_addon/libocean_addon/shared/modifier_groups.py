@@ -117,6 +117,11 @@ def assign(modifier, values: dict) -> None:
             compat.set_input(modifier, identifiers[name], value)
 
 
+def names(modifier) -> list[str]:
+    """Returns the names of the inputs of a modifier."""
+    return list(compat.input_identifiers(modifier.node_group))
+
+
 def value(modifier, name: str):
     """Returns an input of a modifier by its name."""
     return compat.get_input(modifier, compat.input_identifiers(modifier.node_group)[name])

@@ -157,9 +157,11 @@ class Builder:
         self.link(value, compat.active(made.inputs, "Value"))
         return made.outputs["Geometry"]
 
-    def texture(self, image, coordinates, interpolation: str, frame=None):
+    def texture(
+        self, image, coordinates, interpolation: str, frame=None, extension: str = "REPEAT"
+    ):
         made = self.node(
-            "GeometryNodeImageTexture", extension="REPEAT", interpolation=interpolation
+            "GeometryNodeImageTexture", extension=extension, interpolation=interpolation
         )
         self.link(image, made.inputs["Image"])
         self.link(coordinates, made.inputs["Vector"])

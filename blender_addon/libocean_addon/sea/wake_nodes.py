@@ -1,0 +1,86 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The part of the node group that adds the wakes of hulls to the sea's fields.
+
+    place in the world -> place in the wake's image -> colour, 0 outside -> sum
+
+A wake has an image for each field, and an input for its place. Without an image it is 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from ..shared import compat
+from ..shared.node_builder import Builder
+
+COUNT = 4
+"""The max number of wakes that are shown."""
+FIELDS = {"Displacement": "", "Velocity": " Velocity", "Normal": " Slopes"}
+"""The ends of the names of a wake's images, by the sea's field to which they belong."""
+USE = "Use Wakes"
+_PLACE_HELP = (
+    "Where the ocean is in the wake's images (x, y: 0 .. 1), and their number in a metre (z)"
+)
+
+
+def image_input(hull: int, field: str) -> str:
+    return f"Wake {hull + 1}{FIELDS[field]}"
+
+
+def place_input(hull: int) -> str:
+    return f"Wake {hull + 1} Place"
+
+
+def image_inputs() -> list[str]:
+    return [image_input(hull, field) for hull in range(COUNT) for field in FIELDS]
+
+
+def declare(group) -> None:
+    """The sockets of all wakes."""
+    compat.add_socket(group, USE, "NodeSocketBool")
+    for name in image_inputs():
+        compat.add_socket(group, name, "NodeSocketImage")
+    for hull in range(COUNT):
+        compat.add_socket(group, place_input(hull), "NodeSocketVector", description=_PLACE_HELP)
+
+
+def _read(b: Builder, image, place, position):
+    """Returns colour and alpha of a wake's image at a position, from the ocean on [m]."""
+    there = b.math("MULTIPLY_ADD", position, b.parts(place)[2], place)
+    color = b.texture(image, there, "Linear", extension="CLIP")
+    return [color, color.node.outputs["Alpha"]]
+
+
+class Wakes:
+    """The sums of all wakes at the vertices, which have not been displaced yet."""
+
+    def __init__(self, b: Builder, inputs, turn) -> None:
+        self.b, self.inputs = b, inputs
+        self.position = turn.to_world(b.node("GeometryNodeInputPosition").outputs[0])
+
+    def _sums(self, field: str):
+        """Returns the sums of colours and of alphas. The last wake comes first: those without an
+        image are constants, and cost nothing for each vertex."""
+        b, sums = self.b, None
+        for hull in reversed(range(COUNT)):
+            image, place = self.inputs[image_input(hull, field)], self.inputs[place_input(hull)]
+            color, alpha = b.nested("wake", _read, image, place, self.position)
+            if sums is not None:
+                color = b.math("ADD", color, sums[0])
+                alpha = b.number("ADD", alpha, sums[1])
+            sums = color, alpha
+        return sums
+
+    def added(self, geometry, field: str, make: Callable):
+        """Returns make(geometry, vector, alpha) with what all wakes add to a field; without wakes
+        make(geometry)."""
+        waked = make(geometry, *self._sums(field))
+        return self.b.switch("GEOMETRY", self.inputs[USE], make(geometry), waked)
+
+
+class NoWakes:
+    """In the place of Wakes: a bake has none."""
+
+    def added(self, geometry, _field: str, make: Callable):
+        return make(geometry)
