@@ -56,7 +56,17 @@ def parts() -> list:
     from .coast import properties as coast_properties
     from .floating import floating
     from .look import first_view, material
-    from .sea import crest_operators, crest_panels, hints, operators, panels, properties, records
+    from .sea import (
+        crest_operators,
+        crest_panels,
+        hints,
+        hull_properties,
+        hulls,
+        operators,
+        panels,
+        properties,
+        records,
+    )
     from .terrain import look_panels as terrain_look_panels
     from .terrain import material as terrain_material
     from .terrain import operators as terrain_operators
@@ -67,6 +77,7 @@ def parts() -> list:
 
     return [
         translations,
+        hull_properties,
         properties,
         material,
         operators,
@@ -79,6 +90,7 @@ def parts() -> list:
         whole_sea,
         panels,
         crest_panels,
+        hulls,
         terrain_properties,
         terrain_operators,
         terrain_material,

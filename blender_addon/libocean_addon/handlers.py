@@ -13,6 +13,7 @@ from bpy.app.handlers import persistent
 from .bake import render_check
 from .floating import floating
 from .look import foam_images
+from .sea import hulls
 from .shared import compat, drafts, failures, hooks, life, meshes
 from .shared.life import complete
 from .spray import spray
@@ -161,7 +162,7 @@ def register() -> None:
             property_changed=life.changed,
             make_draft_job=life.make_job,
             finish_draft_job=life.finish_job,
-            followers=(floating.ride_all, spray.show_all),
+            followers=(floating.ride_all, spray.show_all, hulls.follow),
         )
     )
     compat.remove_handlers_at_exit(_remove_handlers)

@@ -33,6 +33,7 @@ _SECTIONS = (
     ("bpy.types.oceansettings.use_detail*", "#material"),
     ("bpy.types.oceansettings*", "#use"),
     ("bpy.types.oceanwaves*", "#use"),
+    ("bpy.types.oceanhull*", "#use"),
     ("bpy.types.floatsettings*", "#use"),
 )
 

@@ -16,7 +16,7 @@ from conftest import (
     rest,
 )
 from libocean_addon.bundled import libocean
-from libocean_addon.sea import facts, parameter_values, wake_nodes
+from libocean_addon.sea import facts, hull_values, parameter_values, wake_nodes
 from libocean_addon.shared import changes, modifier_groups
 
 HULL = """
@@ -75,15 +75,15 @@ def offsets(ob) -> np.ndarray:
     return positions(ob) - rest(ob)
 
 
-def give(ob, hulls: str) -> None:
-    ob.libocean.hull_values = hulls
+def give(ob, hulls: dict[str, str]) -> None:
+    hull_values.assign(ob.libocean, hulls)
     changes.tell(ob.libocean)
 
 
 def wake_shown(ob) -> np.ndarray:
     """Returns by how much the wakes move the vertices."""
-    hulls, before = ob.libocean.hull_values, positions(ob)
-    give(ob, "")
+    hulls, before = hull_values.texts_of(ob.libocean.hulls), positions(ob)
+    give(ob, {})
     shown = before - positions(ob)
     give(ob, hulls)
     return shown
@@ -123,7 +123,7 @@ def test_a_patch_is_the_region_of_the_library_at_any_frame_alone(scene, ocean):
 def test_without_hulls_it_is_the_open_sea_again_to_the_bit(ocean):
     names = ("ocean_velocity", "ocean_normal", "jacobian")
     with_wakes, waked = positions(ocean), [attribute(ocean, name) for name in names]
-    give(ocean, "")
+    give(ocean, {})
     calm = positions(ocean)
     assert np.abs(with_wakes - calm).max() > 0.1
     for name, found in zip(names, waked, strict=True):
@@ -213,7 +213,7 @@ def test_a_float_rides_the_wake_of_another_hull(scene, ocean):
     height = boat.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world.translation.z
     with sea_of(ocean) as sea:
         pose = sea.float_pose([(*place, 0.0, 1.0, 1.0)], 29 / 24)
-    give(ocean, "")
+    give(ocean, {})
     with sea_of(ocean) as sea:
         calm = sea.float_pose([(*place, 0.0, 1.0, 1.0)], 29 / 24)
     assert height == pytest.approx(pose.position[0][2], abs=1e-4)

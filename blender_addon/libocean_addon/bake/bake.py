@@ -8,7 +8,7 @@ import threading
 
 import bpy
 
-from ..sea import messages, operators
+from ..sea import hulls, messages, operators
 from ..shared import changes, compat, console, overrides, subject
 from ..shared.compat import tr, tr_label
 from ..shared.table_properties import settings_of
@@ -85,6 +85,8 @@ class Frames(_OnOwnOcean):
             self.report({"ERROR"}, tr("A bake of {} is under way", running.object_name))
             return None
         overrides.make_editable(context.object)
+        if len(context.object.libocean.hulls) > 0:
+            self.report({"WARNING"}, hulls.left_out())
         try:
             return self.begin(context, (first, last))
         except BakeError as failure:

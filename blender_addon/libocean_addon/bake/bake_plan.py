@@ -94,7 +94,7 @@ def _plan(context, ob, first: int, last: int) -> tuple[list[bake_job.Frame], dic
     frames, recipes, maps = [], {}, set()
 
     def add(number: int, at: float, settings) -> None:
-        values = live.current_values(settings, scene)
+        values = live.current_values(settings, scene).without_hulls()  # they do not repeat
         shown = (settings.render_resolution, bake_record.region_of(settings))
         _require_one_map(values, shown, maps)
         frames.append(bake_job.Frame(number, at, values.text(), live.own_time(settings)))

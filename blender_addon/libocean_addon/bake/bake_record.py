@@ -163,7 +163,9 @@ def region_of(settings) -> str:
 def recipe(settings, values: sea_text.SeaValues) -> str:
     """Returns a short text that differs if the sea shown at a frame differs."""
     time = settings.custom_time if settings.use_custom_time else None
-    whole = f"{time} {settings.render_resolution}{region_of(settings)}\n{values.text()}"
+    whole = (
+        f"{time} {settings.render_resolution}{region_of(settings)}\n{values.without_hulls().text()}"
+    )
     return hashlib.sha256(whole.encode()).hexdigest()[:16]
 
 

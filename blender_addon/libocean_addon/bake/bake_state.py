@@ -9,7 +9,7 @@ import os
 
 from ..coast import facts as coast_facts
 from ..coast import node_group as coast_group
-from ..sea import facts, live
+from ..sea import facts, hulls, live
 from ..shared.compat import tr_label
 from ..volumes import volumes
 from . import bake, bake_record, exr_files
@@ -74,6 +74,8 @@ def state(ob, scene) -> list[tuple[str, str]]:
     if running := _of_what_runs(ob):
         return running
     lines = _of_the_bake(ob, scene) if bake_record.exists(ob) else []
+    if len(ob.libocean.hulls) > 0:
+        lines.append((hulls.left_out(), "ERROR"))
     samples = _samples(ob)
     if samples is not None:
         first, last = with_margins(*asked_range(ob, scene))

@@ -87,7 +87,7 @@ def detach(ob) -> None:
         ob.matrix_world = place
 
 
-def _own_place(ob, seen, motion) -> Matrix:
+def own_place(ob, seen, motion) -> Matrix:
     """Returns the place of a float without waves, in the world. seen, motion: evaluated
     together."""
     constraint = constraint_of(ob)
@@ -157,7 +157,7 @@ def ride(ob, depsgraph, moment) -> None:
     motion, ocean = settings.motion, settings.ocean
     objects = (ob, motion, ocean)
     seen, seen_motion, sea = (o.evaluated_get(depsgraph) if depsgraph else o for o in objects)
-    place = _own_place(ob, seen, seen_motion)
+    place = own_place(ob, seen, seen_motion)
     rotation = place.to_3x3().normalized()
     heading = places.heading(rotation)
     pose, problem = None, ""

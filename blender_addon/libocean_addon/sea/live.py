@@ -196,8 +196,6 @@ def _set_inputs(picture: SeaPicture, *, draft: bool) -> None:
         place = picture.seen.matrix_world.translation
         turn = tuple(picture.seen.matrix_world.to_euler("XYZ"))
     origin = (place[0] % period, place[1] % period, 0.0)
-    is_turned = math.hypot(*turn) > field_nodes.SMALLEST_TURN
-    wakes.follow(picture, (place[0], place[1]), turned=is_turned, draft=draft)
     # A draft in the viewport has fewer samples than are asked for.
     shown = modifier_groups.value(modifier, "Displacement")
     samples = shown.size[0] if shown is not None else sizes[0]
@@ -218,6 +216,8 @@ def _set_inputs(picture: SeaPicture, *, draft: bool) -> None:
             "Use Normal": settings.use_normal and not draft,
         },
     )
+    is_turned = math.hypot(*turn) > field_nodes.SMALLEST_TURN
+    wakes.follow(picture, (place[0], place[1]), turned=is_turned, draft=draft)
 
 
 def before_change(shown: Shown) -> bool:

@@ -4,14 +4,12 @@
 
 from __future__ import annotations
 
-import functools
-import json
 from typing import Any
 
 from ..shared import changes, property_texts
 from ..shared.native import libocean
 from ..shared.parameter_table import ParameterTable, is_optional
-from . import crests, sea_text
+from . import crests, hull_values, sea_text
 
 TABLE: list[dict[str, Any]] = [
     row for row in libocean.parameters() if row["section"] not in {"crests", "hulls"}
@@ -41,12 +39,6 @@ def entries(*, waves: bool) -> list[dict[str, Any]]:
     return PARAMETERS.entries(items=waves)
 
 
-@functools.lru_cache(maxsize=8)
-def _hulls_of(text: str) -> dict[str, str]:
-    """Returns the values of hulls; their tracks may be long, and they are read at each frame."""
-    return json.loads(text or "{}")
-
-
 def values_of(group, fps: str = "") -> sea_text.SeaValues:
     """Returns the values of the properties. group: Object.libocean, evaluated or not; fps: frames a
     second in place of the group's own."""
@@ -63,7 +55,7 @@ def values_of(group, fps: str = "") -> sea_text.SeaValues:
         group.take_lines,
         group.bed_lines,
         crests.values_of(group, values),
-        _hulls_of(group.hull_values),
+        hull_values.texts_of(group.hulls),
     )
 
 
@@ -86,7 +78,7 @@ def assign(group, sea: sea_text.SeaValues) -> None:
         group.exact = ""
         group.take_lines = sea.take
         group.bed_lines = sea.bed
-        group.hull_values = json.dumps(sea.hulls) if sea.hulls else ""
+        hull_values.assign(group, sea.hulls)
         property_texts.set_texts(group, sea.values, PARAMETERS, items=False)
         group.waves.clear()
         for system in sea.waves:

@@ -13,7 +13,7 @@ from ..shared import compat, meshes, registration
 from ..shared.limits import Limited
 from ..shared.overrides import overridable
 from ..shared.table_properties import annotations, changed, settings_of
-from . import facts, parameter_values
+from . import facts, hull_properties, parameter_values
 from .resolutions import OF_SEA
 
 SETTINGS = settings_of("sea")
@@ -131,6 +131,7 @@ class OceanSettings(Limited, bpy.types.PropertyGroup):
         "exact": _EXACT,
         "waves": bpy.props.CollectionProperty(type=OceanWaves),
         "crests": bpy.props.CollectionProperty(type=OceanCrest),
+        "hulls": bpy.props.CollectionProperty(type=hull_properties.OceanHull),
         "use_cascade_divisors": bpy.props.BoolProperty(
             name="Own divisors",
             description="Set the divisor of the patch's period for each cascade, instead of having "

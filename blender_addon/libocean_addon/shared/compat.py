@@ -80,6 +80,19 @@ def capture(group, geometry, color):
     return node.outputs["Geometry"], captured
 
 
+def curves_of(animation) -> list:
+    """Returns the F-curves of an object's animation data."""
+    action = animation.action
+    if action is None:
+        return []
+    if hasattr(action, "fcurves"):  # until 5.0
+        return list(action.fcurves)
+    from bpy_extras import anim_utils
+
+    bag = anim_utils.action_get_channelbag_for_slot(action, animation.action_slot)
+    return [] if bag is None else list(bag.fcurves)
+
+
 # Inputs of a Geometry Nodes modifier ------------------------------------------
 
 _INPUTS_ARE_PROPERTIES = "properties" in bpy.types.NodesModifier.bl_rna.properties  # 5.2

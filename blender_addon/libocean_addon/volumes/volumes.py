@@ -168,7 +168,7 @@ def _plan(context, ob, first: int, last: int, base_dir: str | None) -> list[bake
     frames = []
 
     def add(number: int, at: float, settings) -> None:
-        values = live.current_values(settings, context.scene)
+        values = live.current_values(settings, context.scene).without_hulls()
         time = live.own_time(settings)
         if time is None and at != number:
             with libocean.parse(values.text(), base_dir=base_dir) as sea:
