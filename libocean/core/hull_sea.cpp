@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 
 #include "hulls/hull_marks.hpp"
+#include "hulls/hull_summary.hpp"
 #include "hulls/wake_motion.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/cascades.hpp"
@@ -27,7 +29,7 @@
 namespace ocean {
 namespace {
 
-constexpr ChannelSet kFoamChannels = {Channel::foam, Channel::cover};
+constexpr ChannelSet kFoamOfOpen = {Channel::foam, Channel::cover};
 
 /// The whitecaps and the foam of a surface with wakes. Foam is the open sea's, followed over time;
 /// where the sum of both breaks now, its whitecap is foam too. That whitecap leaves no foam behind.
@@ -56,24 +58,6 @@ class SummedFoam {
     const Surface& open_;
     float cover_power_;
 };
-
-/// Returns a warning if the samples of a wake are too far apart for the waves behind the hull at
-/// its highest speed; "" if they hold them, or if the hull is too slow to make any to speak of.
-std::string coarse_wake(const Hull& hull, std::size_t number, const Water& water) {
-    constexpr double kSlow = 0.15;    // Froude number
-    constexpr double kSamples = 4.0;  // of a wave at least
-    const double speed = fastest_leg(*hull.track).speed;
-    if (speed < kSlow * std::sqrt(water.gravity * hull.length)) return "";
-    const WakeSize size = wake_size(hull, speed, water);
-    const double cell = size.side / size.resolution;
-    const double wave = kTwoPi * speed * speed / water.gravity;
-    if (wave >= kSamples * cell) return "";
-    const std::string name = "hulls." + std::to_string(number);
-    return "the waves behind " + name + " are " + fixed_text(wave, 1) +
-           " m long at its highest speed, and its wake has samples " + fixed_text(cell, 1) +
-           " m apart, which leave most of them out: raise " + name +
-           ".wake_resolution, or make wake_size smaller";
-}
 
 /// The masks of all hulls together.
 class AllMarks {
@@ -112,22 +96,13 @@ void HullSea::prepare() {
     surface(parameters().time.start, false);
 }
 
-void HullSea::warn(SeaState& state) {
-    constexpr double kSteep = 0.1;  // breaking waves
+void HullSea::describe(SeaState& state) {
     const Parameters& sea = parameters();
-    for (std::size_t i = 0; i < sea.hulls.size(); ++i) {
-        if (std::string coarse = coarse_wake(sea.hulls[i], i, sea.water); !coarse.empty()) {
-            state.warnings.push_back(std::move(coarse));
-        }
-        const WakeSteepness waves =
-            wake_steepness(sea.hulls[i], sea.water, sea.time.loop_period, open().pool());
-        if (waves.steepness <= kSteep) continue;
-        const std::string name = "hulls." + std::to_string(i);
-        state.warnings.push_back(
-            name + " makes waves of " + fixed_text(waves.height, 2) +
-            " m at its highest speed, one length beside it, " + fixed_text(waves.steepness, 2) +
-            " of their length; linear theory, which makes them, holds to 0.1: make " + name +
-            ".factor smaller, or the hull finer");
+    for (const Hull& hull : sea.hulls) {
+        const std::string name = "hulls." + std::to_string(state.hulls.size());
+        state.hulls.push_back(hull_summary(hull, sea.water, sea.time.loop_period, open().pool()));
+        std::ranges::move(hull_warnings(state.hulls.back(), name),
+                          std::back_inserter(state.warnings));
     }
 }
 
@@ -162,10 +137,10 @@ PlacedSea::RegionMaps HullSea::region_maps(ChannelSet) const {
 void HullSea::write_region(double time, const Domain& domain, std::span<const MapOutput> outputs) {
     const ChannelSet channels = channels_of(outputs);
     ++open().stage_runs().surface;
-    const bool has_foam = channels.intersects(kFoamChannels);
+    const bool has_foam = channels.intersects(kFoamOfOpen);
     const Surface foam_of_open =
         has_foam
-            ? open_map(time, channels.without(kEveryMask | kEveryChannel.without(kFoamChannels)))
+            ? open_map(time, channels.without(kEveryMask | kEveryChannel.without(kFoamOfOpen)))
             : Surface();
     const auto power = channels.contains(Channel::cover)
                            ? static_cast<float>(open().cover_power(time, shown()))
@@ -212,7 +187,7 @@ void HullSea::wake_into(std::size_t hull, double time, const Domain& domain,
     require_time(time);
     require_region(domain);
     const ChannelSet channels = channels_of(outputs);
-    if (channels.intersects(kEveryMask | kFoamChannels | ChannelSet(Channel::whitecap))) {
+    if (channels.intersects(kEveryMask | kFoamOfOpen | ChannelSet(Channel::whitecap))) {
         throw Error(ErrorKind::unsupported,
                     "a wake alone has no foam and no masks; allowed: channels of its waves");
     }

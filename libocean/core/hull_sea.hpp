@@ -25,7 +25,7 @@ class HullSea final : public PlacedSea {
 
     void drop(const OpenSea::Ended& ended) override;
     void prepare() override;
-    void warn(SeaState& state) override;
+    void describe(SeaState& state) override;
 
     /// Returns the spray of the open sea, which knows no wake.
     const SprayFollower& spray(double time, const SpraySettings& settings) override;

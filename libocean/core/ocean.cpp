@@ -97,7 +97,7 @@ const Modes& Ocean::modes(double time) {
 
 SeaState Ocean::state() {
     SeaState state = open_->state();
-    if (PlacedSea* const sea = placed()) sea->warn(state);
+    if (PlacedSea* const sea = placed()) sea->describe(state);
     return state;
 }
 

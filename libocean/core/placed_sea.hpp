@@ -28,8 +28,8 @@ class PlacedSea {
     virtual void drop(const OpenSea::Ended& ended) = 0;
     /// Computes what the first region or query would compute.
     virtual void prepare() = 0;
-    /// Adds warnings to the state of the open sea.
-    virtual void warn(SeaState&) {}
+    /// Adds what is its own to the state of the open sea.
+    virtual void describe(SeaState&) {}
 
     Surface region(double time, const Domain& domain, ChannelSet channels);
     void region_into(double time, const Domain& domain, std::span<const MapOutput> outputs);

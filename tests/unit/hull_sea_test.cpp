@@ -151,6 +151,20 @@ TEST(HullSea, WavesThatTheoryOrSamplesCannotHoldAreWarnedOf) {
     EXPECT_TRUE(warns(parameters, kCoarse));
 }
 
+TEST(HullSea, TheStateDescribesItsHulls) {
+    const std::vector<HullSummary> hulls = Ocean(sea_with_boat()).state().hulls;
+    ASSERT_EQ(hulls.size(), 1u);
+    EXPECT_DOUBLE_EQ(hulls[0].begin, -100.0);
+    EXPECT_DOUBLE_EQ(hulls[0].end, 100.0);
+    EXPECT_DOUBLE_EQ(hulls[0].speed, 5.0);
+    EXPECT_NEAR(hulls[0].froude_number, 0.46, 0.01);
+    EXPECT_NEAR(hulls[0].volume, 2.0 / 3.0 * 12.0 * 3.0 * 0.8, 1e-9);
+    EXPECT_NEAR(hulls[0].wavelength, 16.0, 0.1);
+    EXPECT_GT(hulls[0].wave_height, 0.1);
+    EXPECT_LT(hulls[0].wave_height, 1.0);
+    EXPECT_DOUBLE_EQ(hulls[0].wake_cell, hulls[0].wake_size / 64.0);
+}
+
 TEST(HullSea, ATrailChangesWithItsLifetime) {
     constexpr Channel kTrail = channel_of(LandMask::trail);
     Ocean ocean(sea_with_boat());

@@ -242,6 +242,22 @@ std::string crests_text(const SeaState& state) {
                                       state.crest_variance));
 }
 
+std::string hulls_text(const SeaState& state, const Parameters& parameters) {
+    std::string text;
+    for (std::size_t i = 0; i < state.hulls.size(); ++i) {
+        const Hull& hull = parameters.hulls[i];
+        const HullSummary& of = state.hulls[i];
+        text += row("Hull", format_text("%g x %g x %g m, %.4g m3, up to %.3g m/s (Froude number "
+                                        "%.2f), from %g to %g s",
+                                        hull.length, hull.beam, hull.draught, of.volume, of.speed,
+                                        of.froude_number, of.begin, of.end));
+        text += row("", format_text("waves of %.3g m, %.2f m high one length beside it; wake in "
+                                    "%.4g m, samples %.3g m apart",
+                                    of.wavelength, of.wave_height, of.wake_size, of.wake_cell));
+    }
+    return text;
+}
+
 std::string take_text(const Sea& sea) {
     if (sea.take.empty()) return "";
     const std::vector<TakeEvent>& events = sea.take.events;
@@ -308,7 +324,7 @@ std::string info_text(const Sea& sea, const std::string& source, const SeaState&
                       const FrameCost& cost) {
     return row("Sea", source) + waves_text(sea.parameters) + state_text(state) +
            grid_text(state, sea.parameters) + take_text(sea) + crests_text(state) +
-           foam_text(state, sea.parameters.surface, cost);
+           hulls_text(state, sea.parameters) + foam_text(state, sea.parameters.surface, cost);
 }
 
 std::string found_crest_text(const FoundCrestText& found) {

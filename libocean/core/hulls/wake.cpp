@@ -173,33 +173,4 @@ std::uint64_t Wake::bytes(int resolution) {
     return WakeLattice::bytes(resolution) + SurfaceQuery::map_bytes(resolution, {.refine = 1});
 }
 
-WakeSteepness wake_steepness(const Hull& hull, const Water& water, double loop_period,
-                             ThreadPool& pool) {
-    const auto [speed, time] = fastest_leg(*hull.track);
-    if (!(speed > 0.0)) return {};
-    Wake wake(hull, water, loop_period, pool);
-    wake.move_to(time, false, pool);
-    const TrackPath path(hull.track, loop_period);
-    const PathVector at = path.place(time);
-    const PathVector before = path.place(time - kWakeTick);
-    const double way = std::max(std::hypot(at.x - before.x, at.y - before.y), 1e-9);
-    const PathVector ahead{(at.x - before.x) / way, (at.y - before.y) / way};
-    float lowest = 0.0f, highest = 0.0f;
-    const double step = wake.size().side / wake.size().resolution;
-    for (double back = 0.0; back < 0.5 * wake.size().side; back += step) {
-        for (const double side : {-hull.length, hull.length}) {
-            const double x = at.x - back * ahead.x - side * ahead.y;
-            const double y = at.y - back * ahead.y + side * ahead.x;
-            if (!wake.holds(x, y)) continue;
-            const float height = wake.read(x, y).height.value();
-            lowest = std::min(lowest, height);
-            highest = std::max(highest, height);
-        }
-    }
-    // Two thirds of the transverse waves' length, where both kinds meet.
-    const double length = 2.0 / 3.0 * kTwoPi * speed * speed / water.gravity;
-    const auto height = static_cast<double>(highest - lowest);
-    return {height, height / length};
-}
-
 }  // namespace ocean

@@ -22,15 +22,6 @@ namespace ocean {
 
 class ThreadPool;
 
-/// The waves of a hull at its highest speed, one length beside it.
-struct WakeSteepness {
-    double height = 0.0;     // from trough to crest [m]
-    double steepness = 0.0;  // height / length of the waves at the edge of the wedge
-};
-/// Returns the steepness of the waves of a valid hull; 0 for a hull that does not move.
-WakeSteepness wake_steepness(const Hull& hull, const Water& water, double loop_period,
-                             ThreadPool& pool);
-
 class Wake {
   public:
     /// The hull must be valid. loop_period: of the sea.

@@ -68,6 +68,19 @@ struct CrestSummary {
         0.0;  // height times m2 / (m0 g); the Jacobian at the crest is about 1 less it
 };
 
+/// A hull of [[hulls]] and its waves at its highest speed.
+struct HullSummary {
+    double begin = 0.0, end = 0.0;  // of its track [s]
+    double speed = 0.0;             // the highest between two rows [m/s]
+    double froude_number = 0.0;     // speed / sqrt(g length)
+    double volume = 0.0;            // of the water that it displaces [m^3]
+    double wavelength = 0.0;        // of the waves behind it in deep water [m]
+    double wave_height = 0.0;       // from trough to crest, one length beside it [m]
+    double steepness = 0.0;         // wave_height over the length of the waves there
+    double wake_size = 0.0;         // side of the square that shows its wake [m]
+    double wake_cell = 0.0;         // distance of the samples of that square [m]
+};
+
 struct SeaState {
     AskedResolved significant_wave_height;  // [m]
     AskedResolved peak_period;              // [s]; 0 = flat
@@ -102,6 +115,7 @@ struct SeaState {
     std::vector<CrestSummary> crests;  // those of the sea file
     /// Expected variance of the patch's heights with its crests, over that without them.
     double crest_variance = 1.0;
+    std::vector<HullSummary> hulls;     // those of the sea file
     std::vector<std::string> warnings;  // full sentences, for people
 };
 

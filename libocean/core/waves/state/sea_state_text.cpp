@@ -68,6 +68,24 @@ Json crests_json(const std::vector<CrestSummary>& crests) {
     return list;
 }
 
+Json hulls_json(const std::vector<HullSummary>& hulls) {
+    JsonArray list;
+    for (const HullSummary& hull : hulls) {
+        list.add(JsonObject()
+                     .add("begin", hull.begin)
+                     .add("end", hull.end)
+                     .add("speed", hull.speed)
+                     .add("froude_number", hull.froude_number)
+                     .add("volume", hull.volume)
+                     .add("wavelength", hull.wavelength)
+                     .add("wave_height", hull.wave_height)
+                     .add("steepness", hull.steepness)
+                     .add("wake_size", hull.wake_size)
+                     .add("wake_cell", hull.wake_cell));
+    }
+    return list;
+}
+
 Json bed_json(const SeaBedSummary& bed) {
     return JsonObject()
         .add("samples", json_array(std::vector<int>(bed.samples.begin(), bed.samples.end())))
@@ -260,6 +278,7 @@ std::string sea_state_json(const SeaState& state) {
         json.add("crests", crests_json(state.crests));
         json.add("crest_variance", state.crest_variance);
     }
+    if (!state.hulls.empty()) json.add("hulls", hulls_json(state.hulls));
     json.add("warnings", json_array(state.warnings));
     return json.text() + "\n";
 }
