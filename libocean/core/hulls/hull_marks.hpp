@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a hull marks beside its waves at one time: the white water of its turbulent trail, which
+// The marks of a hull beside its waves at one time: the white water of its turbulent trail, which
 // stays where the hull was, and the inside of its water line, where no water is.
 #pragma once
 

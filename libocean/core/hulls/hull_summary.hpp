@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a user is told of a hull and its wake.
+// The summary of a hull and its wake for users.
 #pragma once
 
 #include <string>
