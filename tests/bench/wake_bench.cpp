@@ -75,7 +75,7 @@ struct Subject {
 
 }  // namespace
 
-/// With a word: only the subjects whose names have it.
+/// With a name: only the subject of that name.
 int main(int argc, char** argv) {
     ThreadPool pool(1);
     Parameters sea;
@@ -118,8 +118,7 @@ int main(int argc, char** argv) {
     }
     if (argc > 1) {
         std::erase_if(subjects, [&](const Subject& subject) {
-            return &subject != &subjects.front() &&
-                   std::string_view(subject.name).find(argv[1]) == std::string_view::npos;
+            return &subject != &subjects.front() && std::string_view(subject.name) != argv[1];
         });
     }
     for (int round = 0; round < kRounds; ++round) {

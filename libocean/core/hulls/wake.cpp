@@ -59,10 +59,11 @@ Wake::Wake(const Hull& hull, const Water& water, double loop_period, ThreadPool&
       map_(waves_, size_.resolution),
       factors_(lattice_.factors(map_.factor(waves_))),
       amplitudes_(2 * lattice_.count()),
-      settled_(4 * lattice_.count()),
-      half_length_(0.5 * hull.length) {
+      sums_(4 * lattice_.count()),
+      ticks_(2 * lattice_.count()),
+      turns_(size_.resolution, size_.side, 0.5 * hull.length) {
     prefault_pages(amplitudes_, pool);
-    prefault_pages(settled_, pool);
+    prefault_pages(sums_, pool);
 }
 
 void Wake::settle(std::int64_t span, ThreadPool& pool) {
@@ -76,49 +77,85 @@ void Wake::settle(std::int64_t span, ThreadPool& pool) {
                              size_.age);
     const std::size_t count = lattice_.count();
     const WakeLoops loops = wake_loops(simd_level());
-    pool.for_each_range(static_cast<int>(count / kWakeBlock), [&](int from, int to) {
-        PageVector<float> choices(first.count());
-        float* const at = settled_.data() + static_cast<std::size_t>(from) * kWakeBlock;
-        loops.sum({.waves = lattice_.waves(from, to),
-                   .past = past.in(size_.side, half_length_),
-                   .windows = {first.window(), second.window()},
-                   .node_count = first.count(),
-                   .choices = choices.data(),
-                   .re = {at, at + 2 * count},
-                   .im = {at + count, at + 3 * count}});
-    });
-    settled_centre_ = place.centre;
+    std::ranges::fill(sums_, 0.0f);
+    std::ranges::fill(ticks_, 0.0f);
+    ticks_added_ = 0;
+    for (int node = 0; node + 1 < static_cast<int>(past.nodes.size());
+         node += WakeTurns::kSegments) {
+        const WakeRuns runs = turns_.fill(past, node);
+        constexpr std::size_t kRound = kWakeBlock - 1;
+        const std::size_t nodes = (runs.tables.nodes + kRound) / kWakeBlock * kWakeBlock;
+        pool.for_each_range(static_cast<int>(count / kWakeBlock), [&](int from, int to) {
+            PageVector<std::int32_t> choices(nodes);
+            float* const at = sums_.data() + static_cast<std::size_t>(from) * kWakeBlock;
+            loops.sum({.waves = lattice_.waves(from, to),
+                       .past = runs,
+                       .windows = {first.window(node), second.window(node)},
+                       .size = static_cast<float>(size_.side),
+                       .node_count = nodes,
+                       .choices = choices.data(),
+                       .re = {at, at + 2 * count},
+                       .im = {at + count, at + 3 * count}});
+        });
+    }
+    settled_ = place;
     span_ = span;
+}
+
+void Wake::add_ticks(int ticks, ThreadPool& pool) {
+    if (ticks < ticks_added_) {
+        std::ranges::fill(ticks_, 0.0f);
+        ticks_added_ = 0;
+    }
+    const float* const re = ticks_.data();
+    const float* const im = re + lattice_.count();
+    for (; ticks_added_ < ticks; ++ticks_added_) {
+        const double begin = clock_.begin(*span_);
+        WakePast past = wake_past(path_, clock_.tick(path_, *span_, ticks_added_), begin, settled_);
+        past.insert_before({0.0, 0.0, 0.0});
+        run_frame({.re = {re, re}, .im = {im, im}, .share = 0.0f, .moves = false}, past, ticks_,
+                  pool);
+    }
+}
+
+void Wake::run_frame(WakeFrame frame, const WakePast& past, PageVector<float>& to,
+                     ThreadPool& pool) {
+    frame.past = turns_.fill(past, 0);
+    const WakeLoops loops = wake_loops(simd_level());
+    pool.for_each_range(static_cast<int>(lattice_.count() / kWakeBlock), [&](int from, int end) {
+        const std::size_t at = static_cast<std::size_t>(from) * kWakeBlock;
+        WakeFrame part = frame;
+        part.waves = lattice_.waves(from, end);
+        for (const float** const values :
+             {&part.re[0], &part.re[1], &part.im[0], &part.im[1], &part.ticks_re, &part.ticks_im}) {
+            if (*values != nullptr) *values += at;
+        }
+        part.to_re = to.data() + at;
+        part.to_im = part.to_re + lattice_.count();
+        loops.frame(part);
+    });
 }
 
 void Wake::move_to(double time, bool rates, ThreadPool& pool) {
     const std::int64_t span = clock_.span_of(time);
     if (span_ != span) settle(span, pool);
+    const WakeNewest newest = clock_.newest(path_, time);
+    add_ticks(newest.ticks, pool);
     const double begin = clock_.begin(span), end = clock_.begin(span + 1);
-    const double step = size_.side / size_.resolution;
-    past_ = wake_past(path_, clock_.newest(path_, time), time,
-                      wake_place(path_, time, size_.side, step));
+    past_ = wake_past(path_, newest.times, time,
+                      wake_place(path_, time, size_.side, size_.side / size_.resolution));
     sum_.reset();
-    const auto shift = [&](double from, double to) {
-        return static_cast<float>(std::round((to - from) / step) / size_.resolution);
-    };
+    past_.insert_before({begin - time, settled_.centre.x - past_.place.centre.x,
+                         settled_.centre.y - past_.place.centre.y});
     const std::size_t count = lattice_.count();
-    const WakeLoops loops = wake_loops(simd_level());
-    pool.for_each_range(static_cast<int>(count / kWakeBlock), [&](int from, int to) {
-        const std::size_t first = static_cast<std::size_t>(from) * kWakeBlock;
-        const float* const at = settled_.data() + first;
-        loops.frame({.waves = lattice_.waves(from, to),
-                     .past = past_.in(size_.side, half_length_),
-                     .re = {at, at + 2 * count},
-                     .im = {at + count, at + 3 * count},
-                     .share = static_cast<float>((time - begin) / (end - begin)),
-                     .since = begin - time,
-                     .shift_x = shift(settled_centre_.x, past_.place.centre.x),
-                     .shift_y = shift(settled_centre_.y, past_.place.centre.y),
-                     .moves = past_.moves(),
-                     .to_re = amplitudes_.data() + first,
-                     .to_im = amplitudes_.data() + count + first});
-    });
+    const float* const sums = sums_.data();
+    run_frame({.re = {sums, sums + 2 * count},
+               .im = {sums + count, sums + 3 * count},
+               .ticks_re = newest.ticks > 0 ? ticks_.data() : nullptr,
+               .ticks_im = newest.ticks > 0 ? ticks_.data() + count : nullptr,
+               .share = static_cast<float>((time - begin) / (end - begin)),
+               .moves = past_.moves()},
+              past_, amplitudes_, pool);
     const float* const re = amplitudes_.data();
     farthest_ = lattice_.farthest(re, re + count);
     lattice_.set_amplitudes(re, re + count, factors_.data(), waves_);
@@ -170,7 +207,8 @@ LinearWaves<Jet> Wake::read_exactly(double x, double y) const {
 }
 
 std::uint64_t Wake::bytes(int resolution) {
-    return WakeLattice::bytes(resolution) + SurfaceQuery::map_bytes(resolution, {.refine = 1});
+    return WakeLattice::bytes(resolution) + WakeTurns::bytes(resolution) +
+           SurfaceQuery::map_bytes(resolution, {.refine = 1});
 }
 
 }  // namespace ocean

@@ -12,6 +12,7 @@
 #include "hulls/track_path.hpp"
 #include "hulls/wake_lattice.hpp"
 #include "hulls/wake_nodes.hpp"
+#include "hulls/wake_turns.hpp"
 #include "ocean/internal/modes.hpp"
 #include "ocean/internal/wave_sum.hpp"
 #include "ocean/page_vector.hpp"
@@ -58,6 +59,10 @@ class Wake {
   private:
     /// Sums the past up to the begin of a span of the clock, in the windows of its ends.
     void settle(std::int64_t span, ThreadPool& pool);
+    /// Adds the ticks of the span up to a number.
+    void add_ticks(int ticks, ThreadPool& pool);
+    /// Runs a frame over a past; `frame` lacks the past, the waves and the result.
+    void run_frame(WakeFrame frame, const WakePast& past, PageVector<float>& to, ThreadPool& pool);
 
     WakeSize size_;
     TrackPath path_;
@@ -68,10 +73,12 @@ class Wake {
     OpenSurface map_;
     PageVector<float> factors_;
     PageVector<float> amplitudes_;  // re, im
-    PageVector<float> settled_;     // re, im in the window of the span's begin, then of its end
+    PageVector<float> sums_;        // re, im in the window of the span's begin, then of its end
     std::optional<std::int64_t> span_;
-    PathVector settled_centre_;
-    double half_length_;  // of the hull [m]
+    WakePlace settled_;        // at the begin of the span
+    PageVector<float> ticks_;  // re, im of what the span's first ticks_added_ ticks add
+    int ticks_added_ = 0;
+    WakeTurns turns_;
     double farthest_ = 0.0;
     std::optional<WaveSum> sum_;
 };

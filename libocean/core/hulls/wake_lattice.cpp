@@ -7,7 +7,6 @@
 #include <complex>
 
 #include "field/ease.hpp"
-#include "ocean/internal/dispersion.hpp"
 
 namespace ocean {
 namespace {
@@ -65,50 +64,62 @@ WakeLattice::WakeLattice(const Hull& hull, const WakeSize& size, const Water& wa
     const int half = lattice_.resolution / 2;
     const double nyquist = step * half;
     const double whole = 0.5 * hull.factor * hull_volume(hull) / (size.side * size.side);
-    for (int j = 0; j < lattice_.resolution; ++j) {
-        const int m = signed_wavenumber(j, lattice_.resolution);
-        for (int i = 0; i < lattice_.resolution; ++i) {
-            const int n = signed_wavenumber(i, lattice_.resolution);
-            if ((n == 0 && m == 0) || n == -half || m == -half) continue;
-            const double k = step * std::hypot(n, m);
-            const DispersionPoint wave = dispersion.at(k);
-            const std::size_t at = mode_index(n, m, lattice_.resolution);
-            displacement_[at] = static_cast<float>(wave.horizontal_displacement / k);
-            const double roll = 1.0 - ease(kRollBegin, kRollEnd, k / nyquist);
-            if (roll < kNoGain) continue;
-            const double rate = wave.angular_frequency / kTwoPi;
-            index_.push_back(static_cast<std::uint32_t>(at));
-            n_.push_back(static_cast<float>(n));
-            m_.push_back(static_cast<float>(m));
-            rate_high_.push_back(static_cast<float>(rate));
-            rate_low_.push_back(
-                static_cast<float>(rate - static_cast<double>(static_cast<float>(rate))));
-            group_x_.push_back(static_cast<float>(wave.group_velocity * step * n / k));
-            group_y_.push_back(static_cast<float>(wave.group_velocity * step * m / k));
-            moved_.push_back(
-                static_cast<float>(wave.horizontal_displacement * wave.horizontal_displacement));
-            gain_.push_back(static_cast<float>(whole * roll * down_hull(hull, k, water.depth)));
+    constexpr int kWidth = kWakeBlock;
+    const auto share = [&](int n, int m) {
+        if ((n == 0 && m == 0) || n == -half || m == -half) return 0.0;
+        const double roll = 1.0 - ease(kRollBegin, kRollEnd, step * std::hypot(n, m) / nyquist);
+        return roll < kNoGain ? 0.0 : roll;
+    };
+    for (int first = -half; first < half; first += kWidth) {
+        for (int m = -half; m < half; ++m) {
+            // The waves nearest to the origin are at one end.
+            if (share(first, m) == 0.0 && share(first + kWidth - 1, m) == 0.0) continue;
+            index_.push_back(static_cast<std::uint32_t>(mode_index(first, m, 2 * half)));
+            for (int n = first; n < first + kWidth; ++n) {
+                add(dispersion, n, m, whole * share(n, m), hull, water);
+            }
+            const auto bounds = [&](const PageVector<float>& values) {
+                return std::minmax_element(values.end() - kWidth, values.end());
+            };
+            const auto [least_x, most_x] = bounds(group_x_);
+            const auto [least_y, most_y] = bounds(group_y_);
+            blocks_.push_back(
+                {(first + half) / kWidth, m + half, *least_x, *most_x, *least_y, *most_y});
         }
     }
-    const std::size_t padded = (n_.size() + kWakeBlock - 1) / kWakeBlock * kWakeBlock;
-    for (PageVector<float>* const values :
-         {&n_, &m_, &rate_low_, &group_x_, &group_y_, &gain_, &moved_}) {
-        values->resize(padded, 0.0f);
+}
+
+void WakeLattice::add(const Dispersion& dispersion, int n, int m, double gain, const Hull& hull,
+                      const Water& water) {
+    const double step = lattice_.wavenumber_step();
+    const double k = step * std::hypot(n, m);
+    n_.push_back(static_cast<float>(n));
+    m_.push_back(static_cast<float>(m));
+    if (k == 0.0) {
+        rate_high_.push_back(1.0f);
+        for (PageVector<float>* const values :
+             {&rate_low_, &group_x_, &group_y_, &moved_, &gain_}) {
+            values->push_back(0.0f);
+        }
+        return;
     }
-    rate_high_.resize(padded, 1.0f);
-    for (std::size_t first = 0; first < padded; first += kWakeBlock) {
-        const auto [least_x, most_x] =
-            std::minmax_element(&group_x_[first], &group_x_[first] + kWakeBlock);
-        const auto [least_y, most_y] =
-            std::minmax_element(&group_y_[first], &group_y_[first] + kWakeBlock);
-        velocities_.push_back({*least_x, *most_x, *least_y, *most_y});
-    }
+    const DispersionPoint wave = dispersion.at(k);
+    const double rate = wave.angular_frequency / kTwoPi;
+    rate_high_.push_back(static_cast<float>(rate));
+    rate_low_.push_back(static_cast<float>(rate - static_cast<double>(static_cast<float>(rate))));
+    group_x_.push_back(static_cast<float>(wave.group_velocity * step * n / k));
+    group_y_.push_back(static_cast<float>(wave.group_velocity * step * m / k));
+    moved_.push_back(
+        static_cast<float>(wave.horizontal_displacement * wave.horizontal_displacement));
+    gain_.push_back(static_cast<float>(gain == 0.0 ? 0.0 : gain * down_hull(hull, k, water.depth)));
+    const std::size_t at = mode_index(n, m, lattice_.resolution);
+    displacement_[at] = static_cast<float>(wave.horizontal_displacement / k);
 }
 
 WakeWaves WakeLattice::waves(int first, int last) const {
     const std::size_t from = static_cast<std::size_t>(first) * kWakeBlock;
     return {.count = static_cast<std::size_t>(last - first) * kWakeBlock,
-            .velocities = velocities_.data() + first,
+            .blocks = blocks_.data() + first,
             .n = n_.data() + from,
             .m = m_.data() + from,
             .rate_high = rate_high_.data() + from,
@@ -128,9 +139,9 @@ Modes WakeLattice::still_modes() const {
     waves.rate_low.assign(lattice_.size(), 0.0f);
     waves.displacement.assign(displacement_.begin(), displacement_.end());
     waves.shell_covariance.resize(static_cast<std::size_t>(lattice_.resolution / 2));
-    for (std::size_t i = 0; i < index_.size(); ++i) {
-        waves.rate_high[index_[i]] = rate_high_[i];
-        waves.rate_low[index_[i]] = rate_low_[i];
+    for (std::size_t i = 0; i < count(); ++i) {
+        waves.rate_high[index_[i / kWakeBlock] + i % kWakeBlock] = rate_high_[i];
+        waves.rate_low[index_[i / kWakeBlock] + i % kWakeBlock] = rate_low_[i];
     }
     modes.lattice_revision = Revision::begin();
     return modes;
@@ -139,8 +150,14 @@ Modes WakeLattice::still_modes() const {
 void WakeLattice::set_amplitudes(const float* re, const float* im, const float* factors,
                                  Modes& modes) const {
     PageVector<std::complex<float>>& h0 = modes.cascades.front().h0;
-    for (std::size_t i = 0; i < index_.size(); ++i) {
-        h0[index_[i]] = {factors[i] * re[i], factors[i] * im[i]};
+    for (const std::uint32_t first : index_) {
+        std::complex<float>* const to = h0.data() + first;
+        for (std::size_t l = 0; l < kWakeBlock; ++l) {
+            to[l] = {factors[l] * re[l], factors[l] * im[l]};
+        }
+        factors += kWakeBlock;
+        re += kWakeBlock;
+        im += kWakeBlock;
     }
     modes.revision = Revision::begin();
 }
@@ -169,7 +186,7 @@ double WakeLattice::farthest(const float* re, const float* im) const {
 std::uint64_t WakeLattice::bytes(int resolution) {
     constexpr std::uint64_t kArrays = 8 + 1 + 1;  // of the waves, with index and displacement
     constexpr std::uint64_t kModes = 2 + 1 + 1 + 1;
-    constexpr std::uint64_t kAmplitudes = 2 * 2 + 2 + 1;  // two windows, the frame, the factors
+    constexpr std::uint64_t kAmplitudes = 4 + 2 + 2 + 1;  // windows, ticks, the frame, factors
     return Lattice{resolution, 1.0}.size() * sizeof(float) * (kArrays + kModes + kAmplitudes);
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hulls/wake_task.hpp"
+#include "ocean/internal/dispersion.hpp"
 #include "ocean/internal/grid.hpp"
 #include "ocean/internal/modes.hpp"
 #include "ocean/page_vector.hpp"
@@ -34,13 +35,14 @@ double hull_volume(const Hull& hull);
 /// hull's sections: 1 for long waves, 0 for short ones. In deep water the function is e^(kz).
 double down_hull(const Hull& hull, double k, double depth);
 
-/// Arrays of waves, one value for each wave that has energy, padded to kWakeBlock.
+/// Arrays of waves: whole blocks of neighbours along x, some of which have energy. Blocks with the
+/// same waves along x follow one another.
 class WakeLattice {
   public:
     WakeLattice(const Hull& hull, const WakeSize& size, const Water& water);
 
     const Lattice& lattice() const { return lattice_; }
-    /// Returns the number of waves, padded.
+    /// Returns the number of waves, a multiple of kWakeBlock.
     std::size_t count() const { return n_.size(); }
     /// Returns the waves of blocks first .. last - 1.
     WakeWaves waves(int first, int last) const;
@@ -57,12 +59,16 @@ class WakeLattice {
     static std::uint64_t bytes(int resolution);
 
   private:
+    /// Adds a wave. gain: without the part down the hull [m].
+    void add(const Dispersion& dispersion, int n, int m, double gain, const Hull& hull,
+             const Water& water);
+
     Lattice lattice_;
     PageVector<float> n_, m_, rate_high_, rate_low_, group_x_, group_y_, gain_;
-    PageVector<float> moved_;                  // square of the displacement over the height
-    std::vector<GroupVelocities> velocities_;  // of each block
-    std::vector<std::uint32_t> index_;         // in the lattice; without the padding
-    std::vector<float> displacement_;          // coth(k d) / k of all modes [m]
+    PageVector<float> moved_;  // square of the displacement over the height
+    std::vector<WakeBlock> blocks_;
+    std::vector<std::uint32_t> index_;  // of each block's first wave in the lattice
+    std::vector<float> displacement_;   // coth(k d) / k of all modes [m]
 };
 
 }  // namespace ocean

@@ -17,6 +17,7 @@ constexpr double kTrail = 0.26;      // share of the square by which it trails t
 constexpr double kFadeOfAge = 0.75;  // share of the age at which waves begin to fade
 constexpr double kAtRest = 1e-3;     // [m/s]
 constexpr double kRounding = 1e-9;
+constexpr double kSame = 1e-6;  // lengths of two segments [s], [m]
 
 PathVector operator-(const PathVector& a, const PathVector& b) {
     return {a.x - b.x, a.y - b.y};
@@ -38,7 +39,6 @@ bool is_straight(const TrackPath& path, double from, double to) {
 
 /// Returns true if a segment goes on from a run with the same length and speed.
 bool goes_on(const WakeRun& run, double seconds, const PathVector& step) {
-    constexpr double kSame = 1e-6;  // [s], [m]
     return std::abs(run.seconds - seconds) < kSame && std::abs(run.dx - step.x) < kSame &&
            std::abs(run.dy - step.y) < kSame;
 }
@@ -84,18 +84,23 @@ std::vector<double> WakeClock::settled(const TrackPath& path, std::int64_t span,
     return nodes(path, oldest, begin(span));
 }
 
-std::vector<double> WakeClock::newest(const TrackPath& path, double time) const {
+std::vector<double> WakeClock::tick(const TrackPath& path, std::int64_t span, int tick) const {
+    const std::int64_t n = span * ticks_ + tick;
+    return nodes(path, n, at(n + 1));
+}
+
+WakeNewest WakeClock::newest(const TrackPath& path, double time) const {
     const std::int64_t span = span_of(time);
     if (begin(span) >= path.begin() && is_straight(path, begin(span), time)) {
-        return {begin(span), time};
+        return {0, {begin(span), time}};
     }
-    return nodes(path, span * ticks_, time);
+    const std::int64_t n = static_cast<std::int64_t>(std::ceil(time / tick_ - kRounding)) - 1;
+    return {static_cast<int>(n - span * ticks_), nodes(path, n, time)};
 }
 
 /// Returns nodes from the tick `oldest` on, but none before the track begins.
 std::vector<double> WakeClock::nodes(const TrackPath& path, std::int64_t oldest,
                                      double time) const {
-    const auto at = [this](std::int64_t n) { return static_cast<double>(n) * tick_; };
     if (at(oldest) < path.begin()) {
         oldest = static_cast<std::int64_t>(std::ceil(path.begin() / tick_ - kRounding));
     }
@@ -120,9 +125,14 @@ std::vector<double> WakeClock::nodes(const TrackPath& path, std::int64_t oldest,
 WakePast wake_past(const TrackPath& path, const std::vector<double>& times, double time,
                    const WakePlace& place) {
     WakePast past{place, {}, {}};
-    for (const double node : times) {
-        const PathVector at = path.place(node) - place.centre;
-        past.nodes.push_back({node - time, at.x, at.y});
+    double before = 0.0;
+    int pace = 0;
+    for (std::size_t j = 0; j < times.size(); ++j) {
+        const PathVector at = path.place(times[j]) - place.centre;
+        const double seconds = j > 0 ? times[j] - times[j - 1] : 0.0;
+        if (std::abs(seconds - before) > kSame) ++pace;
+        before = seconds;
+        past.nodes.push_back({times[j] - time, at.x, at.y, pace});
     }
     for (std::size_t j = 0; j + 1 < times.size(); ++j) {
         const WakeNode& a = past.nodes[j];
@@ -141,6 +151,14 @@ WakePast wake_past(const TrackPath& path, const std::vector<double>& times, doub
     return past;
 }
 
+void WakePast::insert_before(const WakeNode& node) {
+    nodes.insert(nodes.begin(), node);
+    for (WakeRun& run : runs) {
+        ++run.first;
+        ++run.last;
+    }
+}
+
 WindowNodes::WindowNodes(const WakePast& past, double later, const PathVector& middle, double age)
     : count_((past.nodes.size() + kWakeBlock - 1) / kWakeBlock * kWakeBlock), values_(4 * count_) {
     std::ranges::fill(values_, 0.0f);
@@ -155,8 +173,8 @@ WindowNodes::WindowNodes(const WakePast& past, double later, const PathVector& m
     }
 }
 
-WakeWindow WindowNodes::window() const {
-    const float* const values = values_.data();
+WakeWindow WindowNodes::window(int first) const {
+    const float* const values = values_.data() + first;
     return {values, values + count_, values + 2 * count_, values + 3 * count_};
 }
 

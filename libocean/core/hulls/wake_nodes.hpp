@@ -44,6 +44,12 @@ struct WakePlace {
 /// Returns the square at a time. It trails the hull by at most 0.26 of its side.
 WakePlace wake_place(const TrackPath& path, double time, double size, double step);
 
+/// What follows the begin of a span.
+struct WakeNewest {
+    int ticks;                  // whole ones of the span, and then
+    std::vector<double> times;  // of nodes
+};
+
 /// Absolute times: ticks for nodes, and spans of 1, 2, 4 or 8 ticks for windows.
 class WakeClock {
   public:
@@ -56,11 +62,15 @@ class WakeClock {
 
     /// Returns the times of the nodes up to the begin of a span, from `age` before it on.
     std::vector<double> settled(const TrackPath& path, std::int64_t span, double age) const;
-    /// Returns the times of the nodes from the begin of the span of a time to that time.
-    std::vector<double> newest(const TrackPath& path, double time) const;
+    /// Returns the times of the nodes of a tick of a span, or none before the track begins.
+    std::vector<double> tick(const TrackPath& path, std::int64_t span, int tick) const;
+    /// Returns what lies between the begin of the span of a time and that time: one segment if it
+    /// is straight, else ticks and what follows them.
+    WakeNewest newest(const TrackPath& path, double time) const;
 
   private:
     std::vector<double> nodes(const TrackPath& path, std::int64_t oldest, double time) const;
+    double at(std::int64_t tick) const { return static_cast<double>(tick) * tick_; }
 
     double tick_ = kWakeTick;
     std::int64_t ticks_ = 1;  // of a span
@@ -72,13 +82,11 @@ struct WakePast {
     std::vector<WakeNode> nodes;
     std::vector<WakeRun> runs;  // those that move
 
+    /// Inserts a node that belongs to no run.
+    void insert_before(const WakeNode& node);
     /// Returns true if the hull moves at the last node.
     bool moves() const {
         return !runs.empty() && runs.back().last + 1 == static_cast<int>(nodes.size());
-    }
-    /// Returns the past of a hull in a square [m].
-    WakeRuns in(double size, double half_length) const {
-        return {nodes.data(), runs.data(), runs.size(), size, half_length};
     }
 };
 WakePast wake_past(const TrackPath& path, const std::vector<double>& times, double time,
@@ -92,7 +100,8 @@ class WindowNodes {
 
     /// Returns the number of nodes, padded.
     std::size_t count() const { return count_; }
-    WakeWindow window() const;
+    /// Returns the window from the node `first` on, a multiple of kWakeBlock.
+    WakeWindow window(int first) const;
 
   private:
     std::size_t count_;

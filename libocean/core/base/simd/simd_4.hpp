@@ -31,6 +31,11 @@ OCEAN_INLINE Vec nearest(Vec x) {
     constexpr float kRound = 12582912.0f;  // 1.5 * 2^23: its last bit counts integers
     return (x + Vec(kRound)) - Vec(kRound);
 }
+/// Returns true if a lane of a is below b.
+OCEAN_INLINE bool any_below(Vec a, Vec b) {
+    const IntLanes below = a.v < b.v;
+    return (below[0] | below[1] | below[2] | below[3]) != 0;
+}
 /// Stores past the caches, to memory, if the machine can.
 OCEAN_INLINE void stream(float* p, Vec x) {
 #if defined(__SSE2__)

@@ -29,6 +29,10 @@ OCEAN_INLINE Vec max(Vec a, Vec b) {
 OCEAN_INLINE Vec nearest(Vec x) {
     return Lanes(_mm512_roundscale_ps(x.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
 }
+/// Returns true if a lane of a is below b.
+OCEAN_INLINE bool any_below(Vec a, Vec b) {
+    return _mm512_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ) != 0;
+}
 /// Stores past the caches, to memory.
 OCEAN_INLINE void stream(float* p, Vec x) {
     _mm512_stream_ps(p, x.v);
