@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "gpx_track.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/csv_rows.hpp"
@@ -125,7 +126,33 @@ std::string row_text(std::span<const double> values) {
     return out + "],\n";
 }
 
+HullTrack plain_track(const std::string& content, const Hull& hull, const std::string& path) {
+    if (hull.origin.empty() && hull.origin_time.empty()) return parse_track(content, path);
+    throw Error(ErrorKind::invalid_value,
+                path + ": origin and origin_time belong to a GPX track, and this is a CSV file");
+}
+
 }  // namespace
+
+HullTrack placed_track(const std::vector<GpxPoint>& points, const Hull& hull,
+                       const std::string& name) {
+    const GpxPoint& first = points.front();
+    const bool is_place = hull.origin.size() == 2 && std::abs(hull.origin[0]) <= 90.0;
+    if (!is_place) {
+        throw Error(ErrorKind::invalid_value,
+                    name +
+                        ": a GPX track needs origin = [latitude, longitude], the place of (0, 0) "
+                        "in degrees; its first point is at [" +
+                        toml_number(first.latitude) + ", " + toml_number(first.longitude) + "]");
+    }
+    const std::optional<double> start =
+        hull.origin_time.empty() ? first.time : parse_gpx_time(hull.origin_time);
+    if (!start) {
+        throw Error(ErrorKind::invalid_value,
+                    name + ": " + not_a_time("origin_time", hull.origin_time));
+    }
+    return track_of(points, {hull.origin[0], hull.origin[1]}, *start, name);
+}
 
 HullTrack parse_track(std::string_view content, const std::string& name) {
     return TrackReader(content, name).read();
@@ -174,8 +201,10 @@ void resolve_track(Hull& hull, std::size_t number, const std::string& base_dir) 
     const std::string path = text::to_utf8(utf8_path(base_dir) / utf8_path(hull.track_file));
     const std::string name = "hulls." + std::to_string(number) + ".track_file";
     try {
+        const std::string content = text::read_file(path, kMaxTrackBytes);
         auto track = std::make_shared<const HullTrack>(
-            parse_track(text::read_file(path, kMaxTrackBytes), path));
+            is_xml(content) ? placed_track(parse_gpx(content, path), hull, path)
+                            : plain_track(content, hull, path));
         require_track(*track, path);
         hull.track = std::move(track);
     } catch (const Error& error) {

@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Tracks of hulls as text: CSV files, and the rows that a sea file carries.
+// Tracks of hulls as text: CSV and GPX files, and the rows that a sea file carries.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "gpx_track.hpp"
 #include "ocean/internal/hull_rules.hpp"
 #include "ocean/parameters.hpp"
 #include "toml_input.hpp"
@@ -22,6 +24,11 @@ inline constexpr std::size_t kMaxTrackBytes = std::size_t{64} << 20;
 /// way points whose times follow from the speeds, from time 0 on. Throws Error bad_file
 /// "NAME:LINE: ...".
 HullTrack parse_track(std::string_view content, const std::string& name);
+
+/// Returns the points of a GPX file as the track of a hull, by its origin and origin_time. Throws
+/// Error invalid_value "NAME: ...".
+HullTrack placed_track(const std::vector<GpxPoint>& points, const Hull& hull,
+                       const std::string& name);
 
 /// Reads rows [time, x, y] or [time, x, y, heading, speed] of a sea file; `name` is the parameter.
 /// Throws Error invalid_value.

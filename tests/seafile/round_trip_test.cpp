@@ -28,7 +28,9 @@ ParameterValue other_value(const ParameterInfo& info, const ParameterValue& usua
         const std::string last(info.choices().back());
         return usual == ParameterValue(last) ? std::string(info.choices().front()) : last;
     }
-    if (info.type() == "numbers") return std::vector<double>{1.0 / 3.0, -2.0e6 / 7.0};
+    if (info.type() == "numbers") {
+        return std::vector<double>{1.0 / 3.0, std::max(info.min, -2.0e6) / 7.0};
+    }
     if (info.type() == "wave_height") return std::string("-0.7 Hs");
     if (info.type() == "text") return std::string("a \"b\"\\ \xC3\xA9 #'.x");
     if (info.rule == NumberRule::power_of_two) return std::int64_t{128};

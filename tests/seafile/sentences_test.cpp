@@ -22,6 +22,12 @@ const std::map<std::string, Read> kReaders = {
          std::istringstream stream(text);
          parse_ascii_grid(stream, text.size(), "bed.asc", "", {});
      }},
+    {"gpx",
+     [](const std::string& text) {
+         Hull hull;
+         hull.origin = {59.9, 10.7};
+         require_track(placed_track(parse_gpx(text, "boat.gpx"), hull, "boat.gpx"), "boat.gpx");
+     }},
     {"rings", [](const std::string& text) { parse_rings(text, "r.csv"); }},
     {"sea", [](const std::string& text) { parse(text); }},
     {"take", [](const std::string& text) { parse_take(text, "storm.take", Parameters{}); }},

@@ -35,7 +35,8 @@ const std::map<std::string, std::vector<std::string>> kTexts = {
     {"waves.N.file", {data_dir() + "/spectra/ndbc_41010.csv"}},
     {"waves.N.record", {"2020-06-07T11:50"}},
     {"waves.N.place", {"41010"}},
-    {"hulls.N.track_file", {"other_boat.csv"}},
+    {"hulls.N.track_file", {"other_boat.gpx"}},
+    {"hulls.N.origin_time", {"2026-05-01T10:06:41Z"}},
     {"terrain.measured", {"rings.csv", "other.csv"}},
     {"terrain.base", {"other.asc"}},
 };
@@ -147,8 +148,14 @@ void write_files(const TemporaryFolder& folder) {
     folder.write("other.take", "0.1 choppiness 0.5\n");
     folder.write("rings.csv", "wavenumber,density\n0.01,5\n0.1,0.5\n1,0.001\n");
     folder.write("other.csv", "wavenumber,density\n0.01,9\n0.1,0.4\n1,0.002\n");
-    folder.write("boat.csv", "time,x,y\n-400,-1940,40\n60,360,40\n");
-    folder.write("other_boat.csv", "time,x,y\n-400,-1940,44\n60,360,44\n");
+    const auto write_boat = [&](const std::string& name, const std::string& longitude) {
+        const std::string place = "\" lon=\"" + longitude + "\"><time>2026-05-01T10:0";
+        folder.write(name, "<gpx><trkpt lat=\"-0.0175" + place +
+                               "0:00Z</time></trkpt><trkpt lat=\"" + "0.00326" + place +
+                               "7:40Z</time></trkpt></gpx>");
+    };
+    write_boat("boat.gpx", "0.00036");
+    write_boat("other_boat.gpx", "0.0004");
 }
 
 // ---- What is compared
@@ -405,7 +412,8 @@ TEST(SetKey, OfAnOpenSeaGivesWhatItsTextGives) {
     keys.walk({"hull",
                "[grid]\nresolution = 32\npatch_size = 200.0\n[surface]\nfoam_lifetime = 0.0\n"
                "[[waves]]\nwind_speed = 6.0\n[[hulls]]\nlength = 12.0\nbeam = 3.0\n"
-               "draught = 0.8\nwake_resolution = 64\ntrack_file = \"boat.csv\"\n"},
+               "draught = 0.8\nwake_resolution = 64\ntrack_file = \"boat.gpx\"\n"
+               "origin = [0.00004, 0.00004]\norigin_time = \"2026-05-01T10:06:40Z\"\n"},
               "hulls");
     keys.expect_all({}, {{"waves.N.place", "the only place of the file is the nearest one"}});
 }

@@ -187,7 +187,9 @@ struct Hull {
     double factor = 1.0;
     double trail_lifetime = 25.0;  // of the white water behind it [s]
     std::string track_file;
-    double wake_size = 0.0;  // 0: chosen, see wake_lattice.hpp
+    std::vector<double> origin = {};  // of a GPX track: latitude, longitude [degrees]
+    std::string origin_time;          // of a GPX track: at 0 s; empty: of its first point
+    double wake_size = 0.0;           // 0: chosen, see wake_lattice.hpp
     int wake_resolution = 256;
     double wake_age = 0.0;  // 0: chosen
 

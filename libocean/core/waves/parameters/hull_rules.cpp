@@ -150,7 +150,7 @@ void validate_hull(const Hull& hull, const Parameters& parameters, const std::st
                     {.what = hull.track_file.empty() ? "has no track"
                                                      : "has a track that has not been read",
                      .parameter = name,
-                     .allowed = "track = [[time, x, y], ...] or track_file = a CSV file"});
+                     .allowed = "track = [[time, x, y], ...] or track_file = a CSV or GPX file"});
     }
     require_track(*hull.track, name + ".track");
     const auto require_within_length = [&](std::string_view key, double value) {
@@ -192,6 +192,7 @@ bool Hull::operator==(const Hull& other) const {
     return same_track && length == other.length && beam == other.beam && draught == other.draught &&
            shape == other.shape && factor == other.factor &&
            trail_lifetime == other.trail_lifetime && track_file == other.track_file &&
+           origin == other.origin && origin_time == other.origin_time &&
            wake_size == other.wake_size && wake_resolution == other.wake_resolution &&
            wake_age == other.wake_age;
 }

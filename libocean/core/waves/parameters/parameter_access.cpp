@@ -68,9 +68,12 @@ void set_parameter(Parameters& parameters, std::string_view name, std::string_vi
     if (names_record(*ref.info) && value_of(changed, ref) != value_of(parameters, ref)) {
         changed.waves[ref.item].measured = nullptr;  // it belongs to the previous name
     }
-    if (ref.info->holds<&Hull::track_file>() &&
-        value_of(changed, ref) != value_of(parameters, ref)) {
-        changed.hulls[ref.item].track = nullptr;
+    const bool is_of_file = ref.info->holds<&Hull::track_file>() ||
+                            ref.info->holds<&Hull::origin>() ||
+                            ref.info->holds<&Hull::origin_time>();
+    if (is_of_file && value_of(changed, ref) != value_of(parameters, ref)) {
+        Hull& hull = changed.hulls[ref.item];
+        if (ref.info->holds<&Hull::track_file>() || !hull.track_file.empty()) hull.track = nullptr;
     }
     if (value_of(changed, ref) != value_of(parameters, ref)) {
         changed.water.bed = bed_after(*ref.info, changed.water);

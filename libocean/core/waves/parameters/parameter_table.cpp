@@ -296,9 +296,18 @@ constexpr ParameterInfo kTable[] = {
      Stage::clock, OptionalColumns{.min_nonzero = 0.1, .neutral = "25"}},
     {kHulls, "track_file", "", "Track file",
      "CSV file of the track, with a header: time,x,y, or time,x,y,heading,speed, or way points "
-     "x,y,speed; relative to the sea file. The rows themselves may stand in the sea file as track "
-     "= [[time, x, y], ...].",
+     "x,y,speed; or a GPX file, with origin; relative to the sea file. The rows themselves may "
+     "stand in the sea file as track = [[time, x, y], ...].",
      member<&Parameters::hulls, &Hull::track_file>(), 0, 0, 0, 0, kRebuild, Stage::clock,
+     neutral("")},
+    {kHulls, "origin", "deg", "Track origin",
+     "Latitude and longitude of (0, 0), for a GPX track; x is east and y is north there.",
+     member<&Parameters::hulls, &Hull::origin>(), -180.0, 180.0, -180.0, 180.0, kRebuild,
+     Stage::clock, OptionalColumns{.max_length = 2, .neutral = "[]"}},
+    {kHulls, "origin_time", "", "Track start",
+     "Date and time of the sea's time 0, for a GPX track, such as 2026-05-01T10:00:00Z; empty: "
+     "those of its first point.",
+     member<&Parameters::hulls, &Hull::origin_time>(), 0, 0, 0, 0, kRebuild, Stage::clock,
      neutral("")},
     {kHulls, "wake_size", "m", "Wake size",
      "Side of the square of water around the hull that shows its wake; 0 means chosen: 16 lengths "
