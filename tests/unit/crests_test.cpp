@@ -333,15 +333,14 @@ TEST(Crests, TravelInTheirDirection) {
 
 std::string refusal_of(const Parameters& parameters) {
     try {
-        validate(parameters);
-        modes_of(parameters);
+        const Ocean opened(parameters);
     } catch (const Error& error) {
         return error.what();
     }
     return "none";
 }
 
-TEST(Crests, ThatASeaCannotMakeAreRefusedWithTheReason) {
+TEST(Crests, ThatASeaCannotMakeAreRefusedWhenItOpens) {
     const auto expect = [](const std::string& part,
                            const std::function<void(Parameters&)>& change) {
         const std::string sentence = refusal_of(changed(change));

@@ -89,7 +89,8 @@ class EmptyPanel(bpy.types.Panel):
 
     @classmethod
     def poll(cls, context) -> bool:
-        return context.object is not None and _row_of(context.object) is not None
+        ob = context.object
+        return ob is not None and ob.type == "EMPTY" and _row_of(ob) is not None
 
     @draws
     def draw(self, layout, ob, _context) -> None:
