@@ -12,6 +12,7 @@ from conftest import add_ocean, failing, keyed, positions, push, reopened
 from libocean_addon.bake import bake_record, bake_state
 from libocean_addon.bundled import libocean
 from libocean_addon.sea import hull_values, hulls, live
+from libocean_addon.shared import compat
 
 
 @pytest.fixture
@@ -35,7 +36,7 @@ def moving(ob, speed=8.0, start=(-20.0, 5.0)):
     """Animated along x, evenly, over 121 frames of 24 a second."""
     z = ob.location.z
     keyed(ob, location={1: (*start, z), 121: (start[0] + 5.0 * speed, start[1], z)})
-    for curve in ob.animation_data.action.fcurves:
+    for curve in compat.curves_of(ob.animation_data):
         for key in curve.keyframe_points:
             key.interpolation = "LINEAR"
     return ob
@@ -102,7 +103,7 @@ def test_what_makes_no_wake_is_said(scene, ocean, boat):
     box()
     assert "does not move between the frames 1 and 121: animate it first" in said()
     moving(box(size=(200.0, 0.01, 2.0)), 8.0)
-    assert "Boat: Beam = 0.01" in said()
+    assert ": Beam = 0.01" in said()
     moving(box(), 2000.0)
     assert "the hull jumps" in said()
     moving(box())
@@ -159,6 +160,20 @@ def test_hulls_are_saved_kept_undone_and_removed(scene, ocean, boat, tmp_path):
     assert bpy.ops.libocean.remove_wake() == {"FINISHED"}
     assert len(ocean.libocean.hulls) == 0
     assert hull_values.texts_of(ocean.libocean.hulls) == {}
+
+
+def test_a_deleted_object_makes_no_waves(ocean, boat):
+    calm = positions(ocean)
+    bpy.ops.libocean.add_wake()
+    assert (positions(ocean) != calm).any()
+    push("wake")
+    assert bpy.ops.object.delete() == {"FINISHED"}
+    assert len(ocean.libocean.hulls) == 0 and (positions(ocean) == calm).all()
+    push("deleted")
+    bpy.ops.ed.undo()
+    ocean = bpy.data.objects["Ocean"]
+    assert [hull.source.name for hull in ocean.libocean.hulls] == ["Boat"]
+    assert (positions(ocean) != calm).any()
 
 
 def test_a_bake_and_its_panel_say_that_wakes_are_left_out(scene, ocean, boat, tmp_path):

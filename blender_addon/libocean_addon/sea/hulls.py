@@ -221,17 +221,35 @@ class UpdateWakes(_OnHull, bpy.types.Operator):
 # Following animations -----------------------------------------------------------------
 
 
+def _own_seas(scene) -> list:
+    return [ocean for ocean in seas_of(scene) if ocean.library is None]
+
+
 def _stale(scene) -> list:
     """Returns pairs of sea and hull whose object moves otherwise than its track."""
     return [
         (ocean, hull)
-        for ocean in seas_of(scene)
-        if ocean.library is None
+        for ocean in _own_seas(scene)
         for hull in ocean.libocean.hulls
         if hull.source is not None
-        and meshes.is_there(hull.source)
         and hull.track_key != hull_track.key_of(hull.source, ocean, scene)
     ]
+
+
+def _let_go(scene) -> None:
+    """Removes the hulls of objects that were deleted."""
+    for ocean in _own_seas(scene):
+        settings = ocean.libocean
+        gone = [
+            n
+            for n, hull in enumerate(settings.hulls)
+            if hull.source is not None and not meshes.is_there(hull.source)
+        ]
+        for number in reversed(gone):
+            settings.hulls.remove(number)
+        if gone:
+            settings.active_hull = min(settings.active_hull, max(0, len(settings.hulls) - 1))
+            changes.tell(settings)
 
 
 @failures.log_once
@@ -255,7 +273,10 @@ def _renew() -> None:
 def follow(_depsgraph, moment) -> None:
     """Has tracks that are no longer those of their objects taken again soon: a frame must not be
     changed while one is shown."""
-    if moment.rendering or bpy.app.timers.is_registered(_renew):
+    if moment.rendering:
+        return
+    _let_go(moment.scene)
+    if bpy.app.timers.is_registered(_renew):
         return
     stale = _stale(moment.scene)
     if not stale:
