@@ -23,8 +23,6 @@
 namespace ocean {
 namespace {
 
-constexpr ChannelSet kFoamChannels = {Channel::foam, Channel::cover};
-
 /// The clock of the foam of breaking waves: their fronts are some metres wide, so that a quarter of
 /// a second passes no gap.
 FoamClock surf_clock(const Parameters& parameters) {

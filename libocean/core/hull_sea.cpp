@@ -29,8 +29,6 @@
 namespace ocean {
 namespace {
 
-constexpr ChannelSet kFoamOfOpen = {Channel::foam, Channel::cover};
-
 /// The whitecaps and the foam of a surface with wakes. Foam is the open sea's, followed over time;
 /// where the sum of both breaks now, its whitecap is foam too. That whitecap leaves no foam behind.
 class SummedFoam {
@@ -137,10 +135,10 @@ PlacedSea::RegionMaps HullSea::region_maps(ChannelSet) const {
 void HullSea::write_region(double time, const Domain& domain, std::span<const MapOutput> outputs) {
     const ChannelSet channels = channels_of(outputs);
     ++open().stage_runs().surface;
-    const bool has_foam = channels.intersects(kFoamOfOpen);
+    const bool has_foam = channels.intersects(kFoamChannels);
     const Surface foam_of_open =
         has_foam
-            ? open_map(time, channels.without(kEveryMask | kEveryChannel.without(kFoamOfOpen)))
+            ? open_map(time, channels.without(kEveryMask | kEveryChannel.without(kFoamChannels)))
             : Surface();
     const auto power = channels.contains(Channel::cover)
                            ? static_cast<float>(open().cover_power(time, shown()))
@@ -187,7 +185,7 @@ void HullSea::wake_into(std::size_t hull, double time, const Domain& domain,
     require_time(time);
     require_region(domain);
     const ChannelSet channels = channels_of(outputs);
-    if (channels.intersects(kEveryMask | kFoamOfOpen | ChannelSet(Channel::whitecap))) {
+    if (channels.intersects(kEveryMask | kFoamChannels | ChannelSet(Channel::whitecap))) {
         throw Error(ErrorKind::unsupported,
                     "a wake alone has no foam and no masks; allowed: channels of its waves");
     }

@@ -15,7 +15,9 @@
 #include "ocean/internal/map_request.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/sea_bytes.hpp"
+#include "ocean/internal/second_order.hpp"
 #include "ocean/parameter_table.hpp"
+#include "waves/bound/bound_waves.hpp"
 #include "waves/detail/detail_maps.hpp"
 #include "waves/kernel/map_kernel.hpp"
 #include "waves/spray/spray_follower.hpp"
@@ -149,6 +151,7 @@ SeaState OpenSea::state() {
     SeaState state = sea_state(spectrum, now(), pool_);
     add_whitecaps(current_modes(), now().surface, state);
     chain_->add_crests(pool_, runs_, state);
+    add_second_order(spectrum, now(), state);
     return state;
 }
 
@@ -292,8 +295,13 @@ void OpenSea::require_map_memory(int resolution, int maps, ChannelSet channels) 
     const std::uint64_t work = has_work_space ? 0
                                               : work_bytes(now().grid, options_.backend, channels,
                                                            resolution, options_.channels);
+    // Bound waves have up to four planes of the map too.
+    const std::uint64_t bound =
+        has_work_space || !now().surface.second_order
+            ? 0
+            : BoundWaves::bytes(now().grid.resolution) + maps_bytes(resolution, 4);
     require_memory(
-        (chain_->has_modes() ? 0 : modes_bytes(now().grid)) + work +
+        bound + (chain_->has_modes() ? 0 : modes_bytes(now().grid)) + work +
             maps_bytes(resolution, maps + (spreads ? 1 : 0)) +
             maps_bytes(lattice.resolution, follows ? kFoamMaps : 0),
         "a map of " + std::to_string(resolution) + " x " + std::to_string(resolution) + " samples");

@@ -15,6 +15,8 @@
 
 namespace ocean {
 
+inline constexpr ChannelSet kFoamChannels = {Channel::foam, Channel::cover};
+
 /// Functions without a comment do as those of Ocean.
 class PlacedSea {
   public:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The transform of sixteen columns against the reference transform.
-#include "coast/loops/batch_fft.hpp"
+#include "base/batch_fft.hpp"
 
 #include "ocean/internal/fft.hpp"
 #include "ocean/internal/grid.hpp"
@@ -16,13 +16,14 @@ TEST(BatchFft, IsTheInverseTransform) {
     std::mt19937 numbers(3);
     std::normal_distribution<float> normal;
     for (const auto& [size, reach] :
-         {std::pair{16, 0}, {16, 1}, {16, 2}, {32, 5}, {64, 31}, {128, 15}, {256, 16}, {512, 85}}) {
+         {std::pair{16, 0}, {16, 1}, {16, 2}, {32, 5}, {64, 31}, {64, 32}, {128, 15}, {256, 16}, {512, 85}}) {
         constexpr std::size_t kStride = 3;
         const auto waves = static_cast<std::size_t>(2 * reach + 1);
         std::vector<BatchRow> spectrum(waves * kStride);
         std::vector<std::vector<std::complex<double>>> columns(
             kFftBatch, std::vector<std::complex<double>>(static_cast<std::size_t>(size)));
         for (int k = -reach; k <= reach; ++k) {
+            if (2 * k == -size) continue;
             BatchRow& row = spectrum[static_cast<std::size_t>(k + reach) * kStride];
             for (std::size_t c = 0; c < columns.size(); ++c) {
                 row.real()[c] = normal(numbers);

@@ -27,11 +27,14 @@ class RandomParameters {
                 const auto words = info.choices();
                 const std::string word(words[random_() % words.size()]);
                 if (word != "measured") assign(parameters, {&info, 0}, word);
+            } else if (info.type() == "bool") {
+                assign(parameters, {&info, 0}, random_() % 4 == 0);
             } else {
                 assign(parameters, {&info, 0}, number(info));
             }
         }
         parameters.grid.resolution = 32;
+        if (parameters.surface.second_order) parameters.water.depth = Water{}.depth;
         return parameters;
     }
 

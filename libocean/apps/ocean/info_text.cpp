@@ -224,6 +224,13 @@ std::string grid_text(const SeaState& state, const Parameters& parameters) {
     return text;
 }
 
+std::string second_order_text(const SecondOrderSummary& summary) {
+    std::string text = row("Skewness", format_text("%.3f; %.3f by theory, 0 without second_order",
+                                                   summary.skewness, summary.skewness_of_theory));
+    return text + row("", format_text("waves longer than %.4g m bind others; k_p Hs / 2 is %.3f",
+                                      summary.shortest_binding_wave, summary.steepness));
+}
+
 std::string crests_text(const SeaState& state) {
     std::string text;
     for (const CrestSummary& crest : state.crests) {
@@ -324,7 +331,9 @@ std::string info_text(const Sea& sea, const std::string& source, const SeaState&
                       const FrameCost& cost) {
     return row("Sea", source) + waves_text(sea.parameters) + state_text(state) +
            grid_text(state, sea.parameters) + take_text(sea) + crests_text(state) +
-           hulls_text(state, sea.parameters) + foam_text(state, sea.parameters.surface, cost);
+           hulls_text(state, sea.parameters) +
+           (state.second_order ? second_order_text(*state.second_order) : "") +
+           foam_text(state, sea.parameters.surface, cost);
 }
 
 std::string found_crest_text(const FoundCrestText& found) {

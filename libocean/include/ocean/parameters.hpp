@@ -100,6 +100,7 @@ struct SurfaceSettings {
     FoamCoverage foam_coverage = FoamCoverage::monahan;
     double foam_threshold = 0.75;
     double foam_width = 0.2;
+    bool second_order = false;
     bool operator==(const SurfaceSettings&) const = default;
 };
 

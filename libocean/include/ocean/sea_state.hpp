@@ -81,6 +81,15 @@ struct HullSummary {
     double wake_cell = 0.0;         // distance of the samples of that square [m]
 };
 
+/// Second order of a sea. The skewness is <h^3> / <h^2>^1.5 of the heights over places; a linear
+/// sea has none.
+struct SecondOrderSummary {
+    double skewness = 0.0;               // of this sea's surface
+    double skewness_of_theory = 0.0;     // of its spectrum [Sharma and Dean 1981]
+    double shortest_binding_wave = 0.0;  // shorter waves are linear [m]
+    double steepness = 0.0;              // peak wavenumber times half the significant wave height
+};
+
 struct SeaState {
     AskedResolved significant_wave_height;  // [m]
     AskedResolved peak_period;              // [s]; 0 = flat
@@ -115,8 +124,9 @@ struct SeaState {
     std::vector<CrestSummary> crests;  // those of the sea file
     /// Expected variance of the patch's heights with its crests, over that without them.
     double crest_variance = 1.0;
-    std::vector<HullSummary> hulls;     // those of the sea file
-    std::vector<std::string> warnings;  // full sentences, for people
+    std::vector<HullSummary> hulls;                  // those of the sea file
+    std::optional<SecondOrderSummary> second_order;  // absent in a linear sea
+    std::vector<std::string> warnings;               // full sentences, for people
 };
 
 /// Returns the statistics without the whitecaps, for which add_whitecaps needs the modes. Needs

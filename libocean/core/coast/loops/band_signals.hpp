@@ -17,8 +17,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/batch_fft.hpp"
 #include "coast/loops/band_lattice.hpp"
-#include "coast/loops/batch_fft.hpp"
 #include "coast/loops/signal_task.hpp"
 #include "coast/statics/shore_bands.hpp"
 #include "ocean/internal/coast_waves.hpp"

@@ -16,6 +16,7 @@
 #include <complex>
 
 #include "ocean/internal/modes.hpp"
+#include "ocean/internal/second_order.hpp"
 #include "waves/crests/crest_conditions.hpp"
 #include "waves/modes/mode_lattice.hpp"
 
@@ -56,6 +57,7 @@ std::vector<double> make_waves(const ModeLattice& lattice, const DirectionalSpec
                                const Parameters& parameters, ThreadPool& pool, Modes& modes) {
     const double wind = strongest_wind(parameters).value_or(0.0);
     std::vector<double> gains = lattice.set_waves(spectrum, wind, pool, modes);
+    modes.binding_limit = binding_limit(spectrum, parameters);
     set_crests({spectrum, parameters, lattice, gains}, pool, modes);
     return gains;
 }

@@ -206,9 +206,9 @@ void read_performance(Ocean& ocean, const std::vector<Gauge>& gauges, const Samp
     }
 }
 
-/// Reads gauges over a bed by exact queries, time by time.
-void read_coast(Ocean& ocean, const std::vector<Gauge>& gauges, const SampleTimes& times,
-                const std::function<void(std::size_t)>& progress, GaugeSeries& series) {
+/// Reads gauges by exact queries, time by time: over a bed, and where waves bind others.
+void read_by_queries(Ocean& ocean, const std::vector<Gauge>& gauges, const SampleTimes& times,
+                     const std::function<void(std::size_t)>& progress, GaugeSeries& series) {
     std::vector<WorldPoint> points(gauges.size());
     std::vector<WaterPoint> depths(gauges.size());
     std::vector<QuerySample> samples(gauges.size());
@@ -250,8 +250,8 @@ GaugeSeries read_gauge_series(Ocean& ocean, const std::vector<Gauge>& gauges,
                               const std::function<void(std::size_t)>& progress) {
     GaugeSeries series{times.count(), gauges.size(), {}};
     series.values.resize(series.times * row_length(series));
-    if (!ocean.repeats()) {
-        read_coast(ocean, gauges, times, progress, series);
+    if (!ocean.repeats() || ocean.parameters().surface.second_order) {
+        read_by_queries(ocean, gauges, times, progress, series);
     } else if (ocean.sea().take.empty()) {
         read_still_sea(ocean, gauges, times, pool, progress, series);
     } else {

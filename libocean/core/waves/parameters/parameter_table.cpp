@@ -160,6 +160,11 @@ constexpr ParameterInfo kTable[] = {
      "How far the Jacobian falls below the threshold where a whitecap is fully white.",
      member<&Parameters::surface, &SurfaceSettings::foam_width>(), 0.001, 2.0, 0.05, 0.5, kLive,
      Stage::foam},
+    {kSurface, "second_order", "", "Second order",
+     "Waves that the products of the sea's waves bind make crests higher and sharper and troughs "
+     "flatter, with the skewness of second-order theory; for deep water.",
+     member<&Parameters::surface, &SurfaceSettings::second_order>(), 0, 0, 0, 0, kRebuild,
+     Stage::modes, neutral("false")},
 
     {kTime, "start", "s", "Start", "Time of the first frame.",
      member<&Parameters::time, &Timing::start>(), -kLatestTime, kLatestTime, 0.0, 3600.0, kRebuild,

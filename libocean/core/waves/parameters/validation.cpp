@@ -159,6 +159,35 @@ void validate_crests(const Parameters& parameters) {
     }
 }
 
+/// Throws unless bound waves are known for this sea: the fit of their kernels is one of deep water.
+void validate_second_order(const Parameters& parameters) {
+    if (!parameters.surface.second_order) return;
+    const auto refuse = [](std::string what, std::string parameter, std::string value,
+                           std::string allowed) {
+        throw Error(ErrorKind::unsupported, {.what = std::move(what),
+                                             .parameter = std::move(parameter),
+                                             .value = std::move(value),
+                                             .allowed = std::move(allowed)});
+    };
+    const Water& water = parameters.water;
+    if (water.bed != nullptr) {
+        refuse("a bed turns, slows and breaks the waves, for which second order is not known",
+               "water.seabed", quoted_text(water.seabed), "none with surface.second_order = true");
+    }
+    if (!std::isinf(water.depth)) {
+        refuse("second order is known for deep water alone", "water.depth",
+               to_text(water.depth) + " m", "inf with surface.second_order = true");
+    }
+    if (!parameters.crests.empty()) {
+        refuse("a crest on cue has the height of linear waves, and second order would raise it",
+               "surface.second_order", "true", "false with [[crests]]");
+    }
+    if (!parameters.hulls.empty()) {
+        refuse("wakes are linear waves beside a linear sea", "surface.second_order", "true",
+               "false with [[hulls]]");
+    }
+}
+
 }  // namespace
 
 void validate(const Parameters& parameters) {
@@ -166,6 +195,7 @@ void validate(const Parameters& parameters) {
     validate_band(parameters.surface);
     validate_cascades(parameters.grid);
     validate_hulls(parameters);
+    validate_second_order(parameters);
     for (std::size_t i = 0; i < parameters.waves.size(); ++i) {
         const WaveSystem& system = parameters.waves[i];
         const std::string name = "waves." + std::to_string(i);

@@ -16,6 +16,7 @@
 #include "ocean/internal/wave_sum.hpp"
 #include "ocean/thread_pool.hpp"
 #include "wave/wave.hpp"
+#include "waves/query/bound_splines.hpp"
 #include "waves/query/inversion.hpp"
 #include "waves/query/query_bounds.hpp"
 #include "waves/query/query_folds.hpp"
@@ -116,6 +117,7 @@ struct SurfaceQuery::Impl {
     double choppiness = 0.0;
     double time = 0.0;
     std::optional<WaveSum> exact;
+    BoundSplines bound;
     FoamMap foam;
 };
 
@@ -142,6 +144,7 @@ void SurfaceQuery::Impl::begin(const Modes& modes, const SurfaceSettings& settin
     const MapOutput outputs[] = {position.output(kPosition), velocity.output(kVelocity)};
     strips.begin(modes, time, outputs, pool);
     folds.begin(choppiness, reach());
+    bound.begin(modes, settings, water, time, shown, options.exact, pool);
     if (!options.exact) return;
     if (!exact) exact.emplace(modes, water, shown);
     exact->set_time(time);
@@ -188,7 +191,12 @@ Solution SurfaceQuery::Impl::solve(const InversionTarget& target, WorldPoint sta
         return displacement_of(jet);
     };
     const ShownLabel label = find_label(look, target, start.x, start.y);
-    return {label, jet};  // find_label returns the label of its last look
+    // find_label returns the label of its last look.
+    const BoundSample second = bound.at(label.x, label.y);
+    jet.value[2] += static_cast<float>(second.height);
+    jet.by_x[2] += static_cast<float>(second.slope_x);
+    jet.by_y[2] += static_cast<float>(second.slope_y);
+    return {label, jet};
 }
 
 /// Returns the top solution and sets the flags of the sample.
@@ -275,6 +283,7 @@ void SurfaceQuery::Impl::fill(QuerySample& sample, const Solution& solution) con
     for (std::size_t i = 0; i < 3; ++i) {
         sample.velocity[i] = (i < 2 ? choppiness : 1.0) * static_cast<double>(rate.value[i]);
     }
+    sample.velocity[2] += bound.at(label.x, label.y).height_rate;
     sample.label[0] = label.x;
     sample.label[1] = label.y;
 }
@@ -290,14 +299,15 @@ void SurfaceQuery::Impl::fill_exactly(QuerySample& sample, WorldPoint place,
     const ShownLabel polished = find_label(look, exactly, label.x, label.y);
     if (polished.converged) label = polished;
     const LinearSample linear = exact->at_label(label.x, label.y);
-    sample.height = linear.height;
+    const BoundSample second = bound.exactly_at(label.x, label.y);
+    sample.height = linear.height + second.height;
     set_normal(sample, choppiness,
                {linear.displacement_x, linear.displacement_y, linear.gradient_xx,
                 linear.gradient_yy, linear.gradient_xy},
-               linear.slope_x, linear.slope_y);
+               linear.slope_x + second.slope_x, linear.slope_y + second.slope_y);
     sample.velocity[0] = -choppiness * linear.displacement_x_rate;
     sample.velocity[1] = -choppiness * linear.displacement_y_rate;
-    sample.velocity[2] = linear.height_rate;
+    sample.velocity[2] = linear.height_rate + second.height_rate;
     sample.label[0] = label.x;
     sample.label[1] = label.y;
 }
@@ -390,7 +400,9 @@ WorldPoint SurfaceQuery::shown(WorldPoint label) const {
 
 std::uint64_t SurfaceQuery::bytes(const Modes& modes, const QueryOptions& options) {
     const std::uint64_t sums = options.exact ? WaveSum::bytes(modes, 1) : 0;
-    return map_bytes(modes.lattice.resolution, options) + sums;
+    const std::uint64_t bound =
+        modes.binding_limit > 0.0 ? BoundSplines::bytes(modes.lattice.resolution) : 0;
+    return map_bytes(modes.lattice.resolution, options) + sums + bound;
 }
 
 std::uint64_t SurfaceQuery::map_bytes(int grid_resolution, const QueryOptions& options) {

@@ -98,6 +98,14 @@ Json bed_json(const SeaBedSummary& bed) {
         .add("sha256", bed.sha256);
 }
 
+Json second_order_json(const SecondOrderSummary& summary) {
+    return JsonObject()
+        .add("skewness", summary.skewness)
+        .add("skewness_of_theory", summary.skewness_of_theory)
+        .add("shortest_binding_wave", summary.shortest_binding_wave)
+        .add("steepness", summary.steepness);
+}
+
 /// Hs over depth of a surf zone that breaks all the way: Hrms = 0.42 d [Thornton and Guza 1982],
 /// Hs = sqrt(2) Hrms.
 constexpr double kSaturated = 0.6;
@@ -279,6 +287,7 @@ std::string sea_state_json(const SeaState& state) {
         json.add("crest_variance", state.crest_variance);
     }
     if (!state.hulls.empty()) json.add("hulls", hulls_json(state.hulls));
+    if (state.second_order) json.add("second_order", second_order_json(*state.second_order));
     json.add("warnings", json_array(state.warnings));
     return json.text() + "\n";
 }

@@ -5,6 +5,7 @@
 // their maps through it alone.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "ocean/internal/make_surface.hpp"
 #include "ocean/internal/map_request.hpp"
 #include "ocean/surface.hpp"
+#include "waves/surface/bound_maps.hpp"
 
 namespace ocean {
 
@@ -28,6 +30,11 @@ class MapWriter {
 
   private:
     bool write_samples(const MapRequest& request, ThreadPool& pool);
+    /// Writes channels of kKernelFormulas from the planes.
+    void write_by_kernel(ChannelSet channels, const MapRequest& request, ThreadPool& pool);
+    /// Adds the bound waves to the outputs that are multiples of a field, and to the planes.
+    void add_bound_waves(const MapRequest& request, LinearSet fields, LinearSet planes,
+                         ThreadPool& pool);
 
     Backend backend_;
     std::span<const ChannelInfo> host_channels_;
@@ -36,6 +43,7 @@ class MapWriter {
     // allocate.
     LinearPlanes<float> planes_;
     std::vector<MapOutput> outputs_;
+    std::optional<BoundMaps> bound_;  // of a sea of second order
 };
 
 }  // namespace ocean

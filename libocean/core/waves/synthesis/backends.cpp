@@ -18,15 +18,24 @@
 namespace ocean {
 
 MapModes map_modes(const Modes& modes, double time, int resolution) {
-    return {modes.cascades,  modes.lattice.period,  1,
-            modes.tau(time), modes.rate_unit(),     resolution,
-            modes.revision,  modes.lattice_revision};
+    return {modes.cascades,     modes.lattice.period,   1,
+            modes.tau(time),    modes.rate_unit(),      resolution,
+            modes.revision,     modes.lattice_revision, 0,
+            modes.binding_limit};
 }
 
 MapModes cascade_modes(const Modes& modes, std::size_t cascade, double time, int resolution) {
     const CascadeModes& own = modes.cascades[cascade];
-    return {{&own, 1},         own.lattice.period, own.divisor,    modes.tau(time),
-            modes.rate_unit(), resolution,         modes.revision, modes.lattice_revision};
+    return {{&own, 1},
+            own.lattice.period,
+            own.divisor,
+            modes.tau(time),
+            modes.rate_unit(),
+            resolution,
+            modes.revision,
+            modes.lattice_revision,
+            0,
+            cascade == 0 ? modes.binding_limit : 0.0};
 }
 
 namespace {

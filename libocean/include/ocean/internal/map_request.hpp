@@ -33,7 +33,8 @@ struct MapModes {
     int resolution = 0;      // of the map; may differ from the modes' resolution
     Revision revision;       // Modes::revision
     Revision lattice_revision;
-    int held_by = 0;  // resolution of a map that holds the modes; 0: `resolution`
+    int held_by = 0;             // resolution of a map that holds the modes; 0: `resolution`
+    double binding_limit = 0.0;  // Modes::binding_limit; 0 for a cascade that binds no waves
 
     double wavenumber_step() const { return kTwoPi / period; }
     /// Returns the stride by which mode (n, m) of a cascade is mode (n, m) * stride of the map.

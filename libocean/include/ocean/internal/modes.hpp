@@ -59,6 +59,9 @@ struct Modes {
     /// Changes only when more than h0 is modified: caches of phase rates and displacements compare
     /// it. Default-constructed like `revision`.
     Revision lattice_revision;
+    /// Wavenumber of the shortest waves whose products bind waves of second order [rad/m]; 0 = the
+    /// surface is linear.
+    double binding_limit = 0.0;
 
     /// Returns the covariance of the modes that a map of `resolution` samples holds.
     GradientCovariance gradient_covariance(int resolution) const;

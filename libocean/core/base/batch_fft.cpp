@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The transform of sixteen columns; see batch_fft.hpp.
-#include "coast/loops/batch_fft.hpp"
+#include "base/batch_fft.hpp"
 
 #include <cmath>
 

@@ -31,7 +31,8 @@ struct BatchRow {
 class BatchFft {
   public:
     /// Prepares transforms of `size` samples, a power of two, for the waves -reach .. reach; 2
-    /// reach < size.
+    /// reach <= size. With 2 reach = size the transform is a whole one: wave -reach, which is wave
+    /// reach, is not read.
     BatchFft(int size, int reach);
     int size() const { return size_; }
     int reach() const { return reach_; }
