@@ -151,7 +151,7 @@ SeaState OpenSea::state() {
     SeaState state = sea_state(spectrum, now(), pool_);
     add_whitecaps(current_modes(), now().surface, state);
     chain_->add_crests(pool_, runs_, state);
-    add_second_order(spectrum, now(), state);
+    add_second_order(chain_->spectrum(pool_, runs_), now(), state);
     return state;
 }
 
