@@ -244,9 +244,10 @@ TEST(HullSea, RefusesWhatItCannotHold) {
         return refusal(parameters);
     };
     EXPECT_EQ(changed([](Parameters&, Hull&) {}), "");
-    EXPECT_EQ(changed([](Parameters&, Hull& hull) { hull.track = nullptr; }),
-              "hulls.0: has no track; allowed: track = [[time, x, y], ...] or track_file = a CSV "
-              "file");
+    EXPECT_EQ(
+        changed([](Parameters&, Hull& hull) { hull.track = nullptr; }),
+        "hulls.0: has no track; allowed: track = [[time, x, y], ...] or track_file = a CSV or GPX "
+        "file");
     EXPECT_EQ(changed([](Parameters&, Hull& hull) { hull.wake_size = 40.0; }),
               "hulls.0.wake_size = 40 m: does not hold the hull and its waves; allowed: 0, or at "
               "least four lengths of the hull, 48 m");
