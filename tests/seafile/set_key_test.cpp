@@ -236,9 +236,7 @@ class SeaHandle {
         if (ocean_.repeats()) {
             add_map(shown, "map", ocean_.evaluate(time, channels));
         } else {
-            using enum LandMask;
-            const ChannelSet masks = {channel_of(depth), channel_of(breaking), channel_of(wetness)};
-            if (ocean_.parameters().water.bed) channels = channels | masks;
+            channels = channels | (ocean_.parameters().water.bed ? kMasksOverBed : kHullMasks);
             add_map(shown, "region", ocean_.region(time, kPart, channels));
         }
         std::vector<QuerySample> samples(kPoints.size());
