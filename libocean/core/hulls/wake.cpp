@@ -55,9 +55,10 @@ Wake::Wake(const Hull& hull, const Water& water, double loop_period, ThreadPool&
       path_(hull.track, loop_period),
       clock_(path_, kWayOfSpan * size_.side / std::max(fastest_leg(*hull.track).speed, 1e-9)),
       lattice_(hull, size_, water),
-      waves_(lattice_.still_modes()),
-      map_(waves_, size_.resolution),
-      factors_(lattice_.factors(map_.factor(waves_))),
+      still_(lattice_.still_modes()),
+      map_(still_, size_.resolution, pool),
+      factors_(lattice_.factors(map_.factor(still_))),
+      places_(lattice_.places(map_.packed())),
       amplitudes_(2 * lattice_.count()),
       sums_(4 * lattice_.count()),
       ticks_(2 * lattice_.count()),
@@ -158,10 +159,9 @@ void Wake::move_to(double time, bool rates, ThreadPool& pool) {
               past_, amplitudes_, pool);
     const float* const re = amplitudes_.data();
     farthest_ = lattice_.farthest(re, re + count);
-    lattice_.set_amplitudes(re, re + count, factors_.data(), waves_);
+    lattice_.pack(re, re + count, factors_.data(), places_, map_.packed(), pool);
     map_.forget();
-    map_.repack(waves_, pool);
-    map_.move_to(waves_, 0.0, rates, pool);
+    map_.move_to(still_, 0.0, rates, pool);
 }
 
 void Wake::prepare(double first, double last, ThreadPool& pool) const {
@@ -189,10 +189,9 @@ LinearWaves<Jet> Wake::read(double x, double y) const {
 }
 
 Modes Wake::modes() const {
-    Modes modes = lattice_.still_modes();
-    const PageVector<float> ones(lattice_.count(), 1.0f);
+    Modes modes = still_;
     const float* const re = amplitudes_.data();
-    lattice_.set_amplitudes(re, re + lattice_.count(), ones.data(), modes);
+    lattice_.set_amplitudes(re, re + lattice_.count(), modes);
     return modes;
 }
 

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "field/jet.hpp"
 #include "hulls/track_path.hpp"
@@ -69,11 +70,12 @@ class Wake {
     WakeClock clock_;
     WakeLattice lattice_;
     WakePast past_;  // since the begin of the span
-    Modes waves_;    // with the factors of the spline
+    Modes still_;    // the waves without amplitudes
     OpenSurface map_;
-    PageVector<float> factors_;
-    PageVector<float> amplitudes_;  // re, im
-    PageVector<float> sums_;        // re, im in the window of the span's begin, then of its end
+    PageVector<float> factors_;        // of the spline
+    std::vector<std::size_t> places_;  // of packed amplitudes
+    PageVector<float> amplitudes_;     // re, im
+    PageVector<float> sums_;           // re, im in the window of the span's begin, then of its end
     std::optional<std::int64_t> span_;
     WakePlace settled_;        // at the begin of the span
     PageVector<float> ticks_;  // re, im of what the span's first ticks_added_ ticks add

@@ -7,6 +7,7 @@
 #include <complex>
 
 #include "field/ease.hpp"
+#include "ocean/thread_pool.hpp"
 
 namespace ocean {
 namespace {
@@ -70,21 +71,22 @@ WakeLattice::WakeLattice(const Hull& hull, const WakeSize& size, const Water& wa
         const double roll = 1.0 - ease(kRollBegin, kRollEnd, step * std::hypot(n, m) / nyquist);
         return roll < kNoGain ? 0.0 : roll;
     };
-    for (int first = -half; first < half; first += kWidth) {
-        for (int m = -half; m < half; ++m) {
-            // The waves nearest to the origin are at one end.
-            if (share(first, m) == 0.0 && share(first + kWidth - 1, m) == 0.0) continue;
-            index_.push_back(static_cast<std::uint32_t>(mode_index(first, m, 2 * half)));
-            for (int n = first; n < first + kWidth; ++n) {
-                add(dispersion, n, m, whole * share(n, m), hull, water);
+    for (const int sign : {1, -1}) {
+        for (int first = 0; first < half; first += kWidth) {
+            for (int n = -half + 1; n < half; ++n) {
+                // The waves nearest to the origin are at one end.
+                if (share(n, first) == 0.0 && share(n, first + kWidth - 1) == 0.0) continue;
+                for (int m = first; m < first + kWidth; ++m) {
+                    add(dispersion, sign * n, sign * m, whole * share(n, m), hull, water);
+                }
+                const auto bounds = [&](const PageVector<float>& values) {
+                    return std::minmax_element(values.end() - kWidth, values.end());
+                };
+                const auto [least_x, most_x] = bounds(group_x_);
+                const auto [least_y, most_y] = bounds(group_y_);
+                blocks_.push_back({((sign < 0 ? half : 0) + first) / kWidth, sign * n + half,
+                                   *least_x, *most_x, *least_y, *most_y});
             }
-            const auto bounds = [&](const PageVector<float>& values) {
-                return std::minmax_element(values.end() - kWidth, values.end());
-            };
-            const auto [least_x, most_x] = bounds(group_x_);
-            const auto [least_y, most_y] = bounds(group_y_);
-            blocks_.push_back(
-                {(first + half) / kWidth, m + half, *least_x, *most_x, *least_y, *most_y});
         }
     }
 }
@@ -140,26 +142,52 @@ Modes WakeLattice::still_modes() const {
     waves.displacement.assign(displacement_.begin(), displacement_.end());
     waves.shell_covariance.resize(static_cast<std::size_t>(lattice_.resolution / 2));
     for (std::size_t i = 0; i < count(); ++i) {
-        waves.rate_high[index_[i / kWakeBlock] + i % kWakeBlock] = rate_high_[i];
-        waves.rate_low[index_[i / kWakeBlock] + i % kWakeBlock] = rate_low_[i];
+        waves.rate_high[index(i)] = rate_high_[i];
+        waves.rate_low[index(i)] = rate_low_[i];
     }
     modes.lattice_revision = Revision::begin();
     return modes;
 }
 
-void WakeLattice::set_amplitudes(const float* re, const float* im, const float* factors,
-                                 Modes& modes) const {
+std::size_t WakeLattice::index(std::size_t i) const {
+    return mode_index(static_cast<int>(n_[i]), static_cast<int>(m_[i]), lattice_.resolution);
+}
+
+void WakeLattice::set_amplitudes(const float* re, const float* im, Modes& modes) const {
     PageVector<std::complex<float>>& h0 = modes.cascades.front().h0;
-    for (const std::uint32_t first : index_) {
-        std::complex<float>* const to = h0.data() + first;
-        for (std::size_t l = 0; l < kWakeBlock; ++l) {
-            to[l] = {factors[l] * re[l], factors[l] * im[l]};
-        }
-        factors += kWakeBlock;
-        re += kWakeBlock;
-        im += kWakeBlock;
-    }
+    for (std::size_t i = 0; i < count(); ++i) h0[index(i)] = {re[i], im[i]};
     modes.revision = Revision::begin();
+}
+
+std::vector<std::size_t> WakeLattice::places(const PackedModes& packed) const {
+    std::vector<std::size_t> places;
+    const auto lanes = static_cast<std::size_t>(kernel_code(packed.level()).lanes);
+    for (std::size_t i = 0; i < count() / 2; i += lanes) {
+        const int kx = fft_index(static_cast<int>(n_[i]), packed.size());
+        places.push_back(packed.place(kx, static_cast<int>(m_[i]) / static_cast<int>(lanes)));
+    }
+    return places;
+}
+
+void WakeLattice::pack(const float* re, const float* im, const float* factors,
+                       const std::vector<std::size_t>& places, PackedModes& packed,
+                       ThreadPool& pool) const {
+    const std::size_t half = count() / 2;
+    const std::size_t lanes = half / places.size();
+    pool.for_each_range(static_cast<int>(places.size()), [&](int first, int last) {
+        for (auto piece = static_cast<std::size_t>(first); piece < static_cast<std::size_t>(last);
+             ++piece) {
+            float* const to = packed.amplitudes() + places[piece];
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                const std::size_t i = piece * lanes + lane;
+                const float factor = factors[i];
+                to[lane] = factor * (re[i] + re[half + i]);
+                to[lanes + lane] = factor * (im[i] - im[half + i]);
+                to[2 * lanes + lane] = factor * (im[i] + im[half + i]);
+                to[3 * lanes + lane] = factor * (re[half + i] - re[i]);
+            }
+        }
+    });
 }
 
 PageVector<float> WakeLattice::factors(const ModeFactor& factor) const {
@@ -184,7 +212,7 @@ double WakeLattice::farthest(const float* re, const float* im) const {
 }
 
 std::uint64_t WakeLattice::bytes(int resolution) {
-    constexpr std::uint64_t kArrays = 8 + 1 + 1;  // of the waves, with index and displacement
+    constexpr std::uint64_t kArrays = 8 + 1;  // of the waves and of the lattice
     constexpr std::uint64_t kModes = 2 + 1 + 1 + 1;
     constexpr std::uint64_t kAmplitudes = 4 + 2 + 2 + 1;  // windows, ticks, the frame, factors
     return Lattice{resolution, 1.0}.size() * sizeof(float) * (kArrays + kModes + kAmplitudes);

@@ -19,6 +19,8 @@
 
 namespace ocean {
 
+class ThreadPool;
+
 /// The size of a wake: what the hull's keys say, or what is chosen in their place.
 struct WakeSize {
     double side = 0.0;  // [m]
@@ -35,8 +37,8 @@ double hull_volume(const Hull& hull);
 /// hull's sections: 1 for long waves, 0 for short ones. In deep water the function is e^(kz).
 double down_hull(const Hull& hull, double k, double depth);
 
-/// Arrays of waves: whole blocks of neighbours along x, some of which have energy. Blocks with the
-/// same waves along x follow one another.
+/// Arrays of waves: whole blocks of neighbours along y, some of which have energy. First those with
+/// m >= 0, the same m after one another; then, in the same order, the waves opposite to them.
 class WakeLattice {
   public:
     WakeLattice(const Hull& hull, const WakeSize& size, const Water& water);
@@ -47,10 +49,15 @@ class WakeLattice {
     /// Returns the waves of blocks first .. last - 1.
     WakeWaves waves(int first, int last) const;
 
-    /// Returns modes without amplitudes, for the open sea's synthesis at time 0.
+    /// Returns modes without amplitudes.
     Modes still_modes() const;
-    /// Sets the amplitudes of still_modes() from arrays of count() values. factors: of each wave.
-    void set_amplitudes(const float* re, const float* im, const float* factors, Modes& modes) const;
+    /// Sets the amplitudes of still_modes() from arrays of count() values.
+    void set_amplitudes(const float* re, const float* im, Modes& modes) const;
+    /// Sets those of packed still_modes() at time 0. factors: of each wave. places: where packed.
+    void pack(const float* re, const float* im, const float* factors,
+              const std::vector<std::size_t>& places, PackedModes& packed, ThreadPool& pool) const;
+    /// Returns the places of the waves with m >= 0, each block in pieces of the kernel's lanes.
+    std::vector<std::size_t> places(const PackedModes& packed) const;
     /// Returns the factors of the waves, count() of them.
     PageVector<float> factors(const ModeFactor& factor) const;
     /// Returns a bound of the displacement by amplitudes, as query_bounds() does.
@@ -63,12 +70,14 @@ class WakeLattice {
     void add(const Dispersion& dispersion, int n, int m, double gain, const Hull& hull,
              const Water& water);
 
+    /// Returns the index of a wave in the lattice.
+    std::size_t index(std::size_t i) const;
+
     Lattice lattice_;
     PageVector<float> n_, m_, rate_high_, rate_low_, group_x_, group_y_, gain_;
     PageVector<float> moved_;  // square of the displacement over the height
     std::vector<WakeBlock> blocks_;
-    std::vector<std::uint32_t> index_;  // of each block's first wave in the lattice
-    std::vector<float> displacement_;   // coth(k d) / k of all modes [m]
+    std::vector<float> displacement_;  // coth(k d) / k of all modes [m]
 };
 
 }  // namespace ocean

@@ -34,8 +34,8 @@ struct WakeRun {
 /// Factors of phases for n whole waves along x of the square, and for m along y. For each node:
 /// cosine and sine of -k.X and, at the first node of a run, of k.e L/2 along the hull.
 struct WakeTables {
-    const float* columns;  // [n / kWakeBlock][node][four values][lane]
-    const float* rows;     // [m][node][four values]
+    const float* columns;  // [block of m][node][four values][lane]
+    const float* rows;     // [n][node][four values]
     std::size_t nodes;
 };
 
@@ -47,7 +47,7 @@ struct WakeRuns {
     WakeTables tables;
 };
 
-/// The waves of a block, neighbours along x, which share the choice of nodes that need no window:
+/// The waves of a block, neighbours along y, which share the choice of nodes that need no window:
 /// the max lanes of an instruction set. Arrays of waves, and of nodes in a window, have a multiple
 /// of as many and are aligned to 64 bytes.
 inline constexpr std::size_t kWakeBlock = 16;

@@ -18,21 +18,39 @@ constexpr int kParts = 4;  // values of a node
 WakeTurns::WakeTurns(int resolution, double side, double half_length)
     : resolution_(resolution), side_(side), half_length_(half_length) {}
 
-void WakeTurns::write(int node, int part, double turns, PageVector<float>& values,
-                      int width) const {
-    const double angle = kTwoPi * (turns - std::round(turns));
-    const std::complex<double> step = std::polar(1.0, angle);
-    std::complex<double> value = std::polar(1.0, -angle * (resolution_ / 2));
-    for (int n = 0; n < resolution_; n += width) {
-        float* const re = values.data() +
-                          static_cast<std::size_t>(((n / width) * nodes_ + node) * kParts + part) *
-                              static_cast<std::size_t>(width);
-        for (int lane = 0; lane < width; ++lane) {
-            re[lane] = static_cast<float>(value.real());
-            re[lane + width] = static_cast<float>(value.imag());
-            value = {value.real() * step.real() - value.imag() * step.imag(),
-                     value.real() * step.imag() + value.imag() * step.real()};
+float* WakeTurns::column(int block, int node, int part) {
+    return columns_.data() +
+           static_cast<std::size_t>((block * nodes_ + node) * kParts + part) * kWakeBlock;
+}
+
+void WakeTurns::write(int node, int part, double x, double y) {
+    constexpr int kWidth = kWakeBlock;
+    const int half = resolution_ / 2;
+    const auto angle = [](double turns) { return kTwoPi * (turns - std::round(turns)); };
+    const auto product = [](const std::complex<double>& a, const std::complex<double>& b) {
+        return std::complex<double>(a.real() * b.real() - a.imag() * b.imag(),
+                                    a.real() * b.imag() + a.imag() * b.real());
+    };
+    std::complex<double> step = std::polar(1.0, angle(y));
+    std::complex<double> value = 1.0;
+    for (int m = 0; m < half; m += kWidth) {
+        float* const to = column(m / kWidth, node, part);
+        float* const mirror = column((half + m) / kWidth, node, part);
+        for (int lane = 0; lane < kWidth; ++lane) {
+            to[lane] = mirror[lane] = static_cast<float>(value.real());
+            to[kWidth + lane] = static_cast<float>(value.imag());
+            mirror[kWidth + lane] = -to[kWidth + lane];
+            value = product(value, step);
         }
+    }
+    step = std::polar(1.0, angle(x));
+    value = std::polar(1.0, -half * angle(x));
+    for (int n = 0; n < resolution_; ++n) {
+        float* const to =
+            rows_.data() + static_cast<std::size_t>((n * nodes_ + node) * kParts + part);
+        to[0] = static_cast<float>(value.real());
+        to[1] = static_cast<float>(value.imag());
+        value = product(value, step);
     }
 }
 
@@ -43,13 +61,9 @@ WakeRuns WakeTurns::fill(const WakePast& past, int first) {
                                static_cast<std::size_t>(resolution_) * std::size_t{kParts};
     columns_.resize(std::max(columns_.size(), floats));
     rows_.resize(std::max(rows_.size(), floats));
-    const auto write_both = [&](int node, int part, double turns_x, double turns_y) {
-        write(node, part, turns_x, columns_, static_cast<int>(kWakeBlock));
-        write(node, part, turns_y, rows_, 1);
-    };
     for (int node = 0; node < nodes_; ++node) {
         const WakeNode& at = past.nodes[static_cast<std::size_t>(first + node)];
-        write_both(node, 0, -at.x / side_, -at.y / side_);
+        write(node, 0, -at.x / side_, -at.y / side_);
     }
     runs_.clear();
     for (const WakeRun& run : past.runs) {
@@ -62,7 +76,7 @@ WakeRuns WakeTurns::fill(const WakePast& past, int first) {
         mine.side_x = static_cast<float>(run.dx / side_);
         mine.side_y = static_cast<float>(run.dy / side_);
         mine.halves = static_cast<float>(halves);
-        write_both(mine.first, 2, halves * run.dx / side_, halves * run.dy / side_);
+        write(mine.first, 2, halves * run.dx / side_, halves * run.dy / side_);
     }
     return {past.nodes.data() + first,
             runs_.data(),

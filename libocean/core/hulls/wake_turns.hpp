@@ -30,8 +30,9 @@ class WakeTurns {
     static std::uint64_t bytes(int resolution);
 
   private:
-    /// Writes values e^(2 pi i n turns) of a node for all n of an axis.
-    void write(int node, int part, double turns, PageVector<float>& values, int width) const;
+    /// Writes e^(2 pi i (n x + m y)) of a node as factors.
+    void write(int node, int part, double x, double y);
+    float* column(int block, int node, int part);
 
     int resolution_;
     double side_;

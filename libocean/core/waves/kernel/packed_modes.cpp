@@ -5,6 +5,7 @@
 #include "packed_modes.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "ocean/internal/map_request.hpp"
 #include "ocean/thread_pool.hpp"
@@ -236,6 +237,22 @@ void PackedModes::pack_all(const Packing& packing, Numbers numbers, ThreadPool& 
         packing.pack(block, groups_.data() + static_cast<std::size_t>(block) * groups_per_block,
                      numbers, mine, packets_.data());
     });
+}
+
+std::size_t PackedModes::place(int kx, int block) const {
+    const int lanes = kernel_code(level_).lanes;
+    const int second = size_ / first_factor(size_);
+    // Lines j and B - j are pairs; 0 and B / 2 hold two singles.
+    const int line = kx % second;
+    const bool mirrored = line > second / 2;
+    const bool is_other = mirrored || line == second / 2;
+    const int from = mirrored ? size_ - kx : kx;
+    const int j = line == second / 2 ? 0 : from % second;
+    const ModeGroup& group = groups_[static_cast<std::size_t>(block * (second / 2) + j)];
+    const auto before = group.present & ((std::uint64_t{1} << (from / second)) - 1);
+    const int numbers = j == 0 ? kSinglesNumbers : kPairNumbers;
+    return group.first_packet +
+           static_cast<std::size_t>((std::popcount(before) * numbers + (is_other ? 4 : 0)) * lanes);
 }
 
 std::shared_ptr<const PackedModes> pack_modes(const MapModes& modes, ThreadPool& pool,

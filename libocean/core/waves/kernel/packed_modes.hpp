@@ -35,6 +35,13 @@ class PackedModes {
     /// displacements stay, which are more than half of the data.
     bool refill(const MapModes& modes, ThreadPool& pool, const ModeFactor& factor = {});
 
+    /// Returns the position in amplitudes() of P and Q, re and im each, of the modes kx, an FFT
+    /// index of the map, in a block of neighbouring ky; `lanes` floats each. The lattice must have
+    /// them.
+    std::size_t place(int kx, int block) const;
+    /// Returns the packets, for a caller that writes the amplitudes of frame_task.hpp itself.
+    float* amplitudes() { return packets_.data(); }
+
     SimdLevel level() const { return level_; }
     int size() const { return size_; }
     /// Returns a multiple of B and of sixteen; only ky below it have modes.

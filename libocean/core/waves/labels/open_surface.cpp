@@ -45,8 +45,11 @@ OpenSurface::OpenSurface(const Modes& modes, int shown, double tolerance, Thread
       period_(modes.lattice.period),
       height_error_(query_bounds(modes, shown, samples_, false, pool).error) {}
 
-OpenSurface::OpenSurface(const Modes& modes, int shown)
-    : shown_(shown), samples_(2 * shown), period_(modes.lattice.period), has_factor_(true) {}
+OpenSurface::OpenSurface(const Modes& modes, int shown, ThreadPool& pool)
+    : shown_(shown),
+      samples_(2 * shown),
+      period_(modes.lattice.period),
+      maps_(std::make_unique<Maps>(modes, Lattice{samples_, period_}, ModeFactor(), pool)) {}
 
 ModeFactor OpenSurface::factor(const Modes& modes) const {
     return spline_factor(modes, shown_, samples_);
@@ -56,8 +59,7 @@ void OpenSurface::move_to(const Modes& modes, double time, bool rates, ThreadPoo
     if (has_begun_) return;
     const Lattice lattice{samples_, period_};
     if (!maps_) {
-        maps_ = std::make_unique<Maps>(modes, lattice, has_factor_ ? ModeFactor() : factor(modes),
-                                       pool);
+        maps_ = std::make_unique<Maps>(modes, lattice, factor(modes), pool);
     }
     if (rates && !maps_->velocity) maps_->velocity.emplace(lattice, pool);
     std::vector<MapOutput> outputs = {maps_->position.output(kPosition)};
@@ -65,10 +67,6 @@ void OpenSurface::move_to(const Modes& modes, double time, bool rates, ThreadPoo
     rates_ = rates;
     maps_->strips.begin(modes, time, outputs, pool);
     has_begun_ = true;
-}
-
-void OpenSurface::repack(const Modes& modes, ThreadPool& pool) {
-    if (maps_) maps_->strips.repack(modes, {}, pool);
 }
 
 void OpenSurface::prepare(double first, double last, ThreadPool& pool) const {

@@ -51,18 +51,18 @@ class OpenSurface {
     /// error of heights of at most `tolerance` [m], but with at most 4096 samples and at most twice
     /// the map's: see height_error().
     OpenSurface(const Modes& modes, int shown, double tolerance, ThreadPool& pool);
-    /// Shows modes whose amplitudes have the factor() already, by a spline of twice as many samples
-    /// as the map. The modes may change: see repack().
-    OpenSurface(const Modes& modes, int shown);
+    /// Shows amplitudes that the caller writes to packed(), times the factor(), by a spline of
+    /// twice as many samples as the map. The modes give their lattice.
+    OpenSurface(const Modes& modes, int shown, ThreadPool& pool);
 
     /// Returns the factor that turns the amplitude of a mode into one of the spline.
     ModeFactor factor(const Modes& modes) const;
+    /// Returns the modes that the next time shows, if the caller writes them.
+    PackedModes& packed() { return maps_->strips.packed(); }
 
     /// Begins a time, unless it has begun; makes no map. `modes` must be the constructor's modes.
     /// rates: reads have derivatives in time.
     void move_to(const Modes& modes, double time, bool rates, ThreadPool& pool);
-    /// Replaces modes that have the factor by others of the same lattice. No time may have begun.
-    void repack(const Modes& modes, ThreadPool& pool);
     /// Ends the time that has begun; its memory stays.
     void forget() { has_begun_ = false; }
     /// Makes the strips for reads at x from `first` to `last` [m], on all threads. Other reads make
@@ -96,7 +96,6 @@ class OpenSurface {
     int samples_;
     double period_;
     double height_error_ = 0.0;
-    bool has_factor_ = false;  // the modes
     std::unique_ptr<Maps> maps_;
     bool has_begun_ = false;
     bool rates_ = false;

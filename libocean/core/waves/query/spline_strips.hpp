@@ -30,6 +30,9 @@ class SplineStrips {
     void begin(const Modes& modes, double time, std::span<const MapOutput> outputs,
                ThreadPool& pool);
 
+    /// Returns the packed modes, whose amplitudes may change before begin().
+    PackedModes& packed() { return *packed_; }
+
     int count() const { return ready_.count(); }
     int width() const { return width_; }
     int strip_of(int column) const { return column / width_; }
