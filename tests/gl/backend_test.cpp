@@ -107,6 +107,21 @@ TEST(GlBackend, LiveParametersUploadAmplitudesAndAreThoseOfTheCpu) {
               1e-6);
 }
 
+TEST(GlBackend, SecondOrderIsThatOfTheCpu) {
+    Parameters parameters = wind_sea(64);
+    parameters.surface.second_order = true;
+    Ocean cpu(parameters);
+    Ocean gpu(parameters, {.backend = gl::kBackend});
+    const ChannelSet channels = {Channel::height, Channel::vz};
+    for (const double time : {5.0, 6.0}) {
+        const Surface expected = cpu.evaluate(time, channels);
+        const Surface made = gpu.evaluate(time, channels);
+        for (const Channel channel : test::channels_of(made)) {
+            EXPECT_LE(relative_error(made.channel(channel), expected.channel(channel)), 2e-6);
+        }
+    }
+}
+
 TEST(GlBackend, FlatWaterAndFlatChoppinessAreExact) {
     Parameters parameters = wind_sea(64);
     parameters.surface.choppiness = 0.0;

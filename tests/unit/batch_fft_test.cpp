@@ -15,8 +15,15 @@ namespace {
 TEST(BatchFft, IsTheInverseTransform) {
     std::mt19937 numbers(3);
     std::normal_distribution<float> normal;
-    for (const auto& [size, reach] :
-         {std::pair{16, 0}, {16, 1}, {16, 2}, {32, 5}, {64, 31}, {64, 32}, {128, 15}, {256, 16}, {512, 85}}) {
+    for (const auto& [size, reach] : {std::pair{16, 0},
+                                      {16, 1},
+                                      {16, 2},
+                                      {32, 5},
+                                      {64, 31},
+                                      {64, 32},
+                                      {128, 15},
+                                      {256, 16},
+                                      {512, 85}}) {
         constexpr std::size_t kStride = 3;
         const auto waves = static_cast<std::size_t>(2 * reach + 1);
         std::vector<BatchRow> spectrum(waves * kStride);

@@ -42,7 +42,7 @@ TEST(SecondOrder, KernelsHaveTheirLimits) {
         // A short wave on a long one is moved by it.
         EXPECT_NEAR(pair_of(1e-4, 1.0, 0.6).sum, 0.3, 3e-3);
     }
-    // Standing waves bind k / 2 a^2 cos 2 psi of place alone [Longuet-Higgins 1963].
+    // Standing waves bind k / 2 a^2 cos 2 psi of place alone [Longuet-Higgins 1963b].
     EXPECT_NEAR(bound_pair_of_theory(0.3, 0.3, -1.0).difference, 0.3, 1e-12);
 }
 
@@ -356,6 +356,38 @@ TEST(SecondOrder, QueriesReadTheSurfaceOfTheMaps) {
         EXPECT_NEAR(quick[i].normal[0] - quick_before[i].normal[0], bound(Channel::nx), 2e-4);
         EXPECT_NEAR(quick[i].velocity[2] - quick_before[i].velocity[2], bound(Channel::vz),
                     1e-4 * height);
+    }
+}
+
+// The first cascade binds the waves of all, and a gauge reads what a query does.
+TEST(SecondOrder, CascadesAndGaugesShowTheSurface) {
+    Parameters parameters = second_order_sea(64, 500.0, {.wind = 12.0, .cascades = 2});
+    Parameters linear = parameters;
+    linear.surface.second_order = false;
+    Ocean sea(parameters, {.threads = 1}), calm(linear, {.threads = 1});
+    const auto long_waves = [](Ocean& of) {
+        std::vector<float> heights(256 * 256);
+        const MapOutput output{heights.data(), 1, {{{Channel::height, 1.0f}}}};
+        of.evaluate_cascade_into(0, 4.0, {&output, 1}, 256);
+        return heights;
+    };
+    const auto heights = [](Ocean& of) {
+        return test::values_of(of.evaluate(4.0, {Channel::height}, 256));
+    };
+    const auto all = heights(sea), all_linear = heights(calm);
+    const auto first = long_waves(sea), first_linear = long_waves(calm);
+    for (std::size_t i = 0; i < all.size(); i += 37) {
+        EXPECT_NEAR(first[i] - first_linear[i], all[i] - all_linear[i], 1e-6);
+    }
+    Gauge gauge;
+    gauge.track = {{0.0, {33.0, 44.0, -2.0}}};
+    const GaugeSeries series =
+        read_gauge_series(sea, {gauge}, {0.0, 1.0, 2.0}, test::pool(), [](std::size_t) {});
+    const WorldPoint place{33.0, 44.0};
+    for (std::size_t i = 0; i < series.times; ++i) {
+        const auto at = test::query(sea, 0.5 * static_cast<double>(i), {&place, 1},
+                                    {.exact = true, .foam = false});
+        EXPECT_NEAR(series.elevation(0)[i], at[0].height, 1e-9);
     }
 }
 

@@ -102,7 +102,8 @@ Computing computing_for(const Backend& backend, const PreviewOptions& options, c
     ChosenBackend{backend, context}.fitting(why_not(backend, sea, context));
     Computing computing{backend, {}};
     preview::SeaMapsOptions& maps = computing.maps;
-    maps.compute = backend == gl::kBackend;
+    // The GPU's own maps are linear: those of second order are made as other backends make them.
+    maps.compute = backend == gl::kBackend && !sea.parameters.surface.second_order;
     maps.live = true;
     maps.detail = options.detail;
     const Grid& grid = sea.parameters.grid;

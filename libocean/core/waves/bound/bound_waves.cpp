@@ -175,6 +175,7 @@ struct BoundWaves::Impl {
         modes.rate_high.assign(samples, static_cast<float>(1.0 / kTwoPi));
         modes.rate_low.assign(samples, 0.0f);
         modes.displacement.assign(samples, 0.0f);
+        modes.shell_covariance.resize(static_cast<std::size_t>(lattice.samples / 2));
     }
 
     void make_fields(ThreadPool& pool) {

@@ -4,7 +4,7 @@
 // A sea of second order is eta1 + eta2, where each pair of waves binds two more, with the sum and
 // the difference of its wavenumbers:
 //     eta2 = sum over pairs a1 a2 (K- cos(psi1 - psi2) + K+ cos(psi1 + psi2)),
-// [Longuet-Higgins 1963], [Sharma and Dean 1981] eqs. 8, 9, here for depth = infinity. Its skewness
+// [Longuet-Higgins 1963b], [Sharma and Dean 1981], here for depth = infinity. Its skewness
 // is 3 <eta1^2 eta2> / m0^1.5 = 3 m0^0.5 E[K- + K+], the mean over pairs drawn by energy.
 //
 // The kernels belong to no product of fields, so that a sum over all pairs would be needed. The
