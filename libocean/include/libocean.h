@@ -720,10 +720,11 @@ OCEAN_API ocean_result ocean_terrain_region(ocean_terrain* terrain,
                                             const ocean_region_request* request);
 /* ocean_region computes all outputs of a region of a sea over a bed (water.seabed, ocean_set_bed)
  * or with hulls at a time [s] together, by label. Over a bed it has OCEAN_DEPTH, OCEAN_BREAKING and
- * OCEAN_WETNESS beside the channels of every sea, with hulls OCEAN_TRAIL and OCEAN_DRY. The first call computes where the waves go over
- * the bed, which takes seconds; later calls keep that until bed or waves change. UNSUPPORTED for a
- * sea without a bed and hulls. All other functions that compute maps or slope tiles of a sea return
- * UNSUPPORTED for a sea over a bed: their maps repeat, and it does not. */
+ * OCEAN_WETNESS beside the channels of every sea, with hulls OCEAN_TRAIL and OCEAN_DRY. The first
+ * call computes where the waves go over the bed, which takes seconds; later calls keep that until
+ * bed or waves change. UNSUPPORTED for a sea without a bed and hulls. All other functions that
+ * compute maps or slope tiles of a sea return UNSUPPORTED for a sea over a bed: their maps repeat,
+ * and it does not. */
 OCEAN_API ocean_result ocean_region(ocean_sea* sea, double time,
                                     const ocean_region_request* request);
 /* ocean_bed_region writes the heights of the bed of a sea over still water [m], linear between its

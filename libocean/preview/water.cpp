@@ -221,7 +221,8 @@ void Water::draw_clipmap(const PictureFrame& frame) {
                   Frustum(frame.projection.clip_from_world, frame.camera.eye[2]),
                   reach_of(*sea_, frame.camera.eye[2]), frame.options.wireframe);
     glDisable(GL_CLIP_DISTANCE0);
-    if (sea_->coast && sea_->coast->bed && frame.options.ground && row_of(frame.options.view).use == ViewUse::picture) {
+    if (sea_->coast && sea_->coast->bed && frame.options.ground &&
+        row_of(frame.options.view).use == ViewUse::picture) {
         coast_->draw(*sea_->coast, frame, clipmap_, eye, finest);
     }
     glDisable(GL_SAMPLE_SHADING);

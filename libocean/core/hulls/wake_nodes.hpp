@@ -44,7 +44,7 @@ struct WakePlace {
 /// Returns the square at a time. It trails the hull by at most 0.26 of its side.
 WakePlace wake_place(const TrackPath& path, double time, double size, double step);
 
-/// What follows the begin of a span.
+/// The past since the begin of a span.
 struct WakeNewest {
     int ticks;                  // whole ones of the span, and then
     std::vector<double> times;  // of nodes

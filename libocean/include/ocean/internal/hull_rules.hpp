@@ -31,8 +31,8 @@ FastestLeg fastest_leg(const HullTrack& track);
 /// Throws Error invalid_value that names the row; `name` is the parameter.
 void require_track(const HullTrack& track, const std::string& name);
 /// Checks the rules of all hulls: each has a track, is longer than wide and deep, its wake's square
-/// holds it, its draught is less than the depth, a loop has closed tracks. Throws Error invalid_value, and unsupported over a
-/// bed.
+/// holds it, its draught is less than the depth, a loop has closed tracks. Throws Error
+/// invalid_value, and unsupported over a bed.
 void validate_hulls(const Parameters& parameters);
 /// Returns warnings about the hulls of a valid sea, a sentence each.
 std::vector<std::string> hull_warnings(const Parameters& parameters);
