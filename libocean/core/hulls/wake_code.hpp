@@ -234,9 +234,21 @@ OCEAN_INLINE Vec weight_of(const WakeSums& task, int w, int node, const WaveLane
     return weight;
 }
 
+/// The weights of the last node, which the next run begins with.
+struct NodeWeights {
+    int node = -1;
+    Vec of[2] = {Vec(0.0f), Vec(0.0f)};
+
+    OCEAN_INLINE void move_to(int wanted, const WakeSums& task, const WaveLanes& waves) {
+        if (node == wanted) return;
+        node = wanted;
+        for (int w = 0; w < 2; ++w) of[w] = weight_of(task, w, node, waves);
+    }
+};
+
 /// Adds a run to the sums of both windows.
 OCEAN_INLINE void add_run(const WakeSums& task, const WakeRun& run, const WaveLanes& waves,
-                          NodeTurns& turns, Complex (&sums)[2]) {
+                          NodeTurns& turns, NodeWeights& weights, Complex (&sums)[2]) {
     const std::int32_t* const choices = task.choices;
     const auto is_out = [choices](int j) OCEAN_INLINE_LAMBDA {
         return (choices[j] & choices[j + 1] & kBothOut) == kBothOut;
@@ -265,16 +277,19 @@ OCEAN_INLINE void add_run(const WakeSums& task, const WakeRun& run, const WaveLa
             flat = flat + flat_integral(lanes, static_cast<float>(end - j), turn, turns.at(end));
             j = end;
         } else {
-            Vec weights[2];
-            for (int w = 0; w < 2; ++w) weights[w] = weight_of(task, w, j, waves);
             do {
                 const Complex next = turns.at(j + 1);
                 if (is_flat) z = {lanes, times(next, {turn.re, -turn.im})};
                 is_flat = false;
+                weights.move_to(j, task, waves);
                 for (int w = 0; w < 2; ++w) {
-                    firsts[w] = firsts[w] + Complex{weights[w] * turn.re, weights[w] * turn.im};
-                    weights[w] = weight_of(task, w, j + 1, waves);
-                    lasts[w] = lasts[w] + Complex{weights[w] * next.re, weights[w] * next.im};
+                    const Vec weight = weights.of[w];
+                    firsts[w] = firsts[w] + Complex{weight * turn.re, weight * turn.im};
+                }
+                weights.move_to(j + 1, task, waves);
+                for (int w = 0; w < 2; ++w) {
+                    const Vec weight = weights.of[w];
+                    lasts[w] = lasts[w] + Complex{weight * next.re, weight * next.im};
                 }
                 turn = next;
                 ++j;
@@ -296,9 +311,10 @@ static void run_wake_sums(const WakeSums& task) {
         if (i % kWakeBlock == 0) choose_nodes(task, task.waves.blocks[i / kWakeBlock]);
         const WaveLanes waves(task.waves, i);
         NodeTurns turns(task.past, task.waves, i);
+        NodeWeights weights;
         Complex sums[2] = {{Vec(0.0f), Vec(0.0f)}, {Vec(0.0f), Vec(0.0f)}};
         for (std::size_t r = 0; r < task.past.run_count; ++r) {
-            add_run(task, task.past.runs[r], waves, turns, sums);
+            add_run(task, task.past.runs[r], waves, turns, weights, sums);
         }
         for (int w = 0; w < 2; ++w) {
             float* const re = task.re[w] + i;
