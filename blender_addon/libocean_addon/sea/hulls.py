@@ -222,7 +222,9 @@ class UpdateWakes(_OnHull, bpy.types.Operator):
 
 
 def _own_seas(scene) -> list:
-    return [ocean for ocean in seas_of(scene) if ocean.library is None]
+    """Returns the seas of the open file that have hulls. It is called at each frame."""
+    with_hulls = (ob for ob in scene.objects if len(ob.libocean.hulls) > 0)
+    return [ob for ob in with_hulls if ob.library is None and node_group.modifiers(ob)]
 
 
 def _stale(scene) -> list:
