@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "field/ease.hpp"
+#include "ocean/error.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {
@@ -410,6 +411,33 @@ TEST(Wake, IsAFunctionOfTheTimeAlone) {
         sequence.move_to(40.25, false, pool);
         EXPECT_EQ(sequence.read(x + 3.0, y + 10.0).height.value(), height);
     }
+}
+
+TEST(Wake, AFrameThatWasInterruptedIsMadeAgain) {
+    ThreadPool pool(1), other(1);
+    Hull hull = ferry(sampled(-300.0, 100.0, turning));
+    hull.wake_resolution = 64;
+    constexpr double kTime = 11.9;
+    Wake alone(hull, deep_water(), 0.0, other);
+    alone.move_to(kTime, true, other);
+    int stopped = 0;
+    for (int last = 0; last < 3; ++last) {
+        Wake wake(hull, deep_water(), 0.0, pool);
+        wake.move_to(10.2, true, pool);
+        int calls = 0;
+        pool.set_interrupt([&] {
+            if (calls++ == last) throw Error(ErrorKind::interrupted, "stopped");
+        });
+        try {
+            wake.move_to(kTime, true, pool);
+        } catch (const Error&) {
+            ++stopped;
+        }
+        pool.set_interrupt({});
+        wake.move_to(kTime, true, pool);
+        EXPECT_TRUE(are_same(wake, alone)) << last;
+    }
+    EXPECT_GT(stopped, 0);
 }
 
 TEST(Wake, HasNoJumpWhereTicksPassAndBlocksMerge) {

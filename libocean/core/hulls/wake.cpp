@@ -110,13 +110,16 @@ void Wake::add_ticks(int ticks, ThreadPool& pool) {
     }
     const float* const re = ticks_.data();
     const float* const im = re + lattice_.count();
+    const std::int64_t span = *span_;
+    span_.reset();  // an interrupt leaves ticks that are added in part
     for (; ticks_added_ < ticks; ++ticks_added_) {
-        const double begin = clock_.begin(*span_);
-        WakePast past = wake_past(path_, clock_.tick(path_, *span_, ticks_added_), begin, settled_);
+        const double begin = clock_.begin(span);
+        WakePast past = wake_past(path_, clock_.tick(path_, span, ticks_added_), begin, settled_);
         past.insert_before({0.0, 0.0, 0.0});
         run_frame({.re = {re, re}, .im = {im, im}, .share = 0.0f, .moves = false}, past, ticks_,
                   pool);
     }
+    span_ = span;
 }
 
 void Wake::run_frame(WakeFrame frame, const WakePast& past, PageVector<float>& to,
