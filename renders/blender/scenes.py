@@ -4,9 +4,9 @@
 
 usage: blender --background --python renders/blender/scenes.py -- SCENE PICTURE [SAMPLES] [PERCENT]
 
-The add-on must be installed. SCENE is open_sea, dusk, storm, volume, below, coast_dusk or
-coast_bay; PICTURE ends in .jpg or .png. Storm and volume also need the command `ocean` (or another
-by the environment variable OCEAN), and volume OpenVDB's Python module.
+The add-on must be installed. SCENE is open_sea, dusk, storm, volume, below, ferry, coast_dusk
+or coast_bay; PICTURE ends in .jpg or .png. Storm and volume also need the command `ocean` (or
+another by the environment variable OCEAN), and volume OpenVDB's Python module.
 """
 
 import atexit
@@ -261,6 +261,68 @@ def below(scene) -> None:
     scene.frame_set(73)
 
 
+def slab(stations, bottom: float, top: float, material):
+    """A body between two heights over a plan: stations (x, half breadth) from stern to bow."""
+    plan = [*stations, *((x, -half) for x, half in reversed(stations[1:-1]))]
+    corners = [(x, y, z) for z in (bottom, top) for x, y in plan]
+    n = len(plan)
+    sides = [(i, (i + 1) % n, n + (i + 1) % n, n + i) for i in range(n)]
+    mesh = bpy.data.meshes.new(material.name)
+    mesh.from_pydata(corners, [], [*sides, range(n - 1, -1, -1), range(n, 2 * n)])
+    mesh.materials.append(material)
+    ob = bpy.data.objects.new(material.name, mesh)
+    bpy.context.scene.collection.objects.link(ob)
+    return ob
+
+
+def ferry_boat(place: tuple[float, float], heading: float) -> None:
+    """A ferry of 30 x 6 x 1.8 m, whose water line is two parabolas. heading: degrees."""
+    blue = paint("Side", (0.02, 0.05, 0.14), roughness=0.3)
+    white = paint("House", (0.75, 0.75, 0.72))
+    glass = paint("Glass", (0.01, 0.012, 0.02), roughness=0.1)
+    red = paint("Funnel", (0.5, 0.05, 0.02))
+    plan = [(0.75 * i, 3.05 * (1.0 - (i / 20.0) ** 2)) for i in range(-20, 21)]
+    parts = [slab(plan, -1.8, 1.7, blue), slab([(x, 1.03 * y) for x, y in plan], 1.7, 2.0, white)]
+
+    def house(stern: float, bow: float, half: float, bottom: float, top: float) -> None:
+        for wider, low, high, material in (
+            (0.0, bottom, top, white),
+            (0.03, top - 1.5, top - 0.7, glass),
+        ):
+            ends = stern - wider, bow + wider
+            box = [(ends[0], 0.0), *((x, half + wider) for x in ends), (ends[1], 0.0)]
+            parts.append(slab(box, low, high, material))
+
+    house(-10.0, 6.0, 2.2, 2.0, 4.6)
+    house(-7.0, 4.5, 1.8, 4.6, 6.8)
+    house(-0.5, 4.0, 1.5, 6.8, 8.8)
+    funnel, mast = (
+        rod((-4.0, 0.0, 6.8), (-4.4, 0.0, 9.6), 0.75),
+        rod((1.5, 0, 8.8), (1.5, 0, 13), 0.07),
+    )
+    funnel.data.materials.append(red)
+    mast.data.materials.append(white)
+    whole = bpy.data.objects.new("Ferry", None)
+    bpy.context.scene.collection.objects.link(whole)
+    for part in (*parts, funnel, mast):
+        part.parent = whole
+    whole.location = (*place, 0.0)
+    whole.rotation_euler.z = math.radians(heading)
+
+
+def ferry(scene) -> None:
+    """A ferry in a turn on the sea of Beaufort 4, from 9 m over its port quarter: the picture of
+    POV-Ray. The list by which it is judged:
+    hull      at the point of the wedge, in the water
+    wake      Kelvin's wedge astern, no square, no second one
+    horizon   a line"""
+    sky(scene, elevation=32.0, azimuth=-15.0, strength=0.16, dust=0.6)
+    camera(scene, (74.0, 66.0, 9.0), (126.0, 6.0, 1.5), 32.5)
+    ocean_of(HERE.parent / "hulls" / "ferry.toml", "jerlov_ib")
+    ferry_boat((129.6, 5.8), -43.8)
+    scene.frame_set(1)
+
+
 BEACH = HERE.parent / "coast" / "beach.toml"
 
 
@@ -330,6 +392,7 @@ SCENES = {
     "storm": storm,
     "volume": volume,
     "below": below,
+    "ferry": ferry,
     "coast_dusk": coast_dusk,
     "coast_bay": coast_bay,
 }

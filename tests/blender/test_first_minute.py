@@ -149,7 +149,7 @@ def test_with_a_window_the_console_is_silent(monkeypatch):
 
 def test_the_ticks_of_foam_are_told(monkeypatch, capsys):
     """The library reports them to the thread that waits."""
-    monkeypatch.setattr(console, "INTERVAL", 0.02)
+    monkeypatch.setattr(console, "INTERVAL", 0.004)
     add_ocean(256, kind="PATCH", use_material=False)
     assert "libocean: Ocean: foam, " in capsys.readouterr().out
 

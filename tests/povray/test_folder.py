@@ -54,7 +54,9 @@ def test_every_parameter_is_declared(choppy):
         words = [word.capitalize() for word in re.split(r"[._]", path)]
         declared = re.search(rf"^#declare Ocean_{'_'.join(words)} = (.*?);", text, re.MULTILINE)
         assert declared, path
-        if value not in ("inf", "-inf") and not declared.group(1).startswith('"'):
+        if value in ("true", "false"):
+            assert declared.group(1) == value, path
+        elif value not in ("inf", "-inf") and not declared.group(1).startswith('"'):
             assert float(declared.group(1)) == pytest.approx(float(value), rel=1e-12), path
         known += 1
     assert known > 25
