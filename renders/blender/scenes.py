@@ -277,7 +277,7 @@ def slab(stations, bottom: float, top: float, material):
 
 def ferry_boat(place: tuple[float, float], heading: float) -> None:
     """A ferry of 30 x 6 x 1.8 m, whose water line is two parabolas. heading: degrees."""
-    blue = paint("Side", (0.02, 0.05, 0.14), roughness=0.3)
+    blue = paint("Side", (0.02, 0.05, 0.14), roughness=0.6)
     white = paint("House", (0.75, 0.75, 0.72))
     glass = paint("Glass", (0.01, 0.012, 0.02), roughness=0.1)
     red = paint("Funnel", (0.5, 0.05, 0.02))
