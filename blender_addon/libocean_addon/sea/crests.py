@@ -52,9 +52,11 @@ def frame_of(values: dict[str, str], time: float) -> float:
 
 
 def _matrix(empty) -> Matrix:
-    """Returns the place of an empty in the world, also before Blender has evaluated it."""
+    """Returns the place of an empty in the world, also before Blender has evaluated it. A linked
+    one may be in no scene, and Blender 4.2 and later keep no matrix of it then."""
     is_free = empty.parent is None and not empty.constraints
-    return empty.matrix_basis if is_free and not empty.is_evaluated else empty.matrix_world
+    is_unknown = not empty.is_evaluated or empty.library is not None
+    return empty.matrix_basis if is_free and is_unknown else empty.matrix_world
 
 
 def to_labels(ob) -> tuple[Matrix, Matrix]:
