@@ -69,7 +69,8 @@ def refused(folder: Path) -> str:
 def images_of(ob) -> set:
     (modifier,) = node_group.modifiers(ob)
     names = node_group.image_inputs(modifier.node_group)
-    return {modifier_groups.value(modifier, name) for name in names}
+    images = {modifier_groups.value(modifier, name) for name in names}
+    return images - {None}  # a sea without hulls has no images of wakes
 
 
 # Its content ----------------------------------------------------------------------
