@@ -6,7 +6,6 @@
 #include <cmath>
 #include <iterator>
 #include <string>
-#include <utility>
 
 #include "hulls/hull_marks.hpp"
 #include "hulls/hull_summary.hpp"
@@ -14,11 +13,9 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/cascades.hpp"
 #include "ocean/internal/directional_spectrum.hpp"
-#include "ocean/internal/grid.hpp"
 #include "ocean/internal/hull_rules.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/sea_bytes.hpp"
-#include "ocean/internal/text.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/thread_pool.hpp"
 #include "wave/wave.hpp"
@@ -99,7 +96,7 @@ void HullSea::describe(SeaState& state) {
     for (const Hull& hull : sea.hulls) {
         const std::string name = "hulls." + std::to_string(state.hulls.size());
         state.hulls.push_back(hull_summary(hull, sea.water, sea.time.loop_period, open().pool()));
-        std::ranges::move(hull_warnings(state.hulls.back(), name),
+        std::ranges::move(wake_warnings(state.hulls.back(), name),
                           std::back_inserter(state.warnings));
     }
 }

@@ -67,8 +67,8 @@ class CoastMaps::Impl {
                                            const std::array<double, 3>& eye) {
         DrawnCoast& shown = next();
         show_bed(shown, sea.parameters().water.bed);
-        shown.area = placed_area(sea, time);
         shown.windows = surface_.at(sea, time, eye);
+        shown.area = surface_.area();
         upload(shown);
         return shown_;
     }

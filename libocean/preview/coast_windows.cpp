@@ -96,6 +96,23 @@ float wet_about(std::span<const float> depth, const std::array<int, 2>& samples,
     return std::clamp(0.5f + depth[at] / over_cell, 0.0f, 1.0f);
 }
 
+/// Returns the bed of a sea, or the box of all wakes.
+Domain placed_area(const Ocean& sea, double time) {
+    if (const auto& bed = sea.parameters().water.bed) return bed->domain;
+    Domain area = sea.wake_domain(0, time);
+    for (std::size_t hull = 1; hull < sea.parameters().hulls.size(); ++hull) {
+        const Domain wake = sea.wake_domain(hull, time);
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const double low = std::min(area.origin[axis], wake.origin[axis]);
+            const double high =
+                std::max(area.origin[axis] + area.size[axis], wake.origin[axis] + wake.size[axis]);
+            area.origin[axis] = low;
+            area.size[axis] = high - low;
+        }
+    }
+    return area;
+}
+
 void write_image(CoastImage& image, const CoastPart& part, const CoastTraces& traces,
                  double choppiness) {
     const std::size_t count = sample_count(image.window);
@@ -175,22 +192,6 @@ std::optional<double> read_windows(const std::vector<CoastImage>& windows,
     return std::nullopt;
 }
 
-Domain placed_area(const Ocean& sea, double time) {
-    if (const auto& bed = sea.parameters().water.bed) return bed->domain;
-    Domain area = sea.wake_domain(0, time);
-    for (std::size_t hull = 1; hull < sea.parameters().hulls.size(); ++hull) {
-        const Domain wake = sea.wake_domain(hull, time);
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-            const double low = std::min(area.origin[axis], wake.origin[axis]);
-            const double high =
-                std::max(area.origin[axis] + area.size[axis], wake.origin[axis] + wake.size[axis]);
-            area.origin[axis] = low;
-            area.size[axis] = high - low;
-        }
-    }
-    return area;
-}
-
 std::vector<CoastImage>& CoastSurface::at(Ocean& sea, double time,
                                           const std::array<double, 3>& eye) {
     const std::vector<CoastWindow> windows = coast_windows(eye, options_);
@@ -231,11 +232,11 @@ std::vector<CoastPart> CoastSurface::follow(Ocean& sea, double time, ChannelSet 
     const auto left_of = [&](double of) { return static_cast<float>(std::exp(-passed / of)); };
     const float foam_left = lifetime > 0.0 ? left_of(lifetime) : 0.0f;
     const float wet_left = left_of(kDryingTime);
-    const Domain area = placed_area(sea, time);
+    area_ = placed_area(sea, time);
     std::vector<CoastPart> parts;
     for (CoastTraces& traces : traces_) {
         Domain domain{.origin = {}, .size = {}, .samples = {}, .wraps = false};
-        CoastPart& part = parts.emplace_back(part_in(traces.window, area, domain));
+        CoastPart& part = parts.emplace_back(part_in(traces.window, area_, domain));
         if (channels.contains(kTrail)) std::ranges::fill(traces.foam, 0.0f);
         if (domain.samples[0] < 2 || domain.samples[1] < 2) continue;
         part.surface = sea.region(time, domain, channels);

@@ -28,10 +28,7 @@ struct CoastTraces {
     std::vector<float> foam, wet;  // 0 .. 1
 };
 
-/// Returns the area of a sea beside which it is the open sea: its bed, or the box of all wakes.
-Domain placed_area(const Ocean& sea, double time);
-
-/// The part of a window that lies in that area, and its surface.
+/// The part of a window that lies in the area of the bed or of the wakes, and its surface.
 struct CoastPart {
     std::array<int, 2> first{};  // sample
     Surface surface = {};        // empty: none of the window does
@@ -44,6 +41,9 @@ class CoastSurface {
     /// Returns the windows at a time [s] around an eye [m]. Valid until the next call. Throws
     /// Error.
     std::vector<CoastImage>& at(Ocean& sea, double time, const std::array<double, 3>& eye);
+    /// Returns the area beside which the sea is the open sea, of the last call: the bed, or the box
+    /// of all wakes.
+    const Domain& area() const { return area_; }
 
   private:
     /// Follows the traces up to a time, and returns the surface of each window.
@@ -55,6 +55,7 @@ class CoastSurface {
     std::vector<CoastTraces> traces_;
     std::optional<double> followed_;  // time of the traces
     std::uint64_t revision_ = 0;      // of the sea that they are of
+    Domain area_;
     std::vector<CoastImage> images_;
 };
 

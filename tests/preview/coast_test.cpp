@@ -23,18 +23,7 @@ constexpr std::array<double, 3> kEye = {224.3, 96.4, 2.0};
 
 class CoastPreviewTest : public PreviewTest {
   protected:
-    static SeaMapsOptions options() {
-        SeaMapsOptions options;
-        options.compute = false;
-        options.coast.samples = 64;
-        return options;
-    }
-    static Camera camera() {
-        Camera camera;
-        camera.eye = kEye;
-        camera.look_at({260.0, 96.0, 0.0});
-        return camera;
-    }
+    static Camera camera() { return looking(kEye, {260.0, 96.0, 0.0}); }
     const DrawnSea& shown() {
         shown_ = maps_.show(sea_, kTime, kEye);
         return shown_;
@@ -43,7 +32,7 @@ class CoastPreviewTest : public PreviewTest {
     bool coast_is_computed_ = false;
     Ocean sea_{test::beach_sea(),
                {.build_progress = [this](std::string_view, double) { coast_is_computed_ = true; }}};
-    SeaMaps maps_{options()};
+    SeaMaps maps_{small_windows()};
     Renderer renderer_{{.cells = 32}};
     DrawnSea shown_;
 };

@@ -35,21 +35,10 @@ Parameters sea_with_boat() {
 
 class HullPreviewTest : public PreviewTest {
   protected:
-    static SeaMapsOptions options() {
-        SeaMapsOptions options;
-        options.compute = false;
-        options.coast.samples = 64;
-        return options;
-    }
-    static Camera camera() {
-        Camera camera;
-        camera.eye = kBoatEye;
-        camera.look_at({5.0, 20.0, 0.0});
-        return camera;
-    }
+    static Camera camera() { return looking(kBoatEye, {5.0, 20.0, 0.0}); }
 
     Ocean sea_{sea_with_boat()};
-    SeaMaps maps_{options()};
+    SeaMaps maps_{small_windows()};
     Renderer renderer_{{.cells = 32}};
 };
 

@@ -6,12 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include "ocean/internal/gl/context.hpp"
 #include "ocean/internal/preview/canvas.hpp"
 #include "ocean/internal/preview/renderer.hpp"
+#include "ocean/internal/preview/sea_maps.hpp"
 #include "unit/test_seas.hpp"
 
 namespace ocean::preview {
@@ -22,6 +24,21 @@ inline Parameters two_cascades() {
     Parameters parameters = test::wind_sea(128, kPeriod);
     parameters.grid.cascades = 2;
     return parameters;
+}
+
+/// Maps of the processor, with small windows of a sea that does not repeat.
+inline SeaMapsOptions small_windows() {
+    SeaMapsOptions options;
+    options.compute = false;
+    options.coast.samples = 64;
+    return options;
+}
+
+inline Camera looking(const std::array<double, 3>& eye, const std::array<double, 3>& at) {
+    Camera camera;
+    camera.eye = eye;
+    camera.look_at(at);
+    return camera;
 }
 
 /// A context with a sea in it. Any message of the driver is a failure.

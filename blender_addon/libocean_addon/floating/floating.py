@@ -20,6 +20,7 @@ from ..shared.limits import Limited
 from ..shared.subject import Moment
 from ..shared.table_properties import settings_of
 from . import riding
+from .on_water import OnWater
 
 
 def _is_ocean(_self, ob) -> bool:
@@ -113,37 +114,20 @@ def _free(ob) -> None:
     settings.property_unset("baked_last")
 
 
-class AddFloat(bpy.types.Operator):
+class AddFloat(OnWater, bpy.types.Operator):
     """Make the selected objects ride the waves of an ocean"""
 
     bl_idname = "libocean.add_float"
     bl_label = "Float on Ocean"
-    bl_options = {"REGISTER", "UNDO"}
 
-    ocean: bpy.props.StringProperty(
-        name="Ocean", description="Name of the ocean; empty: the active one, or the only one"
-    )
-
-    @classmethod
-    def poll(cls, context) -> bool:
-        if any(not riding.is_water(ob) for ob in context.selected_objects):
-            return True
-        cls.poll_message_set(tr("Select the objects that should float"))
-        return False
-
-    def _find(self, context):
-        oceans = [ob for ob in context.scene.objects if riding.is_water(ob)]
-        if self.ocean:
-            return next((ob for ob in oceans if ob.name == self.ocean), None)
-        if context.object in oceans:
-            return context.object
-        return oceans[0] if len(oceans) == 1 else None
+    @staticmethod
+    def ask() -> str:
+        return tr("Select the objects that should float")
 
     def execute(self, context):
-        ocean = self._find(context)
+        waters = [ob for ob in context.scene.objects if riding.is_water(ob)]
+        ocean = self.water(context, waters)
         if ocean is None:
-            text = tr("Which ocean? Make it the active object, or give its name")
-            self.report({"ERROR"}, text)
             return {"CANCELLED"}
         for ob in context.selected_objects:
             if riding.is_water(ob):

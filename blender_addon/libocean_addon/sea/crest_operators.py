@@ -24,7 +24,7 @@ def ocean_of(context):
     ob = context.object
     if ob is not None and node_group.modifiers(ob):
         return ob
-    oceans = [other for other in context.scene.objects if node_group.modifiers(other)]
+    oceans = node_group.in_scene(context.scene)
     own = [other for other in oceans if any(row.empty == ob for row in crests.used(other.libocean))]
     found = own if ob is not None and own else oceans
     return found[0] if len(found) == 1 else None

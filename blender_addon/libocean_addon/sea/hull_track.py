@@ -17,7 +17,7 @@ import numpy as np
 from mathutils import Matrix, Vector
 
 from ..floating import riding
-from ..shared import compat, life
+from ..shared import compat, life, places
 from ..shared.compat import tr
 from ..shared.failures import NotShownError
 from . import live
@@ -90,12 +90,6 @@ def own_place(ob, depsgraph) -> Matrix:
     return riding.own_place(ob, seen, motion.evaluated_get(depsgraph))
 
 
-def _heading(place: Matrix) -> float:
-    """Returns the direction of an object's x axis from above [radians]."""
-    forward = place.to_3x3().col[0]
-    return math.atan2(forward.y, forward.x)
-
-
 def _turned(points: np.ndarray, angle: float) -> np.ndarray:
     """Returns points in axes that are turned by an angle."""
     c, s = math.cos(angle), math.sin(angle)
@@ -114,7 +108,7 @@ def measure(ob, ocean, depsgraph) -> tuple[Size, Vector, bool]:
     points = np.concatenate([_below(part, depsgraph, still, level) for part in parts])
     if len(points) == 0:
         raise NotShownError(tr("{} is above the water: a hull needs a part below it", ob.name))
-    sides = np.ptp(_turned(points, _heading(own)), axis=0)
+    sides = np.ptp(_turned(points, math.radians(places.heading(own.to_3x3()))), axis=0)
     scale = ocean.matrix_world.median_scale
     draught = level - points[:, 2].min()
     size = Size(*(float(value / scale) for value in (sides.max(), sides.min(), draught)))
@@ -127,11 +121,8 @@ def measure(ob, ocean, depsgraph) -> tuple[Size, Vector, bool]:
 
 def _sea_place(ocean, place: Vector) -> tuple[float, float]:
     """Returns x and y in the sea of a place in the world [m]."""
-    matrix = ocean.matrix_world
-    local = matrix.inverted_safe() @ Vector((*place.xy, matrix.translation.z))
-    if ocean.libocean.follow_world:
-        local = matrix.to_3x3().normalized() @ local + matrix.translation
-    return local.x, local.y
+    labels, _ = places.to_labels(ocean, in_world=ocean.libocean.follow_world)
+    return tuple((labels @ Vector((*place.xy, ocean.matrix_world.translation.z))).xy)
 
 
 def frames_of(ob, scene) -> list[int]:
@@ -163,7 +154,7 @@ def sample(ob, ocean, scene, sea, *, middle: Vector, along_y: bool) -> Track:
                 scene.frame_set(frame)
                 own = own_place(ob, bpy.context.evaluated_depsgraph_get())
                 rows.append((sea.time_of_frame(frame), *_sea_place(ocean, own @ middle)))
-                headings.append(_heading(own))
+                headings.append(math.radians(places.heading(own.to_3x3())))
     finally:
         scene.frame_set(now, subframe=part)
     found = np.array(rows)

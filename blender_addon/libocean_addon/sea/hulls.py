@@ -14,7 +14,16 @@ import dataclasses
 import bpy
 
 from ..floating import riding
-from ..shared import changes, drawing, failures, meshes, parameter_fields, registration
+from ..floating.on_water import OnWater
+from ..shared import (
+    changes,
+    drawing,
+    failures,
+    meshes,
+    parameter_fields,
+    registration,
+    subject_panel,
+)
 from ..shared.compat import tr, tr_label
 from ..shared.failures import NotShownError
 from ..shared.messages import Words
@@ -31,10 +40,6 @@ _WORDS = Words(hull_values.HULLS)
 def left_out() -> str:
     """Returns the sentence on a bake or a volume of a sea with hulls."""
     return tr_label("The wakes of hulls do not repeat: the files of one period leave them out")
-
-
-def seas_of(scene) -> list:
-    return [ob for ob in scene.objects if node_group.modifiers(ob)]
 
 
 def _requires_open_sea(ocean) -> None:
@@ -87,37 +92,20 @@ def _report(operator, ob, hull, track) -> None:
         operator.report({"WARNING"}, text)
 
 
-class AddWake(bpy.types.Operator):
+class AddWake(OnWater, bpy.types.Operator):
     """Have the selected objects make waves on an ocean: their size is that of the part below the
     water, and their animation is their track"""
 
     bl_idname = "libocean.add_wake"
     bl_label = "Wake on Ocean"
-    bl_options = {"REGISTER", "UNDO"}
 
-    ocean: bpy.props.StringProperty(
-        name="Ocean", description="Name of the ocean; empty: the active one, or the only one"
-    )
-
-    @classmethod
-    def poll(cls, context) -> bool:
-        if any(not riding.is_water(ob) for ob in context.selected_objects):
-            return True
-        cls.poll_message_set(tr("Select the objects that should make waves"))
-        return False
-
-    def _find(self, context):
-        oceans = seas_of(context.scene)
-        if self.ocean:
-            return next((ob for ob in oceans if ob.name == self.ocean), None)
-        if context.object in oceans:
-            return context.object
-        return oceans[0] if len(oceans) == 1 else None
+    @staticmethod
+    def ask() -> str:
+        return tr("Select the objects that should make waves")
 
     def execute(self, context):
-        ocean = self._find(context)
+        ocean = self.water(context, node_group.in_scene(context.scene))
         if ocean is None:
-            self.report({"ERROR"}, tr("Which ocean? Make it the active object, or give its name"))
             return {"CANCELLED"}
         boats = [ob for ob in context.selected_objects if not riding.is_water(ob)]
         made = [ob for ob in boats if self._add(context, ocean, ob)]
@@ -307,24 +295,19 @@ class HullsList(bpy.types.UIList):
         layout.prop(item, "name", text="", emboss=False, icon=icon)
 
 
-class HullsPanel(bpy.types.Panel):
+class HullsPanel(subject_panel.ModifierPanel, bpy.types.Panel):
     """The hulls that make waves on the sea"""
 
     bl_idname = "LIBOCEAN_PT_hulls"
     bl_parent_id = "LIBOCEAN_PT_ocean"
     bl_label = "Wakes"
-    bl_space_type = "PROPERTIES"
-    bl_region_type = "WINDOW"
-    bl_context = "modifier"
     bl_options = {"DEFAULT_CLOSED"}
 
-    @classmethod
-    def poll(cls, context) -> bool:
-        return context.object is not None and bool(node_group.modifiers(context.object))
+    modifiers = staticmethod(node_group.modifiers)
 
-    @drawing.never_raises
-    def draw(self, context) -> None:
-        layout, settings = self.layout, context.object.libocean
+    @drawing.draws
+    def draw(self, layout, ob, _context) -> None:
+        settings = ob.libocean
         if len(settings.hulls) == 0:
             text = tr_label("Object > Wake on Ocean has an object make waves")
             drawing.say(layout, text, "INFO")
@@ -336,10 +319,9 @@ class HullsPanel(bpy.types.Panel):
         column = row.column(align=True)
         column.operator(UpdateWakes.bl_idname, text="", icon="FILE_REFRESH")
         column.operator(RemoveWake.bl_idname, text="", icon="REMOVE")
-        hull = active(context.object)
+        hull = active(ob)
         if hull is None:
             return
-        drawing.place_labels(layout)
         if hull.problem:
             drawing.say(layout, hull.problem, "ERROR")
         if hull.source is not None:

@@ -253,6 +253,7 @@ is_ours = FAMILY.is_ours
 is_old = FAMILY.is_old
 all_modifiers = FAMILY.all_modifiers
 modifiers = FAMILY.modifiers
+in_scene = FAMILY.in_scene
 
 
 def kind_of(group) -> str:

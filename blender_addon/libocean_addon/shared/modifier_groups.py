@@ -85,6 +85,10 @@ class Family:
         own = [m for m in found if ob.override_library is None or not m.is_override_data]
         return own or found
 
+    def in_scene(self, scene) -> list[bpy.types.Object]:
+        """Returns the objects of a scene with such a modifier."""
+        return [ob for ob in scene.objects if self.modifiers(ob)]
+
     def objects(self) -> list[bpy.types.Object]:
         """Returns every object with such a modifier, linked ones first. Stand-ins in no scene, of
         an asset library that is open, are left out: they show nothing."""

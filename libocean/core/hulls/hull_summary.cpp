@@ -57,7 +57,7 @@ HullSummary hull_summary(const Hull& hull, const Water& water, double loop_perio
     return summary;
 }
 
-std::vector<std::string> hull_warnings(const HullSummary& hull, std::string_view name) {
+std::vector<std::string> wake_warnings(const HullSummary& hull, std::string_view name) {
     constexpr double kSlow = 0.15;    // Froude number up to which hulls make no waves to speak of
     constexpr double kSamples = 4.0;  // of a wave at least
     constexpr double kSteep = 0.1;    // breaking waves

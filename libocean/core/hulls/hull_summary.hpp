@@ -21,6 +21,6 @@ HullSummary hull_summary(const Hull& hull, const Water& water, double loop_perio
                          ThreadPool& pool);
 /// Returns sentences on waves that are too steep for theory, or too short for the samples of the
 /// wake. `name`: of the hull, "hulls.0".
-std::vector<std::string> hull_warnings(const HullSummary& hull, std::string_view name);
+std::vector<std::string> wake_warnings(const HullSummary& hull, std::string_view name);
 
 }  // namespace ocean
