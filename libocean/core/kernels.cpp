@@ -110,9 +110,17 @@ struct Processor {
 SimdLevel choose() {
     const char* word = std::getenv("OCEAN_SIMD");
     const std::string_view limit = word != nullptr ? word : "";
-    SimdLevel most = SimdLevel::avx512;
-    for (const SimdLevel level : {SimdLevel::portable, SimdLevel::sse4, SimdLevel::avx2}) {
-        if (simd_name(level) == limit) most = level;
+    using enum SimdLevel;
+    SimdLevel most = avx512;
+    bool is_known = limit.empty();
+    for (const SimdLevel level : {portable, sse4, avx2, avx512}) {
+        if (simd_name(level) != limit) continue;
+        most = level;
+        is_known = true;
+    }
+    if (!is_known) {
+        throw Error(ErrorKind::invalid_value, "OCEAN_SIMD = " + std::string(limit) +
+                                                  ": allowed are portable, sse4, avx2 and avx512");
     }
     const Processor processor;
     for (const Kernel& kernel : kKernels) {

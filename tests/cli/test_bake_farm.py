@@ -81,6 +81,41 @@ def test_any_number_of_threads_gives_the_same_bytes(ocean, expected, threads):
     assert ocean.hashes("out") == expected
 
 
+HULL = """
+[[hulls]]
+length = 10.0
+beam = 2.5
+draught = 0.6
+wake_resolution = 64
+track = [[-60.0, -240.0, 0.0], [0.0, 0.0, 0.0], [60.0, 200.0, 100.0]]
+"""
+
+
+@pytest.mark.parametrize(
+    "bake",
+    [
+        "bake sea.toml --frames 1,30 -o {}/s.####.exr",
+        "bake boat.toml --region=-40,-20,60,40 --cell 2 --frames 1,30 -o {}/s.####.exr",
+        "terrain preset:big_tujunga --resolution 64 --products height,normal -o {}/s.exr",
+    ],
+)
+def test_machines_of_all_instruction_sets_write_the_same_bytes(ocean, bake):
+    ocean.write("boat.toml", (ocean.folder / "sea.toml").read_text() + HULL)
+    for simd in ("avx512", "avx2", "sse4", "portable"):
+        done = ocean(bake.format(simd), env={**os.environ, "OCEAN_SIMD": simd})
+        assert done.returncode == 0, done.stderr
+    for simd in ("avx512", "avx2", "sse4"):
+        assert ocean.hashes(simd) == ocean.hashes("portable"), simd
+
+
+def test_an_unknown_instruction_set_is_refused(ocean):
+    done = ocean("bake sea.toml -o s.exr", env={**os.environ, "OCEAN_SIMD": "avx1024"})
+    assert done.returncode == 2 and "s.exr" not in ocean.files("")
+    assert done.stderr == (
+        "ocean: OCEAN_SIMD = avx1024: allowed are portable, sse4, avx2 and avx512\n"
+    )
+
+
 def test_any_order_and_any_repeated_shard_give_the_same_bytes(ocean, expected):
     order = ",".join(str(frame) for frame in range(10, 0, -1))
     ocean.good("bake sea.toml", *PLAIN, "--frames", order, "-o", pattern("back"))

@@ -7,7 +7,7 @@
 //
 // Everything is in a namespace named after the instruction set, and everything is inlined: the
 // linker must not share a function compiled for one machine with code for another. Products are
-// fused with sums only by fma, so that eight and sixteen lanes give the same bits.
+// fused with sums only by fma, so that all machines give the same bits.
 #pragma once
 
 #include <cstddef>
@@ -122,7 +122,6 @@ OCEAN_INLINE void stream_part(float* to, const float* from, int count) {
 
 namespace ocean::OCEAN_KERNEL {
 
-#if defined(__FMA__)
 /// rate * tau modulo 1, within a few 1e-8 for any tau that double holds to the millisecond: an fma
 /// finds the rounding error of the high product before its integer part is dropped.
 struct PhaseClock {
@@ -140,22 +139,6 @@ struct PhaseClock {
         return (product - nearest(product)) + rest;
     }
 };
-#else
-/// rate * tau modulo 1, in double.
-struct PhaseClock {
-    using Doubles = double __attribute__((vector_size(8 * kLanes)));
-    double tau;
-
-    OCEAN_INLINE explicit PhaseClock(double time) : tau(time) {}
-    OCEAN_INLINE Vec turns(Vec rate_high, Vec rate_low) const {
-        constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52
-        const Doubles whole = (__builtin_convertvector(rate_high.v, Doubles) +
-                               __builtin_convertvector(rate_low.v, Doubles)) *
-                              tau;
-        return Lanes(__builtin_convertvector(whole - ((whole + kRound) - kRound), Lanes));
-    }
-};
-#endif
 
 struct Complex {
     Vec re;

@@ -1,24 +1,68 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Four lanes for every other machine, by the compiler's own vectors: SSE on x86, NEON on ARM. They
-// may lack a fused multiply-add, so that results differ from AVX2's by rounding. Included by
-// simd.hpp.
+// Four lanes for every other machine, by the compiler's own vectors: SSE on x86, NEON on ARM.
+// Included by simd.hpp.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+
+#if defined(__ARM_FEATURE_FMA)
+#include <arm_neon.h>
+#endif
 
 namespace ocean::OCEAN_KERNEL {
 
-/// a b + c, a b - c, c - a b, rounded twice.
+/// Returns a b + c, rounded once.
+#if defined(__ARM_FEATURE_FMA)
 OCEAN_INLINE Vec fma(Vec a, Vec b, Vec c) {
-    return a * b + c;
+    return Lanes(vfmaq_f32(c.v, a.v, b.v));
 }
+#else
+/// Rounds the sums to odd before they are rounded to floats, so that none seems to lie halfway
+/// between two floats [Boldo and Melquiond 2008].
+[[gnu::noinline, gnu::cold]] inline Vec fma_by_odd(Vec a, Vec b, Vec c) {
+    Vec result;
+    for (int lane = 0; lane < kLanes; ++lane) {
+        const double product = static_cast<double>(a.v[lane]) * static_cast<double>(b.v[lane]);
+        const auto addend = static_cast<double>(c.v[lane]);
+        double sum = product + addend;
+        const double rest = sum - product;
+        const double error = (product - (sum - rest)) + (addend - rest);  // exact
+        std::int64_t bits;
+        __builtin_memcpy(&bits, &sum, sizeof(bits));
+        if (error != 0.0 && (bits & 1) == 0) bits += (error > 0.0) == (sum > 0.0) ? 1 : -1;
+        __builtin_memcpy(&sum, &bits, sizeof(bits));
+        result.v[lane] = static_cast<float>(sum);
+    }
+    return result;
+}
+
+/// A machine without the instruction sums in double. Rounding that to a float rounds twice, which
+/// differs only where the double lies halfway between two floats, or the float is subnormal.
+OCEAN_INLINE Vec fma(Vec a, Vec b, Vec c) {
+    using Doubles = double __attribute__((vector_size(8 * kLanes)));
+    using Words = std::int32_t __attribute__((vector_size(8 * kLanes)));
+    const Doubles product =
+        __builtin_convertvector(a.v, Doubles) * __builtin_convertvector(b.v, Doubles);
+    const Doubles sum = product + __builtin_convertvector(c.v, Doubles);
+    const Lanes rounded = __builtin_convertvector(sum, Lanes);
+    const Words words = reinterpret_cast<Words>(sum);
+    const IntLanes low = __builtin_shufflevector(words, words, 0, 2, 4, 6);
+    const IntLanes bits = reinterpret_cast<IntLanes>(rounded) & 0x7fffffff;
+    const IntLanes doubtful =
+        ((low & 0x1fffffff) == 0x10000000) | ((bits < 0x00800000) & (bits != 0));
+    const bool is_doubtful = (doubtful[0] | doubtful[1] | doubtful[2] | doubtful[3]) != 0;
+    return __builtin_expect(is_doubtful, 0) ? fma_by_odd(a, b, c) : Vec(rounded);
+}
+#endif
+/// Returns a b - c; fnma c - a b.
 OCEAN_INLINE Vec fms(Vec a, Vec b, Vec c) {
-    return a * b - c;
+    return fma(a, b, -c);
 }
 OCEAN_INLINE Vec fnma(Vec a, Vec b, Vec c) {
-    return c - a * b;
+    return fma(-a, b, c);
 }
 OCEAN_INLINE Vec min(Vec a, Vec b) {
     return a.v < b.v ? a.v : b.v;
@@ -26,10 +70,13 @@ OCEAN_INLINE Vec min(Vec a, Vec b) {
 OCEAN_INLINE Vec max(Vec a, Vec b) {
     return a.v > b.v ? a.v : b.v;
 }
-/// The nearest integer of |x| < 2^22, ties to even.
+/// Returns the nearest integer, ties to even.
 OCEAN_INLINE Vec nearest(Vec x) {
-    constexpr float kRound = 12582912.0f;  // 1.5 * 2^23: its last bit counts integers
-    return (x + Vec(kRound)) - Vec(kRound);
+    constexpr float kWhole = 8388608.0f;  // 2^23: floats from here on are integers
+    const IntLanes sign = reinterpret_cast<IntLanes>(x.v) & INT32_MIN;
+    const Lanes size = reinterpret_cast<Lanes>(reinterpret_cast<IntLanes>(x.v) ^ sign);
+    const Lanes whole = size < kWhole ? (size + kWhole) - kWhole : size;
+    return reinterpret_cast<Lanes>(reinterpret_cast<IntLanes>(whole) | sign);
 }
 /// Returns true if a lane of a is below b.
 OCEAN_INLINE bool any_below(Vec a, Vec b) {
