@@ -3,7 +3,12 @@
 //
 // The kernel of the cpu backend: its codelets, every size and instruction set against transforms in
 // double, and bits that do not depend on how a frame is requested.
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <random>
 
+#include "base/simd/simd.hpp"
 #include "direct_dft.hpp"
 #include "ocean/internal/map_request.hpp"
 #include "simd_levels.hpp"
@@ -204,6 +209,32 @@ TEST_F(KernelFrames, HaveTheSameBitsForAnyNumberOfThreads) {
     for (const SimdLevel level : levels()) {
         const auto one = channels(level, 1);
         for (const int threads : {2, 3, 7}) EXPECT_EQ(channels(level, threads), one);
+    }
+}
+
+TEST(Kernel, MachinesWithoutFusedProductsRoundThemOnceToo) {
+    // Any bits, and products whose sum lies next to the middle of two floats.
+    std::mt19937 random(5);
+    const auto any_float = [&] {
+        return std::bit_cast<float>(static_cast<std::uint32_t>(random()));
+    };
+    for (int i = 0; i < 300000; ++i) {
+        float a = any_float(), b = any_float(), c = any_float();
+        if (i % 2 == 0) {
+            a = 1.0f + std::ldexp(static_cast<float>(random() % 64), -23);
+            b = 1.0f + std::ldexp(static_cast<float>(random() % 64), -23);
+            c = std::ldexp(static_cast<float>(random() % 3) - 1.0f,
+                           -static_cast<int>(random() % 90));
+        } else if (i % 3 == 0) {
+            a = std::ldexp(a, -60);  // often subnormal
+        }
+        const float sum = OCEAN_KERNEL::fma(a, b, c).v[0], expected = std::fma(a, b, c);
+        if (std::isnan(expected)) {
+            EXPECT_TRUE(std::isnan(sum));
+        } else {
+            ASSERT_EQ(std::bit_cast<std::uint32_t>(sum), std::bit_cast<std::uint32_t>(expected))
+                << a << " " << b << " " << c;
+        }
     }
 }
 

@@ -14,14 +14,17 @@
 
 namespace ocean::OCEAN_KERNEL {
 
-/// Returns a b + c, rounded once.
-#if defined(__ARM_FEATURE_FMA)
-OCEAN_INLINE Vec fma(Vec a, Vec b, Vec c) {
-    return Lanes(vfmaq_f32(c.v, a.v, b.v));
-}
+/// Returns true if a lane is true, which has all bits set.
+OCEAN_INLINE bool any(IntLanes lanes) {
+#if defined(__SSE2__)
+    return _mm_movemask_ps(reinterpret_cast<__m128>(lanes)) != 0;
 #else
-/// Rounds the sums to odd before they are rounded to floats, so that none seems to lie halfway
-/// between two floats [Boldo and Melquiond 2008].
+    return (lanes[0] | lanes[1] | lanes[2] | lanes[3]) != 0;
+#endif
+}
+
+/// Returns a b + c, rounded once: the sums are rounded to odd before they are rounded to floats, so
+/// that none seems to lie halfway between two floats [Boldo and Melquiond 2008].
 [[gnu::noinline, gnu::cold]] inline Vec fma_by_odd(Vec a, Vec b, Vec c) {
     Vec result;
     for (int lane = 0; lane < kLanes; ++lane) {
@@ -32,31 +35,35 @@ OCEAN_INLINE Vec fma(Vec a, Vec b, Vec c) {
         const double error = (product - (sum - rest)) + (addend - rest);  // exact
         std::int64_t bits;
         __builtin_memcpy(&bits, &sum, sizeof(bits));
-        if (error != 0.0 && (bits & 1) == 0) bits += (error > 0.0) == (sum > 0.0) ? 1 : -1;
+        const bool is_exact = !(error < 0.0 || error > 0.0);
+        if (!is_exact && (bits & 1) == 0) bits += (error > 0.0) == (sum > 0.0) ? 1 : -1;
         __builtin_memcpy(&sum, &bits, sizeof(bits));
         result.v[lane] = static_cast<float>(sum);
     }
     return result;
 }
 
-/// A machine without the instruction sums in double. Rounding that to a float rounds twice, which
-/// differs only where the double lies halfway between two floats, or the float is subnormal.
+/// Returns a b + c. The sum in double is rounded to a float, that is twice: this differs only where
+/// the double lies halfway between two floats, or the float is subnormal.
 OCEAN_INLINE Vec fma(Vec a, Vec b, Vec c) {
-    using Doubles = double __attribute__((vector_size(8 * kLanes)));
-    using Words = std::int32_t __attribute__((vector_size(8 * kLanes)));
-    const Doubles product =
-        __builtin_convertvector(a.v, Doubles) * __builtin_convertvector(b.v, Doubles);
-    const Doubles sum = product + __builtin_convertvector(c.v, Doubles);
-    const Lanes rounded = __builtin_convertvector(sum, Lanes);
-    const Words words = reinterpret_cast<Words>(sum);
-    const IntLanes low = __builtin_shufflevector(words, words, 0, 2, 4, 6);
+#if defined(__ARM_FEATURE_FMA)
+    return Lanes(vfmaq_f32(c.v, a.v, b.v));
+#elif defined(__SSE2__)
+    const auto upper = [](Vec x)
+                           OCEAN_INLINE_LAMBDA { return _mm_cvtps_pd(_mm_movehl_ps(x.v, x.v)); };
+    const __m128d low = _mm_cvtps_pd(a.v) * _mm_cvtps_pd(b.v) + _mm_cvtps_pd(c.v);
+    const __m128d high = upper(a) * upper(b) + upper(c);
+    const Lanes rounded = _mm_movelh_ps(_mm_cvtpd_ps(low), _mm_cvtpd_ps(high));
+    const IntLanes last_words = __builtin_shufflevector(
+        reinterpret_cast<IntLanes>(low), reinterpret_cast<IntLanes>(high), 0, 2, 4, 6);
     const IntLanes bits = reinterpret_cast<IntLanes>(rounded) & 0x7fffffff;
     const IntLanes doubtful =
-        ((low & 0x1fffffff) == 0x10000000) | ((bits < 0x00800000) & (bits != 0));
-    const bool is_doubtful = (doubtful[0] | doubtful[1] | doubtful[2] | doubtful[3]) != 0;
-    return __builtin_expect(is_doubtful, 0) ? fma_by_odd(a, b, c) : Vec(rounded);
-}
+        ((last_words & 0x1fffffff) == 0x10000000) | ((bits < 0x00800000) & (bits != 0));
+    return __builtin_expect(any(doubtful), 0) ? fma_by_odd(a, b, c) : Vec(rounded);
+#else
+    return fma_by_odd(a, b, c);
 #endif
+}
 /// Returns a b - c; fnma c - a b.
 OCEAN_INLINE Vec fms(Vec a, Vec b, Vec c) {
     return fma(a, b, -c);
@@ -80,8 +87,7 @@ OCEAN_INLINE Vec nearest(Vec x) {
 }
 /// Returns true if a lane of a is below b.
 OCEAN_INLINE bool any_below(Vec a, Vec b) {
-    const IntLanes below = a.v < b.v;
-    return (below[0] | below[1] | below[2] | below[3]) != 0;
+    return any(a.v < b.v);
 }
 /// Stores past the caches, to memory, if the machine can.
 OCEAN_INLINE void stream(float* p, Vec x) {
