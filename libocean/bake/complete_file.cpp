@@ -6,11 +6,14 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <system_error>
 
 #include "ocean/error.hpp"
 #include "ocean/internal/bake/existing_frames.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/io/output_file.hpp"
+#include "ocean/internal/io/read_provenance.hpp"
 #include "ocean/internal/platform.hpp"
 #include "sha256.hpp"
 
@@ -19,6 +22,24 @@ namespace {
 
 std::filesystem::path native(const BakeFile& file) {
     return utf8_path(file.path);
+}
+
+/// Returns the hash of a file's pixels, "" for a file that is not an image.
+std::string hash_pixels(const BakePlan& plan, const BakeFile& file, int threads) {
+    Sha256 hash;
+    const bool image = plan.format->read_pixels(
+        plan, file, threads, [&hash](std::string_view bytes) { hash.add(bytes); });
+    return image ? hash.hex() : "";
+}
+
+}  // namespace
+
+std::string short_hash(const std::string& text) {
+    return sha256_hex(text).substr(0, kShortHashDigits);
+}
+
+bool is_same_text(const std::string& in_header, const std::string& text) {
+    return in_header == text || in_header + "\n" == text;
 }
 
 void hash_file(const BakeFile& file, ManifestEntry& entry) {
@@ -35,16 +56,6 @@ void hash_file(const BakeFile& file, ManifestEntry& entry) {
     entry.sha256 = hash.hex();
 }
 
-/// Returns the hash of a file's pixels, "" for a file that is not an image.
-std::string hash_pixels(const BakePlan& plan, const BakeFile& file, int threads) {
-    Sha256 hash;
-    const bool image = plan.format->read_pixels(
-        plan, file, threads, [&hash](std::string_view bytes) { hash.add(bytes); });
-    return image ? hash.hex() : "";
-}
-
-}  // namespace
-
 bool is_regular(const BakeFile& file) {
     std::error_code error;
     return std::filesystem::is_regular_file(native(file), error);
@@ -59,12 +70,62 @@ void refuse_to_overwrite_foreign_files(const BakePlan& plan, const Manifest& man
     }
 }
 
+namespace {
+
+/// Returns the recipe that a file would have at any frame.
+std::string sequence_of(const BakePlan& plan, BakeFile file) {
+    file.frame = 0;
+    return plan.format->recipe(plan, file).substr(0, kShortHashDigits);
+}
+
+/// Returns true if a file shows another subject than the plan's, by its header.
+bool shows_another_subject(const BakePlan& plan, const BakeFile& file) {
+    try {
+        const auto provenance = io::read_provenance(file.path);
+        return provenance && !is_same_text(provenance->text, plan.subject_text);
+    } catch (const Error&) {
+        return false;  // it is damaged
+    }
+}
+
+}  // namespace
+
+void refuse_to_overwrite_another_subject(const BakePlan& plan, const Manifest& manifest) {
+    if (plan.overwrite || plan.frames.empty()) return;
+    const std::string subject = short_hash(plan.subject_text);
+    const std::filesystem::path folder = utf8_path(plan.pattern.file(0)).parent_path();
+    std::set<int> others;
+    for (const auto& [name, entry] : manifest.found()) {
+        const BakeFile file{text::to_utf8(folder / utf8_path(name)), entry.frame, 0, entry.product};
+        if (!is_regular(file)) continue;
+        const bool is_other =
+            entry.subject.empty() ? shows_another_subject(plan, file) : entry.subject != subject;
+        if (is_other) others.insert(entry.frame);
+    }
+    for (const BakeFile& file : files_that_may_exist(plan)) {
+        if (!is_regular(file)) continue;  // a pipe must not be read
+        const bool is_listed = manifest.find(native(file).filename().string()) != nullptr;
+        if (!is_listed && shows_another_subject(plan, file)) others.insert(file.frame);
+    }
+    if (others.empty()) return;
+    const std::string path = plan.pattern.file(plan.frames.front());
+    const std::string kind(plan.subject->kind());
+    throw Error(ErrorKind::invalid_value,
+                "-o " + path + ": " +
+                    (plan.pattern.has_token() ? "frames of another " + kind + " are there: " +
+                                                    frames_text({others.begin(), others.end()})
+                                              : "the file there is of another " + kind) +
+                    "; --overwrite replaces them");
+}
+
 void describe(const BakePlan& plan, const BakeFile& file, ManifestEntry& entry) {
     entry.name = native(file).filename().string();
     entry.frame = file.frame;
     entry.time = plan.subject->timeline().time_of(file.frame);
     entry.product = file.product;
     entry.recipe = plan.format->recipe(plan, file);
+    entry.subject = short_hash(plan.subject_text);
+    entry.sequence = sequence_of(plan, file);
 }
 
 ManifestEntry inspect(const BakePlan& plan, const BakeFile& file, int threads) {

@@ -20,8 +20,20 @@ bool is_regular(const BakeFile& file);
 /// does not list it, and it does not look like a baked file.
 void refuse_to_overwrite_foreign_files(const BakePlan& plan, const Manifest& manifest);
 
-/// Sets the members of an entry that depend on the plan alone: name, frame, time, product and
-/// recipe.
+/// Throws Error invalid_value if files of the plan's name show another subject, by the manifests
+/// and by the headers of files that none lists, unless the plan overwrites them.
+void refuse_to_overwrite_another_subject(const BakePlan& plan, const Manifest& manifest);
+
+/// Returns the first digits of a text's SHA-256, as entries of manifests have them.
+std::string short_hash(const std::string& text);
+/// Returns true if a header has the text of a subject: a header that is made of comments loses the
+/// end of its last line.
+bool is_same_text(const std::string& in_header, const std::string& text);
+/// Sets an entry's number of bytes and their SHA-256. Throws Error bad_file.
+void hash_file(const BakeFile& file, ManifestEntry& entry);
+
+/// Sets the members of an entry that depend on the plan alone: name, frame, time, product,
+/// recipe, subject and sequence.
 void describe(const BakePlan& plan, const BakeFile& file, ManifestEntry& entry);
 
 /// Returns the entry of a file, with the hashes of its bytes and of its pixels. Throws Error

@@ -5,11 +5,13 @@
 #include "ocean/internal/bake/estimate.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <span>
 #include <utility>
 
 #include "complete_file.hpp"
 #include "formats/spray_points.hpp"
+#include "frame_baker.hpp"
 #include "manifest.hpp"
 #include "ocean/internal/bake/existing_frames.hpp"
 #include "ocean/internal/foam.hpp"
@@ -115,8 +117,9 @@ std::vector<std::string> bake_warnings(const BakePlan& plan, std::size_t frames)
 BakeForecast forecast_bake(const BakePlan& plan) {
     constexpr std::size_t kFramesOfATake = 100;
     const WorkShare share = share_work(plan);
-    const Manifest manifest(plan.pattern.manifest());
+    const Manifest manifest(plan.pattern, plan.shard);
     refuse_to_overwrite_foreign_files(plan, manifest);
+    refuse_to_overwrite_another_subject(plan, manifest);
     io::require_folder(plan.pattern.folder());
     const auto is_complete = [&](const std::vector<BakeFile>& files) {
         return std::ranges::all_of(files, [&](const BakeFile& file) {
@@ -142,6 +145,25 @@ BakeForecast forecast_bake(const BakePlan& plan) {
     forecast.memory_bytes = bake_memory_bytes(plan, share.frames_at_a_time);
     forecast.warnings = bake_warnings(plan, kFramesOfATake);
     return forecast;
+}
+
+double measure_bake_seconds(const BakePlan& plan) {
+    if (plan.frames.empty()) return 0.0;
+    const WorkShare share = share_work(plan);
+    const auto source = plan.subject->open(plan.maps_options());
+    Manifest manifest(plan.pattern, plan.shard);
+    BakeHost host;
+    const Bake bake{plan, *source, manifest, host};
+    FrameBaker baker(bake, share.threads_each);
+    const auto seconds_of = [&](int frame) {
+        const auto begin = std::chrono::steady_clock::now();
+        baker.make_maps(plan.subject->timeline().time_of(frame));
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    const double alone = seconds_of(plan.frames.front());
+    if (plan.frames.size() == 1) return alone;
+    const auto others = static_cast<double>(plan.frames.size()) / share.frames_at_a_time - 1.0;
+    return alone + std::max(others, 0.0) * seconds_of(plan.frames[1]);
 }
 
 }  // namespace ocean

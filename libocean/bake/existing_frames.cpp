@@ -68,7 +68,7 @@ std::vector<BakeFile> files_that_may_exist(const BakePlan& plan) {
 }
 
 std::vector<std::string> paths_that_may_exist(const BakePlan& plan) {
-    std::vector<std::string> paths = {plan.pattern.manifest()};
+    std::vector<std::string> paths = {plan.pattern.manifest(), plan.pattern.manifest(plan.shard)};
     for (BakeFile& file : files_that_may_exist(plan)) paths.push_back(std::move(file.path));
     return paths;
 }

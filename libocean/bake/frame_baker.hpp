@@ -50,10 +50,10 @@ class FrameBaker {
     bool keep(const std::vector<BakeFile>& files);
     /// Computes the frame, writes its files, and reads them back for the manifest.
     void make(const std::vector<BakeFile>& files, int frame);
-
-  private:
+    /// Computes the maps of a frame at a time [s].
     std::vector<Surface> make_maps(double time);
 
+  private:
     const Bake& bake_;
     int threads_;
     std::unique_ptr<SubjectMaps> source_;

@@ -90,11 +90,13 @@ FrameRange parse_range(std::string_view part) {
     range.last = range.first;
     if (read_char(rest, '-')) {
         if (!read_int(rest, range.last)) refuse_frames(part, "the range has no end");
-        if (read_char(rest, 'x') && (!read_int(rest, range.step) || range.step < 1)) {
+        // A colon is Open Job Description's step. (fileseq's means all frames, coarse ones first.)
+        const bool has_step = read_char(rest, 'x') || read_char(rest, ':');
+        if (has_step && (!read_int(rest, range.step) || range.step < 1)) {
             refuse_frames(part, "the step must be a whole number, at least 1");
         }
     }
-    // y, : and fractions have other meanings in other tools and are refused, lest they be misread.
+    // y and fractions have other meanings in other tools and are refused, lest they be misread.
     if (!rest.empty()) refuse_frames(part, "'" + std::string(rest) + "' is not supported");
     if (range.last < range.first) refuse_frames(part, "the last frame comes before the first");
     return range;
@@ -256,10 +258,32 @@ std::string OutputPattern::stem() const {
     return stem;
 }
 
-std::string OutputPattern::manifest() const {
-    const std::string name = stem();
-    return name.empty() ? folder_ + "manifest.json"
-                        : folder_ + name + std::string(manifest_ending(name));
+std::string OutputPattern::manifest(const std::optional<Shard>& shard) const {
+    const std::string stem = this->stem();
+    std::string name = stem.empty() ? "manifest.json" : stem + std::string(manifest_ending(stem));
+    if (shard) {
+        name.insert(name.rfind('.'), format_text(".%dof%d", shard->number, shard->count));
+        if (name.size() > 255) {
+            refuse("--shard: the name of its manifest, " + name + ", is longer than 255 bytes");
+        }
+    }
+    return folder_ + name;
+}
+
+std::optional<Shard> OutputPattern::shard_of_manifest(std::string_view name) const {
+    const std::string whole = manifest().substr(folder_.size());
+    const std::size_t dot = whole.rfind('.');
+    const std::string_view start = std::string_view(whole).substr(0, dot);
+    const std::string_view end = std::string_view(whole).substr(dot);
+    if (!name.starts_with(start) || !name.ends_with(end)) return std::nullopt;
+    if (name.size() < whole.size() + 1) return std::nullopt;
+    std::string_view rest = name.substr(dot, name.size() - whole.size());
+    Shard shard;
+    const bool reads = read_char(rest, '.') && read_int(rest, shard.number) &&
+                       read_char(rest, 'o') && read_char(rest, 'f') &&
+                       read_int(rest, shard.count) && rest.empty();
+    if (!reads || shard.number < 1 || shard.number > shard.count) return std::nullopt;
+    return shard;
 }
 
 std::string OutputPattern::folder() const {

@@ -4,6 +4,7 @@
 // Reads, merges and writes the manifest's file; see manifest.hpp.
 #include "manifest.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -19,21 +20,6 @@ namespace {
 
 constexpr std::uintmax_t kMaxManifestBytes = std::uintmax_t{256} << 20;  // some 500 000 files
 
-/// Returns the text of a file, "" if it does not exist.
-std::string read_text(const std::filesystem::path& path) {
-    std::error_code error;
-    if (!std::filesystem::exists(path, error)) return "";
-    const auto refuse = [](const char* reason) { throw Error(ErrorKind::bad_file, reason); };
-    if (!std::filesystem::is_regular_file(path, error)) refuse("it is not a file");
-    const std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (error || size > kMaxManifestBytes) refuse("it is larger than 256 MiB");
-    std::string text(size, '\0');
-    std::ifstream file(path, std::ios::binary);
-    file.read(text.data(), static_cast<std::streamsize>(size));
-    if (!file) refuse("it cannot be read");
-    return text;
-}
-
 void drop_missing_files(ManifestEntries& entries, const std::filesystem::path& folder) {
     std::set<std::string> present;
     std::error_code error;
@@ -47,19 +33,60 @@ void drop_missing_files(ManifestEntries& entries, const std::filesystem::path& f
 
 }  // namespace
 
-Manifest::Manifest(std::string path) : path_(std::move(path)) {
+std::string read_manifest_text(const std::string& name) {
+    const std::filesystem::path path = utf8_path(name);
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) return "";
+    const auto refuse = [](const char* reason) { throw Error(ErrorKind::bad_file, reason); };
+    if (!std::filesystem::is_regular_file(path, error)) refuse("it is not a file");
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (error || size > kMaxManifestBytes) refuse("it is larger than 256 MiB");
+    std::string text(size, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(text.data(), static_cast<std::streamsize>(size));
+    if (!file) refuse("it cannot be read");
+    return text;
+}
+
+std::vector<ManifestFile> find_manifests(const OutputPattern& pattern) {
+    std::vector<ManifestFile> found;
+    const std::string folder = pattern.folder();
+    std::error_code error;
+    std::filesystem::directory_iterator file(utf8_path(folder.empty() ? "." : folder), error);
+    for (; !error && file != std::filesystem::directory_iterator(); file.increment(error)) {
+        const auto shard = pattern.shard_of_manifest(text::to_utf8(file->path().filename()));
+        if (shard) found.push_back({pattern.manifest(shard), shard});
+    }
+    std::ranges::sort(found, {}, [](const ManifestFile& one) {
+        return std::pair(one.shard->count, one.shard->number);
+    });
+    if (std::filesystem::exists(utf8_path(pattern.manifest()), error)) {
+        found.insert(found.begin(), {pattern.manifest(), std::nullopt});
+    }
+    return found;
+}
+
+Manifest::Manifest(const OutputPattern& pattern, const std::optional<Shard>& shard)
+    : path_(pattern.manifest(shard)), is_of_shard_(shard.has_value()) {
+    load({path_, shard});
+    for (const ManifestFile& file : find_manifests(pattern)) {
+        if (file.path != path_) load(file);
+    }
+}
+
+void Manifest::load(const ManifestFile& file) {
     std::string text;
     try {
-        text = read_text(utf8_path(path_));
-        if (!text.empty()) found_ = parse_manifest(text);
+        text = read_manifest_text(file.path);
+        if (!text.empty()) found_.merge(parse_manifest(text));
     } catch (const Error& error) {
         if (text.find(kManifestKey) == std::string::npos) {
-            throw Error(ErrorKind::invalid_value, "'" + path_ +
+            throw Error(ErrorKind::invalid_value, "'" + file.path +
                                                       "' exists and is not a manifest "
                                                       "of a bake: it is not replaced; move it or "
                                                       "choose another --output");
         }
-        load_error_ = path_ + " is damaged: " + error.what();
+        load_error_ = file.path + " is damaged: " + error.what();
     }
 }
 
@@ -91,7 +118,8 @@ void Manifest::set_missing(std::vector<int> frames) {
 void Manifest::save(const std::function<void()>& before_merge) {
     std::filesystem::path folder = utf8_path(path_).parent_path();
     if (folder.empty()) folder = ".";
-    const io::FolderLock lock(text::to_utf8(folder));
+    std::optional<io::FolderLock> lock;
+    if (!is_of_shard_ || before_merge) lock.emplace(text::to_utf8(folder));
     if (before_merge) before_merge();
     ManifestEntries fresh, saved;
     std::vector<int> missing;
@@ -99,13 +127,13 @@ void Manifest::save(const std::function<void()>& before_merge) {
         const std::lock_guard guard(mutex_);
         fresh = added_;
         saved = saved_;
-        missing = missing_;
+        if (!is_of_shard_) missing = missing_;  // a shard sees the others at some moment
     }
     if (fresh.empty() && saved.empty()) return;
     ManifestEntries merged = fresh;
     std::string before;
     try {
-        before = read_text(utf8_path(path_));
+        before = read_manifest_text(path_);
         if (!before.empty()) merged.merge(parse_manifest(before));
     } catch (const Error&) {
         // The manifest is replaced; the run has warned of this at its start.

@@ -17,14 +17,16 @@ constexpr int kManifestVersion = 1;
 constexpr const char* kFilesKey = "files";
 constexpr const char* kMissingKey = "missing";
 
-bool is_hash(const std::string& text) {
-    return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == text.npos;
+bool is_hash(const std::string& text, std::size_t digits = 64) {
+    return text.size() == digits && text.find_first_not_of("0123456789abcdef") == text.npos;
 }
 
 bool is_sound(const ManifestEntry& entry) {
     return !entry.name.empty() && entry.name.find('/') == entry.name.npos &&
            entry.name.find('\0') == entry.name.npos && is_hash(entry.sha256) &&
-           is_hash(entry.recipe) && (entry.pixels_sha256.empty() || is_hash(entry.pixels_sha256));
+           is_hash(entry.recipe) && (entry.pixels_sha256.empty() || is_hash(entry.pixels_sha256)) &&
+           (entry.subject.empty() || is_hash(entry.subject, kShortHashDigits)) &&
+           (entry.sequence.empty() || is_hash(entry.sequence, kShortHashDigits));
 }
 
 class ManifestReader final : public nlohmann::json_sax<json> {
@@ -52,6 +54,8 @@ class ManifestReader final : public nlohmann::json_sax<json> {
         if (key_ == "sha256") return entry_.sha256 = value, true;
         if (key_ == "pixels_sha256") return entry_.pixels_sha256 = value, true;
         if (key_ == "recipe") return entry_.recipe = value, true;
+        if (key_ == "subject") return entry_.subject = value, true;
+        if (key_ == "sequence") return entry_.sequence = value, true;
         return refuse("'" + key_.substr(0, 40) + "' is unknown or no text");
     }
 
@@ -129,6 +133,8 @@ std::string manifest_text(const ManifestEntries& entries, std::span<const int> m
                                        {"bytes", entry.bytes}, {"sha256", entry.sha256}};
         if (!entry.pixels_sha256.empty()) line["pixels_sha256"] = entry.pixels_sha256;
         line["recipe"] = entry.recipe;
+        if (!entry.subject.empty()) line["subject"] = entry.subject;
+        if (!entry.sequence.empty()) line["sequence"] = entry.sequence;
         // JSON cannot hold a name that is not UTF-8: its entry will not be found again.
         text += separator + line.dump(-1, ' ', false, json::error_handler_t::replace);
         separator = ",\n";

@@ -336,6 +336,7 @@ BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
     plan.settings = plan.format->read_options(options, catalogue);
     plan.skip_existing = options.skip_existing;
     plan.keep_going = options.keep_going;
+    plan.overwrite = options.overwrite;
     plan.threads = options.threads;
     plan.build_progress = options.build_progress;
     plan.channels = catalogue.channels;
@@ -360,8 +361,11 @@ BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
     plan.settings = std::move(resolved.settings);
     plan.format_note = std::move(resolved.note);
     resolve_backend(catalogue, options.backend, plan);
-    plan.shard = options.shard;
-    if (!options.shard.empty()) plan.frames = parse_shard(options.shard).of(plan.frames);
+    if (!options.shard.empty()) {
+        plan.shard = parse_shard(options.shard);
+        plan.frames = plan.shard->of(plan.frames);
+        plan.pattern.manifest(plan.shard);  // refuses a name that is too long
+    }
     plan.subject_text = plan.subject->text();
     plan.subject_id =
         sha256_hex(plan.subject_text + domain_lines(plan) + std::to_string(plan.resolution))

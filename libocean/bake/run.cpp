@@ -262,11 +262,12 @@ void run_bake(const BakePlan& plan, BakeHost& host) {
         host.begin(plan, share);
         return host.end();
     }
-    Manifest manifest(plan.pattern.manifest());
+    Manifest manifest(plan.pattern, plan.shard);
     if (!manifest.load_error().empty()) {
         host.warning(manifest.load_error() + "; it will be replaced");
     }
     refuse_to_overwrite_foreign_files(plan, manifest);
+    refuse_to_overwrite_another_subject(plan, manifest);
     io::make_folder(plan.pattern.folder());
     io::remove_abandoned_temporaries(plan.pattern.folder());
     host.begin(plan, share);

@@ -196,6 +196,7 @@ TEST(OtherSubject, LeavesFramesOfOtherPlanesOutOfItsStage) {
     const auto warnings = [&](const std::string& frames, double level) {
         BakeOptions options = plane_bake(folder.file("plane.usda"));
         options.frames = frames;
+        options.overwrite = true;
         options.open_subject = [level](const std::string&) {
             return std::make_unique<Plane>(level);
         };

@@ -131,6 +131,8 @@ TEST(RunBake, SkipsOnlyFilesThatItWouldWriteAgain) {
     EXPECT_EQ(events(), "begin baked3 baked1 baked2 end") << "another option of the format";
     options.frames = "1";
     options.fps = "12";
+    EXPECT_THROW(events(), Error) << "another sea";
+    options.overwrite = true;
     EXPECT_EQ(events(), "begin baked1 end") << "another sea";
 }
 

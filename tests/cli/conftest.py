@@ -84,6 +84,10 @@ class Program:
     def bake(self, *arguments) -> list[str]:
         return self.good("bake sea.toml", *words_of(arguments)).splitlines()
 
+    def merge(self, output: str) -> None:
+        """Checks a bake of shards and joins their manifests to that of the whole."""
+        self.good("check", output, "--merge")
+
     def bad(self, *arguments, code: int = 2) -> str:
         """The one line that a run prints which fails with this exit code."""
         return check_failure(self(*arguments), code)

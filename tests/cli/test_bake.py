@@ -219,7 +219,7 @@ def test_waves_too_short_for_the_map_tilt_the_normals(ocean):
 def test_an_existing_frame_is_replaced_whole(ocean):
     ocean.bake("-o s.exr --products height --set seed=9")
     old = (ocean.folder / "s.exr").read_bytes()
-    ocean.bake("-o s.exr --products height")
+    ocean.bake("-o s.exr --products height --overwrite")
     new = (ocean.folder / "s.exr").read_bytes()
     assert new[:4] == b"\x76\x2f\x31\x01" and new != old
     assert ocean.files(".") == ["buoy.toml", "s.exr", "s.manifest.json", "sea.toml"]

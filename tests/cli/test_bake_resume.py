@@ -75,7 +75,7 @@ def test_files_of_another_sea_or_other_options_are_baked_again(ocean, other, lis
     before = ocean.hashes("out")
     if not listed:
         (ocean.folder / "out/s.manifest.json").unlink()
-    done = ocean(*bake, *other, "--skip-existing", "--json")
+    done = ocean(*bake, *other, "--skip-existing", "--overwrite", "--json")
     assert events(done)[-1]["skipped"] == 0
     assert ocean.hashes("out")["s.displacement.0001.exr"] != before["s.displacement.0001.exr"]
 
@@ -83,7 +83,7 @@ def test_files_of_another_sea_or_other_options_are_baked_again(ocean, other, lis
 @pytest.mark.parametrize("extension", ["png", "inc"])
 def test_other_formats_are_kept_if_the_manifest_lists_them(ocean, extension):
     bake = ["bake", "sea.toml", "-o", f"out/s.####.{extension}", "--frames", "1-3"]
-    again = [*bake, "--skip-existing", "--json"]
+    again = [*bake, "--skip-existing", "--overwrite", "--json"]
     ocean.good(*bake)
     before = ocean.hashes("out")
 

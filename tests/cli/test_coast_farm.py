@@ -21,6 +21,7 @@ def test_shards_chunks_and_single_frames_have_the_bytes_of_the_whole(coast):
     assert len(expected) == 5 * 4 + 1
     for shard in ("3/3", "1/3", "2/3"):
         coast.good(*BAKE, f"parts/{EXR}", "--frames", "196-200", "--shard", shard, "--threads", "1")
+    coast.merge(f"parts/{EXR}")
     coast.good(*BAKE, f"back/{EXR}", "--frames", "200,199,198,197,196", "--threads", "2")
     coast.good(*BAKE, f"some/{EXR}", "--frames", "197")
     coast.good(*BAKE, f"some/{EXR}", "--frames", "196-200", "--skip-existing")
@@ -68,5 +69,6 @@ def test_other_formats_do_not_mind_shards_either(coast, output, products):
     coast.good(*bake, "-q", "-o", f"whole/{output}")
     for shard in ("2/2", "1/2"):
         coast.good(*bake, "-q", "-o", f"parts/{output}", "--shard", shard, "--threads", "1")
+    coast.merge(f"parts/{output}")
     assert coast.hashes("parts") == coast.hashes("whole")
     assert len(coast.hashes("whole")) >= 5

@@ -115,5 +115,5 @@ def test_what_a_killed_bake_leaves_is_removed_by_the_next(ocean):
     process.communicate(timeout=120)
     assert process.returncode == -signal.SIGKILL
     ocean.write("out/.s.exr.ocean-999999999-0.tmp", "left")
-    ocean.good("bake sea.toml -o out/s.####.exr")
+    ocean.good("bake sea.toml -o out/s.####.exr --overwrite")
     check_whole_files(ocean)

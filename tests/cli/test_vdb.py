@@ -267,6 +267,7 @@ def test_spray_is_points(ocean, bake):
     ocean.good("bake gale.toml -o two/s.####.vdb", *arguments, "--threads", "2")
     for shard in ("2/2", "1/2"):
         ocean.good("bake gale.toml -o parts/s.####.vdb", *arguments, "--shard", shard)
+    ocean.merge("parts/s.####.vdb")
     expected = ocean.hashes("one")
     assert ocean.hashes("two") == expected and ocean.hashes("parts") == expected
     assert len(set(expected.values())) == len(expected) == 4
@@ -300,6 +301,7 @@ def test_volumes_are_split_resumed_and_baked_again(ocean, bake):
     ocean.good(*whole, "again/sea.####.vdb", "--threads", "2")
     for shard in ("2/2", "1/2"):
         ocean.good(*whole, "parts/sea.####.vdb", "--shard", shard, "--threads", "3")
+    ocean.merge("parts/sea.####.vdb")
     expected = ocean.hashes("out")
     assert len([name for name in expected if name.endswith(".vdb")]) == 4
     assert len(set(expected.values())) == len(expected)

@@ -45,6 +45,7 @@ struct Typed {
     FormatFlags format_options;
     std::string tiles, egl_device, stage;
     bool dry_run = false;
+    bool summary = false;
 };
 
 std::vector<OptionGroup> bake_options(Typed& typed, const Catalogue& catalogue) {
@@ -80,10 +81,14 @@ std::vector<OptionGroup> bake_options(Typed& typed, const Catalogue& catalogue) 
                               "Only the I-th of N parts of the frames, such as 2/5"}),
            {"--skip-existing", &bake.skip_existing, "",
             "Keep complete files of the same " + noun + " and options, after reading them"},
+           {"--overwrite", &bake.overwrite, "",
+            "Replace frames of another " + noun + ", which is refused without it"},
            only_of(kSeaKind, {"--keep-going", &bake.keep_going, "",
                               "Continue with the other frames when one fails"}),
            {"-n,--dry-run", &typed.dry_run, "",
             "Print the files and the disk space that they need; write nothing"},
+           {"--summary", &typed.summary, "",
+            "With -n: print the number of files, bytes and seconds alone"},
            {"--resolution", &bake.resolution, "R",
             is_sea ? "Samples along a side, a power of two; default: the sea's grid, four times "
                      "that with cascades"
@@ -226,6 +231,10 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
     add_given(typed.format_options, options);
     request_stage(typed, options);
     refuse_lod_of_maps(typed, options);
+    if (typed.summary && !typed.dry_run) {
+        throw Error(ErrorKind::invalid_value,
+                    "--summary: it is of the plan that -n prints; give -n");
+    }
     options.source = typed.subject.source;
     options.threads = context.options.threads;
     options.build_progress = build_progress_on(context.console);
@@ -244,6 +253,7 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
         return bake_stage(plan, typed.stage, context);
     }
 #endif
+    if (typed.summary) return show_summary(plan, context);
     run_or_forecast(plan, typed.dry_run, context);
 }
 

@@ -13,6 +13,8 @@
 #include "console_host.hpp"
 #include "format_help.hpp"
 #include "ocean/internal/bake/estimate.hpp"
+#include "ocean/internal/json.hpp"
+#include "text.hpp"
 
 namespace ocean::app {
 namespace {
@@ -80,6 +82,36 @@ void run_or_forecast(const BakePlan& plan, bool dry_run, const Context& context)
     if (dry_run) return show_forecast(forecast_bake(plan), {}, context.console);
     ConsoleHost host(context);
     run_bake(plan, host);
+}
+
+void show_summary(const BakePlan& plan, const Context& context) {
+    const BakeForecast forecast = forecast_bake(plan);
+    const double seconds = measure_bake_seconds(plan);
+    long files = 0, kept = 0;
+    for (const BakeForecast::File& file : forecast.files) {
+        files += file.count;
+        kept += file.kept;
+    }
+    if (context.options.json) {
+        context.console.data(JsonObject()
+                                 .add("frames", plan.frames.size())
+                                 .add("files", files)
+                                 .add("kept", kept)
+                                 .add("bytes", forecast.bytes)
+                                 .add("free_bytes", forecast.free_bytes)
+                                 .add("memory_bytes", forecast.memory_bytes)
+                                 .add("seconds", seconds)
+                                 .text() +
+                             "\n");
+    } else {
+        context.console.data(format_text("frames   %zu\nfiles    %ld, %ld of them kept\n",
+                                         plan.frames.size(), files, kept) +
+                             "bytes    " + bytes_text(forecast.bytes) + " at most, " +
+                             bytes_text(forecast.free_bytes) + " are free\nmemory   " +
+                             bytes_text(forecast.memory_bytes) +
+                             format_text("\nseconds  about %.2g, and those of writing\n", seconds));
+    }
+    for (const std::string& warning : forecast.warnings) context.console.warning(warning);
 }
 
 }  // namespace ocean::app

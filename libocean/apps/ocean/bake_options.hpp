@@ -29,5 +29,7 @@ void add_given(const FormatFlags& flags, BakeOptions& options);
 
 /// Bakes, or with dry_run prints the files and the disk space that they need. Throws Error.
 void run_or_forecast(const BakePlan& plan, bool dry_run, const Context& context);
+/// Prints the sums of a forecast, with the seconds of its frames. Throws Error.
+void show_summary(const BakePlan& plan, const Context& context);
 
 }  // namespace ocean::app

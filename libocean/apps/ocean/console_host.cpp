@@ -13,7 +13,10 @@ void ConsoleHost::begin(const BakePlan& plan, const WorkShare& share) {
     const int frames = static_cast<int>(plan.frames.size());
     if (frames == 0) {
         return context_.console.begin(
-            0, "--shard " + plan.shard + " is empty: the bake has fewer frames", {});
+            0,
+            format_text("--shard %d/%d is empty: the bake has fewer frames", plan.shard->number,
+                        plan.shard->count),
+            {});
     }
     const Domain domain = plan.domain();
     const double period = domain.size[0];

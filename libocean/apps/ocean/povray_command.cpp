@@ -53,6 +53,7 @@ std::vector<OptionGroup> povray_options(PovrayRequest& typed) {
           only_of(kSeaKind,
                   {"--shard", &bake.shard, "I/N", "Only the I-th of N parts of the frames"}),
           {"--skip-existing", &bake.skip_existing, "", "Keep complete frames of the same sea"},
+          {"--overwrite", &bake.overwrite, "", "Replace frames of another subject"},
           only_of(kSeaKind, {"--keep-going", &bake.keep_going, "",
                              "Continue with the other frames when one fails"}),
           {"-n,--dry-run", &typed.dry_run, "",

@@ -27,8 +27,9 @@
 
 namespace ocean {
 
-/// Returns the frames of INT[-INT[xINT]] in comma lists, such as "1-250x2", "-10--5" or "1,5,9-12",
-/// in the order given, without duplicates. Throws Error invalid_value with the part that is wrong.
+/// Returns the frames of INT[-INT[xINT]] in comma lists, such as "1-250x2" (or "1-250:2"), "-10--5"
+/// or "1,5,9-12", in the order given, without duplicates. Throws Error invalid_value with the part
+/// that is wrong.
 std::vector<int> parse_frames(std::string_view text);
 
 /// Returns "7, 9-11, 20-90x10", the frames as ranges for parse_frames, in the order given. A text
@@ -72,8 +73,11 @@ class OutputPattern {
     /// Returns the start that the names of all files share, "sea"; "" for out/####.exr.
     std::string stem() const;
     /// Returns the path of the manifest, out/sea.manifest.json, or out/sea.man where that is too
+    /// long; of a shard out/sea.manifest.3of20.json. Throws Error invalid_value if that is too
     /// long.
-    std::string manifest() const;
+    std::string manifest(const std::optional<Shard>& shard = {}) const;
+    /// Returns the shard whose manifest has a name (without its folder); nothing for other files.
+    std::optional<Shard> shard_of_manifest(std::string_view name) const;
     /// Returns the folder of all files; "" for the current one.
     std::string folder() const;
 
@@ -92,6 +96,7 @@ struct BakeOptions {
     std::map<std::string, std::string> format_options;  // by their names; "yes" for a flag
     bool skip_existing = false;
     bool keep_going = false;
+    bool overwrite = false;  // replaces frames of another subject, which is refused without it
     int threads = 0;         // 0 = the cores this process may use
     int max_resolution = 0;  // of the default resolution [samples along a side]; 0 = no limit
     /// Opens SEA, or the subject of a baked file: resolved and valid. Throws Error.
@@ -117,7 +122,7 @@ struct BakePlan {
     OutputPattern pattern;
     std::vector<int> frames;       // of this shard
     std::vector<int> all_frames;   // of all shards
-    std::string shard;             // as typed; "" = all
+    std::optional<Shard> shard;    // nothing = all
     bool product_in_name = false;  // of each file
     Backend backend;
     std::string backend_note;  // why this backend; "" if the user named it and it needs no note
@@ -127,6 +132,7 @@ struct BakePlan {
     int threads = 0;
     bool skip_existing = false;
     bool keep_going = false;
+    bool overwrite = false;
     std::function<void(std::string_view work, double share)> build_progress;  // of the options
 
     /// Returns the settings of maps that a plan computes.

@@ -46,5 +46,8 @@ struct BakeForecast {
 inline constexpr std::size_t kMaxForecastFiles = 100000;
 /// Returns the files of a bake and the space they need. Reads existing files, writes none.
 BakeForecast forecast_bake(const BakePlan& plan);
+/// Returns the seconds in which this machine computes the frames of a bake, from those of the first
+/// two, which are computed. Writing them comes on top.
+double measure_bake_seconds(const BakePlan& plan);
 
 }  // namespace ocean
