@@ -5,6 +5,7 @@
 #include "ocean/internal/bake/check.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <set>

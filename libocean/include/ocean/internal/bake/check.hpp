@@ -24,7 +24,7 @@ struct CheckRequest {
     std::function<void(std::size_t done, std::size_t total)> progress = {};
 };
 
-/// What is wrong with a file.
+/// A fault of a file.
 enum class BakeFault {
     missing,  // it does not exist
     damaged,  // its bytes are not those that were written
