@@ -20,7 +20,6 @@
 #include "ocean/internal/platform.hpp"
 #include "ocean/internal/sea_bytes.hpp"
 #include "ocean/internal/text.hpp"
-#include "ocean/sea_state.hpp"
 
 namespace ocean {
 namespace {

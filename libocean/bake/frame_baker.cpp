@@ -12,7 +12,6 @@
 #include <system_error>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include "complete_file.hpp"
 #include "ocean/error.hpp"

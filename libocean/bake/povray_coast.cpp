@@ -9,7 +9,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "ocean/error.hpp"
 #include "ocean/internal/bake/povray_folder.hpp"
 #include "ocean/internal/io/df3.hpp"
 #include "ocean/internal/io/povray_declarations.hpp"

@@ -13,14 +13,12 @@
 #include <utility>
 
 #include "complete_file.hpp"
-#include "formats/spray_points.hpp"
 #include "frame_baker.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/bake/estimate.hpp"
 #include "ocean/internal/bake/existing_frames.hpp"
 #include "ocean/internal/io/output_file.hpp"
 #include "ocean/internal/text.hpp"
-#include "ocean/subject.hpp"
 
 namespace ocean {
 namespace {

@@ -14,10 +14,8 @@
 
 #include "guard.hpp"
 #include "ocean/detail.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/cascades.hpp"
 #include "ocean/internal/modes.hpp"
-#include "ocean/ocean.hpp"
 #include "ocean/sea_bed.hpp"
 #include "outputs.hpp"
 #include "sea_handle.hpp"

@@ -11,7 +11,6 @@
 
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/internal/text.hpp"
 
 namespace ocean::capi {
 namespace {

@@ -14,7 +14,6 @@
 #include "ocean/internal/cascades.hpp"
 #include "ocean/internal/grid.hpp"
 #include "ocean/internal/json.hpp"
-#include "ocean/ocean.hpp"
 #include "ocean/provenance.hpp"
 #include "ocean/seafile.hpp"
 #include "outputs.hpp"

@@ -5,7 +5,6 @@
 // seafile, with its arguments checked and its result copied out.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>

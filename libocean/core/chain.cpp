@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "ocean/internal/crests.hpp"
-#include "ocean/internal/foam.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/sea_bytes.hpp"
 #include "ocean/sea_state.hpp"

@@ -4,20 +4,13 @@
 #include "coast.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "coast/surface/region_channels.hpp"
-#include "coast/surface/shore_query.hpp"
 #include "ocean/domain.hpp"
-#include "ocean/error.hpp"
-#include "ocean/internal/cascades.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/surf_traces.hpp"
-#include "ocean/land_mask.hpp"
 #include "ocean/sea_bed.hpp"
 
 namespace ocean {

@@ -11,7 +11,6 @@
 #include "hull_sea.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/open_sea.hpp"
-#include "ocean/parameter_table.hpp"
 #include "waves/spray/spray_follower.hpp"
 
 namespace ocean {

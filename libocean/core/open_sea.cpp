@@ -5,10 +5,7 @@
 // dirties it.
 #include "ocean/internal/open_sea.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
-#include <vector>
 
 #include "chain.hpp"
 #include "ocean/error.hpp"
@@ -16,10 +13,8 @@
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/sea_bytes.hpp"
 #include "ocean/internal/second_order.hpp"
-#include "ocean/parameter_table.hpp"
 #include "waves/bound/bound_waves.hpp"
 #include "waves/detail/detail_maps.hpp"
-#include "waves/kernel/map_kernel.hpp"
 #include "waves/spray/spray_follower.hpp"
 #include "waves/state/performer.hpp"
 #include "waves/surface/map_writer.hpp"

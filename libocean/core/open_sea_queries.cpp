@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "chain.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/open_sea.hpp"
 #include "ocean/internal/surface_query.hpp"

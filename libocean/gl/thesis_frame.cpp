@@ -5,14 +5,12 @@
 #include "thesis_frame.hpp"
 
 #include <bit>
-#include <map>
 
 #include "checks.hpp"
 #include "frame_plan.hpp"
 #include "gpu_function.hpp"
 #include "map_frame.hpp"
 #include "ocean/gl/backend.hpp"
-#include "ocean/internal/map_request.hpp"
 #include "ocean/page_vector.hpp"
 #include "write_quantity.hpp"
 

@@ -5,7 +5,6 @@
 #include "ocean/internal/csv_rows.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <utility>
 
 #include "ocean/internal/text.hpp"

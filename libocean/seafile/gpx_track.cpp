@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"

@@ -11,7 +11,6 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/nearest_name.hpp"
-#include "spectrum_format.hpp"
 
 namespace ocean {
 namespace {

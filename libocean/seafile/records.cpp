@@ -13,7 +13,6 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/internal/directional_record.hpp"
 #include "ocean/internal/grid.hpp"
 #include "ocean/internal/json.hpp"
 #include "ocean/internal/nearest_name.hpp"

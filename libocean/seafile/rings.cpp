@@ -9,7 +9,6 @@
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/csv_rows.hpp"
 #include "ocean/internal/measured_rings.hpp"
-#include "ocean/internal/nearest_name.hpp"
 #include "ocean/internal/text.hpp"
 
 namespace ocean {

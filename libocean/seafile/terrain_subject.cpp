@@ -6,7 +6,6 @@
 #include "ocean/terrainfile.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <mutex>
 #include <optional>

@@ -12,7 +12,6 @@
 #include <string>
 #include <string_view>
 
-#include "command.hpp"
 #include "command_parser.hpp"
 #include "console.hpp"
 #include "interrupt.hpp"

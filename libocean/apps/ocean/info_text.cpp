@@ -13,7 +13,6 @@
 #include "ocean/internal/crests.hpp"
 #include "ocean/internal/json.hpp"
 #include "ocean/internal/measured_rings.hpp"
-#include "ocean/internal/modes.hpp"
 #include "ocean/internal/terrain_base.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"

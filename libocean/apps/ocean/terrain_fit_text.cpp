@@ -5,7 +5,6 @@
 #include "terrain_fit_text.hpp"
 
 #include "ocean/internal/json.hpp"
-#include "ocean/terrain_table.hpp"
 #include "text.hpp"
 
 namespace ocean::app {

@@ -11,7 +11,6 @@
 #include <numeric>
 #include <utility>
 
-#include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/land_mesh.hpp"

@@ -12,7 +12,6 @@
 #include "ocean/internal/cascades.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/io/mesh2.hpp"
-#include "ocean/internal/modes.hpp"
 #include "ocean/internal/text.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/seafile.hpp"

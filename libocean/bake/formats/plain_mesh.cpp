@@ -6,7 +6,6 @@
 #include <cctype>
 #include <utility>
 
-#include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/grid.hpp"
 #include "ocean/internal/text.hpp"

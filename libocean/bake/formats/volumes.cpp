@@ -6,15 +6,10 @@
 #include "formats/volumes.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
-#include "formats/spray_points.hpp"
 #include "ocean/channel.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/csv_rows.hpp"
-#include "ocean/internal/io/product_image.hpp"
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/internal/text.hpp"
 #include "refuse.hpp"

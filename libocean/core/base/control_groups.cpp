@@ -4,10 +4,8 @@
 // Linux's control groups; see control_groups.hpp.
 #include "base/control_groups.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <limits>
 #include <string>
 #include <string_view>
 

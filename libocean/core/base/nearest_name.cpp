@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 #include "ocean/internal/text.hpp"
 

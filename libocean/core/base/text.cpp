@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdarg>
-#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 

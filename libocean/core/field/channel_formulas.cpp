@@ -3,7 +3,6 @@
 //
 // The formulas of channels of several linear fields, as in shaders/wave/, in the precision of the
 // point.
-#include <algorithm>
 #include <type_traits>
 
 #include "ocean/channel.hpp"

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "ocean/domain.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/grid.hpp"
 

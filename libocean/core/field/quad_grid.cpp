@@ -3,7 +3,6 @@
 #include "field/quad_grid.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace ocean {
 namespace {

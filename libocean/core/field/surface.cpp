@@ -5,7 +5,6 @@
 #include "ocean/surface.hpp"
 
 #include "ocean/internal/grid.hpp"
-#include "ocean/thread_pool.hpp"
 
 namespace ocean {
 

@@ -3,12 +3,10 @@
 //
 // The facade of a terrain; see terrain.hpp.
 #include "ocean/terrain.hpp"
-#include "ocean/domain.hpp"
 #include "ocean/internal/make_surface.hpp"
 #include "ocean/internal/map_request.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -21,7 +19,6 @@
 #include "ocean/land_function.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/terrain_table.hpp"
-#include "ocean/thread_pool.hpp"
 #include "waves/surface/map_writer.hpp"
 
 namespace ocean {

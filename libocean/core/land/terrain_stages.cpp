@@ -14,7 +14,6 @@
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/terrain_law.hpp"
 #include "ocean/internal/terrain_modes.hpp"
-#include "ocean/thread_pool.hpp"
 
 namespace ocean {
 namespace {

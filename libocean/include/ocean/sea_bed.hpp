@@ -15,7 +15,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>

@@ -9,8 +9,6 @@
 //     std::printf("%.2f at %.0f m\n", repeat.height.correlation, repeat.height.distance);
 #pragma once
 
-#include <array>
-
 namespace ocean {
 
 struct Modes;

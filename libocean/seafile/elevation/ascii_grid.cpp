@@ -6,7 +6,6 @@
 // are comments. The text is read in blocks, so that reading needs one block of memory beside the
 // heights.
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <vector>
 

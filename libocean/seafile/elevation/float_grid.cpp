@@ -5,7 +5,6 @@
 #include "float_grid.hpp"
 
 #include <bit>
-#include <cmath>
 #include <limits>
 #include <span>
 #include <utility>

@@ -5,7 +5,6 @@
 // lengths, and the length of the unit. The reader knows WKT 1, as in .prj files, the LENGTHUNIT of
 // WKT 2, and ArcInfo's lines "Projection UTM", "Units METERS".
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <string_view>
 #include <system_error>

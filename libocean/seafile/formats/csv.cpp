@@ -40,7 +40,6 @@
 #include "line_checks.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/text.hpp"
-#include "ocean/internal/utc_time.hpp"
 
 namespace ocean {
 namespace {

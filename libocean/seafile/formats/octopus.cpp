@@ -13,7 +13,6 @@
 #include <optional>
 
 #include "free_form.hpp"
-#include "ocean/internal/text.hpp"
 
 namespace ocean {
 namespace {

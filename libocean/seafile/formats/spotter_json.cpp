@@ -13,7 +13,6 @@
 // the rest is.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 #include <optional>
 

@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 
-#include "ocean/internal/grid.hpp"
 #include "text.hpp"
 
 namespace ocean::app {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ocean/error.hpp"
 #include "ocean/internal/directional_spectrum.hpp"
 #include "ocean/internal/dispersion.hpp"
 #include "ocean/internal/grid.hpp"

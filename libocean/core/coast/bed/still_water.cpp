@@ -5,9 +5,7 @@
 #include "still_water.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 
 #include "shore_border.hpp"
 

@@ -6,8 +6,6 @@
 // gain C for the ratio rho is s / rho with M(s) = rho^2.
 #include "breaking.hpp"
 
-#include <cmath>
-
 namespace ocean {
 namespace {
 

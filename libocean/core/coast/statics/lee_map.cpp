@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <limits>
 #include <queue>
-#include <utility>
 
 #include "march_land.hpp"
 #include "shore_blend.hpp"

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 
-#include "coast/statics/shore_bands.hpp"
 #include "coast/statics/shore_delays.hpp"
 #include "field/ease.hpp"
 #include "field/jet.hpp"

@@ -13,7 +13,6 @@
 #include "coast/statics/shore_delays.hpp"
 #include "coast/statics/shore_land.hpp"
 #include "field/grid_blur.hpp"
-#include "ocean/internal/dispersion.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

@@ -8,7 +8,6 @@
 #include <span>
 
 #include "coast/surface/shore_surface.hpp"
-#include "field/quad_grid.hpp"
 #include "ocean/backend.hpp"
 #include "ocean/internal/foam_layer.hpp"
 #include "ocean/query.hpp"

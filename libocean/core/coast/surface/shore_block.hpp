@@ -15,7 +15,6 @@
 #include "field/jet.hpp"
 #include "field/quad_grid.hpp"
 #include "ocean/internal/coast_waves.hpp"
-#include "waves/labels/open_surface.hpp"
 
 namespace ocean {
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "ocean/internal/surface_query.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/query/orbital_decay.hpp"
 

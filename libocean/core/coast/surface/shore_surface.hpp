@@ -8,8 +8,6 @@
 // the border of the bed it fades into the open sea.
 #pragma once
 
-#include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>

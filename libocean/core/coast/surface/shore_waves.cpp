@@ -6,7 +6,6 @@
 #include <cmath>
 #include <complex>
 
-#include "coast/statics/shore_delays.hpp"
 #include "coast/surface/shore_block.hpp"
 #include "coast/surface/shore_surface.hpp"
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "coast/statics/breaking.hpp"
 #include "coast/statics/shore_blend.hpp"

@@ -3,9 +3,6 @@
 #include "coast/surface/surf_reader.hpp"
 
 #include <algorithm>
-#include <span>
-#include <utility>
-#include <vector>
 
 #include "coast/surface/shore_surface.hpp"
 #include "ocean/internal/surf_traces.hpp"

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <utility>
 
 #include "land/law/expected_rings.hpp"
 #include "ocean/error.hpp"

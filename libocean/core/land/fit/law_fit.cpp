@@ -7,7 +7,6 @@
 // land than some per cent, so a ring weighs 1 / (1 / count + 0.1^2).
 #include "law_fit.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>

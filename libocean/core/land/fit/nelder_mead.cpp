@@ -5,7 +5,6 @@
 #include "nelder_mead.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace ocean {

@@ -9,14 +9,12 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "land/function/land_function_parts.hpp"
 #include "land/function/land_row.hpp"
 #include "ocean/error.hpp"
-#include "ocean/land_mask.hpp"
 
 namespace ocean {
 namespace {

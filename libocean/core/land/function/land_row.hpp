@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "land/function/land_function_parts.hpp"
-#include "ocean/surface.hpp"
 
 namespace ocean {
 

@@ -10,7 +10,6 @@
 #include "ocean/internal/ring_spectrum.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <complex>

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 #include "base/noise_row.hpp"
 #include "base/noise_streams.hpp"

@@ -10,7 +10,6 @@
 
 #include "land/streams/stream_grid.hpp"
 #include "land/streams/stream_tree.hpp"
-#include "ocean/internal/stream_power.hpp"
 
 namespace ocean {
 

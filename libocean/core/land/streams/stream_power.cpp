@@ -4,11 +4,6 @@
 // Carved land from its steady state: age, creep, the last flood, masks. See stream_power.hpp.
 #include "ocean/internal/stream_power.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <utility>
-
 #include "land/streams/stream_creep.hpp"
 #include "land/streams/stream_flood.hpp"
 #include "land/streams/stream_heights.hpp"

@@ -17,7 +17,6 @@
 #include "land/streams/stream_flood.hpp"
 #include "land/streams/stream_grid.hpp"
 #include "land/streams/stream_work.hpp"
-#include "ocean/page_vector.hpp"
 
 namespace ocean {
 

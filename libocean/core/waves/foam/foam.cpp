@@ -9,8 +9,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ocean/parameter_table.hpp"
-
 namespace ocean {
 
 FoamClock foam_clock(const SurfaceSettings& settings, double loop_period) {

@@ -5,7 +5,6 @@
 // of Wilson and Hilferty is 0.2 % off at 20 degrees of freedom and 50 % at 2.
 #include "waves/gauge/chi_squared.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace ocean {

@@ -3,7 +3,6 @@
 //
 // The reading of a gauge: finds the label that is displayed at its position, then sums all modes
 // there; see gauge.hpp.
-#include <cmath>
 
 #include "ocean/internal/gauge.hpp"
 #include "ocean/internal/surface_query.hpp"

@@ -11,7 +11,6 @@
 #include "base/prefault_pages.hpp"
 #include "frame_parts.hpp"
 #include "ocean/internal/cascades.hpp"
-#include "ocean/internal/map_request.hpp"
 #include "ocean/page_vector.hpp"
 #include "ocean/thread_pool.hpp"
 #include "packed_modes.hpp"

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "ocean/internal/map_request.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

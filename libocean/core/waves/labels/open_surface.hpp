@@ -5,7 +5,6 @@
 // splines that are fine enough for a stated error.
 #pragma once
 
-#include <cstddef>
 #include <memory>
 #include <optional>
 #include <type_traits>

@@ -6,10 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 
-#include "ocean/error.hpp"
 #include "ocean/internal/dispersion.hpp"
 #include "waves/modes/mode_lattice.hpp"
 

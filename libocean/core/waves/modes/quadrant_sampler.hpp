@@ -6,7 +6,6 @@
 // each table.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>

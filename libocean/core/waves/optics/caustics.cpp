@@ -25,7 +25,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <cstdint>
 #include <memory>
 #include <string>
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "ocean/error.hpp"
-#include "ocean/internal/surface_query.hpp"
 #include "ocean/internal/text.hpp"
 
 namespace ocean {

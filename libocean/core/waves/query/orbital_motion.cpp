@@ -7,7 +7,6 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <utility>
 
 #include "ocean/error.hpp"
 #include "ocean/internal/surface_query.hpp"

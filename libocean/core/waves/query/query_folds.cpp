@@ -4,7 +4,6 @@
 // The index of folds; see query_folds.hpp.
 #include "waves/query/query_folds.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

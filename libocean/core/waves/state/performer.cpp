@@ -5,7 +5,6 @@
 #include "waves/state/performer.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 #include <variant>

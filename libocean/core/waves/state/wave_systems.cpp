@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Wave systems that a user adds and removes, and the numbers by which a take refers to the others.
-#include <algorithm>
 #include <iterator>
 #include <string>
 

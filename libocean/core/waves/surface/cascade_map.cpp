@@ -3,7 +3,6 @@
 //
 // The small map of one cascade; see cascade_map.hpp.
 #include "ocean/internal/cascade_map.hpp"
-#include "ocean/internal/make_surface.hpp"
 #include "ocean/internal/map_request.hpp"
 
 #include <array>

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 
-#include "ocean/internal/map_request.hpp"
 #include "ocean/thread_pool.hpp"
 #include "waves/kernel/map_kernel.hpp"
 #include "waves/surface/plane_channels.hpp"

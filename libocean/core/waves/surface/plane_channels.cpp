@@ -7,8 +7,6 @@
 
 #include <limits>
 
-#include "ocean/internal/make_surface.hpp"
-#include "ocean/internal/map_request.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

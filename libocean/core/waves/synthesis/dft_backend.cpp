@@ -3,7 +3,6 @@
 //
 // The `dft` backend: the definition of the surface, summed term by term in double precision, along
 // x and then along y. Slow; every other backend is measured against it.
-#include <cmath>
 
 #include "ocean/internal/make_surface.hpp"
 #include "ocean/internal/map_request.hpp"

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <complex>
-#include <cstdint>
 #include <vector>
 
 #include "ocean/internal/cascades.hpp"

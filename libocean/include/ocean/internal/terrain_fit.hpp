@@ -16,7 +16,6 @@
 
 #include "ocean/internal/elevation.hpp"
 #include "ocean/terrain_model.hpp"
-#include "ocean/thread_pool.hpp"
 
 namespace ocean {
 

@@ -13,8 +13,6 @@
 #include <variant>
 #include <vector>
 
-#include "ocean/error.hpp"
-
 namespace ocean {
 
 struct TomlKey {

@@ -5,7 +5,6 @@
 // inverted, and where the surface folds the top sheet counts.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "ocean/ocean.hpp"
