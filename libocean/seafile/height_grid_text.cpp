@@ -4,10 +4,10 @@
 // Heights inside a file of parameters; see height_grid_text.hpp.
 #include "height_grid_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -85,18 +85,13 @@ std::optional<PageVector<float>> decoded(const toml::array& lines, std::size_t c
 /// Returns two finite numbers above 0.
 std::array<double, 2> positive_pair(const toml::table& table, const std::string& name,
                                     std::string_view key) {
-    std::array<double, 2> pair{};
     const toml::node* node = table.get(key);
-    const toml::array* list = node != nullptr ? node->as_array() : nullptr;
-    for (std::size_t i = 0; i < 2; ++i) {
-        const auto number =
-            list != nullptr && list->size() == 2 ? number_of((*list)[i]) : std::nullopt;
-        if (!number || !(*number > 0.0) || !std::isfinite(*number)) {
-            refuse(name, "has no " + std::string(key) + " of two numbers above 0");
-        }
-        pair[i] = *number;
+    const auto pair = node != nullptr ? numbers_of(*node) : std::nullopt;
+    const auto is_good = [](double number) { return number > 0.0 && std::isfinite(number); };
+    if (!pair || pair->size() != 2 || !std::ranges::all_of(*pair, is_good)) {
+        refuse(name, "has no " + std::string(key) + " of two numbers above 0");
     }
-    return pair;
+    return {(*pair)[0], (*pair)[1]};
 }
 
 }  // namespace

@@ -21,193 +21,6 @@
 namespace ocean {
 namespace {
 
-RecordChoice choice_of(const WaveSystem& system);
-/// Reads `file` of waves.`wave` and stores the requested record. Throws errors of the parameter
-/// that names or needs the file.
-void load_record(WaveSystem& system, std::size_t wave, const std::string& base_dir,
-                 const SpectrumReader& reader);
-
-class SeaReader {
-  public:
-    SeaReader(const std::string& name, const std::string& base_dir, const SpectrumReader& reader)
-        : name_(name), base_dir_(base_dir), spectra_(reader), reader_(sea_table(), name, parts()) {}
-
-    Sea read(std::string_view text);
-
-  private:
-    OwnParts<Parameters> parts();
-    const TableFile& file() const { return reader_.file(); }
-    bool read_record(Parameters& parameters, std::string_view section, std::size_t wave,
-                     const TomlEntry& entry) const;
-    bool read_bed(std::string_view section, const TomlEntry& entry);
-    bool read_track(Parameters& parameters, std::string_view section, std::size_t hull,
-                    const TomlEntry& entry);
-    void resolve_tracks(std::vector<Hull>& hulls) const;
-    void resolve_record(WaveSystem& system, std::size_t wave) const;
-    void resolve_bed(Water& water);
-    void check_inlined(const WaveSystem& system, std::size_t wave) const;
-    Error in_line_of_parameter(const Error& error) const;
-    void read_take(Sea& sea) const;
-    void read_take_lines(Sea& sea) const;
-
-    const std::string& name_;
-    const std::string& base_dir_;
-    const SpectrumReader& spectra_;
-    TableReader<Parameters> reader_;
-    const toml::node* take_ = nullptr;  // the inlined take
-    InlinedBed bed_;
-};
-
-/// Returns the model's own parts of the file. The take is read last, because it names parameters
-/// that may follow it in the file.
-OwnParts<Parameters> SeaReader::parts() {
-    return {.roots = {kTakeSection},
-            .read_root = [this](const TomlEntry& entry) { take_ = entry.node; },
-            .read_key =
-                [this](Parameters& parameters, std::string_view section, std::size_t wave,
-                       const TomlEntry& entry) {
-                    return read_record(parameters, section, wave, entry) ||
-                           read_bed(section, entry) || read_track(parameters, section, wave, entry);
-                }};
-}
-
-Sea SeaReader::read(std::string_view text) {
-    const toml::table root = parse_toml(text, name_);
-    Sea sea{reader_.read(root), {}};
-    std::vector<WaveSystem>& waves = sea.parameters.waves;
-    for (std::size_t wave = 0; wave < waves.size(); ++wave) resolve_record(waves[wave], wave);
-    resolve_bed(sea.parameters.water);
-    resolve_tracks(sea.parameters.hulls);
-    read_take(sea);
-    try {
-        validate(sea);
-    } catch (const Error& error) {
-        throw file().in_front(error);
-    }
-    return sea;
-}
-
-bool SeaReader::read_record(Parameters& parameters, std::string_view section, std::size_t wave,
-                            const TomlEntry& entry) const {
-    const toml::table* inlined = entry.node->as_table();
-    if (section != "waves" || entry.key != kMeasuredRecord || inlined == nullptr) return false;
-    const std::string path = "waves." + std::to_string(wave) + "." + std::string(entry.key);
-    parameters.waves[wave].measured =
-        std::make_shared<const SpectrumRecord>(read_measured_record(*inlined, name_, path));
-    return true;
-}
-
-bool SeaReader::read_bed(std::string_view section, const TomlEntry& entry) {
-    if (section != "water") return false;
-    try {
-        return read_bed_table(entry, bed_);
-    } catch (const Error& error) {
-        throw file().in_front(error, entry.line);
-    }
-}
-
-bool SeaReader::read_track(Parameters& parameters, std::string_view section, std::size_t hull,
-                           const TomlEntry& entry) {
-    if (section != "hulls" || entry.key != kTrackKey) return false;
-    const std::string name = "hulls." + std::to_string(hull) + "." + std::string(kTrackKey);
-    try {
-        auto track = std::make_shared<const HullTrack>(read_track_rows(entry, name));
-        require_track(*track, name);
-        parameters.hulls[hull].track = std::move(track);
-    } catch (const Error& error) {
-        throw file().in_front(error, entry.line);
-    }
-    return true;
-}
-
-void SeaReader::resolve_tracks(std::vector<Hull>& hulls) const {
-    for (std::size_t hull = 0; hull < hulls.size(); ++hull) {
-        try {
-            resolve_track(hulls[hull], hull, base_dir_);
-        } catch (const Error& error) {
-            throw in_line_of_parameter(error);
-        }
-    }
-}
-
-void SeaReader::resolve_bed(Water& water) {
-    try {
-        ocean::resolve_bed(water, base_dir_, std::move(bed_));
-    } catch (const Error& error) {
-        throw in_line_of_parameter(error);
-    }
-}
-
-/// Returns the error of a file that a parameter names, preceded by the line, the parameter and the
-/// value.
-Error SeaReader::in_line_of_parameter(const Error& error) const {
-    const ErrorFields& fields = error.fields();
-    return file().in_front(error, file().line_of_parameter(fields.parameter),
-                           fields.parameter + " = " + fields.value + ": ");
-}
-
-/// Checks the wave system before its record is searched, so that errors of the sea file itself come
-/// first.
-void SeaReader::resolve_record(WaveSystem& system, std::size_t wave) const {
-    if (system.measured != nullptr) return check_inlined(system, wave);
-    if (system.spectrum != SpectrumKind::measured) return;
-    try {
-        load_record(system, wave, base_dir_, spectra_);
-    } catch (const Error& error) {
-        throw in_line_of_parameter(error);
-    }
-}
-
-/// Throws unless `record` and `place` request the inlined record, which may be stale after an edit.
-void SeaReader::check_inlined(const WaveSystem& system, std::size_t wave) const {
-    const std::string path = "waves." + std::to_string(wave) + ".";
-    try {
-        choose_record({system.measured.get(), 1}, choice_of(system),
-                      "[waves." + std::string(kMeasuredRecord) + "]");
-    } catch (const Error& error) {
-        ErrorFields fields = error.fields();
-        const bool is_timed = !system.record.empty();
-        fields.parameter = path + (is_timed ? "record" : "place");
-        fields.value = "\"" + text::printable(is_timed ? system.record : system.place) + "\"";
-        throw file().in_front(Error(error.kind(), error.what(), fields),
-                              file().line_of_parameter(path + "record"), path);
-    }
-}
-
-/// Reads the take. Errors of its lines name these lines; the error of an unreadable file names the
-/// line of the sea file.
-void SeaReader::read_take(Sea& sea) const {
-    if (take_ != nullptr) return read_take_lines(sea);
-    try {
-        resolve_take(sea, base_dir_);
-    } catch (const Error& error) {
-        if (error.kind() != ErrorKind::bad_file) throw;
-        throw in_line_of_parameter(error);
-    }
-}
-
-void SeaReader::read_take_lines(Sea& sea) const {
-    const toml::table* table = take_->as_table();
-    const toml::array* lines = table != nullptr ? (*table)[kTakeLines].as_array() : nullptr;
-    if (lines == nullptr || table->size() != 1) {
-        throw file().fail(line_of(*take_), {.what = "is not a take",
-                                            .parameter = std::string(kTakeSection),
-                                            .value = shown(*take_),
-                                            .allowed = "[take] with the one key lines, an array "
-                                                       "of texts SECONDS NAME VALUE"});
-    }
-    TakeReader reader(sea.parameters, name_);
-    for (const toml::node& line : *lines) {
-        if (!line.is_string()) {
-            throw file().fail(line_of(line),
-                              {.what = "holds " + shown(line) + ", not a text in quotes",
-                               .parameter = "take.lines"});
-        }
-        reader.add(line.as_string()->get(), line_of(line));
-    }
-    sea.take = {reader.finish(), sea.parameters.time.take};
-}
-
 RecordChoice choice_of(const WaveSystem& system) {
     return {system.record, system.place};
 }
@@ -229,6 +42,8 @@ SpectrumRecord read_chosen(const WaveSystem& system, const std::string& base_dir
     return record;
 }
 
+/// Reads `file` of waves.`wave` and stores the requested record. Throws errors of the parameter
+/// that names or needs the file.
 void load_record(WaveSystem& system, std::size_t wave, const std::string& base_dir,
                  const SpectrumReader& reader) {
     const std::string path = "waves." + std::to_string(wave) + ".";
@@ -245,6 +60,142 @@ void load_record(WaveSystem& system, std::size_t wave, const std::string& base_d
         throw text::error_of_text(error, path + "file", system.file);
     }
 }
+
+class SeaReader {
+  public:
+    SeaReader(const std::string& name, const std::string& base_dir, const SpectrumReader& reader)
+        : name_(name), base_dir_(base_dir), spectra_(reader), reader_(sea_table(), name, parts()) {}
+
+    Sea read(std::string_view text) {
+        const toml::table root = parse_toml(text, name_);
+        Sea sea{reader_.read(root), {}};
+        std::vector<WaveSystem>& waves = sea.parameters.waves;
+        for (std::size_t wave = 0; wave < waves.size(); ++wave) resolve_record(waves[wave], wave);
+        file().at_parameter([&] { resolve_bed(sea.parameters.water, base_dir_, std::move(bed_)); });
+        std::vector<Hull>& hulls = sea.parameters.hulls;
+        for (std::size_t hull = 0; hull < hulls.size(); ++hull) {
+            file().at_parameter([&] { resolve_track(hulls[hull], hull, base_dir_); });
+        }
+        read_take(sea);
+        try {
+            validate(sea);
+        } catch (const Error& error) {
+            throw file().in_front(error);
+        }
+        return sea;
+    }
+
+  private:
+    const TableFile& file() const { return reader_.file(); }
+
+    /// Returns the model's own parts of the file. The take is read last, because it names
+    /// parameters that may follow it in the file.
+    OwnParts<Parameters> parts() {
+        return {.roots = {kTakeSection},
+                .read_root = [this](const TomlEntry& entry) { take_ = entry.node; },
+                .read_key =
+                    [this](Parameters& parameters, std::string_view section, std::size_t item,
+                           const TomlEntry& entry) {
+                        return read_record(parameters, section, item, entry) ||
+                               read_bed(section, entry) ||
+                               read_track(parameters, section, item, entry);
+                    }};
+    }
+
+    bool read_record(Parameters& parameters, std::string_view section, std::size_t wave,
+                     const TomlEntry& entry) const {
+        const toml::table* inlined = entry.node->as_table();
+        if (section != "waves" || entry.key != kMeasuredRecord || inlined == nullptr) return false;
+        const std::string path = "waves." + std::to_string(wave) + "." + std::string(entry.key);
+        parameters.waves[wave].measured =
+            std::make_shared<const SpectrumRecord>(read_measured_record(*inlined, name_, path));
+        return true;
+    }
+
+    bool read_bed(std::string_view section, const TomlEntry& entry) {
+        return section == "water" &&
+               file().at_line(entry.line, [&] { return read_bed_table(entry, bed_); });
+    }
+
+    bool read_track(Parameters& parameters, std::string_view section, std::size_t hull,
+                    const TomlEntry& entry) const {
+        if (section != "hulls" || entry.key != kTrackKey) return false;
+        const std::string name = "hulls." + std::to_string(hull) + "." + std::string(kTrackKey);
+        file().at_line(entry.line, [&] {
+            auto track = std::make_shared<const HullTrack>(read_track_rows(entry, name));
+            require_track(*track, name);
+            parameters.hulls[hull].track = std::move(track);
+        });
+        return true;
+    }
+
+    /// Checks the wave system before its record is searched, so that errors of the sea file itself
+    /// come first.
+    void resolve_record(WaveSystem& system, std::size_t wave) const {
+        if (system.measured != nullptr) return check_inlined(system, wave);
+        if (system.spectrum != SpectrumKind::measured) return;
+        file().at_parameter([&] { load_record(system, wave, base_dir_, spectra_); });
+    }
+
+    /// Throws unless `record` and `place` request the inlined record, which may be stale after an
+    /// edit.
+    void check_inlined(const WaveSystem& system, std::size_t wave) const {
+        const std::string path = "waves." + std::to_string(wave) + ".";
+        try {
+            choose_record({system.measured.get(), 1}, choice_of(system),
+                          "[waves." + std::string(kMeasuredRecord) + "]");
+        } catch (const Error& error) {
+            ErrorFields fields = error.fields();
+            const bool is_timed = !system.record.empty();
+            fields.parameter = path + (is_timed ? "record" : "place");
+            fields.value = "\"" + text::printable(is_timed ? system.record : system.place) + "\"";
+            throw file().in_front(Error(error.kind(), error.what(), fields),
+                                  file().line_of_parameter(path + "record"), path);
+        }
+    }
+
+    /// Reads the take. Errors of its lines name these lines; the error of an unreadable file names
+    /// the line of the sea file.
+    void read_take(Sea& sea) const {
+        if (take_ != nullptr) return read_take_lines(sea);
+        try {
+            resolve_take(sea, base_dir_);
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::bad_file) throw;
+            throw file().in_line_of_parameter(error);
+        }
+    }
+
+    void read_take_lines(Sea& sea) const {
+        const toml::table* table = take_->as_table();
+        const toml::array* lines = table != nullptr ? (*table)[kTakeLines].as_array() : nullptr;
+        if (lines == nullptr || table->size() != 1) {
+            throw file().fail(line_of(*take_),
+                              {.what = "is not a take",
+                               .parameter = std::string(kTakeSection),
+                               .value = shown(*take_),
+                               .allowed = "[take] with the one key lines, an array "
+                                          "of texts SECONDS NAME VALUE"});
+        }
+        TakeReader reader(sea.parameters, name_);
+        for (const toml::node& line : *lines) {
+            if (!line.is_string()) {
+                throw file().fail(line_of(line),
+                                  {.what = "holds " + shown(line) + ", not a text in quotes",
+                                   .parameter = "take.lines"});
+            }
+            reader.add(line.as_string()->get(), line_of(line));
+        }
+        sea.take = {reader.finish(), sea.parameters.time.take};
+    }
+
+    const std::string& name_;
+    const std::string& base_dir_;
+    const SpectrumReader& spectra_;
+    TableReader<Parameters> reader_;
+    const toml::node* take_ = nullptr;  // the inlined take
+    InlinedBed bed_;
+};
 
 /// Reads the bed of a sea whose text has been read before. If its file cannot be read, throws an
 /// Error that also states why the file is needed although the text may hold heights.

@@ -27,19 +27,6 @@ std::string last_word(std::string_view words) {
     return std::string(words.substr(words.rfind(' ') + 1));
 }
 
-/// Returns the numbers of a TOML array; nothing if it contains anything else.
-std::optional<std::vector<double>> numbers_of(const toml::node& node) {
-    const toml::array* list = node.as_array();
-    if (list == nullptr) return std::nullopt;
-    std::vector<double> numbers;
-    for (const toml::node& item : *list) {
-        const std::optional<double> number = number_of(item);
-        if (!number) return std::nullopt;
-        numbers.push_back(*number);
-    }
-    return numbers;
-}
-
 /// Returns the pairs of [[a, b], [c, d]]; nothing if the array contains anything else.
 std::optional<NumberPairs> pairs_of(const toml::node& node) {
     const toml::array* list = node.as_array();
@@ -100,6 +87,12 @@ Error TableFile::in_front(const Error& error, std::size_t line, const std::strin
 
 Error TableFile::in_front(const Error& error) const {
     return in_front(error, line_of_parameter(error.fields().parameter));
+}
+
+Error TableFile::in_line_of_parameter(const Error& error) const {
+    const ErrorFields& fields = error.fields();
+    return in_front(error, line_of_parameter(fields.parameter),
+                    fields.parameter + " = " + fields.value + ": ");
 }
 
 std::size_t TableFile::line_of_parameter(std::string_view path) const {

@@ -43,6 +43,27 @@ class TableFile {
     Error in_front(const Error& error, std::size_t line, const std::string& prefix = "") const;
     /// Returns the error preceded by name and line of its parameter.
     Error in_front(const Error& error) const;
+    /// Returns the error of a file that a parameter names, preceded by the line, the parameter and
+    /// the value.
+    Error in_line_of_parameter(const Error& error) const;
+    /// Returns work(); an error of it is thrown with name and line in front.
+    template <typename Work>
+    auto at_line(std::size_t line, const Work& work) const {
+        try {
+            return work();
+        } catch (const Error& error) {
+            throw in_front(error, line);
+        }
+    }
+    /// Calls read(), which reads a file that a parameter names; throws in_line_of_parameter().
+    template <typename Read>
+    void at_parameter(const Read& read) const {
+        try {
+            read();
+        } catch (const Error& error) {
+            throw in_line_of_parameter(error);
+        }
+    }
 
     void set_line(const std::string& path, std::size_t line) { lines_[path] = line; }
     /// Returns the line that gives a parameter, else its list item; 0 if the file has neither.

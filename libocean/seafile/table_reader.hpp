@@ -110,11 +110,7 @@ class TableReader {
     void read_value(const RefOf<Model>& ref, const TomlEntry& entry) {
         const ParameterValue value = file_.value_for(*ref.info, ref.item, *entry.node);
         file_.set_line(ref.info->path(ref.item), entry.line);
-        try {
-            assign(model_, ref, value);
-        } catch (const Error& error) {
-            throw file_.in_front(error, entry.line);
-        }
+        file_.at_line(entry.line, [&] { assign(model_, ref, value); });
     }
 
     [[noreturn]] void refuse_key(const std::string& path, const TomlEntry& entry) const {

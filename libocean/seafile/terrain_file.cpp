@@ -7,7 +7,6 @@
 #include "ocean/terrainfile.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -35,15 +34,7 @@ constexpr std::string_view kWavenumber = "wavenumber", kDensity = "density";
 
 std::optional<std::vector<double>> numbers_at(const toml::table& table, std::string_view key) {
     const toml::node* node = table.get(key);
-    const toml::array* list = node != nullptr ? node->as_array() : nullptr;
-    if (list == nullptr) return std::nullopt;
-    std::vector<double> numbers;
-    for (const toml::node& item : *list) {
-        const auto number = number_of(item);
-        if (!number) return std::nullopt;
-        numbers.push_back(*number);
-    }
-    return numbers;
+    return node != nullptr ? numbers_of(*node) : std::nullopt;
 }
 
 class TerrainReader {
@@ -54,14 +45,10 @@ class TerrainReader {
     TerrainModel read(std::string_view text) {
         const toml::table root = parse_toml(text, name_);
         TerrainModel terrain = reader_.read(root);
-        try {
+        reader_.file().at_parameter([&] {
             resolve_files(terrain, base_dir_);
             require_hash(terrain);
-        } catch (const Error& error) {
-            const ErrorFields& fields = error.fields();
-            throw reader_.file().in_front(error, reader_.file().line_of_parameter(fields.parameter),
-                                          fields.parameter + " = " + fields.value + ": ");
-        }
+        });
         try {
             validate(terrain);
         } catch (const Error& error) {
@@ -92,13 +79,10 @@ class TerrainReader {
     bool read_base_table(TerrainModel& terrain, std::string_view section, const TomlEntry& entry) {
         const toml::table* table = entry.node->as_table();
         if (section != kTerrainKind || entry.key != kBaseTable || table == nullptr) return false;
-        try {
-            BaseHeights base = ocean::read_base_table(*table);
-            terrain.base_model = std::move(base.model);
-            base_hash_ = std::move(base.hash);
-        } catch (const Error& error) {
-            throw reader_.file().in_front(error, entry.line);
-        }
+        BaseHeights base =
+            reader_.file().at_line(entry.line, [&] { return ocean::read_base_table(*table); });
+        terrain.base_model = std::move(base.model);
+        base_hash_ = std::move(base.hash);
         return true;
     }
 
@@ -136,11 +120,8 @@ class TerrainReader {
                                        .allowed = "wavenumber and density, two lists of numbers"});
         }
         MeasuredRings rings{*std::move(wavenumber), *std::move(density)};
-        try {
-            validate_rings(rings, "terrain." + std::string(kRingsTable));
-        } catch (const Error& error) {
-            throw reader_.file().in_front(error, entry.line);
-        }
+        reader_.file().at_line(
+            entry.line, [&] { validate_rings(rings, "terrain." + std::string(kRingsTable)); });
         terrain.rings = std::make_shared<const MeasuredRings>(std::move(rings));
         return true;
     }

@@ -152,6 +152,18 @@ std::optional<double> number_of(const toml::node& node) {
     return std::nullopt;
 }
 
+std::optional<std::vector<double>> numbers_of(const toml::node& node) {
+    const toml::array* list = node.as_array();
+    if (list == nullptr) return std::nullopt;
+    std::vector<double> numbers;
+    for (const toml::node& item : *list) {
+        const std::optional<double> number = number_of(item);
+        if (!number) return std::nullopt;
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
 std::string shown(const toml::node& node) {
     if (const auto* text = node.as_string()) return '"' + text::printable(text->get()) + '"';
     if (const auto* number = node.as_floating_point()) return toml_number(number->get());

@@ -9,7 +9,6 @@
 #define TOML_HEADER_ONLY 1
 #define TOML_MAX_NESTED_VALUES 16
 #define TOML_ENABLE_FORMATTERS 0
-#include <stdint.h>
 #include <toml++/impl/preprocessor.h>
 
 // toml++ 3.3 asserts, or lets the compiler assume, conditions that hostile text can violate (a key
@@ -52,6 +51,8 @@ std::vector<TomlEntry> in_file_order(const toml::table& table);
 std::size_t line_of(const toml::node& node);
 /// Returns the number of a float or an integer; nothing for any other node.
 std::optional<double> number_of(const toml::node& node);
+/// Returns the numbers of an array; nothing if it contains anything else, or for any other node.
+std::optional<std::vector<double>> numbers_of(const toml::node& node);
 /// Returns a value for a message: 300, "text", a table, an array of 3.
 std::string shown(const toml::node& node);
 
