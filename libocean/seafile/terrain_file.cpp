@@ -11,15 +11,13 @@
 #include <optional>
 #include <utility>
 
-#include "base_file.hpp"
+#include "measured_land.hpp"
 #include "ocean/channel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/internal/measured_rings.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/internal/terrain_base.hpp"
 #include "ocean/terrain_table.hpp"
-#include "rings_file.hpp"
 #include "table_reader.hpp"
 #include "table_writer.hpp"
 #include "toml_text.hpp"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The elevation model of a terrain; see base_file.hpp.
-#include "base_file.hpp"
+// See measured_land.hpp.
+#include "measured_land.hpp"
 
 #include <cmath>
 #include <utility>
@@ -19,6 +19,16 @@ namespace ocean {
 namespace {
 
 constexpr int kMinBaseSide = 16;  // min side for a spectrum
+
+MeasuredRings rings_of(const ElevationModel& model) {
+    ThreadPool pool;
+    MeasuredRings rings;
+    for (const Ring& ring : measure_rings(model.domain, model.heights, pool)) {
+        rings.wavenumber.push_back(ring.wavenumber);
+        rings.density.push_back(ring.density);
+    }
+    return rings;
+}
 
 /// Returns the base of a model without holes.
 std::shared_ptr<const TerrainBase> base_of(ElevationModel model) {
@@ -37,18 +47,35 @@ std::shared_ptr<const TerrainBase> base_of(ElevationModel model) {
                         shortest_text(model.domain.step(0)) + " m x " +
                         shortest_text(model.domain.step(1)) + " m");
     }
-    ThreadPool pool;
     TerrainBase base;
-    for (const Ring& ring : measure_rings(model.domain, model.heights, pool)) {
-        base.rings.wavenumber.push_back(ring.wavenumber);
-        base.rings.density.push_back(ring.density);
-    }
+    base.rings = rings_of(model);
     base.hash = height_hash(model.domain, model.heights);
     base.model = std::move(model);
     return std::make_shared<const TerrainBase>(std::move(base));
 }
 
 }  // namespace
+
+void validate_rings(const MeasuredRings& rings, const std::string& parameter) {
+    const std::size_t count = rings.wavenumber.size();
+    bool good = count >= kMinRings && count <= kMaxRings && rings.density.size() == count;
+    for (std::size_t i = 0; good && i < count; ++i) {
+        const double below = i > 0 ? rings.wavenumber[i - 1] : 0.0;
+        good = rings.wavenumber[i] > below && std::isfinite(rings.wavenumber[i]) &&
+               rings.density[i] >= 0.0 && std::isfinite(rings.density[i]);
+    }
+    if (good) return;
+    throw Error(
+        ErrorKind::invalid_value,
+        {.what = "needs 2 .. 4096 ascending wavenumbers above 0 with a density of 0 or more "
+                 "each",
+         .parameter = parameter});
+}
+
+MeasuredRings read_measured_rings(const std::string& path) {
+    if (path.ends_with(".csv")) return read_rings(path);
+    return rings_of(read_elevation(path, {.holes = HolePolicy::fill}));
+}
 
 std::shared_ptr<const TerrainBase> read_base(const std::string& path) {
     return base_of(read_elevation(path));

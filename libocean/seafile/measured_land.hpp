@@ -1,20 +1,29 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The elevation model that is a terrain's base: its file, and its text in a resolved terrain file,
-// [terrain.base_heights]. The table contains a model of at most 1 MB; for a larger model it has the
-// hash, and the file must lie where `base` says.
+// The measured land that a terrain names. `measured` is a file of rings, or an elevation model
+// whose rings are measured. `base` is an elevation model: its file, and its text in a resolved
+// terrain file, [terrain.base_heights]. The table contains a model of at most 1 MB; for a larger
+// model it has the hash, and the file must lie where `base` says.
 #pragma once
 
 #include <memory>
 #include <string>
 #include <string_view>
 
+#include "ocean/internal/measured_rings.hpp"
 #include "ocean/internal/terrain_base.hpp"
 #include "ocean/terrain_model.hpp"
 #include "toml_input.hpp"
 
 namespace ocean {
+
+/// Throws Error invalid_value of `parameter` unless the rings have 2 .. 4096 finite wavenumbers
+/// above 0 in ascending order, each with a finite density of 0 or more.
+void validate_rings(const MeasuredRings& rings, const std::string& parameter);
+/// Returns the rings of a file of rings, or measured in an elevation model. Throws Error bad_file
+/// "PATH:LINE: ...".
+MeasuredRings read_measured_rings(const std::string& path);
 
 inline constexpr std::string_view kBaseTable = "base_heights";
 
