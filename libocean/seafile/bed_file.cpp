@@ -4,7 +4,6 @@
 // The bed of a sea in files; see bed_file.hpp.
 #include "bed_file.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -53,7 +52,7 @@ GivenBed read_bed_file(const std::string& path, BedUnit unit) {
     if (is_terrain_file(path)) return bed_of_terrain(read_terrain(path));
     ElevationOptions options{.holes = HolePolicy::keep};  // make_sea_bed reports the holes
     // The sea itself scales heights of another unit, so that these heights stay as in the file.
-    if (unit != BedUnit::m) options.unit = HeightUnit::metre;
+    if (unit != BedUnit::m) options.unit = HeightUnit::m;
     ElevationModel model = read_elevation(path, options);
     return {
         .grid = model.domain, .heights = std::move(model.heights), .notes = std::move(model.notes)};

@@ -145,8 +145,8 @@ TEST(ElevationFile, UnitsAndSignsBecomeMetresUpwards) {
     const auto first = [](const ElevationOptions& options) {
         return parse(kHeader + kHeights, options).heights[0];
     };
-    EXPECT_FLOAT_EQ(first({.unit = HeightUnit::foot}), 4.0f * 0.3048f);
-    EXPECT_FLOAT_EQ(first({.unit = HeightUnit::us_survey_foot}), 4.0f * 1200.0f / 3937.0f);
+    EXPECT_FLOAT_EQ(first({.unit = HeightUnit::ft}), 4.0f * 0.3048f);
+    EXPECT_FLOAT_EQ(first({.unit = HeightUnit::us_ft}), 4.0f * 1200.0f / 3937.0f);
     EXPECT_EQ(first({.sign = HeightSign::down}), -4.0f);
 }
 

@@ -104,10 +104,7 @@ void set_crop(const std::string& text, ElevationOptions& options) {
 
 ElevationImport request_of(const ImportCommandOptions& options) {
     ElevationImport request;
-    if (!options.unit.empty()) {
-        const auto word = std::ranges::find(kHeightUnitWords, options.unit);
-        request.options.unit = static_cast<HeightUnit>(word - kHeightUnitWords.begin());
-    }
+    request.options.unit = enumerator_of<HeightUnit>(options.unit);  // "": as the file says
     request.options.sign = options.sign == "down" ? HeightSign::down : HeightSign::up;
     request.options.holes = HolePolicy::keep;  // refused or filled once the facts are reported
     request.options.degrees = options.degrees == "yes"  ? CellsInDegrees::yes

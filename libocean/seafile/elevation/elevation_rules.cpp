@@ -5,7 +5,6 @@
 #include "ocean/internal/elevation_rules.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -14,18 +13,6 @@
 #include "ocean/internal/text.hpp"
 
 namespace ocean {
-
-double metres_of(HeightUnit unit) {
-    switch (unit) {
-        case HeightUnit::metre:
-            break;
-        case HeightUnit::foot:
-            return 0.3048;
-        case HeightUnit::us_survey_foot:
-            return 1200.0 / 3937.0;
-    }
-    return 1.0;
-}
 
 namespace elevation {
 namespace {
@@ -171,7 +158,7 @@ void scale_heights(RawModel& raw, const std::string& name, const ElevationOption
         height = static_cast<float>(scaled);
     }
     if (options.unit || metres == 1.0) return;
-    const bool is_foot = std::abs(metres / metres_of(HeightUnit::foot) - 1.0) < 1e-5;
+    const bool is_foot = std::abs(metres / metres_of(HeightUnit::ft) - 1.0) < 1e-5;
     model.notes.push_back("the heights of the file are " +
                           (is_foot ? "feet" : "in units of " + shortest_text(metres) + " m") +
                           "; they are converted to metres");

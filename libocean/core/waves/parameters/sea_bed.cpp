@@ -98,15 +98,9 @@ void require_bed_grid(const Domain& grid) {
 }
 
 double metres_of(BedUnit unit) {
-    switch (unit) {
-        case BedUnit::m:
-            return 1.0;
-        case BedUnit::ft:
-            return 0.3048;
-        case BedUnit::us_ft:
-            return 1200.0 / 3937.0;
-    }
-    return 1.0;
+    constexpr double kMetres[] = {1.0, 0.3048, 1200.0 / 3937.0};
+    static_assert(std::size(kMetres) == enum_count<BedUnit>());
+    return kMetres[static_cast<std::size_t>(unit)];
 }
 
 std::shared_ptr<const SeaBed> make_sea_bed(GivenBed given, const Water& water) {

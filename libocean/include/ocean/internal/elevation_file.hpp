@@ -9,25 +9,14 @@
 #include <istream>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "ocean/internal/elevation.hpp"
+#include "ocean/parameters.hpp"
 
 namespace ocean {
 
-enum class HeightUnit {
-    metre,
-    foot,            // 0.3048 m
-    us_survey_foot,  // 1200/3937 m
-};
-inline constexpr std::array<std::string_view, 3> kHeightUnitWords = {"m", "ft", "us_ft"};
-/// Returns the length of a unit [m].
-double metres_of(HeightUnit unit);
-
-enum class HeightSign {
-    up,    // a summit is positive
-    down,  // a depth is positive
-};
+using HeightUnit = BedUnit;
+using HeightSign = BedSign;  // down: a depth is positive
 enum class HolePolicy {
     refuse,  // throw
     fill,    // see fill_holes()
