@@ -16,16 +16,6 @@ namespace ocean::gl {
 
 namespace {
 
-/// The names of the fields in the shaders, in the order of Linear.
-constexpr std::array<std::string_view, kLinearCount> kFieldNames = {
-    "height",      "displacement_x",      "displacement_y",     "slope_x",
-    "slope_y",     "gradient_xx",         "gradient_yy",        "gradient_xy",
-    "height_rate", "displacement_x_rate", "displacement_y_rate"};
-
-std::string_view name_of(Linear field) {
-    return kFieldNames[static_cast<std::size_t>(field)];
-}
-
 std::string define(std::string_view name, std::string_view value) {
     return "#define " + std::string(name) + " " + std::string(value) + "\n";
 }
@@ -73,11 +63,11 @@ static_assert(pairs_share_a_state());
 namespace {
 
 std::string value_of(Quantity quantity) {
-    if (quantity.is_linear()) return "p." + std::string(name_of(quantity.linear()));
+    if (quantity.is_linear()) return "p." + std::string(word_of(quantity.linear()));
     const ChannelInfo& info = channel_info(quantity.channel());
     if (!info.is_multiple()) return "channel_" + std::string(info.name) + "(p, previous_foam)";
     const bool choppy = info.factor == ChannelInfo::Factor::minus_choppiness;
-    return (choppy ? "-choppiness * p." : "p.") + std::string(name_of(info.field));
+    return (choppy ? "-choppiness * p." : "p.") + std::string(word_of(info.field));
 }
 
 std::string texel(const MapTexture& map) {
@@ -208,7 +198,7 @@ std::string FramePlan::columns_defines() const {
     }
     for (const Linear field : kLinears) {
         text +=
-            define("FIELD_" + std::string(name_of(field)), values[static_cast<std::size_t>(field)]);
+            define("FIELD_" + std::string(word_of(field)), values[static_cast<std::size_t>(field)]);
     }
     for (std::size_t m = 0; m < maps.size(); ++m) {
         text += define(numbered("FORMAT", m), format_word(maps[m]));

@@ -136,13 +136,9 @@ std::array<int, 2> read_samples(HeaderReader window) {
 }
 
 std::optional<ExrCompression> read_compression(HeaderReader code) {
-    // Indexed by the format's codes, 0 .. 5.
-    constexpr ExrCompression kCodes[] = {ExrCompression::none, ExrCompression::rle,
-                                         ExrCompression::zips, ExrCompression::zip,
-                                         ExrCompression::piz,  ExrCompression::pxr24};
-    const auto index = static_cast<unsigned char>(code.read(1).front());
-    if (index >= std::size(kCodes)) return std::nullopt;
-    return kCodes[index];
+    const auto value = static_cast<unsigned char>(code.read(1).front());
+    if (value >= enum_count<ExrCompression>()) return std::nullopt;
+    return static_cast<ExrCompression>(value);
 }
 
 std::vector<ExrChannel> read_channels(HeaderReader list) {

@@ -31,24 +31,6 @@ class StringStream : public Imf::OStream {
     std::string text;
 };
 
-Imf::Compression imf_compression(ExrCompression compression) {
-    switch (compression) {
-        case ExrCompression::none:
-            return Imf::NO_COMPRESSION;
-        case ExrCompression::rle:
-            return Imf::RLE_COMPRESSION;
-        case ExrCompression::zips:
-            return Imf::ZIPS_COMPRESSION;
-        case ExrCompression::zip:
-            return Imf::ZIP_COMPRESSION;
-        case ExrCompression::piz:
-            return Imf::PIZ_COMPRESSION;
-        case ExrCompression::pxr24:
-            return Imf::PXR24_COMPRESSION;
-    }
-    return Imf::ZIP_COMPRESSION;
-}
-
 std::mutex pool_mutex;
 int threads_in_use = 0;
 
@@ -57,7 +39,8 @@ int threads_in_use = 0;
 // The header has no chromaticities: readers would convert metres as if they were colours.
 Imf::Header make_exr_header(const Image& image, ExrCompression compression) {
     Imf::Header header(image.width, image.height);
-    header.compression() = imf_compression(compression);
+    static_assert(Imf::PXR24_COMPRESSION == static_cast<int>(ExrCompression::pxr24));
+    header.compression() = static_cast<Imf::Compression>(compression);
     for (const ImagePlane& plane : image.planes) {
         header.channels().insert(plane.name, Imf::Channel(imf_type(plane.type)));
     }

@@ -17,10 +17,6 @@
 namespace ocean::io {
 namespace {
 
-using AxesName = std::pair<std::string_view, Axes>;
-constexpr std::array<AxesName, 3> kAxes{
-    {{"zup", Axes::zup}, {"yup", Axes::yup}, {"tnb", Axes::tnb}}};
-
 // Component c of a vector in a file is `sign` times component `source` of the z-up vector.
 struct Component {
     int source;
@@ -140,19 +136,14 @@ Image make_image(std::span<const Product* const> products, const ProductLayout& 
 }  // namespace
 
 Axes find_axes(std::string_view name) {
-    for (const auto& [text, axes] : kAxes) {
-        if (text == name) return axes;
-    }
+    if (const auto axes = enumerator_of<Axes>(name)) return *axes;
     throw Error(ErrorKind::invalid_value, "axes '" + std::string(name) + "' are unknown" +
-                                              did_you_mean(name, kAxes, &AxesName::first) +
+                                              did_you_mean(name, kEnumWords<Axes>) +
                                               "; allowed: tnb, zup, yup");
 }
 
 std::string_view axes_name(Axes axes) {
-    for (const auto& [text, value] : kAxes) {
-        if (value == axes) return text;
-    }
-    return "";
+    return word_of(axes);
 }
 
 Image product_image(std::span<const Product* const> products, const ProductLayout& layout,

@@ -10,7 +10,6 @@
 
 #include "free_form.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/internal/csv_rows.hpp"
 #include "ocean/internal/density_units.hpp"
 #include "ocean/internal/grid.hpp"
 #include "ocean/internal/nearest_name.hpp"
@@ -31,25 +30,7 @@ constexpr std::array kMetres = {Unit{"m", 1.0}};
 constexpr std::array kAngle = {Unit{"deg", 1.0}, Unit{"degrees", 1.0}, Unit{"rad", kDegrees}};
 constexpr std::array kFrequency = {Unit{"Hz", 1.0}, Unit{"rad/s", 0.5 / kPi}};
 
-constexpr std::string_view kNames[] = {"frequency",
-                                       "density",
-                                       "direction",
-                                       "direction_to",
-                                       "direction_cartesian",
-                                       "mean_direction",
-                                       "mean_direction_to",
-                                       "mean_direction_cartesian",
-                                       "spread",
-                                       "a1",
-                                       "b1",
-                                       "a2",
-                                       "b2",
-                                       "time",
-                                       "station",
-                                       "latitude",
-                                       "longitude",
-                                       "depth"};
-static_assert(std::size(kNames) == kColumns);
+constexpr auto& kNames = kEnumWords<Column>;
 
 /// Other names of columns, in lower case, with _ for blanks.
 constexpr std::pair<std::string_view, Column> kAliases[] = {
@@ -92,7 +73,7 @@ Column column_named(std::string name) {
     const auto alias = std::find_if(std::begin(kAliases), std::end(kAliases),
                                     [&](const auto& one) { return one.first == name; });
     if (alias != std::end(kAliases)) return alias->second;
-    return static_cast<Column>(std::find(std::begin(kNames), std::end(kNames), name) - kNames);
+    return enumerator_of<Column>(name).value_or(kNone);
 }
 
 double factor_of(const LineReader& lines, Column column, std::string_view unit) {

@@ -10,10 +10,12 @@
 #include <string>
 #include <string_view>
 
+#include "ocean/enum_words.hpp"
 #include "ocean/internal/csv_rows.hpp"
 
 namespace ocean::csv {
 
+/// The columns by their names in a header line.
 enum Column : std::size_t {
     frequency,
     density,
@@ -33,9 +35,9 @@ enum Column : std::size_t {
     latitude,
     longitude,
     depth,
-    kColumns,
-    kNone = kColumns,
 };
+inline constexpr std::size_t kColumns = enum_count<Column>();
+inline constexpr auto kNone = static_cast<Column>(kColumns);
 /// Returns the name of a column in a header line.
 std::string_view name_of(Column column);
 /// Returns the column of a title, also for the names of wavespectra, xarray and pandas; kNone for

@@ -22,6 +22,7 @@
 
 namespace ocean::io {
 
+/// The values are the codes of the format.
 enum class ExrCompression { none, rle, zips, zip, piz, pxr24 };
 /// Returns the compression called "zip", "pxr24" ... Throws Error invalid_value for an unknown
 /// name, and with the reason for a codec that distorts vectors (b44, b44a, dwaa, dwab).
