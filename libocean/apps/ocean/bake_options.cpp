@@ -80,8 +80,7 @@ void run_or_forecast(const BakePlan& plan, bool dry_run, const Context& context)
         context.console.report("mesh", plan.format_note, {});
     }
     if (dry_run) return show_forecast(forecast_bake(plan), {}, context.console);
-    ConsoleHost host(context);
-    run_bake(plan, host);
+    bake_on_console(plan, context);
 }
 
 void show_summary(const BakePlan& plan, const Context& context) {

@@ -10,7 +10,6 @@
 #include "console_host.hpp"
 #include "input_files.hpp"
 #include "interrupt.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/io/output_file.hpp"
 #include "ocean/internal/platform.hpp"
@@ -120,10 +119,7 @@ void write_povray_folder(const PovrayFolder& folder, const PovrayRequest& reques
     if (request.dry_run) return show_forecast(forecast, beside, console);
     report_forecast(forecast, beside, console);
     write_files(files, request.folder, context);
-    for (const BakePlan& plan : folder.plans) {
-        ConsoleHost host(context);
-        run_bake(plan, host);
-    }
+    for (const BakePlan& plan : folder.plans) bake_on_console(plan, context);
     if (folder.frame_lists) update_frame_lists(folder, request.folder, context);
 }
 
