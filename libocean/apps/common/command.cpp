@@ -6,11 +6,16 @@
 
 #include <algorithm>
 
+#include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/internal/text.hpp"
 
 namespace ocean::app {
+
+void refuse(const std::string& sentence) {
+    throw Error(ErrorKind::invalid_value, sentence);
+}
 
 std::string OneOf::fault_of(const std::string& value) const {
     if (std::ranges::find(words, value) != words.end()) return "";

@@ -14,6 +14,9 @@
 
 namespace ocean::app {
 
+/// Throws Error invalid_value, that of a wrong command line.
+[[noreturn]] void refuse(const std::string& sentence);
+
 class Console;
 class InterruptWatch;
 

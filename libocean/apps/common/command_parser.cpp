@@ -145,10 +145,9 @@ class CommandParser {
     /// Reads "-o", "-oFILE", and flags that share a dash, "-qv".
     void read_short(std::string_view word) {
         if (word.size() > 2 && word[2] == '=') {
-            throw Error(ErrorKind::invalid_value,
-                        std::string(word) +
-                            ": the value of a short option follows after a blank, and a flag has "
-                            "none");
+            refuse(std::string(word) +
+                   ": the value of a short option follows after a blank, and a flag has "
+                   "none");
         }
         for (std::size_t i = 1; i < word.size(); ++i) {
             if (word[i] == 'h') {
@@ -335,9 +334,8 @@ class CommandParser {
             names.insert(names.end(), page.names.begin(), page.names.end());
         }
         if (std::ranges::count(program_.commands, name, &Command::name) != 0) {
-            throw Error(ErrorKind::invalid_value, quoted + " is a command: see `" +
-                                                      program_.main.name + " " + std::string(name) +
-                                                      " --help`");
+            refuse(quoted + " is a command: see `" + program_.main.name + " " + std::string(name) +
+                   " --help`");
         }
         const auto first_name = [](const HelpPage& page) { return page.names.front(); };
         throw refused("unknown " + current().page_noun + " " + quoted + did_you_mean(name, names) +
@@ -365,7 +363,7 @@ ParsedCommand parse_command_line(const Program& program, std::span<char* const> 
 
 void assign(const Option& option, const std::string& value, RunOptions& run_options) {
     if (const std::string fault = fault_of(option, value); !fault.empty()) {
-        throw Error(ErrorKind::invalid_value, name_of(option) + ": " + fault);
+        refuse(name_of(option) + ": " + fault);
     }
     const TargetSetter set{option, value};
     std::visit(

@@ -4,7 +4,6 @@
 
 #include <array>
 
-#include "ocean/error.hpp"
 #include "ocean/internal/text.hpp"
 
 namespace ocean::app {
@@ -20,21 +19,18 @@ std::vector<Option> region_options(RegionArgument& argument) {
 std::optional<Region> parse_region(const RegionArgument& argument) {
     if (argument.region.empty() && argument.cell.empty()) return std::nullopt;
     if (argument.region.empty() || argument.cell.empty()) {
-        throw Error(ErrorKind::invalid_value,
-                    "--region and --cell: give both, such as --region 0,0,500,500 --cell 2");
+        refuse("--region and --cell: give both, such as --region 0,0,500,500 --cell 2");
     }
     const std::vector<std::string> numbers = split(argument.region, ',');
     std::array<double, 4> corner{};
     if (numbers.size() != corner.size()) {
-        throw Error(ErrorKind::invalid_value,
-                    "--region " + argument.region + ": four numbers are needed, X0,Y0,X1,Y1");
+        refuse("--region " + argument.region + ": four numbers are needed, X0,Y0,X1,Y1");
     }
     for (std::size_t i = 0; i < corner.size(); ++i) {
         corner[i] = parse_number(numbers[i], "--region", -1e8, 1e8);
     }
     if (!(corner[2] > corner[0] && corner[3] > corner[1])) {
-        throw Error(ErrorKind::invalid_value,
-                    "--region " + argument.region + ": X1 must be above X0, and Y1 above Y0");
+        refuse("--region " + argument.region + ": X1 must be above X0, and Y1 above Y0");
     }
     return Region{{corner[0], corner[1]},
                   {corner[2] - corner[0], corner[3] - corner[1]},

@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <string>
-#include <string_view>
 
 #include "any_spectra.hpp"
 #include "ocean/channel.hpp"
@@ -37,8 +35,7 @@ struct Assignment {
 Assignment parse_assignment(const std::string& text, std::string_view example) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0) {
-        throw Error(ErrorKind::invalid_value,
-                    "--set " + text + ": allowed is NAME=VALUE, such as " + std::string(example));
+        refuse("--set " + text + ": allowed is NAME=VALUE, such as " + std::string(example));
     }
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
@@ -85,8 +82,8 @@ struct TerrainKind {
         const TerrainRow& row = *find_parameter(terrain_table(), parameter).info;
         const TerrainRow* const first = switch_of(row);
         if (first == &row || !is_switched_off(terrain, row)) return;
-        throw Error(ErrorKind::invalid_value, "--set " + parameter + ": has no effect while " +
-                                                  first->path() + " is 0; set that too");
+        refuse("--set " + parameter + ": has no effect while " + first->path() +
+               " is 0; set that too");
     }
 };
 

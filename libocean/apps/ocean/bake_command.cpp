@@ -18,7 +18,6 @@
 #include "ocean/bake/catalogue.hpp"
 #include "ocean/channel.hpp"
 #include "ocean/domain.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/bake/existing_frames.hpp"
 #include "ocean/internal/io/read_provenance.hpp"
 #include "ocean/internal/text.hpp"
@@ -114,8 +113,7 @@ TerrainTiles parse_tiles(const std::string& text) {
     if (text.empty()) return {};
     const std::vector<std::string> counts = split(text, 'x');
     if (counts.size() != 2) {
-        throw Error(ErrorKind::invalid_value,
-                    "--tiles " + text + ": two numbers are needed, such as 2x3");
+        refuse("--tiles " + text + ": two numbers are needed, such as 2x3");
     }
     return {parse_whole_number(counts[0], "--tiles", 1, kMaxTerrainTiles),
             parse_whole_number(counts[1], "--tiles", 1, kMaxTerrainTiles)};
@@ -128,10 +126,9 @@ std::optional<Region> region_of(const Typed& typed) {
     const bool is_sea = typed.kind == kSeaKind;
     const bool has_step = !is_sea && !typed.stage.empty();
     if (!typed.tiles.empty() || !typed.bake.resolution.empty() || has_step) {
-        throw Error(ErrorKind::invalid_value,
-                    std::string("--region: its samples are those of --cell; ") +
-                        (is_sea ? "--resolution is for whole maps"
-                                : "--tiles, --resolution and --stage are for whole tiles"));
+        refuse(std::string("--region: its samples are those of --cell; ") +
+               (is_sea ? "--resolution is for whole maps"
+                       : "--tiles, --resolution and --stage are for whole tiles"));
     }
     return region;
 }
@@ -147,8 +144,7 @@ void refuse_lod_of_maps(const Typed& typed, const BakeOptions& options) {
         {"--stage", &typed.stage}};
     for (const auto& [option, text] : of_maps) {
         if (text->empty()) continue;
-        throw Error(ErrorKind::invalid_value, "--lod: its vertices follow from the eye; " +
-                                                  std::string(option) + " is for maps");
+        refuse("--lod: its vertices follow from the eye; " + std::string(option) + " is for maps");
     }
 }
 
@@ -174,8 +170,7 @@ std::unique_ptr<Subject> shown_part(TerrainModel terrain, const Typed& typed,
                                     const std::optional<Region>& region) {
     if (region) return make_region_subject(std::move(terrain), *region);
     if (terrain.is_placed() && !typed.tiles.empty()) {
-        throw Error(ErrorKind::invalid_value,
-                    "--tiles " + typed.tiles + ": this land exists once; a tile repeats");
+        refuse("--tiles " + typed.tiles + ": this land exists once; a tile repeats");
     }
     const bool from_file = !typed.bake.from.empty() && typed.tiles.empty();
     const auto provenance = from_file ? io::read_provenance(typed.bake.from) : std::nullopt;
@@ -209,8 +204,7 @@ void request_stage(const Typed& typed, BakeOptions& options) {
     if (typed.stage.empty()) return;
     if (typed.kind == kTerrainKind) {
         if (!options.format_option("products").empty()) {
-            throw Error(ErrorKind::invalid_value,
-                        "--stage " + typed.stage + ": give it or --products");
+            refuse("--stage " + typed.stage + ": give it or --products");
         }
         options.format_options["products"] = typed.stage;  // a product of its own
         return;
@@ -218,9 +212,9 @@ void request_stage(const Typed& typed, BakeOptions& options) {
     const bool has_format_option = std::ranges::any_of(
         options.format_options, [](const auto& option) { return !option.second.empty(); });
     if (has_format_option || !options.backend.empty() || options.skip_existing || typed.dry_run) {
-        throw Error(ErrorKind::invalid_value,
-                    "--stage can be combined with SEA, -o, --frames, --resolution and "
-                    "--egl-device only");
+        refuse(
+            "--stage can be combined with SEA, -o, --frames, --resolution and "
+            "--egl-device only");
     }
     options.backend = "thesis";
     options.format_options["products"] = "height";

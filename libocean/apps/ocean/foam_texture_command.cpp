@@ -43,8 +43,7 @@ std::uint32_t seed_of(const std::string& text) {
     const char* const end = text.data() + text.size();
     const auto [rest, error] = std::from_chars(text.data(), end, seed);
     if (error == std::errc() && rest == end) return seed;
-    throw Error(ErrorKind::invalid_value,
-                "--seed " + text + ": allowed is a whole number, 0 .. 4294967295");
+    refuse("--seed " + text + ": allowed is a whole number, 0 .. 4294967295");
 }
 
 /// Returns the type of an EXR file's samples that --type requests.
@@ -52,8 +51,7 @@ io::PixelType pixel_type(const std::string& type) {
     if (type.empty() || type == "half") return io::PixelType::half_float;
     if (type == "float") return io::PixelType::full_float;
     constexpr std::string_view kTypes[] = {"half", "float"};
-    throw Error(ErrorKind::invalid_value,
-                "--type " + type + ": allowed are half, float" + did_you_mean(type, kTypes));
+    refuse("--type " + type + ": allowed are half, float" + did_you_mean(type, kTypes));
 }
 
 /// Returns true if the output is an EXR file, false for a PNG file.
@@ -61,13 +59,10 @@ bool is_exr(const FoamTextureOptions& options) {
     const std::filesystem::path extension = utf8_path(options.output).extension();
     if (extension == ".exr") return true;
     if (extension != ".png") {
-        throw Error(ErrorKind::invalid_value,
-                    "-o " + options.output + ": allowed are NAME.png and NAME.exr");
+        refuse("-o " + options.output + ": allowed are NAME.png and NAME.exr");
     }
     if (options.type.empty()) return false;
-    throw Error(
-        ErrorKind::invalid_value,
-        "--type " + options.type + ": only EXR files have it; a PNG file has 16 bits of grey");
+    refuse("--type " + options.type + ": only EXR files have it; a PNG file has 16 bits of grey");
 }
 
 io::Image image_of(const FoamTextureOptions& options, const FoamTextureSettings& settings,

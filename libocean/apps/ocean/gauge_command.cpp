@@ -14,7 +14,6 @@
 #include "input_files.hpp"
 #include "interrupt.hpp"
 #include "ocean/channel.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/seafile.hpp"
@@ -50,14 +49,12 @@ SampleTimes sample_times(const GaugeOptions& options) {
     times.to = parse_number(options.to, "--to", -1e9, 1e9);
     times.rate = parse_number(options.rate, "--rate", 1e-6, 1e6);
     if (times.to < times.from) {
-        throw Error(ErrorKind::invalid_value,
-                    "--to = " + options.to + ": allowed is --from or later, " + options.from);
+        refuse("--to = " + options.to + ": allowed is --from or later, " + options.from);
     }
     if ((times.to - times.from) * times.rate > kMaxSamples) {
-        throw Error(ErrorKind::invalid_value,
-                    format_text("--rate = %s: %.3g samples from %s to %s s; allowed are 1e+09",
-                                options.rate.c_str(), (times.to - times.from) * times.rate,
-                                options.from.c_str(), options.to.c_str()));
+        refuse(format_text("--rate = %s: %.3g samples from %s to %s s; allowed are 1e+09",
+                           options.rate.c_str(), (times.to - times.from) * times.rate,
+                           options.from.c_str(), options.to.c_str()));
     }
     return times;
 }
@@ -70,11 +67,10 @@ GaugePlan plan_of(const GaugeOptions& options, const Sea& sea) {
     const std::size_t samples = plan.times.count();
     const bool too_short = gauge_segment(samples, plan.degrees_of_freedom) == 0;
     if (!options.spectrum.empty() && too_short) {
-        throw Error(ErrorKind::invalid_value,
-                    "--spectrum: " + std::to_string(samples) + " samples are too few for " +
-                        options.degrees_of_freedom +
-                        " degrees of freedom; allowed are more samples or a smaller "
-                        "--degrees-of-freedom");
+        refuse("--spectrum: " + std::to_string(samples) + " samples are too few for " +
+               options.degrees_of_freedom +
+               " degrees of freedom; allowed are more samples or a smaller "
+               "--degrees-of-freedom");
     }
     GaugePoints points = read_gauges(options.points, plan.times.from, plan.times.at(samples - 1),
                                      sea.parameters.water.depth);

@@ -14,7 +14,6 @@
 #include "console.hpp"
 #include "info_text.hpp"
 #include "ocean/channel.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/find_crest.hpp"
 #include "ocean/internal/io/read_provenance.hpp"
@@ -49,9 +48,8 @@ CrestWindow window_of(const InfoOptions& info, const Timing& time) {
     window.to = info.to.value_or(window.from + span);
     for (const double end : {window.from, window.to}) require_time(end);
     if (window.to < window.from) {
-        throw Error(ErrorKind::invalid_value, "--to = " + plain_text(window.to) +
-                                                  ": allowed is --from or later, " +
-                                                  plain_text(window.from));
+        refuse("--to = " + plain_text(window.to) + ": allowed is --from or later, " +
+               plain_text(window.from));
     }
     if (info.box.empty()) return window;
     const std::vector<std::string> numbers = split(info.box, ',');
@@ -60,10 +58,9 @@ CrestWindow window_of(const InfoOptions& info, const Timing& time) {
         place[i] = parse_number(numbers[i], "--box", -1e7, 1e7);
     }
     if (numbers.size() == place.size() && place[0] < place[2] && place[1] < place[3]) return window;
-    throw Error(ErrorKind::invalid_value,
-                "--box " + info.box +
-                    ": allowed are X0,Y0,X1,Y1, the south-western and the "
-                    "north-eastern corner");
+    refuse("--box " + info.box +
+           ": allowed are X0,Y0,X1,Y1, the south-western and the "
+           "north-eastern corner");
 }
 
 /// The frame of a baked file; nothing of a sea or terrain file, of a preset and of a pipe.
@@ -119,8 +116,7 @@ void describe(const Sea& sea, const InfoOptions& info, const Context& context) {
     if (info.sea_file) return context.console.data(write_sea(sea));
     if (info.find_crest) return find_crest(sea, info, context);
     if (info.from || info.to || !info.box.empty()) {
-        throw Error(ErrorKind::invalid_value,
-                    "--from, --to and --box belong to --find-crest, which is not given");
+        refuse("--from, --to and --box belong to --find-crest, which is not given");
     }
     Ocean ocean(sea, {.threads = context.options.threads});
     const SeaState state = ocean.state();

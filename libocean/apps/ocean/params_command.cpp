@@ -7,7 +7,6 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "ocean/channel.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/terrain_table.hpp"
@@ -20,8 +19,7 @@ std::vector<ListedParameter> rows_of(const std::string& kind) {
     if (kind.empty() || kind == kSeaKind) return listed(sea_table());
     if (kind == kTerrainKind) return listed(terrain_table());
     constexpr std::string_view kKinds[] = {kSeaKind, kTerrainKind};
-    throw Error(ErrorKind::invalid_value,
-                "params " + kind + ": allowed are sea and terrain" + did_you_mean(kind, kKinds));
+    refuse("params " + kind + ": allowed are sea and terrain" + did_you_mean(kind, kKinds));
 }
 
 }  // namespace

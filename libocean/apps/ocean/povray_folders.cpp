@@ -57,10 +57,10 @@ BakePlan plan_map(BakeOptions options, const Open& open) {
 
 void refuse_large_mesh(int resolution) {
     if (resolution <= kMaxPovrayResolution) return;
-    throw Error(ErrorKind::invalid_value,
-                format_text("--resolution = %d: allowed is at most %d, for which POV-Ray makes "
-                            "a mesh of 2 GiB",
-                            resolution, kMaxPovrayResolution));
+    refuse(
+        format_text("--resolution = %d: allowed is at most %d, for which POV-Ray makes "
+                    "a mesh of 2 GiB",
+                    resolution, kMaxPovrayResolution));
 }
 
 SeaState state_of(const BakePlan& plan) {
@@ -100,8 +100,7 @@ PovrayFolder sea_folder(const PovrayRequest& request, const Sea& sea, const Cont
     }
     const bool df3 = request.format == "df3";
     if (request.near_only && !df3) {
-        throw Error(ErrorKind::invalid_value,
-                    "--near-only: only --format df3 has coarser maps to leave out");
+        refuse("--near-only: only --format df3 has coarser maps to leave out");
     }
     std::vector<const char*> flags;
     if (df3) flags = {"fine-map", "detail-map"};
@@ -164,11 +163,10 @@ PovrayFolder region_folder(const PovrayRequest& request, const Sea& sea, const C
     options.max_resolution = 0;
     BakePlan region = plan_map(options, [&] { return part_of(sea, part); });
     if (region.resolution > kMaxPovrayResolution) {
-        throw Error(ErrorKind::invalid_value,
-                    format_text("%s has %d samples along its longer side; allowed are at most %d: "
-                                "choose a part of it with --region and --cell",
-                                part ? "--region: it" : "the bed", region.resolution,
-                                kMaxPovrayResolution));
+        refuse(format_text(
+            "%s has %d samples along its longer side; allowed are at most %d: "
+            "choose a part of it with --region and --cell",
+            part ? "--region: it" : "the bed", region.resolution, kMaxPovrayResolution));
     }
     const SeaState state = state_of(open);
     PovrayFolder folder;
@@ -209,9 +207,9 @@ PovrayFolder terrain_folder(const PovrayRequest& request, const TerrainModel& te
     const bool is_image = request.format == "height_field";
     const std::optional<Region> region = parse_region(request.region);
     if (region && !request.bake.resolution.empty()) {
-        throw Error(ErrorKind::invalid_value,
-                    "--region: its samples are those of --cell, and "
-                    "--resolution is for a whole land");
+        refuse(
+            "--region: its samples are those of --cell, and "
+            "--resolution is for a whole land");
     }
     PovrayFolder folder;
     const auto add = [&](const std::string& format, const std::vector<const char*>& flags) {
@@ -222,10 +220,10 @@ PovrayFolder terrain_folder(const PovrayRequest& request, const TerrainModel& te
             folder.plans.emplace_back(plan_map(options, [&] { return part_of(terrain, region); }));
         if (is_image) return;
         if (region && plan.resolution > kMaxPovrayResolution) {
-            throw Error(ErrorKind::invalid_value,
-                        format_text("--region: it has %d samples along its longer side; allowed "
-                                    "are at most %d, for which POV-Ray makes a mesh of 2 GiB",
-                                    plan.resolution, kMaxPovrayResolution));
+            refuse(
+                format_text("--region: it has %d samples along its longer side; allowed "
+                            "are at most %d, for which POV-Ray makes a mesh of 2 GiB",
+                            plan.resolution, kMaxPovrayResolution));
         }
         refuse_large_mesh(plan.resolution);
     };
@@ -251,8 +249,8 @@ void refuse_folder_of(const std::string& folder, const std::string& file, const 
                       const std::string& own) {
     std::error_code error;
     if (!std::filesystem::exists(utf8_path(folder + "/" + file), error)) return;
-    throw Error(ErrorKind::invalid_value, "-o " + folder + ": the folder holds " + other + ", " +
-                                              file + "; " + own + " needs its own");
+    refuse("-o " + folder + ": the folder holds " + other + ", " + file + "; " + own +
+           " needs its own");
 }
 
 }  // namespace

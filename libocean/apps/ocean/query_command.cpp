@@ -14,7 +14,6 @@
 #include "input_files.hpp"
 #include "interrupt.hpp"
 #include "ocean/channel.hpp"
-#include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/seafile.hpp"
 #include "point_table.hpp"
@@ -45,7 +44,7 @@ class QueryRun {
     QueryRun(const QueryCommandOptions& options, const Context& context)
         : options_(options), context_(context), sea_(open_sea(options.sea)) {
         if (options.time.has_value() == options.frame.has_value()) {
-            throw Error(ErrorKind::invalid_value, "either --time or --frame is required");
+            refuse("either --time or --frame is required");
         }
         time_ = options.time ? *options.time : sea_.time_of(*options.frame);
         InputFiles inputs(options.sea.source, named_files(sea_));

@@ -123,8 +123,7 @@ void check_outputs(const SpectrumOptions& options, const std::vector<std::string
     for (const std::string& output : {options.output, options.plot}) inputs.spare(output);
     const std::filesystem::path picture = utf8_path(options.plot);
     if (picture.has_extension() && picture.extension() != ".png") {
-        throw Error(ErrorKind::invalid_value,
-                    "--plot " + options.plot + ": the plot is a PNG file; allowed is NAME.png");
+        refuse("--plot " + options.plot + ": the plot is a PNG file; allowed is NAME.png");
     }
     if (!options.plot.empty()) {
         io::refuse_to_replace_foreign_file(options.plot, "`ocean spectrum --plot`",

@@ -47,8 +47,7 @@ bool begins_with(const std::string& path, std::string_view opening) {
 void require_extension(const std::string& option, const std::string& path,
                        const std::string& extension) {
     if (utf8_path(path).extension() == extension) return;
-    throw Error(ErrorKind::invalid_value,
-                option + " " + text::printable(path, 200) + ": allowed is NAME" + extension);
+    refuse(option + " " + text::printable(path, 200) + ": allowed is NAME" + extension);
 }
 
 /// Throws if an output cannot be written, is another program's, or is the input.
@@ -148,7 +147,7 @@ void write_outputs(const FitOptions& options, const ElevationModel& bed, const T
 
 void run(const FitOptions& options, const Context& context) {
     if (options.ridge && options.law != "broken") {
-        throw Error(ErrorKind::invalid_value, "--ridge is for --law broken");
+        refuse("--ridge is for --law broken");
     }
     check_outputs(options);
     const ElevationModel bed = read_bed(options);

@@ -47,8 +47,7 @@ std::array<double, count> numbers_of(const std::string& text, const std::string&
     constexpr double kMaxNumber = 1e9;
     const std::vector<std::string> words = split(text, ',');
     if (words.size() != count) {
-        throw Error(ErrorKind::invalid_value,
-                    option + " " + text::printable(text) + ": allowed is " + shape);
+        refuse(option + " " + text::printable(text) + ": allowed is " + shape);
     }
     std::array<double, count> numbers{};
     for (std::size_t i = 0; i < count; ++i) {
@@ -61,13 +60,12 @@ std::array<double, 2> range_of(const std::string& text) {
     const auto range = numbers_of<2>(text, "--range", "LOWEST,HIGHEST in metres");
     for (const double height : range) {
         if (std::abs(height) <= kMaxElevation) continue;
-        throw Error(ErrorKind::invalid_value, "--range " + text::printable(text) +
-                                                  ": allowed are heights of -100000 .. "
-                                                  "100000 m");
+        refuse("--range " + text::printable(text) +
+               ": allowed are heights of -100000 .. "
+               "100000 m");
     }
     if (range[0] == range[1]) {
-        throw Error(ErrorKind::invalid_value,
-                    "--range " + text::printable(text) + ": black and white have one height");
+        refuse("--range " + text::printable(text) + ": black and white have one height");
     }
     return range;
 }
@@ -75,8 +73,7 @@ std::array<double, 2> range_of(const std::string& text) {
 std::array<double, 2> corner_of(const std::string& text) {
     const auto corner = corner_of_name(text);
     if (corner && text.size() == 7) return *corner;
-    throw Error(ErrorKind::invalid_value, "--corner " + text::printable(text) +
-                                              ": allowed is the name of a tile, as N34W119");
+    refuse("--corner " + text::printable(text) + ": allowed is the name of a tile, as N34W119");
 }
 
 /// Sets the edges of "WEST,SOUTH,EAST,NORTH": metres, or degrees as in "6W,51.5N,2E,54N".
@@ -93,8 +90,7 @@ void set_crop(const std::string& text, ElevationOptions& options) {
         const std::string_view letters = i % 2 == 0 ? "EW" : "NS";
         const std::size_t letter = words[i].empty() ? 2 : letters.find(words[i].back());
         if (letter > 1) {
-            throw Error(ErrorKind::invalid_value,
-                        "--crop " + text::printable(text) + ": allowed is " + shape);
+            refuse("--crop " + text::printable(text) + ": allowed is " + shape);
         }
         words[i].pop_back();
         plain += (i == 0 ? "" : ",") + std::string(letter == 1 ? "-" : "") + words[i];
@@ -124,9 +120,8 @@ ElevationImport request_of(const ImportCommandOptions& options) {
 void check_output(const ImportCommandOptions& options) {
     const std::filesystem::path output = utf8_path(options.output);
     if (output.extension() != ".flt") {
-        throw Error(ErrorKind::invalid_value,
-                    "-o " + text::printable(options.output, 200) +
-                        ": allowed is NAME.flt; NAME.hdr and NAME.prj are written beside it");
+        refuse("-o " + text::printable(options.output, 200) +
+               ": allowed is NAME.flt; NAME.hdr and NAME.prj are written beside it");
     }
     io::require_folder(output.parent_path().string());
     std::error_code ignored;
@@ -138,10 +133,9 @@ void check_output(const ImportCommandOptions& options) {
             std::filesystem::equivalent(file, input, ignored) ||
             std::filesystem::equivalent(file, input.replace_extension(extension), ignored);
         if (is_input) {
-            throw Error(ErrorKind::invalid_value,
-                        "'" + text::to_utf8(file) +
-                            "' is an input of this command: it is not overwritten; choose another "
-                            "file");
+            refuse("'" + text::to_utf8(file) +
+                   "' is an input of this command: it is not overwritten; choose another "
+                   "file");
         }
         io::refuse_to_replace_foreign_file(text::to_utf8(file), "`ocean terrain import`", [&] {
             return io::is_written_elevation(options.output);
