@@ -95,6 +95,11 @@ def resolution_or_0(value: Any) -> int:
     return 0 if value is None else resolution(value, 0)
 
 
+def accuracy(resolution: int, refine: int, exact: bool) -> tuple[Any, ...]:
+    """Returns the members of a request that say which waves count, and how exactly."""
+    return whole("resolution", resolution), whole("refine", refine), bool(exact)
+
+
 def numbers(name: str, values: npt.ArrayLike, allowed: str) -> npt.NDArray[Any]:
     """Returns numbers as an array of the shape that they have. allowed: the shapes that are, for
     the sentence about rows of different lengths."""

@@ -205,9 +205,32 @@ class Handle(ReadOnly):
         with self._lock, self._reporter.watched():
             call(name, self._open_handle(), *arguments)
 
+    def _change(self, name: str, *arguments: Any) -> None:
+        """Calls a function that changes the subject, after which older surfaces compute no more."""
+        with self._lock:
+            self._call(name, *arguments)
+            self._changes += 1
+
     def _text(self, name: str, *arguments: Any) -> str:
         with self._lock, self._reporter.watched():
             return text_of(name, self._open_handle(), *arguments)
+
+    def _samples(
+        self,
+        name: str,
+        request_type: type[ctypes.Structure],
+        sample: np.dtype[Any],
+        points: npt.NDArray[np.float64],
+        time: float,
+        how: tuple[Any, ...],
+    ) -> npt.NDArray[Any]:
+        """Returns a sample for each point; `how` holds the request's members after them."""
+        answers = np.empty(len(points), dtype=sample)
+        places = (pointer_to(points), len(points), pointer_to(answers), sample.itemsize)
+        when = number("time", time)
+        request = request_type(ctypes.sizeof(request_type), when, *places, *how)
+        self._call(name, ctypes.byref(request))
+        return answers
 
     def _open_handle(self) -> ctypes.c_void_p:
         if self._handle is None:
@@ -218,17 +241,11 @@ class Handle(ReadOnly):
 
     def set(self, name: str, value: Any) -> None:
         """Sets a parameter ("wind_speed", "waves.1.fetch", "beta"); None unsets an optional one."""
-        texts = text("name", name), text(name, value_text(value))
-        with self._lock:
-            self._call(self._prefix + "set", *texts)
-            self._changes += 1
+        self._change(self._prefix + "set", text("name", name), text(name, value_text(value)))
 
     def set_all(self, values: Mapping[str, Any]) -> None:
         """Sets several parameters and checks them together: either all change or none."""
-        arrays = value_arrays(values)
-        with self._lock:
-            self._call(self._prefix + "set_all", *arrays)
-            self._changes += 1
+        self._change(self._prefix + "set_all", *value_arrays(values))
 
     def get(self, name: str) -> str:
         """Returns the value of a parameter as text; "" for an optional one that is not set."""
@@ -287,8 +304,7 @@ class SeaHandle(Handle):
         with self._lock:
             if name is None:
                 name = f"waves.{self.text.count(chr(10) + '[[waves]]')}"
-            self._call("ocean_add_waves", text("name", name))
-            self._changes += 1
+            self._change("ocean_add_waves", text("name", name))
             try:
                 self.set_all({f"{name}.{key}": value for key, value in parameters.items()})
             except (_library.Error, TypeError):
@@ -298,9 +314,7 @@ class SeaHandle(Handle):
 
     def remove_waves(self, name: str) -> None:
         """Removes the wave system of that name; the systems behind it are renumbered one lower."""
-        with self._lock:
-            self._call("ocean_remove_waves", text("name", name))
-            self._changes += 1
+        self._change("ocean_remove_waves", text("name", name))
 
     def set_bed(
         self,
@@ -317,18 +331,14 @@ class SeaHandle(Handle):
         place, step = row("origin", origin, 2), number("cell", cell)
         if step <= 0:
             raise _library.error(f"cell = {step} m; allowed: above 0", _abi.INVALID_ARGUMENT)
-        with self._lock:
-            self._call("ocean_set_bed", data, columns, rows, *place, step)
-            self._changes += 1
+        self._change("ocean_set_bed", data, columns, rows, *place, step)
 
     def perform(self, time: float, name: str, value: Any) -> None:
         """Lets a live parameter glide to the value from `time` [s] on, while the sea is shown. Adds
         an event to the sea's own take: `text` makes every frame again. Everything before that time
         stays."""
         event = number("time", time), text("name", name), text(name, value_text(value))
-        with self._lock:
-            self._call("ocean_perform", *event)
-            self._changes += 1
+        self._change("ocean_perform", *event)
 
     @property
     def values(self) -> dict[str, str]:

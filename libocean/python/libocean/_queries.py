@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Iterable
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -22,7 +21,7 @@ from ._answers import (
     Water,
     pointer_to,
 )
-from ._checks import hide, number, numbers, points_of, whole
+from ._checks import accuracy, hide, number, numbers, points_of
 from ._handle import SeaHandle
 
 
@@ -40,11 +39,6 @@ def _track(gauge: npt.ArrayLike) -> tuple[npt.NDArray[np.float64], tuple[float, 
             _abi.INVALID_ARGUMENT,
         )
     return track, velocity
-
-
-def _how(resolution: int, refine: int, exact: bool) -> tuple[Any, ...]:
-    """Returns the members of a request that say which waves count, and how exactly."""
-    return whole("resolution", resolution), whole("refine", refine), bool(exact)
 
 
 class Queries(SeaHandle):
@@ -74,7 +68,7 @@ class Queries(SeaHandle):
         slow. foam: with foam, which query() has by default; its past takes far longer than all the
         rest. Without it `foam` is NaN."""
         error = ctypes.c_double()
-        how = *_how(resolution, refine, exact), bool(foam), ctypes.pointer(error)
+        how = *accuracy(resolution, refine, exact), bool(foam), ctypes.pointer(error)
         where, hidden = points_of("points", points, 2)
         answers = self._samples("ocean_query_points", _abi.QueryRequest, SAMPLE, where, time, how)
         hide(answers, hidden)
@@ -111,7 +105,7 @@ class Queries(SeaHandle):
         depths, by linear theory. Each distinct depth costs two transforms. resolution, refine and
         exact as in samples()."""
         where, hidden = points_of("points", points, 3)
-        how = _how(resolution, refine, exact)
+        how = accuracy(resolution, refine, exact)
         answers = self._samples(
             "ocean_water_points", _abi.WaterRequest, WATER_SAMPLE, where, time, how
         )
@@ -149,23 +143,6 @@ class Queries(SeaHandle):
         heading [degrees counter-clockwise from +x], the length along it."""
         poses = self._answers("ocean_float_pose", "bodies", bodies, (number("time", time),), 5, 11)
         return FloatPose(poses[:, 0:3], poses[:, 3:6], poses[:, 6:9], poses[:, 9], poses[:, 10])
-
-    def _samples(
-        self,
-        name: str,
-        request_type: type[ctypes.Structure],
-        sample: np.dtype[Any],
-        points: npt.NDArray[np.float64],
-        time: float,
-        how: tuple[Any, ...],
-    ) -> npt.NDArray[Any]:
-        """Returns a sample for each point; `how` holds the request's members after them."""
-        answers = np.empty(len(points), dtype=sample)
-        places = (pointer_to(points), len(points), pointer_to(answers), sample.itemsize)
-        when = number("time", time)
-        request = request_type(ctypes.sizeof(request_type), when, *places, *how)
-        self._call(name, ctypes.byref(request))
-        return answers
 
     def _answers(
         self,

@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from . import _abi
 from ._answers import SAMPLE, Array, pointer_to
-from ._checks import hide, number, points_of, row, text, whole
+from ._checks import accuracy, hide, number, points_of, row, text
 from ._library import choose
 from ._maps import MapWriter
 from ._regions import region_arrays, region_buffers, region_request
@@ -189,21 +189,10 @@ class Terrain(MapWriter):
         the sum over all waves, a hundred times as slow."""
         where, hidden = points_of("points", points, 2)
         error = ctypes.c_double()
-        answers = np.empty(len(where), dtype=SAMPLE)
-        request = _abi.QueryRequest(
-            ctypes.sizeof(_abi.QueryRequest),
-            0.0,
-            pointer_to(where),
-            len(where),
-            pointer_to(answers),
-            SAMPLE.itemsize,
-            whole("resolution", resolution),
-            whole("refine", refine),
-            bool(exact),
-            0,
-            ctypes.pointer(error),
+        how = *accuracy(resolution, refine, exact), False, ctypes.pointer(error)
+        answers = self._samples(
+            "ocean_terrain_query_points", _abi.QueryRequest, SAMPLE, where, 0.0, how
         )
-        self._call("ocean_terrain_query_points", ctypes.byref(request))
         hide(answers, hidden)
         return GroundSamples(answers["height"], answers["normal"], error.value)
 
