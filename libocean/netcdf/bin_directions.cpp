@@ -36,10 +36,6 @@ constexpr std::array<std::string_view, kBinQuantities> kNames = {{
     " sth2m sth2 stheta2 spread2 principaldirectionalspread ",
 }};
 
-bool lists(std::string_view names, const std::string& name) {
-    return names.find(" " + name + " ") != std::string_view::npos;
-}
-
 /// The max of a ratio or a moment that is rounded to two digits.
 constexpr double kMaxRatio = 1.05;
 /// The spread of cos^2, the default spreading: r1 = 8 / (3 pi).

@@ -17,6 +17,12 @@
 namespace ocean::netcdf {
 namespace {
 
+/// The words that follow a "from" of the direction that waves come from, separated by blanks.
+constexpr std::string_view kAfterFrom =
+    " direction directions which where clockwise counter counterclockwise anticlockwise "
+    "nautical degrees deg degree meteorological measured convention relative in true at of cw "
+    "ccw not and ";
+
 double offset_degrees(const DirectionSense& sense) {
     return (sense.from_east ? 0.0 : 90.0) + (sense.from ? 180.0 : 0.0);
 }
@@ -128,31 +134,7 @@ class WordReader {
                               "north", "primary", "peak"}) ||
                    i == 0) {
             // "mean wave direction from spectral moments" gives the source of the value alone.
-            from_ = from_ || i + 1 == words_.size() ||
-                    is(i + 1, {"direction",
-                               "directions",
-                               "which",
-                               "where",
-                               "clockwise",
-                               "counter",
-                               "counterclockwise",
-                               "anticlockwise",
-                               "nautical",
-                               "degrees",
-                               "deg",
-                               "degree",
-                               "meteorological",
-                               "measured",
-                               "convention",
-                               "relative",
-                               "in",
-                               "true",
-                               "at",
-                               "of",
-                               "cw",
-                               "ccw",
-                               "not",
-                               "and"});
+            from_ = from_ || i + 1 == words_.size() || lists(kAfterFrom, words_[i + 1]);
         }
     }
 

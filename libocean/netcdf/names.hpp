@@ -20,6 +20,11 @@ inline bool among(std::string_view word, Words words) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+/// Returns true if `names`, which begins and ends with a blank, has the name between two blanks.
+inline bool lists(std::string_view names, const std::string& name) {
+    return names.find(" " + name + " ") != std::string_view::npos;
+}
+
 /// Returns the name in lower-case letters and digits alone: waveA1Value, wave_a1_value and WAVE A1
 /// VALUE become equal.
 inline std::string plain_name(std::string_view name) {

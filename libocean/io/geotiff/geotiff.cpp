@@ -128,41 +128,19 @@ void set_geo_tags(TIFF* tiff, const Domain& domain) {
     const double tiepoint[] = {0.0, 0.0, 0.0, west, north, 0.0};
     const auto name_size = static_cast<std::uint16_t>(kGridName.size());
     // A row of four: key, tag that holds its value (0: the row itself), count, value or offset.
-    const std::uint16_t keys[] = {1,
-                                  1,
-                                  1,
-                                  7,  //
-                                  kModelType,
-                                  0,
-                                  1,
-                                  kProjected,
-                                  kRasterType,
-                                  0,
-                                  1,
-                                  kPixelIsPoint,
-                                  kCitation,
-                                  kGeoTexts,
-                                  name_size,
-                                  0,
-                                  kProjectedSystem,
-                                  0,
-                                  1,
-                                  kUserDefined,
-                                  kProjectedCitation,
-                                  kGeoTexts,
-                                  name_size,
-                                  0,
-                                  kLinearUnits,
-                                  0,
-                                  1,
-                                  kMetre,
-                                  kVerticalUnits,
-                                  0,
-                                  1,
-                                  kMetre};
+    const std::uint16_t keys[][4] = {
+        {1, 1, 1, 7},  // the version, and the number of keys
+        {kModelType, 0, 1, kProjected},
+        {kRasterType, 0, 1, kPixelIsPoint},
+        {kCitation, kGeoTexts, name_size, 0},
+        {kProjectedSystem, 0, 1, kUserDefined},
+        {kProjectedCitation, kGeoTexts, name_size, 0},
+        {kLinearUnits, 0, 1, kMetre},
+        {kVerticalUnits, 0, 1, kMetre},
+    };
     TIFFSetField(tiff, kPixelScale, static_cast<int>(std::size(scale)), scale);
     TIFFSetField(tiff, kTiepoint, static_cast<int>(std::size(tiepoint)), tiepoint);
-    TIFFSetField(tiff, kGeoKeys, static_cast<int>(std::size(keys)), keys);
+    TIFFSetField(tiff, kGeoKeys, static_cast<int>(4 * std::size(keys)), keys);
     TIFFSetField(tiff, kGeoTexts, std::string(kGridName).c_str());
 }
 
