@@ -135,10 +135,8 @@ class Density {
 VdbGrid vdb::make_density(const VoxelRange& voxels, std::span<const float> heights,
                           std::span<const DensityPuff> puffs, VolumeAxes axes, ThreadPool& pool) {
     openvdb::FloatGrid::Ptr grid = Density(voxels, heights, puffs, {axes.y_up}).make(pool);
-    grid->setName("density");
     grid->setGridClass(openvdb::GRID_FOG_VOLUME);
-    grid->setTransform(openvdb::math::Transform::createLinearTransform(voxels.size));
-    return VdbGrid(std::make_shared<VdbGrid::Grid>(VdbGrid::Grid{grid}));
+    return finished(grid, "density", voxels.size);
 }
 
 }  // namespace ocean::io

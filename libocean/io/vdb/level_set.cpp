@@ -196,10 +196,8 @@ VdbGrid vdb::make_level_set(const WorldBox& box, const VoxelRange& voxels,
                             std::span<const SurfaceColumn> columns, VolumeAxes axes,
                             ThreadPool& pool) {
     openvdb::FloatGrid::Ptr grid = LevelSet(box, voxels, columns, {axes.y_up}).make(pool);
-    grid->setName("surface");
     grid->setGridClass(openvdb::GRID_LEVEL_SET);
-    grid->setTransform(openvdb::math::Transform::createLinearTransform(voxels.size));
-    return VdbGrid(std::make_shared<VdbGrid::Grid>(VdbGrid::Grid{grid}));
+    return finished(grid, "surface", voxels.size);
 }
 
 }  // namespace ocean::io

@@ -36,6 +36,13 @@ struct VdbGrid::Grid {
     openvdb::GridBase::ConstPtr grid;
 };
 
+/// Returns the grid under a name, with voxels of a size [m].
+inline VdbGrid finished(const openvdb::GridBase::Ptr& grid, const char* name, double voxel) {
+    grid->setName(name);
+    grid->setTransform(openvdb::math::Transform::createLinearTransform(voxel));
+    return VdbGrid(std::make_shared<VdbGrid::Grid>(VdbGrid::Grid{grid}));
+}
+
 /// Returns the coordinate in the file of the sea's voxel (i, j, k).
 struct FileAxes {
     bool y_up;

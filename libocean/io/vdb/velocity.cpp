@@ -45,10 +45,8 @@ VdbGrid vdb::make_velocity(const VoxelRange& voxels, std::span<const float> heig
             if (!leaf->isEmpty()) leaves.push_back(std::move(leaf));
         });
     }
-    grid->setName("vel");  // one of the names that Blender takes for motion
     grid->setVectorType(openvdb::VEC_CONTRAVARIANT_RELATIVE);
-    grid->setTransform(openvdb::math::Transform::createLinearTransform(voxels.size));
-    return VdbGrid(std::make_shared<VdbGrid::Grid>(VdbGrid::Grid{grid}));
+    return finished(grid, "vel", voxels.size);  // a name that Blender takes for motion
 }
 
 }  // namespace ocean::io
