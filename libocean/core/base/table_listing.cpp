@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Names of a table's rows, and its rows as Markdown and JSON. This code knows no model.
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <deque>
@@ -37,9 +36,7 @@ Json json_value(const ParameterSpec& spec, const ParameterValue& value) {
     if (const auto* integer = std::get_if<std::int64_t>(&value)) return *integer;
     if (const auto* numbers = std::get_if<std::vector<double>>(&value)) return json_array(*numbers);
     if (const auto* pairs = std::get_if<NumberPairs>(&value)) {
-        JsonArray array;
-        for (const auto& pair : *pairs) array.add(json_array(pair));
-        return array;
+        return json_array(*pairs, [](const auto& pair) { return json_array(pair); });
     }
     return json_array(std::get<std::vector<std::int64_t>>(value));
 }

@@ -255,15 +255,14 @@ JsonObject pair_json(const AskedResolved& value) {
 std::string terrain_state_json(const TerrainState& state) {
     JsonObject json(JsonLines{2});
     json.add("rms", pair_json(state.rms)).add("rms_slope", pair_json(state.rms_slope));
-    JsonArray angles, octaves;
-    for (const AskedResolved& angle : state.slope_angles) angles.add(pair_json(angle));
+    JsonArray octaves;
     for (const TerrainOctave& octave : state.octaves) {
         octaves.add(JsonObject()
                         .add("longest_wave", octave.longest_wave)
                         .add("rms", pair_json(octave.rms))
                         .add("exponent", pair_json(octave.exponent)));
     }
-    json.add("slope_angles", angles).add("mean", state.mean);
+    json.add("slope_angles", json_array(state.slope_angles, pair_json)).add("mean", state.mean);
     json.add("shortest_wave", state.shortest_wave).add("longest_wave", state.longest_wave);
     json.add("period", state.period).add("cell", state.cell);
     if (state.measured_cell > 0.0) json.add("measured_cell", state.measured_cell);

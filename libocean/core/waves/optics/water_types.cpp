@@ -128,9 +128,7 @@ Rgb WaterType::crest_colour() const {
 
 std::string water_types_json() {
     const auto number = [](double value) { return Json(value, plain_text); };
-    const auto rgb = [&](const Rgb& value) {
-        return JsonArray().add(number(value[0])).add(number(value[1])).add(number(value[2]));
-    };
+    const auto rgb = [&](const Rgb& value) { return json_array(value, number); };
     JsonArray table(JsonLines{2});
     for (const WaterType& type : kTypes) {
         JsonObject row;

@@ -23,72 +23,51 @@ Json asked_resolved(const AskedResolved& value) {
     return JsonObject().add("asked", value.asked).add("resolved", value.resolved);
 }
 
-Json slopes_json(const std::vector<MapSlope>& slopes) {
-    JsonArray list;
-    for (const MapSlope& map : slopes) {
-        list.add(JsonObject()
-                     .add("resolution", map.resolution)
-                     .add("mean_square_slope", map.mean_square_slope));
-    }
-    return list;
+Json slope_json(const MapSlope& map) {
+    return JsonObject()
+        .add("resolution", map.resolution)
+        .add("mean_square_slope", map.mean_square_slope);
 }
 
-Json cascades_json(const std::vector<CascadeShare>& cascades) {
-    JsonArray list;
-    for (const CascadeShare& share : cascades) {
-        list.add(JsonObject()
-                     .add("period", share.period)
-                     .add("shortest_wave", share.shortest_wave)
-                     .add("longest_wave", share.longest_wave)
-                     .add("height_share", share.height)
-                     .add("slope_share", share.slope));
-    }
-    return list;
+Json cascade_json(const CascadeShare& share) {
+    return JsonObject()
+        .add("period", share.period)
+        .add("shortest_wave", share.shortest_wave)
+        .add("longest_wave", share.longest_wave)
+        .add("height_share", share.height)
+        .add("slope_share", share.slope);
 }
 
-Json loop_errors_json(const std::vector<LoopError>& errors) {
-    JsonArray list;
-    for (const LoopError& error : errors) {
-        list.add(
-            JsonObject().add("wavelength", error.wavelength).add("speed_error", error.speed_error));
-    }
-    return list;
+Json loop_error_json(const LoopError& error) {
+    return JsonObject().add("wavelength", error.wavelength).add("speed_error", error.speed_error);
 }
 
-Json crests_json(const std::vector<CrestSummary>& crests) {
-    JsonArray list;
-    for (const CrestSummary& crest : crests) {
-        JsonObject object;
-        object.add("time", crest.time).add("x", crest.x).add("y", crest.y);
-        object.add("height", crest.height).add("relative_height", crest.relative_height);
-        object.add("one_in_rayleigh", crest.one_in_rayleigh);
-        if (crest.height > 0.0) object.add("one_in_forristall", crest.one_in_forristall);
-        list.add(object.add("steepness", crest.steepness));
-    }
-    return list;
+Json crest_json(const CrestSummary& crest) {
+    JsonObject object;
+    object.add("time", crest.time).add("x", crest.x).add("y", crest.y);
+    object.add("height", crest.height).add("relative_height", crest.relative_height);
+    object.add("one_in_rayleigh", crest.one_in_rayleigh);
+    if (crest.height > 0.0) object.add("one_in_forristall", crest.one_in_forristall);
+    return object.add("steepness", crest.steepness);
 }
 
-Json hulls_json(const std::vector<HullSummary>& hulls) {
-    JsonArray list;
-    for (const HullSummary& hull : hulls) {
-        list.add(JsonObject()
-                     .add("begin", hull.begin)
-                     .add("end", hull.end)
-                     .add("speed", hull.speed)
-                     .add("froude_number", hull.froude_number)
-                     .add("volume", hull.volume)
-                     .add("wavelength", hull.wavelength)
-                     .add("wave_height", hull.wave_height)
-                     .add("steepness", hull.steepness)
-                     .add("wake_size", hull.wake_size)
-                     .add("wake_cell", hull.wake_cell));
-    }
-    return list;
+Json hull_json(const HullSummary& hull) {
+    return JsonObject()
+        .add("begin", hull.begin)
+        .add("end", hull.end)
+        .add("speed", hull.speed)
+        .add("froude_number", hull.froude_number)
+        .add("volume", hull.volume)
+        .add("wavelength", hull.wavelength)
+        .add("wave_height", hull.wave_height)
+        .add("steepness", hull.steepness)
+        .add("wake_size", hull.wake_size)
+        .add("wake_cell", hull.wake_cell);
 }
 
 Json bed_json(const SeaBedSummary& bed) {
     return JsonObject()
-        .add("samples", json_array(std::vector<int>(bed.samples.begin(), bed.samples.end())))
+        .add("samples", json_array(bed.samples))
         .add("cell", bed.cell)
         .add("lowest", bed.lowest)
         .add("highest", bed.highest)
@@ -272,21 +251,21 @@ std::string sea_state_json(const SeaState& state) {
     json.add("period", state.period);
     json.add("map_resolution", state.map_resolution);
     json.add("map_shortest_wave", state.map_shortest_wave);
-    json.add("map_slopes", slopes_json(state.map_slopes));
-    json.add("cascades", cascades_json(state.cascades));
+    json.add("map_slopes", json_array(state.map_slopes, slope_json));
+    json.add("cascades", json_array(state.cascades, cascade_json));
     json.add("memory_bytes", state.memory_bytes);
     json.add("foam_preroll_seconds", state.foam_preroll_seconds);
     json.add("whitecap_coverage", asked_resolved(state.whitecap_coverage));
     json.add("foam_threshold", state.foam_threshold);
     json.add("folded_share", state.folded_share);
     json.add("loop_error", state.loop_error);
-    json.add("loop_errors", loop_errors_json(state.loop_errors));
+    json.add("loop_errors", json_array(state.loop_errors, loop_error_json));
     if (state.bed) json.add("bed", bed_json(*state.bed));
     if (!state.crests.empty()) {
-        json.add("crests", crests_json(state.crests));
+        json.add("crests", json_array(state.crests, crest_json));
         json.add("crest_variance", state.crest_variance);
     }
-    if (!state.hulls.empty()) json.add("hulls", hulls_json(state.hulls));
+    if (!state.hulls.empty()) json.add("hulls", json_array(state.hulls, hull_json));
     if (state.second_order) json.add("second_order", second_order_json(*state.second_order));
     json.add("warnings", json_array(state.warnings));
     return json.text() + "\n";

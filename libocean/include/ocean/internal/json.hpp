@@ -7,6 +7,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <ranges>
 #include <string>
 #include <string_view>
@@ -80,11 +81,11 @@ class JsonArray : public JsonItems {
     JsonArray& add(const Json& value);
 };
 
-/// Returns an array of all items of a range, on one line.
-template <std::ranges::input_range Items>
-JsonArray json_array(const Items& items) {
+/// Returns an array of all items of a range, on one line. `json_of` makes a value of an item.
+template <std::ranges::input_range Items, typename JsonOf = std::identity>
+JsonArray json_array(const Items& items, const JsonOf& json_of = {}) {
     JsonArray array;
-    for (const auto& item : items) array.add(item);
+    for (const auto& item : items) array.add(json_of(item));
     return array;
 }
 
