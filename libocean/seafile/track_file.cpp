@@ -9,9 +9,7 @@
 #include <optional>
 #include <span>
 #include <utility>
-#include <vector>
 
-#include "gpx_track.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/csv_rows.hpp"
