@@ -182,19 +182,29 @@ void HullSea::wake_into(std::size_t hull, double time, const Domain& domain,
     require_time(time);
     require_region(domain);
     const ChannelSet channels = channels_of(outputs);
-    if (channels.intersects(kEveryMask | kFoamChannels | ChannelSet(Channel::whitecap))) {
+    constexpr Channel kTrail = channel_of(LandMask::trail);
+    if (channels.intersects(kEveryMask.without(kTrail) | kFoamChannels |
+                            ChannelSet(Channel::whitecap))) {
         throw Error(ErrorKind::unsupported,
-                    "a wake alone has no foam and no masks; allowed: channels of its waves");
+                    "a wake alone has no foam and no mask but its trail; allowed: trail and the "
+                    "channels of its waves");
     }
     HullSurface& surface = still_surface(time);
     surface.move_wakes_to(time, needs_rates(channels), open().pool());
-    surface.wakes()[hull]->prepare(domain.origin[0], domain.origin[0] + domain.size[0],
-                                   open().pool());
+    const Wake& wake = *surface.wakes()[hull];
+    HullMarks marks(parameters().hulls[hull], parameters().time.loop_period);
+    if (channels.contains(kTrail)) marks.move_to(time);
+    wake.prepare(domain.origin[0], domain.origin[0] + domain.size[0], open().pool());
     const auto read = [&](std::span<const WorldPoint> labels, std::span<LabelPoint> points,
                           std::size_t) { surface.read_wake(hull, labels, points); };
-    const auto no_more = [](const RegionPiece<LabelPoint>&, const RegionTarget&) {};
+    const auto trail = [&](const RegionPiece<LabelPoint>& piece, const RegionTarget& target) {
+        target.write(piece.count, [&](std::size_t i) {
+            const auto share = static_cast<float>(wake.trail_share_at(piece.labels[i]));
+            return share > 0.0f ? share * marks.trail(piece.labels[i]) : 0.0f;
+        });
+    };
     open().pool().for_each_item(domain.samples[1], [&](int j, int) {
-        write_region_row<LabelPoint>(domain, j, channels, outputs, read, no_more);
+        write_region_row<LabelPoint>(domain, j, channels, outputs, read, trail);
     });
 }
 

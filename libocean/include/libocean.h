@@ -781,8 +781,9 @@ OCEAN_API ocean_result ocean_wake_domain(const ocean_sea* sea, size_t hull, doub
 /* ocean_wake_region computes all outputs of a region of that wake without the open sea together, by
  * label. In each channel that adds up (see ocean_request) a region of the sea is the sum of the
  * open sea and of its wakes. A wake is 0 beyond its square. Any origin and cell are allowed, not
- * only those of its domain. INVALID_VALUE for a hull that the sea does not have, UNSUPPORTED for
- * foam and masks. */
+ * only those of its domain. OCEAN_TRAIL is the trail of this hull, which fades out towards the
+ * border of the square. INVALID_VALUE for a hull that the sea does not have, UNSUPPORTED for foam
+ * and other masks. */
 OCEAN_API ocean_result ocean_wake_region(ocean_sea* sea, size_t hull, double time,
                                          const ocean_region_request* request);
 /* The highest point of a crest: the displayed point at (x, y) [m] is `height` over still water [m]

@@ -75,6 +75,21 @@ def test_its_square_moves_with_the_hull_and_beyond_it_there_is_no_wake(busy):
     assert (found[rim] == 0.0).all() and np.abs(found[~rim]).max() > 0.0
 
 
+def test_its_trail_is_that_of_the_region_and_fades_towards_the_border(busy):
+    square = busy.wake_domain(0, 40.0)
+    shape = (square.samples, square.samples)
+    busy.set("hulls.1.trail_lifetime", 0.0)
+    own, whole = (np.zeros((*shape, 1), np.float32) for _ in range(2))
+    busy.fill_wake(0, 40.0, [(own, ["trail"])], square.origin, square.cell)
+    busy.fill_region(40.0, [(whole, ["trail"])], square.origin, square.cell)
+    place = np.abs(np.arange(square.samples) / square.samples - 0.5)
+    off = np.maximum(place[:, None], place[None, :])
+    middle = off < 0.37
+    assert own.max() > 0.5 and (own[middle] == whole[middle]).all()
+    border = off > 0.49
+    assert whole[border].max() > 0.05 and own[border].max() < 0.01
+
+
 def test_hulls_that_are_not_there_foam_and_masks_are_refused(sea, busy):
     assert sea.wake_count == 0 and busy.wake_count == 2
     with pytest.raises(libocean.InvalidValueError, match="hull = 0; allowed: none"):
@@ -82,6 +97,6 @@ def test_hulls_that_are_not_there_foam_and_masks_are_refused(sea, busy):
     array = np.zeros((4, 4, 1), np.float32)
     with pytest.raises(libocean.InvalidValueError, match="hull = 2; allowed: 0 .. 1"):
         busy.fill_wake(2, 0.0, [(array, ["height"])], ORIGIN, CELL)
-    for channel in ("foam", "cover", "whitecap", "depth"):
-        with pytest.raises(libocean.UnsupportedError, match="no foam and no masks"):
+    for channel in ("foam", "cover", "whitecap", "depth", "dry"):
+        with pytest.raises(libocean.UnsupportedError, match="no foam and no mask but its trail"):
             busy.fill_wake(0, 0.0, [(array, [channel])], ORIGIN, CELL)

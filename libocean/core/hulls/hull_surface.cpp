@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hulls/hull_surface.hpp"
 
+#include <array>
 #include <cstdint>
 
 #include "ocean/internal/cascades.hpp"
 #include "ocean/internal/sea_bytes.hpp"
 #include "ocean/internal/surface_query.hpp"
 #include "ocean/thread_pool.hpp"
+#include "waves/labels/region_rows.hpp"
 #include "waves/query/query_bounds.hpp"
 
 namespace ocean {
@@ -88,11 +90,9 @@ void HullSurface::read(std::span<const WorldPoint> labels, std::span<LabelPoint>
 
 void HullSurface::read_wake(std::size_t hull, std::span<const WorldPoint> labels,
                             std::span<LabelPoint> points) const {
-    const Wake& wake = *wakes_[hull];
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-        const auto [x, y] = labels[i];
-        points[i] = wake.holds(x, y) ? displayed(wake.read(x, y)) : LabelPoint{};
-    }
+    std::array<LinearWaves<Jet>, RegionPiece<LabelPoint>::kSize> waves;
+    wakes_[hull]->read_line(labels, std::span(waves).first(labels.size()));
+    for (std::size_t i = 0; i < labels.size(); ++i) points[i] = displayed(waves[i]);
 }
 
 LabelPoint HullSurface::displayed(const LinearWaves<Jet>& waves) const {

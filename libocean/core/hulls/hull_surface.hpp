@@ -44,7 +44,8 @@ class HullSurface {
     void read(std::span<const WorldPoint> labels, std::span<LabelPoint> points,
               bool exact = false) const;
 
-    /// Writes the wake of one hull at each label; 0 outside its square.
+    /// Writes the wake of one hull at each of at most RegionPiece::kSize labels of one y, whose x
+    /// only grow; 0 outside its square.
     void read_wake(std::size_t hull, std::span<const WorldPoint> labels,
                    std::span<LabelPoint> points) const;
 

@@ -19,6 +19,7 @@ namespace {
 // nearly all of it before.
 constexpr double kRimBegin = 0.46;
 constexpr double kRimEnd = 0.495;
+constexpr double kTrailEnds = 0.38;  // share of the square from which on a trail fades
 
 /// The hull goes at most this share of its square in a span of the windows: within it W stays 1
 /// around the hull, which lies at most 0.26 from the middle.
@@ -38,9 +39,7 @@ RimFactor rim_factor(double offset, double side) {
     return {1.0 - ease_quintic(u), offset < 0.0 ? rise : -rise};
 }
 
-LinearWaves<Jet> within_rim(const LinearWaves<Jet>& waves, double x, double y, double side) {
-    const RimFactor along = rim_factor(x, side);
-    const RimFactor across = rim_factor(y, side);
+LinearWaves<Jet> within_rim(const LinearWaves<Jet>& waves, RimFactor along, RimFactor across) {
     if (along.value == 1.0 && across.value == 1.0) return waves;
     const Jet factor(static_cast<float>(along.value * across.value),
                      static_cast<float>(along.slope * across.value),
@@ -185,10 +184,30 @@ double Wake::share_at(double x, double y) const {
            rim_factor(y - past_.place.centre.y, size_.side).value;
 }
 
+double Wake::trail_share_at(WorldPoint label) const {
+    const auto share = [&](double offset) {
+        return ease(kRimEnd, kTrailEnds, std::abs(offset) / size_.side);
+    };
+    return share(label.x - past_.place.centre.x) * share(label.y - past_.place.centre.y);
+}
+
 LinearWaves<Jet> Wake::read(double x, double y) const {
     const double u = x - past_.place.centre.x;
     const double v = y - past_.place.centre.y;
-    return within_rim(map_.read<Jet>(u, v), u, v, size_.side);
+    return within_rim(map_.read<Jet>(u, v), rim_factor(u, size_.side), rim_factor(v, size_.side));
+}
+
+void Wake::read_line(std::span<const WorldPoint> labels, std::span<LinearWaves<Jet>> waves) const {
+    std::ranges::fill(waves, LinearWaves<Jet>{});
+    const double v = labels.front().y - past_.place.centre.y;
+    if (std::abs(v) >= kRimEnd * size_.side) return;
+    const RimFactor across = rim_factor(v, size_.side);
+    OpenSurface::Line line(map_, v);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const double u = labels[i].x - past_.place.centre.x;
+        if (std::abs(u) >= kRimEnd * size_.side) continue;
+        waves[i] = within_rim(line.read(u), rim_factor(u, size_.side), across);
+    }
 }
 
 Modes Wake::modes() const {
@@ -205,7 +224,8 @@ void Wake::prepare_sums(const Water& water) {
 LinearWaves<Jet> Wake::read_exactly(double x, double y) const {
     const double u = x - past_.place.centre.x;
     const double v = y - past_.place.centre.y;
-    return within_rim(waves_of<Jet>(sum_->at_label(u, v)), u, v, size_.side);
+    return within_rim(waves_of<Jet>(sum_->at_label(u, v)), rim_factor(u, size_.side),
+                      rim_factor(v, size_.side));
 }
 
 std::uint64_t Wake::bytes(int resolution) {

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "field/jet.hpp"
@@ -18,6 +19,7 @@
 #include "ocean/internal/wave_sum.hpp"
 #include "ocean/page_vector.hpp"
 #include "ocean/parameters.hpp"
+#include "ocean/query.hpp"
 #include "waves/labels/open_surface.hpp"
 
 namespace ocean {
@@ -41,8 +43,13 @@ class Wake {
     bool holds(double x, double y) const;
     /// Returns the share of the waves that the rim leaves at a label, 0 .. 1.
     double share_at(double x, double y) const;
+    /// Returns the share of a trail that is shown at a label: it falls to 0 towards the border.
+    double trail_share_at(WorldPoint label) const;
     /// Returns the waves at a label of the square; 0 at its rim. Several threads may read at once.
     LinearWaves<Jet> read(double x, double y) const;
+    /// Writes the waves, without choppiness, at labels of one y whose x only grow; 0 outside the
+    /// square. prepare() must have made the maps there.
+    void read_line(std::span<const WorldPoint> labels, std::span<LinearWaves<Jet>> waves) const;
     /// Returns the same from a sum over all waves in double precision.
     LinearWaves<Jet> read_exactly(double x, double y) const;
     /// Makes the sums of this time for read_exactly.

@@ -104,7 +104,8 @@ class Sea(Maps, Queries):
         """Writes the wake of a hull without the open sea, by label, as fill_region() does. In each
         channel that adds up ("dx", "dy", "height", slopes, velocities, derivatives of the offset) a
         region of the sea is the sum of the open sea and of its wakes. A wake is 0 beyond its
-        square; any origin and cell are allowed. It has no foam."""
+        square; any origin and cell are allowed. It has no foam, and of the masks "trail" alone,
+        which fades out towards the border of the square."""
         request = region_request(origin, cell, region_buffers(buffers), axes)
         at = number("time", time)
         self._call("ocean_wake_region", whole("hull", hull, 0), at, ctypes.byref(request))

@@ -37,6 +37,12 @@ int spline_samples(const Modes& modes, int shown, double tolerance, ThreadPool& 
     return samples;
 }
 
+LinearWaves<Jet> from_spline(const SplineJet& jet, const SplineValue& rate) {
+    return {.height = {jet.value[2], jet.by_x[2], jet.by_y[2], rate.value[2]},
+            .displacement_x = {jet.value[0], jet.by_x[0], jet.by_y[0], rate.value[0]},
+            .displacement_y = {jet.value[1], jet.by_x[1], jet.by_y[1], rate.value[1]}};
+}
+
 }  // namespace
 
 OpenSurface::OpenSurface(const Modes& modes, int shown, double tolerance, ThreadPool& pool)
@@ -95,11 +101,17 @@ OpenSurface::Place OpenSurface::place(double x, double y) const {
 template <>
 LinearWaves<Jet> OpenSurface::read(double x, double y) const {
     const auto [u, v] = place(x, y);
-    const SplineJet jet = maps_->position.jet(u, v);
-    const SplineValue rate = rates_ ? maps_->velocity->value(u, v) : SplineValue{};
-    return {.height = {jet.value[2], jet.by_x[2], jet.by_y[2], rate.value[2]},
-            .displacement_x = {jet.value[0], jet.by_x[0], jet.by_y[0], rate.value[0]},
-            .displacement_y = {jet.value[1], jet.by_x[1], jet.by_y[1], rate.value[1]}};
+    return from_spline(maps_->position.jet(u, v),
+                       rates_ ? maps_->velocity->value(u, v) : SplineValue{});
+}
+
+OpenSurface::Line::Line(const OpenSurface& surface, double y)
+    : position_(surface.maps_->position, y) {
+    if (surface.rates_) velocity_.emplace(*surface.maps_->velocity, y);
+}
+
+LinearWaves<Jet> OpenSurface::Line::read(double x) {
+    return from_spline(position_.jet(x), velocity_ ? velocity_->value(x) : SplineValue{});
 }
 
 template <>

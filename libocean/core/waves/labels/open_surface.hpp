@@ -72,6 +72,8 @@ class OpenSurface {
     /// may read at once. Throws Error invalid_value if no time has begun.
     template <typename Scalar>
     LinearWaves<Scalar> read(double x, double y) const;
+    /// Reads the waves along a line of one y. prepare() must have made the strips there.
+    class Line;
     /// Returns the rms error of heights [m]: aliases of the shortest waves.
     double height_error() const { return height_error_; }
 
@@ -98,6 +100,19 @@ class OpenSurface {
     std::unique_ptr<Maps> maps_;
     bool has_begun_ = false;
     bool rates_ = false;
+};
+
+/// Reads at places x that only grow. The surface must live longer, at the same time.
+class OpenSurface::Line {
+  public:
+    /// y, and the smallest x, must lie within half a period of 0.
+    Line(const OpenSurface& surface, double y);
+
+    LinearWaves<Jet> read(double x);
+
+  private:
+    SplineMap::Line position_;
+    std::optional<SplineMap::Line> velocity_;
 };
 
 template <>

@@ -17,8 +17,11 @@
 // limits. query_test.cpp proves it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <memory>
 
 #include "field/cubic.hpp"
 #include "ocean/internal/grid.hpp"
@@ -84,6 +87,9 @@ class SplineMap {
     /// Returns the jet at a sample of the lattice (i, j), from nine coefficients instead of
     /// sixteen.
     SplineJet jet_of_sample(int i, int j) const;
+
+    /// Reads along a line of one y: what its four rows add up to is kept for each column.
+    class Line;
 
   private:
     /// The fields lie side by side, so that a point touches few cache lines.
@@ -188,5 +194,79 @@ inline SplineJet SplineMap::jet_of_sample(int i, int j) const {
                     0.5f * (along[2] - along[0]),
                     kSide * (slope[0] + slope[2]) + kMiddle * slope[1]);
 }
+
+/// The values at a line of one y, read at places x that only grow. The map must live longer.
+class SplineMap::Line {
+  public:
+    Line(const SplineMap& map, double y)
+        : map_(map),
+          weights_(b_spline(map.place(0.0, y).y)),
+          slopes_(b_spline_slopes(map.place(0.0, y).y)),
+          rows_(map.place(0.0, y).row),
+          columns_(std::make_unique_for_overwrite<Column[]>(
+              static_cast<std::size_t>(map.lattice_.resolution))) {}
+
+    SplineValue value(double x) {
+        const auto [first, weights, unused] = begin(x);
+        Fields sum{};
+        for (int a = 0; a < 4; ++a) sum += weights[at(a)] * column(first + a).value;
+        return {{sum[0], sum[1], sum[2], sum[3]}};
+    }
+    SplineJet jet(double x) {
+        const auto [first, weights, offset] = begin(x);
+        const std::array<float, 4> slopes = b_spline_slopes(offset);
+        Fields sum{};
+        Fields by_x{};
+        Fields by_y{};
+        for (int a = 0; a < 4; ++a) {
+            const Column& along = column(first + a);
+            sum += weights[at(a)] * along.value;
+            by_x += slopes[at(a)] * along.value;
+            by_y += weights[at(a)] * along.by_y;
+        }
+        return map_.jet_from(sum, by_x, by_y);
+    }
+
+  private:
+    struct Column {
+        Fields value;
+        Fields by_y;  // per sample
+    };
+    struct Begun {
+        long long first;  // column
+        std::array<float, 4> weights;
+        float offset;  // within the cell, 0 .. 1
+    };
+    static std::size_t at(int a) { return static_cast<std::size_t>(a); }
+    std::size_t index(long long column) const {
+        return static_cast<std::size_t>(column & (map_.lattice_.resolution - 1));
+    }
+    const Column& column(long long number) const { return columns_[index(number)]; }
+
+    /// Makes the columns around x that are missing.
+    Begun begin(double x) {
+        const double u = x * map_.per_metre_;
+        const long long i = floor_index(u);
+        for (end_ = std::max(end_, i - 1); end_ < i + 3; ++end_) {
+            const std::size_t to = index(end_);
+            Column made{};
+            for (std::size_t j = 0; j < 4; ++j) {
+                const Fields texel = rows_[j][to];
+                made.value += weights_[j] * texel;
+                made.by_y += slopes_[j] * texel;
+            }
+            columns_[to] = made;
+        }
+        const auto offset = static_cast<float>(u - static_cast<double>(i));
+        return {i - 1, b_spline(offset), offset};
+    }
+
+    const SplineMap& map_;
+    std::array<float, 4> weights_;
+    std::array<float, 4> slopes_;
+    std::array<const Fields*, 4> rows_;
+    std::unique_ptr<Column[]> columns_;
+    long long end_ = std::numeric_limits<long long>::min();  // the first column that is missing
+};
 
 }  // namespace ocean
