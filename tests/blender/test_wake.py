@@ -120,6 +120,31 @@ def test_a_patch_is_the_region_of_the_library_at_any_frame_alone(scene, ocean):
     assert (attribute(ocean, "ocean_normal") - normal).std() < 0.05 * normal[:, :2].std()
 
 
+def test_white_water_is_that_of_the_library(scene, ocean):
+    scene.frame_set(30)
+    with sea_of(ocean) as sea:
+        maps = sea.region(29 / 24, (-128.0, -128.0), (65, 65), 4.0, ["trail", "foam", "cover"])
+    trail, wanted = attribute(ocean, "trail"), maps["trail"].ravel()
+    # Towards the end of the square it fades.
+    with sea_of(ocean) as sea:
+        squares = [sea.wake_domain(hull, 29 / 24) for hull in range(sea.wake_count)]
+    near = np.ones(len(trail), bool)
+    for square in squares:
+        half = 0.5 * square.samples * square.cell
+        off = np.abs(rest(ocean)[:, :2] - np.array(square.origin) - half).max(axis=1)
+        near &= off < 0.7 * half
+    assert near.sum() > 200 and trail[near].max() > 0.1
+    assert np.abs(trail - wanted)[near].max() < 1e-5 and (trail <= wanted + 1e-5).all()
+    foam, jacobian = attribute(ocean, "foam"), attribute(ocean, "jacobian")
+    assert (foam - maps["foam"].ravel()).std() < 0.2 * maps["foam"].std()
+    give(ocean, {})
+    calm = attribute(ocean, "foam")
+    assert (foam >= calm).all() and (foam > calm + 0.1).sum() > 5
+    assert jacobian[foam > calm + 0.1].max() < jacobian.max()
+    with pytest.raises(KeyError):
+        attribute(ocean, "trail")
+
+
 def test_without_hulls_it_is_the_open_sea_again_to_the_bit(ocean):
     names = ("ocean_velocity", "ocean_normal", "jacobian")
     with_wakes, waked = positions(ocean), [attribute(ocean, name) for name in names]

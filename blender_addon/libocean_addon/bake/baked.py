@@ -15,7 +15,7 @@ import bpy
 
 from ..look import detail
 from ..look.detail_tiles import Band
-from ..sea import node_group
+from ..sea import hull_nodes, node_group
 from ..shared import changes, meshes, modifier_groups, overrides, paths
 from . import bake_record, baked_nodes, exr_files
 
@@ -54,8 +54,8 @@ def _clear_inputs(modifier) -> set:
     names = node_group.image_inputs(group)
     images = {modifier_groups.value(modifier, name) for name in names} - {None}
     modifier_groups.assign(modifier, dict.fromkeys(names))
-    if node_group.kind_of(group) == "HORIZON":
-        modifier_groups.assign(modifier, {"Camera": None})
+    objects = [*hull_nodes.object_inputs(), "Camera"]
+    modifier_groups.assign(modifier, dict.fromkeys(objects))
     return images
 
 

@@ -125,8 +125,11 @@ class BakedFields:
     def lost_slopes(self):
         return self.inputs["Slope Variance"]
 
-    def wakes(self, _turn):
+    def wakes(self, _turn, _interpolation):
         return wake_nodes.NoWakes()
+
+    def hulls(self, geometry):
+        return geometry
 
     def cover_power(self):
         return self.inputs[COVER_POWER]

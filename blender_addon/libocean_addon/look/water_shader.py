@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The node group `Ocean Water`: sea water for Cycles and Eevee, tuned by its sockets.
 
-    attributes cover, foam, label, ocean_normal, slope_variance, jacobian \\
+    attributes cover, foam, trail, label, ocean_normal, slope_variance, jacobian, hull \\
     colour, roughness, IOR, absorption, sun, air ...                      -> Ocean Water
     Ocean Water -> Surface, Volume, Foam
 
@@ -13,13 +13,15 @@ is glass with absorption and scattering.
 
 from __future__ import annotations
 
+from ..sea import hull_nodes
 from ..shared import compat
 from ..shared.native import libocean
 from ..shared.shader_builder import Tree, facing, shader_group, stored_normal
 from . import crest_nodes, foam_nodes
 
 GROUP = "Ocean Water"
-VERSION = 4
+HULL_CUT = "Hull Cut"
+VERSION = 5
 MARK = "libocean_water"  # custom property of a group: the version that built it
 
 WATER_TYPES = {entry["name"]: entry for entry in libocean.water_types()}
@@ -149,6 +151,7 @@ def _declare(group) -> None:
         1000.0,
         "Times the light of lamps and the sky that goes through clear water: what waves gather",
     )
+    number(HULL_CUT, 0.0, 0.0, 1.0, "1: the water inside hulls is not shown, by the attribute hull")
     compat.add_socket(group, "Surface", "NodeSocketShader", output=True)
     compat.add_socket(group, "Volume", "NodeSocketShader", output=True)
     compat.add_socket(group, "Foam", "NodeSocketFloat", output=True)
@@ -223,12 +226,27 @@ _OF_FOAM = (
 """The inputs that decide foam."""
 
 
+def _trail(t: Tree):
+    """Returns the share of the water that the trails of hulls hide; 0 without them."""
+    return t.node("ShaderNodeAttribute", attribute_name="trail").outputs["Fac"]
+
+
+def _inside_hull(t: Tree):
+    """Returns 1 inside a hull, else 0."""
+    stored = t.node("ShaderNodeAttribute", attribute_name=hull_nodes.HULL).outputs["Vector"]
+    number, to_end, to_side = hull_nodes.beside(t, stored)
+    deepest = t.number("MINIMUM", t.number("MINIMUM", to_end, to_side), number)
+    return t.number("GREATER_THAN", deepest, 0.0)
+
+
 def _foam(t: Tree, inputs) -> foam_nodes.Foam:
-    """Returns the foam on the water: none where the attribute is 0, full cover where it is 1."""
+    """Returns the foam on the water and in the trails of hulls: none where the attributes are 0,
+    full cover where one is 1."""
 
     def make(t: Tree, *sockets) -> list:
         inputs = dict(zip(_OF_FOAM, sockets, strict=True))
         stored = t.node("ShaderNodeAttribute", attribute_name="cover").outputs["Fac"]
+        stored = t.number("MAXIMUM", stored, _trail(t))
         cover = t.number("MULTIPLY", stored, inputs["Foam Amount"], clamp=True)
         side = footprint(t, inputs["Pixel Angle"])
         foam = foam_nodes.foam(t, cover, place(t), side, inputs)
@@ -255,7 +273,7 @@ def _body_colour(t: Tree, inputs):
     """Returns the colour of the water and of the bubbles in it, which gather where foam has been
     for long."""
     stored = t.node("ShaderNodeAttribute", attribute_name="foam").outputs["Fac"]
-    bubbles = t.number("POWER", t.number("MAXIMUM", stored, 0.0), 3.0)
+    bubbles = t.number("POWER", t.number("MAXIMUM", stored, _trail(t)), 3.0)
     bubbles = t.number("MULTIPLY", bubbles, t.number("MINIMUM", inputs["Foam Amount"], 1.0))
     return t.math("ADD", inputs["Water Colour"], t.scale(inputs["Bubble Colour"], bubbles))
 
@@ -336,7 +354,10 @@ def _build(group) -> None:
     air = t.shader("ShaderNodeEmission", Color=inputs["Air Light"])
 
     output = t.node("NodeGroupOutput")
-    t.feed(t.mix_shaders(crest_nodes.seen_haze(t, inputs), sea, air), output.inputs["Surface"])
+    sea = t.mix_shaders(crest_nodes.seen_haze(t, inputs), sea, air)
+    nothing = t.shader("ShaderNodeBsdfTransparent", Color=(1.0, 1.0, 1.0, 1.0))
+    cut = t.number("MULTIPLY", inputs[HULL_CUT], _inside_hull(t))
+    t.feed(t.mix_shaders(cut, sea, nothing), output.inputs["Surface"])
     t.feed(_volume(t, inputs), output.inputs["Volume"])
     t.feed(foam.mask, output.inputs["Foam"])
     t.arrange(rows=5)

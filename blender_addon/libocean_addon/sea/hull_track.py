@@ -20,7 +20,7 @@ from ..floating import riding
 from ..shared import compat, life, places
 from ..shared.compat import tr
 from ..shared.failures import NotShownError
-from . import live
+from . import hull_outline, live
 
 _STEP = 0.5
 """The time between the rows of a track [s]."""
@@ -58,19 +58,27 @@ class Track:
 # Size -------------------------------------------------------------------------------
 
 
-def _below(ob, depsgraph, still: Matrix, level: float) -> np.ndarray:
-    """Returns the points of an object's mesh below a level, and those where its edges cross it,
-    (n, 3) in the world. still: what takes it off the waves."""
+def _mesh(ob, depsgraph, still: Matrix) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Returns the vertices of an object in the world, and the ends of its edges and the corners of
+    its triangles by their numbers. still: what takes it off the waves."""
     seen = ob.evaluated_get(depsgraph)
     mesh = seen.to_mesh()
     points = np.empty(3 * len(mesh.vertices), np.float32)
     mesh.vertices.foreach_get("co", points)
     edges = np.empty(2 * len(mesh.edges), np.int32)
     mesh.edges.foreach_get("vertices", edges)
+    mesh.calc_loop_triangles()
+    triangles = np.empty(3 * len(mesh.loop_triangles), np.int32)
+    mesh.loop_triangles.foreach_get("vertices", triangles)
     seen.to_mesh_clear()
     matrix = np.array(still @ seen.matrix_world)
     points = points.reshape(-1, 3) @ matrix[:3, :3].T + matrix[:3, 3]
-    first, last = (points[ends] for ends in edges.reshape(-1, 2).T)
+    return points, edges.reshape(-1, 2), triangles.reshape(-1, 3)
+
+
+def _below(points: np.ndarray, edges: np.ndarray, level: float) -> np.ndarray:
+    """Returns the vertices below a level, and the points where edges cross it, (n, 3)."""
+    first, last = (points[ends] for ends in edges.T)
     over = first[:, 2] - level, last[:, 2] - level
     crosses = over[0] * over[1] < 0.0
     first, last, high, low = (ends[crosses] for ends in (first, last, *over))
@@ -104,8 +112,9 @@ def measure(ob, ocean, depsgraph) -> tuple[Size, Vector, bool]:
     if not parts:
         raise NotShownError(tr("{} has no mesh, from which its size would follow", ob.name))
     own = own_place(ob, depsgraph)
-    still = own @ ob.evaluated_get(depsgraph).matrix_world.inverted_safe()
-    points = np.concatenate([_below(part, depsgraph, still, level) for part in parts])
+    still = _still(ob, own, depsgraph)
+    found = (_mesh(part, depsgraph, still)[:2] for part in parts)
+    points = np.concatenate([_below(*one, level) for one in found])
     if len(points) == 0:
         raise NotShownError(tr("{} is above the water: a hull needs a part below it", ob.name))
     sides = np.ptp(_turned(points, math.radians(places.heading(own.to_3x3()))), axis=0)
@@ -114,6 +123,26 @@ def measure(ob, ocean, depsgraph) -> tuple[Size, Vector, bool]:
     size = Size(*(float(value / scale) for value in (sides.max(), sides.min(), draught)))
     middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
     return size, own.inverted_safe() @ Vector(middle.tolist()), bool(sides[1] > sides[0])
+
+
+def _still(ob, own: Matrix, depsgraph) -> Matrix:
+    """Returns what takes an object off the waves. own: own_place()."""
+    return own @ ob.evaluated_get(depsgraph).matrix_world.inverted_safe()
+
+
+def outline(ob, ocean, depsgraph) -> str:
+    """Returns the text of the outline of an object; "" where it does not cross still water."""
+    level = ocean.matrix_world.translation.z
+    own = own_place(ob, depsgraph)
+    still, found = _still(ob, own, depsgraph), []
+    for part in _meshes(ob):
+        points, _, triangles = _mesh(part, depsgraph, still)
+        found.append(points[triangles])
+    origin, turn = np.array(own.translation), np.array(own.to_3x3().normalized())
+    scale = ocean.matrix_world.median_scale
+    corners = (np.concatenate(found) - origin) @ turn / scale
+    made = hull_outline.of_triangles(corners, float(level - origin[2]) / scale)
+    return "" if made is None else made.text()
 
 
 # Track ------------------------------------------------------------------------------

@@ -57,6 +57,7 @@ class Found:
 
     size: hull_track.Size
     track: hull_track.Track
+    outline: str
     key: str
 
     def give(self, hull, ob) -> None:
@@ -65,6 +66,7 @@ class Found:
             hull.source, hull.name = ob, ob.name
             size = self.size
             hull.length, hull.beam, hull.draught = size.length, size.beam, size.draught
+            hull.outline = self.outline
         hull.track_file, hull.track_lines = "", self.track.lines()
         hull.track_key, hull.problem = self.key, ""
 
@@ -76,9 +78,11 @@ def find(ocean, ob, context) -> Found:
     if sea is None:
         raise NotShownError(tr("{} shows no sea", ocean.name))
     scene = context.scene
-    size, middle, along_y = hull_track.measure(ob, ocean, context.evaluated_depsgraph_get())
+    depsgraph = context.evaluated_depsgraph_get()
+    size, middle, along_y = hull_track.measure(ob, ocean, depsgraph)
+    outline = hull_track.outline(ob, ocean, depsgraph)
     track = hull_track.sample(ob, ocean, scene, sea, middle=middle, along_y=along_y)
-    return Found(size, track, hull_track.key_of(ob, ocean, scene))
+    return Found(size, track, outline, hull_track.key_of(ob, ocean, scene))
 
 
 def _report(operator, ob, hull, track) -> None:
@@ -326,6 +330,7 @@ class HullsPanel(subject_panel.ModifierPanel, bpy.types.Panel):
             drawing.say(layout, hull.problem, "ERROR")
         if hull.source is not None:
             drawing.field(layout, hull, "source")
+            layout.prop(settings, "use_hull_cut")
         for entry in hull_values.HULLS.entries(items=True):
             if entry["key"] in _SHOWN:
                 parameter_fields.draw(

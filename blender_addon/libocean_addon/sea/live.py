@@ -19,7 +19,7 @@ from ..shared import console, field_nodes, images, meshes, modifier_groups
 from ..shared.compat import tr_label
 from ..shared.native import libocean
 from ..shared.subject import Moment, Picture, Shown
-from . import atlas, horizon_mesh, node_group, parameter_values, sea_text, wakes
+from . import atlas, horizon_mesh, hull_cut, node_group, parameter_values, sea_text, wakes
 from .open_sea import COVER, NO_COVER, QUICK, OpenSea, sea_of
 from .sea_job import SeaJob
 
@@ -218,6 +218,7 @@ def _set_inputs(picture: SeaPicture, *, draft: bool) -> None:
     )
     is_turned = math.hypot(*turn) > field_nodes.SMALLEST_TURN
     wakes.follow(picture, (place[0], place[1]), turned=is_turned, draft=draft)
+    hull_cut.follow(picture)
 
 
 def before_change(shown: Shown) -> bool:

@@ -22,10 +22,10 @@ from ..bake.baked_nodes import (
 from ..shared import compat, field_nodes, modifier_groups
 from ..shared.field_nodes import Turn
 from ..shared.node_builder import Builder
-from . import ring_nodes, wake_nodes
+from . import hull_nodes, ring_nodes, wake_nodes
 from .ring_nodes import far_image
 
-VERSION = 7
+VERSION = 8
 MARK = "libocean"  # custom property of a group: the version that built it
 _KIND = "libocean_kind"
 
@@ -70,6 +70,7 @@ def _declare(group, kind: str) -> None:
     for name in ("Use Mask", "Use Foam", "Use Velocity", "Use Normal"):
         socket(group, name, "NodeSocketBool")
     wake_nodes.declare(group)
+    hull_nodes.declare(group)
     socket(group, "Geometry", "NodeSocketGeometry", output=True)
 
 
@@ -118,8 +119,11 @@ class _LiveFields:
     def lost_slopes(self):
         return self.shown("Slope Variance", "FLOAT")
 
-    def wakes(self, turn: Turn):
-        return wake_nodes.Wakes(self.b, self.inputs, turn)
+    def wakes(self, turn: Turn, interpolation: str):
+        return wake_nodes.Wakes(self.b, self.inputs, turn, interpolation)
+
+    def hulls(self, geometry):
+        return hull_nodes.marked(self.b, self.inputs, geometry)
 
 
 class _Flat:
@@ -156,11 +160,11 @@ def _label(b: Builder, fields, turn: Turn):
     return b.math("MULTIPLY_ADD", position, (1.0, 1.0, 0.0), begins)
 
 
-def _displaced(b: Builder, inputs, fields, lookup, turn: Turn):
+def _displaced(b: Builder, inputs, fields, lookup, turn: Turn, interpolation: str):
     """The geometry with its attributes, moved."""
     group = b.group
     mask = field_nodes.mask(b, inputs)
-    wakes = fields.wakes(turn)
+    wakes = fields.wakes(turn, interpolation)
 
     geometry, offset = compat.capture(
         group, lookup.start(inputs["Geometry"]), lookup.color("Displacement")
@@ -185,9 +189,11 @@ def _displaced(b: Builder, inputs, fields, lookup, turn: Turn):
         moving = turn.to_local(b.scale(moving, mask))
         # Cycles takes `velocity` for motion blur and shows shaders zeros in its place.
         stored = b.store(stored, "velocity", "FLOAT_VECTOR", moving)
-        if wake is not None:
-            moving = field_nodes.attribute(b, "velocity")
-        return b.store(stored, "ocean_velocity", "FLOAT_VECTOR", moving)
+        if wake is None:
+            return b.store(stored, "ocean_velocity", "FLOAT_VECTOR", moving)
+        moving = field_nodes.attribute(b, "velocity")
+        stored = b.store(stored, "ocean_velocity", "FLOAT_VECTOR", moving)
+        return wake_nodes.broken(b, inputs, stored)
 
     stored = wakes.added(stored, "Velocity", with_velocity)
     geometry = b.switch("GEOMETRY", inputs["Use Velocity"], geometry, stored)
@@ -206,14 +212,17 @@ def _displaced(b: Builder, inputs, fields, lookup, turn: Turn):
     stored = b.store(stored, "slope_variance", "FLOAT", slope_variance)
     geometry = b.switch("GEOMETRY", inputs["Use Normal"], geometry, stored)
 
-    def displaced(geometry, wake=None, _alpha=None):
+    def displaced(geometry, wake=None, trail=None):
+        if wake is not None:
+            shown = b.number("MULTIPLY", trail, mask, clamp=True)
+            geometry = b.store(geometry, "trail", "FLOAT", shown)
         moved = b.node("GeometryNodeSetPosition")
         b.link(geometry, moved.inputs["Geometry"])
         whole = offset if wake is None else b.math("ADD", offset, wake)
         b.link(turn.to_local(b.scale(whole, mask)), moved.inputs["Offset"])
         return moved.outputs["Geometry"]
 
-    return wakes.added(geometry, "Displacement", displaced)
+    return fields.hulls(wakes.added(geometry, "Displacement", displaced))
 
 
 def _build(group, kind: str, *, baked: bool) -> None:
@@ -233,7 +242,7 @@ def _build(group, kind: str, *, baked: bool) -> None:
             lookup = ring_nodes.Rings(b, inputs, fields, turn)
         else:
             lookup = _Flat(b, inputs, fields, turn, interpolation)
-        return _displaced(b, inputs, fields, lookup, turn)
+        return _displaced(b, inputs, fields, lookup, turn, interpolation)
 
     result = field_nodes.branches(
         b,
@@ -277,5 +286,5 @@ def image_inputs(group) -> list[str]:
     fields = [*FIELDS, *baked_nodes.FIELDS]
     names = {name for field in fields for name in (field, far_image(field))}
     names |= {render_twin(name) for name in names}
-    names |= set(wake_nodes.image_inputs())
+    names |= {*wake_nodes.image_inputs(), *hull_nodes.outline_inputs()}
     return [name for name in compat.input_identifiers(group) if name in names]

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ..shared import compat
+from ..shared import compat, field_nodes
 from ..shared.node_builder import Builder
 
 COUNT = 4
@@ -19,6 +19,11 @@ COUNT = 4
 FIELDS = {"Displacement": "", "Velocity": " Velocity", "Normal": " Slopes"}
 """The ends of the names of a wake's images, by the sea's field to which they belong."""
 USE = "Use Wakes"
+WHITECAP = "Whitecap"
+_WHITECAP_HELP = (
+    "The Jacobian where whitecaps begin, by how much less they are whole, and the exponent that "
+    "turns foam into cover"
+)
 _PLACE_HELP = (
     "Where the ocean is in the wake's images (x, y: 0 .. 1), and their number in a metre (z)"
 )
@@ -39,33 +44,60 @@ def image_inputs() -> list[str]:
 def declare(group) -> None:
     """The sockets of all wakes."""
     compat.add_socket(group, USE, "NodeSocketBool")
+    compat.add_socket(group, WHITECAP, "NodeSocketVector", description=_WHITECAP_HELP)
     for name in image_inputs():
         compat.add_socket(group, name, "NodeSocketImage")
     for hull in range(COUNT):
         compat.add_socket(group, place_input(hull), "NodeSocketVector", description=_PLACE_HELP)
 
 
-def _read(b: Builder, image, place, position):
+def _read(b: Builder, image, place, position, interpolation: str):
     """Returns colour and alpha of a wake's image at a position, from the ocean on [m]."""
     there = b.math("MULTIPLY_ADD", position, b.parts(place)[2], place)
-    color = b.texture(image, there, "Linear", extension="CLIP")
+    color = b.texture(image, there, interpolation, extension="CLIP")
     return [color, color.node.outputs["Alpha"]]
+
+
+def broken(b: Builder, inputs, geometry):
+    """Returns the geometry with foam where the sum of sea and wakes breaks now, by the attribute
+    jacobian."""
+
+    def make(b: Builder, geometry, whitecap):
+        begin, width, power = b.parts(whitecap)
+        jacobian = field_nodes.attribute(b, "jacobian", "FLOAT")
+        fall = b.number("SUBTRACT", begin, jacobian)
+        foam = b.number("DIVIDE", fall, width, clamp=True)
+        before = field_nodes.attribute(b, "foam", "FLOAT")
+        geometry = b.store(geometry, "foam", "FLOAT", b.number("MAXIMUM", before, foam))
+        foam = b.number("DIVIDE", fall, width, clamp=True)
+        before = field_nodes.attribute(b, "cover", "FLOAT")
+        cover = b.number("MAXIMUM", before, b.number("POWER", foam, power))
+        return [b.store(geometry, "cover", "FLOAT", cover)]
+
+    foamy = b.nested("bow foam", make, geometry, inputs[WHITECAP])[0]
+    return b.switch("GEOMETRY", inputs["Use Foam"], geometry, foamy)
 
 
 class Wakes:
     """The sums of all wakes at the vertices, which have not been displaced yet."""
 
-    def __init__(self, b: Builder, inputs, turn) -> None:
-        self.b, self.inputs = b, inputs
+    def __init__(self, b: Builder, inputs, turn, interpolation: str) -> None:
+        """interpolation: of the sea's maps; where the vertices lie on their samples, they lie on
+        those of the wakes."""
+        self.b, self.inputs, self.interpolation = b, inputs, interpolation
         self.position = turn.to_world(b.node("GeometryNodeInputPosition").outputs[0])
 
     def _sums(self, field: str):
         """Returns the sums of colours and of alphas. The last wake comes first: those without an
         image are constants, and cost nothing for each vertex."""
-        b, sums = self.b, None
+        b, sums, name = self.b, None, f"wake {self.interpolation.lower()}"
+
+        def read(b: Builder, *operands) -> list:
+            return _read(b, *operands, self.interpolation)
+
         for hull in reversed(range(COUNT)):
             image, place = self.inputs[image_input(hull, field)], self.inputs[place_input(hull)]
-            color, alpha = b.nested("wake", _read, image, place, self.position)
+            color, alpha = b.nested(name, read, image, place, self.position)
             if sums is not None:
                 color = b.math("ADD", color, sums[0])
                 alpha = b.number("ADD", alpha, sums[1])

@@ -13,13 +13,14 @@ import math
 
 import numpy as np
 
+from ..bake.baked_nodes import COVER_POWER
 from ..shared import images, meshes, modifier_groups, paths
 from ..shared.compat import tr_label
 from ..shared.native import libocean
 from . import wake_nodes
 
 CHANNELS = {
-    "Displacement": ("dx", "dy", "height", ""),
+    "Displacement": ("dx", "dy", "height", "trail"),
     "Velocity": ("vx", "vy", "vz", "jacobian"),
     "Normal": ("nx", "ny", "nz", ""),
 }
@@ -126,6 +127,9 @@ def follow(picture, ocean: tuple[float, float], *, turned: bool, draft: bool) ->
     fields = ["Displacement"]
     if settings.use_velocity and not draft:
         fields.append("Velocity")
+        begin, width = sea.read_state()["foam_threshold"], float(sea.values.values["foam_width"])
+        power = modifier_groups.value(modifier, COVER_POWER)
+        modifier_groups.assign(modifier, {wake_nodes.WHITECAP: (begin, width, power)})
     if settings.use_normal and not draft:
         fields.append("Normal")
     anchor = (0.0, 0.0) if settings.kind == "HORIZON" else ocean

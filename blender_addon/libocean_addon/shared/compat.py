@@ -186,6 +186,12 @@ def fade_in_eevee(material) -> None:
         material.blend_method = material.shadow_method = "HASHED"
 
 
+def cut_in_eevee(material) -> None:
+    """Has Eevee leave out what is transparent, as it does by itself from 4.2 on."""
+    if not hasattr(material, "surface_render_method") and material.blend_method == "OPAQUE":
+        material.blend_method = material.shadow_method = "CLIP"
+
+
 def light_nothing(material) -> None:
     """Has Cycles show the emission of a material without counting its triangles as lamps."""
     cycles = getattr(material, "cycles", None)

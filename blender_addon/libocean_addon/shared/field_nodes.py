@@ -53,9 +53,9 @@ def place_in_map(b: Builder, turn: Turn, inputs):
     return b.math("MINIMUM", b.math("MAXIMUM", place, inputs["Low"]), inputs["High"])
 
 
-def attribute(b: Builder, name: str):
-    """Returns a vector that the points have."""
-    named = b.node("GeometryNodeInputNamedAttribute", data_type="FLOAT_VECTOR")
+def attribute(b: Builder, name: str, kind: str = "FLOAT_VECTOR"):
+    """Returns a value that the points have; 0 without it."""
+    named = b.node("GeometryNodeInputNamedAttribute", data_type=kind)
     named.inputs["Name"].default_value = name
     return compat.active(named.outputs, "Attribute")
 

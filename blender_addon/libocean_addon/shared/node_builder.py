@@ -150,8 +150,11 @@ class Builder:
         self.feed(on, compat.active(made.inputs, "True"))
         return compat.active(made.outputs, "Output")
 
-    def store(self, geometry, name: str, kind: str, value):
+    def store(self, geometry, name: str, kind: str, value, selection=None):
+        """selection: which points get the value, from Blender 3.6 on; in 3.4 all do."""
         made = self.node("GeometryNodeStoreNamedAttribute", data_type=kind, domain="POINT")
+        if selection is not None and "Selection" in made.inputs:
+            self.link(selection, made.inputs["Selection"])
         made.inputs["Name"].default_value = name
         self.link(geometry, made.inputs["Geometry"])
         self.link(value, compat.active(made.inputs, "Value"))
