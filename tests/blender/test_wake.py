@@ -145,6 +145,17 @@ def test_white_water_is_that_of_the_library(scene, ocean):
         attribute(ocean, "trail")
 
 
+def test_a_patch_that_is_smaller_and_finer_than_a_wake_is_the_region_too(scene, ocean):
+    ocean.libocean.patch_size, ocean.libocean.mesh_resolution = 64.0, 128
+    ocean.libocean.resolution = 128
+    scene.frame_set(30)
+    with sea_of(ocean) as sea:
+        wake = sea.wake_domain(0, 29 / 24)
+        wanted = sea.region(29 / 24, (-32.0, -32.0), (129, 129), 0.5)["displacement"]
+    assert wake.cell > 1.0 and wake.cell * wake.samples > 128.0
+    assert np.abs(offsets(ocean) - of_vertices(wanted)).max() < 2e-5
+
+
 def test_without_hulls_it_is_the_open_sea_again_to_the_bit(ocean):
     names = ("ocean_velocity", "ocean_normal", "jacobian")
     with_wakes, waked = positions(ocean), [attribute(ocean, name) for name in names]

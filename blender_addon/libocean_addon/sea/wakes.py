@@ -77,22 +77,29 @@ class WakeSea:
 
 class _Lattice:
     """The samples of a wake's images: those of the mesh, which then shows the wake as the library
-    has it, or every second, fourth ... of them, if these are fine enough for the wake."""
+    has it. A mesh that is no patch has every second, fourth ... of them, if these are fine enough
+    for the wake."""
 
-    def __init__(self, wake, anchor: tuple[float, float], cell: float | None) -> None:
+    def __init__(self, wake, anchor: tuple[float, float], cell: float | None, cells: int) -> None:
         """wake: the wake's own samples; cell: of the mesh [m], one of whose vertices lies at the
-        anchor; None: it may lie anywhere."""
+        anchor; None: it may lie anywhere. cells: along a side of a patch, whose middle the anchor
+        is; else 0."""
         finest = 0.5 * wake.cell
         if cell is None:
             cell, anchor = finest, wake.origin
-        while cell < 0.99 * finest:
+        while cell < 0.99 * finest and not cells:
             cell *= 2.0
         self.cell = cell
         self.side = math.ceil(wake.samples * wake.cell / cell) + 2
-        self.origin = tuple(
-            start + math.floor((first - start) / cell) * cell
+        steps = [
+            math.floor((first - start) / cell)
             for start, first in zip(anchor, wake.origin, strict=True)
-        )
+        ]
+        if cells:  # beyond the patch nothing is shown
+            self.side = min(self.side, cells + 1)
+            first, last = -(cells // 2), cells - cells // 2 + 1 - self.side
+            steps = [min(max(step, first), last) for step in steps]
+        self.origin = tuple(start + step * cell for start, step in zip(anchor, steps, strict=True))
 
     def place(self, ocean: tuple[float, float]) -> tuple[float, float, float]:
         """Returns the value of the input. ocean: where the ocean object is in the sea."""
@@ -102,15 +109,15 @@ class _Lattice:
         return x, y, per_metre
 
 
-def _mesh_cell(picture, *, turned: bool) -> float | None:
-    """Returns the distance of the vertices of a mesh of the add-on [m]; None for a mesh that lies
-    otherwise in the sea."""
+def _mesh_cells(picture, *, turned: bool) -> tuple[float | None, int]:
+    """Returns the distance of the vertices of a mesh of the add-on [m], and the cells along a side
+    of a patch; None and 0 for a mesh that lies otherwise in the sea."""
     sea, settings = picture.opened, picture.ob.libocean
     period = float(sea.values.values["patch_size"])
     if settings.kind == "HORIZON":
-        return period / picture.ring_samples()
+        return period / picture.ring_samples(), 0
     samples = meshes.samples_of(picture.ob.data) if settings.kind == "PATCH" else None
-    return None if samples is None or turned else period / samples
+    return (None, 0) if samples is None or turned else (period / samples, samples)
 
 
 def follow(picture, ocean: tuple[float, float], *, turned: bool, draft: bool) -> None:
@@ -133,10 +140,10 @@ def follow(picture, ocean: tuple[float, float], *, turned: bool, draft: bool) ->
     if settings.use_normal and not draft:
         fields.append("Normal")
     anchor = (0.0, 0.0) if settings.kind == "HORIZON" else ocean
-    cell = _mesh_cell(picture, turned=turned)
+    cells = _mesh_cells(picture, turned=turned)
     for hull in range(count):
         wake = handle.wake_domain(hull, picture.time)
-        lattice = _Lattice(wake, anchor, cell)
+        lattice = _Lattice(wake, anchor, *cells)
         _show(picture, hull, fields, lattice)
         modifier_groups.assign(modifier, {wake_nodes.place_input(hull): lattice.place(ocean)})
 
