@@ -54,6 +54,14 @@ class SummedFoam {
     float cover_power_;
 };
 
+/// Returns true if hulls are the same but for their tracks.
+bool have_other_tracks(const std::vector<Hull>& before, const std::vector<Hull>& now) {
+    return std::ranges::equal(before, now, [](Hull a, const Hull& b) {
+        a.track = b.track;
+        return a == b;
+    });
+}
+
 /// The masks of all hulls together.
 class AllMarks {
   public:
@@ -110,17 +118,24 @@ HullSurface& HullSea::surface(double time, bool rates) {
 HullSurface& HullSea::still_surface(double time) {
     const Parameters& now = open().parameters_at(time);
     const Modes& modes = open().modes(time);
-    const bool is_current = surface_ && modes_ == modes.revision && hulls_ == now.hulls &&
-                            water_ == now.water && choppiness_ == now.surface.choppiness;
-    if (!is_current) {
+    const auto height = [&] { return 4.0 * std::sqrt(open().spectrum(time).variance(now.water)); };
+    const bool keeps_wakes =
+        surface_ && water_ == now.water && choppiness_ == now.surface.choppiness &&
+        loop_period_ == now.time.loop_period &&
+        (hulls_ == now.hulls || (have_other_tracks(hulls_, now.hulls) && surface_->follow(now)));
+    if (!keeps_wakes) {
         surface_.reset();
         require_memory(hull_sea_bytes(now), "the wakes of the hulls");
-        const double height = 4.0 * std::sqrt(open().spectrum(time).variance(now.water));
-        surface_.emplace(now, shown(), height, open().pool());
+        surface_.emplace(now, shown(), height(), open().pool());
+    } else if (modes_ != modes.revision) {
+        surface_->renew_open_sea(height());
+    }
+    if (!keeps_wakes || modes_ != modes.revision || hulls_ != now.hulls) {
         modes_ = modes.revision;
         hulls_ = now.hulls;
         water_ = now.water;
         choppiness_ = now.surface.choppiness;
+        loop_period_ = now.time.loop_period;
     }
     return *surface_;
 }

@@ -64,6 +64,7 @@ class HullSea final : public PlacedSea {
     std::vector<Hull> hulls_;
     Water water_;
     double choppiness_ = 0.0;
+    double loop_period_ = 0.0;
 };
 
 }  // namespace ocean

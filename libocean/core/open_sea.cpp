@@ -29,12 +29,21 @@ std::unique_ptr<MapWriter> writer_like(const MapWriter& other, const OceanOption
     return std::make_unique<MapWriter>(options.backend, options.channels);
 }
 
+bool same_events(const Take& a, const Take& b) {
+    return std::ranges::equal(a.events, b.events, [](const TakeEvent& x, const TakeEvent& y) {
+        return x.seconds == y.seconds && x.parameter.same_as(y.parameter) && x.value == y.value;
+    });
+}
+
 /// Returns true if what was followed over time in one sea holds in the other.
 bool have_same_past(const Sea& a, const Sea& b) {
-    // A take's past may have changed anything.
-    if (!a.take.empty() || !b.take.empty()) return false;
     const auto first = first_dirty_stage(a.parameters, b.parameters);
-    return !first || *first == Stage::clock;
+    if (a.take.empty() && b.take.empty()) return !first || *first == Stage::clock;
+    // A take's past may have changed anything, unless hulls are all that changes.
+    if (!same_events(a.take, b.take)) return false;
+    Parameters with_hulls = a.parameters;
+    with_hulls.hulls = b.parameters.hulls;
+    return !first_dirty_stage(with_hulls, b.parameters);
 }
 
 }  // namespace

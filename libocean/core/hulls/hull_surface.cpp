@@ -33,6 +33,22 @@ HullSurface::HullSurface(const Parameters& parameters, int shown, double height,
     }
 }
 
+bool HullSurface::follow(const Parameters& parameters) {
+    begun_.reset();
+    wakes_begun_.reset();
+    for (std::size_t i = 0; i < wakes_.size(); ++i) {
+        if (!wakes_[i]->follow(parameters.hulls[i], parameters.water)) return false;
+    }
+    return true;
+}
+
+void HullSurface::renew_open_sea(double height) {
+    begun_.reset();
+    open_.reset();
+    sum_.reset();
+    height_ = height;
+}
+
 void HullSurface::move_to(const Modes& modes, double time, bool rates, ThreadPool& pool) {
     if (begun_ && begun_->serves(time, rates)) return;
     if (!open_) {

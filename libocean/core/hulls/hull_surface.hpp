@@ -31,6 +31,12 @@ class HullSurface {
     /// arguments.
     HullSurface(const Parameters& parameters, int shown, double height, ThreadPool& pool);
 
+    /// Takes other tracks of the same hulls: see Wake::follow(). Returns false if a wake must be
+    /// made anew; the object is of no use then.
+    bool follow(const Parameters& parameters);
+    /// Takes another open sea of the same map. height: as in the constructor.
+    void renew_open_sea(double height);
+
     /// Begins a time [s], unless it has begun. `modes` must be the same each time.
     void move_to(const Modes& modes, double time, bool rates, ThreadPool& pool);
     /// Begins a time for read_wake() alone.

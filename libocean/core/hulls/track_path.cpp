@@ -99,17 +99,22 @@ PathVector TrackPath::heading(double time) const {
     return found;
 }
 
+TrackPath::Leg TrackPath::leg_at(double time) const {
+    const std::vector<TrackRow>& rows = track_->rows;
+    const auto after = std::ranges::upper_bound(rows, time, {}, &TrackRow::time);
+    const auto i = static_cast<std::size_t>(after - rows.begin()) - 1;
+    const double seconds = rows[i + 1].time - rows[i].time;
+    return {i, seconds, (time - rows[i].time) / seconds};
+}
+
 PathVector TrackPath::place(double time) const {
     const std::vector<TrackRow>& rows = track_->rows;
     time = track_time(time);
     if (time <= rows.front().time) return {rows.front().x, rows.front().y};
     if (time >= rows.back().time) return {rows.back().x, rows.back().y};
-    const auto after = std::ranges::upper_bound(rows, time, {}, &TrackRow::time);
-    const auto i = static_cast<std::size_t>(after - rows.begin()) - 1;
+    const auto [i, seconds, u] = leg_at(time);
     const TrackRow& a = rows[i];
     const TrackRow& b = rows[i + 1];
-    const double seconds = b.time - a.time;
-    const double u = (time - a.time) / seconds;
     const double ease = u * u * (3.0 - 2.0 * u);
     const double from_a = u * (1.0 - u) * (1.0 - u) * seconds;
     const double from_b = -u * u * (1.0 - u) * seconds;
@@ -117,6 +122,34 @@ PathVector TrackPath::place(double time) const {
     const PathVector& w = velocities_[i + 1];
     return {a.x + ease * (b.x - a.x) + from_a * v.x + from_b * w.x,
             a.y + ease * (b.y - a.y) + from_a * v.y + from_b * w.y};
+}
+
+PathVector TrackPath::velocity(double time) const {
+    const std::vector<TrackRow>& rows = track_->rows;
+    time = track_time(time);
+    if (time < rows.front().time || time >= rows.back().time) return {};
+    const auto [i, seconds, u] = leg_at(time);
+    const double ease = 6.0 * u * (1.0 - u) / seconds;
+    const double from_a = (1.0 - u) * (1.0 - 3.0 * u);
+    const double from_b = u * (3.0 * u - 2.0);
+    const PathVector& v = velocities_[i];
+    const PathVector& w = velocities_[i + 1];
+    return {ease * (rows[i + 1].x - rows[i].x) + from_a * v.x + from_b * w.x,
+            ease * (rows[i + 1].y - rows[i].y) + from_a * v.y + from_b * w.y};
+}
+
+double TrackPath::same_until(const TrackPath& other) const {
+    constexpr double kNever = std::numeric_limits<double>::infinity();
+    const std::vector<TrackRow>& rows = track_->rows;
+    const std::vector<TrackRow>& others = other.track_->rows;
+    const std::size_t both = std::min(rows.size(), others.size());
+    std::size_t same = 0;
+    while (same < both && rows[same] == others[same] &&
+           velocities_[same] == other.velocities_[same]) {
+        ++same;
+    }
+    if (same == rows.size() && same == others.size() && period_ == other.period_) return kNever;
+    return same == 0 || period_ > 0.0 || other.period_ > 0.0 ? -kNever : rows[same - 1].time;
 }
 
 }  // namespace ocean

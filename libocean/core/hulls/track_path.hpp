@@ -4,6 +4,7 @@
 // The path of a hull: its place at any time, a smooth curve through the rows of its track.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace ocean {
 struct PathVector {
     double x = 0.0;
     double y = 0.0;
+    bool operator==(const PathVector&) const = default;
 };
 
 class TrackPath {
@@ -33,6 +35,16 @@ class TrackPath {
     /// that never moves.
     PathVector heading(double time) const;
 
+    /// Returns the velocity at a time [m/s], at a row that of the leg after it; 0 before the first
+    /// row and from the last one on.
+    PathVector velocity(double time) const;
+    /// Returns the velocities at the rows [m/s].
+    const std::vector<PathVector>& velocities() const { return velocities_; }
+
+    /// Returns the time up to which two paths are one [s]: that of their last common row. Minus
+    /// infinity if they have none, infinity if they are the same.
+    double same_until(const TrackPath& other) const;
+
     /// Returns the time of the first row; minus infinity for a track that repeats.
     double begin() const;
     /// Returns the time after which a track repeats; 0: never.
@@ -41,6 +53,15 @@ class TrackPath {
   private:
     /// Returns the time within the track that a time stands for.
     double track_time(double time) const;
+
+    /// A leg between two rows, and the share of it that has passed.
+    struct Leg {
+        std::size_t row;  // its first
+        double seconds;
+        double u;
+    };
+    /// Returns the leg of a time of the track from the first row to before the last.
+    Leg leg_at(double time) const;
 
     std::shared_ptr<const HullTrack> track_;
     std::vector<PathVector> velocities_;  // at the rows

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/prefault_pages.hpp"
 #include "base/simd/simd_level.hpp"
@@ -24,6 +25,10 @@ constexpr double kTrailEnds = 0.38;  // share of the square from which on a trai
 /// The hull goes at most this share of its square in a span of the windows: within it W stays 1
 /// around the hull, which lies at most 0.26 from the middle.
 constexpr double kWayOfSpan = 0.035;
+
+double longest_span(const WakeSize& size, const Hull& hull) {
+    return kWayOfSpan * size.side / std::max(fastest_leg(*hull.track).speed, 1e-9);
+}
 
 /// Returns the factor of one axis, with its slope as the first of the jet's derivatives.
 struct RimFactor {
@@ -52,7 +57,7 @@ LinearWaves<Jet> within_rim(const LinearWaves<Jet>& waves, RimFactor along, RimF
 Wake::Wake(const Hull& hull, const Water& water, double loop_period, ThreadPool& pool)
     : size_(wake_size(hull, fastest_leg(*hull.track).speed, water)),
       path_(hull.track, loop_period),
-      clock_(path_, kWayOfSpan * size_.side / std::max(fastest_leg(*hull.track).speed, 1e-9)),
+      clock_(path_, longest_span(size_, hull)),
       lattice_(hull, size_, water),
       still_(lattice_.still_modes()),
       map_(still_, size_.resolution, pool),
@@ -66,15 +71,29 @@ Wake::Wake(const Hull& hull, const Water& water, double loop_period, ThreadPool&
     prefault_pages(sums_, pool);
 }
 
+bool Wake::follow(const Hull& hull, const Water& water) {
+    const WakeSize size = wake_size(hull, fastest_leg(*hull.track).speed, water);
+    if (size != size_) return false;
+    TrackPath path(hull.track, path_.period());
+    const WakeClock clock(path, longest_span(size, hull));
+    const double shared = path_.same_until(path);
+    path_ = std::move(path);
+    const bool keeps = span_ && clock == clock_ &&
+                       clock.tick_begin(*span_, ticks_added_) <= shared &&
+                       place_at(clock.begin(*span_ + 1)).middle == ends_;
+    if (!keeps) span_.reset();
+    clock_ = clock;
+    return true;
+}
+
 void Wake::settle(std::int64_t span, ThreadPool& pool) {
     span_.reset();
-    const double step = size_.side / size_.resolution;
     const double begin = clock_.begin(span), end = clock_.begin(span + 1);
-    const WakePlace place = wake_place(path_, begin, size_.side, step);
+    const WakePlace place = place_at(begin);
+    ends_ = place_at(end).middle;
     const WakePast past = wake_past(path_, clock_.settled(path_, span, size_.age), begin, place);
     const WindowNodes first(past, 0.0, place.middle, size_.age);
-    const WindowNodes second(past, end - begin, wake_place(path_, end, size_.side, step).middle,
-                             size_.age);
+    const WindowNodes second(past, end - begin, ends_, size_.age);
     const std::size_t count = lattice_.count();
     const WakeLoops loops = wake_loops(simd_level());
     std::ranges::fill(sums_, 0.0f);
@@ -145,8 +164,7 @@ void Wake::move_to(double time, bool rates, ThreadPool& pool) {
     const WakeNewest newest = clock_.newest(path_, time);
     add_ticks(newest.ticks, pool);
     const double begin = clock_.begin(span), end = clock_.begin(span + 1);
-    past_ = wake_past(path_, newest.times, time,
-                      wake_place(path_, time, size_.side, size_.side / size_.resolution));
+    past_ = wake_past(path_, newest.times, time, place_at(time));
     sum_.reset();
     past_.insert_before({begin - time, settled_.centre.x - past_.place.centre.x,
                          settled_.centre.y - past_.place.centre.y});

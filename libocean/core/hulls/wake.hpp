@@ -31,6 +31,11 @@ class Wake {
     /// The hull must be valid. loop_period: of the sea.
     Wake(const Hull& hull, const Water& water, double loop_period, ThreadPool& pool);
 
+    /// Takes another track of the hull, and keeps the sums over the past that both tracks share, as
+    /// when rows are appended to a track. The bits are those of a new wake. Returns false, and
+    /// changes nothing, if its speeds call for another square.
+    bool follow(const Hull& hull, const Water& water);
+
     /// Computes the waves of a time [s]. rates: reads have derivatives in time. The bits depend on
     /// the time alone, not on earlier times, and are the same for any number of threads. Times of
     /// one span of the clock share most of the work.
@@ -65,6 +70,9 @@ class Wake {
     static std::uint64_t bytes(int resolution);
 
   private:
+    WakePlace place_at(double time) const {
+        return wake_place(path_, time, size_.side, size_.side / size_.resolution);
+    }
     /// Sums the past up to the begin of a span of the clock, in the windows of its ends.
     void settle(std::int64_t span, ThreadPool& pool);
     /// Adds the ticks of the span up to a number.
@@ -85,6 +93,7 @@ class Wake {
     PageVector<float> sums_;           // re, im in the window of the span's begin, then of its end
     std::optional<std::int64_t> span_;
     WakePlace settled_;        // at the begin of the span
+    PathVector ends_;          // middle of the window at its end
     PageVector<float> ticks_;  // re, im of what the span's first ticks_added_ ticks add
     int ticks_added_ = 0;
     WakeTurns turns_;

@@ -26,6 +26,7 @@ struct WakeSize {
     double side = 0.0;  // [m]
     int resolution = 0;
     double age = 0.0;  // [s]
+    bool operator==(const WakeSize&) const = default;
 };
 /// Returns the size of a wake. Chosen: 16 lengths of the hull or 12 transverse waves of its highest
 /// speed, at most 32 lengths; and 3.2 times the time in which it crosses that, 60 to 600 s.

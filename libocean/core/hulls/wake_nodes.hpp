@@ -58,7 +58,9 @@ class WakeClock {
 
     /// Returns the span in which a time lies: begin(span) < time <= begin(span + 1).
     std::int64_t span_of(double time) const;
-    double begin(std::int64_t span) const { return static_cast<double>(span * ticks_) * tick_; }
+    double begin(std::int64_t span) const { return at(span * ticks_); }
+    /// Returns the begin of a tick of a span.
+    double tick_begin(std::int64_t span, int tick) const { return at(span * ticks_ + tick); }
 
     /// Returns the times of the nodes up to the begin of a span, from `age` before it on.
     std::vector<double> settled(const TrackPath& path, std::int64_t span, double age) const;
@@ -67,6 +69,8 @@ class WakeClock {
     /// Returns what lies between the begin of the span of a time and that time: one segment if it
     /// is straight, else ticks and what follows them.
     WakeNewest newest(const TrackPath& path, double time) const;
+
+    bool operator==(const WakeClock&) const = default;
 
   private:
     std::vector<double> nodes(const TrackPath& path, std::int64_t oldest, double time) const;
