@@ -10,6 +10,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/hull_rules.hpp"
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/internal/text.hpp"
 
@@ -22,6 +23,10 @@ constexpr std::array kAppValues = {
     AppValue{"app.time", -kLatestTime, kLatestTime, 0, false, "time of the sea [s]"},
     AppValue{"app.record", 0, 1, 0, true, "1 while a take is recorded"},
     AppValue{"app.frame_rate", 0, 1e6, 0, false, "frames shown per second"},
+    AppValue{"app.hull.drive", 0, kMaxHulls, 0, true, "the driven hull, 1 is the first; 0: none"},
+    AppValue{"app.hull.speed", 0, kMaxHullSpeed, 0, false, "speed that it takes up [m/s]"},
+    AppValue{"app.hull.heading", -360, 360, 0, false,
+             "heading that it turns to [degrees counter-clockwise from +x]"},
 };
 
 /// Returns true for a name of a file, which only the owner of the machine may set.
@@ -126,7 +131,8 @@ double ValueTable::number(std::size_t entry) const {
 std::string ValueTable::allowed(std::size_t entry) const {
     if (refs_[entry].info != nullptr) return allowed_values(*refs_[entry].info);
     const AppValue& app = app_value(entry);
-    return plain_text(app.min) + (app.is_whole ? " or " : " .. ") + plain_text(app.max);
+    const bool is_switch = app.is_whole && app.max - app.min == 1.0;
+    return plain_text(app.min) + (is_switch ? " or " : " .. ") + plain_text(app.max);
 }
 
 void ValueTable::require_app_value(std::size_t entry, std::optional<double> value,

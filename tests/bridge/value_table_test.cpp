@@ -80,6 +80,12 @@ TEST(ValueTable, WhatIsRefusedChangesNothing) {
     for (const char* value : {"2", "-1", "0.5", "nan", "yes"}) {
         EXPECT_EQ(refusal_of(table, "app.pause", value), ErrorKind::invalid_value) << value;
     }
+    for (const char* value : {"61", "1e9", "nan", "-1"}) {
+        EXPECT_EQ(refusal_of(table, "app.hull.speed", value), ErrorKind::invalid_value) << value;
+    }
+    EXPECT_EQ(refusal_of(table, "app.hull.heading", "361"), ErrorKind::invalid_value);
+    ocean::test::expect_refusal(ErrorKind::invalid_value, "app.hull.drive = 17: allowed: 0 .. 16",
+                                [&] { table.set(table.find("app.hull.drive"), "17", "test"); });
     EXPECT_EQ(refusal_of(table, "spectrum", "measured"), ErrorKind::invalid_value);  // of no record
     EXPECT_EQ(refusal_of(table, "file", "/etc/passwd"), ErrorKind::unsupported);
     EXPECT_EQ(refusal_of(table, "time.take", "x.take"), ErrorKind::unsupported);

@@ -842,6 +842,45 @@ def test_a_hand_uses_a_gamepad_and_a_joystick(hand):
     assert rms(hand.at_rest(), before) > 0.005
 
 
+def test_a_hand_places_a_crest_and_drives_a_hull(hand):
+    hand.key("space")
+    hand.move(*BESIDE)
+    hand.do("keydown", "ctrl")
+    hand.do("click", 1)
+    hand.do("keyup", "ctrl")
+    hand.keys, hand.clicks = hand.keys + 1, hand.clicks + 1
+    (crest,) = hand.saved("sea-changed-1.toml")["crests"]
+    assert crest["height"] == "1.3 Hs" and crest["time"] > 5.0 and crest["x"] > 10.0
+    hand.key("ctrl+z")
+    assert "crests" not in hand.saved("sea-changed-2.toml")
+
+    # A hull lies ahead of the camera, which goes along with it.
+    hand.key("h")
+    hand.do("keydown", "Up", "keydown", "Left")
+    hand.keys += 2
+    for attempt in range(3, 30):
+        hand.key("space", rest=False)
+        for _ in range(3):
+            hand.picture()
+        hand.key("space", rest=False)
+        hand.rest(held=2)
+        hand.do("keyup", "Up", "keyup", "Left")
+        hand.rest()
+        (hull,) = hand.saved(f"sea-changed-{attempt}.toml")["hulls"]
+        if hull["track"][-1][4] > 2.0:
+            break
+        hand.do("keydown", "Up", "keydown", "Left")
+        hand.keys += 2
+    assert hull["track"][0][1:] == [60.0, 0.0, 0.0, 0.0]
+    assert hull["track"][-1][1] > 61.0 and hull["track"][-1][3] > 2.0
+    # A track that is in no file is saved with the window.
+    hand.key("h")
+    assert "rror" not in hand.end()
+    last = hand.folder / f"sea-changed-{attempt + 1}.toml"
+    (kept,) = tomllib.loads(last.read_text())["hulls"]
+    assert kept["track"] == hull["track"][: len(kept["track"])]
+
+
 @pytest.mark.slow
 def test_a_hand_compares_backends(hand):
     hand.key("space")

@@ -268,6 +268,61 @@ def test_a_window_that_is_joined_writes_the_take(folder, bridge, window):
     wait_for(lambda: time_of_the_sea() > paused_at + 1.0, shown)
 
 
+HULL = """
+[[hulls]]
+length = 12.0
+beam = 3.0
+draught = 0.8
+wake_resolution = 64
+track = [[-60.0, 20.0, -240.0], [0.0, 20.0, 0.0], [900.0, 20.0, 3600.0]]
+"""
+
+
+def test_a_client_drives_a_hull_and_its_way_is_saved(folder, bridge, window):
+    (folder / "sea.toml").write_text(SEA + HULL)
+    shown = window("-v", "--no-detail", stderr=subprocess.PIPE, text=True)
+    lines = lines_of(shown.stderr)
+    hand = bridge.say()
+    reader = hand.makefile("r", encoding="utf-8")
+
+    def ask(line: str) -> str:
+        hand.sendall(f"{line}\r\n".encode())
+        return reader.readline().strip()
+
+    def number(name: str) -> float:
+        return float(ask(f"GET {name}").split()[2])
+
+    wait_for(lambda: number("app.frame_rate") > 0.0, shown)
+    for wrong in ("app.hull.speed 1e9", "app.hull.heading nan", "app.hull.drive 17"):
+        assert ask(f"SET {wrong}").startswith("ERR RANGE"), wrong
+    # What the sea does not have is told, and the value goes back.
+    assert ask("SET app.hull.drive 2") == "OK"
+    wait_for(lambda: any("hulls.1: the sea has no such hull" in line for line in lines), shown)
+    wait_for(lambda: number("app.hull.drive") == 0.0, shown)
+    assert ask("SET app.hull.drive 1") == "OK"
+    # The drive begins with the speed and the heading of the track.
+    wait_for(lambda: number("app.hull.heading") == pytest.approx(90.0), shown)
+    assert number("app.hull.speed") == pytest.approx(4.0)
+    assert ask("SET app.hull.heading 20") == "OK"
+    assert ask("SET app.hull.speed 6") == "OK"
+    assert ask("RECORD START drive.take") == "OK"
+    until = number("app.time") + 6.0
+    wait_for(lambda: number("app.time") > until, shown)
+    assert ask("SET app.hull.drive 0") == "OK"
+    assert number("app.hull.speed") == 6.0 and number("app.hull.heading") == 20.0
+    assert ask("RECORD STOP") == "OK"
+    saved = folder / "drive.toml"
+    wait_for(saved.exists, shown)
+    (hull,) = tomllib.loads(saved.read_text())["hulls"]
+    times, x, y, heading, speed = numpy.array(hull["track"]).T
+    assert times[0] == -60.0 and hull["track"][0][1:] == [20.0, -240.0, 90.0, 4.0]
+    assert heading[-1] == pytest.approx(20.0) and speed[-1] == pytest.approx(6.0)
+    assert 5.0 < times[-1] < 900.0 and x[-1] > 25.0
+    # Any frame of it is rendered alone.
+    told = subprocess.run([OCEAN, "info", "drive.toml"], cwd=folder, capture_output=True, text=True)
+    assert told.returncode == 0, told.stderr
+
+
 def test_of_two_windows_one_has_the_clock_and_both_follow_it(bridge, window):
     told = []
 

@@ -185,6 +185,74 @@ TEST_F(LiveSeaTest, HoursOfAKnobThatNeverRestsDoNotFillTheTake) {
     EXPECT_LE(live.ocean().sea().take.events.size(), 2001u);
 }
 
+/// Advances in frames.
+void run(LiveSea& live, double seconds) {
+    for (int frame = 0; frame < 24.0 * seconds; ++frame) live.advance(1.0 / 24.0);
+}
+
+TEST_F(LiveSeaTest, ADrivenHullWritesItsTrackIntoTheSea) {
+    LiveSea live(windy_sea(), options());
+    live.set("waves.0.wind_speed", "12");  // glides, which is no reason to forget the foam
+    live.drive_new_hull(10.0, 20.0, 90.0);
+    ASSERT_NE(live.drive(), nullptr);
+    live.drive()->want({90.0, 6.0});
+    run(live, 8.0);
+    live.show();
+    // A parameter that makes another sea, also of the hull, leaves it its way.
+    live.set("hulls.0.beam", "5");
+    run(live, 2.0);
+    ASSERT_NE(live.drive(), nullptr);
+    live.stop_drive();
+    const Hull& hull = live.sea().parameters.hulls.at(0);
+    EXPECT_EQ(hull.beam, 5.0);
+    EXPECT_NEAR(hull.track->rows.back().time, 10.0, 0.3);
+    EXPECT_NEAR(hull.track->rows.back().x, 10.0, 1e-6);
+    EXPECT_NEAR(hull.track->rows.back().y, 20.0 + 0.5 * 6.0 * 6.0 + 4.0 * 6.0, 2.0);
+    EXPECT_EQ(hull.track, live.ocean().parameters().hulls.at(0).track);
+    // Another drive goes on with it, also while something is recorded.
+    const std::size_t rows = hull.track->rows.size();
+    live.start_recording();
+    live.start_drive(0);
+    run(live, 3.0);
+    live.set("surface.choppiness", "0.5");
+    run(live, 1.0);
+    live.stop_recording();
+    live.go_to(2.0);  // which ends it
+    EXPECT_EQ(live.drive(), nullptr);
+    EXPECT_GT(live.sea().parameters.hulls.at(0).track->rows.size(), rows);
+    EXPECT_EQ(live.sea().take.events.size(), 1u);
+    EXPECT_NE(write_sea(live.sea()).find("track = ["), std::string::npos);
+}
+
+TEST_F(LiveSeaTest, WhereNoHullCanBeDrivenItSaysWhy) {
+    const auto refusal = [](const auto& call) -> std::string {
+        try {
+            call();
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    };
+    LiveSea none(windy_sea(), options());
+    EXPECT_EQ(refusal([&] { none.start_drive(0); }),
+              "hulls.0: the sea has no such hull to drive; allowed: none");
+    Sea loop = windy_sea();
+    loop.parameters.time.loop_period = 20.0;
+    LiveSea repeats(loop, options());
+    EXPECT_NE(refusal([&] { repeats.drive_new_hull(0.0, 0.0, 0.0); }).find("a driven hull does"),
+              std::string::npos);
+    EXPECT_TRUE(repeats.sea().parameters.hulls.empty());
+    Sea second = windy_sea();
+    second.parameters.surface.second_order = true;
+    LiveSea sharper(second, options());
+    EXPECT_NE(refusal([&] { sharper.drive_new_hull(0.0, 0.0, 0.0); }), "");
+    // A hull whose track is taken from it is driven no more.
+    none.drive_new_hull(0.0, 0.0, 0.0);
+    none.open(windy_sea());
+    run(none, 1.0);
+    EXPECT_EQ(none.drive(), nullptr);
+}
+
 TEST_F(LiveSeaTest, EveryBackendShowsTheSameSea) {
     LiveSea live(windy_sea(64), options());
     live.go_to(7.0);

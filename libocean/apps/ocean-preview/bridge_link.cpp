@@ -32,6 +32,11 @@ bool is_shared(const ParameterInfo& info) {
     return info.key != "file" && info.key != "take" && info.key != "record" && info.key != "seabed";
 }
 
+/// Returns the number of the driven hull from 1; 0: none.
+std::size_t driven_number(const LiveSea& sea) {
+    return sea.drive() != nullptr ? sea.driven_hull() + 1 : 0;
+}
+
 }  // namespace
 
 BridgeLink::BridgeLink(const bridge::LineClientOptions& options, BridgeCalls calls)
@@ -123,6 +128,7 @@ bool BridgeLink::apply_value(LiveSea& sea, const std::string& name, const std::s
         sea.go_to(number());
         return true;
     }
+    if (name.starts_with("app.hull.")) return apply_hull_value(sea, name, value);
     if (!is_of_the_sea(name)) return false;
     const ParameterRef parameter = find_parameter(name);
     if (!is_shared(*parameter.info)) return false;
@@ -134,6 +140,29 @@ bool BridgeLink::apply_value(LiveSea& sea, const std::string& name, const std::s
         add_to_log(name + ": makes another sea; applied, and in no take");
     }
     return true;
+}
+
+bool BridgeLink::apply_hull_value(LiveSea& sea, const std::string& name, const std::string& value) {
+    const double number = parse_number(value, name, -1e9, 1e9);
+    if (name == "app.hull.drive") {
+        drive(sea, static_cast<std::size_t>(std::max(number, 0.0)));
+        return true;
+    }
+    HullDrive* const driven = sea.drive();
+    if (driven == nullptr) {
+        throw Error(ErrorKind::unsupported,
+                    name + ": no hull is driven; SET app.hull.drive 1 drives the first one");
+    }
+    TrackCourse course = driven->wanted();
+    (name == "app.hull.speed" ? course.speed : course.heading) = number;
+    driven->want(course);
+    return true;
+}
+
+void BridgeLink::drive(LiveSea& sea, std::size_t number) const {
+    if (number == driven_number(sea)) return;
+    if (calls_.drive) return calls_.drive(number);
+    number == 0 ? sea.stop_drive() : sea.start_drive(number - 1);
 }
 
 /// Notes the name of a take: "RECORD START storm.take by ..." and "RECORD STOP -" arrive before
@@ -198,6 +227,17 @@ void BridgeLink::send_clock(const LiveSea& sea, double frame_rate) {
     if (sea.recording() || sent_.contains("app.record")) {
         send("app.record", sea.recording() ? "1" : "0");
     }
+    send_hull(sea);
+}
+
+void BridgeLink::send_hull(const LiveSea& sea) {
+    const std::string number = std::to_string(driven_number(sea));
+    const auto theirs = values_.find("app.hull.drive");
+    // Also after a drive that was refused here.
+    if (theirs != values_.end() && theirs->second != number) send("app.hull.drive", number);
+    if (sea.drive() == nullptr) return;
+    send("app.hull.speed", plain_text(sea.drive()->wanted().speed));
+    send("app.hull.heading", plain_text(sea.drive()->wanted().heading));
 }
 
 void BridgeLink::add_to_log(std::string text) {

@@ -22,6 +22,9 @@ namespace ocean::app {
 struct BridgeCalls {
     /// Starts or stops recording. name: of the take; "" leaves it open.
     std::function<void(bool on, const std::string& name)> record;
+    /// Drives a hull of that number from 1, or none (0), as a hand does; empty: the link does it.
+    /// Throws Error.
+    std::function<void(std::size_t number)> drive = {};
     /// Receives each line of the log at once; may be empty.
     std::function<void(const std::string& line)> logged = {};
 };
@@ -61,6 +64,9 @@ class BridgeLink {
   private:
     bool apply_events(LiveSea& sea, const std::vector<bridge::ClientEvent>& events);
     bool apply_value(LiveSea& sea, const std::string& name, const std::string& value);
+    bool apply_hull_value(LiveSea& sea, const std::string& name, const std::string& value);
+    void drive(LiveSea& sea, std::size_t number) const;
+    void send_hull(const LiveSea& sea);
     std::string mover(const std::string& name) const;
     bool is_own(const std::string& writer) const;
     /// Returns whether another window sends the bridge's clock.

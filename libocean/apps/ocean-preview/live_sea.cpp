@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/hull_rules.hpp"
 #include "ocean/internal/modes.hpp"
 #include "ocean/internal/open_sea.hpp"
 #include "ocean/internal/text.hpp"
@@ -70,9 +71,10 @@ void LiveSea::advance(double wall_seconds) {
     if (!paused) {
         time_ += speed * wall_seconds;
         time_before_ += speed * wall_seconds;
+        follow_drive();
     }
     const double start = kept_.parameters.time.start;
-    if (play_again_after && !recording_ && time_ >= start + *play_again_after) {
+    if (play_again_after && !recording_ && !drive_ && time_ >= start + *play_again_after) {
         const double over = time_ - (start + *play_again_after);
         go_to(start + std::min(over, *play_again_after));
     }
@@ -84,6 +86,7 @@ void LiveSea::advance(double wall_seconds) {
 }
 
 void LiveSea::go_to(double time) {
+    if (time != time_) stop_drive();
     if (time < time_) {
         stop_recording();
         if (ocean_->sea().take.events.size() != kept_.take.events.size()) become(kept_);
@@ -206,7 +209,15 @@ void LiveSea::set(const std::string& name, const std::string& value) {
     }
     kept_ = std::move(changed);
     if (kept_.parameters.time.loop_period != 0.0) recording_ = false;
+    check_drive();
     done();
+}
+
+void LiveSea::change(Sea sea) {
+    validate(sea);
+    fade_to(sea, time_);
+    kept_ = std::move(sea);
+    check_drive();
 }
 
 void LiveSea::open(Sea sea) {
@@ -214,7 +225,87 @@ void LiveSea::open(Sea sea) {
     fade_to(sea, sea.parameters.time.start);
     recording_ = false;
     kept_ = std::move(sea);
+    drive_.reset();
     if (after_open) after_open();
+}
+
+void LiveSea::start_drive(std::size_t hull) {
+    const std::size_t hulls = kept_.parameters.hulls.size();
+    if (hull >= hulls) {
+        throw Error(ErrorKind::not_found,
+                    "hulls." + std::to_string(hull) +
+                        ": the sea has no such hull to drive; allowed: " +
+                        (hulls == 0 ? "none" : "0 .. " + std::to_string(hulls - 1)));
+    }
+    stop_drive();
+    begin_drive(sea(), hull);
+}
+
+void LiveSea::drive_new_hull(double x, double y, double heading) {
+    stop_drive();
+    Sea with = sea();
+    auto track = std::make_shared<HullTrack>();
+    track->rows = {{time_, x, y}};
+    track->courses = {{heading, 0.0}};
+    with.parameters.hulls.emplace_back().track = std::move(track);
+    const std::size_t hull = with.parameters.hulls.size() - 1;
+    begin_drive(std::move(with), hull);
+}
+
+void LiveSea::begin_drive(Sea sea, std::size_t hull) {
+    if (sea.parameters.time.loop_period != 0.0) {
+        throw Error(ErrorKind::invalid_value,
+                    "time.loop_period = " + shortest_text(sea.parameters.time.loop_period) +
+                        " s: a loop repeats and a driven hull does not; allowed: 0 to drive");
+    }
+    Hull& driven = sea.parameters.hulls[hull];
+    HullDrive motion(driven, time_);
+    driven = hull_to_drive(std::move(driven), sea.parameters.water);
+    driven.track = motion.planned();
+    validate(sea);
+    drive_ = {hull, std::move(motion), driven.track};
+    if (waiting_) become(kept_);
+    Sea shown = ocean_->sea();
+    shown.parameters.hulls = sea.parameters.hulls;
+    ocean_->change(std::move(shown));
+    kept_.parameters.hulls = std::move(sea.parameters.hulls);
+    now_time_.reset();
+}
+
+void LiveSea::set_track(std::shared_ptr<const HullTrack> track) {
+    Sea shown = ocean_->sea();
+    const auto set = [&](Parameters& in) {
+        if (drive_->hull < in.hulls.size()) in.hulls[drive_->hull].track = track;
+    };
+    set(shown.parameters);
+    validate_hulls(shown.parameters);
+    ocean_->change(std::move(shown));
+    set(kept_.parameters);
+    drive_->shown = std::move(track);
+    now_time_.reset();
+}
+
+void LiveSea::follow_drive() {
+    if (!drive_ || !drive_->motion.advance(time_)) return;
+    try {
+        set_track(drive_->motion.planned());
+    } catch (const Error&) {
+        drive_.reset();
+        throw;
+    }
+}
+
+void LiveSea::stop_drive() {
+    if (!drive_) return;
+    set_track(drive_->motion.driven());
+    drive_.reset();
+}
+
+void LiveSea::check_drive() {
+    if (!drive_) return;
+    const std::vector<Hull>& hulls = kept_.parameters.hulls;
+    if (drive_->hull < hulls.size() && hulls[drive_->hull].track == drive_->shown) return;
+    drive_.reset();
 }
 
 void LiveSea::settle() {

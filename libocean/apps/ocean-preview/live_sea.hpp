@@ -12,6 +12,7 @@
 #include <string>
 
 #include "coast_work.hpp"
+#include "ocean/internal/hull_drive.hpp"
 #include "ocean/internal/preview/sea_maps.hpp"
 #include "ocean/ocean.hpp"
 
@@ -71,6 +72,8 @@ class LiveSea {
     /// over a bed once its coast is computed. Throws Error, also for a live parameter that the take
     /// plays while nothing is recorded.
     void set(const std::string& name, const std::string& value);
+    /// Shows a changed sea, into which this one fades, at the time of the clock. Throws Error.
+    void change(Sea sea);
     /// Gives gliding parameters their final values, waits for a coast that is in work and ends a
     /// cross-fade. Gliding goes on while it records.
     void settle();
@@ -96,6 +99,22 @@ class LiveSea {
     bool recording() const { return recording_; }
     /// Returns the time of the last event, or of the start if the take has none [s].
     double take_end() const;
+
+    // A hull that is driven.
+    /// Drives a hull from now on: its track ends here, and goes on as drive() says. Of a hull that
+    /// was driven the track stays. Throws Error for a hull that the sea does not have, a loop and a
+    /// bed.
+    void start_drive(std::size_t hull);
+    /// Adds a hull of the default size, at rest at a place [m] with a heading [degrees], and drives
+    /// it. Throws Error.
+    void drive_new_hull(double x, double y, double heading);
+    /// Ends the track of the driven hull where it is now.
+    void stop_drive();
+    /// Returns the motion of the driven hull; null while none is driven.
+    HullDrive* drive() { return drive_ ? &drive_->motion : nullptr; }
+    const HullDrive* drive() const { return drive_ ? &drive_->motion : nullptr; }
+    /// Returns the number of the driven hull.
+    std::size_t driven_hull() const { return drive_->hull; }
 
     /// Returns the sea to save: as it was opened or changed, with its take.
     const Sea& sea() const { return recording_ ? ocean_->sea() : kept_; }
@@ -124,6 +143,19 @@ class LiveSea {
     /// Shows another sea at once.
     void become(const Sea& sea);
     void perform(const std::string& name, const std::string& value);
+    void begin_drive(Sea sea, std::size_t hull);
+    /// Writes the driven hull up to now. Ends the drive, and throws Error, if its track is full.
+    void follow_drive();
+    /// Gives the driven hull another track, in the shown sea and in the kept one.
+    void set_track(std::shared_ptr<const HullTrack> track);
+    /// Forgets the drive if the kept sea has another hull in its place.
+    void check_drive();
+
+    struct Drive {
+        std::size_t hull;
+        HullDrive motion;
+        std::shared_ptr<const HullTrack> shown;  // its track in both seas
+    };
 
     LiveSeaOptions options_;
     Computing computing_;
@@ -145,6 +177,7 @@ class LiveSea {
     std::optional<double> work_time_;  // of its clock when it is shown
     bool has_coast_ = false;           // the shown sea's is computed
     bool had_coast_ = false;           // of the sea that fades away
+    std::optional<Drive> drive_;
     Parameters now_;
     std::optional<double> now_time_;  // of now_; nothing if it is out of date
 };

@@ -30,6 +30,10 @@ saved then. Ctrl O opens a file, Ctrl S saves the sea under a name; a sea, a
 take, a baked file or a sky can also be dropped on the window. A gamepad's
 sticks move and turn, its A pauses, B changes the camera, X the view, Y returns
 to the start.
+H drives a hull of the sea, or a new one ahead of the camera, and ends the
+drive: Up and Down change its speed, Left and Right turn it, and so does a
+gamepad's left stick. Its way is its track, which is saved with the sea. Ctrl
+and a click on the water place a crest on cue there, some seconds ahead.
 --view of a sea: shaded, height, displacement_x, displacement_y, normal, slope,
 jacobian, whitecap, foam, and with a pixel for each wave h0, spectrum (h(k, t))
 and butterfly. Of a terrain: shaded, height, normal, slope, noise with a pixel

@@ -128,6 +128,14 @@ class Scene {
         return "";
     }
 
+    /// Returns the place of the surface [m] that a place of the picture shows; nothing for the sky
+    /// and for a scene where nothing can be placed. Arguments as of under_mouse(). Throws Error.
+    virtual std::optional<std::array<double, 2>> place_under(const preview::Camera&,
+                                                             const std::array<double, 2>& /*place*/,
+                                                             double /*aspect*/) {
+        return std::nullopt;
+    }
+
     // Parts of the panel, drawn inside its window: state, colours, parameters.
     virtual void draw_readings(const PanelState&) const {}
     virtual void draw_look(PanelState&) {}

@@ -160,20 +160,35 @@ std::string SeaScene::probe_line(preview::Renderer& renderer, const PreviewOptio
                               found->handed_on_slope, found->cover});
 }
 
-/// The point of the water under the mouse is found by a few steps of the query.
+std::optional<SeaScene::SeenWater> SeaScene::water_under(const preview::Camera& camera,
+                                                         const std::array<double, 2>& place,
+                                                         double aspect) {
+    if (!live_.can_query()) return std::nullopt;
+    constexpr int kSteps = 3;
+    SeenWater water{};
+    for (int step = 0; step <= kSteps; ++step) {
+        const auto met = camera.meet_level(place[0], place[1], aspect, water.sample.height);
+        if (!met) return std::nullopt;
+        water.place = {(*met)[0], (*met)[1]};
+        if (step == kSteps) break;
+        live_.ocean().query(live_.time(), {&water.place, 1}, {&water.sample, 1}, {.foam = false});
+    }
+    return water;
+}
+
+std::optional<std::array<double, 2>> SeaScene::place_under(const preview::Camera& camera,
+                                                           const std::array<double, 2>& place,
+                                                           double aspect) {
+    const auto water = water_under(camera, place, aspect);
+    if (!water) return std::nullopt;
+    return {{water->place.x, water->place.y}};
+}
+
 std::string SeaScene::under_mouse(preview::Renderer& renderer, const preview::Camera& camera,
                                   const std::array<double, 2>& place, double aspect, int cascade) {
-    if (!live_.can_query()) return "";
-    constexpr int kSteps = 3;
-    WorldPoint point{};
-    QuerySample sample{};
-    for (int step = 0; step <= kSteps; ++step) {
-        const auto met = camera.meet_level(place[0], place[1], aspect, sample.height);
-        if (!met) return "";
-        point = {(*met)[0], (*met)[1]};
-        if (step == kSteps) break;
-        live_.ocean().query(live_.time(), {&point, 1}, {&sample, 1}, {.foam = false});
-    }
+    const auto found = water_under(camera, place, aspect);
+    if (!found) return "";
+    const auto& [point, sample] = *found;
     const auto drawn = preview::probe(renderer, shown_, camera, {point.x, point.y}, cascade);
     return format_text("x %.2f  y %.2f  height %.2f m\nnormal %.2f %.2f %.2f\nfoam %.2f", point.x,
                        point.y, sample.height, sample.normal[0], sample.normal[1], sample.normal[2],

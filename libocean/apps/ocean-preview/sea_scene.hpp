@@ -55,11 +55,23 @@ class SeaScene final : public Scene {
                             const std::array<double, 2>& place, double aspect,
                             int cascade) override;
 
+    std::optional<std::array<double, 2>> place_under(const preview::Camera& camera,
+                                                     const std::array<double, 2>& place,
+                                                     double aspect) override;
+
     void draw_readings(const PanelState& state) const override;
     void draw_look(PanelState& state) override;
     void draw_parameters(LiveScene& scene, PanelState& state) override;
 
   private:
+    /// Returns the water that a place of the picture shows, found by a few steps of the query.
+    struct SeenWater {
+        WorldPoint place;
+        QuerySample sample;
+    };
+    std::optional<SeenWater> water_under(const preview::Camera& camera,
+                                         const std::array<double, 2>& place, double aspect);
+
     SceneOptions options_;
     LiveSea live_;
     preview::DrawnSea shown_;

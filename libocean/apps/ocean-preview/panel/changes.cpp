@@ -6,6 +6,8 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/text.hpp"
+#include "ocean/parameter_table.hpp"
+#include "ocean/seafile.hpp"
 
 namespace ocean::app {
 
@@ -54,6 +56,54 @@ void toggle_recording(LiveSea& sea, PanelState& state) {
     } catch (const Error& error) {
         state.message = error.what();
     }
+}
+
+namespace {
+
+/// Begins a drive by a function, as a change that can be undone.
+template <typename Begin>
+void begin_drive(LiveSea& sea, PanelState& state, Begin&& begin) {
+    state.requests.touched = true;
+    sea.stop_drive();
+    OpenedScene before = make_subject(sea.sea());
+    begin();
+    const std::string name = "hulls." + std::to_string(sea.driven_hull());
+    state.message = "driving " + name + " by the arrow keys; H ends its track";
+    state.changes.push_back({"the track of " + name, "what it was", std::move(before)});
+}
+
+}  // namespace
+
+void drive_hull(LiveSea& sea, PanelState& state, std::size_t number) {
+    if (number > 0) return begin_drive(sea, state, [&] { sea.start_drive(number - 1); });
+    state.requests.touched = true;
+    sea.stop_drive();
+    state.message = "the hull's track has ended; save the sea to keep it";
+}
+
+void drive_new_hull(LiveSea& sea, PanelState& state, const std::array<double, 2>& place,
+                    double heading) {
+    begin_drive(sea, state, [&] { sea.drive_new_hull(place[0], place[1], heading); });
+}
+
+void add_crest(LiveSea& sea, PanelState& state, const std::array<double, 2>& place) {
+    state.requests.touched = true;
+    sea.stop_drive();
+    const Sea& before = sea.sea();
+    Sea with = before;
+    const std::string name = "crests." + std::to_string(with.parameters.crests.size());
+    with.parameters.crests.emplace_back();
+    const double time = sea.time() + state.crest.ahead;
+    set_parameter(with.parameters, name + ".height", state.crest.height);
+    Crest& crest = with.parameters.crests.back();
+    crest.time = time;
+    crest.x = place[0];
+    crest.y = place[1];
+    Change change{name, "no crest", make_subject(before)};
+    sea.change(std::move(with));
+    state.changes.push_back(std::move(change));
+    state.message = format_text("%s at %.1f, %.1f m in %.1f s", name.c_str(), place[0], place[1],
+                                state.crest.ahead);
 }
 
 void undo(LiveScene& scene, PanelState& state) {

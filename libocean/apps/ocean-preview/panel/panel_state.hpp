@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -75,6 +76,12 @@ struct FileRows {
     std::string typed;
 };
 
+/// A crest that a click on the water places.
+struct CrestRow {
+    std::string height = "1.3 Hs";  // as in a sea file
+    double ahead = 5.0;             // [s]
+};
+
 /// The actions that a person requested in one frame.
 struct PanelRequests {
     enum class Bridge { nothing, start, stop };
@@ -87,6 +94,8 @@ struct PanelRequests {
     std::string save_picture;  // ".png", ".exr" or ""
     bool reload = false;
     bool record = false;  // starts or stops
+    bool drive = false;   // starts or stops
+    bool add_hull = false;
     bool reset_camera = false;
     std::optional<std::string> backend;
     Bridge bridge = Bridge::nothing;
@@ -100,6 +109,9 @@ struct PanelState {
     bool wireframe = false;
     bool shown = true;
     bool probing = false;
+    std::size_t hull = 0;      // the one that H drives
+    bool follows_hull = true;  // the camera goes along with the driven hull
+    CrestRow crest;
     std::string search;
     std::string message;      // the last one: an error, or the name of a written file
     std::string under_mouse;  // values that the probe found

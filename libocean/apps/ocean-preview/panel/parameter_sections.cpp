@@ -110,6 +110,10 @@ void SeaScene::draw_parameters(LiveScene& scene, PanelState& state) {
     for (std::size_t wave = 0; wave < systems; ++wave) {
         rows.section("Waves " + std::to_string(wave), "waves", wave, true);
     }
+    if (state.search.empty()) {
+        draw_hull_section(live_, state);
+        draw_crest_section(state);
+    }
     for (std::size_t crest = 0; crest < live_.sea().parameters.crests.size(); ++crest) {
         rows.section("Crest " + std::to_string(crest), "crests", crest, false);
     }

@@ -22,6 +22,9 @@ void draw_open_buttons(const LiveScene& scene, PanelState& state);
 void draw_picture_section(LiveScene& scene, PanelState& state);
 void draw_camera_section(LiveScene& scene, CameraControl& camera, PanelState& state);
 void draw_bridge_section(BridgeRows& bridge, PanelRequests& requests);
+/// The driven hull, and the crest that a click places.
+void draw_hull_section(LiveSea& sea, PanelState& state);
+void draw_crest_section(PanelState& state);
 /// Presets and backends.
 void draw_choices(LiveScene& scene, PanelState& state);
 

@@ -81,17 +81,24 @@ void Gamepad::add_to(CameraInput& input, double seconds) const {
     input.up += up_;
 }
 
+void Gamepad::add_to(HullInput& hull, CameraInput& camera) const {
+    hull.faster += ahead_;
+    hull.left -= right_;
+    camera.ahead -= ahead_;
+    camera.right -= right_;
+}
+
 bool ControlInput::moves_camera() const {
     return camera.ahead != 0.0 || camera.right != 0.0 || camera.up != 0.0 ||
            camera.turn_left != 0.0 || camera.turn_up != 0.0 || camera.closer != 0.0;
 }
 
 ControlInput Controls::read(GLFWwindow* window, const WindowInput& input, double seconds,
-                            double degrees_of_pixel) {
+                            double degrees_of_pixel, bool drives) {
     ControlInput result;
     add_keys(window, input, result);
     add_mouse(window, input, degrees_of_pixel, result);
-    add_gamepad(seconds, result);
+    add_gamepad(seconds, drives, result);
     return result;
 }
 
@@ -111,6 +118,7 @@ void Controls::add_keys(GLFWwindow* window, const WindowInput& input, ControlInp
     on(GLFW_KEY_P, WindowCommand::toggle_probe);
     on(GLFW_KEY_V, WindowCommand::next_view);
     on(GLFW_KEY_C, WindowCommand::next_camera);
+    on(GLFW_KEY_H, WindowCommand::drive);
     on(GLFW_KEY_R,
        input.pressed_with_ctrl(GLFW_KEY_R) ? WindowCommand::reload : WindowCommand::record);
     if (input.pressed_with_ctrl(GLFW_KEY_Z)) result.commands.push_back(WindowCommand::undo);
@@ -118,6 +126,8 @@ void Controls::add_keys(GLFWwindow* window, const WindowInput& input, ControlInp
     if (input.pressed_with_ctrl(GLFW_KEY_S)) result.commands.push_back(WindowCommand::save_as);
     // Ctrl S saves, and moves nothing.
     if (is_down(window, GLFW_KEY_LEFT_CONTROL) || is_down(window, GLFW_KEY_RIGHT_CONTROL)) return;
+    result.hull = {axis(window, GLFW_KEY_UP, GLFW_KEY_DOWN),
+                   axis(window, GLFW_KEY_LEFT, GLFW_KEY_RIGHT)};
     result.camera.ahead = axis(window, GLFW_KEY_W, GLFW_KEY_S);
     result.camera.right = axis(window, GLFW_KEY_D, GLFW_KEY_A);
     result.camera.up = axis(window, GLFW_KEY_E, GLFW_KEY_Q);
@@ -129,6 +139,7 @@ void Controls::add_mouse(GLFWwindow* window, const WindowInput& input, double de
     double x = 0.0, y = 0.0;
     glfwGetCursorPos(window, &x, &y);
     if (!ImGui::GetIO().WantCaptureMouse) {
+        if (input.clicked_with_ctrl) result.commands.push_back(WindowCommand::place_crest);
         if (glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) {
             result.camera.turn_left = degrees_of_pixel * (x - mouse_[0]);
             result.camera.turn_up = degrees_of_pixel * (y - mouse_[1]);
@@ -138,9 +149,10 @@ void Controls::add_mouse(GLFWwindow* window, const WindowInput& input, double de
     mouse_ = {x, y};
 }
 
-void Controls::add_gamepad(double seconds, ControlInput& result) {
+void Controls::add_gamepad(double seconds, bool drives, ControlInput& result) {
     gamepad_.read();
     gamepad_.add_to(result.camera, seconds);
+    if (drives) gamepad_.add_to(result.hull, result.camera);
     const auto on = [&](Gamepad::Button button, WindowCommand command) {
         if (gamepad_.pressed(button)) result.commands.push_back(command);
     };

@@ -12,9 +12,16 @@
 
 namespace ocean::app {
 
+/// The steering of a driven hull, each -1 .. 1.
+struct HullInput {
+    double faster = 0.0;
+    double left = 0.0;
+};
+
 /// The left stick moves, the right stick turns, triggers go up and down. A joystick without a known
 /// layout moves by its first two axes and turns by the next two. A, B, X and Y of a gamepad pause,
-/// change the camera, change the view, and return to the start.
+/// change the camera, change the view, and return to the start. While a hull is driven, the left
+/// stick or the first two axes drive it.
 class Gamepad {
   public:
     enum Button { pause, camera, view, reset };
@@ -23,6 +30,8 @@ class Gamepad {
     void read();
     /// Adds its movement for so many seconds to an input.
     void add_to(CameraInput& input, double seconds) const;
+    /// Adds the motion of its left stick to the steering of a hull, in place of that of the camera.
+    void add_to(HullInput& hull, CameraInput& camera) const;
     /// Returns whether the button went down since the previous read().
     bool pressed(Button button) const { return down_[button] && !before_[button]; }
     bool is_connected() const { return is_connected_; }
@@ -44,6 +53,8 @@ enum class WindowCommand {
     next_camera,
     reset_camera,
     record,
+    drive,
+    place_crest,
     undo,
     reload,
     open,
@@ -55,6 +66,7 @@ enum class WindowCommand {
 /// The commands and the movement of one frame.
 struct ControlInput {
     CameraInput camera;
+    HullInput hull;
     std::vector<WindowCommand> commands;
 
     bool moves_camera() const;
@@ -63,9 +75,10 @@ struct ControlInput {
 class Controls {
   public:
     /// Reads the input of the frame, `seconds` long. degrees_of_pixel: the turn of the camera for a
-    /// pixel of dragging. Keys that the panel takes as text are no commands.
+    /// pixel of dragging. drives: a hull is driven. Keys that the panel takes as text are no
+    /// commands.
     ControlInput read(GLFWwindow* window, const WindowInput& input, double seconds,
-                      double degrees_of_pixel);
+                      double degrees_of_pixel, bool drives);
 
     bool has_gamepad() const { return gamepad_.is_connected(); }
     /// Returns the place of the mouse in the window, in its units.
@@ -75,7 +88,7 @@ class Controls {
     void add_keys(GLFWwindow* window, const WindowInput& input, ControlInput& result) const;
     void add_mouse(GLFWwindow* window, const WindowInput& input, double degrees_of_pixel,
                    ControlInput& result);
-    void add_gamepad(double seconds, ControlInput& result);
+    void add_gamepad(double seconds, bool drives, ControlInput& result);
 
     Gamepad gamepad_;
     std::array<double, 2> mouse_{};

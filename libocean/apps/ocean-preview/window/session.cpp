@@ -49,6 +49,8 @@ Session::Session(const PreviewOptions& options, const OpenedScene& scene,
       camera_(options.camera),
       bridge_(state_.bridge,
               {.record = [this](bool on, const std::string& name) { record(on, name); },
+               .drive =
+                   [this](std::size_t number) { drive_hull(*scene_->performed(), state_, number); },
                .logged =
                    [this](const std::string& line) { context_.console.note("bridge: " + line); }}) {
     begin();
@@ -94,6 +96,7 @@ void Session::run() {
         const double seconds = std::min(0.25, milliseconds_since(before) / 1000.0);
         before = Clock::now();
         if (!guarded([&] { scene_->advance(seconds); })) scene_->pause();
+        follow_hull();
         if (step(seconds)) frames_to_draw_ = kFramesToSettle;
         if (LiveSea* const sea = scene_->performed(); sea != nullptr && bridge_.apply(*sea)) {
             frames_to_draw_ = kFramesToSettle;
@@ -107,7 +110,8 @@ void Session::run() {
         if (!std::exchange(began_, true)) context_.console.note("the window is open");
         input_.forget();
     }
-    // Never discard a recording when the window closes.
+    // Never discard a recording or a driven track when the window closes.
+    if (LiveSea* const sea = scene_->performed()) sea->stop_drive();
     if (saved_.lacks(*scene_->opened())) save_scene();
 }
 
@@ -167,7 +171,11 @@ void Session::note_rest(bool rests) {
 /// Carries out the input of a frame. Returns whether it changed anything.
 bool Session::step(double seconds) {
     const double degrees_of_pixel = camera_.camera().field_of_view / std::max(1, viewport_.width());
-    const ControlInput input = controls_.read(window_, input_, seconds, degrees_of_pixel);
+    LiveSea* const sea = scene_->performed();
+    HullDrive* const hull = sea != nullptr ? sea->drive() : nullptr;
+    const ControlInput input =
+        controls_.read(window_, input_, seconds, degrees_of_pixel, hull != nullptr);
+    if (hull != nullptr) hull->steer(input.hull.faster, input.hull.left, seconds);
     for (const WindowCommand command : input.commands) carry_out(command);
     const bool acted = !input.commands.empty();
     const bool rides = camera_.mode == CameraMode::walk || camera_.mode == CameraMode::floating;
@@ -245,17 +253,24 @@ void Session::lay_out_panel() {
     guarded([&] { draw_panel(scene_, camera_, state_); });
 }
 
+std::array<double, 2> Session::in_window(const std::array<double, 2>& at) const {
+    int width = 0, height = 0;
+    glfwGetWindowSize(window_, &width, &height);
+    return {at[0] / width, at[1] / height};
+}
+
+double Session::window_aspect() const {
+    int width = 0, height = 0;
+    glfwGetWindowSize(window_, &width, &height);
+    return static_cast<double>(width) / height;
+}
+
 void Session::look_under_mouse() {
     state_.under_mouse.clear();
     if (!state_.probing || ImGui::GetIO().WantCaptureMouse) return;
-    int width = 0, height = 0;
-    glfwGetWindowSize(window_, &width, &height);
-    const auto& [x, y] = controls_.mouse();
-    const preview::Camera& camera = camera_.camera();
-    const std::array<double, 2> place{x / width, y / height};
-    const double aspect = static_cast<double>(width) / height;
     state_.under_mouse =
-        scene_->under_mouse(viewport_.renderer(), camera, place, aspect, state_.cascade);
+        scene_->under_mouse(viewport_.renderer(), camera_.camera(), in_window(controls_.mouse()),
+                            window_aspect(), state_.cascade);
     viewport_.bind_window();
 }
 

@@ -5,7 +5,9 @@
 // gamepad or a bridge requests.
 #pragma once
 
+#include <array>
 #include <chrono>
+#include <optional>
 #include <string>
 
 #include "command.hpp"
@@ -44,6 +46,13 @@ class Session {
     bool step(double seconds);
     void carry_out(WindowCommand command);
     void carry_out_on_sea(WindowCommand command);
+    void drive(LiveSea& sea, bool new_hull);
+    void place_crest(LiveSea& sea);
+    /// Moves the camera along with the driven hull.
+    void follow_hull();
+    /// Returns a place of the window as a share of it, from the left and from the top.
+    std::array<double, 2> in_window(const std::array<double, 2>& at) const;
+    double window_aspect() const;
     void draw();
     void draw_scene();
     void draw_panels();
@@ -105,6 +114,7 @@ class Session {
     Clock::time_point drawn_ = Clock::now();
     int frames_to_draw_ = 3;
     int frames_of_backend_ = 0;
+    std::optional<std::array<double, 2>> hull_place_;  // of the driven one, in the last frame [m]
     bool began_ = false, rests_ = false;
     std::string picture_requested_;  // ".png" or ".exr", of the next frame
 };

@@ -7,10 +7,12 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "console.hpp"
+#include "ocean/internal/grid.hpp"
 #include "panel/changes.hpp"
 #include "scene_argument.hpp"
 #include "window/session.hpp"
@@ -24,6 +26,8 @@ void Session::carry_out(WindowCommand command) {
             return glfwSetWindowShouldClose(window_, GLFW_TRUE);
         case WindowCommand::pause:
         case WindowCommand::record:
+        case WindowCommand::drive:
+        case WindowCommand::place_crest:
             return carry_out_on_sea(command);
         case WindowCommand::toggle_panel:
             state_.shown = !state_.shown;
@@ -67,9 +71,44 @@ void Session::carry_out_on_sea(WindowCommand command) {
             "a " + std::string(fitted_->kind) + " does not move: it has no clock and no recording";
     } else if (command == WindowCommand::pause) {
         sea->paused = !sea->paused;
+    } else if (command == WindowCommand::drive) {
+        guarded([&] { drive(*sea, sea->sea().parameters.hulls.empty()); });
+    } else if (command == WindowCommand::place_crest) {
+        guarded([&] { place_crest(*sea); });
     } else {
         toggle_recording(*sea, state_);
     }
+}
+
+void Session::drive(LiveSea& sea, bool new_hull) {
+    if (sea.drive() != nullptr) return drive_hull(sea, state_, 0);
+    if (!new_hull) return drive_hull(sea, state_, state_.hull + 1);
+    constexpr double kAhead = 60.0;  // of the camera [m]
+    const preview::Camera& camera = camera_.camera();
+    const double heading = camera.heading * kDegree;
+    drive_new_hull(
+        sea, state_,
+        {camera.eye[0] + kAhead * std::cos(heading), camera.eye[1] + kAhead * std::sin(heading)},
+        camera.heading);
+    state_.hull = sea.driven_hull();
+}
+
+void Session::place_crest(LiveSea& sea) {
+    const auto place = scene_->place_under(camera_.camera(), in_window(*input_.clicked_with_ctrl),
+                                           window_aspect());
+    if (place) add_crest(sea, state_, *place);
+}
+
+void Session::follow_hull() {
+    const LiveSea* const sea = scene_->performed();
+    const HullDrive* const hull = sea != nullptr ? sea->drive() : nullptr;
+    const auto before = std::exchange(hull_place_, std::nullopt);
+    if (hull == nullptr) return;
+    const HullDrive::Pose now = hull->pose(sea->time());
+    hull_place_ = {{now.x, now.y}};
+    if (!before || !state_.follows_hull) return;
+    camera_.camera().eye[0] += now.x - (*before)[0];
+    camera_.camera().eye[1] += now.y - (*before)[1];
 }
 
 void Session::next_view() {
@@ -83,6 +122,8 @@ void Session::run_requests() {
     if (requests.touched) frames_to_draw_ = kFramesToSettle;
     if (requests.reset_camera) reset_camera();
     if (requests.record) carry_out_on_sea(WindowCommand::record);
+    if (requests.drive) carry_out_on_sea(WindowCommand::drive);
+    if (requests.add_hull) guarded([&] { drive(*scene_->performed(), true); });
     if (requests.reload) reload();
     if (requests.bridge == PanelRequests::Bridge::start) guarded([&] { serve(); });
     if (requests.bridge == PanelRequests::Bridge::stop) bridge_.leave();

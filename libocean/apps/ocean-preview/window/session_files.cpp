@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "window/session_files.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <new>
 #include <string_view>
@@ -25,6 +26,17 @@ namespace {
 std::string take_of(const Subject& scene) {
     const Sea* const sea = find_sea(scene);
     return sea != nullptr ? write_take(sea->take) : "";
+}
+
+/// Returns the tracks of a sea that are in no file of their own.
+std::vector<std::shared_ptr<const HullTrack>> tracks_of(const Subject& scene) {
+    std::vector<std::shared_ptr<const HullTrack>> tracks;
+    const Sea* const sea = find_sea(scene);
+    if (sea == nullptr) return tracks;
+    for (const Hull& hull : sea->parameters.hulls) {
+        if (hull.track_file.empty()) tracks.push_back(hull.track);
+    }
+    return tracks;
 }
 
 /// Returns true for the source of a scene that is a file.
@@ -74,11 +86,15 @@ std::string SavedScene::save(const Subject& scene, const std::string& requested)
 
 void SavedScene::set_read(const Subject& scene) {
     kept_take_ = take_of(scene);
+    kept_tracks_ = tracks_of(scene);
 }
 
 bool SavedScene::lacks(const Subject& scene) const {
     const std::string take = take_of(scene);
-    return !take.empty() && take != kept_take_;
+    const auto is_kept = [&](const auto& track) {
+        return std::ranges::find(kept_tracks_, track) != kept_tracks_.end();
+    };
+    return (!take.empty() && take != kept_take_) || !std::ranges::all_of(tracks_of(scene), is_kept);
 }
 
 SessionFiles::SessionFiles(const SubjectArgument& source, LiveScene& scene, PanelState& state,
@@ -131,8 +147,9 @@ void SessionFiles::show(const std::string& path, OpenedFile opened) {
     state_.message = "opened: " + path + "; Undo brings back the " + before + " before";
 }
 
-/// Saves a take that no file has, before another scene replaces it.
+/// Saves a take or a driven track that no file has, before another scene replaces it.
 void SessionFiles::save_recording() {
+    if (LiveSea* const sea = scene_->performed()) sea->stop_drive();
     const OpenedScene scene = scene_->opened();
     if (saved_.lacks(*scene)) console_.note("written: " + saved_.save(*scene));
 }

@@ -5,6 +5,7 @@
 // recent ones, and the file that the scene is saved as.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -34,12 +35,13 @@ class SavedScene {
     std::string save(const Subject& scene, const std::string& requested = "");
     /// The scene was read from a file.
     void set_read(const Subject& scene);
-    /// Returns whether the scene is a sea with a take that no file has.
+    /// Returns whether the scene is a sea with a take or a driven track that no file has.
     bool lacks(const Subject& scene) const;
 
   private:
     std::string stem_;
     std::string kept_take_;  // as text
+    std::vector<std::shared_ptr<const HullTrack>> kept_tracks_;
 };
 
 class SessionFiles {

@@ -51,6 +51,10 @@ void WindowInput::listen_to_mouse(GLFWwindow* window) {
         const auto at = static_cast<std::size_t>(button);
         if (at < input.buttons_.size()) input.buttons_[at] = action == GLFW_PRESS;
         input.count(action, input.clicks_);
+        if (action == GLFW_PRESS && button == GLFW_MOUSE_BUTTON_LEFT &&
+            (mods & GLFW_MOD_CONTROL) != 0) {
+            input.clicked_with_ctrl = {{input.x_, input.y_}};
+        }
         input.add([=](GLFWwindow* target) {
             ImGui_ImplGlfw_MouseButtonCallback(target, button, action, mods);
         });
@@ -85,6 +89,7 @@ bool WindowInput::pressed_with_ctrl(int key) const {
 
 void WindowInput::forget() {
     any = false;
+    clicked_with_ctrl.reset();
     keys_.clear();
     with_ctrl_.clear();
     wheel = 0.0;

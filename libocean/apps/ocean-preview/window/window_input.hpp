@@ -7,6 +7,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,8 @@ class WindowInput {
     void forget();
 
     bool any = false;  // something happened
+    // The left button went down with the control key held, at this place.
+    std::optional<std::array<double, 2>> clicked_with_ctrl;
     double wheel = 0.0;
     std::vector<InputEvent> events;    // in their order
     std::vector<std::string> dropped;  // paths of files that were dropped on the window
