@@ -64,10 +64,10 @@ class CoastMaps::Impl {
     explicit Impl(const CoastMapsOptions& options) : surface_(options) {}
 
     std::shared_ptr<const DrawnCoast> show(Ocean& sea, double time,
-                                           const std::array<double, 3>& eye) {
+                                           const std::array<double, 3>& eye, double cover_power) {
         DrawnCoast& shown = next();
         show_bed(shown, sea.parameters().water.bed);
-        shown.windows = surface_.at(sea, time, eye);
+        shown.windows = surface_.at(sea, time, eye, cover_power);
         shown.area = surface_.area();
         upload(shown);
         return shown_;
@@ -159,8 +159,9 @@ CoastMaps::CoastMaps(const CoastMapsOptions& options) : impl_(std::make_unique<I
 CoastMaps::~CoastMaps() = default;
 
 std::shared_ptr<const DrawnCoast> CoastMaps::show(Ocean& sea, double time,
-                                                  const std::array<double, 3>& eye) {
-    return impl_->show(sea, time, eye);
+                                                  const std::array<double, 3>& eye,
+                                                  double cover_power) {
+    return impl_->show(sea, time, eye, cover_power);
 }
 
 std::shared_ptr<const DrawnCoast> CoastMaps::show_ground(const std::shared_ptr<const SeaBed>& bed) {

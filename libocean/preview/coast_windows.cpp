@@ -27,6 +27,10 @@ constexpr Channel kDepth = channel_of(LandMask::depth);
 constexpr Channel kBreaking = channel_of(LandMask::breaking);
 constexpr ChannelSet kTraceChannels = {kDepth, kBreaking};
 constexpr Channel kTrail = channel_of(LandMask::trail);
+constexpr ChannelSet kHullChannels = {kTrail, Channel::whitecap};
+/// A coarser window would make a patch of its cell of each whitecap that one of its samples meets
+/// [m].
+constexpr double kWhitecapCell = 4.0;
 constexpr ChannelSet kShapeChannels = {Channel::dx,      Channel::dy,      Channel::height,
                                        Channel::slope_x, Channel::slope_y, Channel::dx_x,
                                        Channel::dy_y,    Channel::dx_y};
@@ -114,7 +118,7 @@ Domain placed_area(const Ocean& sea, double time) {
 }
 
 void write_image(CoastImage& image, const CoastPart& part, const CoastTraces& traces,
-                 double choppiness) {
+                 double choppiness, double cover_power) {
     const std::size_t count = sample_count(image.window);
     for (auto* values : {&image.shape, &image.gradients, &image.moments, &image.traces}) {
         values->assign(kWindowComponents * count, 0.0f);
@@ -127,6 +131,10 @@ void write_image(CoastImage& image, const CoastPart& part, const CoastTraces& tr
     const auto dx_x = read(Channel::dx_x), dy_y = read(Channel::dy_y), dx_y = read(Channel::dx_y);
     const bool has_bed = part.surface.channels().contains(kDepth);
     const auto depth = has_bed ? read(kDepth) : std::span<const float>();
+    const bool has_whitecaps =
+        part.surface.channels().contains(Channel::whitecap) && image.window.cell <= kWhitecapCell;
+    const auto whitecap = has_whitecaps ? read(Channel::whitecap) : std::span<const float>();
+    const auto power = static_cast<float>(cover_power);
     visit_part(part, image.window.samples, [&](std::size_t to, std::size_t n) {
         const auto set = [&](std::vector<float>& of, float a, float b, float c, float d) {
             float* const texel = &of[kWindowComponents * to];
@@ -142,7 +150,8 @@ void write_image(CoastImage& image, const CoastPart& part, const CoastTraces& tr
             slope_x[n] * slope_y[n], scale * dx_y[n]);
         // A trail is a share of the water, as cover is.
         const float cover = has_bed ? std::pow(foam, kSurfCoverPower) : foam;
-        set(image.traces, cover, foam * foam * foam, traces.wet[to], 0.0f);
+        set(image.traces, cover, foam * foam * foam, traces.wet[to],
+            has_whitecaps ? std::pow(whitecap[n], power) : 0.0f);
     });
 }
 
@@ -192,8 +201,8 @@ std::optional<double> read_windows(const std::vector<CoastImage>& windows,
     return std::nullopt;
 }
 
-std::vector<CoastImage>& CoastSurface::at(Ocean& sea, double time,
-                                          const std::array<double, 3>& eye) {
+std::vector<CoastImage>& CoastSurface::at(Ocean& sea, double time, const std::array<double, 3>& eye,
+                                          double cover_power) {
     const std::vector<CoastWindow> windows = coast_windows(eye, options_);
     const bool over_bed = sea.parameters().water.bed != nullptr;
     const double lifetime = sea.parameters().water.shore.surf_foam_lifetime;
@@ -207,12 +216,12 @@ std::vector<CoastImage>& CoastSurface::at(Ocean& sea, double time,
     move_traces(windows);
     if (is_new && over_bed && options_.foam_start == FoamStart::settled) settle(sea, time);
     const std::vector<CoastPart> parts =
-        follow(sea, time, kShapeChannels | (over_bed ? kTraceChannels : ChannelSet(kTrail)));
+        follow(sea, time, kShapeChannels | (over_bed ? kTraceChannels : kHullChannels));
     images_.resize(windows.size());
     const double choppiness = sea.parameters().surface.choppiness;
     for (std::size_t w = 0; w < windows.size(); ++w) {
         images_[w].window = windows[w];
-        write_image(images_[w], parts[w], traces_[w], choppiness);
+        write_image(images_[w], parts[w], traces_[w], choppiness, cover_power);
     }
     return images_;
 }

@@ -38,9 +38,10 @@ class CoastSurface {
   public:
     explicit CoastSurface(const CoastMapsOptions& options) : options_(options) {}
 
-    /// Returns the windows at a time [s] around an eye [m]. Valid until the next call. Throws
-    /// Error.
-    std::vector<CoastImage>& at(Ocean& sea, double time, const std::array<double, 3>& eye);
+    /// Returns the windows at a time [s] around an eye [m]. cover_power: of whitecaps, which is
+    /// their cover. Valid until the next call. Throws Error.
+    std::vector<CoastImage>& at(Ocean& sea, double time, const std::array<double, 3>& eye,
+                                double cover_power = 1.0);
     /// Returns the area beside which the sea is the open sea, of the last call: the bed, or the box
     /// of all wakes.
     const Domain& area() const { return area_; }

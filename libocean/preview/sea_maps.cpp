@@ -35,8 +35,8 @@ class SeaMaps::Impl {
         const FoamOfMaps foam = computed_ ? compute(sea, time) : upload(sea, time);
         shown_.foam_threshold = foam.threshold;
         shown_.foam_width = foam.width;
-        cover_.make(foam.texture, foam.lattice.resolution, foam.fade,
-                    power_of(sea, time, foam_of_lattice(foam.lattice)));
+        const double power = power_of(sea, time, foam_of_lattice(foam.lattice));
+        cover_.make(foam.texture, foam.lattice.resolution, foam.fade, power);
         done("cover");
         describe(sea, time);
         shown_.tiles.clear();
@@ -47,7 +47,7 @@ class SeaMaps::Impl {
         shown_.coast = nullptr;
         const auto& bed = of.parameters().water.bed;
         if (eye && (bed || !of.parameters().hulls.empty())) {
-            shown_.coast = coast_.show(of, time, *eye);
+            shown_.coast = coast_.show(of, time, *eye, power);
             done("coast");
         } else if (bed) {
             shown_.coast = coast_.show_ground(bed);

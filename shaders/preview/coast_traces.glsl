@@ -5,7 +5,8 @@
 #include "preview/coast.glsl"
 #include "preview/footprint.glsl"
 
-uniform sampler2DArray coast_traces;  // cover of breaking waves' foam, its bubbles, wetness
+// Cover of breaking waves' foam, its bubbles, wetness, cover of the whitecaps of a sea with hulls.
+uniform sampler2DArray coast_traces;
 
 // Returns the sum of the means of an image of the windows, by their shares.
 vec4 coast_mean(sampler2DArray images, CoastReads reads, Footprint footprint) {

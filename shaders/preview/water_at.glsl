@@ -65,15 +65,18 @@ void add_windows(inout Water water, CoastReads reads, Footprint footprint) {
 }
 
 // Lays the foam of breaking waves over that of the open sea, whose whitecaps do not break where
-// waves feel the bed: by their height over the depth, as the core has it.
+// waves feel the bed: by their height over the depth, as the core has it. Where a sea breaks over a
+// wake, that whitecap is foam.
 void add_surf(inout Water water, CoastReads reads, Footprint footprint) {
     vec4 traces = coast_mean(coast_traces, reads, footprint);
     float rms = 0.7071 * waves.y;
     float surf = (1.0 - water.open) * smoothstep(0.12, 0.22, rms / max(water.depth, 0.1));
     float white = traces.x;
     float thick = white * foam_mean_thickness(white, foam_span);
+    vec2 cap = traces.w * vec2(1.0, foam_mean_thickness(traces.w, foam_span));
     for (int v = 0; v < COVERS; ++v) {
         vec3 open = (1.0 - surf) * water.foam[v];
+        open.rg = max(open.rg, cap);
         water.foam[v].rg = 1.0 - (1.0 - open.rg) * (1.0 - vec2(white, thick));
         water.foam[v].b = max(open.b, traces.y);
     }

@@ -81,6 +81,41 @@ TEST_F(HullPreviewTest, TrailsAreFoamAndItsDepthIsThatOfTheOpenSea) {
     EXPECT_GT(region.channel(channel_of(LandMask::trail))[5], 0.3f);
 }
 
+TEST_F(HullPreviewTest, WhereTheSumOfSeaAndWakeBreaksFoamIsDrawn) {
+    Parameters parameters = sea_with_boat();
+    parameters.hulls.front().factor = 4.0;
+    parameters.hulls.front().trail_lifetime = 0.0;
+    parameters.surface.foam_coverage = FoamCoverage::threshold;
+    Ocean breaking(parameters);
+    parameters.hulls.clear();
+    Ocean open(parameters);
+    const DrawnSea sea = maps_.show(breaking, kBoatTime, kBoatEye);
+    SeaMaps other_maps(small_windows());
+    const DrawnSea alone = other_maps.show(open, kBoatTime, kBoatEye);
+    const Domain labels{{-3.0, 12.0}, {12.0, 12.0}, {25, 25}, false};
+    const Surface region =
+        breaking.region(kBoatTime, labels, {Channel::whitecap, Channel::dx, Channel::dy});
+    const auto whitecaps = region.channel(Channel::whitecap);
+    const double power = breaking.cover_power(kBoatTime);
+    double most = 0.0, cover = 0.0, without = 0.0;
+    for (std::size_t n = 0; n < whitecaps.size(); ++n) {
+        const auto [x, y] = labels.place(static_cast<int>(n) % 25, static_cast<int>(n) / 25);
+        const auto whitecap = static_cast<double>(whitecaps[n]);
+        const auto drawn = read_windows(sea.coast->windows, &CoastImage::traces, 3, x, y);
+        EXPECT_NEAR(drawn.value_or(-1.0), std::pow(whitecap, power), 1e-3) << x << " " << y;
+        if (whitecap <= most) continue;
+        most = whitecap;
+        const std::array<double, 2> place{x + static_cast<double>(region.channel(Channel::dx)[n]),
+                                          y + static_cast<double>(region.channel(Channel::dy)[n])};
+        cover = probe(renderer_, sea, camera(), place).value().cover;
+        without = probe(renderer_, alone, camera(), place).value().cover;
+    }
+    EXPECT_GT(most, 0.5);
+    EXPECT_GT(cover, without + 0.2);
+    // Windows whose cells are wide have none.
+    EXPECT_EQ(read_windows({sea.coast->windows.back()}, &CoastImage::traces, 3, 6.0, 20.0), 0.0);
+}
+
 TEST_F(HullPreviewTest, WhereNoWakeIsTheOpenSeaIsDrawn) {
     Camera away = camera();
     away.eye = {-6.0, 2000.0, 3.0};

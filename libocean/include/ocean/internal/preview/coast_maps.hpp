@@ -47,7 +47,9 @@ struct DrawnCoast {
     unsigned shape = 0;      // Dx, Dy at choppiness 1, height, depth of the water over the bed [m]
     unsigned gradients = 0;  // slope x, slope y, dDx/dx, dDy/dy
     unsigned moments = 0;    // squares of the slopes, their product, dDx/dy
-    unsigned traces = 0;  // cover of the foam of breaking waves, its bubbles, wetness of the ground
+    // Cover of the foam of breaking waves, its bubbles, wetness of the ground, cover of the
+    // whitecaps of a sea with hulls.
+    unsigned traces = 0;
     /// The finest window first; empty while the coast is being computed, when the open sea is
     /// shown.
     std::vector<CoastImage> windows;
@@ -88,9 +90,10 @@ class CoastMaps {
     /// Returns the coast of a sea with a bed, or the wakes of a sea with hulls, at a time [s] for
     /// an eye [m]. Foam of breaking waves and wet ground are followed from call to call at samples
     /// that are fixed in the world; new samples of a window begin with the values of the coarser
-    /// window. Throws Error.
+    /// window. cover_power: of whitecaps, which is their cover. Throws Error.
     std::shared_ptr<const DrawnCoast> show(Ocean& sea, double time,
-                                           const std::array<double, 3>& eye);
+                                           const std::array<double, 3>& eye,
+                                           double cover_power = 1.0);
     /// Returns the ground alone, for a coast that is still being computed.
     std::shared_ptr<const DrawnCoast> show_ground(const std::shared_ptr<const SeaBed>& bed);
     /// Fades from an earlier coast of the same windows, whose share is 1 - `share`. Other windows
