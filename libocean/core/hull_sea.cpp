@@ -237,7 +237,7 @@ void HullSea::query(double time, std::span<const WorldPoint> points, std::span<Q
     HullSurface& surface = this->surface(time, true);
     if (options.exact) {
         require_memory(3 * WaveSum::bytes(open().modes(time), 1), "an exact query of this sea");
-        surface.prepare_sums(open().modes(time), parameters().water);
+        surface.prepare_sums(open().modes(time), open().pool());
     } else {
         const auto [west, east] = std::ranges::minmax(points, {}, &WorldPoint::x);
         surface.prepare(west.x - surface.reach(), east.x + surface.reach(), open().pool());

@@ -101,6 +101,60 @@ TEST(HullSea, ARegionIsTheOpenSeaPlusTheWake) {
     EXPECT_GT(highest, 0.05);
 }
 
+TEST(HullSea, OfSecondOrderItIsTheMapOfTheOpenSeaPlusTheWake) {
+    Parameters parameters = sea_with_boat();
+    parameters.grid.resolution = 128;  // holds the bound waves that are shown
+    parameters.surface.second_order = true;
+    parameters.surface.shortest_wavelength = 8.0;
+    Ocean ocean(parameters);
+    const double step = 200.0 / 128;
+    const Domain there{{0.0, 0.0}, {64 * step, 32 * step}, {65, 33}, false};
+    const ChannelSet channels = {Channel::dx,      Channel::dy,      Channel::height,
+                                 Channel::slope_x, Channel::slope_y, Channel::vz};
+    const Surface both = ocean.region(kTime, there, channels);
+    const Surface open = ocean.evaluate(kTime, channels, 128);
+    Surface wake(there, kTime, channels);
+    ocean.wake_into(0, kTime, there, outputs_of(wake));
+    Parameters linear = parameters;
+    linear.surface.second_order = false;
+    const Surface first_order = Ocean(linear).evaluate(kTime, {Channel::height}, 128);
+    const double height = ocean.state().significant_wave_height.resolved;
+    std::vector<WorldPoint> points;
+    double bound = 0.0, highest = 0.0;
+    for (std::size_t j = 0; j < 33; ++j) {
+        for (std::size_t i = 0; i < 65; ++i) {
+            const std::size_t at = j * 65 + i, sample = j * 128 + i;
+            for (const Channel channel :
+                 {Channel::height, Channel::slope_x, Channel::slope_y, Channel::vz}) {
+                EXPECT_NEAR(both.channel(channel)[at],
+                            open.channel(channel)[sample] + wake.channel(channel)[at],
+                            3e-5 * height);
+            }
+            const auto of = [at](const Surface& map, Channel channel) {
+                return static_cast<double>(map.channel(channel)[at]);
+            };
+            highest = std::max(highest, std::abs(of(wake, Channel::height)));
+            const auto second = static_cast<double>(open.channel(Channel::height)[sample] -
+                                                    first_order.channel(Channel::height)[sample]);
+            bound = std::max(bound, std::abs(second));
+            const auto [x, y] = there.place(static_cast<int>(i), static_cast<int>(j));
+            points.push_back({x + of(both, Channel::dx), y + of(both, Channel::dy)});
+        }
+    }
+    EXPECT_GT(highest, 0.05);
+    EXPECT_GT(bound, 0.01 * height);
+    std::vector<QuerySample> quick(points.size());
+    ocean.query(kTime, points, quick, {.foam = false});
+    std::vector<QuerySample> exact(8);
+    ocean.query(kTime, std::span(points).subspan(1000, 8), exact, {.exact = true, .foam = false});
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        EXPECT_NEAR(quick[i].height, both.channel(Channel::height)[i], 1e-5 * height);
+    }
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        EXPECT_NEAR(exact[i].height, quick[1000 + i].height, 3e-3 * height);
+    }
+}
+
 TEST(HullSea, TheOpenSeaAwayFromTheBoatIsThatOfItsMap) {
     Ocean ocean(sea_with_boat());
     // Samples of the map of one period, 5000 m from the boat.

@@ -26,7 +26,10 @@ LinearWaves<Jet> sum_of(const LinearWaves<Jet>& a, const LinearWaves<Jet>& b) {
 }  // namespace
 
 HullSurface::HullSurface(const Parameters& parameters, int shown, double height, ThreadPool& pool)
-    : choppiness_(parameters.surface.choppiness), shown_(shown), height_(height) {
+    : water_(parameters.water),
+      choppiness_(parameters.surface.choppiness),
+      shown_(shown),
+      height_(height) {
     for (const Hull& hull : parameters.hulls) {
         wakes_.push_back(
             std::make_unique<Wake>(hull, parameters.water, parameters.time.loop_period, pool));
@@ -59,6 +62,7 @@ void HullSurface::move_to(const Modes& modes, double time, bool rates, ThreadPoo
     begun_.reset();
     open_->forget();
     open_->move_to(modes, time, rates, pool);
+    bound_.begin(modes, choppiness_, water_, time, shown_, false, pool);
     double farthest = open_reach_;
     for (const auto& wake : wakes_) {
         farthest += wake->farthest();
@@ -81,15 +85,22 @@ void HullSurface::prepare(double first, double last, ThreadPool& pool) const {
     for (const auto& wake : wakes_) wake->prepare(first, last, pool);
 }
 
-void HullSurface::prepare_sums(const Modes& modes, const Water& water) {
-    if (!sum_) sum_.emplace(modes, water, shown_);
+void HullSurface::prepare_sums(const Modes& modes, ThreadPool& pool) {
+    if (!sum_) sum_.emplace(modes, water_, shown_);
     if (sum_time_ != time_) sum_->set_time(time_);
     sum_time_ = time_;
-    for (const auto& wake : wakes_) wake->prepare_sums(water);
+    bound_.begin(modes, choppiness_, water_, time_, shown_, true, pool);
+    for (const auto& wake : wakes_) wake->prepare_sums(water_);
 }
 
 LinearWaves<Jet> HullSurface::waves_at(double x, double y, bool exact) const {
     LinearWaves<Jet> waves = exact ? waves_of<Jet>(sum_->at_label(x, y)) : open_->read<Jet>(x, y);
+    if (bound_.has_waves()) {
+        const BoundSample second = exact ? bound_.exactly_at(x, y) : bound_.at(x, y);
+        waves.height +=
+            Jet(static_cast<float>(second.height), static_cast<float>(second.slope_x),
+                static_cast<float>(second.slope_y), static_cast<float>(second.height_rate));
+    }
     for (const auto& wake : wakes_) {
         if (!wake->holds(x, y)) continue;
         waves = sum_of(waves, exact ? wake->read_exactly(x, y) : wake->read(x, y));
@@ -119,6 +130,7 @@ LabelPoint HullSurface::displayed(const LinearWaves<Jet>& waves) const {
 std::uint64_t hull_sea_bytes(const Parameters& parameters) {
     std::uint64_t bytes =
         SurfaceQuery::map_bytes(default_map_resolution(parameters.grid), {.refine = 1});
+    if (parameters.surface.second_order) bytes += BoundSplines::bytes(parameters.grid.resolution);
     for (const Hull& hull : parameters.hulls) bytes += Wake::bytes(hull.wake_resolution);
     return bytes;
 }

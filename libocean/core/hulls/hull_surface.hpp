@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The surface of an open sea with hulls, a pure function of label and time: the open sea's waves
-// and the wakes add up at each label, and normal, Jacobian and whitecaps follow from the sums.
+// The surface of an open sea with hulls, a pure function of label and time: the open sea's waves,
+// the waves that they bind if the sea is of second order, and the wakes add up at each label, and
+// normal, Jacobian and whitecaps follow from the sums. Wakes bind no waves.
 #pragma once
 
 #include <cstddef>
@@ -19,6 +20,7 @@
 #include "ocean/query.hpp"
 #include "waves/labels/label_point.hpp"
 #include "waves/labels/open_surface.hpp"
+#include "waves/query/bound_splines.hpp"
 
 namespace ocean {
 
@@ -44,7 +46,7 @@ class HullSurface {
     /// Makes the maps for labels between x = `first` and `last` [m], on all threads.
     void prepare(double first, double last, ThreadPool& pool) const;
     /// Makes the sums over all waves for read(..., exact). The time must have begun with rates.
-    void prepare_sums(const Modes& modes, const Water& water);
+    void prepare_sums(const Modes& modes, ThreadPool& pool);
 
     /// Writes the surface at each label. Several threads may read at once. exact: sums all waves.
     void read(std::span<const WorldPoint> labels, std::span<LabelPoint> points,
@@ -75,11 +77,13 @@ class HullSurface {
         }
     };
 
+    Water water_;
     double choppiness_;
     int shown_;
     double height_;
     double open_reach_ = 0.0;
     std::optional<OpenSurface> open_;
+    BoundSplines bound_;
     std::vector<std::unique_ptr<Wake>> wakes_;
     double reach_ = 0.0;
     double time_ = 0.0;

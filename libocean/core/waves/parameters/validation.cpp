@@ -182,10 +182,6 @@ void validate_second_order(const Parameters& parameters) {
         refuse("a crest on cue has the height of linear waves, and second order would raise it",
                "surface.second_order", "true", "false with [[crests]]");
     }
-    if (!parameters.hulls.empty()) {
-        refuse("wakes are linear waves beside a linear sea", "surface.second_order", "true",
-               "false with [[hulls]]");
-    }
 }
 
 }  // namespace

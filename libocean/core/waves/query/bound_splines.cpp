@@ -8,14 +8,14 @@
 
 namespace ocean {
 
-void BoundSplines::begin(const Modes& sea, const SurfaceSettings& settings, const Water& water,
-                         double time, int shown, bool sums, ThreadPool& pool) {
+void BoundSplines::begin(const Modes& sea, double choppiness, const Water& water, double time,
+                         int shown, bool sums, ThreadPool& pool) {
     if (sea.binding_limit == 0.0) {
         maps_.reset();
         sums_.reset();
         return;
     }
-    const Modes& bound = waves_.at(map_modes(sea, time, shown), settings.choppiness, true, pool);
+    const Modes& bound = waves_.at(map_modes(sea, time, shown), choppiness, true, pool);
     const int samples = std::min(4 * bound.lattice.resolution, kMaxResolution);
     const ModeFactor factor = spline_factor(bound, shown, samples);
     const bool is_same = maps_ && maps_->spline.lattice().period == bound.lattice.period &&

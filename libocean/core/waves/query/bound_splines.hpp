@@ -26,8 +26,9 @@ class BoundSplines {
   public:
     /// Begins a time. `shown`: samples of the map whose waves count. sums: exactly_at() is allowed.
     /// Does nothing for a sea that is linear.
-    void begin(const Modes& sea, const SurfaceSettings& settings, const Water& water, double time,
-               int shown, bool sums, ThreadPool& pool);
+    void begin(const Modes& sea, double choppiness, const Water& water, double time, int shown,
+               bool sums, ThreadPool& pool);
+    bool has_waves() const { return maps_.has_value(); }
     /// Returns the bound waves at a label [m]; nothing in a linear sea. Several threads may call it
     /// at once.
     BoundSample at(double x, double y) const;

@@ -144,7 +144,7 @@ void SurfaceQuery::Impl::begin(const Modes& modes, const SurfaceSettings& settin
     const MapOutput outputs[] = {position.output(kPosition), velocity.output(kVelocity)};
     strips.begin(modes, time, outputs, pool);
     folds.begin(choppiness, reach());
-    bound.begin(modes, settings, water, time, shown, options.exact, pool);
+    bound.begin(modes, choppiness, water, time, shown, options.exact, pool);
     if (!options.exact) return;
     if (!exact) exact.emplace(modes, water, shown);
     exact->set_time(time);
