@@ -119,11 +119,10 @@ void Coast::add_foam(double time, std::span<QuerySample> samples,
     }
 }
 
-const SprayFollower& Coast::spray(double time, const SpraySettings& settings) {
+const SprayFollower& Coast::spray(double time, const SpraySettings& settings,
+                                  const std::optional<Domain>&) {
     const Domain domain = spray_domain(parameters());
-    const auto require_room = [&] {
-        require_memory(2 * domain.count() * kSprayChannels.size() * sizeof(float), "spray");
-    };
+    const auto require_room = [&] { require_memory(spray_map_bytes(domain), "spray"); };
     return open().spray(time, settings, domain, require_room, [&](double t, Surface& map) {
         map = region(t, domain, kSprayChannels);
         leave_out_swash(bed(), map);

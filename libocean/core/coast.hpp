@@ -28,8 +28,9 @@ class Coast final : public PlacedSea {
     void drop(const OpenSea::Ended& ended) override;
     void prepare() override;
 
-    /// Returns the spray of the bed's domain.
-    const SprayFollower& spray(double time, const SpraySettings& settings) override;
+    /// Returns the spray of the bed's domain, for any region.
+    const SprayFollower& spray(double time, const SpraySettings& settings,
+                               const std::optional<Domain>& region) override;
 
     void query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
                const QueryOptions& options) override;

@@ -277,8 +277,20 @@ void HullSea::water_motion(double time, std::span<const WaterPoint> points,
     }
 }
 
-const SprayFollower& HullSea::spray(double time, const SpraySettings& settings) {
-    return open().spray(time, settings);
+const SprayFollower& HullSea::spray(double time, const SpraySettings& settings,
+                                    const std::optional<Domain>& region) {
+    if (!region) return open().spray(time, settings);
+    constexpr Channel kDry = channel_of(LandMask::dry);
+    const Domain domain = spray_domain(parameters(), region);
+    const auto require_room = [&] { require_memory(spray_map_bytes(domain), "spray"); };
+    return open().spray(time, settings, domain, require_room, [&](double t, Surface& map) {
+        map = this->region(t, domain, kSprayChannels | ChannelSet(kDry));
+        const std::span<float> whitecap = map.channel(Channel::whitecap);
+        const std::span<const float> dry = map.channel(kDry);
+        for (std::size_t i = 0; i < whitecap.size(); ++i) {
+            if (dry[i] > 0.5f) whitecap[i] = 0.0f;
+        }
+    });
 }
 
 }  // namespace ocean

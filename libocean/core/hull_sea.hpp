@@ -27,8 +27,9 @@ class HullSea final : public PlacedSea {
     void prepare() override;
     void describe(SeaState& state) override;
 
-    /// Returns the spray of the open sea, which knows no wake.
-    const SprayFollower& spray(double time, const SpraySettings& settings) override;
+    /// Returns the spray of a region's waves and wakes, or of the open sea, which knows no wake.
+    const SprayFollower& spray(double time, const SpraySettings& settings,
+                               const std::optional<Domain>& region) override;
 
     Domain wake_domain(std::size_t hull, double time) const;
     void wake_into(std::size_t hull, double time, const Domain& domain,

@@ -163,17 +163,20 @@ void Ocean::detail_into(double time, std::span<const MapOutput> outputs,
     without_bed("a slope tile").detail_into(time, outputs, settings);
 }
 
-std::vector<SprayParticle> Ocean::spray(double time, const SpraySettings& settings) {
-    return spray_at(time, settings).particles();
+std::vector<SprayParticle> Ocean::spray(double time, const SpraySettings& settings,
+                                        const std::optional<Domain>& region) {
+    return spray_at(time, settings, region).particles();
 }
 
-std::vector<MistPuff> Ocean::mist(double time, const SpraySettings& settings) {
-    return spray_at(time, settings).mist();
+std::vector<MistPuff> Ocean::mist(double time, const SpraySettings& settings,
+                                  const std::optional<Domain>& region) {
+    return spray_at(time, settings, region).mist();
 }
 
-const SprayFollower& Ocean::spray_at(double time, const SpraySettings& settings) {
-    PlacedSea* const sea = placed();
-    return sea != nullptr ? sea->spray(time, settings) : open_->spray(time, settings);
+const SprayFollower& Ocean::spray_at(double time, const SpraySettings& settings,
+                                     const std::optional<Domain>& region) {
+    PlacedSea* const sea = region ? &region_sea() : placed();
+    return sea != nullptr ? sea->spray(time, settings, region) : open_->spray(time, settings);
 }
 
 std::int64_t Ocean::foam_settling_ticks() const {

@@ -331,7 +331,7 @@ const SprayFollower& OpenSea::spray(double time, const SpraySettings& settings,
     require_time(time);
     validate(settings);
     go_to(time);
-    if (!spray_ || spray_->settings() != settings) {
+    if (!spray_ || spray_->settings() != settings || spray_->domain() != domain) {
         spray_.reset();
         require_room();
         spray_ = std::make_unique<SprayFollower>(

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -35,7 +36,8 @@ class PlacedSea {
 
     Surface region(double time, const Domain& domain, ChannelSet channels);
     void region_into(double time, const Domain& domain, std::span<const MapOutput> outputs);
-    virtual const SprayFollower& spray(double time, const SpraySettings& settings) = 0;
+    virtual const SprayFollower& spray(double time, const SpraySettings& settings,
+                                       const std::optional<Domain>& region) = 0;
 
     virtual void query(double time, std::span<const WorldPoint> points,
                        std::span<QuerySample> samples, const QueryOptions& options) = 0;

@@ -97,6 +97,33 @@ TEST(SprayBake, FitsIntoItsForecast) {
     }
 }
 
+TEST(SprayBake, OfARegionWithAHullIsSplitLikeOthers) {
+    const TemporaryFolder folder;
+    BakeOptions options = spray_bake(folder);
+    options.open_subject = [](const std::string&) {
+        Sea sea = parse_sea(find_preset("beaufort_8").toml, "beaufort_8", "");
+        sea.parameters.grid.resolution = 64;
+        sea.parameters.grid.patch_size = 150.0;
+        Hull& hull = sea.parameters.hulls.emplace_back();
+        hull.wake_resolution = 64;
+        auto track = std::make_shared<HullTrack>();
+        track->rows = {{-20.0, 880.0, 0.0}, {20.0, 1120.0, 0.0}};
+        hull.track = track;
+        return make_region_subject(std::move(sea),
+                                   {.origin = {950.0, -40.0}, .size = {120.0, 80.0}, .cell = 2.0});
+    };
+    const BakeForecast before = forecast_bake(plan_of(options));
+    const std::string expected = content_of(options);
+    EXPECT_GT(expected.size(), 4000u);
+    EXPECT_LE(expected.size(), before.bytes);
+    std::string split;
+    for (const char* frame : {"2", "1"}) {
+        options.frames = frame;
+        split.insert(0, content_of(options));
+    }
+    EXPECT_EQ(split, expected);
+}
+
 TEST(SprayBake, IsRefusedBesideOtherProducts) {
     const TemporaryFolder folder;
     const auto refused = [&](const char* products) {

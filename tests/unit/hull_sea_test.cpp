@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "hulls/hull_marks.hpp"
 #include "hulls/wake.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/hull_rules.hpp"
@@ -265,6 +266,54 @@ TEST(HullSea, ATakeChangesTheSeaUnderTheBoat) {
     sequence.region(0.5, kWake, Channel::height);
     const Surface b = sequence.region(kTime, kWake, Channel::height);
     EXPECT_TRUE(std::ranges::equal(a.channel(Channel::height), b.channel(Channel::height)));
+}
+
+TEST(HullSea, TheWindTearsSprayOffItsBowWave) {
+    // A strong wind over low waves, none of which breaks beside the steep wake of a heavy boat.
+    Parameters parameters = sea_with_boat();
+    parameters.waves.front().wind_speed = 15.0;
+    parameters.waves.front().significant_wave_height = 0.05;
+    parameters.surface.foam_coverage = FoamCoverage::threshold;
+    parameters.surface.foam_threshold = 0.85;
+    parameters.hulls.front().factor = 8.0;
+    const SpraySettings settings{.lifetime = 0.3, .density = 40.0};
+    Ocean alone(parameters), sequence(parameters);
+    EXPECT_TRUE(alone.spray(kTime, settings).empty());
+    const std::vector<SprayParticle> particles = alone.spray(kTime, settings, kWake);
+    ASSERT_GT(particles.size(), 20u);
+    EXPECT_LE(particles.size(), max_spray_particles(alone.sea(), settings, kWake));
+    for (const SprayParticle& particle : particles) {
+        EXPECT_GT(particle.x, -70.0);
+        EXPECT_LT(particle.x, 30.0);
+        EXPECT_NEAR(particle.y, 20.0, 25.0);
+    }
+    for (const double time : {2.5, 2.9}) sequence.spray(time, settings, kWake);
+    sequence.spray(2.9, settings);  // of the open sea between
+    const std::vector<SprayParticle> again = sequence.spray(kTime, settings, kWake);
+    ASSERT_EQ(again.size(), particles.size());
+    for (std::size_t i = 0; i < again.size(); ++i) {
+        EXPECT_EQ(again[i].id, particles[i].id);
+        EXPECT_EQ(again[i].x, particles[i].x);
+        EXPECT_EQ(again[i].z, particles[i].z);
+    }
+    // Cells of 0.1 m around the bow: none of those well inside of it throws any.
+    const Domain near{{17.0, 17.0}, {6.0, 6.0}, {13, 13}, false};
+    Hull core = parameters.hulls.front();
+    core.length = 11.6;
+    core.beam = 2.4;
+    HullMarks inside(core, 0.0);
+    int young = 0;
+    for (const SprayParticle& particle : alone.spray(kTime, settings, near)) {
+        if (particle.age > 0.05) continue;  // the wind has carried it
+        ++young;
+        inside.move_to(kTime - particle.age);
+        EXPECT_LT(inside.inside({particle.x - particle.age * particle.vx,
+                                 particle.y - particle.age * particle.vy}),
+                  0.5f);
+    }
+    EXPECT_GT(young, 10);
+    parameters.hulls.clear();
+    EXPECT_THROW(Ocean(parameters).spray(kTime, settings, kWake), Error);
 }
 
 TEST(HullSea, AFloatRisesOnAWake) {

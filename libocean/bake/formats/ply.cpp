@@ -77,7 +77,7 @@ std::uint64_t frame_bytes(const BakePlan& plan, const MeshOrSpray& settings) {
 std::uint64_t max_bytes(const BakePlan& plan, const MeshOrSpray& settings, const BakeFile&) {
     const std::uint64_t comments = 2 * plan.subject_text.size() + 4096;
     if (const auto* spray = spray_of(settings)) {
-        return comments + io::points_ply_bytes(max_spray_points(plan, *spray));
+        return comments + io::points_ply_bytes(max_spray_points(plan, spray->settings));
     }
     return comments + io::ply_bytes(plain_mesh_vertices(plan, mesh_of(settings)),
                                     mesh_of(settings).floats_with_uv(),

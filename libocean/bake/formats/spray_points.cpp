@@ -95,14 +95,7 @@ std::vector<io::HeaderString> spray_setting_strings(const SpraySettings& setting
 }
 
 FrameMaps spray_maps(const BakePlan& draft) {
-    const Parameters& parameters = sea_of(*draft.subject).parameters;
-    const bool has_bed = parameters.water.bed != nullptr;
-    if (!has_bed && !draft.domain().wraps) {
-        throw Error(ErrorKind::unsupported,
-                    "--products spray: it knows no wakes of hulls, so that it has no region; "
-                    "allowed: the spray of the period, without --region");
-    }
-    FrameMaps maps{{}, {has_bed ? draft.resolution : spray_domain(parameters).samples[0]}};
+    FrameMaps maps{{}, {draft.domain().wraps ? spray_domain(draft).samples[0] : draft.resolution}};
     maps.sequential = true;
     return maps;
 }
@@ -138,37 +131,46 @@ std::string spray_cell_warning(const BakePlan& plan) {
         return file.product == kSprayProduct.name || file.product == "density";
     };
     if (std::ranges::none_of(files, has_spray)) return "";
-    const Parameters& parameters = sea_of(*plan.subject).parameters;
-    if (!parameters.water.bed) return "";
-    const Domain domain = spray_domain(parameters);
+    if (plan.domain().wraps) return "";
+    const Domain domain = spray_domain(plan);
     if (domain.step(0) <= kLongest) return "";
     const double side = std::max(domain.size[0], domain.size[1]);
+    const bool has_bed = sea_of(*plan.subject).parameters.water.bed != nullptr;
     return format_text(
-        "spray over a bed of %.0f m is emitted on cells of %.3g m: fronts of breakers are narrower "
-        "than that, and some throw none; a bed of at most 4096 m has cells of 4 m",
-        side, domain.step(0));
+        "spray %s of %.0f m is emitted on cells of %.3g m: fronts of breakers are narrower "
+        "than that, and some throw none; a %s of at most 4096 m has cells of 4 m",
+        has_bed ? "over a bed" : "of a region", side, domain.step(0), has_bed ? "bed" : "region");
 }
 
-std::uint64_t max_spray_points(const BakePlan& plan, const SprayPoints& spray) {
-    return max_spray_particles(sea_of(*plan.subject), spray.settings);
+std::optional<Domain> spray_region(const BakePlan& plan) {
+    const Domain domain = plan.domain();
+    return domain.wraps ? std::nullopt : std::optional(domain);
+}
+
+Domain spray_domain(const BakePlan& plan) {
+    return spray_domain(sea_of(*plan.subject).parameters, spray_region(plan));
+}
+
+std::uint64_t max_spray_points(const BakePlan& plan, const SpraySettings& settings) {
+    return max_spray_particles(sea_of(*plan.subject), settings, spray_region(plan));
 }
 
 std::uint64_t spray_frame_bytes(const BakePlan& plan, const SprayPoints& spray) {
-    const std::uint64_t points = max_spray_points(plan, spray);
+    const std::uint64_t points = max_spray_points(plan, spray.settings);
     return spray_bytes(points) + io::points_bytes(points) + spray_map_bytes(plan);
 }
 
 std::uint64_t spray_map_bytes(const BakePlan& plan) {
-    const Parameters& parameters = sea_of(*plan.subject).parameters;
-    const Domain domain = spray_domain(parameters);
-    const std::uint64_t map = domain.count() * kSprayChannels.size() * sizeof(float);
-    if (parameters.water.bed) return 2 * map;  // the current map and the previous one
-    return map + work_bytes(parameters.grid, plan.backend, kSprayChannels, domain.samples[0]);
+    const Domain domain = spray_domain(plan);
+    if (!domain.wraps) return spray_map_bytes(domain);
+    const Grid& grid = sea_of(*plan.subject).parameters.grid;
+    return domain.count() * kSprayChannels.size() * sizeof(float) +
+           work_bytes(grid, plan.backend, kSprayChannels, domain.samples[0]);
 }
 
 io::Points make_spray_points(const FrameWork& work, const SprayPoints& spray) {
     const std::vector<SprayParticle> particles =
-        ocean_of(work.source).spray(work.time(), spray.settings);
+        ocean_of(work.source).spray(work.time(), spray.settings, spray_region(work.plan));
     io::Points points;
     const std::size_t count = particles.size();
     points.positions.reserve(3 * count);

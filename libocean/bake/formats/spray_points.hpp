@@ -5,6 +5,7 @@
 // formats share. A file with the product `spray` holds no other product.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,8 +46,12 @@ std::vector<BakeFile> list_spray(const BakePlan& plan, int frame);
 std::vector<io::HeaderString> spray_strings(const BakePlan& plan, const SprayPoints& spray,
                                             int frame);
 std::string spray_recipe(const BakePlan& plan, const SprayPoints& spray, const BakeFile& file);
+/// Returns the region that a plan shows, as Ocean::spray takes it; nothing for one period.
+std::optional<Domain> spray_region(const BakePlan& plan);
+/// Returns the samples that a plan's spray is emitted on.
+Domain spray_domain(const BakePlan& plan);
 /// Returns the number of points of a frame, an upper bound.
-std::uint64_t max_spray_points(const BakePlan& plan, const SprayPoints& spray);
+std::uint64_t max_spray_points(const BakePlan& plan, const SpraySettings& settings);
 /// Returns the bytes of the maps that spray is emitted on.
 std::uint64_t spray_map_bytes(const BakePlan& plan);
 std::uint64_t spray_frame_bytes(const BakePlan& plan, const SprayPoints& spray);
@@ -54,8 +59,8 @@ io::Points make_spray_points(const FrameWork& work, const SprayPoints& spray);
 void adopt_spray_settings(const BakedHeader& header, BakeOptions& options);
 void adopt_spray(const BakedHeader& header, BakeOptions& options);
 
-/// Returns a warning if the spray's cells over a bed are longer than breakers are; else "". Beds of
-/// more than 4096 m have such cells.
+/// Returns a warning if the spray's cells over a bed or of a region are longer than breakers are;
+/// else "". Those of more than 4096 m have such cells.
 std::string spray_cell_warning(const BakePlan& plan);
 
 }  // namespace ocean

@@ -79,13 +79,14 @@ bool is_baked(const BakeFile& file) {
 std::uint64_t frame_bytes(const BakePlan& plan, const VolumesOrSpray& settings) {
     const SprayPoints* const spray = spray_of(settings);
     if (spray == nullptr) return volume_frame_bytes(plan, volumes_of(settings));
-    return spray_frame_bytes(plan, *spray) + 2 * io::points_bytes(max_spray_points(plan, *spray));
+    return spray_frame_bytes(plan, *spray) +
+           2 * io::points_bytes(max_spray_points(plan, spray->settings));
 }
 
 /// Returns the cell of the points' grid [m], which is the cell of the spray's lattice, so that each
 /// cell holds a few points.
 double cell_of(const BakePlan& plan) {
-    return spray_domain(sea_of(*plan.subject).parameters).step(0);
+    return spray_domain(plan).step(0);
 }
 
 std::uint64_t max_bytes(const BakePlan& plan, const VolumesOrSpray& settings, const BakeFile&) {
@@ -94,13 +95,13 @@ std::uint64_t max_bytes(const BakePlan& plan, const VolumesOrSpray& settings, co
     // Counts the leaves where spray is born, and the margin into which the wind carries it, in four
     // layers.
     constexpr double kMaxSpeed = 60.0;  // [m/s]
-    const Domain born = spray_domain(sea_of(*plan.subject).parameters);
+    const Domain born = spray_domain(plan);
     const double leaf = 8.0 * born.step(0);
     const auto leaves = [&](std::size_t axis) {
         return born.size[axis] / leaf + 2.0 + 2.0 * kMaxSpeed * spray->settings.lifetime / leaf;
     };
     return 2 * plan.subject_text.size() + 8192 +
-           io::points_vdb_bytes(max_spray_points(plan, *spray),
+           io::points_vdb_bytes(max_spray_points(plan, spray->settings),
                                 static_cast<std::uint64_t>(4.0 * leaves(0) * leaves(1)));
 }
 

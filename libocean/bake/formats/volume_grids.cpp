@@ -55,9 +55,8 @@ GridCounts max_counts(const BakePlan& plan, const VolumeSettings& settings) {
         for (std::size_t axis = 0; axis < 2 && plan.domain().wraps; ++axis) {
             copies *= (box.high[axis] - box.low[axis] + 2.0 * reach) / period + 1.0;
         }
-        counts.puffs =
-            static_cast<std::uint64_t>(copies * static_cast<double>(max_spray_particles(
-                                                    sea_of(*plan.subject), settings.spray)));
+        counts.puffs = static_cast<std::uint64_t>(
+            copies * static_cast<double>(max_spray_points(plan, settings.spray)));
     }
     return counts;
 }
@@ -82,7 +81,7 @@ QueryOptions velocity_query(const BakePlan& plan, const VolumeSettings& settings
 
 /// Returns the bytes of the mist's puffs and of the spray that makes them.
 std::uint64_t mist_bytes(const BakePlan& plan, const SpraySettings& spray, std::uint64_t puffs) {
-    return spray_bytes(max_spray_particles(sea_of(*plan.subject), spray)) +
+    return spray_bytes(max_spray_points(plan, spray)) +
            puffs * (sizeof(io::DensityPuff) + 2 * sizeof(std::uint32_t)) + spray_map_bytes(plan);
 }
 
@@ -224,7 +223,8 @@ std::vector<io::DensityPuff> puffs_around(const FrameWork& work, const VolumeSet
     const std::array<double, 6>& box = *settings.box;
     const double area = settings.spray.density > 0.0 ? settings.mist / settings.spray.density : 0.0;
     std::vector<io::DensityPuff> puffs;
-    for (const MistPuff& mist : ocean_of(work.source).mist(work.time(), settings.spray)) {
+    for (const MistPuff& mist :
+         ocean_of(work.source).mist(work.time(), settings.spray, spray_region(work.plan))) {
         io::DensityPuff puff{{mist.x, mist.y, mist.z}, mist.deviation, area * mist.share};
         const double reach = io::density_reach(puff, settings.velocity_voxel);
         const auto first = [&](std::size_t axis) {

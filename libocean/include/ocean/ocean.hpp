@@ -142,12 +142,17 @@ class Ocean {
                      const DetailSettings& settings = {});
     /// Returns all particles of spray alive at a time [s], in an unspecified but reproducible
     /// order. The first call computes a map of spray_lattice for every tick of the foam's clock
-    /// within the lifetime, a later one only for new ticks: the bits are the same. Throws Error
-    /// invalid_value for settings out of range, and out_of_memory.
-    std::vector<SprayParticle> spray(double time, const SpraySettings& settings = {});
+    /// within the lifetime, a later one only for new ticks: the bits are the same. region: a part
+    /// of a sea with hulls, whose wakes throw spray too; without it the spray is that of one period
+    /// of the open sea. Over a bed it is always that of the whole bed. Throws Error invalid_value
+    /// for settings out of range, unsupported for a region of a sea that repeats, and
+    /// out_of_memory.
+    std::vector<SprayParticle> spray(double time, const SpraySettings& settings = {},
+                                     const std::optional<Domain>& region = {});
     /// Returns the mist of that spray: a puff for each particle born within the lifetime, including
     /// those that have ended since. Costs as much as spray().
-    std::vector<MistPuff> mist(double time, const SpraySettings& settings = {});
+    std::vector<MistPuff> mist(double time, const SpraySettings& settings = {},
+                               const std::optional<Domain>& region = {});
     /// Returns the ticks of the foam's clock until foam that began empty equals settled foam, for
     /// the map that needs the longest.
     std::int64_t foam_settling_ticks() const;
@@ -189,7 +194,8 @@ class Ocean {
     void require_hull(std::size_t hull) const;
     /// Returns the sea that has regions. Throws Error unsupported for a sea that repeats.
     PlacedSea& region_sea() const;
-    const SprayFollower& spray_at(double time, const SpraySettings& settings);
+    const SprayFollower& spray_at(double time, const SpraySettings& settings,
+                                  const std::optional<Domain>& region);
 
     std::unique_ptr<OpenSea> open_;
     std::unique_ptr<Coast> coast_;    // of the open sea; used while it has a bed

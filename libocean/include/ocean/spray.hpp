@@ -7,7 +7,8 @@
 // of its birth: its position, its velocity and its end. Spray is the stage between the whitecap
 // maps of the surface and the files of points; Ocean::spray follows it over time. Over a bed the
 // fronts of waves that break by the depth turn white too, and the wind tears drops off them as off
-// whitecaps.
+// whitecaps. A region of a sea with hulls throws spray where the sum of waves and wakes breaks; the
+// sheets that a bow throws up in calm air are no whitecaps, and none.
 //
 // A particle stands for a parcel of drops of one size. The number of drops is known only to a
 // factor of a million [Andreas 1998], so the density is an artistic choice.
@@ -22,6 +23,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "ocean/channel.hpp"
 #include "ocean/domain.hpp"
@@ -55,7 +57,7 @@ struct SprayParticle {
     /// with a probability of 3e-8; two particles of one tick never do.
     std::uint64_t id;
     double x, y, z;     // [m]; born within one period, which it may leave; copies tile, but
-                        // not over a bed
+                        // not over a bed and not of a region
     double vx, vy, vz;  // d/dt of the position [m/s]
     double age;         // since its birth [s]
     double life;        // age at which it ends, fixed at its birth [s]
@@ -75,16 +77,21 @@ struct MistPuff {
 /// Independent of all settings.
 Lattice spray_lattice(const Grid& grid);
 /// Returns the samples that spray is emitted on: spray_lattice's, or for a sea over a bed the whole
-/// bed, with cells by the same rule for its longer side.
-Domain spray_domain(const Parameters& parameters);
+/// bed, else for a region of a sea with hulls that region, with cells by the same rule for its
+/// longer side.
+Domain spray_domain(const Parameters& parameters, const std::optional<Domain>& region = {});
 /// The channels that a map of spray_domain's samples must have.
 inline constexpr ChannelSet kSprayChannels = {Channel::dx,      Channel::dy, Channel::height,
                                               Channel::vx,      Channel::vy, Channel::vz,
                                               Channel::whitecap};
 
 /// Returns an upper bound of the particles alive at once at any time of the sea. If foam_coverage
-/// knows the wind, its whitecap coverage bounds them more closely than SpraySettings::most.
-std::uint64_t max_spray_particles(const Sea& sea, const SpraySettings& settings);
+/// knows the wind, its whitecap coverage bounds them more closely than SpraySettings::most, but not
+/// those of a region.
+std::uint64_t max_spray_particles(const Sea& sea, const SpraySettings& settings,
+                                  const std::optional<Domain>& region = {});
+/// Returns the bytes of the maps of a spray_domain that does not repeat.
+std::uint64_t spray_map_bytes(const Domain& domain);
 /// Returns the bytes for following that many particles, which are included, beside the maps of the
 /// lattice.
 std::uint64_t spray_bytes(std::uint64_t particles);

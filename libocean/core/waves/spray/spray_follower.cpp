@@ -78,17 +78,24 @@ Lattice spray_lattice(const Grid& grid) {
     return {std::min(cells_along(grid.patch_size), default_map_resolution(grid)), grid.patch_size};
 }
 
-Domain spray_domain(const Parameters& parameters) {
-    if (!parameters.water.bed) {
+Domain spray_domain(const Parameters& parameters, const std::optional<Domain>& region) {
+    const SeaBed* const bed = parameters.water.bed.get();
+    if (!bed && !region) {
         const Lattice lattice = spray_lattice(parameters.grid);
         return Domain::tile(lattice.period, lattice.resolution);
     }
-    const Domain& bed = parameters.water.bed->domain;
-    const double side = std::max(bed.size[0], bed.size[1]);
-    return with_cell(bed, side / cells_along(side));
+    const Domain& part = bed ? bed->domain : *region;
+    const double side = std::max(part.size[0], part.size[1]);
+    return with_cell(part, side / cells_along(side));
 }
 
-std::uint64_t max_spray_particles(const Sea& sea, const SpraySettings& settings) {
+std::uint64_t spray_map_bytes(const Domain& domain) {
+    // The map, that of the next tick, and a mask of what is dry.
+    return domain.count() * (2 * kSprayChannels.size() + 1) * sizeof(float);
+}
+
+std::uint64_t max_spray_particles(const Sea& sea, const SpraySettings& settings,
+                                  const std::optional<Domain>& region) {
     const Parameters& parameters = sea.parameters;
     const double wind = strongest_wind_ever(sea);
     const double density = settings.density * spume_onset(wind);
@@ -97,7 +104,7 @@ std::uint64_t max_spray_particles(const Sea& sea, const SpraySettings& settings)
     const auto plays_coverage = [](const TakeEvent& event) {
         return event.parameter.info->holds<&SurfaceSettings::foam_coverage>();
     };
-    const bool by_wind = !parameters.water.bed &&  // there waves break by the depth too
+    const bool by_wind = !parameters.water.bed && !region &&  // depth and wakes break waves too
                          parameters.surface.foam_coverage == FoamCoverage::monahan &&
                          std::ranges::none_of(sea.take.events, plays_coverage);
     if (by_wind) {

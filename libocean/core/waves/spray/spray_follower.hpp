@@ -28,6 +28,7 @@ class SprayFollower {
                   std::uint32_t seed);
 
     const SpraySettings& settings() const { return settings_; }
+    const Domain& domain() const { return map_.domain(); }
     /// Follows births up to a time [s], which the other functions then use. An exception of the
     /// source passes through and leaves a state that can be used further.
     void go_to(double time, const SpraySource& source);

@@ -147,7 +147,7 @@ class OpenSea {
     PageVector<float> lattice_foam_;         // at the time of the last map that is finer
     PageVector<float> spread_foam_;          // the same on that map
     std::map<DetailSettings, std::unique_ptr<DetailMaps>> detail_;
-    std::unique_ptr<SprayFollower> spray_;  // for the settings of the last call
+    std::unique_ptr<SprayFollower> spray_;  // for the last call
     std::unique_ptr<Performer> performer_;
 
     /// Identifies the maps of a query.
