@@ -235,3 +235,53 @@ def test_a_large_frame_is_little_more_than_its_floats(ocean):
     ocean.bake("-o a.usda --frames 1 --resolution 1024")
     size = (ocean.folder / "a.0001.usdc").stat().st_size
     assert size < 1.02 * 1025 * 1025 * 10 * 4
+
+
+FERRY = """
+libocean = 1
+[grid]
+resolution = 64
+patch_size = 200.0
+[[hulls]]
+length = 20.0
+beam = 6.0
+draught = 1.0
+wake_resolution = 64
+track = [[-60.0, -480.0, 0.0], [60.0, 480.0, 0.0]]
+"""
+
+
+def test_each_frame_is_cut_where_its_hull_is(ocean):
+    (ocean.folder / "ferry.toml").write_text(FERRY)
+    bake = ["bake", "ferry.toml", "--region=-30,-10,60,20", "--cell", "1", "--frames", "1-25x24"]
+    ocean.good(*bake, "--products", "foam", "--cut-hulls", "-o", "out/sea.usda")
+    ocean.good(*bake, "--products", "position", "--cut-hulls", "-o", "cut/sea.####.ply")
+    ocean.good(*bake, "--products", "dry", "-o", "whole/sea.####.ply")
+    stage = Usd.Stage.Open(str(ocean.folder / "out/sea.usda"))
+    mesh = mesh_of(stage)
+    assert not UsdGeom.PrimvarsAPI(mesh).GetPrimvar("st").ValueMightBeTimeVarying()
+    assert not UsdGeom.PrimvarsAPI(mesh).GetPrimvar("dry")
+    for frame, middle in ((1, 0.0), (25, 8.0)):
+        counts = mesh.GetFaceVertexCountsAttr().Get(frame)
+        corners = mesh.GetFaceVertexIndicesAttr().Get(frame)
+        points = numpy.array(mesh.GetPointsAttr().Get(frame))
+        assert UsdGeom.Mesh.ValidateTopology(corners, counts, len(points))
+        assert (numpy.array(counts) == 3).all()
+        triangles = numpy.array(corners).reshape(-1, 3)
+        cut = meshio.read(ocean.folder / f"cut/sea.{frame:04}.ply")
+        assert (triangles == cut.cells_dict["triangle"]).all() and not cut.point_data.get("dry")
+        # The squares whose diagonal lies inside are gone, and no others.
+        whole = meshio.read(ocean.folder / f"whole/sea.{frame:04}.ply")
+        squares = whole.cells_dict["triangle"].reshape(-1, 6)
+        kept = (whole.point_data["dry"][squares[:, 1:3]] < 0.5).any(1)
+        assert (triangles.reshape(-1, 6) == squares[kept]).all()
+        assert 50 < (~kept).sum() < 80  # of 80 m2, less the line
+        centres = points[triangles].mean(1)
+        assert not ((abs(centres[:, 0] - middle) < 5) & (abs(centres[:, 1]) < 1)).any()
+    refused = ocean("bake", "ferry.toml", "--cut-hulls", "-o", "sea.ply")
+    assert refused.returncode == 2 and "it needs --region" in refused.stderr
+    # Its own file says how it was made.
+    ocean.good("bake", "--from", "cut/sea.0025.ply", "-o", "again.ply")
+    assert (ocean.folder / "again.ply").read_bytes() == (
+        ocean.folder / "cut/sea.0025.ply"
+    ).read_bytes()

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/plain_mesh.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <utility>
@@ -17,6 +18,8 @@ namespace {
 
 constexpr std::string_view kNormalAlone = "normal";
 constexpr std::string_view kNothing = "position";
+constexpr const char* kCutHulls = "cut-hulls";
+constexpr Channel kDry = channel_of(LandMask::dry);
 
 /// The openings of our PLY and OBJ, and the text before the name of their first comment.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kOpenings = {
@@ -42,7 +45,8 @@ std::vector<FormatOption> plain_mesh_options(std::string_view products, bool all
          "Comma list of " + std::string(products) +
              " and the masks of a land, or position; default " +
              std::string(all ? products : kNormalAlone)},
-        {"axes", "AXES", "zup (x, y, z) or yup (x, z, -y); default zup"}};
+        {"axes", "AXES", "zup (x, y, z) or yup (x, z, -y); default zup"},
+        {kCutHulls, "", "Leave out the faces inside of hulls; with --region", "", kSeaKind}};
     for (FormatOption& option : land_lod_options()) options.push_back(std::move(option));
     return options;
 }
@@ -58,7 +62,7 @@ ProductChoice plain_mesh_products(const Catalogue& catalogue, std::string_view p
 
 PlainMesh read_plain_mesh(const BakeOptions& options, const ChosenProducts& chosen) {
     return {chosen.products, chosen.is_default, read_up_axes(options, "a mesh"),
-            read_land_lod(options)};
+            !options.format_option(kCutHulls).empty(), read_land_lod(options)};
 }
 
 FormatPlan<PlainMesh> resolve_plain_mesh(const BakePlan& draft, const PlainMesh& requested) {
@@ -68,6 +72,13 @@ FormatPlan<PlainMesh> resolve_plain_mesh(const BakePlan& draft, const PlainMesh&
     FrameMaps maps{{height}, {draft.resolution}};
     if (is_displaced(*draft.subject)) maps.channels = {dx, dy, height};
     for (const Product* product : mesh.products) maps.channels = maps.channels | product->set();
+    if (mesh.cut) {
+        if (draft.domain().wraps) {
+            throw Error(ErrorKind::invalid_value,
+                        "--cut-hulls: maps of one period have no hulls; it needs --region");
+        }
+        maps.channels = maps.channels | ChannelSet(kDry);
+    }
     if (!mesh.lod) return {maps, mesh};
     mesh.lod = resolve_land_lod(draft, *mesh.lod);
     maps.resolutions = {kMinResolution};  // the mesh reads the land itself
@@ -85,6 +96,7 @@ std::vector<io::HeaderString> plain_mesh_strings(const BakePlan& plan, const Pla
     strings.push_back({"ocean:resolution", std::to_string(plan.resolution)});
     strings.push_back({"ocean:axes", std::string(io::axes_name(mesh.axes))});
     strings.push_back({"ocean:field", names_of(mesh)});
+    if (mesh.cut) strings.push_back({"ocean:cut_hulls", "yes"});
     if (!mesh.lod) return strings;
     for (io::HeaderString& string : land_lod_strings(*mesh.lod))
         strings.push_back(std::move(string));
@@ -94,6 +106,7 @@ std::vector<io::HeaderString> plain_mesh_strings(const BakePlan& plan, const Pla
 std::string plain_mesh_recipe(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& file) {
     std::string lines =
         "mesh " + names_of(mesh) + " " + std::string(io::axes_name(mesh.axes)) + " uv extent\n";
+    if (mesh.cut) lines += "cut hulls\n";
     if (mesh.lod) {
         for (const io::HeaderString& string : land_lod_strings(*mesh.lod)) {
             lines += string.name + " " + string.text + "\n";
@@ -148,6 +161,16 @@ io::Mesh make_plain_mesh(const FrameWork& work, const PlainMesh& settings, io::F
     io::Mesh mesh = settings.lod
                         ? make_land_lod_mesh(work.source, *settings.lod, settings.products, faces)
                         : io::make_patch_mesh(work.maps.front(), faces);
+    if (settings.cut) {
+        const Surface& map = work.maps.front();
+        if (mesh.triangles.empty()) mesh.triangles = io::patch_triangles(map.domain());
+        io::cut_dry_squares(map.domain(), map.channel(kDry), mesh.triangles);
+        const auto is_dry = [](const auto* product) { return product->set() == ChannelSet(kDry); };
+        if (std::ranges::none_of(settings.products, is_dry)) {
+            std::erase_if(mesh.attributes,
+                          [](const auto& one) { return one.name == word_of(LandMask::dry); });
+        }
+    }
     if (settings.axes == io::Axes::yup) io::turn_y_up(mesh);
     return mesh;
 }
@@ -155,6 +178,7 @@ io::Mesh make_plain_mesh(const FrameWork& work, const PlainMesh& settings, io::F
 void adopt_plain_mesh(const BakedHeader& header, const Catalogue&, BakeOptions& options) {
     options.set_default("products", header.text("field"));
     options.set_default("axes", header.text("axes"));
+    if (header.has("cut_hulls")) options.set_default(kCutHulls, header.text("cut_hulls"));
     if (header.has("lod")) options.set_default("lod", header.text("lod"));
     if (header.has("farthest")) options.set_default("farthest", header.text("farthest"));
 }

@@ -18,11 +18,12 @@
 
 namespace ocean {
 
-/// The settings --products, --axes and --lod of a mesh.
+/// The settings --products, --axes, --cut-hulls and --lod of a mesh.
 struct PlainMesh {
     std::vector<const Product*> products;
     bool is_default = false;  // --products was not given
     io::Axes axes = io::Axes::zup;
+    bool cut = false;                 // without the faces inside of hulls
     std::optional<LandLod> lod = {};  // a mesh around an eye instead of one period
 
     /// Returns the number of floats of a vertex, without its uv.

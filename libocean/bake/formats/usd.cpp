@@ -126,6 +126,7 @@ io::UsdSequence sequence_of(const BakePlan& plan, const PlainMesh& mesh) {
             .rate = plan.subject->timeline().frame_rate,
             .y_up = mesh.axes == io::Axes::yup,
             .attributes = attributes,
+            .own_faces = mesh.cut,
             .words = words_of(plan)};
 }
 
@@ -169,7 +170,7 @@ bool matches_plan(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& f
     return std::ranges::all_of(
         std::array{"ocean:" + std::string(plan.subject->kind()), std::string("ocean:frame"),
                    std::string("ocean:resolution"), std::string("ocean:axes"),
-                   std::string("ocean:field")},
+                   std::string("ocean:field"), std::string("ocean:cut_hulls")},
         [&](std::string_view name) { return text_of(found, name) == text_of(wanted, name); });
 }
 
@@ -182,8 +183,14 @@ bool is_baked(const BakeFile& file) {
     return head.starts_with("#usda") && head.find(mark) != std::string::npos;
 }
 
+/// Returns an upper bound of the bytes of the counts and corners of a frame's own faces.
+std::uint64_t own_faces_bytes(const BakePlan& plan, const PlainMesh& mesh) {
+    return mesh.cut ? plain_mesh_triangles(plan, mesh) * 4 * sizeof(int) : 0;
+}
+
 std::uint64_t frame_bytes(const BakePlan& plan, const PlainMesh& mesh) {
-    return plain_mesh_vertex_bytes(plan, mesh) + (mesh.lod ? mesh.lod->work_bytes : 0);
+    return plain_mesh_vertex_bytes(plan, mesh) + own_faces_bytes(plan, mesh) +
+           (mesh.lod ? mesh.lod->work_bytes : 0);
 }
 
 std::uint64_t max_bytes(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& file) {
@@ -194,7 +201,7 @@ std::uint64_t max_bytes(const BakePlan& plan, const PlainMesh& mesh, const BakeF
     }
     // The stage may hold a name and two pairs of numbers for each frame.
     if (is_shared(file)) return comments + plan.all_frames.size() * (2 * file.path.size() + 64);
-    return comments + plain_mesh_vertex_bytes(plan, mesh);
+    return comments + plain_mesh_vertex_bytes(plan, mesh) + own_faces_bytes(plan, mesh);
 }
 
 void write(const FrameWork& work, const PlainMesh& settings, std::span<const BakeFile> files) {

@@ -140,6 +140,22 @@ std::vector<int> patch_triangles(int resolution) {
     return patch_triangles(Domain::tile(1.0, resolution));
 }
 
+void cut_dry_squares(const Domain& domain, std::span<const float> dry,
+                     std::vector<int>& triangles) {
+    constexpr std::size_t kCorners = 6;  // of a square
+    const auto width = static_cast<std::size_t>(patch_vertices(domain)[0]);
+    const auto is_wet = [&](std::size_t vertex) { return dry[vertex] < 0.5f; };
+    std::size_t kept = 0;
+    for (std::size_t at = 0; at < triangles.size(); at += kCorners) {
+        const auto first = static_cast<std::size_t>(triangles[at]);
+        if (!is_wet(first + 1) && !is_wet(first + width)) continue;
+        std::copy_n(triangles.begin() + static_cast<std::ptrdiff_t>(at), kCorners,
+                    triangles.begin() + static_cast<std::ptrdiff_t>(kept));
+        kept += kCorners;
+    }
+    triangles.resize(kept);
+}
+
 std::vector<float> patch_uv(const Domain& domain) {
     const auto [columns, rows] = patch_vertices(domain);
     std::vector<float> uv(2 * vertex_count(domain));

@@ -38,11 +38,19 @@ std::string asset(const std::string& name) {
 /// The extent, which each frame has: the model has the bounds of its only mesh.
 constexpr std::string_view kExtent = "extent", kHint = "extentsHint", kExtentType = "float3[]";
 
+/// The faces, which all frames share, or of which each frame has its own.
+constexpr std::string_view kCounts = "faceVertexCounts", kIndices = "faceVertexIndices",
+                           kFacesType = "int[]";
+
 /// Returns the declarations of all attributes of frames.
 std::string frame_attributes(const UsdSequence& sequence) {
     std::string text = "    point3f[] points\n";
     for (const std::string_view name : {kExtent, kHint}) {
         text += "    " + std::string(kExtentType) + " " + std::string(name) + "\n";
+    }
+    for (const std::string_view name : {kCounts, kIndices}) {
+        if (!sequence.own_faces) break;
+        text += "    " + std::string(kFacesType) + " " + std::string(name) + "\n";
     }
     for (const Attribute& attribute : sequence.attributes) {
         const UsdName usd = usd_name(attribute);
@@ -124,9 +132,10 @@ void write_topology(const Topology& topology, int mark, const SubjectWords& word
     const std::size_t faces = topology.indices.size() / static_cast<std::size_t>(topology.corners);
     OutputFile file(path);
     UsdCrate crate(file, words.prim, "Mesh");
-    crate.add_default("faceVertexCounts", "int[]",
+    crate.add_default(std::string(kCounts), std::string(kFacesType),
                       crate.integers(std::vector<int>(faces, topology.corners)));
-    crate.add_default("faceVertexIndices", "int[]", crate.integers(topology.indices));
+    crate.add_default(std::string(kIndices), std::string(kFacesType),
+                      crate.integers(topology.indices));
     crate.add_uniform("subdivisionScheme", "token", crate.token("none"));
     if (topology.uv != nullptr) {
         crate.add_default(usd_name(*topology.uv).name, usd_name(*topology.uv).type,
@@ -197,6 +206,11 @@ void write_usd_frame(const Mesh& mesh, std::span<const HeaderString> strings, do
     const UsdCrate::Value box = crate.floats(bounds(mesh.positions), 3);
     for (const std::string_view name : {kExtent, kHint}) {
         add({std::string(name), std::string(kExtentType)}, box);
+    }
+    if (!mesh.triangles.empty()) {
+        const std::vector<int> counts(mesh.triangles.size() / 3, 3);
+        add({std::string(kCounts), std::string(kFacesType)}, crate.integers(counts));
+        add({std::string(kIndices), std::string(kFacesType)}, crate.integers(mesh.triangles));
     }
     if (!mesh.normals.empty()) add(usd_name(normal_attribute()), crate.floats(mesh.normals, 3));
     for (const Attribute& attribute : mesh.attributes) {

@@ -73,6 +73,9 @@ std::array<int, 2> patch_vertices(const Domain& domain);
 /// Return the triangles of a patch mesh, which depend on the number of samples only.
 std::vector<int> patch_triangles(const Domain& domain);
 std::vector<int> patch_triangles(int resolution);
+/// Removes from the triangles of a patch mesh the squares of which no end of the diagonal lies
+/// where `dry`, the mask's value at each vertex, is below 0.5: the water inside of hulls.
+void cut_dry_squares(const Domain& domain, std::span<const float> dry, std::vector<int>& triangles);
 /// Returns the uv of a patch mesh, two numbers for each vertex: 0 at the first vertex of a side, 1
 /// at the last.
 std::vector<float> patch_uv(const Domain& domain);

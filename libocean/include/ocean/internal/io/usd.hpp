@@ -28,6 +28,7 @@ struct UsdSequence {
     /// The attributes of the frames beside the points, with normals as "normal"; values are
     /// ignored.
     std::vector<Attribute> attributes;
+    bool own_faces = false;  // each frame has its triangles, in place of the shared faces
     SubjectWords words = subject_words("");
 };
 
@@ -40,8 +41,8 @@ std::string usd_stage(const UsdSequence& sequence, std::span<const HeaderString>
 /// open all of them.
 std::string usd_clip_manifest(const UsdSequence& sequence);
 
-/// Writes the points of a mesh, their extent, and its normals and attributes at a time code. Throws
-/// Error output.
+/// Writes the points of a mesh, their extent, its normals and attributes, and its triangles if it
+/// has some, at a time code. Throws Error output.
 void write_usd_frame(const Mesh& mesh, std::span<const HeaderString> strings, double time_code,
                      const std::string& path);
 /// Writes the quads of a patch mesh and its uv as primvars:st. Throws Error output.
