@@ -134,7 +134,7 @@ def test_frames_of_another_sea_or_form_are_left_out_with_a_warning(tmp_path):
     sea = sea_text(resolution=64, period=60.0)
     export(tmp_path, sea, "--frames", "1-6", "--near-only")
     for options in (["--set", "seed=2", "--near-only"], ["--fps", "25", "--near-only"], []):
-        done = ocean(tmp_path, "povray its_sea.toml -o . --frames 1-3", *options)
+        done = ocean(tmp_path, "povray its_sea.toml -o . --frames 1-3 --overwrite", *options)
         assert done.returncode == 0
         assert "of another sea or of other options: 4-6; ./ocean.ini leaves them out" in done.stderr
         assert settings(tmp_path)["Final_Frame"] == "3"
