@@ -147,6 +147,21 @@ TEST(PatchMesh, OfADomainThatDoesNotWrapHasItsSamplesOnly) {
     EXPECT_EQ(mesh.positions[3 * last + 1], -15.0f);
 }
 
+TEST(PatchMesh, SquaresWhoseDiagonalIsDryAreCut) {
+    // Three squares in a row; vertices 0 .. 3 south, 4 .. 7 north. Diagonals: 1-4, 2-5 and 3-6.
+    const Domain domain{{0.0, 0.0}, {3.0, 1.0}, {4, 2}, false};
+    std::vector<int> triangles = io::patch_triangles(domain);
+    const std::vector<int> all = triangles;
+    const std::vector<float> dry = {1.0f, 0.2f, 0.5f, 0.9f, 1.0f, 1.0f, 0.4f, 1.0f};
+    io::cut_dry_squares(domain, dry, triangles);
+    const std::vector<int> first(all.begin(), all.begin() + 6), last(all.end() - 6, all.end());
+    std::vector<int> expected = first;
+    expected.insert(expected.end(), last.begin(), last.end());
+    EXPECT_EQ(triangles, expected);
+    io::cut_dry_squares(domain, std::vector<float>(8, 1.0f), triangles);
+    EXPECT_TRUE(triangles.empty());
+}
+
 TEST(PatchMesh, OfATileAwayFromTheOriginClosesItsSeamThere) {
     const int n = 32;
     const Surface at_origin = gentle_surface(n);
