@@ -849,6 +849,7 @@ def test_a_hand_places_a_crest_and_drives_a_hull(hand):
     hand.do("click", 1)
     hand.do("keyup", "ctrl")
     hand.keys, hand.clicks = hand.keys + 1, hand.clicks + 1
+    hand.rest()  # before the mouse goes to the panel
     (crest,) = hand.saved("sea-changed-1.toml")["crests"]
     assert crest["height"] == "1.3 Hs" and crest["time"] > 5.0 and crest["x"] > 10.0
     hand.key("ctrl+z")
@@ -873,6 +874,18 @@ def test_a_hand_places_a_crest_and_drives_a_hull(hand):
         hand.keys += 2
     assert hull["track"][0][1:] == [60.0, 0.0, 0.0, 0.0]
     assert hull["track"][-1][1] > 61.0 and hull["track"][-1][3] > 2.0
+    # The stick of a gamepad steers it too, in place of the camera.
+    hand.push("gamepad", "1 0 0 0 -1 -1")
+    hand.key("space", rest=False)
+    for _ in range(3):
+        hand.picture()
+    hand.key("space", rest=False)
+    hand.push("gamepad", "0 0 0 0 -1 -1")
+    hand.rest()
+    attempt += 1
+    (turned,) = hand.saved(f"sea-changed-{attempt}.toml")["hulls"]
+    assert turned["track"][-1][3] < hull["track"][-1][3]
+    hull = turned
     # A track that is in no file is saved with the window.
     hand.key("h")
     assert "rror" not in hand.end()

@@ -132,6 +132,8 @@ TEST_F(LiveCoastTest, NothingIsRecordedOverABed) {
     LiveSea live(test::beach_sea(), options());
     live.settle();
     EXPECT_THROW(live.start_recording(), Error);
+    EXPECT_THROW(live.drive_new_hull(0.0, 0.0, 0.0), Error);
+    EXPECT_TRUE(live.sea().parameters.hulls.empty());
 }
 
 }  // namespace

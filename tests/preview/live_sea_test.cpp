@@ -6,6 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+
+#include "ocean-preview/panel/changes.hpp"
 #include "ocean-preview/workload.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/gl/context.hpp"
@@ -224,15 +228,64 @@ TEST_F(LiveSeaTest, ADrivenHullWritesItsTrackIntoTheSea) {
     EXPECT_NE(write_sea(live.sea()).find("track = ["), std::string::npos);
 }
 
+/// Returns why a call is refused; "": it is not.
+template <typename Call>
+std::string refusal(const Call& call) {
+    try {
+        call();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST_F(LiveSeaTest, ACrestIsPlacedAheadOfTheClockOrRefusedWithItsSentence) {
+    LiveSea live(windy_sea(), options());
+    live.go_to(3.0);
+    PanelState state;
+    add_crest(live, state, {40.0, 50.0});
+    const auto& crests = live.sea().parameters.crests;
+    ASSERT_EQ(crests.size(), 1u);
+    EXPECT_EQ(crests[0].time, 8.0);
+    EXPECT_EQ(crests[0].x, 40.0);
+    EXPECT_EQ(to_text(crests[0].height), "1.3 Hs");
+    EXPECT_EQ(live.time(), 3.0);
+    EXPECT_TRUE(live.fading());
+    const WorldPoint place{40.0, 50.0};
+    QuerySample water{};
+    live.ocean().query(8.0, {&place, 1}, {&water, 1}, {.foam = false});
+    const double height = live.ocean().state().significant_wave_height.resolved;
+    EXPECT_GT(water.height, height);
+    // Too high, no height, and one more at the same place and time.
+    for (const auto& [typed, words] :
+         std::map<std::string, std::string>{{"2.5 Hs", "allowed: -2 Hs .. 2 Hs"},
+                                            {"high", "crests.1.height"},
+                                            {"1 Hs", "lies at the place and time of crests.0"}}) {
+        state.crest.height = typed;
+        EXPECT_NE(refusal([&] {
+                      add_crest(live, state, {40.0, 50.0});
+                  }).find(words),
+                  std::string::npos)
+            << typed;
+    }
+    EXPECT_EQ(live.sea().parameters.crests.size(), 1u);
+    EXPECT_EQ(state.changes.size(), 1u);
+    // Its sea plays no take: parameters fade, and nothing is recorded.
+    live.set(kWind, "10");
+    EXPECT_EQ(wind(live.sea().parameters), 10.0);
+    EXPECT_NE(refusal([&] { live.start_recording(); }).find("plays no take"), std::string::npos);
+    LiveSea performed(windy_sea(), options());
+    performed.start_recording();
+    performed.set(kWind, "10");
+    performed.stop_recording();
+    state.crest.height = "1 Hs";
+    EXPECT_NE(refusal([&] {
+                  add_crest(performed, state, {0.0, 0.0});
+              }).find("plays no take"),
+              std::string::npos);
+}
+
 TEST_F(LiveSeaTest, WhereNoHullCanBeDrivenItSaysWhy) {
-    const auto refusal = [](const auto& call) -> std::string {
-        try {
-            call();
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "";
-    };
     LiveSea none(windy_sea(), options());
     EXPECT_EQ(refusal([&] { none.start_drive(0); }),
               "hulls.0: the sea has no such hull to drive; allowed: none");

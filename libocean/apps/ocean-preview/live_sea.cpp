@@ -198,7 +198,8 @@ void LiveSea::set(const std::string& name, const std::string& value) {
     Sea changed = sea();
     set_in_sea(changed, name, value);
     const bool glides = live && changed.parameters.time.loop_period == 0.0 &&
-                        !changed.parameters.water.bed && time_ >= performed_until_;
+                        !changed.parameters.water.bed && changed.parameters.crests.empty() &&
+                        time_ >= performed_until_;
     if (glides) {
         if (ocean_->sea().take.events.size() > kept_.take.events.size() + kMaxGlides) {
             become(kept_);
@@ -342,6 +343,7 @@ void LiveSea::start_recording() {
                     "this sea has a bed (water.seabed), whose coast is computed for one sea state: "
                     "nothing can be recorded over it");
     }
+    require_takes(kept_.parameters);
     Sea recorded = kept_;
     std::erase_if(recorded.take.events,
                   [&](const TakeEvent& event) { return event.seconds > time_; });

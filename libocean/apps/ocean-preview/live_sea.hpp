@@ -68,9 +68,9 @@ class LiveSea {
 
     // Changes.
     /// Sets a parameter. A live parameter glides to the value from now on, unless the sea has a
-    /// loop or a bed; any other change makes another sea, into which this one fades over a second,
-    /// over a bed once its coast is computed. Throws Error, also for a live parameter that the take
-    /// plays while nothing is recorded.
+    /// loop, a bed or crests on cue; any other change makes another sea, into which this one fades
+    /// over a second, over a bed once its coast is computed. Throws Error, also for a live
+    /// parameter that the take plays while nothing is recorded.
     void set(const std::string& name, const std::string& value);
     /// Shows a changed sea, into which this one fades, at the time of the clock. Throws Error.
     void change(Sea sea);
@@ -93,7 +93,7 @@ class LiveSea {
 
     // The take.
     /// Makes live changes events of the take from now on, and drops later events that it has.
-    /// Throws Error for a sea with a loop or a bed.
+    /// Throws Error for a sea with a loop, a bed or crests on cue.
     void start_recording();
     void stop_recording();
     bool recording() const { return recording_; }
