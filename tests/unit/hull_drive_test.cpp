@@ -159,7 +159,7 @@ TEST(HullDrive, TheWakeOfAGrowingTrackIsThatOfTheWholeTrack) {
 TEST(HullDrive, ATrackThatGrowsLeavesTheOpenSeaAsItIs) {
     Parameters parameters = test::wind_sea(32, 200.0);
     parameters.surface.foam_coverage = FoamCoverage::threshold;
-    parameters.surface.foam_lifetime = 1.0;
+    parameters.surface.foam_lifetime = 0.2;
     parameters.hulls = {hull_to_drive(resting_boat(), parameters.water)};
     HullDrive drive(parameters.hulls.front(), 0.0);
     parameters.hulls.front().track = drive.planned();
