@@ -226,8 +226,7 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
     request_stage(typed, options);
     refuse_lod_of_maps(typed, options);
     if (typed.summary && !typed.dry_run) {
-        throw Error(ErrorKind::invalid_value,
-                    "--summary: it is of the plan that -n prints; give -n");
+        refuse("--summary: it is of the plan that -n prints; give -n");
     }
     options.source = typed.subject.source;
     options.threads = context.options.threads;
