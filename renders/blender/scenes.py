@@ -4,9 +4,9 @@
 
 usage: blender --background --python renders/blender/scenes.py -- SCENE PICTURE [SAMPLES] [PERCENT]
 
-The add-on must be installed. SCENE is open_sea, dusk, storm, volume, below, ferry, coast_dusk
-or coast_bay; PICTURE ends in .jpg or .png. Storm and volume also need the command `ocean` (or
-another by the environment variable OCEAN), and volume OpenVDB's Python module.
+The add-on must be installed. SCENE is open_sea, dusk, storm, volume, below, ferry, hero,
+hero_before, coast_dusk or coast_bay; PICTURE ends in .jpg or .png. Storm and volume also need the
+command `ocean` (or another by the environment variable OCEAN), and volume OpenVDB's Python module.
 """
 
 import atexit
@@ -323,6 +323,25 @@ def ferry(scene) -> None:
     scene.frame_set(1)
 
 
+def hero(scene, *, has_crest: bool = True) -> None:
+    """A storm with the crest of 7.2 m that its file asks for, before a buoy of 4 m: the picture of
+    POV-Ray and the preview, and the list by which they are judged."""
+    sky(scene, elevation=22.0, azimuth=75.0, strength=0.16, dust=0.8)
+    camera(scene, (338.0, 258.0, 3.2), (400.0, 300.0, 4.4), 38.6)  # 50 degrees
+    ocean = ocean_of(HERE.parent / "crests" / "hero.toml", "jerlov_ii")
+    if not has_crest:
+        bpy.ops.libocean.remove_crest()
+    afloat(discus_buoy(), ocean, (396.0, 304.0), 30.0)
+    settings = ocean.libocean
+    settings.use_custom_time, settings.custom_time = True, 20.0
+    scene.render.resolution_x, scene.render.resolution_y = 1440, 600
+
+
+def hero_before(scene) -> None:
+    """The same storm without the crest."""
+    hero(scene, has_crest=False)
+
+
 BEACH = HERE.parent / "coast" / "beach.toml"
 
 
@@ -393,6 +412,8 @@ SCENES = {
     "volume": volume,
     "below": below,
     "ferry": ferry,
+    "hero": hero,
+    "hero_before": hero_before,
     "coast_dusk": coast_dusk,
     "coast_bay": coast_bay,
 }

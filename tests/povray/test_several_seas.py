@@ -27,7 +27,7 @@ def refusal(folder, name):
 @pytest.mark.parametrize("format_", FORMATS)
 def test_frames_that_are_left_of_another_sea_are_refused(tmp_path, format_):
     Folder(tmp_path, ROUGH, *frames(format_))
-    folder = Folder(tmp_path, CALM, "--frames", "1-2", "--format", format_)
+    folder = Folder(tmp_path, CALM, "--frames", "1-2", "--format", format_, "--overwrite")
     log = refusal(folder, "sea_0003")
     assert "is frame 3 at 0.083 s of another sea" in log and "Ocean_Open" in log
     folder.run('Ocean_Load("sea_0002")\nobject { Ocean_Sheet_() }')

@@ -144,6 +144,18 @@ class Builder:
             socket.default_value = value
 
     def switch(self, kind: str, condition, off, on):
+        """The node has sockets of all types, and a file keeps each: it stands in a nested group
+        once, unless an operand is a constant."""
+        operands = (condition, off, on)
+        if not all(isinstance(given, bpy.types.NodeSocket) for given in operands):
+            return self._switch(kind, *operands)
+
+        def make(b: Builder, *inputs) -> list:
+            return [b._switch(kind, *inputs)]
+
+        return self.nested(f"switch {kind.lower()}", make, *operands)[0]
+
+    def _switch(self, kind: str, condition, off, on):
         made = self.node("GeometryNodeSwitch", input_type=kind)
         self.link(condition, compat.active(made.inputs, "Switch"))
         self.feed(off, compat.active(made.inputs, "False"))
