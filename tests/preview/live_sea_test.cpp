@@ -298,7 +298,8 @@ TEST_F(LiveSeaTest, WhereNoHullCanBeDrivenItSaysWhy) {
     Sea second = windy_sea();
     second.parameters.surface.second_order = true;
     LiveSea sharper(second, options());
-    EXPECT_NE(refusal([&] { sharper.drive_new_hull(0.0, 0.0, 0.0); }), "");
+    sharper.drive_new_hull(0.0, 0.0, 0.0);
+    EXPECT_NE(sharper.drive(), nullptr) << "wakes stand beside its waves";
     // A hull whose track is taken from it is driven no more.
     none.drive_new_hull(0.0, 0.0, 0.0);
     none.open(windy_sea());
