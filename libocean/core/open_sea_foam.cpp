@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 
+#include "chain.hpp"
 #include "ocean/internal/map_request.hpp"
 #include "ocean/internal/open_sea.hpp"
 #include "waves/surface/map_writer.hpp"
