@@ -11,6 +11,7 @@
 
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/text.hpp"
+#include "ocean/sea_bed.hpp"
 
 namespace ocean {
 
