@@ -84,7 +84,7 @@ def _mark(b: Builder, geometry, hull, outline, begin, size, number, *, first: bo
     b.link(hull, info.inputs["Object"])
     position = b.node("GeometryNodeInputPosition").outputs[0]
     place = b.math("SUBTRACT", position, info.outputs["Location"])
-    own = b.rotate(place, info.outputs["Rotation"], back=True)
+    own = b.in_axes(place, info.outputs["Rotation"])
     y = b.parts(own)[1]
     length, width, _ = b.parts(size)
     along, _, up = b.parts(b.math("DIVIDE", b.math("SUBTRACT", own, begin), size))

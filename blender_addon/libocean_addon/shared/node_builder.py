@@ -137,6 +137,14 @@ class Builder:
         self.link(euler, made.inputs["Rotation"])
         return made.outputs["Vector"]
 
+    def in_axes(self, vector, euler):
+        """Returns a vector in the axes that Euler angles turn. They are made once, where a turn of
+        the vector takes six sines a vertex."""
+        axes = (self.rotate(axis, euler) for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
+        return self.vector(
+            *(self.math("DOT_PRODUCT", vector, axis, result="Value") for axis in axes)
+        )
+
     def feed(self, value, socket) -> None:
         if isinstance(value, bpy.types.NodeSocket):
             self.link(value, socket)
