@@ -5,6 +5,7 @@
 // small maps add up to the one surface.
 #include "ocean/internal/cascades.hpp"
 
+#include <cmath>
 #include <cstdint>
 
 #include "ocean/internal/cascade_map.hpp"
@@ -15,6 +16,8 @@
 #include "refusal.hpp"
 #include "test_seas.hpp"
 #include "wave/wave.hpp"
+#include "waves/labels/open_surface.hpp"
+#include "waves/query/query_bounds.hpp"
 #include "waves/surface/plane_channels.hpp"
 
 namespace ocean {
@@ -115,6 +118,19 @@ TEST(Cascades, HaveNoiseOfTheirOwn) {
     }
     EXPECT_GT(a, 0.0);
     EXPECT_LT(std::abs(product) / std::sqrt(a * b), 0.05);
+}
+
+TEST(Cascades, WavesThatAMapHidesExcuseNoCoarseSpline) {
+    Parameters parameters = cascade_sea(32, 4000.0, {1, 2, 5});
+    parameters.waves.front().wind_speed = 15.0;
+    const Modes modes = test::modes_of(parameters);
+    constexpr int kShown = 64;
+    const double hidden = query_bounds(modes, kShown, kMaxResolution, true, test::pool()).error;
+    EXPECT_GT(hidden, 0.1);
+    for (double tolerance = 0.5; tolerance > 1e-3; tolerance *= 0.8) {
+        const double error = OpenSurface(modes, kShown, tolerance, test::pool()).height_error();
+        EXPECT_LE(std::sqrt(error * error - hidden * hidden), tolerance);
+    }
 }
 
 TEST(Cascades, TheModesHaveTheEnergyThatIsReported) {
