@@ -238,6 +238,18 @@ TEST(Kernel, MachinesWithoutFusedProductsRoundThemOnceToo) {
     }
 }
 
+TEST(Kernel, PowersAreThoseOfDouble) {
+    for (int i = 1; i <= 4000; ++i) {
+        const float x = static_cast<float>(i) / 4000.0f;
+        for (const float y : {0.01f, 0.5f, 1.0f, 3.7f, 8.0f}) {
+            const double expected = std::pow(static_cast<double>(x), static_cast<double>(y));
+            if (expected < 1e-30) continue;
+            const float power = OCEAN_KERNEL::pow(x, y).v[0];
+            ASSERT_NEAR(static_cast<double>(power) / expected, 1.0, 2.5e-6) << x << "^" << y;
+        }
+    }
+}
+
 TEST_F(KernelFrames, HaveTheSameBitsOnAllMachines) {
     const auto plain = channels(SimdLevel::portable, 1);
     for (const SimdLevel level : levels()) {

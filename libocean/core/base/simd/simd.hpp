@@ -205,8 +205,8 @@ OCEAN_INLINE SinCosLanes sin_cos(Vec turns) {
             Vec(reinterpret_cast<Lanes>(reinterpret_cast<IntLanes>(cosine) ^ cosine_sign))};
 }
 
-/// x^y for 0 <= x <= 1 and 0 < y <= 8, to 2e-6 relative, and 0 below 1e-38: 2^(y log2 x), with the
-/// logarithm by the odd series of the inverse hyperbolic tangent between sqrt(1/2) and sqrt(2).
+/// x^y for 0 <= x <= 1 and 0 < y <= 8, to 2.5e-6 relative, and 0 below 1e-38: 2^(y log2 x), with
+/// the logarithm by the odd series of the inverse hyperbolic tangent between sqrt(1/2) and sqrt(2).
 OCEAN_INLINE Vec pow(Vec x, Vec y) {
     const IntLanes bits = reinterpret_cast<IntLanes>(x.v);
     const IntLanes exponent = (bits - 0x3f3504f3) >> 23;
