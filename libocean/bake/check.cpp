@@ -31,20 +31,19 @@ OutputPattern pattern_of(const std::string& path) {
     const bool is_manifest = std::ranges::any_of(
         kEndings, [&](std::string_view ending) { return path.ends_with(ending); });
     if (!is_manifest) return OutputPattern(path);
-    const std::filesystem::path native = utf8_path(path);
-    const std::string name = text::to_utf8(native.filename());
+    const std::string name = text::to_utf8(utf8_path(path).filename());
+    const std::string folder = path.substr(0, path.size() - name.size());
+    const auto is_of = [&](const OutputPattern& pattern) {
+        return pattern.manifest() == path || pattern.shard_of_manifest(name).has_value();
+    };
     // "sea.manifest.3of20.json" is one of sea.exr; "manifest.json" of ####.exr.
-    for (std::size_t end = name.size(); end != 0 && end != name.npos;
+    for (std::size_t end = name.rfind('.'); end != 0 && end != name.npos;
          end = name.rfind('.', end - 1)) {
-        const std::string stem = name.substr(0, end);
-        const std::string folder = path.substr(0, path.size() - name.size());
-        const OutputPattern pattern(folder + stem + ".exr");
-        const std::string whole = pattern.manifest().substr(folder.size());
-        if (whole == name || pattern.shard_of_manifest(name)) return pattern;
+        const OutputPattern pattern(folder + name.substr(0, end) + ".exr");
+        if (is_of(pattern)) return pattern;
     }
-    const OutputPattern nameless(path.substr(0, path.size() - name.size()) + "####.exr");
-    const bool is_its = nameless.manifest() == path || nameless.shard_of_manifest(name);
-    if (is_its) return nameless;
+    const OutputPattern nameless(folder + "####.exr");
+    if (is_of(nameless)) return nameless;
     throw Error(ErrorKind::invalid_value,
                 "'" + path + "': neither a manifest of a bake nor its -o, out/sea.####.exr");
 }
@@ -63,7 +62,10 @@ std::string sequence_name(const ManifestEntry& entry) {
 class Check {
   public:
     explicit Check(const CheckRequest& request)
-        : request_(request), pattern_(pattern_of(request.path)), folder_(pattern_.folder()) {}
+        : request_(request),
+          pattern_(pattern_of(request.path)),
+          folder_(pattern_.folder()),
+          manifests_(find_manifests(pattern_)) {}
 
     BakeCheck run() {
         read_manifests();
@@ -86,11 +88,9 @@ class Check {
     }
 
     void read_manifests() {
-        const std::vector<ManifestFile> manifests = find_manifests(pattern_);
         std::set<int> numbers;
         int shards = 0;
-        for (const ManifestFile& manifest : manifests) {
-            names_.insert(text::to_utf8(utf8_path(manifest.path).filename()));
+        for (const ManifestFile& manifest : manifests_) {
             try {
                 for (auto& [name, entry] : parse_manifest(read_manifest_text(manifest.path))) {
                     listed_[name].push_back(std::move(entry));
@@ -100,14 +100,13 @@ class Check {
                 add(BakeFault::damaged, manifest.path, error.what());
             }
             if (!manifest.shard) continue;
-            shards_.push_back(manifest.path);
             shards = std::max(shards, manifest.shard->count);
             numbers.insert(manifest.shard->number);
         }
-        if (manifests.empty()) {
+        if (manifests_.empty()) {
             add(BakeFault::missing, pattern_.manifest(), "no manifest, nor one of a shard");
         }
-        if (manifests.empty() || !manifests.front().shard) return;  // the whole has all frames
+        if (manifests_.empty() || !manifests_.front().shard) return;  // the whole has all frames
         for (int number = 1; number <= shards; ++number) {
             if (numbers.contains(number)) continue;
             add(BakeFault::missing, pattern_.manifest(Shard{number, shards}),
@@ -220,7 +219,6 @@ class Check {
                     ++result_.whole;
                     result_.bytes += files[i]->bytes;
                 }
-                if (request_.progress) request_.progress(i + 1, files.size());
             });
     }
 
@@ -236,8 +234,11 @@ class Check {
             const std::string name = text::to_utf8(file->path().filename());
             const bool is_like_ours = name.starts_with(pattern_.stem()) && !name.starts_with('.') &&
                                       extensions.contains(text::to_utf8(file->path().extension()));
-            if (!is_like_ours || entries_.contains(name) || names_.contains(name)) continue;
-            add(BakeFault::foreign, path_of(name), "no manifest lists it");
+            const std::string path = path_of(name);
+            const bool is_manifest =
+                std::ranges::find(manifests_, path, &ManifestFile::path) != manifests_.end();
+            if (!is_like_ours || entries_.contains(name) || is_manifest) continue;
+            add(BakeFault::foreign, path, "no manifest lists it");
         }
     }
 
@@ -245,20 +246,19 @@ class Check {
     void merge() {
         result_.merged = pattern_.manifest();
         io::write_file_atomically(result_.merged, manifest_text(entries_));
-        for (const std::string& path : shards_) {
+        for (const ManifestFile& manifest : manifests_) {
             std::error_code error;
-            std::filesystem::remove(utf8_path(path), error);
-            if (error) throw Error(ErrorKind::output, "cannot remove '" + path + "'");
+            if (manifest.shard) std::filesystem::remove(utf8_path(manifest.path), error);
+            if (error) throw Error(ErrorKind::output, "cannot remove '" + manifest.path + "'");
         }
     }
 
     const CheckRequest& request_;
     OutputPattern pattern_;
     std::string folder_;
+    std::vector<ManifestFile> manifests_;
     std::map<std::string, std::vector<ManifestEntry>> listed_;  // by all manifests
     ManifestEntries entries_;
-    std::vector<std::string> shards_;  // their manifests
-    std::set<std::string> names_;      // of the manifests
     BakeCheck result_;
 };
 

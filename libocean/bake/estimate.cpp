@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -111,6 +112,16 @@ std::vector<std::string> bake_warnings(const BakePlan& plan, std::size_t frames)
         all.push_back(std::move(warning));
     }
     return all;
+}
+
+long BakeForecast::all() const {
+    return std::accumulate(files.begin(), files.end(), 0L,
+                           [](long sum, const File& file) { return sum + file.count; });
+}
+
+long BakeForecast::kept() const {
+    return std::accumulate(files.begin(), files.end(), 0L,
+                           [](long sum, const File& file) { return sum + file.kept; });
 }
 
 BakeForecast forecast_bake(const BakePlan& plan) {

@@ -73,7 +73,6 @@ class Manifest {
     const ManifestEntry* find(const std::string& name) const;
     /// Returns the entries of all manifests at the time of construction.
     const ManifestEntries& found() const { return found_; }
-    const std::string& path() const { return path_; }
 
     /// Adds or replaces the entry of a file. Any thread.
     void add(ManifestEntry entry);

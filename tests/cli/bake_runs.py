@@ -19,6 +19,15 @@ BAKE_SOME = ["bake", "sea.toml", "--frames", FRAMES, "-o"]
 BAKE = ["bake", "sea.toml", *PLAIN, "--frames", FRAMES, "-o"]
 
 
+BOAT = """
+[[hulls]]
+length = 10.0
+beam = 2.5
+draught = 0.6
+wake_resolution = 64
+"""
+
+
 def pattern(folder):
     return f"{folder}/s.####.exr"
 

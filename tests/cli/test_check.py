@@ -40,7 +40,7 @@ def test_shards_are_joined_to_the_manifest_of_the_whole(ocean, extension):
     assert "s.manifest.2of3.json" in ocean.files("parts")
     assert "s.manifest.json" not in ocean.files("parts")
     assert faults(ocean, f"parts/{output}") == {}
-    # What is complete is kept, whatever manifest lists it.
+    # A bake keeps what is complete, whatever manifest lists it.
     again = ("bake sea.toml -o", f"parts/{output}", *FRAMES, *options, "--skip-existing")
     summary = json.loads(ocean.good(*again, "-n", "--summary", "--json"))
     assert summary["kept"] == summary["files"]

@@ -7,15 +7,9 @@ import csv
 import io
 
 import pytest
+from bake_runs import BOAT
 
-HULL = """
-[[hulls]]
-length = 10.0
-beam = 2.5
-draught = 0.6
-wake_resolution = 64
-track_file = "boat.csv"
-"""
+HULL = BOAT + 'track_file = "boat.csv"\n'
 REGION = ("--region=-40,-20,60,40", "--cell", "2")
 FRAME = ("--frames", "1", "--products", "displacement")
 

@@ -295,7 +295,7 @@ def test_a_client_drives_a_hull_and_its_way_is_saved(folder, bridge, window):
     wait_for(lambda: number("app.frame_rate") > 0.0, shown)
     for wrong in ("app.hull.speed 1e9", "app.hull.heading nan", "app.hull.drive 17"):
         assert ask(f"SET {wrong}").startswith("ERR RANGE"), wrong
-    # What the sea does not have is told, and the value goes back.
+    # The preview tells what the sea does not have, and the value goes back.
     assert ask("SET app.hull.drive 2") == "OK"
     wait_for(lambda: any("hulls.1: the sea has no such hull" in line for line in lines), shown)
     wait_for(lambda: number("app.hull.drive") == 0.0, shown)

@@ -145,7 +145,7 @@ TEST(HullDrive, TheWakeOfAGrowingTrackIsThatOfTheWholeTrack) {
         highest = std::max(highest, std::abs(static_cast<double>(height(live))));
     }
     EXPECT_GT(highest, 0.02);
-    // Of the track as it was saved the same frame differs by the plan alone.
+    // The saved track lacks the plan, by which alone its frame differs.
     const float shown = height(live);
     hull.track = drive.driven();
     Wake saved(hull, water, 0.0, pool);

@@ -86,11 +86,7 @@ void run_or_forecast(const BakePlan& plan, bool dry_run, const Context& context)
 void show_summary(const BakePlan& plan, const Context& context) {
     const BakeForecast forecast = forecast_bake(plan);
     const double seconds = measure_bake_seconds(plan);
-    long files = 0, kept = 0;
-    for (const BakeForecast::File& file : forecast.files) {
-        files += file.count;
-        kept += file.kept;
-    }
+    const long files = forecast.all(), kept = forecast.kept();
     if (context.options.json) {
         context.console.data(JsonObject()
                                  .add("frames", plan.frames.size())

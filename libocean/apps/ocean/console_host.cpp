@@ -101,13 +101,8 @@ void show_forecast(const BakeForecast& forecast, const BakeForecast& beside, Con
 }
 
 void report_forecast(const BakeForecast& forecast, const BakeForecast& beside, Console& console) {
-    long all = 0, complete = 0;
-    for (const BakeForecast* part : {&beside, &forecast}) {
-        for (const BakeForecast::File& file : part->files) {
-            all += file.count;
-            complete += file.kept;
-        }
-    }
+    const long all = beside.all() + forecast.all();
+    const long complete = beside.kept() + forecast.kept();
     const std::uint64_t bytes = beside.bytes + forecast.bytes;
     const std::uint64_t room = forecast.free_bytes;
     console.report("plan",

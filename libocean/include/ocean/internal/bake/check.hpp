@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,8 +19,6 @@ struct CheckRequest {
     std::string against;      // the text of the only subject that is allowed; empty: any one
     bool merge = false;       // without a fault, joins the manifests of shards to that of the whole
     int threads = 0;          // 0 = the cores this process may use
-    /// Called after each file; may be empty.
-    std::function<void(std::size_t done, std::size_t total)> progress = {};
 };
 
 /// A fault of a file.

@@ -37,6 +37,10 @@ struct BakeForecast {
         long count = 1;
     };
     std::vector<File> files;
+
+    /// Return the number of all files, and of those that are kept.
+    long all() const;
+    long kept() const;
     std::vector<std::string> warnings;  // for a take, of its first hundred frames
     std::uint64_t bytes = 0;            // upper bound for the files that are not kept
     std::uint64_t free_bytes = 0;       // on their disk
