@@ -86,7 +86,9 @@ void Manifest::load(const ManifestFile& file) {
                                                       "of a bake: it is not replaced; move it or "
                                                       "choose another --output");
         }
-        load_error_ = file.path + " is damaged: " + error.what();
+        const char* const then = file.path == path_ ? "; it will be replaced"
+                                                    : "; the files that it lists are not known";
+        warnings_.push_back(file.path + " is damaged: " + error.what() + then);
     }
 }
 

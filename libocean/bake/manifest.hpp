@@ -63,12 +63,12 @@ std::string read_manifest_text(const std::string& path);
 class Manifest {
   public:
     /// Reads the manifest of the whole or of a shard if it exists, and the entries of the others. A
-    /// damaged manifest counts as empty: load_error() has the reason, and save() replaces it.
+    /// damaged manifest counts as empty: warnings() have the reason, and save() replaces its own.
     /// Throws Error invalid_value for any other file, which is the user's.
     explicit Manifest(const OutputPattern& pattern, const std::optional<Shard>& shard = {});
 
-    /// Returns the reason why the file was not read; "" if it was read or does not exist.
-    const std::string& load_error() const { return load_error_; }
+    /// Returns a sentence for each manifest that was not read: which, why, and what follows.
+    const std::vector<std::string>& warnings() const { return warnings_; }
     /// Returns the entry of `name` at the time of construction; null if there was none.
     const ManifestEntry* find(const std::string& name) const;
     /// Returns the entries of all manifests at the time of construction.
@@ -94,7 +94,7 @@ class Manifest {
 
     std::string path_;
     bool is_of_shard_;
-    std::string load_error_;
+    std::vector<std::string> warnings_;
     ManifestEntries found_;
     std::mutex mutex_;
     ManifestEntries added_;  // entries added since the last save

@@ -261,9 +261,7 @@ void run_bake(const BakePlan& plan, BakeHost& host) {
         return host.end();
     }
     Manifest manifest(plan.pattern, plan.shard);
-    if (!manifest.load_error().empty()) {
-        host.warning(manifest.load_error() + "; it will be replaced");
-    }
+    for (const std::string& warning : manifest.warnings()) host.warning(warning);
     refuse_to_overwrite_foreign_files(plan, manifest);
     refuse_to_overwrite_another_subject(plan, manifest);
     io::make_folder(plan.pattern.folder());

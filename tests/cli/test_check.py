@@ -103,8 +103,12 @@ def test_each_fault_has_its_word(ocean):
     done = ocean("check out/s.####.exr --merge")
     assert done.returncode == 1 and "are not merged" in done.stderr
     assert ocean.hashes("out") == before
-    # It is repaired by the shards alone.
+    # It is repaired by the shards alone, each of which replaces its own manifest.
     (out / "s.normal.0077.exr").unlink()
+    first = ("bake sea.toml -o out/s.####.exr", *FRAMES, *FORMATS["exr"], "--skip-existing")
+    told = ocean(*first, "--shard", "1/3").stderr
+    assert "s.manifest.3of3.json is damaged" in told and "the files that it lists" in told
+    assert "it will be replaced" not in told
     shards(ocean, "out/s.####.exr", *FORMATS["exr"], "--skip-existing")
     ocean.merge("out/s.####.exr")
     shards(ocean, "out/s.####.exr", *FORMATS["exr"], "--overwrite", numbers=(2,))
