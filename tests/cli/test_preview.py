@@ -7,6 +7,7 @@ import json
 import os
 import re
 import shutil
+import signal
 import socket
 import subprocess
 import sys
@@ -945,12 +946,14 @@ def test_a_hand_starts_and_stops_a_bridge(hand):
     def click(place):
         return ["mousemove", *place, "click", 1]
 
-    # Faster than any picture.
+    # Faster than any picture: the window sleeps until all of it was done.
     assert join() is None
     words = [*click(BRIDGE), *click(BRIDGE_ADDRESS), "key", "ctrl+a"]
     words += ["type", "--args", 1, "--delay", 1, f"127.0.0.1:{address[1]}", "key", "Return"]
     words += [*click(DUMMY_BOARD), *click(BRIDGE_START), "mousemove", *BESIDE]
+    hand.program.send_signal(signal.SIGSTOP)
     hand.do(*words)
+    hand.program.send_signal(signal.SIGCONT)
     # Clicks, keys of the address, and those that xdotool holds to type it.
     hand.clicks += 4
     hand.keys += len(["ctrl", "a"]) + len(f"127.0.0.1:{address[1]}") + len(["shift", "Return"])
