@@ -138,22 +138,24 @@ class Check {
     }
 
     /// Finds the files of other options than most of their sequence, and those of another subject
-    /// than requested or than most files.
+    /// than requested or than most files of their format: a mesh may lie beside images of another.
     void find_others() {
-        std::map<std::string, int> subjects;
-        std::map<std::string, std::map<std::string, int>> sequences;  // by their names
+        using Counts = std::map<std::string, int>;
+        const auto format = [](const std::string& name) {
+            return name.substr(name.rfind('.') + 1);
+        };
+        std::map<std::string, Counts> subjects;   // by the names' extensions
+        std::map<std::string, Counts> sequences;  // by their names
         for (const auto& [name, entry] : entries_) {
-            ++subjects[entry.subject];
+            ++subjects[format(name)][entry.subject];
             ++sequences[sequence_name(entry)][entry.sequence];
         }
-        const auto most = [](const std::map<std::string, int>& counts) {
-            return std::ranges::max_element(counts, {}, [](const auto& one) { return one.second; })
-                ->first;
+        const auto most = [](const Counts& counts) {
+            return std::ranges::max_element(counts, {}, &Counts::value_type::second)->first;
         };
-        const std::string expected = !request_.against.empty() ? short_hash(request_.against)
-                                     : subjects.empty()        ? ""
-                                                               : most(subjects);
         for (const auto& [name, entry] : entries_) {
+            const std::string expected = request_.against.empty() ? most(subjects.at(format(name)))
+                                                                  : short_hash(request_.against);
             if (!entry.subject.empty() && entry.subject != expected) {
                 add(BakeFault::other, path_of(name), "it is of another subject");
             } else if (!entry.sequence.empty() &&

@@ -93,10 +93,12 @@ bool shows_another_subject(const BakePlan& plan, const BakeFile& file) {
 void refuse_to_overwrite_another_subject(const BakePlan& plan, const Manifest& manifest) {
     if (plan.overwrite || plan.frames.empty()) return;
     const std::string subject = short_hash(plan.subject_text);
-    const std::filesystem::path folder = utf8_path(plan.pattern.file(0)).parent_path();
+    const std::filesystem::path pattern = utf8_path(plan.pattern.file(0));
     std::set<int> others;
     for (const auto& [name, entry] : manifest.found()) {
-        const BakeFile file{text::to_utf8(folder / utf8_path(name)), entry.frame, 0, entry.product};
+        const std::filesystem::path path = pattern.parent_path() / utf8_path(name);
+        if (path.extension() != pattern.extension()) continue;  // images beside volumes
+        const BakeFile file{text::to_utf8(path), entry.frame, 0, entry.product};
         if (!is_regular(file)) continue;
         const bool is_other =
             entry.subject.empty() ? shows_another_subject(plan, file) : entry.subject != subject;

@@ -75,6 +75,12 @@ def test_another_sea_is_refused_without_a_flag(ocean, extension):
     assert all(".0005." in name or ".0006." in name for name in told)
 
 
+def test_a_mesh_may_lie_beside_images_of_another_sea(ocean):
+    ocean.good("bake sea.toml -q -o out/s.####.exr --frames 1-2")
+    ocean.good("bake sea.toml -q -o out/s.ply", *OTHER_SEA)
+    assert faults(ocean, "out/s.####.exr") == faults(ocean, "out/s.ply") == {}
+
+
 def test_each_fault_has_its_word(ocean):
     shards(ocean, "out/s.####.exr", *FORMATS["exr"], numbers=(1, 3))
     out = ocean.folder / "out"
