@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 COMPUTED = r" = \[\](?:<[^\n]*)? \{\n.*?\n\}\s*\([^;\n]*\);"  # up to the line that ends it
-UNNAMED = r"\s*=\s*\[\]\([^)]*\)\s*\{(?:[^{}]|\{[^{}]*\})*\}(?=;)"
+UNNAMED = r"\s*=\s*\[\](?:\([^)]*\))?\s*\{(?:[^{}]|\{[^{}]*\})*\}(?=;)"
 NAMED_MEMBERS = r"\{\.(?:[^{}]|\{[^{}]*\})*\}"
 
 
