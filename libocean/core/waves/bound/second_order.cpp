@@ -129,11 +129,12 @@ std::vector<EnergyPart> energy_parts(const DirectionalSpectrum& spectrum,
                               kTwoPi / dispersion.wavenumber(below));
         std::array<double, kDirections> density;
         double sum = 0.0;
-        for (int j = 0; j < kDirections; ++j) {
-            sum += density[j] = spectrum.density(omega, kTwoPi * j / kDirections);
+        for (std::size_t j = 0; j < kDirections; ++j) {
+            sum += density[j] =
+                spectrum.density(omega, kTwoPi * static_cast<double>(j) / kDirections);
         }
         for (int j = 0; j < kDirections && sum > 0.0; ++j) {
-            const double part = variance * density[j] / sum;
+            const double part = variance * density[static_cast<std::size_t>(j)] / sum;
             if (part <= kNone * kNone * m0) continue;
             parts.push_back({dispersion.wavenumber(omega), kTwoPi * j / kDirections, part});
         }
