@@ -210,6 +210,7 @@ void set_of_a_record_reads_it(void) {
     CHECK_RESULT(OCEAN_BAD_FILE, ocean_set(sea, "file", "nowhere.data_spec"));
     kept = planar_map(sea, 1.0, 0, OCEAN_HEIGHT);
     CHECK(memcmp(kept, other, bytes) == 0);
+    ocean_free(sea);
 }
 
 void values_that_go_together_are_set_together(void) {
