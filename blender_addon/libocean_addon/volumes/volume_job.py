@@ -299,9 +299,10 @@ class VolumeJob(Job):
         return True
 
     def arguments(self, sea: str, frames: str) -> list[str]:
-        """Returns the arguments of `ocean`, to be run in the folder."""
+        """Returns the arguments of `ocean`, to be run in the folder. A keyed sea is another one in
+        each frame, so that the files that are there are replaced."""
         output = ["-o", f"./{self.stem}_####.vdb", "--frames", frames]
-        return ["bake", sea, *output, *self.settings.options()]
+        return ["bake", sea, *output, "--overwrite", *self.settings.options()]
 
     def _by_command(self, sea: str, frame: Frame) -> None:
         arguments = self.arguments("-", str(frame.number))
