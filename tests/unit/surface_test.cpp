@@ -167,6 +167,10 @@ TEST(Surface, AMapOfAnyResolutionIsTheSameSea) {
         const std::complex<double> same = all[mode_index(n, m, 64)];
         EXPECT_NEAR(std::abs(coarse[mode_index(n, m, 32)] - same), 0.0, 1e-7);
     }
+    for (int n = -16; n < 16; ++n) {
+        EXPECT_NEAR(std::abs(coarse[mode_index(-16, n, 32)]), 0.0, 1e-7);
+        EXPECT_NEAR(std::abs(coarse[mode_index(n, -16, 32)]), 0.0, 1e-7);
+    }
 }
 
 TEST(Surface, NormalsAreThoseOfTheDisplacedSurface) {
