@@ -5,6 +5,7 @@
 #include "ocean/internal/bake/check.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -48,12 +49,19 @@ OutputPattern pattern_of(const std::string& path) {
                 "'" + path + "': neither a manifest of a bake nor its -o, out/sea.####.exr");
 }
 
-/// Returns a file's name with its frame number as #, which all files of a sequence share.
+/// Returns a file's name with its frame number as #, which all files of a sequence share. A digit
+/// behind a letter, as in .df3.inc, is the number only where nothing else is.
 std::string sequence_name(const ManifestEntry& entry) {
     const std::string digits = std::to_string(std::abs(static_cast<long long>(entry.frame)));
     const std::string& name = entry.name;
-    const std::size_t end = name.rfind(digits, name.rfind('.'));
-    if (end == name.npos) return name;
+    const std::size_t last = name.rfind(digits, name.rfind('.'));
+    if (last == name.npos) return name;
+    std::size_t end = last;
+    while (end != 0 && end != name.npos &&
+           std::isalpha(static_cast<unsigned char>(name[end - 1])) != 0) {
+        end = name.rfind(digits, end - 1);
+    }
+    if (end == name.npos) end = last;
     const std::size_t before = name.find_last_not_of('0', end == 0 ? 0 : end - 1);
     const std::size_t first = end == 0 || before == name.npos ? end : before + 1;
     return name.substr(0, first) + "#" + name.substr(end + digits.size());
