@@ -26,6 +26,7 @@ beam = 2.5
 draught = 0.6
 wake_resolution = 64
 """
+TRACK = "track = [[-60.0, -240.0, 0.0], [0.0, 0.0, 0.0], [60.0, 200.0, 100.0]]\n"
 
 
 def pattern(folder):

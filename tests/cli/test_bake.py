@@ -132,19 +132,6 @@ def test_resolution_and_backend_change_no_sample(ocean):
         assert not np.array_equal(other, small)
 
 
-def test_bytes_do_not_depend_on_threads_order_or_split(ocean):
-    frames = ["1", "2", "3", "4"]
-    ocean.bake("-o one/s.####.exr --frames 1-4 --threads 1")
-    ocean.bake("-o two/s.####.exr --frames 1-4 --threads 2")
-    ocean.bake("-o back/s.####.exr --frames 4,3,2,1 --threads 3")
-    for frame in frames:
-        ocean.bake("-o alone/s.####.exr --frames", frame)
-    expected = ocean.hashes("one")
-    assert len(expected) == 13 and len(set(expected.values())) == 13
-    for folder in ("two", "back", "alone"):
-        assert ocean.hashes(folder) == expected
-
-
 def test_a_height_field_is_16_bit_and_closed(ocean):
     upright = ["--set", "choppiness=0"]
     ocean.bake("-o s.png", *upright)

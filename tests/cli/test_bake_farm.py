@@ -10,27 +10,18 @@ import subprocess
 import numpy as np
 import OpenImageIO
 import pytest
-from bake_runs import BAKE, BAKE_SOME, BOAT, PLAIN, events, pattern, ran_in_a_namespace, small_disk
+from bake_runs import (
+    BAKE,
+    BAKE_SOME,
+    BOAT,
+    PLAIN,
+    TRACK,
+    events,
+    pattern,
+    ran_in_a_namespace,
+    small_disk,
+)
 from conftest import OCEAN, children_seconds, kill_at
-
-
-def test_foam_has_the_same_bytes_however_a_bake_is_split_or_resumed(ocean):
-    bake = ["bake", "sea.toml", "--set", "wind_speed=15", "--set", "foam_lifetime=1", "-o"]
-    ocean.good(*bake, pattern("whole"), "--frames", "1-6")
-    expected = ocean.hashes("whole")
-    assert sum(".foam." in name for name in expected) == 6 and len(expected) == 19
-    ocean.good(*bake, pattern("back"), "--frames", "6,5,4,3,2,1", "--threads", "3")
-    for shard in ("2/3", "1/3", "3/3"):
-        ocean.good(*bake, pattern("parts"), "--frames", "1-6", "--shard", shard, "--threads", "1")
-    ocean.merge(pattern("parts"))
-    ocean.good(*bake, pattern("some"), "--frames", "2,5")
-    ocean.good(*bake, pattern("some"), "--frames", "1-6", "--skip-existing")
-    for folder in ("back", "parts", "some"):
-        assert ocean.hashes(folder) == expected, folder
-    image = OpenImageIO.ImageBuf(str(ocean.folder / "whole/s.foam.0003.exr"))
-    pixels = image.get_pixels(OpenImageIO.FLOAT)
-    assert str(image.spec().format) == "half" and pixels.shape == (64, 64, 1)
-    assert pixels.min() >= 0.0 and 0.1 < pixels.max() <= 1.0
 
 
 def test_the_manifest_tells_what_others_compute(ocean):
@@ -76,15 +67,6 @@ def test_the_manifest_of_a_height_field_has_its_codes(ocean):
     assert "pixels_sha256" not in entries["s.png.txt"]
 
 
-@pytest.mark.parametrize("threads", ["1", "2", "3"])
-def test_any_number_of_threads_gives_the_same_bytes(ocean, expected, threads):
-    ocean.good(*BAKE, pattern("out"), "--threads", threads)
-    assert ocean.hashes("out") == expected
-
-
-TRACK = "track = [[-60.0, -240.0, 0.0], [0.0, 0.0, 0.0], [60.0, 200.0, 100.0]]\n"
-
-
 @pytest.mark.parametrize(
     "bake",
     [
@@ -108,16 +90,6 @@ def test_an_unknown_instruction_set_is_refused(ocean):
     assert done.stderr == (
         "ocean: OCEAN_SIMD = avx1024: allowed are portable, sse4, avx2 and avx512\n"
     )
-
-
-def test_any_order_and_any_repeated_shard_give_the_same_bytes(ocean, expected):
-    order = ",".join(str(frame) for frame in range(10, 0, -1))
-    ocean.good("bake sea.toml", *PLAIN, "--frames", order, "-o", pattern("back"))
-    assert ocean.hashes("back") == expected
-    for shard in ("3/4", "1/4", "3/4", "4/4", "2/4", "1/4"):
-        ocean.good(*BAKE, pattern("parts"), "--shard", shard)
-    ocean.merge(pattern("parts"))
-    assert ocean.hashes("parts") == expected
 
 
 def test_shards_at_the_same_time_mind_no_other_even_their_twin(ocean, expected):

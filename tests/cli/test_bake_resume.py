@@ -6,7 +6,7 @@ import os
 import shutil
 
 import pytest
-from bake_runs import BAKE, PLAIN, SHORT_FOAM, events, pattern
+from bake_runs import BAKE, PLAIN, events, pattern
 
 
 def damage(path, change):
@@ -132,32 +132,6 @@ def test_a_manifest_forgets_files_that_are_gone(ocean, expected):
         path.unlink()
     ocean.good(*BAKE, pattern("out"))
     assert ocean.hashes("out") == expected
-
-
-@pytest.mark.parametrize(
-    ("options", "name"),
-    [
-        (["--products", "height,displacement,normal"], "s.displacement.0003.exr"),
-        (["--products", "displacement,normal"], "s.normal.0003.exr"),
-        (["--layout", "layered", "--products", "displacement,normal,velocity"], "s.0003.exr"),
-        (["--layout", "layered", "--products", "height", "--type", "float"], "s.0003.exr"),
-        (["--type", "half", "--axes", "yup"], "s.displacement.0003.exr"),
-        (["--type", "float", "--compression", "piz"], "s.normal.0003.exr"),
-        (["--compression", "none", "--backend", "radix2"], "s.displacement.0003.exr"),
-        (
-            ["--resolution", "128", "--backend", "dft", "--fps", "30", *SHORT_FOAM],
-            "s.normal.0003.exr",
-        ),
-        (["--products", "slope", "--compression", "pxr24"], "s.slope.0003.exr"),
-    ],
-)
-def test_from_bakes_the_same_frame(ocean, options, name):
-    ocean.good("bake sea.toml -o a/s.####.exr --frames 3", *options)
-    (ocean.folder / "sea.toml").unlink()
-    ocean.good("bake --from", f"a/{name}", "-o", "b/s.####.exr")
-    original, again = ocean.hashes("a"), ocean.hashes("b")
-    assert again[name] == original[name]
-    assert len(again) == 2
 
 
 def test_a_buoy_sea_re_makes_itself_when_the_buoy_file_is_gone(ocean):

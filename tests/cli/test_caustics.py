@@ -48,14 +48,9 @@ def test_caustics_fall_on_the_floor_of_shallow_water(ocean):
     assert image(ocean, "s.exr")[0].getattribute("ocean:caustics_depth") == "25"
 
 
-def test_from_bakes_the_same_file(ocean):
-    options = ["--caustics-depth", "4.5", "--sun", "40, 200"]
-    ocean.bake("-o a.exr --products caustics", *options)
-    ocean.bake("-o l.exr --products height,caustics --layout layered", *options)
+def test_options_win_over_the_header(ocean):
+    ocean.bake("-o a.exr --products caustics --caustics-depth 4.5 --sun 40,200")
     assert image(ocean, "a.exr")[0].getattribute("ocean:sun") == "40,200"
-    for name in ("a", "l"):
-        ocean.good("bake --from", f"{name}.exr", "-o", f"again/{name}.exr", "--threads", "1")
-        assert bytes_of(ocean, f"again/{name}.exr") == bytes_of(ocean, f"{name}.exr")
     ocean.good("bake --from a.exr -o other.exr --sun 41,200")
     spec = image(ocean, "other.exr")[0]
     assert spec.getattribute("ocean:sun") == "41,200"
@@ -63,14 +58,3 @@ def test_from_bakes_the_same_file(ocean):
     # Another product gets none of the strings of caustics.
     ocean.good("bake --from a.exr -o h.exr --products height")
     assert image(ocean, "h.exr")[0].getattribute("ocean:sun") is None
-
-
-def test_only_files_that_would_be_written_again_are_kept(ocean):
-    frames = ["-o", "o/s.####.exr", "--products", "caustics", "--frames", "1-3", "--skip-existing"]
-    ocean.bake(*frames, "--threads", "1")
-    before = ocean.hashes("o")
-    (ocean.folder / "o/s.caustics.0002.exr").unlink()
-    ocean.bake(*frames, "--threads", "2")
-    assert ocean.hashes("o") == before
-    ocean.bake(*frames, "--sun", "50,0")
-    assert all(ocean.hashes("o")[name] != before[name] for name in before if name.endswith("exr"))

@@ -27,17 +27,6 @@ def test_a_region_is_the_surface_that_queries_find(coast):
     assert np.abs(heights - offsets[..., 2].ravel()).max() < 1e-4
 
 
-def test_a_frame_alone_is_the_frame_in_sequence_and_from_its_own_header(coast):
-    products = ("--products", "displacement,foam")
-    coast.good("bake sea.toml -o a/s.####.exr", *REGION, "--frames", "30-32", *products)
-    coast.good("bake sea.toml -o b/s.####.exr", *REGION, "--frames", "32", *products)
-    coast.good("bake --from a/s.foam.0032.exr -o c/s.####.exr", *products)
-    for name in ("s.displacement.0032.exr", "s.foam.0032.exr"):
-        alone = (coast.folder / "b" / name).read_bytes()
-        assert alone == (coast.folder / "a" / name).read_bytes()
-        assert alone == (coast.folder / "c" / name).read_bytes()
-
-
 def test_without_a_region_the_whole_bed_is_baked(coast):
     coast.good("bake sea.toml -o s.exr --products height")
     assert image(coast.folder / "s.exr").shape == (26, 46)

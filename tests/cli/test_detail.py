@@ -57,34 +57,14 @@ def test_bands_begin_where_the_map_ends(ocean):
     assert numbers(spec, "longest_wave") == [pytest.approx(200 / 31.5)]
 
 
-def test_from_bakes_the_same_file(ocean):
-    ocean.bake("-o a.exr --products detail2 --resolution 32 --type float")
-    ocean.bake("-o b.exr --products detail1 --compression zip", *SMALL)
-    for name in ("a", "b"):
-        ocean.good("bake --from", f"{name}.exr", "-o", f"again/{name}.exr", "--threads", "1")
-        assert bytes_of(ocean, f"again/{name}.exr") == bytes_of(ocean, f"{name}.exr")
+def test_options_win_over_the_header(ocean):
+    ocean.bake("-o b.exr --products detail1", *SMALL)
     ocean.good("bake --from b.exr -o other.exr --detail-samples 512")
     assert image(ocean, "other.exr")[1].shape[0] == 512
     # Another product gets none of the strings of detail.
     ocean.good("bake --from b.exr -o h.exr --products height")
     spec, pixels = image(ocean, "h.exr")
     assert pixels.shape[0] == 64 and spec.getattribute("ocean:tile") is None
-
-
-def test_only_files_that_would_be_written_again_are_kept(ocean):
-    frames = ["-o", "o/s.####.exr", "--products", "detail", "--frames", "1-3", *SMALL]
-    dry = ocean.bake(*frames, "--dry-run")
-    assert ocean.bake(*frames, "--skip-existing", "--threads", "1") == dry and len(dry) == 9
-    before = ocean.hashes("o")
-    (ocean.folder / "o/s.detail2.0002.exr").unlink()
-    ocean.bake(*frames, "--skip-existing", "--threads", "2")
-    assert ocean.hashes("o") == before
-    for shard in ("1/2", "2/2"):
-        ocean.bake(*[part.replace("o/", "p/") for part in frames], "--shard", shard)
-    parts = ocean.hashes("p")
-    assert {name: parts[name] for name in before if name.endswith("exr")} == {
-        name: value for name, value in before.items() if name.endswith("exr")
-    }
 
 
 def test_a_take_changes_the_tiles_of_each_frame(ocean):

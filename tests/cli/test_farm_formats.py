@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""Meshes, points, stages and volumes on a full disk, and killed at any time: files that are there
-are whole, and what is baked again has the same bytes."""
+"""Meshes, points, stages, volumes and coasts on a full disk, and killed at any time: files that are
+there are whole, and what is baked again has the same bytes."""
 
 import os
 import subprocess
 
 import pytest
+from coasts import BEACH, REGION, grid
 from conftest import OCEAN, children_seconds, kill_at
 from test_bake_farm import ran_in_a_namespace, small_disk
 
@@ -20,6 +21,10 @@ OUTPUTS = {
     "spray": ["s.####.ply", "--products", "spray", "--spray-density", "20"],
     "usd": ["s.usda"],
     "vdb": ["s.####.vdb"],
+    "coast": [
+        *["s.####.exr", "--set", "seabed=bed.asc", "--set", "water.depth=12"],
+        *[*REGION, "--products", "displacement,foam,wetness", "--set", "foam_step=0.2"],
+    ],
 }
 
 
@@ -31,6 +36,7 @@ def baked(ocean, request):
         name, *more = OUTPUTS[request.param]
         return [*FRAMES, f"{folder}/{name}", *more]
 
+    ocean.write("bed.asc", grid(BEACH))
     before = children_seconds()
     ocean.good(*command("whole"))
     return command, ocean.hashes("whole"), children_seconds() - before

@@ -50,16 +50,6 @@ def test_frames_are_those_of_the_cpu_and_say_who_made_them(ocean):
     assert header.getattribute("ocean:backend") == "gl"
 
 
-def test_equal_frames_have_equal_bytes_however_they_are_split(ocean):
-    ocean.good(*BAKE, "-o", "a/s.####.exr", "--frames", "1-4", "--backend", "gl")
-    for shard in ("1/2", "2/2"):
-        ocean.good(*BAKE, "-o", "b/s.####.exr", "--frames", "1-4", "--backend", "gl", "--shard",
-                   shard)  # fmt: skip
-    frames = {name: h for name, h in ocean.hashes("a").items() if name.endswith(".exr")}
-    assert len(frames) == 12
-    assert frames.items() <= ocean.hashes("b").items()
-
-
 def test_auto_takes_the_cpu_on_software_and_the_header_says_so(ocean):
     done = ocean(*BAKE, "-o", "s.####.exr", "--backend", "auto", "-v")
     assert done.returncode == 0, done.stderr

@@ -351,13 +351,3 @@ def test_a_crest_on_cue_is_told_and_found_where_it_was_asked_for(ocean):
     assert "Highest crest" in ocean.good("info", "hero.toml", *window)
     ocean.write("swell.toml", SWELL)
     assert "crests" not in state_of(ocean, "swell.toml"), "a sea without them"
-
-
-def test_a_crest_has_the_same_bytes_in_every_shard(ocean):
-    ocean.write("hero.toml", HERO)
-    bake = ("bake", "hero.toml", "--frames", "1-4", "--products", "displacement", "-o")
-    ocean.good(*bake, "whole/s.####.exr", "--threads", "3")
-    for shard in ("2/2", "1/2"):
-        ocean.good(*bake, "parts/s.####.exr", "--shard", shard, "--threads", "1")
-    ocean.merge("parts/s.####.exr")
-    assert ocean.hashes("whole") == ocean.hashes("parts")

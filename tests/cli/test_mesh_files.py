@@ -119,19 +119,6 @@ def test_a_mesh_has_the_requested_products_only(ocean):
     assert "\nf 1/1 2/2 34/34\n" in (ocean.folder / "b.obj").read_text()
 
 
-@pytest.mark.parametrize("extension", ["ply", "obj"])
-def test_from_bakes_the_same_mesh(ocean, extension):
-    arguments = ["--axes", "yup", "--products", "normal,foam", "--resolution", "32"]
-    ocean.bake("--frames 3 -o", f"a.{extension}", *arguments)
-    ocean.good("bake --from", f"a.{extension}", "-o", f"b.{extension}")
-    first, second = (ocean.folder / f"{name}.{extension}" for name in "ab")
-    assert first.read_bytes() == second.read_bytes()
-    assert "9 m/s" in ocean.good("info", f"a.{extension}")
-    # One that is cut off says so.
-    ocean.write(f"cut.{extension}", first.read_bytes()[:200])
-    assert f"cut.{extension}" in ocean.bad("info", f"cut.{extension}")
-
-
 def without_uv(path):
     """The bytes that version 0.1.0 wrote before meshes had uv."""
     data = path.read_bytes()
@@ -183,28 +170,6 @@ def test_a_mesh_of_before_uv_is_known_and_made_again(ocean, extension):
     path.write_bytes(old)
     ocean.bake("--frames 3", *command)  # it is ours: replaced
     assert path.read_bytes() == wanted
-
-
-@pytest.mark.parametrize("extension", ["ply", "obj"])
-def test_frames_shards_and_resume(ocean, extension):
-    whole = ["bake", "sea.toml", "--frames", "1-4", "-o"]
-    ocean.good(*whole, f"out/sea.####.{extension}")
-    for shard in ("1/2", "2/2"):
-        ocean.good(*whole, f"parts/sea.####.{extension}", "--shard", shard)
-    meshes = [name for name in ocean.hashes("out") if name.endswith(extension)]
-    assert len(meshes) == 4
-    for name in meshes:
-        assert ocean.hashes("out")[name] == ocean.hashes("parts")[name]
-    # A complete file is kept, one that is cut off is written again.
-    path = ocean.folder / "out" / meshes[1]
-    wanted = path.read_bytes()
-    path.write_bytes(wanted[:1000])
-    kept = (ocean.folder / "out" / meshes[0]).stat().st_mtime_ns
-    ocean.good(*whole, f"out/sea.####.{extension}", "--skip-existing")
-    assert path.read_bytes() == wanted
-    assert (ocean.folder / "out" / meshes[0]).stat().st_mtime_ns == kept
-    said = ocean.good(*whole, f"dry/sea.####.{extension}", "-n")
-    assert f"sea.0004.{extension}" in said and not (ocean.folder / "dry").exists()
 
 
 def test_a_mesh_of_512_squared_takes_less_than_two_seconds(ocean):

@@ -3,14 +3,11 @@
 """Spray as PLY, read by meshio: particles with ids that last, the same however they are baked."""
 
 import json
-import signal
-import subprocess
-import time
 
 import meshio
 import numpy
 import pytest
-from conftest import GALE, OCEAN
+from conftest import GALE
 
 SPRAY = ("--products", "spray")
 FPS = 24.0
@@ -78,36 +75,10 @@ def test_a_loop_runs_into_its_first_frame(gale):
     assert set(frame[49]["id"]) == set(frame[1]["id"])
 
 
-def test_the_same_bytes_however_it_is_baked(gale):
-    whole = ["bake", "gale.toml", *SPRAY, "--frames", "1-6", "-o"]
-    gale.good(*whole, "out/s.####.ply")
-    expected = {name: sha for name, sha in gale.hashes("out").items() if name.endswith("ply")}
-    assert len(set(expected.values())) == 6
-    ways = {
-        "one": ["--threads", "1"],
-        "two": ["--threads", "2"],
-        "fine": ["--resolution", "256"],
-        "coarse": ["--resolution", "32"],
-    }
-    for folder, more in ways.items():
-        gale.good(*whole, f"{folder}/s.####.ply", *more)
-    for shard in ("1/3", "3/3", "2/3"):
-        gale.good(*whole, "shards/s.####.ply", "--shard", shard)
-    for frame in (4, 2, 6, 1, 5, 3):
-        output = f"alone/s.{frame:04}.ply"
-        gale.good("bake gale.toml", *SPRAY, "--frames", frame, "-o", output)
-    for folder in (*ways, "shards", "alone"):
-        for name, sha in expected.items():
-            assert gale.hashes(folder)[name] == sha, (folder, name)
-
-
-def test_from_bakes_the_same_file(gale):
+def test_a_mesh_and_spray_are_made_of_each_others_files(gale):
     options = ["--spray-lifetime", "1.5", "--spray-density", "0.7", "--axes", "yup"]
     gale.good("bake gale.toml -o a.ply", *SPRAY, *options, "--set", "seed=4")
-    gale.good("bake --from a.ply -o b.ply")
-    assert (gale.folder / "a.ply").read_bytes() == (gale.folder / "b.ply").read_bytes()
     assert read(gale.folder / "a.ply")["age"].max() < 1.5
-    assert "20 m/s" in gale.good("info a.ply")
     # Its sea as a mesh, without the options of spray.
     gale.good("bake --from a.ply -o mesh.ply --products normal")
     assert len(meshio.read(gale.folder / "mesh.ply").points) == 129 * 129
@@ -122,56 +93,6 @@ def test_y_up_turns_places_and_velocities(gale):
     assert (y["id"] == z["id"]).all()
     for name in ("point", "velocity"):
         assert (y[name] == z[name][:, [0, 2, 1]] * [1, 1, -1]).all()
-
-
-def test_resume_makes_what_is_missing(gale):
-    whole = ["bake", "gale.toml", *SPRAY, "--frames", "1-4", "-o", "out/s.####.ply"]
-    gale.good(*whole)
-    paths = [gale.folder / f"out/s.{frame:04}.ply" for frame in range(1, 5)]
-    expected = [path.read_bytes() for path in paths]
-    kept = paths[0].stat().st_mtime_ns
-    paths[1].write_bytes(expected[1][:1000])
-    paths[3].unlink()
-    gale.good(*whole, "--skip-existing")
-    assert [path.read_bytes() for path in paths] == expected
-    assert paths[0].stat().st_mtime_ns == kept
-    # Files of other options are not kept.
-    for option in (["--spray-density", "2"], ["--spray-lifetime", "1"], ["--axes", "yup"]):
-        gale.good(*whole, "--skip-existing", *option)
-        assert paths[0].read_bytes() != expected[0]
-        gale.good(*whole)
-
-
-def test_a_killed_bake_leaves_whole_files_and_goes_on(gale):
-    whole = ["bake", "gale.toml", *SPRAY, "--spray-density", "4", "--frames", "1-40", "-o"]
-    gale.good(*whole, "expected/s.####.ply")
-    bake = subprocess.Popen(
-        [OCEAN, *whole, "out/s.####.ply"],
-        cwd=gale.folder,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-    )
-    out = gale.folder / "out"
-    deadline = time.monotonic() + 120
-    while not out.is_dir() or len(list(out.glob("s.*.ply"))) < 3:
-        assert time.monotonic() < deadline and bake.poll() is None
-        time.sleep(0.002)
-    bake.send_signal(signal.SIGKILL)
-    bake.wait()
-    expected = gale.hashes("expected")
-    for name, sha in gale.hashes("out").items():
-        if name.startswith("s.") and name.endswith(".ply"):
-            assert sha == expected[name], "only whole files have names"
-    gale.good(*whole, "out/s.####.ply", "--skip-existing")
-    assert gale.hashes("out") == expected
-
-
-def test_a_file_that_does_not_fit_leaves_nothing(gale):
-    bake = '"$OCEAN" bake gale.toml --products spray --spray-density 50 -o out/s.ply'
-    done = gale.shell(f"ulimit -f 64; {bake}")
-    assert done.returncode == 1, done.stderr
-    assert "out/s.ply" in done.stderr.splitlines()[-1]
-    assert gale.files("out") == []
 
 
 def test_a_dry_run_says_what_it_takes(gale):

@@ -39,14 +39,6 @@ def test_a_terrain_is_one_channel_of_floats(land):
     assert "[terrain]" in spec.getattribute("ocean:terrain")
 
 
-def test_threads_and_runs_give_the_same_bytes(land):
-    for threads, name in ((1, "a.exr"), (2, "b.exr")):
-        land.good("terrain land.toml -o", name, "--threads", threads, "-q")
-    assert (land.folder / "a.exr").read_bytes() == (land.folder / "b.exr").read_bytes()
-    land.good("terrain --from a.exr -o c.exr -q")
-    assert (land.folder / "c.exr").read_bytes() == (land.folder / "a.exr").read_bytes()
-
-
 def test_tiles_repeat_and_are_remembered(land):
     land.good("terrain land.toml -o one.exr -q")
     land.good("terrain land.toml --tiles 2x3 -o many.exr -q")

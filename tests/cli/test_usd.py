@@ -123,15 +123,6 @@ def test_shards_write_the_same_and_a_gap_is_told(ocean):
     frames = {f"sea.{frame:04}.usdc" for frame in range(1, 7)}
     assert {name for name in out if name.endswith(("usda", "usdc"))} == shared | frames
     assert out == parts
-    # A complete file is kept; one that is cut off or missing is written again.
-    (ocean.folder / "out/sea.0002.usdc").write_bytes(b"PXR-USDC")
-    (ocean.folder / "out/sea.topology.usdc").unlink()
-    kept = (ocean.folder / "out/sea.0003.usdc").stat().st_mtime_ns
-    ocean.good(*whole, "out/sea.usda", "--skip-existing")
-    assert {n: h for n, h in ocean.hashes("out").items() if "manifest" not in n} == {
-        n: h for n, h in out.items() if "manifest" not in n
-    }
-    assert (ocean.folder / "out/sea.0003.usdc").stat().st_mtime_ns == kept
 
 
 def time_codes(ocean, name="out/sea.usda"):
@@ -210,14 +201,6 @@ def test_names_with_quotes_and_at_signs_are_found(ocean):
         assert time_codes(ocean, f"{stem}.usda")[2] == [1.0, 2.0, 5.0, 6.0]
         ocean.bake("-o", f"{stem}.usda", "--frames", "3-4", "--products", "position")
         assert time_codes(ocean, f"{stem}.usda")[2] == [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
-
-
-def test_from_bakes_the_same_frame(ocean):
-    ocean.bake("-o a.usda --frames 3 --axes yup --resolution 32")
-    ocean.good("bake --from a.0003.usdc -o b.usda")
-    first, second = (ocean.folder / f"{name}.0003.usdc" for name in "ab")
-    assert first.read_bytes() == second.read_bytes()
-    assert "9 m/s" in ocean.good("info a.0003.usdc")
 
 
 def test_a_file_that_is_cut_off_anywhere_is_refused(ocean):

@@ -249,82 +249,36 @@ def test_mist_hangs_over_the_crests(ocean, bake):
     inner = values > 1e-4
     assert twice[0].shape == values.shape
     assert numpy.allclose(twice[0][inner], 2 * values[inner], rtol=1e-4)
-    # A frame that follows others, and one that makes itself again.
-    frames = [*arguments, *box, "--frames", "1-3"]
-    ocean.good("bake gale.toml -o seq/m.####.vdb", *frames)
-    ocean.good("bake gale.toml -o one/m.####.vdb", *frames[:-1], "3", "--threads", "1")
-    ocean.good("bake --from seq/m.0003.vdb -o from/m.####.vdb --frames 3")
-    expected = ocean.hashes("seq")["m.0003.vdb"]
-    assert ocean.hashes("one")["m.0003.vdb"] == expected == ocean.hashes("from")["m.0003.vdb"]
     told = ocean("bake sea.toml -o calm.vdb --products density --set wind_speed=5")
     assert told.returncode == 0 and "no spray" in told.stderr
 
 
 def test_spray_is_points(ocean, bake):
-    arguments = ["--products", "spray", "--frames", "1-3"]
-    ocean.good("bake gale.toml -o p/s.####.ply", *arguments)
-    ocean.good("bake gale.toml -o one/s.####.vdb", *arguments, "--threads", "1")
-    ocean.good("bake gale.toml -o two/s.####.vdb", *arguments, "--threads", "2")
-    for shard in ("2/2", "1/2"):
-        ocean.good("bake gale.toml -o parts/s.####.vdb", *arguments, "--shard", shard)
-    ocean.merge("parts/s.####.vdb")
-    expected = ocean.hashes("one")
-    assert ocean.hashes("two") == expected and ocean.hashes("parts") == expected
-    assert len(set(expected.values())) == len(expected) == 4
-    points = meshio.read(ocean.folder / "p/s.0003.ply").points
+    arguments = ["--products", "spray"]
+    ocean.good("bake gale.toml -o s.ply", *arguments)
+    volume = bake("gale", "s.vdb", *arguments)
+    points = meshio.read(ocean.folder / "s.ply").points
     assert len(points) > 100
     if shutil.which("vdb_print"):
         told = subprocess.run(
-            ["vdb_print", "-l", str(ocean.folder / "one/s.0003.vdb")],
+            ["vdb_print", "-l", str(volume)],
             capture_output=True, text=True, check=True,
         ).stdout  # fmt: skip
         assert "ptdataidx" in told and "Name: spray" in told
         cells = len(numpy.unique(numpy.round(points / (160 / 64)), axis=0))
         assert f"active voxels:       {cells:,}" in told
-    # A file that was cut off is made again, and a frame makes itself.
-    second = ocean.folder / "one/s.0002.vdb"
-    content = second.read_bytes()
-    for size in (0, 60, len(content) // 2, len(content) - 1):
-        second.write_bytes(content[:size])
-        ocean.good("bake gale.toml -o one/s.####.vdb", *arguments, "--skip-existing")
-        assert second.read_bytes() == content
-    ocean.good("bake --from one/s.0003.vdb -o from/s.####.vdb --frames 3")
-    assert ocean.hashes("from")["s.0003.vdb"] == expected["s.0003.vdb"]
     # Another density, other points.
-    path = bake("gale", "d.vdb", "--products", "spray", "--spray-density", "0.1")
-    assert path.stat().st_size < len(content)
+    few = bake("gale", "d.vdb", "--products", "spray", "--spray-density", "0.1")
+    assert few.stat().st_size < volume.stat().st_size
 
 
-def test_volumes_are_split_resumed_and_baked_again(ocean, bake):
-    whole = ["bake", "sea.toml", "--frames", "1-4", "-o"]
-    ocean.good(*whole, "out/sea.####.vdb", "--threads", "1")
-    ocean.good(*whole, "again/sea.####.vdb", "--threads", "2")
-    for shard in ("2/2", "1/2"):
-        ocean.good(*whole, "parts/sea.####.vdb", "--shard", shard, "--threads", "3")
-    ocean.merge("parts/sea.####.vdb")
-    expected = ocean.hashes("out")
-    assert len([name for name in expected if name.endswith(".vdb")]) == 4
-    assert len(set(expected.values())) == len(expected)
-    assert ocean.hashes("again") == expected and ocean.hashes("parts") == expected
-    # A file that is cut off at any byte is baked again; no other file is.
-    second = ocean.folder / "out/sea.0002.vdb"
-    content = second.read_bytes()
-    for size in (0, 10, 60, 1000, len(content) // 2, len(content) - 1):
-        second.write_bytes(content[:size])
-        kept = (ocean.folder / "out/sea.0003.vdb").stat().st_mtime_ns
-        ocean.good(*whole, "out/sea.####.vdb", "--skip-existing")
-        assert second.read_bytes() == content
-        assert (ocean.folder / "out/sea.0003.vdb").stat().st_mtime_ns == kept
-    # A frame makes itself again.
-    ocean.good("bake --from out/sea.0003.vdb -o from/sea.####.vdb --frames 3")
-    name = "sea.0003.vdb"
-    assert ocean.hashes("from")[name] == expected[name]
-    told = [ocean.good("info", name).splitlines() for name in ("out/sea.0002.vdb", "sea.toml")]
+def test_a_volume_tells_its_sea_and_its_grids(ocean, bake):
+    path = bake("sea", "s.vdb")
+    told = [ocean.good("info", name).splitlines() for name in ("s.vdb", "sea.toml")]
     assert [line for line in told[0][1:] if "about" not in line] == [
         line for line in told[1][1:] if "about" not in line
     ]
-    grids, told = pyopenvdb.readAllGridMetadata(str(second)), ocean.good(*whole, "n.vdb", "-n")
-    assert {grid["name"] for grid in grids} == {"surface", "vel"} and "n.0004.vdb" in told
+    assert {grid["name"] for grid in pyopenvdb.readAllGridMetadata(str(path))} == {"surface", "vel"}
 
 
 def test_a_box_without_water_is_warned_of(ocean):
