@@ -24,15 +24,6 @@ def test_a_query_finds_the_surface_that_the_maps_show(sea):
     np.testing.assert_allclose(samples[:, 0], x + 600.0, rtol=1e-6)
 
 
-def test_orbital_velocity_fades_with_depth(sea):
-    points = np.random.default_rng(1).uniform(-500, 500, (400, 2))
-    speeds = [sea.orbital_velocity(points, TIME, z).std() for z in (0.0, -5.0, -20.0)]
-    assert speeds[0] > 1.5 * speeds[1] > 1.5 * speeds[2] > 0.0
-    np.testing.assert_array_equal(
-        sea.orbital_velocity(points, TIME), sea.orbital_velocity(points, TIME, 3.0)
-    )
-
-
 def test_float_poses_are_tilted_frames_on_the_surface(sea):
     bodies = [[10.0 * i, 5.0 * i, 20.0 * i, 4.0, 2.0] for i in range(20)]
     pose = sea.float_pose(bodies, TIME)

@@ -59,15 +59,6 @@ def test_fields_have_their_shapes_and_types(sea):
         assert np.isfinite(array).all() and array.std() > 0
 
 
-def test_fields_fit_each_other(sea):
-    surface = sea.surface(12.0, fields=["height", "displacement", "normal", "velocity"])
-    assert (surface.displacement[..., 2] == surface.height).all()
-    assert np.abs(np.linalg.norm(surface.normal, axis=-1) - 1).max() < 1e-5
-    later = sea.surface(12.0 + 1e-3).displacement.astype(float)
-    speed = (later - sea.surface(12.0 - 1e-3).displacement) / 2e-3
-    assert np.abs(speed - surface.velocity).max() < 0.01 * np.abs(surface.velocity).max()
-
-
 def test_i_counts_east_and_j_north(sea):
     sea.set("choppiness", 0)
     surface = sea.surface(3.0, resolution=256)
@@ -165,16 +156,6 @@ def test_foam_and_whitecaps_are_between_0_and_1():
         assert np.allclose(surface.cover, surface.foam.astype(float) ** power, rtol=0, atol=1e-6)
 
 
-def test_a_map_of_a_sea_with_cascades_has_four_times_the_samples():
-    with libocean.parse(SMALL) as sea:
-        resolution = int(sea.get("grid.resolution"))
-        sea.set("cascades", 2)
-        surface = sea.surface(3.0)
-        assert surface.height.shape == (4 * resolution, 4 * resolution)
-        coarse = sea.surface(3.0, resolution=resolution)
-        assert coarse.height.std() == pytest.approx(surface.height.std(), rel=0.1)
-
-
 def test_a_closed_sea_keeps_its_arrays_and_refuses_the_rest():
     with libocean.parse(SMALL) as sea:
         surface = sea.surface(0.0, fields=["height"])
@@ -188,18 +169,6 @@ def test_a_closed_sea_keeps_its_arrays_and_refuses_the_rest():
     ):
         with pytest.raises(libocean.InvalidValueError, match="closed"):
             use()
-
-
-def test_state_is_what_the_maps_hold(sea):
-    variances = []
-    for seed in range(48):
-        sea.set("seed", seed)
-        variances.append(sea.surface(0.0).height.var(dtype=float))
-    resolved = sea.state["significant_wave_height"]["resolved"] ** 2 / 16
-    standard_error = np.std(variances) / np.sqrt(len(variances))
-    assert abs(np.mean(variances) - resolved) < 3 * standard_error
-    assert standard_error < 0.1 * resolved
-    assert sea.state["period"] == 200.0
 
 
 def test_a_path_with_any_letters_opens(tmp_path):
@@ -309,21 +278,6 @@ def test_fill_refuses_what_the_library_would_write_beside(sea, array, names, wor
         sea.fill(0.0, [(array, names)])
 
 
-def test_a_performed_sea_shows_its_frames_again_from_its_text(sea):
-    frames = []
-    for frame in range(10):
-        if frame == 4:
-            sea.perform(5.0 + frame / 24, "wind_speed", 14)
-        frames.append(sea.surface(5.0 + frame / 24, fields=["height", "foam"]))
-    again = libocean.parse(sea.text)
-    for frame, shown in reversed(list(enumerate(frames))):
-        made = again.surface(5.0 + frame / 24, fields=["height", "foam"])
-        assert np.array_equal(made.height, shown.height)
-        assert np.array_equal(made.foam, shown.foam)
-    with pytest.raises(libocean.InvalidValueError, match="before"):
-        sea.perform(1.0, "wind_speed", 3)
-
-
 def test_values_that_go_together_are_set_together(sea):
     sea.set_all({"shortest_wavelength": 5.0, "longest_wavelength": 50.0})
     with pytest.raises(libocean.InvalidValueError):
@@ -392,18 +346,6 @@ assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
     assert result.returncode == 0, result.stderr
     # Processor time: 50 ms as the library promises, and the rest for a slow machine.
     assert float(result.stdout) < 0.5
-
-
-@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
-def test_a_forked_child_uses_and_frees_the_sea(sea):
-    expected = sea.surface(3.0).height
-    for _ in range(20):
-        child = os.fork()
-        if child == 0:
-            right = np.array_equal(sea.surface(3.0).height, expected)
-            sea.close()
-            os._exit(0 if right else 1)
-        assert os.waitpid(child, 0)[1] == 0
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes in folders here")
