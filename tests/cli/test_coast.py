@@ -6,25 +6,7 @@ import csv
 import io
 
 import numpy as np
-from coasts import REGION, image
-
-
-def test_a_region_is_the_surface_that_queries_find(coast):
-    products = "--products displacement,depth,breaking,wetness"
-    coast.bake(f"-o s.exr --frames 5 --axes zup {products}", *REGION)
-    offsets = image(coast.folder / "s.displacement.0005.exr")
-    assert offsets.shape == (16, 31, 3)
-    depth = image(coast.folder / "s.depth.0005.exr")
-    wetness = image(coast.folder / "s.wetness.0005.exr")
-    assert depth[:, 0].min() > 6.0 and depth[:, -1].max() < 0.0
-    assert wetness[:, 0].min() == 1.0 and wetness[:, -1].max() < 0.2
-    labels = np.stack(np.meshgrid(40 + 4.0 * np.arange(31), 20 + 4.0 * np.arange(16)), -1)
-    places = (labels + offsets[..., :2]).reshape(-1, 2)
-    coast.write("points.csv", "x,y\n" + "".join(f"{x:.7f},{y:.7f}\n" for x, y in places))
-    answer = coast.good("query sea.toml --time", str(4 / 24), "--points", "points.csv")
-    rows = list(csv.DictReader(io.StringIO(answer)))
-    heights = np.array([float(row["height"]) for row in rows])
-    assert np.abs(heights - offsets[..., 2].ravel()).max() < 1e-4
+from coasts import image
 
 
 def test_without_a_region_the_whole_bed_is_baked(coast):

@@ -216,31 +216,6 @@ def test_lamps_follow_and_go_out_at_the_end(start, board):
     assert board.wait(lambda: board.levels == {13: 0, 9: 0})
 
 
-def descriptors(bridge: Bridge) -> int:
-    return len(os.listdir(f"/proc/{bridge.process.pid}/fd"))
-
-
-def test_a_hundred_plugs(start, board):
-    bridge = start()
-    client = bridge.connect()
-    assert bridge.ask(client, "OUT uno/o13 1") == "ERR UNKNOWN-NAME no board has 'uno/o13'"
-    board.plug()
-    bridge.log.wait_for("uno CONNECTED")
-    assert bridge.ask(client, "OUT uno/o13 1") == "OK"
-    board.unplug()
-    bridge.log.wait_for("uno LOST")
-    before = None
-    for _ in range(100):
-        board.plug()
-        bridge.log.wait_for("uno CONNECTED")
-        assert board.wait(lambda: board.levels.get(13) == 1)
-        board.unplug()
-        bridge.log.wait_for("uno LOST")
-        before = before or descriptors(bridge)
-    assert descriptors(bridge) == before
-    assert bridge.ask(client, "PING") == "OK"
-
-
 def test_a_board_that_says_nothing_is_named(start, board):
     board.plug(answers=False)
     bridge = start()

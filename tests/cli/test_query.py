@@ -67,11 +67,6 @@ def test_a_frame_is_a_time(ocean, points):
     assert by_frame != ocean.good("query sea.toml --time 0 --points points.csv")
 
 
-def test_threads_change_nothing(ocean, points):
-    words = ("query", "sea.toml", "--time", 12, "--points", "points.csv", "--threads")
-    assert ocean.good(*words, 1) == ocean.good(*words, 3)
-
-
 def test_tables_as_people_write_them_are_read(ocean):
     plain = ocean.good(
         "query sea.toml --time 0 --points", ocean.write("a.csv", "x,y\n1,2\n-30,4e1\n")

@@ -21,7 +21,7 @@ TEXTS = {
     + '[surface]\nfoam_lifetime = 0.5\n[take]\nlines = ["0.02 waves.0.wind_speed 14", '
     + '"0.1 surface.choppiness 1.4", "0.12 waves.0.spreading mitsuyasu"]\n',
     "crest": SMALL_SEA + '[[crests]]\ntime = 0.1\nx = 120.0\ny = 50.0\nheight = "1.3 Hs"\n',
-    "gale": GALE,
+    "gale": GALE.replace("128", "64"),
     "coast": SEA + "[surface]\nfoam_step = 0.2\n",
     "boat": SMALL_SEA + BOAT + TRACK,
     "tile": TILE,
@@ -150,7 +150,7 @@ def test_frames_differ_and_mind_no_order_and_no_threads(bakes):
 
 
 def test_shards_are_joined_to_the_whole(bakes):
-    for shard, threads in (("3/3", 1), ("1/3", 2), ("2/3", 1)):
+    for shard, threads in (("2/2", 1), ("1/2", 3)):
         bakes.bake("parts", "--shard", shard, "--threads", threads)
     bakes.program.merge(f"parts/{bakes.row.output}")
     assert bakes.program.hashes("parts") == bakes.whole
@@ -158,15 +158,15 @@ def test_shards_are_joined_to_the_whole(bakes):
 
 def test_files_that_are_gone_or_cut_are_made_again_and_no_others(bakes):
     folder = bakes.program.folder / "whole"
-    kept, gone, cut = (next(iter(bakes.files(frame))) for frame in (1, 2, 3))
-    before = (folder / kept).stat().st_mtime_ns
-    whole = bakes.bytes_of(cut)
-    for size in (0, random.Random(cut).randrange(1, len(whole)), len(whole) - 1):
-        (folder / gone).unlink()
-        (folder / cut).write_bytes(whole[:size])
-        bakes.bake("whole", "--skip-existing")
-        assert bakes.program.hashes("whole") == bakes.whole, size
-    assert (folder / kept).stat().st_mtime_ns == before
+    kept, gone, *cut = (folder / next(iter(bakes.files(frame))) for frame in FRAMES)
+    before = kept.stat().st_mtime_ns
+    gone.unlink()
+    for path, size in zip(cut, (random.Random(str(bakes.row)).random(), 1.0), strict=True):
+        content = path.read_bytes()
+        path.write_bytes(content[: int(size * (len(content) - 1))])
+    bakes.bake("whole", "--skip-existing")
+    assert bakes.program.hashes("whole") == bakes.whole
+    assert kept.stat().st_mtime_ns == before
 
 
 WITHOUT_HEADERS = ("png", "mesh2", "df3", "coast df3")
