@@ -1,0 +1,185 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Bakes as jobs of a SLURM with two nodes: whatever is lost or wrong on one of them, the frames
+have the bytes of one machine, or the job ends in a named line and status 1."""
+
+import hashlib
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+from slurm import Farm
+
+OCEAN = os.environ["OCEAN"]
+SEA = """libocean = 1
+[grid]
+resolution = 32
+patch_size = 200.0
+[[waves]]
+spectrum = "jonswap"
+wind_speed = 9.0
+wind_direction = 30.0
+"""
+OPTIONS = "--products height,foam"
+
+
+@pytest.fixture(scope="session")
+def farm(tmp_path_factory):
+    return Farm(tmp_path_factory.mktemp("farm"), OCEAN)
+
+
+class Job:
+    """A bake in shards, and its check, in a folder of their own."""
+
+    def __init__(self, farm: Farm, folder: Path, frames: int, shards: int, options: str = OPTIONS):
+        self.farm, self.folder, self.shards = farm, folder, shards
+        self.bake = f"ocean bake sea.toml -q -o out/s.####.exr --frames 1-{frames} {options}"
+        self.check = f"ocean check out/s.####.exr --frames 1-{frames} --against sea.toml --merge"
+        (folder / "sea.toml").write_text(SEA)
+        self.ocean(f"{self.bake.replace('out/', 'whole/')}")
+
+    def ocean(self, command: str) -> subprocess.CompletedProcess:
+        return subprocess.run(
+            command, shell=True, cwd=self.folder, env=self.farm.environment, capture_output=True,
+            text=True, check=False,
+        )  # fmt: skip
+
+    def send(self, tasks: str = "", node: str = "", more: str = "") -> str:
+        """Sends tasks, by default all, to a node, by default to any; returns the job's number."""
+        script = f'{self.bake} {more} --skip-existing --shard "$SLURM_ARRAY_TASK_ID/{self.shards}"'
+        return self.farm.tell(
+            f"sbatch --parsable --requeue --open-mode=append --mem=100M "
+            f"--array={tasks or f'1-{self.shards}'} -o bake.%a.log",
+            *([f"--nodelist={node}"] if node else []), "--wrap", script, folder=self.folder,
+        )  # fmt: skip
+
+    def send_check(self, after: str) -> str:
+        return self.farm.tell(
+            "sbatch --parsable --kill-on-invalid-dep=yes -o check.log",
+            f"--dependency=afterok:{after}", "--wrap", self.check, folder=self.folder,
+        )  # fmt: skip
+
+    def hashes(self, folder: str) -> dict[str, str]:
+        return {
+            path.name: hashlib.sha256(path.read_bytes()).hexdigest()
+            for path in (self.folder / folder).iterdir()
+        }
+
+    def log(self, name: str) -> str:
+        return (self.folder / name).read_text()
+
+    def faults(self) -> list[str]:
+        """The faults of a check, which ends with status 1 and merges nothing."""
+        before = self.hashes("out")
+        done = self.ocean(self.check)
+        assert done.returncode == 1 and "are not merged" in done.stderr, done
+        assert self.hashes("out") == before
+        return done.stdout.splitlines()
+
+    def is_whole(self) -> None:
+        """Checks and merges, and compares all bytes with those of one machine."""
+        done = self.ocean(self.check)
+        assert done.returncode == 0, done.stdout
+        assert self.hashes("out") == self.hashes("whole")
+
+
+@pytest.fixture
+def job(farm, tmp_path):
+    return lambda *sizes: Job(farm, tmp_path, *sizes)
+
+
+def test_a_bake_survives_the_loss_of_both_nodes(farm, job):
+    job = job(1000, 20, "--products height")
+    bake = job.send()
+    check = job.send_check(bake)
+    for node in farm.nodes:
+        node.lose_power_within_a_frame()
+    for node in farm.nodes:
+        node.come_back()
+    farm.wait()
+    states = farm.states(bake)
+    assert len(states) == 20 and all(each[-1] == "COMPLETED" for each in states.values()), states
+    assert sum(each[0] == "NODE_FAIL" for each in states.values()) >= 2
+    assert farm.states(check) == {"": ["COMPLETED"]}
+    assert "1000 of 1000 files are whole" in job.log("check.log")
+    assert job.hashes("out") == job.hashes("whole")
+
+
+def test_all_instruction_sets_bake_the_same_bytes(farm, job):
+    job = job(8, 4)
+    choice = "simd=(avx512 portable sse4 avx2); OCEAN_SIMD=${simd[SLURM_ARRAY_TASK_ID - 1]}"
+    program = farm.variant("old", f'{choice} exec {OCEAN} "$@"')
+    with farm.nodes[1].runs(program):
+        job.send(node="n2")
+        farm.wait()
+    job.is_whole()
+
+
+def test_a_full_disk_on_one_node_stops_the_job(farm, job):
+    job = job(16, 2)
+    (job.folder / "out").mkdir()
+    with farm.nodes[1].mounts(job.folder / "out", "-t", "tmpfs", "-o", "size=40k", "small"):
+        good = job.send("1", "n1")
+        bad = job.send("2", "n2")
+        check = job.send_check(f"{good}:{bad}")
+        farm.wait()
+    assert farm.states(good) == {"1": ["COMPLETED"]}
+    assert farm.states(bad) == {"2": ["FAILED"]}
+    assert farm.states(check) == {"": ["CANCELLED"]}
+    assert "No space left on device; " in job.log("bake.2.log")
+    told = job.faults()
+    assert any("shard 2 of 2 has not finished a file" in line for line in told), told
+    job.send("2", "n2")  # which has the disk of all again
+    farm.wait()
+    job.is_whole()
+
+
+def test_a_build_of_another_version_on_one_node_is_told(farm, job):
+    job = job(8, 2)
+    version = job.ocean("ocean --version").stdout.split()[1].encode()
+    program = farm.folder / "bin" / "newer"
+    program.write_bytes(Path(OCEAN).read_bytes().replace(version + b"\0", b"9.9.9\0"))
+    program.chmod(0o755)
+    with farm.nodes[1].runs(program):
+        job.send("1", "n1")
+        job.send("2", "n2")
+        farm.wait()
+    assert b"9.9.9" in (job.folder / "out/s.height.0005.exr").read_bytes()
+    told = job.faults()
+    assert sum("of other options or another version" in line for line in told) == 8, told
+    job.send()  # keeps the frames of this version, and bakes the others again
+    farm.wait()
+    job.is_whole()
+
+
+def test_a_shard_of_other_options_is_told(farm, job):
+    job = job(8, 2)
+    job.send("1")
+    job.send("2", more="--compression zip")
+    farm.wait()
+    told = job.faults()
+    assert sum("of other options or another version" in line for line in told) == 8, told
+    job.send()
+    farm.wait()
+    job.is_whole()
+
+
+def test_a_task_that_runs_on_both_nodes_at_once_writes_whole_files(farm, job):
+    job = job(60, 2)
+    tasks = [job.send("1", "n1"), job.send("1", "n2"), job.send("2", "n2"), job.send("2", "n1")]
+    farm.wait()
+    assert [set(*farm.states(each).values()) for each in tasks] == [{"COMPLETED"}] * 4
+    job.is_whole()
+
+
+def test_a_clock_that_is_off_changes_nothing(farm, job):
+    job = job(8, 2)
+    program = farm.variant("late", f'exec faketime -f "-400d x3" {OCEAN} "$@"')
+    with farm.nodes[1].runs(program):
+        job.send("2", "n2")
+        farm.wait()
+        job.send("1", "n1")
+        job.send("2", "n2")  # finds its own files
+        farm.wait()
+    job.is_whole()
