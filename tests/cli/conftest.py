@@ -71,7 +71,7 @@ class Program:
             cwd=self.folder,
             capture_output=True,
             text=True,
-            timeout=120,
+            timeout=options.pop("timeout", 120),
             **options,
         )
 

@@ -14,6 +14,7 @@ namespace ocean::app {
 
 Command info_command();
 Command check_command();
+Command verify_command();
 /// Refers to the catalogue, which must outlive the command.
 Command bake_command(const Catalogue& catalogue);
 Command terrain_import_command();
