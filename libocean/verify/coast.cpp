@@ -73,6 +73,28 @@ std::vector<Complex> column_waves(std::vector<Complex> heights) {
     return heights;
 }
 
+/// A wave at the first of the depths.
+struct OpenWave {
+    double omega, along, energy;
+};
+
+/// Returns the energy of waves at a depth by linear theory, E c_g cos theta = constant, as a number
+/// whose angle is their mean direction.
+Complex theory_at(const std::vector<OpenWave>& open, double depth) {
+    double sum = 0.0;
+    Complex mean;
+    for (const auto& [omega, along, energy] : open) {
+        const double k = wavenumber(omega, depth), k0 = wavenumber(omega, kDepths.front());
+        const double across = std::sqrt(k * k - along * along);
+        const double here = energy * group_speed(omega, kDepths.front()) *
+                            std::sqrt(k0 * k0 - along * along) / k0 /
+                            (group_speed(omega, depth) * across / k);
+        sum += here;
+        mean += here * Complex(across, along);
+    }
+    return std::polar(sum, std::arg(mean));
+}
+
 /// Low swell that comes in at 20 degrees to a beach of 1:40: nothing breaks.
 void linear_rows(Bench& bench) {
     const Beach beach{40.0, 20.0, 280};
@@ -102,16 +124,19 @@ void linear_rows(Bench& bench) {
             }
         }
     }
-    Plot directions{.x_label = "depth [m]", .y_label = "mean direction [degrees]"};
-    Plot heights{.x_label = "depth [m]", .y_label = "height over that in 17 m"};
-    std::vector<double> open;  // energy of each wave at the first depth
+    Plot directions{.title = "Swell that comes in at 20 degrees turns",
+                    .x_label = "depth [m]",
+                    .y_label = "mean direction [degrees]"};
+    Plot heights{
+        .title = "Swell shoals", .x_label = "depth [m]", .y_label = "height over that in 17 m"};
+    std::vector<OpenWave> open;
     double open_energy = 0.0;
     for (std::size_t d = 0; d < kDepths.size(); ++d) {
         const double depth = kDepths[d];
         const std::vector<Complex> west = column_waves(std::move(columns[d][0]));
         const std::vector<Complex> east = column_waves(std::move(columns[d][1]));
         Complex found, snell;
-        double error = 0.0, energies = 0.0, shoaled = 0.0;
+        double error = 0.0, energies = 0.0;
         for (int t = 1; t < kTimes / 2; ++t) {
             const double omega = 2.0 * kPi * t / kTimes;
             if (omega < 0.75 * peak || omega > 1.6 * peak) continue;
@@ -122,31 +147,30 @@ void linear_rows(Bench& bench) {
                     2.0 * kPi / (kStep * kAlong) * (y < kAlong / 2 ? y : y - kAlong);
                 // Some waves travel nearly along the beach.
                 const bool counts = std::abs(along) < 0.8 * k0;
-                const double energy =
-                    counts ? 0.5 * (std::norm(west[at]) + std::norm(east[at])) : 0.0;
-                if (d == 0) open.push_back(energy);
                 if (!counts) continue;
+                const double energy = 0.5 * (std::norm(west[at]) + std::norm(east[at]));
+                if (d == 0) open.push_back({omega, along, energy});
                 const double across = std::sqrt(k * k - along * along);
-                const double across0 = std::sqrt(k0 * k0 - along * along);
                 const double got = std::arg(std::conj(west[at]) * east[at]) / kStep;
                 found += energy * Complex(got, along);
                 snell += energy * Complex(across, along);
                 error += energy * std::pow((got - across) / k, 2.0);
                 energies += energy;
-                const auto index = static_cast<std::size_t>(
-                    (t - static_cast<int>(std::ceil(0.75 * peak * kTimes / (2.0 * kPi)))) * kAlong +
-                    y);
-                shoaled += open[index] * group_speed(omega, kDepths.front()) * across0 / k0 /
-                           (group_speed(omega, depth) * across / k);
             }
         }
         if (d == 0) open_energy = energies;
         const double direction = std::arg(found) * 180.0 / kPi;
         const double expected = std::arg(snell) * 180.0 / kPi;
         directions.measured.push_back({depth, direction});
-        directions.curve.push_back({depth, expected});
         heights.measured.push_back({depth, std::sqrt(energies / open_energy)});
-        heights.curve.push_back({depth, std::sqrt(shoaled / open_energy)});
+        const double shoaled = std::abs(theory_at(open, depth));
+        if (d + 1 == kDepths.size()) {
+            for (double curve = kDepths.front(); curve > 0.9 * depth; curve *= 0.95) {
+                const Complex theory = theory_at(open, curve);
+                directions.curve.push_back({curve, std::arg(theory) * 180.0 / kPi});
+                heights.curve.push_back({curve, std::sqrt(std::abs(theory) / open_energy)});
+            }
+        }
         if (depth != 5.0 && depth != 3.0 && depth != 2.0) continue;
         const std::string place = plain_text(depth) + " m";
         const std::string id = plain_text(depth) + "_m";
@@ -285,7 +309,9 @@ void height_rows(Bench& bench, double run) {
         const Point &a = *(next - 1), &b = *next;
         return a.y + (depth - a.x) / (b.x - a.x) * (b.y - a.y);
     };
-    Plot plot{.x_label = "depth [m]", .y_label = "Hrms [m]"};
+    Plot plot{.title = "Heights across a beach of 1:" + plain_text(run),
+              .x_label = "depth [m]",
+              .y_label = "Hrms [m]"};
     double worst = 0.0;
     for (std::size_t i = 0; i < found.size(); ++i) {
         const auto& [depth, height, error] = found[i];
@@ -387,6 +413,8 @@ void shape_rows(Bench& bench) {
     std::array<Plot, 2> plots;
     constexpr std::array kNames = {"skewness", "asymmetry"};
     for (std::size_t which = 0; which < 2; ++which) {
+        plots[which].title =
+            which == 0 ? "Skewness over a beach of 1:40" : "Asymmetry over a beach of 1:40";
         plots[which].x_label = "Ursell number";
         plots[which].y_label = kNames[which];
         for (double ursell = 0.02; ursell < 3.0; ursell *= 1.1) {

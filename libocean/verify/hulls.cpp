@@ -163,7 +163,8 @@ void kelvin_rows(Bench& bench) {
             .measured = std::atan(slope_of(edge)) * 180.0 / kPi,
             .tolerance = 0.5,
             .bound = "0.5 degrees",
-            .plot = {.x_label = "distance behind the hull [m]",
+            .plot = {.title = "Edge of the wake at " + significant_text(speed, 3) + " m/s",
+                     .x_label = "distance behind the hull [m]",
                      .y_label = "distance of the edge [m]"}};
         const double offset = mean_of([&] {
             std::vector<double> offsets;
@@ -269,7 +270,8 @@ void tank_rows(Bench& bench) {
     std::vector<float> heights(line.count());
     const MapOutput output{heights.data(), 1, {{{Channel::height, 1.0f}}}};
     sea.wake_into(0, 0.0, line, {&output, 1});
-    Plot plot{.x_label = "place, in half lengths from the middle astern",
+    Plot plot{.title = "Along the side of Wigley's model, and in the tank",
+              .x_label = "place, in half lengths from the middle astern",
               .y_label = "height times 2 g/U^2"};
     double error = 0.0, energy = 0.0, bow = 0.0, measured_bow = 0.0;
     for (const Point& there : kTank) {

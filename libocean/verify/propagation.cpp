@@ -94,7 +94,10 @@ Propagation measure_propagation(Ocean& sea, int frames, double step) {
         const double omega = std::acos(std::clamp(0.5 * even / energy, -1.0, 1.0)) / step;
         const double theory = angular_frequency(k, parameters.water.depth);
         squares += std::pow(omega / theory - 1.0, 2.0);
-        if (std::fmod(count += 1.0, 40.0) == 1.0) found.omega.push_back({k, omega});
+        count += 1.0;
+        if (ky == 0.0 && (found.omega.empty() || k > 1.06 * found.omega.back().x)) {
+            found.omega.push_back({k, omega});
+        }
         double along = 0.0;
         for (std::size_t t = 0; t + 1 < maps.size(); ++t) {
             along += std::norm(maps[t + 1][at] - std::polar(1.0, omega * step) * maps[t][at]);
@@ -122,7 +125,8 @@ Row dispersion_row(Ocean& sea, double step, Row row) {
     row.measured = found.error;
     row.tolerance = 1e-6;
     row.bound = "single precision of the weakest of these waves";
-    row.plot = {.x_label = "wavenumber [rad/m]",
+    row.plot = {.title = row.claim,
+                .x_label = "wavenumber [rad/m]",
                 .y_label = "angular frequency [rad/s]",
                 .logarithmic = true,
                 .measured = found.omega};

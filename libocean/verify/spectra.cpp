@@ -160,7 +160,9 @@ void verify_spectra(Bench& bench) {
 
     const Parameters jonswap = wind_sea(17.0, 300e3, 128, 400.0);
     const DirectionalSpectrum table = spectrum_of(jonswap, bench);
-    Plot plot{.x_label = "angular frequency [rad/s]", .y_label = "density [m^2 s/rad]"};
+    Plot plot{.title = "JONSWAP, 17 m/s over 300 km",
+              .x_label = "angular frequency [rad/s]",
+              .y_label = "density [m^2 s/rad]"};
     double worst = 0.0;
     for (double x = 0.6; x < 3.0; x *= 1.01) {
         const double omega = x * sea.peak(), density = table.frequency_density(omega);

@@ -75,7 +75,10 @@ double weighted_slope(const std::vector<Point>& rings) {
 void spectrum_rows(Bench& bench) {
     for (const double beta : {1.2, 2.0, 2.8}) {
         SampleMean exponent;
-        Plot plot{.x_label = "wavenumber [rad/m]", .y_label = "density [m^4]", .logarithmic = true};
+        Plot plot{.title = "Spectrum of one land of exponent 2",
+                  .x_label = "wavenumber [rad/m]",
+                  .y_label = "density [m^4]",
+                  .logarithmic = true};
         for (int seed = 1; seed <= kSeeds; ++seed) {
             Terrain land(fractal(beta, seed), {.threads = bench.request.threads});
             const Surface map = land.surface({Channel::height});
@@ -142,7 +145,8 @@ void variogram_row(Bench& bench) {
         }
         exponent.add(0.5 * slope_of(line));
     }
-    Plot plot{.x_label = "lag [m]",
+    Plot plot{.title = "Variogram of land of H = 0.5",
+              .x_label = "lag [m]",
               .y_label = "half the mean square difference [m^2]",
               .logarithmic = true};
     std::vector<Point> theory;

@@ -32,7 +32,7 @@ constexpr char kStyle[] = R"(
 body{margin:0;background:#fff;color:#1c2a33;font:16px/1.5 system-ui,sans-serif}
 main{max-width:70rem;margin:0 auto;padding:1rem}
 h1{line-height:1.2}h2{margin-top:2.5rem;border-bottom:1px solid #c9d3da}
-a{color:#0b5a8a}small{display:block;color:#4a5b66}
+a{color:#0b5a8a}nav a{display:inline-block;margin:.3rem 1rem .3rem 0}small{display:block;color:#4a5b66}
 table{border-collapse:collapse;width:100%}
 th,td{text-align:left;vertical-align:top;padding:.45rem .6rem;border-bottom:1px solid #dde4e8}
 td{overflow-wrap:anywhere}
@@ -86,8 +86,8 @@ std::string html_group(const verify::Group& group, std::span<const Row> rows) {
         if (group_of(row) != group.name) continue;
         table += html_row(row);
         if (row.plot.measured.empty()) continue;
-        plots += "<figure>" + svg_plot(row.plot, row.claim) + "<figcaption>" +
-                 html_text(row.claim) + "</figcaption></figure>\n";
+        plots += "<figure>" + svg_plot(row.plot) + "<figcaption>" + html_text(row.plot.title) +
+                 "</figcaption></figure>\n";
     }
     if (table.empty()) return "";
     const std::string title = html_text(group.title);
@@ -163,6 +163,7 @@ JsonObject row_json(const Row& row) {
     if (!row.shortfall.empty()) json.add("shortfall", row.shortfall);
     if (row.plot.measured.empty()) return json;
     return json.add("plot", JsonObject()
+                                .add("title", row.plot.title)
                                 .add("x", row.plot.x_label)
                                 .add("y", row.plot.y_label)
                                 .add("curve", points_json(row.plot.curve))
@@ -239,7 +240,13 @@ std::string VerifyReport::html() const {
         if (value.empty()) continue;
         html += format_text("<dt>%s</dt><dd>", name) + html_text(value) + "</dd>\n";
     }
-    html += "</dl>\n" + html_list("What fails", Verdict::fail, rows) +
+    html += "</dl>\n<nav>";
+    for (const verify::Group& group : verify::groups()) {
+        const auto is_here = [&](const Row& row) { return group_of(row) == group.name; };
+        if (std::ranges::none_of(rows, is_here)) continue;
+        html += "<a href=\"#" + std::string(group.name) + "\">" + html_text(group.title) + "</a> ";
+    }
+    html += "</nav>\n" + html_list("What fails", Verdict::fail, rows) +
             html_list("What is outside its tolerance, as the documentation says",
                       Verdict::shortfall, rows) +
             html_list("What did not run", Verdict::not_run, rows) +

@@ -44,17 +44,24 @@ struct Axis {
     };
     std::vector<Tick> ticks() const {
         std::vector<Tick> all;
-        if (logarithmic && high - low > 1.0) {
-            for (double power = std::ceil(low); power <= high; power += 1.0) {
-                const double value = std::pow(10.0, power);
-                all.push_back({value, significant_text(value, 3)});
+        if (logarithmic) {
+            const double decades = high - low;
+            const std::vector<int> factors = decades > 1.5   ? std::vector{1}
+                                             : decades > 0.7 ? std::vector{1, 2, 5}
+                                                             : std::vector{1, 2, 3, 4, 5, 6, 8};
+            const int every = decades > 5.0 ? 2 : 1;
+            for (int power = static_cast<int>(std::floor(low)); power <= high; power += every) {
+                const double unit = std::pow(10.0, power);
+                for (const int factor : factors) {
+                    const double at = std::log10(factor * unit);
+                    if (at < low || at > high) continue;
+                    all.push_back({factor * unit, tick_label(factor * unit, unit)});
+                }
             }
             return all;
         }
-        const double first = logarithmic ? std::pow(10.0, low) : low;
-        const double last = logarithmic ? std::pow(10.0, high) : high;
-        const double step = tick_step(last - first, 5);
-        for (double n = std::ceil(first / step); n * step <= last; n += 1.0) {
+        const double step = tick_step(high - low, 5);
+        for (double n = std::ceil(low / step); n * step <= high; n += 1.0) {
             all.push_back({n * step, tick_label(n == 0.0 ? 0.0 : n * step, step)});
         }
         return all;
@@ -78,7 +85,7 @@ std::string label(double x, double y, const char* look, const std::string& text,
 std::string legend(bool has_curve) {
     std::string svg =
         format_text("<circle class=\"measured\" cx=\"%.1f\" cy=\"12\" r=\"3.2\"/>", kLeft + 6.0) +
-        label(kLeft + 16.0, 16.0, "tick", "measured");
+        label(kLeft + 16.0, 16.0, "tick", "libocean");
     if (has_curve) {
         svg += line(kLeft + 88.0, 12.0, kLeft + 108.0, 12.0, "curve") +
                label(kLeft + 114.0, 16.0, "tick", "reference");
@@ -100,7 +107,7 @@ std::string html_text(std::string_view text) {
     return escaped;
 }
 
-std::string svg_plot(const verify::Plot& plot, const std::string& title) {
+std::string svg_plot(const verify::Plot& plot) {
     Axis x{plot.logarithmic, kLeft, kWidth - kRight};
     Axis y{plot.logarithmic, kHeight - kBottom, kTop};
     for (const auto* points : {&plot.curve, &plot.measured}) {
@@ -114,7 +121,7 @@ std::string svg_plot(const verify::Plot& plot, const std::string& title) {
     y.widen();
     std::string svg =
         format_text("<svg viewBox=\"0 0 %g %g\" role=\"img\"><title>", kWidth, kHeight) +
-        html_text(title) + "</title>";
+        html_text(plot.title + ": " + plot.y_label + " over " + plot.x_label) + "</title>";
     for (const auto& [value, text] : x.ticks()) {
         svg += line(x.at(value), kTop, x.at(value), kHeight - kBottom, "grid") +
                label(x.at(value), kHeight - kBottom + 16.0, "tick middle", text);

@@ -13,8 +13,8 @@ namespace ocean::app {
 /// Returns the text with the characters that HTML reserves escaped.
 std::string html_text(std::string_view text);
 
-/// Returns an <svg> element: measured points with their bars over the curve of the reference.
-/// title: for those who do not see it. The classes of its parts are those of report.cpp.
-std::string svg_plot(const verify::Plot& plot, const std::string& title);
+/// Returns an <svg> element: measured points with their bars over the curve of the reference. The
+/// classes of its parts are those of report.cpp.
+std::string svg_plot(const verify::Plot& plot);
 
 }  // namespace ocean::app

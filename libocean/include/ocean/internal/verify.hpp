@@ -36,7 +36,7 @@ struct Point {
 
 /// Measured points over the curve of the reference; a row without points has no plot.
 struct Plot {
-    std::string x_label = {}, y_label = {};
+    std::string title = {}, x_label = {}, y_label = {};
     bool logarithmic = false;  // both axes
     std::vector<Point> curve = {}, measured = {};
 };
