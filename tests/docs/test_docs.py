@@ -11,6 +11,7 @@ Of `--frames 1-N` only the first two frames are computed.
 """
 
 import importlib.util
+import json
 import os
 import re
 import subprocess
@@ -165,6 +166,13 @@ def test_links_of_the_pages_lead_to_files() -> None:
             if target and not re.match(r"[a-z]+:", target) and not (page.parent / target).exists():
                 missing.append(f"{page.relative_to(ROOT)}: {target}")
     assert not missing
+
+
+def test_claims_of_the_readme_have_their_rows() -> None:
+    rows = {row["id"] for row in json.loads((DOCS / "verification.json").read_text())["rows"]}
+    linked = set(re.findall(r"verification\.md#([^)]+)", (ROOT / "README.md").read_text()))
+    assert len(linked) > 4
+    assert linked <= rows
 
 
 def test_the_readme_is_one_screen() -> None:
