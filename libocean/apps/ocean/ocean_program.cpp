@@ -57,7 +57,8 @@ int run_ocean(int argc, char** argv, const Catalogue& catalogue) {
          .commands = {info_command(), bake_command(catalogue), terrain_command(catalogue),
                       terrain_import_command(), terrain_fit_command(), check_command(),
                       povray_command(), query_command(), gauge_command(), foam_texture_command(),
-                      spectrum_command(), records_command(), params_command(), presets_command(), verify_command()}});
+                      spectrum_command(), records_command(), params_command(), presets_command(),
+                      verify_command()}});
 }
 
 }  // namespace ocean::app
