@@ -88,6 +88,26 @@ def test_the_addon_for_this_linux_needs_no_other_compiler(built):
 # The rules of extensions -----------------------------------------------------------
 
 
+def test_a_wheel_that_needs_a_later_runtime_than_blender_has_is_refused(tmp_path):
+    folder = ROOT / "build" / "openexr"
+    done = script("windows-imports", *folder.glob("*.whl"))
+    assert (done.returncode, done.stderr) == (0, "")
+    (newest,) = folder.glob("*-cp313-cp313-win_amd64.whl")  # Blender 5.1 has its MSVCP140
+    for name in ("OpenEXR-1-cp311-cp311-win_amd64.whl", "libocean-1-py3-none-win_amd64.whl"):
+        wheel = tmp_path / name
+        shutil.copy(newest, wheel)
+        addon = tmp_path / "addon.zip"
+        with zipfile.ZipFile(addon, "w") as archive:
+            archive.write(wheel, f"wheels/{name}")
+        for refused in (wheel, addon):
+            done = script("windows-imports", refused)
+            assert done.returncode == 1
+            assert f"{name}: OpenEXR.pyd imports MSVCP140.dll" in done.stderr
+    with zipfile.ZipFile(newest) as archive:
+        done = script("windows-imports", archive.extract("OpenEXR.pyd", tmp_path))
+    assert done.returncode == 1
+
+
 def test_the_wheels_in_the_extension_are_the_released_ones_byte_for_byte(built, extension):
     released = [*(built / "wheels").glob("*.whl"), *(ROOT / "build" / "openexr").glob("*.whl")]
     ours = {path.name: path.read_bytes() for path in released}
