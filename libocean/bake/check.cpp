@@ -223,6 +223,9 @@ class Check {
             },
             [&](int index) {
                 const auto i = static_cast<std::size_t>(index);
+                if (request_.progress) {
+                    request_.progress("the hashes of files", (index + 1.0) / count);
+                }
                 if (!faults[i].empty()) {
                     add(BakeFault::damaged, path_of(files[i]->name), faults[i]);
                 } else {

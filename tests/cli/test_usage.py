@@ -97,6 +97,28 @@ def test_json_progress_is_a_line_for_each_event(ocean):
     assert files == done.stdout.splitlines()
 
 
+def test_each_per_cent_is_a_line_that_engines_read(ocean):
+    def numbers(command, line="openjd_progress: #", before="openjd_progress: ", after=""):
+        done = ocean(command, "--progress", line, "-q")
+        lines = done.stderr.splitlines()
+        assert all(each.startswith(before) and each.endswith(after) for each in lines), lines
+        return [int(each.removeprefix(before).removesuffix(after)) for each in lines]
+
+    bake = "bake sea.toml -o out/s.####.exr --products height --frames"
+    assert numbers(f"{bake} 1-7") == [0, 14, 28, 42, 57, 71, 85, 100]
+    assert numbers(f"{bake} 1-7 --skip-existing") == [0, 14, 28, 42, 57, 71, 85, 100]
+    assert numbers(f"{bake} 1-2 --shard 1/3", "#%", "", "%") == [100]  # it is empty
+    assert numbers("check out/s.####.exr") == [14, 28, 42, 57, 71, 85, 100]
+    # A frame that fails is over.
+    (ocean.folder / "out/s.height.0002.exr").unlink()
+    (ocean.folder / "out/s.height.0002.exr").mkdir()
+    done = ocean(f"{bake} 1-4 --keep-going --progress TR_PROGRESS_#%")
+    assert done.returncode == 1
+    lines = [line for line in done.stderr.splitlines() if line.startswith("TR_PROGRESS")]
+    assert lines == [f"TR_PROGRESS_{percent}%" for percent in (0, 25, 50, 75, 100)]
+    assert "--json excludes --progress" in ocean(f"{bake} 1 --json --progress #").stderr
+
+
 def test_json_errors_and_warnings_parse_too(ocean):
     done = ocean("bake", 'no "sea".toml', "-o", "a.exr", "--json")
     assert done.returncode == 2

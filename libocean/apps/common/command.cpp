@@ -43,6 +43,14 @@ OptionGroup run_options(const std::string& json_help) {
     return group;
 }
 
+OptionGroup progress_option() {
+    return {"Running",
+            {{"--progress", &RunOptions::progress, "LINE",
+              "Print LINE on standard error at each per cent, with its number for #, such as "
+              "'openjd_progress: #'; -q leaves these lines alone",
+              kOptional, NotEmpty{}, "--json"}}};
+}
+
 bool is_positional(const Option& option) {
     return !option.names.starts_with('-') && !option.names.starts_with('!');
 }

@@ -26,6 +26,7 @@ struct RunOptions {
     bool quiet = false;
     bool verbose = false;
     bool json = false;
+    std::string progress;  // the line of each per cent, with # for its number; "" = none
 };
 
 struct Option;
@@ -47,9 +48,10 @@ struct Context {
 /// The destination of an option's value, which must live as long as the command. A bool is a flag;
 /// a list gets one value for each time that the option is given. An optional text may be given
 /// without a value, and is then "".
-using OptionTarget = std::variant<bool*, int*, std::string*, std::optional<int>*,
-                                  std::optional<double>*, std::optional<std::string>*,
-                                  std::vector<std::string>*, bool RunOptions::*, int RunOptions::*>;
+using OptionTarget =
+    std::variant<bool*, int*, std::string*, std::optional<int>*, std::optional<double>*,
+                 std::optional<std::string>*, std::vector<std::string>*, bool RunOptions::*,
+                 int RunOptions::*, std::string RunOptions::*>;
 
 /// The checks of a value before the command runs.
 struct NotEmpty {};
@@ -136,6 +138,8 @@ std::vector<OptionGroup> options_for(std::string_view kind, std::vector<OptionGr
 
 /// Returns --threads, -q and -v, and --json unless `json_help` is "".
 OptionGroup run_options(const std::string& json_help);
+/// Returns --progress, for commands that report shares of their run to the Console.
+OptionGroup progress_option();
 
 /// Returns true for an argument without a name, such as SEA.
 bool is_positional(const Option& option);

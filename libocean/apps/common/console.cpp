@@ -60,6 +60,8 @@ void Console::begin(int total, std::string_view summary, const Members& more) {
         total_ = total;
         done_ = skipped_ = failed_ = 0;
         started_ = now();
+        percent_ = -1;
+        print_percent(ended_percent());
     }
     Members members = {{"total", total}};
     members.insert(members.end(), more.begin(), more.end());
@@ -79,6 +81,7 @@ void Console::step(int frame, double seconds, const std::vector<std::string>& fi
     {
         const std::lock_guard lock(mutex_);
         ++done_;
+        print_percent(ended_percent());
     }
     deliver(files);
     const std::lock_guard lock(mutex_);
@@ -103,6 +106,7 @@ void Console::skip(int frame, const std::vector<std::string>& files) {
         const std::lock_guard lock(mutex_);
         ++done_;
         ++skipped_;
+        print_percent(ended_percent());
     }
     deliver(files);
     report("skipped",
@@ -113,6 +117,7 @@ void Console::skip(int frame, const std::vector<std::string>& files) {
 void Console::fail(int frame, std::string_view message, bool continues) {
     const std::lock_guard lock(mutex_);
     ++failed_;
+    print_percent(ended_percent());
     if (options_.json) {
         write_event("failed", with_counts({{"frame", frame}}, {{"message", message}}));
     } else if (continues) {
@@ -137,6 +142,24 @@ void Console::interrupted() {
     } else {
         write_error_line(prefix_ + "interrupted" + (total_ > 0 ? ": " + progress : std::string()));
     }
+}
+
+void Console::advance(double share) {
+    const std::lock_guard lock(mutex_);
+    print_percent(static_cast<int>(100.0 * share + 1e-9));
+}
+
+int Console::ended_percent() const {
+    return total_ > 0 ? static_cast<int>(100LL * (done_ + failed_) / total_) : 100;
+}
+
+void Console::print_percent(int percent) {
+    if (options_.progress.empty() || percent <= percent_) return;
+    percent_ = percent;
+    std::string line;
+    for (const char c : options_.progress)
+        line += c == '#' ? std::to_string(percent) : std::string{c};
+    write_error_line(line);
 }
 
 Console::Members Console::with_counts(Members before, const Members& after) const {

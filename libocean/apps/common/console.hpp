@@ -59,6 +59,10 @@ class Console {
     /// Reports that a signal ended the run, with its progress.
     void interrupted();
 
+    /// Reports the share of a run that is done: prints the line of --progress for a further per
+    /// cent.
+    void advance(double share);
+
     /// Prints the paths of files that were written, unless -q.
     void deliver(const std::vector<std::string>& files);
 
@@ -69,6 +73,8 @@ class Console {
     void write_error_line(std::string_view line);
     void write_event(std::string_view event, const Members& members);
     double eta() const;
+    int ended_percent() const;
+    void print_percent(int percent);
     Members with_counts(Members before, const Members& after) const;
 
     const std::string prefix_;
@@ -78,6 +84,7 @@ class Console {
     int done_ = 0;  // including skipped frames
     int skipped_ = 0;
     int failed_ = 0;
+    int percent_ = -1;      // that was printed last
     double started_ = 0.0;  // of the steady clock [s]
     bool bar_drawn_ = false;
 };

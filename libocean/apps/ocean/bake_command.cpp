@@ -105,6 +105,7 @@ std::vector<OptionGroup> bake_options(Typed& typed, const Catalogue& catalogue) 
                      "height"}}}});
     add_format_options(typed.format_options, bake, catalogue, typed.kind, groups);
     groups.push_back(run_options("Progress, warnings and errors as JSON lines"));
+    groups.push_back(progress_option());
     return groups;
 }
 

@@ -71,6 +71,11 @@ void run(const CheckOptions& options, const Context& context) {
     if (!options.frames.empty()) request.frames = parse_frames(options.frames);
     if (!options.against.empty()) request.against = text_of(options.against);
     request.merge = options.merge;
+    request.progress = [&, report = build_progress_on(context.console)](std::string_view work,
+                                                                        double share) {
+        report(work, share);
+        context.console.advance(share);
+    };
     const BakeCheck check = check_bake(request);
     context.console.data(context.options.json ? check_json(check) : check_text(check));
     const std::size_t faults = check.faults.size();
@@ -107,7 +112,8 @@ Command check_command() {
                 "The sea, or terrain, that the files must show"},
                {"--merge", &options->merge, "",
                 "If all is whole, join the manifests of the shards to one"}}},
-             run_options("Print one JSON object")},
+             run_options("Print one JSON object; progress as JSON lines"),
+             progress_option()},
         .footer = kCheckFooter,
         .run = [options](const Context& context) { run(*options, context); },
     };

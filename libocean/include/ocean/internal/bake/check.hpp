@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,9 @@ struct CheckRequest {
     std::string against;      // the text of the only subject that is allowed; empty: any one
     bool merge = false;       // without a fault, joins the manifests of shards to that of the whole
     int threads = 0;          // 0 = the cores this process may use
+    /// Called with the share of the files that are read, as MapsOptions::build_progress; may be
+    /// empty.
+    std::function<void(std::string_view work, double share)> progress = {};
 };
 
 /// A fault of a file.
