@@ -99,6 +99,7 @@ WorkShare share_work(const BakePlan& plan) {
 }
 
 std::vector<std::string> bake_warnings(const BakePlan& plan, std::size_t frames) {
+    if (plan.frames.empty()) return {};
     const Timeline timeline = plan.subject->timeline();
     std::vector<std::string> all;
     for (const int frame : std::span(plan.frames).first(std::min(frames, plan.frames.size()))) {

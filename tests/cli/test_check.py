@@ -166,3 +166,6 @@ def test_a_summary_is_the_sums_alone(ocean):
     text = ocean.good(bake, "-n", "--summary")
     assert text.startswith("frames   100\nfiles    100, 0 of them kept\n")
     assert "give -n" in ocean.bad(bake, "--summary")
+    # A shard may be empty.
+    told = json.loads(ocean.good(bake, "--shard", "1/200", "-n", "--summary", "--json"))
+    assert (told["frames"], told["files"], told["bytes"]) == (0, 0, 0)
