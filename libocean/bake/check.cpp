@@ -21,6 +21,7 @@
 #include "ocean/internal/io/read_provenance.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/internal/text.hpp"
+#include "sha256.hpp"
 
 namespace ocean {
 namespace {

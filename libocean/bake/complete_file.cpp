@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <span>
 #include <system_error>
 
 #include "ocean/error.hpp"
@@ -34,10 +35,6 @@ std::string hash_pixels(const BakePlan& plan, const BakeFile& file, int threads)
 
 }  // namespace
 
-std::string short_hash(const std::string& text) {
-    return sha256_hex(text).substr(0, kShortHashDigits);
-}
-
 bool is_same_text(const std::string& in_header, const std::string& text) {
     return in_header == text || in_header + "\n" == text;
 }
@@ -61,15 +58,6 @@ bool is_regular(const BakeFile& file) {
     return std::filesystem::is_regular_file(native(file), error);
 }
 
-void refuse_to_overwrite_foreign_files(const BakePlan& plan, const Manifest& manifest) {
-    for (const BakeFile& file : files_that_may_exist(plan)) {
-        io::refuse_to_replace_foreign_file(file.path, "a bake", [&] {
-            return plan.format->is_baked(file) ||
-                   manifest.find(native(file).filename().string()) != nullptr;
-        });
-    }
-}
-
 namespace {
 
 /// Returns the recipe that a file would have at any frame.
@@ -88,11 +76,8 @@ bool shows_another_subject(const BakePlan& plan, const BakeFile& file) {
     }
 }
 
-}  // namespace
-
-void refuse_to_overwrite_another_subject(const BakePlan& plan, const Manifest& manifest) {
-    if (plan.overwrite || plan.frames.empty()) return;
-    const std::string subject = short_hash(plan.subject_text);
+void refuse_to_overwrite_another_subject(const BakePlan& plan, const Manifest& manifest,
+                                         std::span<const BakeFile> files) {
     const std::filesystem::path pattern = utf8_path(plan.pattern.file(0));
     std::set<int> others;
     for (const auto& [name, entry] : manifest.found()) {
@@ -100,11 +85,11 @@ void refuse_to_overwrite_another_subject(const BakePlan& plan, const Manifest& m
         if (path.extension() != pattern.extension()) continue;  // images beside volumes
         const BakeFile file{text::to_utf8(path), entry.frame, 0, entry.product};
         if (!is_regular(file)) continue;
-        const bool is_other =
-            entry.subject.empty() ? shows_another_subject(plan, file) : entry.subject != subject;
+        const bool is_other = entry.subject.empty() ? shows_another_subject(plan, file)
+                                                    : entry.subject != plan.subject_hash;
         if (is_other) others.insert(entry.frame);
     }
-    for (const BakeFile& file : files_that_may_exist(plan)) {
+    for (const BakeFile& file : files) {
         if (!is_regular(file)) continue;  // a pipe must not be read
         const bool is_listed = manifest.find(native(file).filename().string()) != nullptr;
         if (!is_listed && shows_another_subject(plan, file)) others.insert(file.frame);
@@ -120,13 +105,27 @@ void refuse_to_overwrite_another_subject(const BakePlan& plan, const Manifest& m
                     "; --overwrite replaces them");
 }
 
+}  // namespace
+
+void refuse_to_overwrite_others(const BakePlan& plan, const Manifest& manifest) {
+    const std::vector<BakeFile> files = files_that_may_exist(plan);
+    for (const BakeFile& file : files) {
+        io::refuse_to_replace_foreign_file(file.path, "a bake", [&] {
+            return plan.format->is_baked(file) ||
+                   manifest.find(native(file).filename().string()) != nullptr;
+        });
+    }
+    if (plan.overwrite || plan.frames.empty()) return;
+    refuse_to_overwrite_another_subject(plan, manifest, files);
+}
+
 void describe(const BakePlan& plan, const BakeFile& file, ManifestEntry& entry) {
     entry.name = native(file).filename().string();
     entry.frame = file.frame;
     entry.time = plan.subject->timeline().time_of(file.frame);
     entry.product = file.product;
     entry.recipe = plan.format->recipe(plan, file);
-    entry.subject = short_hash(plan.subject_text);
+    entry.subject = plan.subject_hash;
     entry.sequence = sequence_of(plan, file);
 }
 

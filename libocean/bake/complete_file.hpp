@@ -17,15 +17,11 @@ namespace ocean {
 bool is_regular(const BakeFile& file);
 
 /// Throws Error invalid_value if one of the plan's files exists and is the user's: the manifest
-/// does not list it, and it does not look like a baked file.
-void refuse_to_overwrite_foreign_files(const BakePlan& plan, const Manifest& manifest);
+/// does not list it, and it does not look like a baked file. Throws it too if files of the plan's
+/// name show another subject, by the manifests and by the headers of files that none lists, unless
+/// the plan overwrites them.
+void refuse_to_overwrite_others(const BakePlan& plan, const Manifest& manifest);
 
-/// Throws Error invalid_value if files of the plan's name show another subject, by the manifests
-/// and by the headers of files that none lists, unless the plan overwrites them.
-void refuse_to_overwrite_another_subject(const BakePlan& plan, const Manifest& manifest);
-
-/// Returns the first digits of a text's SHA-256, as entries of manifests have them.
-std::string short_hash(const std::string& text);
 /// Returns true if a header has the text of a subject: a header that is made of comments loses the
 /// end of its last line.
 bool is_same_text(const std::string& in_header, const std::string& text);

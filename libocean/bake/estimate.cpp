@@ -129,8 +129,7 @@ BakeForecast forecast_bake(const BakePlan& plan) {
     constexpr std::size_t kFramesOfATake = 100;
     const WorkShare share = share_work(plan);
     const Manifest manifest(plan.pattern, plan.shard);
-    refuse_to_overwrite_foreign_files(plan, manifest);
-    refuse_to_overwrite_another_subject(plan, manifest);
+    refuse_to_overwrite_others(plan, manifest);
     io::require_folder(plan.pattern.folder());
     const auto is_complete = [&](const std::vector<BakeFile>& files) {
         return std::ranges::all_of(files, [&](const BakeFile& file) {

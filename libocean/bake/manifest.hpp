@@ -36,9 +36,6 @@ struct ManifestEntry {
     bool operator==(const ManifestEntry&) const = default;
 };
 
-/// The digits of the short hashes of an entry.
-inline constexpr std::size_t kShortHashDigits = 16;
-
 /// The first key of a manifest; its value is the version.
 inline constexpr const char* kManifestKey = "libocean_manifest";
 

@@ -7,6 +7,7 @@
 
 #include "manifest.hpp"
 #include "ocean/error.hpp"
+#include "sha256.hpp"
 
 namespace ocean {
 namespace {

@@ -365,9 +365,9 @@ BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
         plan.pattern.manifest(plan.shard);  // refuses a name that is too long
     }
     plan.subject_text = plan.subject->text();
+    plan.subject_hash = short_hash(plan.subject_text);
     plan.subject_id =
-        sha256_hex(plan.subject_text + domain_lines(plan) + std::to_string(plan.resolution))
-            .substr(0, 16);
+        short_hash(plan.subject_text + domain_lines(plan) + std::to_string(plan.resolution));
     return plan;
 }
 

@@ -262,8 +262,7 @@ void run_bake(const BakePlan& plan, BakeHost& host) {
     }
     Manifest manifest(plan.pattern, plan.shard);
     for (const std::string& warning : manifest.warnings()) host.warning(warning);
-    refuse_to_overwrite_foreign_files(plan, manifest);
-    refuse_to_overwrite_another_subject(plan, manifest);
+    refuse_to_overwrite_others(plan, manifest);
     io::make_folder(plan.pattern.folder());
     io::remove_abandoned_temporaries(plan.pattern.folder());
     host.begin(plan, share);

@@ -20,4 +20,8 @@ std::string sha256_hex(std::string_view bytes) {
     return hash.hex();
 }
 
+std::string short_hash(std::string_view bytes) {
+    return sha256_hex(bytes).substr(0, kShortHashDigits);
+}
+
 }  // namespace ocean

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -31,5 +32,10 @@ class Sha256 {
 };
 
 std::string sha256_hex(std::string_view bytes);
+
+/// The digits of the hashes by which headers and manifests tell one thing from another.
+inline constexpr std::size_t kShortHashDigits = 16;
+/// Returns the first digits of the SHA-256.
+std::string short_hash(std::string_view bytes);
 
 }  // namespace ocean

@@ -107,21 +107,21 @@ struct Processor {
                 "this build has kernels for " + names + " only, which " + reason);
 }
 
+/// Returns the highest level that OCEAN_SIMD allows. Throws Error invalid_value.
+SimdLevel highest_level(std::string_view limit) {
+    using enum SimdLevel;
+    if (limit.empty()) return avx512;
+    for (const SimdLevel level : {portable, sse4, avx2, avx512}) {
+        if (simd_name(level) == limit) return level;
+    }
+    throw Error(ErrorKind::invalid_value, "OCEAN_SIMD = " + std::string(limit) +
+                                              ": allowed are portable, sse4, avx2 and avx512");
+}
+
 SimdLevel choose() {
     const char* word = std::getenv("OCEAN_SIMD");
     const std::string_view limit = word != nullptr ? word : "";
-    using enum SimdLevel;
-    SimdLevel most = avx512;
-    bool is_known = limit.empty();
-    for (const SimdLevel level : {portable, sse4, avx2, avx512}) {
-        if (simd_name(level) != limit) continue;
-        most = level;
-        is_known = true;
-    }
-    if (!is_known) {
-        throw Error(ErrorKind::invalid_value, "OCEAN_SIMD = " + std::string(limit) +
-                                                  ": allowed are portable, sse4, avx2 and avx512");
-    }
+    const SimdLevel most = highest_level(limit);
     const Processor processor;
     for (const Kernel& kernel : kKernels) {
         if (kernel.level <= most && processor.runs(kernel)) return kernel.level;

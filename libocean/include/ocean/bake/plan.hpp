@@ -115,7 +115,8 @@ struct BakeOptions {
 struct BakePlan {
     std::shared_ptr<const Subject> subject;
     std::string subject_text;
-    std::string subject_id;  // of io::Provenance
+    std::string subject_hash;  // of the text, as manifests have it
+    std::string subject_id;    // of io::Provenance
     const BakeFormat* format = nullptr;
     ErasedSettings settings;  // the format's
     FrameMaps maps;
