@@ -801,6 +801,30 @@ typedef struct {
  * over a bed. */
 OCEAN_API ocean_result ocean_find_crest(ocean_sea* sea, double from, double to, const double* box,
                                         ocean_crest* crest);
+/* A bake for the engine of a render farm. struct_size = sizeof(ocean_farm_request), set by the
+ * caller. engine: "slurm", "openjd" or "flamenco". output: -o of `ocean bake`; it and render start
+ * from the folder of the job where they are relative. options: further words of `ocean bake`. */
+typedef struct {
+    size_t struct_size;
+    const char* engine;
+    const char* output;    /* "out/sea.####.exr" */
+    const int32_t* frames; /* in any order */
+    size_t frame_count;
+    const char* const* options; /* may be NULL */
+    size_t option_count;
+    const char* render;      /* a scene to render afterwards, .pov or .blend; NULL = none */
+    int32_t frames_per_task; /* 0 = all */
+    int32_t threads;         /* cores of a task; 0 = those that it gets */
+    int32_t minutes;         /* after which the engine ends a task; 0 = its own limit */
+    int32_t reserved;        /* 0 */
+    uint64_t memory_bytes;   /* of a task; 0 = unknown */
+} ocean_farm_request;
+/* ocean_farm_job_json writes the files of a job that bakes the sea in parts, checks them and
+ * renders, as `ocean farm` does: a JSON object of names and texts. The caller puts them into one
+ * folder; the sea among them needs no other file. INVALID_VALUE for an unknown engine or a job that
+ * the engine cannot run, BUFFER_TOO_SMALL. */
+OCEAN_API ocean_result ocean_farm_job_json(const ocean_sea* sea, const ocean_farm_request* request,
+                                           char* out, size_t* size);
 
 #ifdef __cplusplus
 }

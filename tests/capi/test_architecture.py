@@ -38,7 +38,7 @@ TARGET_LIBRARY = RULES["target_library"]
 def owner_of_header(name: str) -> str | None:
     if name in HEADER_OWNER:
         return HEADER_OWNER[name]
-    folder = re.match(r"ocean/(?:internal/)?(io|bake|gl|bridge|preview)/", name)
+    folder = re.match(r"ocean/(?:internal/)?(io|farm|bake|gl|bridge|preview)/", name)
     if folder is not None:
         return folder[1]
     return "core" if name.startswith("ocean/") else None

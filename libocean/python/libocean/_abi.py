@@ -330,6 +330,24 @@ class Crest(ctypes.Structure):
     ]
 
 
+class FarmRequest(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("engine", c_char_p),
+        ("output", c_char_p),
+        ("frames", POINTER(c_int32)),
+        ("frame_count", c_size_t),
+        ("options", POINTER(c_char_p)),
+        ("option_count", c_size_t),
+        ("render", c_char_p),
+        ("frames_per_task", c_int32),
+        ("threads", c_int32),
+        ("minutes", c_int32),
+        ("reserved", c_int32),
+        ("memory_bytes", c_uint64),
+    ]
+
+
 ARGUMENTS: dict[str, list[Any]] = {
     "ocean_abi_version": [],
     "ocean_version": [],
@@ -422,6 +440,7 @@ ARGUMENTS: dict[str, list[Any]] = {
     "ocean_wake_domain": [c_void_p, c_size_t, c_double, POINTER(Domain)],
     "ocean_wake_region": [c_void_p, c_size_t, c_double, POINTER(RegionRequest)],
     "ocean_find_crest": [c_void_p, c_double, c_double, POINTER(c_double), POINTER(Crest)],
+    "ocean_farm_job_json": [c_void_p, POINTER(FarmRequest), c_char_p, POINTER(c_size_t)],
 }
 
 RESULTS: dict[str, Any] = {

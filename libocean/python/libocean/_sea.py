@@ -6,7 +6,10 @@ from __future__ import annotations
 
 import ctypes
 import json
+import os
 from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -18,6 +21,9 @@ from ._maps import Maps
 from ._queries import Queries
 from ._regions import region_arrays, region_buffers, region_request
 from ._surface import Surface
+
+FARM_MARK = b"Written by `ocean farm`"
+"""The words in each file of a job, by which a later job may replace it."""
 
 
 class Sea(Maps, Queries):
@@ -163,3 +169,61 @@ class Sea(Maps, Queries):
             self._text("ocean_provenance_json", ctypes.byref(request))
         )
         return strings
+
+    def farm_job(
+        self,
+        engine: str,
+        output: str,
+        frames: Iterable[int],
+        *,
+        options: Iterable[str] = (),
+        render: str | None = None,
+        frames_per_task: int = 0,
+        threads: int = 0,
+        minutes: int = 0,
+        memory_bytes: int = 0,
+    ) -> dict[str, str]:
+        """Returns the files of a job for the engine of a render farm ("slurm", "openjd" or
+        "flamenco") as texts by name: it bakes the sea in parts, checks them and renders a scene,
+        .pov or .blend. output: -o of `ocean bake`; it and `render` start from the folder of the job
+        where they are relative. options: further words of `ocean bake`. frames_per_task: 0 = all;
+        threads: cores of a task, 0 = those that it gets; minutes: after which the engine ends a
+        task, memory_bytes: of a task, 0 = unknown."""
+        numbers = [whole("frame", frame) for frame in frames]
+        words = [text("an option", word) for word in options]
+        request = _abi.FarmRequest(
+            ctypes.sizeof(_abi.FarmRequest),
+            text("engine", engine),
+            text("output", output),
+            (ctypes.c_int32 * len(numbers))(*numbers),
+            len(numbers),
+            (ctypes.c_char_p * len(words))(*words),
+            len(words),
+            None if render is None else text("render", render),
+            whole("frames_per_task", frames_per_task, 0),
+            whole("threads", threads, 0),
+            whole("minutes", minutes, 0),
+            memory_bytes=whole("memory_bytes", memory_bytes, 0, 2**64 - 1),
+        )
+        files: dict[str, str] = json.loads(self._text("ocean_farm_job_json", ctypes.byref(request)))
+        return files
+
+    def write_farm_job(
+        self,
+        folder: str | os.PathLike[str],
+        engine: str,
+        output: str,
+        frames: Iterable[int],
+        **how: Any,
+    ) -> list[str]:
+        """Writes the files of farm_job() into a folder, which is made, and returns their paths.
+        FileExistsError, before any is written, if one of the names is that of another file."""
+        files = self.farm_job(engine, output, frames, **how)
+        paths = {Path(folder) / name: content for name, content in files.items()}
+        for path in paths:
+            if path.exists() and FARM_MARK not in path.read_bytes():
+                raise FileExistsError(f"{path} exists and is not of a farm job")
+        Path(folder).mkdir(parents=True, exist_ok=True)
+        for path, content in paths.items():
+            path.write_text(content, encoding="utf-8", newline="\n")
+        return [str(path) for path in paths]
