@@ -10,7 +10,6 @@
 #include "job.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/json.hpp"
-#include "ocean_bake_script.hpp"
 
 namespace ocean::farm {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the engines of a farm share: the words of the commands that a job runs, frames as ranges,
-// words of a shell.
+// The common part of the engines of a farm: the words of the commands that a job runs, frames as
+// ranges, words of a shell.
 #pragma once
 
 #include <functional>
@@ -22,6 +22,8 @@ extern const FarmEngine kSlurm, kOpenjd, kFlamenco;
 
 /// The first words of each text, and the mark of is_farm_file().
 inline constexpr std::string_view kMark = "Written by `ocean farm`";
+/// The text of ocean_bake.js, the job type of Flamenco.
+extern const std::string_view kOceanBakeScript;
 inline constexpr std::string_view kSeaFile = "sea.toml";
 
 /// FIRST-LAST, or FIRST-LAST in steps.

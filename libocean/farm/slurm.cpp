@@ -4,6 +4,7 @@
 // SLURM: scripts for sbatch, and a script that sends them in order. A task is an element of an
 // array, and its number that of a shard.
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
