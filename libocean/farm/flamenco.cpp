@@ -14,8 +14,8 @@
 namespace ocean::farm {
 namespace {
 
-/// Returns the job for the manager's API. `folder` has a line of its own, which the script that sends
-/// the job writes.
+/// Returns the job for the manager's API. `folder` has a line of its own, which the script that
+/// sends the job writes.
 std::string job_text(const FarmJob& job) {
     const bool by_povray = !job.render.empty() && !renders_by_blender(job);
     JsonObject settings(JsonLines{4});
