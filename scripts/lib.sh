@@ -29,7 +29,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
         openimageio-tools openexr clang libclang-rt-14-dev valgrind blender libegl1 libegl-mesa0 libgl1
         libgl1-mesa-dri xvfb xauth xdotool telnet netcat-openbsd python3-meshio python3-openvdb
         libopenvdb-tools desktop-file-utils shared-mime-info
-        libglib2.0-bin locales man-db systemd dpkg-dev file libgdal-dev strace umockdev libumockdev-dev liblo-tools ccache lld)
+        libglib2.0-bin locales man-db systemd dpkg-dev file libgdal-dev strace umockdev libumockdev-dev liblo-tools nodejs ccache lld)
     bench_packages=(
         "${build_packages[@]}" libbenchmark-dev libfftw3-dev valgrind python3-venv ca-certificates)
     gl_packages=("${test_packages[@]}" mesa-vulkan-drivers)
@@ -44,7 +44,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     chroot_packages=("${build_packages[@]}" "${deb_packages[@]}" debootstrap)
     cross_packages=("${build_packages[@]}" "${lint_packages[@]}" wine wine64)
     vm_packages=(qemu-system-x86 busybox-static cpio kmod udev binutils)
-    farm_packages=(munge slurmctld slurmd slurm-client faketime iproute2 python3-pytest)
+    farm_packages=("${test_packages[@]}" munge slurmctld slurmd slurm-client faketime iproute2)
     # One release of each PyPI tool, so that a new one cannot turn a good tree red.
     ruff_tool=ruff==0.17.5
     mypy_tool=mypy==2.4.1
@@ -53,6 +53,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     # of floats; an affine newer than this needs newer attrs than Debian's
     geotiff_tools=(rasterio==1.4.4 affine==2.4.0 tifffile==2026.3.3 imagecodecs==2026.3.6)
     spdx_tool=spdx_tools==0.8.5  # judges scripts/sbom
+    # check and run bundles of Open Job Description
+    openjd_tools=(openjd_cli==0.8.0 openjd_model==0.13.0 openjd_sessions==0.13.0)
     materialx_tool=materialx==1.39.5  # judges shaders/materialx
     # draw the figures of docs/coast.md
     figures_tool=matplotlib==3.10.0
