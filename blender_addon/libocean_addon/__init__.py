@@ -50,7 +50,7 @@ def parts() -> list:
         return [translations]
     from . import handlers, manual, subjects, whole_sea
     from .assets import asset_library
-    from .bake import bake
+    from .bake import bake, farm
     from .coast import operators as coast_operators
     from .coast import panels as coast_panels
     from .coast import properties as coast_properties
@@ -85,6 +85,7 @@ def parts() -> list:
         first_view,
         records,
         bake,
+        farm,
         volumes,
         hints,
         whole_sea,

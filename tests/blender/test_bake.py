@@ -4,7 +4,9 @@
 be baked is said; a farm needs no add-on. What every bake has is in test_bake_life.py."""
 
 import json
+import os
 import shutil
+import subprocess
 import sys
 import types
 from pathlib import Path
@@ -35,7 +37,7 @@ from conftest import (
     start_another_blender,
     times,
 )
-from libocean_addon.bake import bake_plan, bake_record, bake_state, exr_files
+from libocean_addon.bake import bake_plan, bake_record, bake_state, exr_files, farm
 from libocean_addon.sea import node_group, open_sea
 from libocean_addon.shared import modifier_groups
 from subjects import same
@@ -434,3 +436,45 @@ def test_a_farm_renders_it_without_the_add_on(scene, sea, tmp_path):
         assert node.returncode == 0, out
     for frame, expected in live.items():
         assert np.array_equal(pixels(tmp_path / "out" / f"f_{frame:04}.exr"), expected)
+
+
+def test_a_job_bakes_checks_and_renders_without_the_add_on(scene, sea, tmp_path, monkeypatch):
+    sea.libocean.use_detail = True
+    live = {}
+    for frame in (2, 5):
+        scene.frame_set(frame)
+        live[frame] = rendered(scene, tmp_path / f"live_{frame}.exr")
+    before = shown(sea)
+    monkeypatch.setattr(farm.PlannedBake, "frames_per_task", lambda *_: 3)
+    assert bpy.ops.libocean.bake_on_farm() == {"FINISHED"}
+    assert not sea.libocean.use_bake and sea.libocean.bake.fields == ""
+    assert same(shown(sea), before)
+    job = tmp_path / "ocean_farm" / "Ocean"
+    program = str(Path(os.environ["OCEAN"]).resolve())
+    for step, tasks in (("bake", 2), ("check", 1)):
+        for task in range(1, tasks + 1):
+            node = {**os.environ, "OCEAN": program, "SLURM_ARRAY_TASK_ID": str(task)}
+            done = subprocess.run(
+                ["sh", f"{step}.sbatch"], cwd=job, env=node, capture_output=True, text=True
+            )
+            assert done.returncode == 0, done.stderr
+    assert "--array=1-2" in (job / "bake.sbatch").read_text()
+    assert "-b shot.blend -f" in (job / "render.sbatch").read_text()
+    moved = tmp_path / "node" / "job"  # it needs nothing beside its folder
+    shutil.move(job, moved)
+    in_another_blender(other_blender.render, moved / "shot.blend", f"{moved}/f_####.exr", "", 2, 5)
+    for frame, expected in live.items():
+        assert np.array_equal(pixels(moved / f"f_{frame:04}.exr"), expected)
+    with_add_on = opened(moved / "shot.blend", "Ocean")
+    assert bake_record.faults(with_add_on) == {}
+
+
+def test_what_a_farm_cannot_bake_is_told(sea, folder):
+    keyed(sea.libocean, choppiness={2: 1.0, 5: 0.5})
+    assert "a farm bakes one sea" in failing(bpy.ops.libocean.bake_on_farm)
+    assert "the blend file itself" in failing(bpy.ops.libocean.bake_on_farm, directory="//")
+    add_horizon(64, 5000, use_material=False)
+    assert "bake horizons and coasts here" in failing(bpy.ops.libocean.bake_on_farm)
+    bpy.ops.wm.read_homefile(use_empty=True)
+    add_ocean(32, kind="PATCH", preset="beaufort_6", use_material=False)
+    assert "Save the blend file first" in failing(bpy.ops.libocean.bake_on_farm)

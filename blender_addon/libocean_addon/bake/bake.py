@@ -19,7 +19,7 @@ FIELDS = settings_of("bake")
 """The fields of operators, by the names of their classes."""
 
 
-def _words(failure: Exception) -> str:
+def in_words(failure: Exception) -> str:
     """Returns the sentence about the failure that stopped a job."""
     if isinstance(failure, exr_files.NotWholeError):
         path = failure.args[0]
@@ -48,7 +48,7 @@ class _OnOwnOcean(operators.OnOcean):
         return super().poll(context) and _is_own(cls, context)
 
 
-class _OnBaked:
+class OnBaked:
     """Base of operators on an object of a subject that can be baked."""
 
     @classmethod
@@ -96,7 +96,7 @@ class Frames(_OnOwnOcean):
     def _finish(self, bake: Work) -> set[str]:
         job = bake.job
         if job.failure is not None:
-            self.report({"ERROR"}, tr("After {} frames: {}", job.done, _words(job.failure)))
+            self.report({"ERROR"}, tr("After {} frames: {}", job.done, in_words(job.failure)))
             return {"CANCELLED"}
         if job.done < len(job.frames):
             text = tr("Stopped; {} of {} frames are finished", job.done, len(job.frames))
@@ -180,7 +180,7 @@ class Frames(_OnOwnOcean):
             context.workspace.status_text_set(None)
 
 
-class BakeOcean(_OnBaked, Frames, bpy.types.Operator):
+class BakeOcean(OnBaked, Frames, bpy.types.Operator):
     """Write the sea of each frame as files, and play those: rendering them takes neither the
     add-on nor the library. Existing files of the same sea are kept. ESC stops it"""
 
@@ -192,7 +192,7 @@ class BakeOcean(_OnBaked, Frames, bpy.types.Operator):
         return bake(context, context.object, self.directory, shot, overwrite=self.overwrite)
 
 
-class FreeBake(_OnBaked, bpy.types.Operator):
+class FreeBake(OnBaked, bpy.types.Operator):
     """Show the live sea again and forget the bake"""
 
     bl_idname = "libocean.free_bake"

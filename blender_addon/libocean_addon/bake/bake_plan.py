@@ -219,7 +219,7 @@ class Bake(Work):
                 failure,
             )
             raise BakeError(text) from failure
-        self.range = with_margins(*shot)
+        self.range = self._range_of(context, shot)
         self.frame_length = bake_record.frame_length(context.scene)
         frames, self.recipes = _plan(context, ob, *self.range)
         base_dir = paths.blend_folder()
@@ -245,6 +245,9 @@ class Bake(Work):
             package=package,
         )
         ob.libocean.bake.begun = self.folder
+
+    def _range_of(self, _context, shot: tuple[int, int]) -> tuple[int, int]:
+        return with_margins(*shot)
 
     def _look(self, ob, sea) -> None:
         """Notes the parameters of the maps, from the object and the sea of its first frame."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 import bpy
 
 from .. import translations, whole_sea
-from ..bake import bake, bake_record, bake_state
+from ..bake import bake, bake_record, bake_state, farm
 from ..look import material
 from ..shared import drafts, parameter_fields, registration, resolutions, subject_panel
 from ..shared.compat import tr_label
@@ -279,6 +279,7 @@ def draw_bake(layout, ob, scene) -> None:
     if bake_record.exists(ob):
         row.operator(bake.FreeBake.bl_idname, text="Free")
         row.operator(bake.FreeBake.bl_idname, text="", icon="TRASH").delete_files = True
+    layout.operator(farm.BakeOnFarm.bl_idname, text="Bake on a Farm...", icon="NETWORK_DRIVE")
     for text, icon in bake_state.state(ob, scene):
         say(layout, text, icon)
 
