@@ -97,11 +97,16 @@ std::string frame_range(const FarmJob& job) {
     return runs_text(frame_runs(job.frames), ":");
 }
 
-/// Returns the words of a bake with these further ones.
-Words bake_with(const FarmJob& job, const Words& more) {
-    Words words = bake_words(job, in_bundle);
+/// Returns the words of a command with these further ones, and with its progress as the engine
+/// reads it.
+Words with_progress(Words words, const Words& more) {
     words.insert(words.end(), more.begin(), more.end());
+    words.insert(words.end(), {"--progress", "openjd_progress: #"});
     return words;
+}
+
+Words bake_with(const FarmJob& job, const Words& more) {
+    return with_progress(bake_words(job, in_bundle), more);
 }
 
 /// The steps that check and render; they follow the step `after`.
@@ -109,7 +114,7 @@ std::string later_steps(const FarmJob& job, const std::string& after) {
     std::string text = step_text(job, {.name = "Check",
                                        .after = after,
                                        .program = "Ocean",
-                                       .words = check_words(job, in_bundle)});
+                                       .words = with_progress(check_words(job, in_bundle), {})});
     if (job.render.empty()) return text;
     Step render{.name = "Render",
                 .after = "Check",

@@ -14,6 +14,7 @@ def test_a_bundle_bakes_checks_and_renders(tmp_path, template):
         jobs.OPENJD, "run", template, "--step", "Render", "--run-dependencies",
         "-p", f"Job={job}", folder=job,
     )  # fmt: skip
+    assert "openjd_progress: 50" in told and "openjd_progress: 100" in told
     assert (job / "out/sea.manifest.json").exists()
     assert sorted(path.name for path in (job / "out").glob("*.exr")) == [
         f"sea.displacement.{frame:04d}.exr" for frame in range(1, 5)
