@@ -157,8 +157,13 @@ BakeForecast forecast_bake(const BakePlan& plan) {
     return forecast;
 }
 
-double measure_bake_seconds(const BakePlan& plan) {
-    if (plan.frames.empty()) return 0.0;
+double BakePace::seconds(int frames) const {
+    if (frames < 1) return 0.0;
+    return first + std::max(static_cast<double>(frames) / frames_at_a_time - 1.0, 0.0) * next;
+}
+
+BakePace measure_bake_pace(const BakePlan& plan) {
+    if (plan.frames.empty()) return {};
     const WorkShare share = share_work(plan);
     const auto source = plan.subject->open(plan.maps_options());
     Manifest manifest(plan.pattern, plan.shard);
@@ -170,10 +175,9 @@ double measure_bake_seconds(const BakePlan& plan) {
         baker.make_maps(plan.subject->timeline().time_of(frame));
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     };
-    const double alone = seconds_of(plan.frames.front());
-    if (plan.frames.size() == 1) return alone;
-    const auto others = static_cast<double>(plan.frames.size()) / share.frames_at_a_time - 1.0;
-    return alone + std::max(others, 0.0) * seconds_of(plan.frames[1]);
+    const double first = seconds_of(plan.frames.front());
+    const double next = plan.frames.size() == 1 ? first : seconds_of(plan.frames[1]);
+    return {first, next, share.frames_at_a_time};
 }
 
 }  // namespace ocean

@@ -10,7 +10,7 @@ import pytest
 from conftest import OCEAN
 
 COMMANDS = ("info", "bake", "povray", "query", "gauge", "foam-texture", "spectrum", "records",
-            "params", "presets")  # fmt: skip
+            "farm", "params", "presets")  # fmt: skip
 PROGRAMS = [os.environ[name] for name in ("OCEAN_PREVIEW", "OCEAN_BRIDGE") if os.environ.get(name)]
 HELPS = [[OCEAN, "--help"], *([OCEAN, command, "-h"] for command in COMMANDS)]
 HELPS += [[program, "--help"] for program in PROGRAMS]

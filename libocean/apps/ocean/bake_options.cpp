@@ -85,7 +85,7 @@ void run_or_forecast(const BakePlan& plan, bool dry_run, const Context& context)
 
 void show_summary(const BakePlan& plan, const Context& context) {
     const BakeForecast forecast = forecast_bake(plan);
-    const double seconds = measure_bake_seconds(plan);
+    const double seconds = measure_bake_pace(plan).seconds(static_cast<int>(plan.frames.size()));
     const long files = forecast.all(), kept = forecast.kept();
     if (context.options.json) {
         context.console.data(JsonObject()

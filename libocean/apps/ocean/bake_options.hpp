@@ -13,11 +13,30 @@
 #include "command.hpp"
 #include "ocean/bake/catalogue.hpp"
 #include "ocean/bake/plan.hpp"
+#include "region_argument.hpp"
+#include "subject_argument.hpp"
 
 namespace ocean::app {
 
 /// Options of formats without a value, by their names: whether they were given.
 using FormatFlags = std::map<std::string, bool>;
+
+/// The arguments of `ocean bake` or `ocean terrain`, as typed.
+struct BakeArguments {
+    std::string_view kind;  // of the subject
+    BakeOptions bake;
+    SubjectArgument subject;
+    RegionArgument region;
+    FormatFlags format_options;
+    std::string tiles, egl_device, stage;
+    bool dry_run = false;
+    bool summary = false;
+};
+/// Returns the options of a bake; the first group is the subject, the last one --threads and so on.
+/// The arguments must outlive them.
+std::vector<OptionGroup> bake_options(BakeArguments& typed, const Catalogue& catalogue);
+/// Throws Error.
+BakePlan plan_bake(const BakeArguments& typed, const Catalogue& catalogue, const Context& context);
 
 /// Appends the options of all formats that subjects of a kind can have, a group for each family of
 /// formats, and forbids empty values in all groups but the first. Both targets must outlive the

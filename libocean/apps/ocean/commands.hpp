@@ -17,6 +17,8 @@ Command check_command();
 Command verify_command();
 /// Refers to the catalogue, which must outlive the command.
 Command bake_command(const Catalogue& catalogue);
+/// Refers to the catalogue, which must outlive the command.
+Command farm_command(const Catalogue& catalogue);
 Command terrain_import_command();
 Command terrain_fit_command();
 Command povray_command();

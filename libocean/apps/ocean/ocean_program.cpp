@@ -56,9 +56,9 @@ int run_ocean(int argc, char** argv, const Catalogue& catalogue) {
          .version = "ocean " OCEAN_VERSION "\n" OCEAN_LIBRARY_VERSIONS,
          .commands = {info_command(), bake_command(catalogue), terrain_command(catalogue),
                       terrain_import_command(), terrain_fit_command(), check_command(),
-                      povray_command(), query_command(), gauge_command(), foam_texture_command(),
-                      spectrum_command(), records_command(), params_command(), presets_command(),
-                      verify_command()}});
+                      farm_command(catalogue), povray_command(), query_command(), gauge_command(),
+                      foam_texture_command(), spectrum_command(), records_command(),
+                      params_command(), presets_command(), verify_command()}});
 }
 
 }  // namespace ocean::app

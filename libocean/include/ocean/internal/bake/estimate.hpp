@@ -50,8 +50,16 @@ struct BakeForecast {
 inline constexpr std::size_t kMaxForecastFiles = 100000;
 /// Returns the files of a bake and the space they need. Reads existing files, writes none.
 BakeForecast forecast_bake(const BakePlan& plan);
-/// Returns the seconds in which this machine computes the frames of a bake, from those of the first
-/// two, which are computed. Writing them comes on top.
-double measure_bake_seconds(const BakePlan& plan);
+/// How fast this machine computes frames; writing them comes on top.
+struct BakePace {
+    double first = 0.0;  // frame, with the past of its foam [s]
+    double next = 0.0;   // frame [s]
+    int frames_at_a_time = 1;
+
+    /// Returns the seconds of so many frames.
+    double seconds(int frames) const;
+};
+/// Computes the first two frames of a plan.
+BakePace measure_bake_pace(const BakePlan& plan);
 
 }  // namespace ocean
