@@ -26,6 +26,7 @@
     TEST(a_region_over_a_bed_is_computed_and_maps_that_repeat_are_not) \
     TEST(bad_beds_are_refused_and_change_nothing)                      \
     TEST(texts_say_their_size_and_never_overrun)                       \
+    TEST(bad_farm_requests_are_refused_and_write_nothing)              \
     TEST(resolved_text_gives_the_same_sea)                             \
     TEST(a_sea_of_contradictions_has_no_text)                          \
     TEST(presets_open)                                                 \

@@ -28,9 +28,49 @@ static ocean_result water_types(const ocean_sea* sea, char* out, size_t* size) {
     return ocean_water_types_json(out, size);
 }
 
+static const int32_t kFrames[] = {3, 1, 2};
+static ocean_farm_request farm_request(void) {
+    const ocean_farm_request request = {.struct_size = sizeof(request),
+                                        .engine = "slurm",
+                                        .output = "out/sea.####.exr",
+                                        .frames = kFrames,
+                                        .frame_count = 3};
+    return request;
+}
+static ocean_result farm_job(const ocean_sea* sea, char* out, size_t* size) {
+    const ocean_farm_request request = farm_request();
+    return ocean_farm_job_json(sea, &request, out, size);
+}
+
+void bad_farm_requests_are_refused_and_write_nothing(void) {
+    ocean_sea* sea = small_sea(NULL);
+    ocean_farm_request request = farm_request();
+    char out[8] = "#######";
+    size_t size;
+#define REFUSED(code, assignment)                               \
+    size = sizeof(out);                                         \
+    CHECK_SPOILT(ocean_farm_request, request, assignment, code, \
+                 ocean_farm_job_json(sea, &request, out, &size))
+    REFUSED(OCEAN_INVALID_VALUE, request.engine = "slum");
+    CHECK_HOLDS(ocean_last_error(), "did you mean slurm");
+    REFUSED(OCEAN_INVALID_VALUE, request.frame_count = 0);
+    REFUSED(OCEAN_INVALID_VALUE, request.render = "scene.obj");
+    REFUSED(OCEAN_INVALID_ARGUMENT, request.engine = NULL);
+    REFUSED(OCEAN_INVALID_ARGUMENT, request.output = NULL);
+    REFUSED(OCEAN_INVALID_ARGUMENT, request.frames = NULL);
+    REFUSED(OCEAN_INVALID_ARGUMENT, request.option_count = 1);
+    REFUSED(OCEAN_INVALID_ARGUMENT, request.minutes = -1);
+    REFUSED(OCEAN_INVALID_ARGUMENT, request.reserved = 1);
+    REFUSED(OCEAN_INVALID_ARGUMENT, request.struct_size = 8);
+#undef REFUSED
+    BAD_ARGUMENT(ocean_farm_job_json(sea, NULL, out, &size));
+    BAD_ARGUMENT(ocean_farm_job_json(NULL, &request, out, &size));
+    CHECK(strcmp(out, "#######") == 0);
+}
+
 void texts_say_their_size_and_never_overrun(void) {
-    const text_function functions[] = {ocean_text, ocean_state_json, parameters, records,
-                                       preset,     preset_names,     water_types};
+    const text_function functions[] = {ocean_text, ocean_state_json, parameters,  records,
+                                       preset,     preset_names,     water_types, farm_job};
     ocean_sea* sea = small_sea(NULL);
     for (size_t i = 0; i < sizeof(functions) / sizeof(functions[0]); ++i) {
         size_t needed = 12345;
