@@ -130,8 +130,9 @@ void show_job(const FarmOptions& options, const FarmEngine& engine, const FarmJo
         format_text("minutes  about %.2g a task and those of writing; ended after %d\n",
                     times.expected, times.limit);
     if (pace.first > 2.0 * pace.next) {
-        text += format_text("past     about %.2g of the minutes, paid once a task\n",
-                            (pace.first - pace.next) / 60.0);
+        text +=
+            format_text("start    about %.2g of the minutes, the past of foam too, once a task\n",
+                        (pace.first - pace.next) / 60.0);
     }
     text += "memory   " + bytes_text(job.memory_bytes) +
             format_text(" a task, with %d threads\n", job.threads) + "bytes    " +
