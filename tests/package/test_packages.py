@@ -105,6 +105,7 @@ def expected_files(component: str) -> list[str]:
         if component == "tools":
             own.append("usr/lib/libocean/ocean_vdb.so")
             own.append("usr/share/man/man5/ocean-sea.5.gz")
+            own.append("usr/share/libocean/flamenco/ocean_bake.js")
             own += below("docs", "usr/share/doc/ocean-tools/guides", "*.md")
         if component == "preview":
             own += guides("ocean-preview", "preview", *SEA_GUIDES)
