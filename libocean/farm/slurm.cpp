@@ -48,11 +48,15 @@ Words needs(const FarmJob& job) {
     return words;
 }
 
-/// Returns the command `ocean` with these words, on the cores of the task.
+/// Returns the command `ocean` with these words, on the cores of the task unless they say on how
+/// many.
 std::string ocean_line(const FarmJob& job, const Words& words, const std::string& shard) {
+    const bool says_threads = std::ranges::any_of(
+        words, [](const std::string& word) { return word.starts_with("--threads"); });
     return "\"${OCEAN:-ocean}\" " + shell_words(words) + shard +
-           (job.threads > 0 ? format_text(" --threads \"${SLURM_CPUS_PER_TASK:-%d}\"", job.threads)
-                            : std::string()) +
+           (job.threads > 0 && !says_threads
+                ? format_text(" --threads \"${SLURM_CPUS_PER_TASK:-%d}\"", job.threads)
+                : std::string()) +
            "\n";
 }
 

@@ -30,14 +30,15 @@ def farm(tmp_path_factory):
 
 
 class Job:
-    """A bake in shards, and its check, in a folder of their own."""
+    """A job that `ocean farm` writes, in a folder of its own, and its frames by one machine."""
 
     def __init__(self, farm: Farm, folder: Path, frames: int, shards: int, options: str = OPTIONS):
         self.farm, self.folder, self.shards = farm, folder, shards
-        self.bake = f"ocean bake sea.toml -q -o out/s.####.exr --frames 1-{frames} {options}"
+        (folder / "asked.toml").write_text(SEA)
+        what = f"asked.toml -o out/s.####.exr --frames 1-{frames} {options}"
+        self.ocean(f"ocean farm {what} --engine slurm --job . --tasks {shards} --threads 1")
         self.check = f"ocean check out/s.####.exr --frames 1-{frames} --against sea.toml --merge"
-        (folder / "sea.toml").write_text(SEA)
-        self.ocean(f"{self.bake.replace('out/', 'whole/')}")
+        self.ocean(f"ocean bake -q {what.replace('out/', 'whole/')}")
 
     def ocean(self, command: str) -> subprocess.CompletedProcess:
         return subprocess.run(
@@ -45,19 +46,26 @@ class Job:
             text=True, check=False,
         )  # fmt: skip
 
+    def submit(self) -> tuple[str, str]:
+        """Sends the job as it is; returns the numbers of the bake and the check."""
+        bake, check = self.farm.tell("sh submit.sh", folder=self.folder).split()
+        return bake, check
+
     def send(self, tasks: str = "", node: str = "", more: str = "") -> str:
         """Sends tasks, by default all, to a node, by default to any; returns the job's number."""
-        script = f'{self.bake} {more} --skip-existing --shard "$SLURM_ARRAY_TASK_ID/{self.shards}"'
+        script = (self.folder / "bake.sbatch").read_text()
+        (self.folder / "sent.sbatch").write_text(
+            script.replace(" --skip-existing", f" --skip-existing {more}")
+        )
         return self.farm.tell(
-            f"sbatch --parsable --requeue --open-mode=append --mem=100M "
-            f"--array={tasks or f'1-{self.shards}'} -o bake.%a.log",
-            *([f"--nodelist={node}"] if node else []), "--wrap", script, folder=self.folder,
+            f"sbatch --parsable --array={tasks or f'1-{self.shards}'}",
+            *([f"--nodelist={node}"] if node else []), "sent.sbatch", folder=self.folder,
         )  # fmt: skip
 
     def send_check(self, after: str) -> str:
         return self.farm.tell(
-            "sbatch --parsable --kill-on-invalid-dep=yes -o check.log",
-            f"--dependency=afterok:{after}", "--wrap", self.check, folder=self.folder,
+            f"sbatch --parsable --kill-on-invalid-dep=yes --dependency=afterok:{after}",
+            "check.sbatch", folder=self.folder,
         )  # fmt: skip
 
     def hashes(self, folder: str) -> dict[str, str]:
@@ -91,8 +99,7 @@ def job(farm, tmp_path):
 
 def test_a_bake_survives_the_loss_of_both_nodes(farm, job):
     job = job(1000, 20, "--products height")
-    bake = job.send()
-    check = job.send_check(bake)
+    bake, check = job.submit()
     for node in farm.nodes:
         node.lose_power_within_a_frame()
     for node in farm.nodes:

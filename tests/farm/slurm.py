@@ -150,7 +150,9 @@ class Farm:
         (folder / "key").write_bytes(os.urandom(128))
         (folder / "key").chmod(0o400)
         (folder / "slurm.conf").write_text(CONFIGURATION.format(folder=folder))
-        self.environment = os.environ | {
+        # The scripts of a job would take OCEAN instead of the program that a node has.
+        inherited = {name: value for name, value in os.environ.items() if name != "OCEAN"}
+        self.environment = inherited | {
             "SLURM_CONF": f"{folder}/slurm.conf", "PATH": f"{folder}/bin:{os.environ['PATH']}",
         }  # fmt: skip
         files = {"key-file": "key", "socket": "munge.socket", "pid-file": "munge.pid",
