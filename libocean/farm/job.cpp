@@ -73,8 +73,7 @@ const FarmEngine& find_farm_engine(std::string_view name) {
 
 std::vector<FarmFile> farm_files(const FarmEngine& engine, FarmJob job) {
     std::ranges::sort(job.frames);
-    const auto repeated = std::ranges::unique(job.frames);
-    job.frames.erase(repeated.begin(), repeated.end());
+    job.frames.erase(std::unique(job.frames.begin(), job.frames.end()), job.frames.end());
     check(engine, job);
     std::vector<FarmFile> files = {
         {std::string(kSeaFile), "# " + std::string(kMark) + ".\n" + job.sea_text}};
