@@ -73,6 +73,7 @@ def test_a_lost_frame_turns_the_check_red(ocean):
     ("words", "sentence"),
     [
         (("--engine", "slum"), "did you mean slurm"),
+        (("--engine", "slurm", "--tasks", "7"), "--tasks 7: more than the"),
         (("--engine", "slurm", "--render", "scene.obj"), "a scene of POV-Ray, .pov, or of Blender"),
         (("--engine", "slurm", "--job", "sea.toml/x"), "sea.toml"),
         (("--engine", "slurm", "--job", "."), "is an input of this command"),

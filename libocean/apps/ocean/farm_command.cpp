@@ -17,6 +17,7 @@
 #include "input_files.hpp"
 #include "interrupt.hpp"
 #include "ocean/channel.hpp"
+#include "ocean/error.hpp"
 #include "ocean/internal/bake/estimate.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/farm/farm_job.hpp"
@@ -146,6 +147,12 @@ void run(const FarmOptions& options, const Catalogue& catalogue, const Context& 
     BakeArguments bake = options.bake;
     bake.bake.output = path_in(options.folder, bake.bake.output);
     const BakePlan plan = plan_bake(bake, catalogue, context);
+    const std::size_t tasks_asked = static_cast<std::size_t>(options.tasks);
+    if (tasks_asked > plan.frames.size()) {
+        throw Error(ErrorKind::invalid_value,
+                    format_text("--tasks %d: more than the %zu frames of the job", options.tasks,
+                                plan.frames.size()));
+    }
     FarmJob job{
         .sea_text = plan.subject_text,
         .time_of = [time = plan.subject->timeline()](int frame) { return time.time_of(frame); },
