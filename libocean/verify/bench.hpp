@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <complex>
+#include <concepts>
 #include <optional>
 #include <span>
 #include <vector>
@@ -83,6 +84,12 @@ double relative_error(const A& values, const B& exact) {
 
 /// Returns the slope of the line through points by least squares; their errors do not count.
 double slope_of(std::span<const Point> points);
+
+/// Returns the number of a wave along an axis of `side` samples, from its place in FFT order.
+int wave_index(std::integral auto place, int side) {
+    const int index = static_cast<int>(place);
+    return index < side / 2 ? index : index - side;
+}
 
 /// Returns the Fourier coefficients of a square map, of exp(i k x), in FFT order.
 std::vector<std::complex<double>> coefficients(std::span<const float> map);

@@ -143,8 +143,7 @@ void linear_rows(Bench& bench) {
             const double k = wavenumber(omega, depth), k0 = wavenumber(omega, kDepths.front());
             for (int y = 0; y < kAlong; ++y) {
                 const auto at = static_cast<std::size_t>(t * kAlong + y);
-                const double along =
-                    2.0 * kPi / (kStep * kAlong) * (y < kAlong / 2 ? y : y - kAlong);
+                const double along = 2.0 * kPi / (kStep * kAlong) * wave_index(y, kAlong);
                 // Some waves travel nearly along the beach.
                 const bool counts = std::abs(along) < 0.8 * k0;
                 if (!counts) continue;

@@ -63,8 +63,8 @@ WakeMap filtered_wake(const Hull& hull, double depth, const Filter& filter, Benc
     const double dk = 2.0 * kPi / (map.cell * map.side);
     for (int j = 0; j < map.side; ++j) {
         for (int i = 0; i < map.side; ++i) {
-            const double kx = dk * (i < map.side / 2 ? i : i - map.side);
-            const double ky = dk * (j < map.side / 2 ? j : j - map.side);
+            const double kx = dk * wave_index(i, map.side);
+            const double ky = dk * wave_index(j, map.side);
             waves[static_cast<std::size_t>(j * map.side + i)] *= filter(std::hypot(kx, ky), kx, ky);
         }
     }
@@ -336,9 +336,8 @@ Row michell_row(Bench& bench, Hull hull, double speed, Row row) {
         const auto height = coefficients(heights), rate = coefficients(rates);
         double energy = 0.0;
         for (std::size_t at = 1; at < height.size(); ++at) {
-            const int i = static_cast<int>(at % 512), j = static_cast<int>(at / 512);
             const double k =
-                2.0 * kPi / size * std::hypot(i < 256 ? i : i - 512, j < 256 ? j : j - 512);
+                2.0 * kPi / size * std::hypot(wave_index(at % 512, 512), wave_index(at / 512, 512));
             energy += kG * std::norm(height[at]) + std::norm(rate[at]) / k;
         }
         energies.push_back({run * size, 0.5 * size * size * energy});

@@ -20,11 +20,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-int signed_index(std::size_t i, int n) {
-    const int index = static_cast<int>(i);
-    return index < n / 2 ? index : index - n;
-}
-
 Parameters wind_sea_towards(double direction) {
     Parameters parameters = wind_sea(10.0, 100e3, 128, 800.0);
     parameters.waves.front().wind_direction = direction;
@@ -82,8 +77,8 @@ Propagation measure_propagation(Ocean& sea, int frames, double step) {
     Complex mean;
     double all = 0.0, against = 0.0, squares = 0.0, count = 0.0;
     for (std::size_t at = 1; at < maps.front().size(); ++at) {
-        const double kx = dk * signed_index(at % static_cast<std::size_t>(n), n);
-        const double ky = dk * signed_index(at / static_cast<std::size_t>(n), n);
+        const double kx = dk * wave_index(at % static_cast<std::size_t>(n), n);
+        const double ky = dk * wave_index(at / static_cast<std::size_t>(n), n);
         double even = 0.0, energy = 0.0;
         for (std::size_t t = 1; t + 1 < maps.size(); ++t) {
             even += std::real(std::conj(maps[t][at]) * (maps[t - 1][at] + maps[t + 1][at]));

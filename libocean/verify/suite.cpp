@@ -33,8 +33,7 @@ constexpr std::array<RunGroup, kGroups.size()> kRuns = {
 
 constexpr std::array<std::string_view, 9> kNotModelled = {
     "Waves that overturn, splash or exchange energy: the sea is a sum of linear waves with a "
-    "choppy "
-    "displacement, and of second order where a file asks for it.",
+    "choppy displacement, and of second order where a file asks for it.",
     "Currents, tides and the growth of waves while the wind blows: a sea has one state, or that of "
     "its take.",
     "Diffraction, reflection, and wave-driven currents at a coast.",

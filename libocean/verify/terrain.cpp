@@ -30,11 +30,6 @@ TerrainModel fractal(double beta, int seed) {
     return terrain;
 }
 
-int index_of(std::size_t i) {
-    const int index = static_cast<int>(i);
-    return index < kSize / 2 ? index : index - kSize;
-}
-
 /// Returns the log density over the log wavenumber of rings, four to an octave, of the last two
 /// decades before the Nyquist wavenumber; `error` is the number of waves of a ring.
 std::vector<Point> rings_of(std::span<const float> heights) {
@@ -42,7 +37,8 @@ std::vector<Point> rings_of(std::span<const float> heights) {
     const double dk = 2.0 * kPi / kPatch;
     std::vector<Point> rings(40, Point{0.0, 0.0});
     for (std::size_t at = 1; at < c.size(); ++at) {
-        const double index = std::hypot(index_of(at % kSize), index_of(at / kSize));
+        const double index =
+            std::hypot(wave_index(at % kSize, kSize), wave_index(at / kSize, kSize));
         if (index > kSize / 2 - 1) continue;
         Point& ring = rings[static_cast<std::size_t>(4.0 * std::log2(index) + 1e-9)];
         ring.x += std::log(index * dk);
