@@ -59,6 +59,14 @@ def test_scripts_of_slurm_bake_the_bytes_of_one_machine(ocean):
     assert images <= set(ocean.hashes("odd 'job'").values())
 
 
+def test_what_farm_itself_prints_is_no_option_of_the_job(ocean):
+    ocean.good(*farm("openjd", "--json", "--verbose"))
+    template = (ocean.folder / "farm/template.yaml").read_text()
+    assert "--json" not in template and "--verbose" not in template
+    running = ocean.good("farm --help").split("Running:")[1]
+    assert running.count("--threads") == running.count("--json") == 1
+
+
 def test_a_lost_frame_turns_the_check_red(ocean):
     ocean.good(*farm("slurm", "--tasks", "2", "--threads", "1"))
     bake = "cd farm && for i in 1 2; do SLURM_ARRAY_TASK_ID=$i sh bake.sbatch || exit 1; done"

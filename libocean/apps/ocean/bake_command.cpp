@@ -198,9 +198,12 @@ A file says in its header what it was made of: `ocean info` and --from read it.)
 Command command_for(std::string_view kind, const Catalogue& catalogue) {
     auto typed = std::make_shared<BakeArguments>();
     typed->kind = kind;
-    return {
-        .options = bake_options(*typed, catalogue),
-        .run = [typed, &catalogue](const Context& context) { run(*typed, catalogue, context); }};
+    std::vector<OptionGroup> groups = bake_options(*typed, catalogue);
+    groups.push_back(run_options("Progress, warnings and errors as JSON lines"));
+    groups.push_back(progress_option());
+    return {.options = groups, .run = [typed, &catalogue](const Context& context) {
+                run(*typed, catalogue, context);
+            }};
 }
 
 }  // namespace
@@ -262,8 +265,6 @@ std::vector<OptionGroup> bake_options(BakeArguments& typed, const Catalogue& cat
                    : "Write a step of the synthesis instead: noise, transform, filter, filtered or "
                      "height"}}}});
     add_format_options(typed.format_options, bake, catalogue, typed.kind, groups);
-    groups.push_back(run_options("Progress, warnings and errors as JSON lines"));
-    groups.push_back(progress_option());
     return groups;
 }
 

@@ -32,8 +32,8 @@ struct BakeArguments {
     bool dry_run = false;
     bool summary = false;
 };
-/// Returns the options of a bake; the first group is the subject, the last one --threads and so on.
-/// The arguments must outlive them.
+/// Returns the options of a bake, without those of its run (--threads and so on); the first group
+/// is the subject. The arguments must outlive them.
 std::vector<OptionGroup> bake_options(BakeArguments& typed, const Catalogue& catalogue);
 /// Throws Error.
 BakePlan plan_bake(const BakeArguments& typed, const Catalogue& catalogue, const Context& context);

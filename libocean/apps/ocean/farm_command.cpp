@@ -33,7 +33,7 @@ constexpr int kMinutes = 10;
 
 struct FarmOptions {
     BakeArguments bake;
-    std::set<std::string> passed;  // the names of bake's options that a job repeats
+    std::set<std::string> passed = {"--threads"};  // names of bake's options that a job repeats
     std::string engine, render;
     std::string folder = "farm";
     int minutes = kMinutes;
@@ -48,7 +48,6 @@ std::vector<OptionGroup> options_of_bake(FarmOptions& options, const Catalogue& 
                                                    "--stage"};
     static const std::set<std::string> in_sea_or_job = {"--set", "--fps", "--output", "--frames"};
     std::vector<OptionGroup> groups = bake_options(options.bake, catalogue);
-    groups.pop_back();
     for (OptionGroup& group : groups) {
         std::erase_if(group.options,
                       [](const Option& one) { return not_ours.contains(name_of(one)); });
@@ -79,15 +78,10 @@ std::vector<std::string> words_for_bake(const FarmOptions& options, const Contex
     return words;
 }
 
-/// The times of a task that bakes [min].
-struct TaskTimes {
-    double expected = 0.0;
-    int limit = 0;
-};
-
-/// Sets the frames of a task, and what it needs.
-TaskTimes size_tasks(const FarmOptions& options, const FarmEngine& engine, const BakePace& pace,
-                     FarmJob& job) {
+/// Sets the frames of a task and the minutes after which it is ended. Returns those that it is
+/// expected to take here.
+double size_tasks(const FarmOptions& options, const FarmEngine& engine, const BakePace& pace,
+                  FarmJob& job) {
     const int all = static_cast<int>(job.frames.size());
     const auto frames_each = [&](int tasks) { return (all + tasks - 1) / tasks; };
     if (options.tasks > 0) {
@@ -101,12 +95,12 @@ TaskTimes size_tasks(const FarmOptions& options, const FarmEngine& engine, const
     const double expected = pace.seconds(job.frames_per_task) / 60.0;
     // Ample: for slower machines, and for disks.
     job.minutes = 10 + static_cast<int>(std::ceil(3.0 * expected));
-    return {expected, job.minutes};
+    return expected;
 }
 
 void show_job(const FarmOptions& options, const FarmEngine& engine, const FarmJob& job,
-              const TaskTimes& times, const BakePace& pace, const BakeForecast& forecast,
-              Console& console, bool as_json) {
+              double minutes, const BakePace& pace, const BakeForecast& forecast, Console& console,
+              bool as_json) {
     if (as_json) {
         console.data(JsonObject()
                          .add("job", options.folder)
@@ -114,8 +108,8 @@ void show_job(const FarmOptions& options, const FarmEngine& engine, const FarmJo
                          .add("frames", job.frames.size())
                          .add("tasks", job.tasks())
                          .add("frames_per_task", job.frames_per_task)
-                         .add("seconds_per_task", 60.0 * times.expected)
-                         .add("limit_minutes", times.limit)
+                         .add("seconds_per_task", 60.0 * minutes)
+                         .add("limit_minutes", job.minutes)
                          .add("threads", job.threads)
                          .add("memory_bytes", job.memory_bytes)
                          .add("bytes", forecast.bytes)
@@ -128,8 +122,8 @@ void show_job(const FarmOptions& options, const FarmEngine& engine, const FarmJo
         format_text("tasks    %d of at most %d of %zu frames, then a check%s\n", job.tasks(),
                     job.frames_per_task, job.frames.size(),
                     job.render.empty() ? "" : ", then the render") +
-        format_text("minutes  about %.2g a task and those of writing; ended after %d\n",
-                    times.expected, times.limit);
+        format_text("minutes  about %.2g a task and those of writing; ended after %d\n", minutes,
+                    job.minutes);
     if (pace.first > 2.0 * pace.next) {
         text +=
             format_text("start    about %.2g of the minutes, the past of foam too, once a task\n",
@@ -174,7 +168,7 @@ void run(const FarmOptions& options, const Catalogue& catalogue, const Context& 
     const BakeForecast forecast = forecast_bake(plan);
     const BakePace pace = measure_bake_pace(plan);
     job.memory_bytes = forecast.memory_bytes;
-    const TaskTimes times = size_tasks(options, engine, pace, job);
+    const double minutes = size_tasks(options, engine, pace, job);
     const std::vector<FarmFile> files = farm_files(engine, job);
     for (const std::string& warning : forecast.warnings) context.console.warning(warning);
     if (!options.dry_run) {
@@ -184,7 +178,7 @@ void run(const FarmOptions& options, const Catalogue& catalogue, const Context& 
             io::write_file_atomically(path_in(options.folder, file.name), file.text);
         }
     }
-    show_job(options, engine, job, times, pace, forecast, context.console, context.options.json);
+    show_job(options, engine, job, minutes, pace, forecast, context.console, context.options.json);
 }
 
 constexpr char kFooter[] =
