@@ -4,7 +4,7 @@
 // The coast of this folder from some metres over a beach, along the shore and out to the sea. Change
 // it as you like: an export never writes over it. All macros are explained in coast.inc.
 //   povray ocean.ini                      all frames
-//   povray scene.pov +W1280 +H720 +A0.1   the first one
+//   povray scene.pov +W1280 +H720 +A0.1 -J   the first one
 #version 3.7;
 #include "coast.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 6 }

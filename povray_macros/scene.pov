@@ -4,7 +4,7 @@
 // The sea of this folder to the horizon, under an afternoon sky. Change it as you like: an export
 // never writes over it. All macros are explained in ocean.inc.
 //   povray ocean.ini                      all frames
-//   povray scene.pov +W1280 +H720 +A0.1   the first one
+//   povray scene.pov +W1280 +H720 +A0.1 -J   the first one
 #version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 6 }

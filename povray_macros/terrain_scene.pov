@@ -5,7 +5,7 @@
 // once from above its south-west corner. Change it as you like: an export never writes over it. All
 // macros are explained in terrain.inc.
 //   povray terrain.ini
-//   povray scene.pov +W1280 +H720 +A0.1
+//   povray scene.pov +W1280 +H720 +A0.1 -J
 #version 3.7;
 #include "terrain.inc"
 global_settings { assumed_gamma 1.0 }

@@ -60,10 +60,8 @@ std::string animation_settings(const Sea& sea, const std::vector<int>& frames) {
         format_text("; One of them: povray ocean.ini +SF%d +EF%d; another size: ", one, one) +
         "povray ocean.ini +W640 +H360\n"
         "Input_File_Name=scene.pov\n"
-        "Library_Path=.\n"
-        "Width=960\nHeight=540\n"
-        "Antialias=on\nAntialias_Threshold=0.1\nAntialias_Depth=2\n"
-        "Display=off\n";
+        "Library_Path=.\n";
+    text += kPovrayPicture;
     text += "; Frames: " + frames_text(frames) + ". At one that is not there POV-Ray stops.\n";
     if (frames.front() < 0 && frames.size() > 1) {
         text += "; POV-Ray has no frames below 0: a scene shows one by Ocean_Frame_Name(" +

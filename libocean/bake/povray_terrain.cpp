@@ -17,10 +17,7 @@ constexpr std::string_view kSettings =
     "; The terrain of this folder: povray terrain.ini\n"
     "; Another size: povray terrain.ini +W640 +H360\n"
     "Input_File_Name=scene.pov\n"
-    "Library_Path=.\n"
-    "Width=960\nHeight=540\n"
-    "Antialias=on\nAntialias_Threshold=0.1\nAntialias_Depth=2\n"
-    "Display=off\n";
+    "Library_Path=.\n";
 
 }  // namespace
 
@@ -33,7 +30,7 @@ std::vector<FolderFile> povray_terrain_files(const BakePlan& plan, const Terrain
         {"terrain.inc", std::string(kTerrainInc)},
         {"terrain_parameters.inc", io::povray_declarations(io::PovrayTerrain{
                                        *terrain, state, format, domain, plan.subject_id})},
-        {"terrain.ini", std::string(kSettings)},
+        {"terrain.ini", std::string(kSettings) + std::string(kPovrayPicture)},
         {"terrain.toml", "# The terrain of this folder, by `ocean povray`.\n" + plan.subject_text},
         {"scene.pov", std::string(kTerrainScenePov), true}};
     // The text of more faces would be 220 MB; for these, the macros make them. terrain.inc has the
