@@ -13,6 +13,7 @@ import pytest
 from conftest import failing, plane, reopened
 from libocean_addon import manual, whole_sea
 from libocean_addon.assets import asset_library
+from libocean_addon.bake import farm
 from libocean_addon.bundled import libocean
 from libocean_addon.coast import operators as coast_operators
 from libocean_addon.look import first_view
@@ -122,6 +123,7 @@ CHANGE_NO_DATA = (  # which undo would have to restore
     operators.SaveSea,
     terrain_operators.SaveTerrain,
     coast_operators.SaveCoast,
+    farm.BakeOnFarm,
     asset_library.MakeAssetLibrary,
     whole_sea.StopDraft,
     whole_sea.FinishDraft,
