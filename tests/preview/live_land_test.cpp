@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "ocean-preview/land_camera.hpp"
@@ -148,6 +149,51 @@ TEST_F(LiveLandTest, AFirstEyeStandsOnTheGroundWhereverThatIs) {
     EXPECT_EQ(warning, "");
     EXPECT_GT(eye_of(EyePlace::at, {30.0, 40.0, ground - 25.0}, warning), ground);
     EXPECT_NE(warning.find("is in the ground"), std::string::npos) << warning;
+}
+
+TEST_F(LiveLandTest, AFirstEyeOnLandThatEndsLooksAtWaterAndReliefOverOpenGround) {
+    CameraGround land;
+    land.is_solid = true;
+    land.rise = 10.0;
+    land.middle = {0.0, 0.0};
+    land.outlook = Domain{.origin = {-600.0, -600.0}, .size = {1200.0, 1200.0}, .wraps = false};
+    const auto first = [&](std::optional<double> heading = {}) {
+        preview_.has_heading = heading.has_value();
+        preview::Camera camera;
+        camera.heading = heading.value_or(0.0);
+        EXPECT_EQ(place_on_ground(preview_, land, camera), "");
+        EXPECT_EQ(camera.eye[2], land.height(camera.eye[0], camera.eye[1]) + 10.0);
+        EXPECT_EQ(camera.heading, heading.value_or(camera.heading));
+        return camera;
+    };
+    const auto bearing_off = [](const preview::Camera& camera, double x, double y) {
+        const double towards = std::atan2(y - camera.eye[1], x - camera.eye[0]);
+        return std::abs(std::remainder(towards * 180.0 / std::numbers::pi - camera.heading, 360.0));
+    };
+    // A pond in a plain. The eye stands beside it, and looks at it also where its heading is given.
+    land.water_level = 18.0;
+    land.height = [](double x, double y) {
+        return std::hypot(x + 300.0, y - 250.0) < 100.0 ? 18.0 : 20.0;
+    };
+    for (const std::optional<double> heading : {std::optional<double>(), std::optional(-45.0)}) {
+        const preview::Camera camera = first(heading);
+        EXPECT_GT(land.height(camera.eye[0], camera.eye[1]), 18.0);
+        EXPECT_LT(bearing_off(camera, -300.0, 250.0), 30.0);
+    }
+    // A range in the east, and to the east of all places but one a wall as high as the eye.
+    land.water_level.reset();
+    land.height = [](double x, double y) {
+        if (x > 600.0) return 500.0;
+        const bool wall = std::abs(std::remainder(x - 70.0, 100.0)) < 10.0;
+        return wall && std::hypot(x - 50.0, y - 50.0) > 45.0 ? 12.0 : 0.0;
+    };
+    const preview::Camera camera = first();
+    EXPECT_EQ(camera.eye[0], 50.0);
+    EXPECT_EQ(camera.eye[1], 50.0);
+    EXPECT_LT(bearing_off(camera, 650.0, 50.0), 30.0);
+    // A place that is looked at is seen from the middle.
+    preview_.look_at = {0.0, 100.0, 0.0};
+    EXPECT_EQ(first().eye[0], 0.0);
 }
 
 /// The greys of a picture, 0 .. 255.

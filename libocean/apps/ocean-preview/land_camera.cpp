@@ -3,16 +3,99 @@
 #include "land_camera.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "ocean/internal/text.hpp"
 
 namespace ocean::app {
+namespace {
+
+constexpr int kBearings = 48;
+
+/// What an eye sees along one bearing.
+struct Sight {
+    bool is_open = true;     // no ground near the eye rises to its height
+    bool has_water = false;  // beyond the ground near the eye
+    double skyline = -1.0;   // slope of the highest line of sight that meets ground
+};
+
+Sight sight_along(const CameraGround& ground, const std::array<double, 3>& eye, double bearing,
+                  double side) {
+    constexpr double kLevel = -0.04;  // slopes above it hide the middle of the picture
+    Sight seen;
+    for (double away = 2.0; away < 1.5 * side; away *= 1.12) {
+        const double height =
+            ground.height(eye[0] + away * std::cos(bearing), eye[1] + away * std::sin(bearing));
+        const double slope = (height - eye[2]) / away;
+        if (slope <= seen.skyline) continue;  // hidden
+        seen.skyline = slope;
+        if (away < 0.05 * side) {
+            if (slope > kLevel) seen.is_open = false;
+        } else if (ground.water_level && height <= *ground.water_level) {
+            seen.has_water = true;
+        }
+    }
+    return seen;
+}
+
+/// Returns how much there is to see in 60 degrees about a bearing: open ground before the eye,
+/// water in a part of the picture, and relief against the sky.
+double worth(const std::vector<Sight>& sights, int bearing) {
+    constexpr int kHalf = kBearings / 12;
+    constexpr double kSteep = 0.1;  // slope of a skyline that needs no more relief
+    double open = 0.0, water = 0.0, relief = 0.0;
+    for (int i = -kHalf; i <= kHalf; ++i) {
+        const Sight& seen = sights[static_cast<std::size_t>((bearing + i + kBearings) % kBearings)];
+        open += seen.is_open;
+        water += seen.has_water;
+        relief += std::clamp(seen.skyline / kSteep, 0.0, 1.0);
+    }
+    constexpr double kWidth = 2 * kHalf + 1;
+    return (2.0 * open + std::min(2.0 * water, kWidth) + relief) / kWidth;
+}
+
+/// Puts a camera with a wish for its heading where most is to be seen of land that exists once.
+void choose_outlook(const CameraGround& ground, const Domain& domain, bool keeps_heading,
+                    preview::Camera& camera) {
+    constexpr int kPlaces = 12;  // along a side
+    constexpr double kTurn = 2.0 * std::numbers::pi / kBearings;
+    const double side = std::min(domain.size[0], domain.size[1]);
+    double best = -1.0;
+    std::vector<Sight> sights(kBearings);
+    for (int place = 0; place < kPlaces * kPlaces; ++place) {
+        const double u = (place % kPlaces + 0.5) / kPlaces, v = (place / kPlaces + 0.5) / kPlaces;
+        std::array eye = {domain.origin[0] + u * domain.size[0],
+                          domain.origin[1] + v * domain.size[1], 0.0};
+        const double surface = ground.height(eye[0], eye[1]);
+        if (ground.water_level && surface <= *ground.water_level) continue;
+        eye[2] = surface + ground.rise;
+        for (int i = 0; i < kBearings; ++i) {
+            sights[static_cast<std::size_t>(i)] = sight_along(ground, eye, i * kTurn, side);
+        }
+        const double given = camera.heading * std::numbers::pi / 180.0 / kTurn;
+        for (int i = 0; i < kBearings; ++i) {
+            const int bearing = keeps_heading ? static_cast<int>(std::lround(given)) : i;
+            const double found = worth(sights, (bearing % kBearings + kBearings) % kBearings);
+            if (found <= best) continue;
+            best = found;
+            std::ranges::copy(eye, camera.eye.begin());
+            if (!keeps_heading) camera.heading = 360.0 * i / kBearings;
+        }
+    }
+}
+
+}  // namespace
 
 std::string place_on_ground(const PreviewOptions& options, const CameraGround& ground,
                             preview::Camera& camera) {
     if (!ground.is_solid) return "";
     if (options.eye_place == EyePlace::not_given && ground.middle) {
         std::ranges::copy(*ground.middle, camera.eye.begin());
+        if (ground.outlook && !options.look_at) {
+            choose_outlook(ground, *ground.outlook, options.has_heading, camera);
+        }
     }
     const double surface = ground.height(camera.eye[0], camera.eye[1]);
     const double wanted = camera.eye[2];

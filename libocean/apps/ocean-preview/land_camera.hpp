@@ -17,8 +17,8 @@ namespace ocean::app {
 inline constexpr double kEyeHeight = 1.7;  // [m], of a person who stands, or sits in a boat
 
 /// Puts the eye of `options` over solid ground: --eye X,Y at a person's height, without --eye as
-/// high as the ground says and over its middle, and --eye X,Y,Z where it is, but not in the ground.
-/// Returns a warning if the eye was raised, else "".
+/// high as the ground says, over its middle or where the ground has an outlook, and --eye X,Y,Z
+/// where it is, but not in the ground. Returns a warning if the eye was raised, else "".
 std::string place_on_ground(const PreviewOptions& options, const CameraGround& ground,
                             preview::Camera& camera);
 

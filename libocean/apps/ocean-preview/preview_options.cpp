@@ -93,6 +93,7 @@ void place_camera(const PreviewWords& words, PreviewOptions& options) {
         options.look_at = place(words.look_at, "--look-at");
         camera.look_at(*options.look_at);
     }
+    options.has_heading = words.heading.has_value();
     if (words.heading) camera.heading = within(*words.heading, "--heading", -3600.0, 3600.0);
     if (words.pitch) camera.pitch = within(*words.pitch, "--pitch", -90.0, 90.0);
     if (words.angle) camera.field_of_view = within(*words.angle, "--angle", 1.0, 150.0);

@@ -68,6 +68,7 @@ struct SpecialOption {
 struct PreviewOptions : PlainOptions {
     preview::Camera camera;
     EyePlace eye_place = EyePlace::not_given;
+    bool has_heading = false;                      // --heading was given
     std::optional<std::array<double, 3>> look_at;  // the camera looks there from any eye
     preview::Look look;
     std::array<int, 2> size = {1280, 720};

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ocean/domain.hpp"
 #include "ocean/internal/gl/sea_textures.hpp"
 #include "ocean/internal/preview/renderer.hpp"
 #include "ocean/seafile.hpp"
@@ -44,6 +45,9 @@ struct CameraGround {
     // The eye of a camera without --eye over solid ground.
     double rise = 8.0;                                 // [m] above the surface
     std::optional<std::array<double, 2>> middle = {};  // its place [m]; nothing: that of any camera
+    /// Land that exists once: an eye without --eye and --look-at stands where the view is open.
+    std::optional<Domain> outlook = {};
+    std::optional<double> water_level = {};  // of that land [m]
 };
 
 /// How the pictures of a scene follow each other.

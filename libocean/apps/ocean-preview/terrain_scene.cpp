@@ -113,12 +113,15 @@ void TerrainScene::change(TerrainModel model) {
 }
 
 CameraGround TerrainScene::ground() {
+    const Domain& domain = shown_.function->domain();
     return {.height = [land = shown_](double x, double y) { return land.surface_at(x, y); },
             // A part of the eye's height, or of the finest cell of the mesh where that is wide.
             .clearance = std::min(0.3, 0.2 * preview::texel_of(shown_)),
             .is_solid = true,
             .rise = kEyeHeight + 0.25 * shown_.rms,
-            .middle = middle_of(shown_.function->domain())};
+            .middle = middle_of(domain),
+            .outlook = domain.wraps ? std::nullopt : std::optional(domain),
+            .water_level = shown_.water_level};
 }
 
 std::vector<std::string> TerrainScene::warnings() {
