@@ -56,7 +56,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     # check and run bundles of Open Job Description
     openjd_tools=(openjd_cli==0.8.0 openjd_model==0.13.0 openjd_sessions==0.13.0)
     materialx_tool=materialx==1.39.5  # judges shaders/materialx
-    # draw the figures of docs/coast.md
+    # draw the figures of docs/coast_accuracy.md
     figures_tool=matplotlib==3.10.0
     figures_numpy=numpy==2.1.3
     ziglang_tool=ziglang==0.17.0

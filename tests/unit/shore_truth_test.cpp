@@ -3,7 +3,7 @@
 //
 // The surface over a bed as gauges, cameras and maps see it, against measurements of beaches: the
 // shape of waves at fixed places, how long a breaker lives, where foam lies, and how many waves go
-// the wrong way in lees. docs/coast.md has the same from more waves.
+// the wrong way in lees. docs/coast_accuracy.md has the same from more waves.
 
 #include "coast/statics/breaking.hpp"
 #include "coast/statics/energy_march.hpp"
