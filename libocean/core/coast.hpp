@@ -32,6 +32,11 @@ class Coast final : public PlacedSea {
     const SprayFollower& spray(double time, const SpraySettings& settings,
                                const std::optional<Domain>& region) override;
 
+    /// Returns the labels of a reader that waves reach, at a time. Valid until its next read.
+    const std::vector<SurfReader::Piece>& surf(double time, SurfReader& reader) {
+        return reader.read(surface(time, ShoreSurface::Rates::without), open().pool());
+    }
+
     void query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
                const QueryOptions& options) override;
     void water_motion(double time, std::span<const WaterPoint> points,

@@ -82,6 +82,14 @@ void visit_part(const CoastPart& part, int window_samples, Visit&& visit) {
     }
 }
 
+/// Returns the index in the window of a sample of a part.
+std::size_t index_in_window(const CoastPart& part, const CoastWindow& window, std::uint32_t at) {
+    const auto width = static_cast<std::uint32_t>(part.surface.domain().samples[0]);
+    const auto row = static_cast<std::uint32_t>(part.first[1]) + at / width;
+    return std::size_t{row} * static_cast<std::size_t>(window.samples) +
+           static_cast<std::size_t>(part.first[0]) + at % width;
+}
+
 /// Returns how wet the ground about a sample of a part is. Where the depth changes much from sample
 /// to sample it is the share of its cell that water covers: what covers a sample or does not would
 /// end in stairs of the cell.
@@ -229,18 +237,59 @@ std::vector<CoastImage>& CoastSurface::at(Ocean& sea, double time, const std::ar
 void CoastSurface::settle(Ocean& sea, double time) {
     const double lifetime = sea.parameters().water.shore.surf_foam_lifetime;
     const double foam = kSettledLifetimes * lifetime;
-    for (double ago = std::max(kDryingTime, foam + kWetTick); ago > 0.0;) {
-        follow(sea, time - ago, kTraceChannels);
-        ago -= ago > foam ? kWetTick : kFoamTick;
+    double ago = std::max(kDryingTime, foam + kWetTick);
+    const std::vector<CoastPart> parts = follow(sea, time - ago, kTraceChannels);
+    // Beyond the surf and the swash nothing changes with the waves.
+    std::vector<RegionSurf> surf;
+    std::vector<std::vector<float>> depths;
+    std::vector<std::vector<std::uint32_t>> edges;  // samples that may get wet or dry
+    for (const CoastPart& part : parts) {
+        surf.emplace_back(part.surface.domain());
+        auto& depth = depths.emplace_back();
+        auto& edge = edges.emplace_back();
+        if (!part.surface.channels().contains(kDepth)) continue;
+        const auto now = part.surface.channel(kDepth);
+        depth.assign(now.begin(), now.end());
+        std::vector<char> is_edge(depth.size());
+        const auto width = static_cast<std::size_t>(part.surface.domain().samples[0]);
+        surf.back().read(sea, time - ago, [&](std::size_t at, float, float) {
+            for (const std::size_t near : {at - width, at - 1, at, at + 1, at + width}) {
+                if (near < is_edge.size()) is_edge[near] = 1;
+            }
+        });
+        for (std::uint32_t at = 0; at < is_edge.size(); ++at) {
+            if (is_edge[at] != 0) edge.push_back(at);
+        }
     }
+    for (ago -= kWetTick; ago > 0.0; ago -= ago > foam ? kWetTick : kFoamTick) {
+        const Left left = left_until(time - ago, lifetime);
+        for (std::size_t w = 0; w < parts.size(); ++w) {
+            if (edges[w].empty()) continue;
+            const std::array<int, 2> samples = parts[w].surface.domain().samples;
+            CoastTraces& traces = traces_[w];
+            surf[w].read(sea, time - ago, [&](std::uint32_t at, float breaking, float depth) {
+                depths[w][at] = depth;
+                float& was = traces.foam[index_in_window(parts[w], traces.window, at)];
+                was = std::max(breaking, left.foam * was);
+            });
+            for (const std::uint32_t at : edges[w]) {
+                float& was = traces.wet[index_in_window(parts[w], traces.window, at)];
+                was = std::max(wet_about(depths[w], samples, at), left.wet * was);
+            }
+        }
+        followed_ = time - ago;
+    }
+}
+
+CoastSurface::Left CoastSurface::left_until(double time, double lifetime) const {
+    const double passed = followed_ ? time - *followed_ : 0.0;
+    const auto left = [&](double of) { return static_cast<float>(std::exp(-passed / of)); };
+    return {lifetime > 0.0 ? left(lifetime) : 0.0f, left(kDryingTime)};
 }
 
 std::vector<CoastPart> CoastSurface::follow(Ocean& sea, double time, ChannelSet channels) {
     const double lifetime = sea.parameters().water.shore.surf_foam_lifetime;
-    const double passed = followed_ ? time - *followed_ : 0.0;
-    const auto left_of = [&](double of) { return static_cast<float>(std::exp(-passed / of)); };
-    const float foam_left = lifetime > 0.0 ? left_of(lifetime) : 0.0f;
-    const float wet_left = left_of(kDryingTime);
+    const Left left = left_until(time, lifetime);
     area_ = placed_area(sea, time);
     std::vector<CoastPart> parts;
     for (CoastTraces& traces : traces_) {
@@ -258,9 +307,9 @@ std::vector<CoastPart> CoastSurface::follow(Ocean& sea, double time, ChannelSet 
         const auto breaking = part.surface.channel(kBreaking);
         const auto depth = part.surface.channel(kDepth);
         visit_part(part, traces.window.samples, [&](std::size_t to, std::size_t from) {
-            traces.foam[to] = std::max(breaking[from], foam_left * traces.foam[to]);
+            traces.foam[to] = std::max(breaking[from], left.foam * traces.foam[to]);
             traces.wet[to] =
-                std::max(wet_about(depth, domain.samples, from), wet_left * traces.wet[to]);
+                std::max(wet_about(depth, domain.samples, from), left.wet * traces.wet[to]);
         });
     }
     followed_ = time;

@@ -51,6 +51,11 @@ class CoastSurface {
     std::vector<CoastPart> follow(Ocean& sea, double time, ChannelSet channels);
     void move_traces(const std::vector<CoastWindow>& windows);
     void settle(Ocean& sea, double time);
+    /// What is left of foam and of wetness from the time of the traces until another.
+    struct Left {
+        float foam, wet;
+    };
+    Left left_until(double time, double lifetime) const;
 
     CoastMapsOptions options_;
     std::vector<CoastTraces> traces_;

@@ -170,6 +170,47 @@ TEST_F(CoastPreviewTest, FoamIsWhatBreaksOrWhatIsLeftOfIt) {
     EXPECT_GT(highest, 0.02);
 }
 
+TEST_F(CoastPreviewTest, ASettledPictureHasThePastThatATickAfterTheOtherLeaves) {
+    CoastMapsOptions options;
+    options.samples = 64;
+    CoastSurface followed(options);
+    const double lifetimes = 3.0 * sea_.parameters().water.shore.surf_foam_lifetime;
+    for (double ago = std::max(25.0, lifetimes + 1.0); ago > 0.0;) {
+        followed.at(sea_, kTime - ago, kEye);
+        ago -= ago > lifetimes ? 1.0 : 0.25;
+    }
+    const std::vector<CoastImage> expected = followed.at(sea_, kTime, kEye);
+    options.foam_start = FoamStart::settled;
+    CoastSurface settled(options);
+    const std::vector<CoastImage>& found = settled.at(sea_, kTime, kEye);
+    ASSERT_EQ(found.size(), expected.size());
+    float foam = 0.0f, drying = 0.0f;
+    // Along the border of the bed the open sea, which runs up nowhere, mixes in.
+    const Domain& bed = sea_.parameters().water.bed->domain;
+    const auto is_inside = [&](const CoastWindow& window, int at) {
+        const auto place = window.domain().place(at % window.samples, at / window.samples);
+        return std::ranges::all_of(std::array{0u, 1u}, [&](unsigned axis) {
+            const double off = (place[axis] - bed.origin[axis]) / bed.size[axis];
+            return off > 0.125 && off < 0.875;
+        });
+    };
+    for (std::size_t w = 0; w < found.size(); ++w) {
+        ASSERT_EQ(found[w].traces.size(), expected[w].traces.size());
+        for (std::size_t i = 0; i < found[w].traces.size(); i += kWindowComponents) {
+            ASSERT_NEAR(found[w].traces[i], expected[w].traces[i], 1e-4f) << w << " " << i;
+            const float wet = found[w].traces[i + 2];
+            if (is_inside(found[w].window, static_cast<int>(i / kWindowComponents))) {
+                // A region's depth is that of the displaced label.
+                ASSERT_NEAR(wet, expected[w].traces[i + 2], 0.06f) << w << " " << i;
+            }
+            foam = std::max(foam, found[w].traces[i]);
+            if (found[w].shape[i + 3] < 0.0f) drying = std::max(drying, wet);
+        }
+    }
+    EXPECT_GT(foam, 0.05f);
+    EXPECT_GT(drying, 0.5f) << "sand that the swash has left";
+}
+
 TEST_F(CoastPreviewTest, ACoastInWorkIsGroundInTheOpenSea) {
     const DrawnSea ground = maps_.show(sea_, kTime, std::nullopt);
     ASSERT_TRUE(ground.coast);

@@ -41,6 +41,7 @@ class Coast;
 class HullSea;
 class OpenSea;
 class PlacedSea;
+class RegionSurf;
 class SprayFollower;
 
 /// Computes everything of one sea.
@@ -184,6 +185,8 @@ class Ocean {
     OpenSea& open_sea() { return *open_; }
 
   private:
+    friend class RegionSurf;
+
     bool has_bed() const;
     /// Returns the open sea. Throws Error unsupported for a sea over a bed, which `what` does not
     /// know.

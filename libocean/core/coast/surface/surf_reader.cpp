@@ -27,7 +27,8 @@ std::vector<WorldPoint> labels_of(const Domain& domain) {
 
 RegionTraces::RegionTraces(const Domain& of) : domain(of), reader([of] { return labels_of(of); }) {}
 
-void SurfReader::read(const ShoreSurface& surface, ThreadPool& pool) {
+const std::vector<SurfReader::Piece>& SurfReader::read(const ShoreSurface& surface,
+                                                       ThreadPool& pool) {
     if (!pieces_) {
         std::vector<Piece> pieces;
         for (SurfLabels& labels : find_surf(surface.statics(), surface.run_up(), labels_(), pool)) {
@@ -42,6 +43,7 @@ void SurfReader::read(const ShoreSurface& surface, ThreadPool& pool) {
         piece.depths.resize(piece.labels.size());
         surface.read_surf(piece.labels, piece.breaking, piece.depths);
     });
+    return *pieces_;
 }
 
 FoamSource SurfReader::source(SurfTrace trace, double lifetime,

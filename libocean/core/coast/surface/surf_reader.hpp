@@ -38,16 +38,16 @@ class SurfReader {
                       std::function<const ShoreSurface&(double time)> surface_at, ThreadPool& pool,
                       std::function<void(std::int64_t, std::int64_t)> progress);
 
-  private:
     /// A piece of the labels, with its reads of one time.
     struct Piece {
         SurfLabels labels;
         std::vector<float> breaking;  // source of foam, 0 .. 1
         std::vector<float> depths;    // [m]
     };
+    /// Returns the labels that waves reach, as a surface has them. Valid until the next read.
+    const std::vector<Piece>& read(const ShoreSurface& surface, ThreadPool& pool);
 
-    void read(const ShoreSurface& surface, ThreadPool& pool);
-
+  private:
     std::function<std::vector<WorldPoint>()> labels_;
     std::optional<std::vector<Piece>> pieces_;
     std::optional<double> read_time_;  // of the pieces [s]
