@@ -51,7 +51,7 @@ class CoastSurface {
     std::vector<CoastPart> follow(Ocean& sea, double time, ChannelSet channels);
     void move_traces(const std::vector<CoastWindow>& windows);
     void settle(Ocean& sea, double time);
-    /// What is left of foam and of wetness from the time of the traces until another.
+    /// The shares of foam and of wetness that are left at a later time than that of the traces.
     struct Left {
         float foam, wet;
     };

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kBearings = 48;
 
-/// What an eye sees along one bearing.
+/// The view along one bearing.
 struct Sight {
     bool is_open = true;     // no ground near the eye rises to its height
     bool has_water = false;  // beyond the ground near the eye

@@ -16,8 +16,8 @@
 
 namespace ocean {
 
-/// Of a folder's settings. Jitter moves the rays of each pixel at random: a level horizon, which a
-/// pixel shows a part of, would be a row of dashes.
+/// Lines of a folder's settings. Jitter moves the rays of each pixel at random: a level horizon,
+/// which a pixel shows a part of, would be a row of dashes.
 inline constexpr std::string_view kPovrayPicture =
     "Width=960\nHeight=540\n"
     "Antialias=on\nAntialias_Threshold=0.1\nAntialias_Depth=2\nJitter=off\n"
