@@ -82,8 +82,10 @@ double relative_error(const A& values, const B& exact) {
     return std::sqrt(sum / static_cast<double>(values.size()) / variance_of(exact));
 }
 
-/// Returns the slope of the line through points by least squares; their errors do not count.
-double slope_of(std::span<const Point> points);
+/// Returns the slope of the line through points by least squares, each with its weight.
+double slope_of(
+    std::span<const Point> points,
+    double (*weight)(const Point&) = [](const Point&) { return 1.0; });
 
 /// Returns the number of a wave along an axis of `side` samples, from its place in FFT order.
 int wave_index(std::integral auto place, int side) {

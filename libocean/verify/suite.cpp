@@ -97,15 +97,16 @@ Parameters wind_sea(double wind, double fetch, int resolution, double patch_size
     return parameters;
 }
 
-double slope_of(std::span<const Point> points) {
-    double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+double slope_of(std::span<const Point> points, double (*weight)(const Point&)) {
+    double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
     for (const Point& point : points) {
-        x += point.x;
-        y += point.y;
-        xx += point.x * point.x;
-        xy += point.x * point.y;
+        const double w = weight(point);
+        n += w;
+        x += w * point.x;
+        y += w * point.y;
+        xx += w * point.x * point.x;
+        xy += w * point.x * point.y;
     }
-    const auto n = static_cast<double>(points.size());
     return (n * xy - x * y) / (n * xx - x * x);
 }
 

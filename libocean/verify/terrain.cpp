@@ -55,19 +55,6 @@ std::vector<Point> rings_of(std::span<const float> heights) {
     return kept;
 }
 
-/// Returns the slope of the line through rings, weighted by their waves.
-double weighted_slope(const std::vector<Point>& rings) {
-    double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
-    for (const Point& ring : rings) {
-        n += ring.error;
-        x += ring.error * ring.x;
-        y += ring.error * ring.y;
-        xx += ring.error * ring.x * ring.x;
-        xy += ring.error * ring.x * ring.y;
-    }
-    return (n * xy - x * y) / (n * xx - x * x);
-}
-
 void spectrum_rows(Bench& bench) {
     for (const double beta : {1.2, 2.0, 2.8}) {
         SampleMean exponent;
@@ -79,7 +66,7 @@ void spectrum_rows(Bench& bench) {
             Terrain land(fractal(beta, seed), {.threads = bench.request.threads});
             const Surface map = land.surface({Channel::height});
             const std::vector<Point> rings = rings_of(map.channel(Channel::height));
-            exponent.add(-0.5 * weighted_slope(rings));
+            exponent.add(-0.5 * slope_of(rings, [](const Point& ring) { return ring.error; }));
             if (seed > 1 || beta != 2.0) continue;
             for (const Point& ring : rings) {
                 plot.measured.push_back({std::exp(ring.x), std::exp(ring.y)});
