@@ -21,6 +21,9 @@ struct Propagation {
     std::vector<Point> omega = {};  // omega over k, some modes
 };
 Propagation measure_propagation(Ocean& sea, int frames, double step);
+/// Returns the samples along a side of its maps: with several cascades those that show a part of
+/// the second one too. Each wave is one of the patch's lattice, whichever its cascade.
+int samples_of_propagation(const Grid& grid);
 
 /// The frequency of each wave is that of theory.
 Row dispersion_row(Ocean& sea, double step, Row row);

@@ -59,11 +59,23 @@ void direction_rows(Bench& bench) {
                .bound = "1e-6 of the energy"});
 }
 
+/// Returns the frequency of a wave, in a loop that of a whole number of turns.
+double frequency_of(double k, const Parameters& parameters) {
+    const double omega = angular_frequency(k, parameters.water.depth);
+    const double base = 2.0 * kPi / parameters.time.loop_period;
+    if (!(parameters.time.loop_period > 0.0)) return omega;
+    return base * std::max(1.0, std::round(omega / base));
+}
+
 }  // namespace
+
+int samples_of_propagation(const Grid& grid) {
+    return grid.cascades > 1 ? 2 * grid.resolution : grid.resolution;
+}
 
 Propagation measure_propagation(Ocean& sea, int frames, double step) {
     const Parameters& parameters = sea.parameters();
-    const int n = parameters.grid.resolution;
+    const int n = samples_of_propagation(parameters.grid);
     const double dk = 2.0 * kPi / parameters.grid.patch_size;
     std::vector<std::vector<Complex>> maps;
     for (int t = 0; t < frames; ++t) {
@@ -87,7 +99,7 @@ Propagation measure_propagation(Ocean& sea, int frames, double step) {
         if (energy < 1e-6 * highest * static_cast<double>(frames)) continue;
         const double k = std::hypot(kx, ky);
         const double omega = std::acos(std::clamp(0.5 * even / energy, -1.0, 1.0)) / step;
-        const double theory = angular_frequency(k, parameters.water.depth);
+        const double theory = frequency_of(k, parameters);
         squares += std::pow(omega / theory - 1.0, 2.0);
         count += 1.0;
         if (ky == 0.0 && (found.omega.empty() || k > 1.06 * found.omega.back().x)) {
@@ -110,13 +122,18 @@ Propagation measure_propagation(Ocean& sea, int frames, double step) {
 }
 
 Row dispersion_row(Ocean& sea, double step, Row row) {
-    const Propagation found = measure_propagation(sea, 64, step);
-    const double depth = sea.parameters().water.depth;
-    row.reference = "[Lamb 1932]: omega^2 = (g k + (sigma/rho) k^3) tanh k d";
-    row.method =
-        "rms over waves with 1e-6 of the highest energy of omega over theory, less 1; 64 "
-        "maps " +
-        std::to_string(static_cast<int>(std::lround(1000.0 * step))) + " ms apart" + row.method;
+    const Parameters& parameters = sea.parameters();
+    constexpr double kMaxSamples = 1 << 25;  // of all maps: half a GB
+    const double samples = std::pow(samples_of_propagation(parameters.grid), 2.0);
+    const int maps = static_cast<int>(std::clamp(kMaxSamples / samples, 6.0, 64.0));
+    const Propagation found = measure_propagation(sea, maps, step);
+    const bool loops = parameters.time.loop_period > 0.0;
+    row.reference = std::string("[Lamb 1932]: omega^2 = (g k + (sigma/rho) k^3) tanh k d") +
+                    (loops ? ", rounded to whole turns of the loop" : "");
+    row.method = "rms over waves with 1e-6 of the highest energy of omega over theory, less 1; " +
+                 std::to_string(maps) + " maps " +
+                 std::to_string(static_cast<int>(std::lround(1000.0 * step))) + " ms apart" +
+                 row.method;
     row.measured = found.error;
     row.tolerance = 1e-6;
     row.bound = "single precision of the weakest of these waves";
@@ -131,7 +148,7 @@ Row dispersion_row(Ocean& sea, double step, Row row) {
         high = std::max(high, point.x);
     }
     for (double k = low; k <= high * 1.0001; k *= std::pow(high / low, 1.0 / 60.0)) {
-        row.plot.curve.push_back({k, angular_frequency(k, depth)});
+        row.plot.curve.push_back({k, angular_frequency(k, parameters.water.depth)});
     }
     return row;
 }

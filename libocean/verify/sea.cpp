@@ -39,15 +39,13 @@ void propagation_rows(Bench& bench, const Parameters& parameters) {
             bench.add(*row);
         }
     };
-    if (parameters.time.loop_period > 0.0) return leave_out("a loop rounds the frequencies");
     if (parameters.water.gravity != kG || parameters.water.surface_tension != 0.074 ||
         parameters.water.density != 1000.0) {
         return leave_out("its water is not that of the suite's equations");
     }
-    // Maps show modes apart where one cascade has them all.
-    if (parameters.grid.cascades > 1) return leave_out("its maps are finer than its cascades");
     Ocean sea(parameters, bench.options());
-    const double shortest = 2.0 * parameters.grid.patch_size / parameters.grid.resolution;
+    const double shortest =
+        2.0 * parameters.grid.patch_size / samples_of_propagation(parameters.grid);
     const double step =
         0.7 * kPi /
         angular_frequency(std::sqrt(2.0) * 2.0 * kPi / shortest, parameters.water.depth);

@@ -32,6 +32,17 @@ TEST(Verify, WavesOfMapsTravelAsTheirEquationsSay) {
     expect_passes("propagation");
 }
 
+TEST(Verify, WavesOfALoopInCascadesHaveTheFrequenciesOfWholeTurns) {
+    Sea sea;
+    sea.parameters.grid = {.resolution = 32, .patch_size = 200.0, .cascades = 2, .cascade_divisors = {}};
+    sea.parameters.time.loop_period = 20.0;
+    std::set<std::string> passed;
+    for (const Row& row : run({.only = {"sea"}, .sea = sea})) {
+        if (row.verdict() == Verdict::pass) passed.insert(row.id);
+    }
+    EXPECT_TRUE(passed.contains("sea.dispersion"));
+}
+
 TEST(Verify, ARowPassesWithinItsToleranceAlone) {
     Row row{.expected = 2.0, .measured = 2.1, .tolerance = 0.11};
     EXPECT_EQ(row.verdict(), Verdict::pass);
