@@ -81,6 +81,20 @@ std::vector<FarmFile> farm_files(const FarmEngine& engine, FarmJob job) {
     return files;
 }
 
+std::vector<std::string> farm_file_names() {
+    const FarmJob largest{.sea_text = {},
+                          .time_of = [](int) { return 0.0; },
+                          .output = "sea.####.exr",
+                          .frames = {1},
+                          .options = {},
+                          .render = "scene.pov"};
+    std::vector<std::string> names = {std::string(kSeaFile)};
+    for (const FarmEngine& engine : farm_engines()) {
+        for (FarmFile& file : engine.files(largest)) names.push_back(std::move(file.name));
+    }
+    return names;
+}
+
 bool is_farm_file(std::string_view text) {
     return text.find(kMark) != std::string_view::npos;
 }

@@ -33,8 +33,12 @@ def test_a_job_is_a_folder_of_its_own(ocean, engine):
     text = ocean.good(*farm(engine, "--tasks", "3"))
     assert text.startswith("tasks    3 of at most 2 of 6 frames, then a check\n")
     assert ocean.files("farm") == FILES[engine]
-    # The same command again replaces its own files.
-    ocean.good(*farm(engine, "--minutes", "1"))
+    # Another job replaces all files of this one, and no other.
+    for mine in ("farm/mine.yaml", "farm/render.sbatch"):
+        ocean.write(mine, "mine")
+    other = "openjd" if engine == "slurm" else "slurm"
+    ocean.good(*farm(other, "--minutes", "1"))
+    assert ocean.files("farm") == sorted([*FILES[other], "mine.yaml", "render.sbatch"])
 
 
 def test_scripts_of_slurm_bake_the_bytes_of_one_machine(ocean):

@@ -66,6 +66,26 @@ std::string path_in(const std::string& folder, const std::string& name) {
     return text::to_utf8(utf8_path(folder) / utf8_path(name));
 }
 
+/// Returns true for a file of an earlier job, which may be replaced or removed.
+bool is_of_a_job(const std::string& path) {
+    constexpr std::size_t kMaxFile = std::size_t{1} << 30;
+    return is_farm_file(text::read_file(path, kMaxFile));
+}
+
+void write_job(const std::string& folder, const std::vector<FarmFile>& files) {
+    io::make_folder(folder);
+    for (const std::string& name : farm_file_names()) {
+        const std::filesystem::path path = utf8_path(path_in(folder, name));
+        if (std::ranges::count(files, name, &FarmFile::name) == 0 &&
+            std::filesystem::is_regular_file(path) && is_of_a_job(path_in(folder, name))) {
+            std::filesystem::remove(path);
+        }
+    }
+    for (const FarmFile& file : files) {
+        io::write_file_atomically(path_in(folder, file.name), file.text);
+    }
+}
+
 std::vector<std::string> words_for_bake(const FarmOptions& options, const Context& context) {
     std::vector<std::string> words;
     for (const auto& [option, value] : context.given) {
@@ -156,13 +176,11 @@ void run(const FarmOptions& options, const Catalogue& catalogue, const Context& 
         .render = options.render,
         .threads = plan.threads > 0 ? plan.threads : available_cores()};
     const InputFiles inputs(bake.subject.source, plan.subject->named_files());
+    // A draft, which lacks what is measured, shows whether the job can be written.
     for (const FarmFile& file : farm_files(engine, job)) {
         const std::string path = path_in(options.folder, file.name);
         inputs.spare(path);
-        io::refuse_to_replace_foreign_file(path, "a farm job", [&] {
-            constexpr std::size_t kMaxFile = std::size_t{1} << 30;
-            return is_farm_file(text::read_file(path, kMaxFile));
-        });
+        io::refuse_to_replace_foreign_file(path, "a farm job", [&] { return is_of_a_job(path); });
     }
     io::require_folder(options.folder);
     const BakeForecast forecast = forecast_bake(plan);
@@ -172,11 +190,8 @@ void run(const FarmOptions& options, const Catalogue& catalogue, const Context& 
     const std::vector<FarmFile> files = farm_files(engine, job);
     for (const std::string& warning : forecast.warnings) context.console.warning(warning);
     if (!options.dry_run) {
-        io::make_folder(options.folder);
         const InterruptWatch::Hold whole = context.interrupts.hold();
-        for (const FarmFile& file : files) {
-            io::write_file_atomically(path_in(options.folder, file.name), file.text);
-        }
+        write_job(options.folder, files);
     }
     show_job(options, engine, job, minutes, pace, forecast, context.console, context.options.json);
 }

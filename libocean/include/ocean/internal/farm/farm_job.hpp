@@ -55,6 +55,9 @@ const FarmEngine& find_farm_engine(std::string_view name);
 /// cannot run.
 std::vector<FarmFile> farm_files(const FarmEngine& engine, FarmJob job);
 
+/// Returns the names that files of a job can have, of all engines.
+std::vector<std::string> farm_file_names();
+
 /// Returns true for a text that farm_files() made: a file of a job may be replaced by another one.
 bool is_farm_file(std::string_view text);
 
