@@ -34,7 +34,8 @@ TEST(Verify, WavesOfMapsTravelAsTheirEquationsSay) {
 
 TEST(Verify, WavesOfALoopInCascadesHaveTheFrequenciesOfWholeTurns) {
     Sea sea;
-    sea.parameters.grid = {.resolution = 32, .patch_size = 200.0, .cascades = 2, .cascade_divisors = {}};
+    sea.parameters.grid = {
+        .resolution = 32, .patch_size = 200.0, .cascades = 2, .cascade_divisors = {}};
     sea.parameters.time.loop_period = 20.0;
     std::set<std::string> passed;
     for (const Row& row : run({.only = {"sea"}, .sea = sea})) {
