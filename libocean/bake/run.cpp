@@ -232,6 +232,19 @@ void bake_frames(const Bake& bake, const WorkShare& share, ManifestSaver& saver)
     report.end();
 }
 
+/// A shard cleans up after itself alone: on a network disk the lock of a file that another machine
+/// is writing may not be seen here.
+void remove_abandoned_temporaries(const BakePlan& plan) {
+    std::optional<std::vector<std::string>> own;
+    if (plan.shard) {
+        own = {plan.pattern.manifest(plan.shard)};
+        for (const int frame : plan.frames) {
+            for (BakeFile& file : plan.format->files(plan, frame)) own->push_back(file.path);
+        }
+    }
+    io::remove_abandoned_temporaries(plan.pattern.folder(), own);
+}
+
 /// While this object lives, an interrupt saves the manifest before the process ends.
 class ManifestOnInterrupt {
   public:
@@ -264,7 +277,7 @@ void run_bake(const BakePlan& plan, BakeHost& host) {
     for (const std::string& warning : manifest.warnings()) host.warning(warning);
     refuse_to_overwrite_others(plan, manifest);
     io::make_folder(plan.pattern.folder());
-    io::remove_abandoned_temporaries(plan.pattern.folder());
+    remove_abandoned_temporaries(plan);
     host.begin(plan, share);
     if (!plan.backend_note.empty()) host.note(plan.backend_note);
     host.note(format_text("%d frames at a time, %d threads each", share.frames_at_a_time,

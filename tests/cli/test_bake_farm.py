@@ -120,6 +120,17 @@ def test_shards_are_blocks_and_an_empty_one_succeeds(ocean):
     assert "empty" in done.stderr and not (ocean.folder / "out").exists()
 
 
+def test_a_shard_removes_what_its_own_frames_left(ocean):
+    left = [f"out/.s.height.000{frame}.exr.ocean-999999999-0.tmp" for frame in (1, 2)]
+    for name in left:
+        ocean.write(name, "left")
+    bake = "bake sea.toml -o out/s.####.exr --products height --frames 1-2"
+    ocean.good(f"{bake} --shard 2/2")
+    assert [(ocean.folder / name).exists() for name in left] == [True, False]
+    ocean.good(f"{bake} --skip-existing")
+    assert not (ocean.folder / left[0]).exists()
+
+
 def test_a_bake_killed_fifty_times_writes_the_same_bytes(ocean):
     bake = ["bake", "sea.toml", *PLAIN, "--set", "resolution=128", "--frames", "1-40", "-o"]
     before = children_seconds()

@@ -125,7 +125,10 @@ TEST(AtomicFile, CleanerRemovesTemporariesOfEndedProcessesOnly) {
     ASSERT_EQ(folder.entries(), 1u);
     io::OutputFile living(folder.file("living"));
     io::write_file_atomically(folder.file(".mine.tmp"), "not ours");
-    EXPECT_EQ(io::remove_abandoned_temporaries(folder.path()), 1);
+    const std::vector<std::string> others = {folder.file("kill"), folder.file("killed.ocean-")};
+    EXPECT_EQ(io::remove_abandoned_temporaries(folder.path(), others), 0);
+    const std::vector<std::string> own = {folder.file("absent"), folder.file("killed")};
+    EXPECT_EQ(io::remove_abandoned_temporaries(folder.path(), own), 1);
     EXPECT_EQ(folder.entries(), 2u);
     living.write("whole");
     living.commit();

@@ -309,7 +309,14 @@ void write_output(const std::string& path, std::string_view bytes) {
     write_file_atomically(path, bytes);
 }
 
-int remove_abandoned_temporaries(const std::string& directory) {
+int remove_abandoned_temporaries(const std::string& directory,
+                                 const std::optional<std::vector<std::string>>& paths) {
+    const auto is_asked = [&](const std::string& name) {
+        const std::string ending = name.substr(name.rfind(kMark));
+        return !paths || std::ranges::any_of(*paths, [&](const std::string& path) {
+            return name == name_of_file("." + utf8_path(path).filename().string(), ending);
+        });
+    };
     int removed = 0;
     std::error_code error;
     const auto folder = utf8_path(directory.empty() ? "." : directory);
@@ -318,7 +325,7 @@ int remove_abandoned_temporaries(const std::string& directory) {
         const std::string name = entry->path().filename().string();
         const bool ours =
             name.starts_with('.') && name.ends_with(kSuffix) && name.find(kMark) != name.npos;
-        if (!ours || !entry->is_regular_file(error)) continue;
+        if (!ours || !is_asked(name) || !entry->is_regular_file(error)) continue;
         if (!abandoned(entry->path())) continue;
         std::filesystem::remove(entry->path(), error);
         ++removed;

@@ -9,8 +9,10 @@
 #include <cstdint>
 #include <cstdio>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ocean::io {
 
@@ -80,8 +82,9 @@ void refuse_to_replace_foreign_file(const std::string& path, std::string_view wr
 void write_output(const std::string& path, std::string_view bytes);
 
 /// Removes the temporaries that killed writers (power, kill -9, out of memory) left in a directory;
-/// "" is the current one. Keeps the temporaries of writers that are still running. Returns the
-/// number of removed files.
-int remove_abandoned_temporaries(const std::string& directory);
+/// "" is the current one; with `paths` those of these files alone. Keeps the temporaries of writers
+/// that are still running on this machine. Returns the number of removed files.
+int remove_abandoned_temporaries(const std::string& directory,
+                                 const std::optional<std::vector<std::string>>& paths = {});
 
 }  // namespace ocean::io
