@@ -14,6 +14,37 @@
 namespace ocean::farm {
 namespace {
 
+/// Returns the type of a setting of ocean_bake.js; "" if there is none of this name.
+std::string_view type_of_setting(const std::string& key) {
+    const std::string head = "{ key: \"" + key + "\", type: \"";
+    const std::size_t at = kOceanBakeScript.find(head);
+    if (at == std::string_view::npos) return "";
+    const std::string_view type = kOceanBakeScript.substr(at + head.size());
+    return type.substr(0, type.find('"'));
+}
+
+/// Adds the options that are settings of their own; returns the other words.
+Words add_options(JsonObject& settings, const Words& words) {
+    Words others;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string& word = words[i];
+        const std::size_t equals = word.find('=');
+        std::string key = word.starts_with("--") ? word.substr(2, equals - 2) : "";
+        std::ranges::replace(key, '-', '_');
+        const std::string_view type = type_of_setting(key);
+        if (type == "bool") {
+            settings.add(key, true);
+        } else if (!type.empty() && equals != std::string::npos) {
+            settings.add(key, word.substr(equals + 1));
+        } else if (!type.empty() && i + 1 < words.size()) {
+            settings.add(key, words[++i]);
+        } else {
+            others.push_back(word);
+        }
+    }
+    return others;
+}
+
 /// Returns the job for the manager's API. `folder` has a line of its own, which the script that
 /// sends the job writes.
 std::string job_text(const FarmJob& job) {
@@ -23,8 +54,9 @@ std::string job_text(const FarmJob& job) {
         .add("sea", kSeaFile)
         .add("output", job.output)
         .add("frames", runs_text(frame_runs(job.frames, 1), ""))
-        .add("chunk_size", job.frames_per_task)
-        .add("options", shell_words(job.options))
+        .add("chunk_size", job.frames_per_task);
+    const Words others = add_options(settings, job.options);
+    settings.add("options", shell_words(others))
         .add("render", job.render)
         .add("render_options", by_povray ? shell_words(povray_clock(job)) : "");
     return JsonObject(JsonLines{2})

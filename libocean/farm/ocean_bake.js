@@ -6,6 +6,46 @@
 // `scripts` beside the manager, and set the manager's variables `ocean` and, for scenes of POV-Ray,
 // `povray` to the programs on the workers.
 
+// Options of `ocean bake`, as its help has them: scripts/update-docs writes this list.
+const BAKE_OPTIONS = [
+  // generated: bake options
+  { key: "region", type: "string", default: "", label: "Region",
+    description: "Only this rectangle [m], of a land or of a sea over a bed; needs --cell" },
+  { key: "cell", type: "string", default: "", label: "Cell",
+    description: "Distance of the samples of --region: neighbouring regions of one cell that " +
+      "share an edge join without a seam" },
+  { key: "overwrite", type: "bool", default: false, label: "Overwrite",
+    description: "Replace frames of another sea, which is refused without it" },
+  { key: "keep_going", type: "bool", default: false, label: "Keep going",
+    description: "Continue with the other frames when one fails" },
+  { key: "resolution", type: "string", default: "", label: "Resolution",
+    description: "Samples along a side, a power of two; default: the sea's grid, four times that " +
+      "with cascades" },
+  { key: "backend", type: "string", default: "", label: "Backend",
+    description: "cpu, radix2, dft, gl, thesis or auto; default cpu. auto: gl on a GPU, else cpu" },
+  { key: "products", type: "string", default: "", label: "Products",
+    description: "Comma list of products; default displacement,normal,foam" },
+  { key: "type", type: "string", default: "", label: "Type",
+    description: "float or half; default: float for displacement, velocity, flow and depth, and " +
+      "for the height of a terrain; half for the rest" },
+  { key: "axes", type: "string", default: "", label: "Axes",
+    description: "Order of vectors: tnb (x, z, y), zup (x, y, z), yup (x, z, -y); default tnb" },
+  { key: "layout", type: "string", default: "", label: "Layout",
+    description: "separate (a file for each product) or layered (one file); default separate" },
+  { key: "compression", type: "string", default: "", label: "Compression",
+    description: "none, rle, zips, zip, piz or pxr24; default rle for slope, whitecap, foam, " +
+      "cover and masks, for halves of normal, jacobian and derivatives, else none" },
+  { key: "caustics_depth", type: "string", default: "", label: "Caustics depth",
+    description: "Depth of the level plane that caustics fall on; default: the sea's depth, 10 " +
+      "at most" },
+  { key: "detail_samples", type: "string", default: "", label: "Detail samples",
+    description: "Samples along a side of each slope tile: 256, 512 or 1024; default 512" },
+  { key: "sun", type: "string", default: "", label: "Sun",
+    description: "Direction of the sun for caustics, degrees above the horizon and " +
+      "counter-clockwise from +x; default 90,0" },
+  // end of generated
+];
+
 const JOB_TYPE = {
   label: "Ocean bake",
   description: "Bake a sea of libocean, check its files, render a scene",
@@ -20,8 +60,9 @@ const JOB_TYPE = {
       description: "Frames, such as 1-250 or 1-50,60" },
     { key: "chunk_size", type: "int32", default: 20, propargs: { min: 1 }, visible: "submission",
       description: "Frames of a task that bakes" },
-    { key: "options", type: "string", default: "",
-      description: "Further options of `ocean bake`, such as --products displacement,foam" },
+    ...BAKE_OPTIONS,
+    { key: "options", type: "string", default: "", label: "Further options",
+      description: "Words for `ocean bake`: options of meshes and volumes, --threads" },
     { key: "render", type: "string", subtype: "file_path", default: "",
       description: "A scene to render afterwards, .blend or .pov; empty: none" },
     { key: "render_options", type: "string", default: "", visible: "submission",
@@ -39,7 +80,12 @@ function compileJob(job) {
   const folderOf = (path) => path.replace(/[^\/\\]*$/, "") || "./";
   const sea = inFolder(settings.sea);
   const output = inFolder(settings.output);
-  const options = shellSplit(settings.options);
+  const options = [];
+  for (const { key, type } of BAKE_OPTIONS) {
+    const name = "--" + key.replaceAll("_", "-");
+    if (settings[key]) options.push(type === "bool" ? name : `${name}=${settings[key]}`);
+  }
+  options.push(...shellSplit(settings.options));
 
   // Commands and dependencies come before addTask, which copies.
   const add = (name, type, command, dependencies) => {

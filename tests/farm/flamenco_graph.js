@@ -55,6 +55,17 @@ const script = fs.readFileSync(process.argv[2], "utf8");
 vm.runInContext(`"use strict";\n${script}\nglobalThis.type = JOB_TYPE; globalThis.compile = compileJob;`,
   manager);
 
+// As the manager's API has them: a field of another name is refused.
+const FIELDS = ["key", "type", "subtype", "choices", "propargs", "description", "label", "default",
+  "eval", "evalInfo", "visible", "required", "editable"];
+const TYPES = { string: "string", int32: "number", float: "number", bool: "boolean" };
+for (const setting of manager.type.settings) {
+  const foreign = Object.keys(setting).filter((field) => !FIELDS.includes(field));
+  const { key, type, default: value = null } = setting;
+  if (foreign.length > 0 || !(type in TYPES) || (value !== null && typeof value !== TYPES[type])) {
+    throw new Error(`setting ${key}: ${foreign} ${type} ${value}`);
+  }
+}
 const submitted = JSON.parse(fs.readFileSync(process.argv[3], "utf8"));
 const settings = Object.fromEntries(manager.type.settings.map(({ key, default: value }) => [key, value]));
 for (const [key, value] of Object.entries(submitted.settings)) {
