@@ -44,7 +44,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     chroot_packages=("${build_packages[@]}" "${deb_packages[@]}" debootstrap)
     cross_packages=("${build_packages[@]}" "${lint_packages[@]}" wine wine64)
     vm_packages=(qemu-system-x86 busybox-static cpio kmod udev binutils)
-    farm_packages=("${test_packages[@]}" munge slurmctld slurmd slurm-client faketime iproute2)
+    farm_packages=("${test_packages[@]}" munge slurmctld slurmd slurm-client faketime iproute2 curl)
     # One release of each PyPI tool, so that a new one cannot turn a good tree red.
     ruff_tool=ruff==0.17.5
     mypy_tool=mypy==2.4.1

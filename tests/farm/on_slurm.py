@@ -8,19 +8,11 @@ import os
 import subprocess
 from pathlib import Path
 
+import jobs
 import pytest
 from slurm import Farm
 
 OCEAN = os.environ["OCEAN"]
-SEA = """libocean = 1
-[grid]
-resolution = 32
-patch_size = 200.0
-[[waves]]
-spectrum = "jonswap"
-wind_speed = 9.0
-wind_direction = 30.0
-"""
 OPTIONS = "--products height,foam"
 
 
@@ -34,7 +26,7 @@ class Job:
 
     def __init__(self, farm: Farm, folder: Path, frames: int, shards: int, options: str = OPTIONS):
         self.farm, self.folder, self.shards = farm, folder, shards
-        (folder / "asked.toml").write_text(SEA)
+        (folder / "asked.toml").write_text(jobs.SEA)
         what = f"asked.toml -o out/s.####.exr --frames 1-{frames} {options}"
         self.ocean(f"ocean farm {what} --engine slurm --job . --tasks {shards} --threads 1")
         self.check = f"ocean check out/s.####.exr --frames 1-{frames} --against sea.toml --merge"
@@ -190,3 +182,14 @@ def test_a_clock_that_is_off_changes_nothing(farm, job):
         job.send("2", "n2")  # finds its own files
         farm.wait()
     job.is_whole()
+
+
+def test_the_commands_of_the_page_bake_check_and_render(farm, tmp_path):
+    commands, job = jobs.of_page(tmp_path, "slurm")
+    sent = farm.tell("bash -euc", commands, folder=tmp_path).split()[-3:]
+    farm.wait()
+    states = [farm.states(each) for each in sent]
+    assert [len(each) for each in states] == [2, 1, 4]
+    assert all(set(ended) == {"COMPLETED"} for each in states for ended in each.values()), states
+    assert "4 of 4 files are whole" in (job / "check.log").read_text()
+    assert len(list(job.glob("scene*.png"))) == 4
