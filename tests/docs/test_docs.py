@@ -10,6 +10,7 @@ a block change that:
 Of `--frames 1-N` only the first two frames are computed.
 """
 
+import importlib.machinery
 import importlib.util
 import json
 import os
@@ -173,6 +174,36 @@ def test_claims_of_the_readme_have_their_rows() -> None:
     linked = set(re.findall(r"verification\.md#([^)]+)", (ROOT / "README.md").read_text()))
     assert len(linked) > 4
     assert linked <= rows
+
+
+def test_the_numbers_of_the_release_before_stand_beside_those_of_this_one(tmp_path, monkeypatch):
+    loader = importlib.machinery.SourceFileLoader("update_docs", str(ROOT / "scripts/update-docs"))
+    update = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
+    loader.exec_module(update)
+    now, before = tmp_path / "verification.json", tmp_path / "verification_before.json"
+    monkeypatch.setattr(update, "SUITE", now)
+    monkeypatch.setattr(update, "SUITE_BEFORE", before)
+    suite = json.loads((DOCS / "verification.json").read_text())
+    row = suite["rows"][0]
+    program = tmp_path / "ocean"
+
+    def verify(version: str, measured: float) -> str:
+        """Runs a suite of one row; returns the cells of that row on the page."""
+        told = suite | {"version": version, "rows": [row | {"measured": measured}]}
+        program.write_text(f"#!/bin/sh\ncat <<'END'\n{json.dumps(told)}\nEND\n")
+        program.chmod(0o755)
+        update.run_suite(program)
+        return update.verification_table(row["group"]).splitlines()[-1].split(" | ")
+
+    first = verify("0.1.0", 3.25)
+    assert (first[2], first[-1]) == ("3.25", "none |")
+    assert "This is the first release: none is before it." in update.verification_facts()
+    assert verify("0.1.0", 3.5)[-1] == "none |", "the same release, measured again"
+    later = verify("0.2.0", 3.75)
+    assert (later[2], later[-1]) == ("3.75", "3.5 |")
+    assert verify("0.2.0", 4.0)[-1] == "3.5 |"
+    assert "The release before is 0.1.0, commit " in update.verification_facts()
+    assert json.loads(before.read_text())["rows"][0]["measured"] == 3.5
 
 
 def test_the_readme_is_one_screen() -> None:
