@@ -27,7 +27,7 @@ camera { location <0, 0, -3> look_at 0 }
 light_source { <2, 4, -3> rgb 1 }
 sphere { 0, 1 pigment { rgb <0, 0.3, 1> } }
 """
-# The scene that Blender begins with, in 16 x 16 pixels, in the folder where Blender runs.
+# The scene that Blender begins with, in 16 x 16 pixels; its pictures lie beside it.
 BLEND = """import bpy
 scene = bpy.context.scene
 scene.render.engine = "CYCLES"
