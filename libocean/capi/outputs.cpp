@@ -186,6 +186,13 @@ void read_outputs(const OutputArray& outputs, std::size_t count, int columns, in
     }
 }
 
+void require_metres(const char* name, double value, double lowest) {
+    if (value >= lowest && value <= kFarthest) return;
+    refuse({.parameter = name,
+            .value = shortest_text(value),
+            .allowed = shortest_text(lowest) + " .. " + shortest_text(kFarthest) + " m"});
+}
+
 Domain region_domain(double x, double y, double cell, std::int32_t columns, std::int32_t rows) {
     const auto require_side = [](const char* name, std::int32_t side) {
         if (side >= 2 && side <= kMaxRegionSide) return;
@@ -195,16 +202,9 @@ Domain region_domain(double x, double y, double cell, std::int32_t columns, std:
     };
     require_side("columns", columns);
     require_side("rows", rows);
-    const auto require_number = [](const char* name, double value, double lowest) {
-        constexpr double kFarthest = 1e8;  // [m]
-        if (value >= lowest && value <= kFarthest) return;
-        refuse({.parameter = name,
-                .value = shortest_text(value),
-                .allowed = shortest_text(lowest) + " .. " + shortest_text(kFarthest) + " m"});
-    };
-    require_number("x", x, -1e8);
-    require_number("y", y, -1e8);
-    require_number("cell", cell, 1e-3);
+    require_metres("x", x, -kFarthest);
+    require_metres("y", y, -kFarthest);
+    require_metres("cell", cell, 1e-3);
     return {{x, y}, {cell * (columns - 1), cell * (rows - 1)}, {columns, rows}, false};
 }
 

@@ -60,6 +60,11 @@ void read_outputs(const OutputArray& outputs, std::size_t count, int columns, in
 Domain read_region(const ocean_region_request* request, std::vector<MapOutput>& maps);
 /// Writes a domain of equal steps both ways. Throws CallError for a struct of another size.
 void write_domain(const Domain& own, ocean_domain* domain);
+/// The farthest place and the longest side of a region [m].
+inline constexpr double kFarthest = 1e8;
+/// Throws CallError for a value of the argument or member of that name below `lowest` or beyond
+/// kFarthest [m].
+void require_metres(const char* name, double value, double lowest);
 /// Returns the samples of a region from (x, y) on. Throws CallError for numbers out of range.
 Domain region_domain(double x, double y, double cell, std::int32_t columns, std::int32_t rows);
 /// Returns the word of OCEAN_ZUP, OCEAN_YUP or OCEAN_TNB. Throws CallError for another number.

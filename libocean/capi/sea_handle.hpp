@@ -23,6 +23,7 @@ struct CountedSpray {
     std::uint64_t revision;  // of the sea
     double time;
     SpraySettings settings;
+    std::optional<Domain> region;
     std::vector<SprayParticle> particles;
 };
 

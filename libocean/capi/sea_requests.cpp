@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "ocean/ocean.hpp"
 #include "ocean/spray.hpp"
 #include "ocean/thread_pool.hpp"
+#include "outputs.hpp"
 #include "sea_handle.hpp"
 
 using namespace ocean;
@@ -28,6 +30,7 @@ namespace {
 
 constexpr std::size_t kFixDoubles = 4;
 constexpr std::size_t kMaxTimes = 100'000'000;
+constexpr double kShortestSide = 1.0;  // of a region of spray [m]
 
 SampleTimes sample_times(const ocean_gauge_request& asked) {
     require_time(asked.start);
@@ -90,16 +93,28 @@ ocean_spray_particle particle_of(const SprayParticle& from) {
             static_cast<float>(from.radius)};
 }
 
+/// Returns the region of a request; nothing if all its numbers are 0. Throws CallError.
+std::optional<Domain> spray_region(const ocean_spray_request& asked) {
+    const auto& [x0, y0, x1, y1] = asked.region;
+    if (x0 == 0.0 && y0 == 0.0 && x1 == 0.0 && y1 == 0.0) return std::nullopt;
+    require_metres("region[0]", x0, -kFarthest);
+    require_metres("region[1]", y0, -kFarthest);
+    require_metres("region[2]", x1, x0 + kShortestSide);
+    require_metres("region[3]", y1, y0 + kShortestSide);
+    return Domain{{x0, y0}, {x1 - x0, y1 - y0}, {2, 2}, false};
+}
+
 /// Returns the particles that an earlier call counted and that were not copied yet, or makes them
 /// now.
-std::vector<SprayParticle> spray_of(ocean_sea& sea, double time, const SpraySettings& settings) {
+std::vector<SprayParticle> spray_of(ocean_sea& sea, double time, const SpraySettings& settings,
+                                    const std::optional<Domain>& region) {
     const std::uint64_t revision = sea.ocean->revision();
     if (auto counted = std::exchange(sea.counted_spray, std::nullopt);
         counted && counted->revision == revision && counted->time == time &&
-        counted->settings == settings) {
+        counted->settings == settings && counted->region == region) {
         return std::move(counted->particles);
     }
-    return sea.ocean->spray(time, settings);
+    return sea.ocean->spray(time, settings, region);
 }
 
 }  // namespace
@@ -134,20 +149,21 @@ ocean_result ocean_spray(ocean_sea* sea, const ocean_spray_request* request, siz
         require(request, "request");
         require(count, "count");
         const ocean_spray_request asked =
-            read_struct(request, sizeof(ocean_spray_request), "ocean_spray_request");
+            read_struct(request, offsetof(ocean_spray_request, region), "ocean_spray_request");
         require_reserved(asked.reserved, "reserved");
         if (asked.particles != nullptr) {
             require_struct_size(asked.particle_size, sizeof(std::uint64_t), "particle_size",
                                 "ocean_spray_particle", sizeof(ocean_spray_particle));
         }
         const SpraySettings settings{asked.lifetime, asked.density, asked.most};
-        std::vector<SprayParticle> particles = spray_of(*sea, asked.time, settings);
+        const std::optional<Domain> region = spray_region(asked);
+        std::vector<SprayParticle> particles = spray_of(*sea, asked.time, settings, region);
         *count = particles.size();
         const bool fits = asked.particle_count >= particles.size();
         if (asked.particles == nullptr || !fits) {
             const std::size_t needed = particles.size();
-            sea->counted_spray =
-                CountedSpray{sea->ocean->revision(), asked.time, settings, std::move(particles)};
+            sea->counted_spray = CountedSpray{sea->ocean->revision(), asked.time, settings, region,
+                                              std::move(particles)};
             if (asked.particles == nullptr) return;
             require_capacity("particle_count", asked.particle_count, needed,
                              "there are " + std::to_string(needed));

@@ -548,6 +548,8 @@ typedef struct {
     ocean_spray_particle* particles;
     size_t particle_count; /* capacity of particles */
     size_t particle_size;
+    double region[4]; /* x0, y0, x1, y1 [m], at least 1 m apart, of a part of a sea with hulls,
+                       * whose wakes throw spray too; all 0: one period of the open sea */
 } ocean_spray_request;
 
 /* ocean_spray writes all particles alive at `time`, in an unspecified but reproducible order.
@@ -555,7 +557,10 @@ typedef struct {
  * else and returns OCEAN_BUFFER_TOO_SMALL; particles = NULL requests the count alone. The sea keeps
  * the particles it has counted: the next call, with room for them, copies them. The first call
  * computes a small map for every tick of the foam's clock within the lifetime; a later time
- * computes the new ticks only, and has the same bits. INVALID_VALUE for settings out of range. */
+ * computes the new ticks only, and has the same bits. The spray of a region is born within it on
+ * cells of its own, has no copies, and is that of `ocean bake --region` for a region of whole
+ * cells; over a bed it is always that of the whole bed. INVALID_VALUE for settings out of range,
+ * UNSUPPORTED for a region of a sea without a bed and hulls. */
 OCEAN_API ocean_result ocean_spray(ocean_sea* sea, const ocean_spray_request* request,
                                    size_t* count);
 

@@ -4,6 +4,7 @@
 // Spray through the C API: counted and copied without being computed twice, the same particles from
 // frame to frame, what is refused.
 #include <math.h>
+#include <stddef.h>
 
 #include "tests.h"
 
@@ -111,6 +112,12 @@ void spray_goes_on_from_frame_to_frame(void) {
     before = spray_of(sea, 3.0, &before_count);
     CHECK(after_count == before_count);
     for (size_t i = 0; i < before_count; ++i) CHECK(ids[i] == before[i].id);
+    /* A request of an older header, which ends before its region. */
+    request = usual_request(3.0);
+    request.struct_size = offsetof(ocean_spray_request, region);
+    request.region[2] = NAN;
+    OK(ocean_spray(sea, &request, &after_count));
+    CHECK(after_count == before_count);
     /* Winds below 7 m/s tear off none. */
     OK(ocean_set(sea, "wind_speed", "6"));
     request = usual_request(3.0);
@@ -132,6 +139,10 @@ void bad_spray_requests_are_refused_and_write_nothing(void) {
     REFUSED(OCEAN_INVALID_VALUE, request.most = 0);
     REFUSED(OCEAN_INVALID_VALUE, request.time = INFINITY);
     REFUSED(OCEAN_INVALID_ARGUMENT, request.reserved = 1);
+    REFUSED(OCEAN_INVALID_ARGUMENT, request.region[2] = 40.0);
+    CHECK_HOLDS(ocean_last_error(), "region[3]");
+    REFUSED(OCEAN_INVALID_ARGUMENT, request.region[0] = NAN);
+    REFUSED(OCEAN_UNSUPPORTED, request.region[2] = request.region[3] = 40.0);
     REFUSED(OCEAN_INVALID_ARGUMENT, request.struct_size = 16);
     REFUSED(OCEAN_INVALID_ARGUMENT, request.particles = &particle; request.particle_size = 4);
     BAD_ARGUMENT(ocean_spray(NULL, &request, &count));

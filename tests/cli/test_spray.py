@@ -43,6 +43,23 @@ def test_the_particles_are_those_of_the_library(gale, frame):
         assert (found[name] == getattr(expected, name)).all(), name
 
 
+def test_the_spray_of_a_region_has_the_drops_of_the_bow_wave(gale):
+    sea_file = gale.folder / "hull.toml"
+    low_waves = "significant_wave_height = 0.05\n[[hulls]]\nfactor = 8.0\nwake_resolution = 64\n"
+    sea_file.write_text(GALE + low_waves + "track = [[-20, -160, 0], [20, 160, 0]]\n")
+    options = "--region=-50,-20,80,40 --cell 2 --spray-lifetime 0.3 --spray-density 40"
+    white = "--set foam_coverage=threshold --set foam_threshold=0.85"
+    gale.good("bake hull.toml -o s.ply --frames 3", *SPRAY, *options.split(), *white.split())
+    found = read(gale.folder / "s.ply")
+    with libocean.open(sea_file) as sea:
+        sea.set_all({"foam_coverage": "threshold", "foam_threshold": 0.85})
+        settings = {"lifetime": 0.3, "density": 40.0}
+        expected = sea.spray(2.0 / 24.0, region=(-50.0, -20.0, 80.0, 40.0), **settings)
+        assert len(sea.spray(2.0 / 24.0, **settings).id) == 0
+    assert len(expected.id) > 20 and (found["id"] == expected.id).all()
+    assert abs(found["point"] - expected.position).max() < 1e-5
+
+
 def test_a_mesh_and_spray_are_made_of_each_others_files(gale):
     options = ["--spray-lifetime", "1.5", "--spray-density", "0.7", "--axes", "yup"]
     gale.good("bake gale.toml -o a.ply", *SPRAY, *options, "--set", "seed=4")

@@ -48,3 +48,10 @@ def test_settings_count(windy):
 def test_bad_settings_are_refused(windy, name, value):
     with pytest.raises(libocean.InvalidValueError, match=f"spray: {name} ="):
         windy.spray(3.0, **{name: value})
+
+
+def test_regions_that_do_not_fit_are_refused(windy):
+    with pytest.raises(libocean.InvalidValueError, match=r"spray: region: .* allowed: \(4,\)"):
+        windy.spray(3.0, region=(0.0, 0.0, 40.0))
+    with pytest.raises(libocean.Error, match="it repeats"):
+        windy.spray(3.0, region=(0.0, 0.0, 40.0, 40.0))

@@ -240,6 +240,7 @@ class SprayRequest(ctypes.Structure):
         ("particles", POINTER(SprayParticle)),
         ("particle_count", c_size_t),
         ("particle_size", c_size_t),
+        ("region", c_double * 4),
     ]
 
 

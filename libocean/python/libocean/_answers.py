@@ -149,7 +149,7 @@ class Spray(NamedTuple):
 
     position: npt.NDArray[np.float64]
     """(n, 3) [m]. A particle is born within one period and may leave it; copies of it a period away
-    are equally valid."""
+    are equally valid, but not those of a region."""
     velocity: Array
     """(n, 3) [m/s]."""
     age: Array

@@ -12,7 +12,7 @@ import numpy as np
 
 from . import _abi, _library
 from ._answers import DETAIL_BAND, SPRAY_PARTICLE, Array, Detail, DetailBand, Spray, pointer_to
-from ._checks import number, resolution_or_0, whole, words
+from ._checks import number, resolution_or_0, row, whole, words
 from ._handle import Handle, SeaHandle
 from ._library import choose
 from ._surface import PRODUCTS, channel_number
@@ -207,12 +207,14 @@ class Maps(MapWriter, SeaHandle):
         lifetime: float = 2.0,
         density: float = 0.25,
         most: int = 1_000_000,
+        region: tuple[float, float, float, float] | None = None,
     ) -> Spray:
         """Returns all particles alive at `time` [s]. lifetime: the max age, 0.05 .. 10 s. density:
         particles per m^2 that turns white, 0 .. 1000; winds below 11 m/s tear off fewer, below
         7 m/s none. most: about the max number alive at once; a larger number is thinned evenly. The
         first call makes a small map for every tick of the foam's clock within the lifetime, a later
-        one the new ticks only."""
+        one the new ticks only. region: x0, y0, x1, y1 [m] of a part of a sea with hulls, whose
+        wakes throw spray too; without it the spray is that of one period of the open sea."""
         request = _abi.SprayRequest(
             ctypes.sizeof(_abi.SprayRequest),
             number("time", time),
@@ -220,6 +222,8 @@ class Maps(MapWriter, SeaHandle):
             number("spray: density", density),
             whole("spray: most", most),
         )
+        if region is not None:
+            request.region[:] = row("spray: region", region, 4)
         count = ctypes.c_size_t()
         with self._lock:
             self._call("ocean_spray", ctypes.byref(request), ctypes.byref(count))
