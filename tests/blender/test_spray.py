@@ -96,6 +96,18 @@ def assert_is_spray(ocean, time: float, low=(-150.0, -150.0), shown=None, **sett
     assert shown["radius"][ours] == pytest.approx(SIZE * expected.radius[theirs], rel=1e-6)
 
 
+def noted_sprays(monkeypatch) -> list:
+    """Returns a list that receives the thread of each spray that is made from now on."""
+    makers, make = [], libocean.Sea.spray
+
+    def noting(sea, *arguments, **settings):
+        makers.append(threading.current_thread())
+        return make(sea, *arguments, **settings)
+
+    monkeypatch.setattr(libocean.Sea, "spray", noting)
+    return makers
+
+
 def test_the_points_are_the_librarys_particles(scene, ocean):
     for frame in (49, 50, 20):
         scene.frame_set(frame)
@@ -311,18 +323,84 @@ def test_a_bake_that_plays_has_it_live(scene, ocean, tmp_path):
         assert_is_spray(ocean, (frame - 1) / 24)
 
 
+# Hulls ------------------------------------------------------------------------------
+
+BOAT = """libocean = 1
+[grid]
+resolution = 64
+patch_size = 128.0
+[surface]
+foam_coverage = "threshold"
+foam_threshold = 0.85
+[[waves]]
+wind_speed = 15.0
+significant_wave_height = 0.05
+[[hulls]]
+length = 12.0
+beam = 3.0
+draught = 0.8
+factor = 8.0
+wake_resolution = 64
+track = [[-60.0, -480.0, 10.0], [60.0, 480.0, 10.0]]
+"""
+REGION = {"lifetime": 0.3, "density": 2.0, "region": (-64.0, -64.0, 64.0, 64.0)}
+
+
+@pytest.fixture
+def waked(scene, tmp_path):
+    """A boat on low waves, none of which breaks beside its wake."""
+    scene.render.engine = "CYCLES"
+    (tmp_path / "boat.toml").write_text(BOAT)
+    ob = add_ocean(64, kind="PATCH", use_material=False)
+    bpy.ops.libocean.load_sea(filepath=str(tmp_path / "boat.toml"))
+    with changes.quiet():
+        ob.libocean.spray_lifetime, ob.libocean.spray_density = REGION["lifetime"], 2.0
+    ob.libocean.use_spray = True
+    return ob
+
+
+def assert_is_of_region(ocean, time: float, region=REGION) -> None:
+    shown = points(ocean)
+    with sea_of(ocean) as sea:
+        expected = sea.spray(time, **region)
+    inside = (np.abs(expected.position[:, :2] - np.array(ocean.location)[:2]) < 64.0).all(axis=1)
+    assert inside.sum() > 20
+    assert np.array_equal(np.sort(shown["id"]), np.sort(low_bits(expected.id[inside])))
+    order = np.argsort(shown["id"]), np.argsort(low_bits(expected.id[inside]))
+    place = shown["position"][order[0]] + np.array((*ocean.location[:2], 0.0))
+    assert np.abs(place - expected.position[inside][order[1]]).max() < 1e-4
+
+
+def test_the_wake_of_a_hull_throws_spray(scene, waked):
+    for frame in (25, 26, 13):
+        scene.frame_set(frame)
+        assert_is_of_region(waked, (frame - 1) / 24)
+    # A region lies on quarters of a period, so that a patch on its way keeps its particles.
+    waked.location.x = 10.0
+    scene.frame_set(25)
+    assert_is_of_region(waked, 1.0, {**REGION, "region": (-64.0, -64.0, 96.0, 64.0)})
+    waked.libocean.hulls.clear()
+    changes.tell(waked.libocean)
+    assert points(waked).get("id", np.empty(0)).size == 0
+
+
+def test_the_spray_of_a_wake_is_made_behind_a_draft(scene, waked, monkeypatch):
+    makers = noted_sprays(monkeypatch)
+    monkeypatch.setattr(drafts, "allowed", True)
+    waked.libocean.waves[0].wind_speed = 16.0
+    assert points(waked).get("id", np.empty(0)).size == 0
+    while drafts.step() is not None:
+        pass
+    assert makers[0] != threading.main_thread()
+    assert_is_of_region(waked, 0.0)
+    drafts.close()
+
+
 # While somebody waits ----------------------------------------------------------------
 
 
 def test_a_draft_has_none_and_it_comes_when_values_rest(scene, ocean, monkeypatch):
-    makers = []
-    make = libocean.Sea.spray
-
-    def noting(sea, *arguments, **settings):
-        makers.append(threading.current_thread())
-        return make(sea, *arguments, **settings)
-
-    monkeypatch.setattr(libocean.Sea, "spray", noting)
+    makers = noted_sprays(monkeypatch)
     monkeypatch.setattr(drafts, "allowed", True)
     ocean.libocean.waves[0].wind_speed = 22.0
     assert points(ocean).get("id", np.empty(0)).size == 0

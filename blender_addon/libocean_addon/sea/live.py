@@ -264,8 +264,8 @@ def job(shown: Shown) -> SeaJob | None:
     if settings.use_bake or sea.handle is None:
         return None
     at = time_of(Moment.of_change(), settings, sea)
-    spray = spray_settings(settings) if settings.use_spray else None
-    return sea.job(at, map_sizes(settings, sea)[0], channel_of(settings), spray)
+    size = map_sizes(settings, sea)[0]
+    return sea.job(at, size, channel_of(settings), spray=settings.use_spray)
 
 
 def float_pose(ob, body: tuple[float, ...], moment: Moment):

@@ -48,6 +48,7 @@ class OpenSea(OpenSubject):
             None  # changes, size, channel of cover, time: of the last whole map
         )
         self.took: tuple | None = None  # settings, seconds a sample from the start
+        self.spray_wanted: dict | None = None  # the arguments of libocean.Sea.spray
         self.spray_ready: tuple | None = None  # changes, settings, time: of the last spray
 
     def _open(self, values: sea_text.SeaValues):
@@ -153,19 +154,24 @@ class OpenSea(OpenSubject):
             if self._show(at, size, targets, QUICK[channel]):
                 self.pace.note(size, time.perf_counter() - begun, wanted)
 
-    def job(self, at: float, size: int, channel: str, spray: dict | None) -> SeaJob:
-        """Returns the job that makes the whole map of a time, and its spray if it has any."""
-        return SeaJob(self.handle.clone(), self.changes, at, size, channel, spray)
+    def job(self, at: float, size: int, channel: str, *, spray: bool) -> SeaJob:
+        """Returns the job that makes the whole map of a time, and the spray that is wanted."""
+        sea, wanted = self.handle.clone(), self.spray_wanted if spray else None
+        with_wakes = wanted and "region" in wanted
+        spray_sea = self._spray_sea(wanted).clone() if with_wakes else sea
+        return SeaJob(sea, self.changes, at, size, channel, wanted, spray_sea)
 
     def adopt(self, job: SeaJob) -> bool:
         """Replaces the handle by the handle of a job that has ended. Returns False if the job is of
         no use."""
         if job.failure is not None or job.changes != self.changes:
-            job.sea.close()
+            job.close()
             return False
         with self.lock:
             self.handle.close()
             self.handle = job.sea
+            if job.spray_sea is not job.sea:
+                self.wakes.adopt(job.spray_sea)
             self.took = (self._costs(job.channel), job.seconds / job.size**2)
             self.ready = (job.changes, job.size, job.channel, job.time)
             self.spray_ready = None if job.spray is None else (job.changes, job.spray, job.time)
@@ -173,10 +179,14 @@ class OpenSea(OpenSubject):
 
     # Spray ----------------------------------------------------------------------
 
+    def _spray_sea(self, settings: dict):
+        """Returns the handle that makes spray: for a region the handle with the hulls."""
+        return self.wakes.of(self.values) if "region" in settings else self.handle
+
     def spray(self, at: float, settings: dict):
         """Returns the libocean.Spray of a time [s]."""
         with self.lock:
-            found = self.handle.spray(at, **settings)
+            found = self._spray_sea(settings).spray(at, **settings)
             self.spray_ready = (self.changes, settings, at)
         return found
 

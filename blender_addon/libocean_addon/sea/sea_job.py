@@ -14,20 +14,22 @@ class SeaJob(Job):
     """Makes a clone of a sea ready for the map of one time."""
 
     def __init__(
-        self, sea, changes: int, at: float, size: int, channel: str, spray: dict | None = None
+        self, sea, changes: int, at: float, size: int, channel: str, spray: dict | None, spray_sea
     ) -> None:
+        """spray_sea: the clone that makes the spray, which may be the same."""
         super().__init__((changes, at, size, channel))
         self.sea, self.changes, self.time, self.size, self.channel = sea, changes, at, size, channel
-        self.spray = spray
+        self.spray, self.spray_sea = spray, spray_sea
 
     def work(self) -> None:
         map_ = np.empty((self.size, self.size, 4), np.float32)
         self.sea.fill(self.time, [(map_, ("dx", "dy", "height", self.channel))])
         if self.spray is not None:
-            self.sea.spray(self.time, **self.spray)
+            self.spray_sea.spray(self.time, **self.spray)
 
     def close(self) -> None:
         self.sea.close()
+        self.spray_sea.close()
 
     def status_text(self, name: str) -> str:
         return tr_label("{}: foam {:.0%}", name, self.share)

@@ -45,6 +45,12 @@ class WakeSea:
             self.values = values
         return self.handle
 
+    def adopt(self, handle) -> None:
+        """Replaces the handle by another one of the same values, which has computed more."""
+        if self.handle is not None:
+            self.handle.close()
+        self.handle = handle
+
     def warnings(self, values) -> list[str]:
         """Returns the warnings about the hulls of these values."""
         handle = self.of(values)

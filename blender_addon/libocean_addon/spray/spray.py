@@ -4,7 +4,7 @@
 
     sea.spray(time) -> the period's copies over the mesh -> vertices of a carrier -> points
 
-The carrier is an object in no scene that the modifier of spray_nodes shows. What it holds is of one
+Spray of a sea with hulls is that of the region around the mesh, which has no copies. The carrier is an object in no scene that the modifier of spray_nodes shows. What it holds is of one
 moment: it is empty in a saved file.
 """
 
@@ -31,17 +31,33 @@ _COLUMN = {"FLOAT": "value", "FLOAT_VECTOR": "vector", "INT": "value"}
 # Where the particles are ----------------------------------------------------------
 
 
+def _around(turn: np.ndarray, origin, centre, half) -> tuple[np.ndarray, np.ndarray]:
+    """Returns middle and half sides of the rectangle of the sea around a region of an object, with
+    arguments as those of over_region()."""
+    return (turn[:, :2] @ centre)[:2] + origin[:2], np.abs(turn[:2, :2]) @ half
+
+
+def sea_region(lie: tuple, period: float) -> tuple[float, ...]:
+    """Returns the corners x0, y0, x1, y1 of the sea's region around an object. They lie on quarters
+    of a period: each region has particles of its own, and those of an object that moves should last.
+    lie: the last arguments of over_region()."""
+    middle, reach = _around(*lie)
+    quarter = period / 4.0
+    low = np.floor((middle - reach) / quarter + 1e-6)
+    high = np.ceil((middle + reach) / quarter - 1e-6)
+    return tuple((quarter * np.concatenate([low, high])).tolist())
+
+
 def over_region(
     position: np.ndarray, period: float, turn: np.ndarray, origin, centre, half
 ) -> tuple[np.ndarray, np.ndarray]:
     """The rows of position, (n, 3) in the sea's axes, whose copies a period on lie over a region of
     an object, and where these are in its own axes. turn, origin: the object's in the sea, so that a
     place p of its own is turn p + origin there. centre, half: of the region, along its x and y."""
-    middle = (turn[:, :2] @ centre)[:2] + origin[:2]
+    middle, reach = _around(turn, origin, centre, half)
     low = middle - period / 2.0
     first = position - origin
     first[:, :2] = low + np.mod(position[:, :2] - low, period) - origin[:2]
-    reach = np.abs(turn[:2, :2]) @ half
     copies = np.maximum(np.ceil(reach / period - 0.5 - 1e-9), 0).astype(int)
     rows, places = [], []
     for i in range(-copies[0], copies[0] + 1):
@@ -158,28 +174,32 @@ def _show(ob, modifier, depsgraph, moment) -> None:
         camera = camera.evaluated_get(depsgraph)
     settings, wanted = seen.libocean, live.spray_settings(seen.libocean)
     at = live.time_of(moment, settings, sea)
+    period = float(sea.values.values["patch_size"])
+    lie = (*_lie(settings, seen), *_region(ob, seen, camera, period))
+    if sea.values.hulls and not ob.libocean.use_bake:  # a bake has no wakes
+        wanted = {**wanted, "region": sea_region(lie, period)}
+        x0, y0, x1, y1 = wanted["region"]
+        period = 2.0 * max(x1 - x0, y1 - y0)  # so that no particle has a copy
+    sea.spray_wanted = wanted
     may_wait = moment.moving or (moment.is_redraw and drafts.is_draft(ob.name_full))
     if may_wait and not ob.libocean.use_bake and not sea.is_spray_ready(at, wanted):
         _empty(ob, modifier)
         key = (sea.changes, at, live.map_sizes(settings, sea)[0], live.channel_of(settings))
         drafts.ask(ob.name_full, key, rest=not drafts.is_playing())
         return
-    period = float(sea.values.values["patch_size"])
-    turn, origin = _lie(settings, seen)
-    centre, half = _region(ob, seen, camera, period)
-    lie = np.concatenate([turn.ravel(), origin, centre, half])
-    state = (sea.changes, at, *wanted.values(), settings.spray_size, lie.tobytes())
+    placed = b"".join(part.tobytes() for part in lie)
+    state = (sea.changes, at, *wanted.values(), settings.spray_size, placed)
     if sea.shown.get(carrier.name_full) == state:
         return
     with console.work(ob.name_full, "spray"):
         spray = sea.spray(at, wanted)
-    rows, place = over_region(spray.position, period, turn, origin, centre, half)
+    rows, place = over_region(spray.position, period, *lie)
     low_bits = (spray.id[rows] & 0xFFFFFFFF).astype(np.uint32)
     _fill(
         carrier.data,
         place,
         {
-            "velocity": (spray.velocity[rows] @ turn).astype(np.float32),
+            "velocity": (spray.velocity[rows] @ lie[0]).astype(np.float32),
             "age": spray.age[rows],
             "life": spray.life[rows],
             "radius": spray.radius[rows] * np.float32(settings.spray_size),
