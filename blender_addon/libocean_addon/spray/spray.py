@@ -4,8 +4,9 @@
 
     sea.spray(time) -> the period's copies over the mesh -> vertices of a carrier -> points
 
-Spray of a sea with hulls is that of the region around the mesh, which has no copies. The carrier is an object in no scene that the modifier of spray_nodes shows. What it holds is of one
-moment: it is empty in a saved file.
+Spray of a sea with hulls is that of the region around the mesh, which has no copies. The carrier is
+an object in no scene that the modifier of spray_nodes shows. What it holds is of one moment: it is
+empty in a saved file.
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ def _around(turn: np.ndarray, origin, centre, half) -> tuple[np.ndarray, np.ndar
 
 def sea_region(lie: tuple, period: float) -> tuple[float, ...]:
     """Returns the corners x0, y0, x1, y1 of the sea's region around an object. They lie on quarters
-    of a period: each region has particles of its own, and those of an object that moves should last.
+    of a period: each region has particles of its own, and those of a moving object should last.
     lie: the last arguments of over_region()."""
     middle, reach = _around(*lie)
     quarter = period / 4.0
