@@ -77,38 +77,41 @@ void HullMarks::move_to(double time) {
     gather();
 }
 
+void HullMarks::Box::widen(PathVector place, double margin) {
+    low = {std::min(low.x, place.x - margin), std::min(low.y, place.y - margin)};
+    high = {std::max(high.x, place.x + margin), std::max(high.y, place.y + margin)};
+}
+
 void HullMarks::gather() {
+    if (!pieces_.empty()) all_ = {pieces_.front().from, pieces_.front().from};
     for (std::size_t first = 0; first < pieces_.size(); first += kGroup) {
-        Group group{pieces_[first].from, pieces_[first].from, first,
+        Group group{{pieces_[first].from, pieces_[first].from},
+                    first,
                     std::min(first + kGroup, pieces_.size())};
         for (std::size_t i = first; i < group.end; ++i) {
             const Piece& piece = pieces_[i];
-            const double to_x = piece.from.x + piece.way.x;
-            const double to_y = piece.from.y + piece.way.y;
-            group.low.x = std::min({group.low.x, piece.from.x - piece.margin, to_x - piece.margin});
-            group.low.y = std::min({group.low.y, piece.from.y - piece.margin, to_y - piece.margin});
-            group.high.x =
-                std::max({group.high.x, piece.from.x + piece.margin, to_x + piece.margin});
-            group.high.y =
-                std::max({group.high.y, piece.from.y + piece.margin, to_y + piece.margin});
+            group.box.widen(piece.from, piece.margin);
+            group.box.widen({piece.from.x + piece.way.x, piece.from.y + piece.way.y}, piece.margin);
         }
+        all_.widen(group.box.low, 0.0);
+        all_.widen(group.box.high, 0.0);
         groups_.push_back(group);
     }
 }
 
 float HullMarks::trail(WorldPoint label) const {
     double most = 0.0;
+    if (groups_.empty() || !all_.holds(label)) return 0.0f;
     for (const Group& group : groups_) {
-        if (label.x < group.low.x || label.x > group.high.x || label.y < group.low.y ||
-            label.y > group.high.y) {
-            continue;
-        }
+        if (!group.box.holds(label)) continue;
         for (std::size_t i = group.first; i < group.end; ++i) {
             const Piece& piece = pieces_[i];
             const double x = label.x - piece.from.x;
             const double y = label.y - piece.from.y;
-            const double along = std::clamp(
-                (x * piece.way.x + y * piece.way.y) / (piece.reach * piece.reach), 0.0, 1.0);
+            const double ahead = x * piece.way.x + y * piece.way.y;
+            const double square = piece.reach * piece.reach, beyond = piece.margin * piece.reach;
+            if (ahead < -beyond || ahead > square + beyond) continue;
+            const double along = std::clamp(ahead / square, 0.0, 1.0);
             const double off = std::hypot(x - along * piece.way.x, y - along * piece.way.y);
             if (off >= piece.margin) continue;
             const double lives = (piece.age - along * piece.seconds) / lifetime_;

@@ -37,9 +37,17 @@ class HullMarks {
         double share;         // of foam where it is fresh
         double margin;        // half the width of the trail at most [m]
     };
+    struct Box {
+        PathVector low, high;
+
+        bool holds(WorldPoint place) const {
+            return place.x >= low.x && place.x <= high.x && place.y >= low.y && place.y <= high.y;
+        }
+        void widen(PathVector place, double margin);
+    };
     /// Pieces that follow each other, with the box that holds their trail.
     struct Group {
-        PathVector low, high;
+        Box box;
         std::size_t first, end;
     };
 
@@ -50,6 +58,7 @@ class HullMarks {
     double length_, beam_, lifetime_;
     std::vector<Piece> pieces_;
     std::vector<Group> groups_;
+    Box all_;  // of the groups
     PathVector place_, heading_;
 };
 
