@@ -132,48 +132,6 @@ def test_resolution_and_backend_change_no_sample(ocean):
         assert not np.array_equal(other, small)
 
 
-def test_a_height_field_is_16_bit_and_closed(ocean):
-    upright = ["--set", "choppiness=0"]
-    ocean.bake("-o s.png", *upright)
-    buffer = OpenImageIO.ImageBuf(str(ocean.folder / "s.png"))
-    assert buffer.spec().format == OpenImageIO.UINT16 and buffer.spec().nchannels == 1
-    codes = buffer.get_pixels(OpenImageIO.UINT16)[..., 0]
-    assert codes.shape == (65, 65)
-    assert np.array_equal(codes[0], codes[-1]) and np.array_equal(codes[:, 0], codes[:, -1])
-    ocean.bake("-o s.exr --products height --type float", *upright)
-    height = image(ocean, "s.exr")[1][..., 0]
-    side = dict(
-        line.split(maxsplit=1)
-        for line in (ocean.folder / "s.png.txt").read_text().splitlines()
-        if line and not line.startswith("#") and len(line.split()) > 1
-    )
-    assert "lo" in " ".join(side) and "hi" in " ".join(side)
-    step = np.polyfit(codes[::-1][:64, :64].ravel().astype(float), height.ravel(), 1)
-    fit = np.polyval(step, codes[::-1][:64, :64].astype(float))
-    assert np.abs(fit - height).max() <= (height.max() - height.min()) / 16384.0
-
-
-def test_a_height_field_shows_a_choppy_sea_at_its_places(ocean):
-    """The displacement inverted, as `ocean query` has it."""
-    ocean.bake("-o s.png")
-    codes = OpenImageIO.ImageBuf(str(ocean.folder / "s.png")).get_pixels(OpenImageIO.UINT16)
-    text = (ocean.folder / "s.png.inc").read_text()
-    base, scale = (
-        float(re.search(rf"Ocean_{name} = (.*);", text).group(1)) for name in ("Base", "Scale")
-    )
-    heights = base + scale * codes[::-1, :, 0].astype(float) / 65536.0
-    i, j = np.arange(64), np.arange(64) * 5 % 64
-    ocean.write(
-        "p.csv", "x,y\n" + "".join(f"{a * 3.125},{b * 3.125}\n" for a, b in zip(i, j, strict=True))
-    )
-    query = ["query", "sea.toml", "--points", "p.csv", "--frame", "1", "--refine", "2"]
-    truth = np.array([float(row.split(",")[2]) for row in ocean.good(*query).splitlines()[1:]])
-    assert np.abs(heights[j, i] - truth).max() <= 0.5 * scale / 65536.0 + 1e-6
-    ocean.bake("-o flat.exr --products height --type float")
-    by_label = image(ocean, "flat.exr")[1][..., 0]
-    assert np.abs(by_label[j, i] - truth).max() > 0.01
-
-
 def test_meshes_are_mesh2_of_one_period_or_of_a_view(ocean):
     ocean.bake("-o patch.inc")
     camera = ["--eye", "10,20,6", "--heading", "90", "--field-of-view", "50"]

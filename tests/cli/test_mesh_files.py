@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""PLY and OBJ of a sea, read by meshio, beside the EXR of the same frame, read by OpenImageIO."""
+"""PLY and OBJ of a sea: axes, products, files of earlier versions, cost. What they hold is in
+test_files_read_by_others.py."""
 
 import hashlib
 import json
@@ -8,93 +9,10 @@ import re
 
 import meshio
 import numpy
-import OpenImageIO as oiio
 import pytest
 from conftest import children_seconds
 
 N = 64
-PERIOD = 200.0
-
-
-def with_seam(values):
-    """Samples of one period, and the first of the next."""
-    return numpy.pad(values, ((0, 1), (0, 1)) + ((0, 0),) * (values.ndim - 2), mode="wrap")
-
-
-@pytest.fixture
-def maps(ocean):
-    """Displacement, normal, foam and velocity of frame 3, the bottom row first, z up."""
-    products = "displacement,normal,foam,velocity"
-    ocean.good(
-        "bake sea.toml -o map.exr --frames 3 --products", products,
-        "--type", "float", "--axes", "zup", "--layout", "separate")  # fmt: skip
-
-    found = sorted(path.name for path in ocean.folder.glob("*.exr"))
-    names = {product: next(n for n in found if product in n) for product in products.split(",")}
-
-    def read(product: str):
-        image = oiio.ImageBuf(str(ocean.folder / names[product]))
-        return with_seam(image.get_pixels(oiio.FLOAT)[::-1])
-
-    return read
-
-
-def expected_points(displacement):
-    cell = PERIOD / N
-    x, y = numpy.meshgrid(numpy.arange(N + 1) * cell, numpy.arange(N + 1) * cell)
-    return numpy.dstack([x, y, 0 * x]) + displacement
-
-
-def test_a_ply_has_what_the_maps_have(ocean, maps):
-    ocean.bake("--frames 3 -o a.ply")
-    mesh = meshio.read(ocean.folder / "a.ply")
-    points = mesh.points.reshape(N + 1, N + 1, 3)
-    assert abs(points - expected_points(maps("displacement")[..., :3])).max() < 2e-5
-
-    def attribute(*names):
-        columns = [mesh.point_data[name] for name in names]
-        return numpy.stack(columns, -1).reshape(N + 1, N + 1, len(names))
-
-    assert (attribute("nx", "ny", "nz") == maps("normal")[..., :3]).all()
-    assert (attribute("vx", "vy", "vz") == maps("velocity")[..., :3]).all()
-    assert (attribute("foam")[..., 0] == maps("foam")[..., 0]).all()
-    assert maps("velocity").std() > 0.1
-    # The label over the period, in the names that Blender and MeshLab read.
-    label = numpy.arange(N + 1, dtype="f4") / N
-    assert (attribute("s", "t") == numpy.dstack(numpy.meshgrid(label, label))).all()
-    # Closed: the last column is the first of the next period, to the bit.
-    assert (points[:, -1] == points[:, 0] + [PERIOD, 0, 0]).all()
-    assert (points[-1] == points[0] + [0, PERIOD, 0]).all()
-    triangles = mesh.cells_dict["triangle"]
-    assert triangles.shape == (2 * N * N, 3)
-    # Every inner edge belongs to two triangles, and all faces look up.
-    edges = numpy.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
-    counts = numpy.unique(edges, axis=0, return_counts=True)[1]
-    assert (counts == 1).sum() == 4 * N and (counts <= 2).all()
-    a, b, c = (mesh.points[triangles[:, i]] for i in range(3))
-    assert (numpy.cross(b - a, c - a)[:, 2] > 0).mean() > 0.99
-
-
-def test_an_obj_has_the_same_vertices(ocean, maps):
-    ocean.bake("--frames 3 -o a.ply")
-    ocean.bake("--frames 3 -o a.obj --products normal,foam")
-    ply = meshio.read(ocean.folder / "a.ply")
-    lines = (ocean.folder / "a.obj").read_text().splitlines()
-    vertices = numpy.array([line.split()[1:] for line in lines if line.startswith("v ")], "f4")
-    assert (vertices[:, :3] == ply.points).all()
-    assert (vertices[:, 3] == ply.point_data["foam"]).all()
-    normals = numpy.array([line.split()[1:] for line in lines if line.startswith("vn ")], "f4")
-    assert (normals[:, 0] == ply.point_data["nx"]).all()
-    uv = numpy.array([line.split()[1:] for line in lines if line.startswith("vt ")], "f4")
-    assert (uv == numpy.stack([ply.point_data["s"], ply.point_data["t"]], -1)).all()
-    corners = [
-        corner.split("/") for line in lines if line[:2] == "f " for corner in line.split()[1:]
-    ]
-    assert all(len(corner) == 3 and len(set(corner)) == 1 for corner in corners)
-    ocean.bake("--frames 3 -o b.obj")
-    mesh = meshio.read(ocean.folder / "b.obj")
-    assert abs(mesh.points - ply.points).max() < 1e-5
-    assert (mesh.cells_dict["triangle"] == ply.cells_dict["triangle"]).all()
 
 
 def test_y_up_turns_every_vector(ocean):

@@ -47,13 +47,18 @@ def test_bad_beds_and_maps_that_repeat_are_refused(sea):
 
 def test_a_region_is_the_surface_that_queries_find(sea):
     sea.set_bed(np.tile(np.linspace(-12.0, 3.0, 61), (40, 1)), cell=5.0)
-    maps = sea.region(2.0, (60.0, 50.0), (8, 6), 9.0, ["displacement", "depth", "foam"])
+    fields = ["displacement", "depth", "foam", "normal", "velocity"]
+    maps = sea.region(2.0, (60.0, 50.0), (8, 6), 9.0, fields)
     assert maps["displacement"].shape == (6, 8, 3) and maps["depth"].shape == (6, 8)
     labels = np.stack(np.meshgrid(60.0 + 9.0 * np.arange(8), 50.0 + 9.0 * np.arange(6)), axis=-1)
     places = (labels + maps["displacement"][..., :2]).reshape(-1, 2)
     found = sea.query(places, 2.0)
     heights = maps["displacement"][..., 2].ravel()
     assert np.abs(found[:, 2] - heights).max() < 1e-4
+    for name, columns in (("normal", slice(3, 6)), ("velocity", slice(6, 9))):
+        assert np.abs(maps[name].reshape(-1, 3) - found[:, columns]).max() < 1e-3
+    bed = 0.05 * places[:, 0] - 12.0
+    assert np.abs(maps["depth"].ravel() - (heights - bed)).max() < 1e-4
     buffer = np.zeros((6, 8, 2), np.float32)
     sea.fill_region(2.0, [(buffer, ["height", "depth"])], (60.0, 50.0), 9.0)
     assert (buffer[..., 0].ravel() == heights).all()
