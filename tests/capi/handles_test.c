@@ -100,6 +100,7 @@ void null_is_refused_everywhere(void) {
     ocean_request request = {.struct_size = sizeof(ocean_request), .output_count = 1};
     char text[64];
     size_t size = sizeof(text);
+    BAD_ARGUMENT(ocean_clone(NULL, NULL, &other));
     BAD_ARGUMENT(ocean_open(NULL, NULL, &other));
     BAD_ARGUMENT(ocean_open("x", NULL, NULL));
     BAD_ARGUMENT(ocean_parse(NULL, 0, NULL, NULL, &other));
@@ -189,93 +190,22 @@ void errors_have_their_parts(void) {
     CHECK(strlen(ocean_last_error_field(OCEAN_ERROR_VALUE)) < 2048);
 }
 
-void set_of_a_record_reads_it(void) {
-    static const char text[] =
-        "libocean = 1\n"
-        "[grid]\n"
-        "resolution = 64\n"
-        "[[waves]]\n"
-        "spectrum = \"measured\"\n"
-        "file = \"ndbc_41010.data_spec\"\n";
-    const size_t bytes = kSmallCount * sizeof(float);
-    ocean_sea* sea = NULL;
-    float *first, *other, *kept;
-    OK(ocean_parse(text, strlen(text), LIBOCEAN_TEST_DATA "/spectra", NULL, &sea));
-    if (sea == NULL) return;
-    first = planar_map(sea, 1.0, 0, OCEAN_HEIGHT);
-    OK(ocean_set(sea, "record", "2020-06-07T22:50"));
-    other = planar_map(sea, 1.0, 0, OCEAN_HEIGHT);
-    CHECK(memcmp(first, other, bytes) != 0);
-    CHECK_RESULT(OCEAN_NOT_FOUND, ocean_set(sea, "record", "1999-01-01T00:00"));
-    CHECK_RESULT(OCEAN_BAD_FILE, ocean_set(sea, "file", "nowhere.data_spec"));
-    kept = planar_map(sea, 1.0, 0, OCEAN_HEIGHT);
-    CHECK(memcmp(kept, other, bytes) == 0);
-    ocean_free(sea);
-}
-
-void values_that_go_together_are_set_together(void) {
+void bad_lists_and_names_of_waves_are_refused(void) {
     const char* const limits[] = {"shortest_wavelength", "longest_wavelength"};
     const char* const metres[] = {"50", "100"};
-    const char* const crossed[] = {"200", "150"};
-    const char* const with_unknown[] = {"shortest_wavelength", "no_such_thing"};
     ocean_sea* sea = small_sea(NULL);
     OK(ocean_set_all(sea, limits, metres, 2));
-    BAD_VALUE(ocean_set_all(sea, limits, crossed, 2));
-    BAD_VALUE(ocean_set_all(sea, with_unknown, crossed, 2));
-    CHECK(has_value(sea, "shortest_wavelength", "50"));
-    CHECK(has_value(sea, "longest_wavelength", "100"));
     OK(ocean_set_all(sea, NULL, NULL, 0));
     BAD_ARGUMENT(ocean_set_all(sea, limits, NULL, 2));
     BAD_ARGUMENT(ocean_set_all(NULL, limits, metres, 2));
-}
-
-void wave_systems_come_and_go(void) {
-    ocean_sea* sea = small_sea(NULL);
-    float* alone = planar_map(sea, 1.0, 0, OCEAN_HEIGHT);
-    float* map;
-    char* resolved;
     BAD_VALUE(ocean_add_waves(sea, "waves.2"));
     BAD_VALUE(ocean_add_waves(sea, "swell"));
     BAD_VALUE(ocean_add_waves(sea, "waves.-1"));
     BAD_VALUE(ocean_remove_waves(sea, "waves.0"));
     BAD_VALUE(ocean_remove_waves(sea, "waves.1"));
-    OK(ocean_add_waves(sea, "waves.1"));
-    OK(ocean_set(sea, "waves.1.wind_speed", "7"));
-    OK(ocean_perform(sea, 2.0, "waves.1.wind_direction", "80"));
-    map = planar_map(sea, 1.0, 0, OCEAN_HEIGHT);
-    CHECK(memcmp(map, alone, kSmallCount * sizeof(float)) != 0);
-    /* Those behind it, and what is performed of them, go up and down with their numbers. */
-    OK(ocean_add_waves(sea, "waves.0"));
-    CHECK(has_value(sea, "waves.1.wind_speed", "12"));
-    CHECK(has_value(sea, "waves.2.wind_speed", "7"));
-    CHECK_HOLDS(whole_text(ocean_text, sea), "waves.2.wind_direction");
-    OK(ocean_remove_waves(sea, "waves.0"));
-    OK(ocean_remove_waves(sea, "waves.1"));
-    resolved = whole_text(ocean_text, sea);
-    CHECK(strstr(resolved, "waves.1") == NULL && strstr(resolved, "waves.2") == NULL);
-    map = planar_map(sea, 1.0, 0, OCEAN_HEIGHT);
-    CHECK(memcmp(map, alone, kSmallCount * sizeof(float)) == 0);
     for (int i = 1; i < 16; ++i) OK(ocean_add_waves(sea, "waves.1"));
     BAD_VALUE(ocean_add_waves(sea, "waves.1"));
-}
-
-void a_performed_sea_is_made_again_by_its_text(void) {
-    enum { kFrames = 12 };
-    float* shown[kFrames];
-    ocean_sea* sea = small_sea(NULL);
-    ocean_sea* again;
-    for (int frame = 0; frame < kFrames; ++frame) {
-        const double time = 10.0 + frame / 24.0;
-        if (frame == 3) OK(ocean_perform(sea, time, "wind_speed", "9"));
-        if (frame == 7) OK(ocean_perform(sea, time, "choppiness", "1.4"));
-        shown[frame] = planar_map(sea, time, 0, frame % 2 == 0 ? OCEAN_FOAM : OCEAN_HEIGHT);
-    }
-    BAD_VALUE(ocean_perform(sea, 10.0, "wind_speed", "8"));
+    OK(ocean_perform(sea, 10.0, "waves.1.wind_direction", "80"));
+    BAD_VALUE(ocean_perform(sea, 9.0, "wind_speed", "8"));
     BAD_VALUE(ocean_perform(sea, 20.0, "grid.resolution", "128"));
-    again = sea_of(whole_text(ocean_text, sea));
-    for (int frame = kFrames - 1; frame >= 0; --frame) {
-        float* map =
-            planar_map(again, 10.0 + frame / 24.0, 0, frame % 2 == 0 ? OCEAN_FOAM : OCEAN_HEIGHT);
-        CHECK(memcmp(map, shown[frame], kSmallCount * sizeof(float)) == 0);
-    }
 }

@@ -1,14 +1,11 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Spray through the C API: counted and copied without being computed twice, the same particles from
-// frame to frame, what is refused.
+// Spray through the C API: counted and copied without being computed twice, what is refused.
 #include <math.h>
 #include <stddef.h>
 
 #include "tests.h"
-
-static const double kFrame = 1.0 / 24.0;
 
 static ocean_sea* open_windy_sea(const ocean_options* options) {
     ocean_sea* sea = small_sea(options);
@@ -77,52 +74,24 @@ void spray_is_counted_then_copied(void) {
     CHECK(memcmp(alone, particles, count * sizeof(*particles)) != 0);
 }
 
-void spray_goes_on_from_frame_to_frame(void) {
+void a_smaller_particle_has_fewer_members_filled(void) {
     ocean_sea* sea = open_windy_sea(NULL);
-    size_t before_count = 0;
-    size_t after_count = 0;
-    ocean_spray_particle* before = spray_of(sea, 3.0, &before_count);
-    ocean_spray_particle* after = spray_of(sea, 3.0 + kFrame, &after_count);
-    size_t gone_on = 0;
-    for (size_t i = 0; i < before_count; ++i) {
-        const ocean_spray_particle was = before[i];
-        CHECK(was.age >= 0.0f && was.age < was.life && was.life <= 2.0f);
-        CHECK(was.radius > 1e-5f && was.radius < 1e-3f);
-        for (size_t j = 0; j < after_count; ++j) {
-            const ocean_spray_particle is = after[j];
-            if (is.id != was.id) continue;
-            ++gone_on;
-            CHECK(is.life == was.life && is.radius == was.radius);
-            CHECK(fabs(is.age - was.age - kFrame) < 1e-5);
-            for (int c = 0; c < 3; ++c) {
-                const double mean = 0.5 * (was.velocity[c] + is.velocity[c]);
-                const double moved = is.position[c] - was.position[c];
-                CHECK(fabs(moved - mean * kFrame) < 0.05);
-            }
-        }
-    }
-    CHECK(gone_on > before_count * 9 / 10);
-    /* A smaller struct has fewer members filled. */
+    size_t count = 0, again = 0;
+    ocean_spray_particle* whole = spray_of(sea, 3.0, &count);
     ocean_spray_request request = usual_request(3.0);
-    uint64_t* ids = scratch(before_count * sizeof(*ids));
+    uint64_t* ids = scratch(count * sizeof(*ids));
     request.particles = (ocean_spray_particle*)(void*)ids;
-    request.particle_count = before_count;
+    request.particle_count = count;
     request.particle_size = sizeof(*ids);
-    OK(ocean_spray(sea, &request, &after_count));
-    before = spray_of(sea, 3.0, &before_count);
-    CHECK(after_count == before_count);
-    for (size_t i = 0; i < before_count; ++i) CHECK(ids[i] == before[i].id);
+    OK(ocean_spray(sea, &request, &again));
+    CHECK(again == count && count > 100);
+    for (size_t i = 0; i < count; ++i) CHECK(ids[i] == whole[i].id);
     /* A request of an older header, which ends before its region. */
     request = usual_request(3.0);
     request.struct_size = offsetof(ocean_spray_request, region);
     request.region[2] = NAN;
-    OK(ocean_spray(sea, &request, &after_count));
-    CHECK(after_count == before_count);
-    /* Winds below 7 m/s tear off none. */
-    OK(ocean_set(sea, "wind_speed", "6"));
-    request = usual_request(3.0);
-    OK(ocean_spray(sea, &request, &before_count));
-    CHECK(before_count == 0);
+    OK(ocean_spray(sea, &request, &again));
+    CHECK(again == count);
 }
 
 void bad_spray_requests_are_refused_and_write_nothing(void) {

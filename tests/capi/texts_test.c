@@ -92,18 +92,6 @@ void texts_say_their_size_and_never_overrun(void) {
     }
 }
 
-void resolved_text_gives_the_same_sea(void) {
-    ocean_sea* sea = small_sea(NULL);
-    ocean_sea* again;
-    char* text;
-    OK(ocean_set(sea, "wind_speed", "9.123456789012345"));
-    text = whole_text(ocean_text, sea);
-    again = sea_of(text);
-    CHECK(strcmp(text, whole_text(ocean_text, again)) == 0);
-    CHECK(memcmp(planar_map(sea, 12.0, 0, OCEAN_HEIGHT), planar_map(again, 12.0, 0, OCEAN_HEIGHT),
-                 kSmallCount * sizeof(float)) == 0);
-}
-
 /* The text would not open; the sentence is that of whoever asks the sea for anything else. */
 static void check_contradiction(ocean_sea* sea, const char* sentence) {
     char text[32];
@@ -127,27 +115,8 @@ void a_sea_of_contradictions_has_no_text(void) {
     CHECK_HOLDS(whole_text(ocean_text, sea), "longest_wavelength = 6");
 }
 
-void presets_open(void) {
-    char* names = whole_text(preset_names, NULL);
+void what_is_not_found_has_no_text(void) {
     size_t size = 0;
-    CHECK(names[0] == '[' && names[strlen(names) - 1] == ']');
-    CHECK_HOLDS(names, "\"beaufort_12\"");
-    CHECK_HOLDS(names, "\"seed_thesis\"");
-    sea_of(whole_text(preset, NULL));
     CHECK_RESULT(OCEAN_NOT_FOUND, ocean_preset("beaufort_13", NULL, &size));
-}
-
-void records_of_a_buoy_are_listed(void) {
-    char* json = whole_text(records, NULL);
-    size_t size = 0;
-    CHECK(json[0] == '[');
-    CHECK_HOLDS(json, "\"significant_wave_height\"");
     CHECK_RESULT(OCEAN_BAD_FILE, ocean_records_json("no such buoy", NULL, &size));
-}
-
-void water_types_are_listed(void) {
-    char* json = whole_text(water_types, NULL);
-    CHECK(json[0] == '[');
-    CHECK(strstr(json, "\"jerlov_i\"") != NULL && strstr(json, "\"jerlov_9c\"") != NULL);
-    CHECK_HOLDS(json, "\"absorption\": [0.277, 0.0724, 0.0572]");
 }

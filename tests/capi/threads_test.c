@@ -278,26 +278,6 @@ void a_progress_function_ends_a_call_and_the_sea_goes_on(void) {
     CHECK(sea == NULL);
 }
 
-void a_clone_gives_the_same_maps_and_changes_alone(void) {
-    const ocean_options one = {.struct_size = sizeof(ocean_options), .threads = 1};
-    ocean_sea* sea = open_small_sea(NULL);
-    float* of_sea = planar_map(sea, 3.0, 0, OCEAN_HEIGHT);
-    ocean_sea* clone = NULL;
-    float* map;
-    OK(ocean_clone(sea, &one, &clone));
-    map = planar_map(clone, 3.0, 0, OCEAN_HEIGHT);
-    CHECK(memcmp(of_sea, map, kSmallCount * sizeof(float)) == 0);
-    OK(ocean_set(clone, "wind_speed", "5"));
-    map = planar_map(clone, 3.0, 0, OCEAN_HEIGHT);
-    CHECK(memcmp(of_sea, map, kSmallCount * sizeof(float)) != 0);
-    map = planar_map(sea, 3.0, 0, OCEAN_HEIGHT);
-    CHECK(memcmp(of_sea, map, kSmallCount * sizeof(float)) == 0);
-    ocean_free(sea);
-    map = planar_map(clone, 4.0, 0, OCEAN_HEIGHT); /* lives on without it */
-    ocean_free(clone);
-    BAD_ARGUMENT(ocean_clone(NULL, NULL, &clone));
-}
-
 void the_host_s_rounding_changes_nothing_and_stays(void) {
     ocean_sea* sea = open_small_sea(NULL);
     ocean_sea* other = open_small_sea(NULL);

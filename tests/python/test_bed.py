@@ -45,6 +45,17 @@ def test_bad_beds_and_maps_that_repeat_are_refused(sea):
         sea.surface(0.0, 32, ["height"])
 
 
+def test_exact_queries_over_a_bed_sum_the_modes(sea):
+    sea.set_bed(BEACH, origin=(-20.0, 0.0), cell=5.0)
+    found, exact = (sea.samples([[3.0, 7.0]], 4.0, exact=exact) for exact in (False, True))
+    assert abs(found.height[0] - exact.height[0]) < 1e-4 and exact.height[0] != 0.0
+    assert found.height_error >= 0.0
+    with pytest.raises(libocean.UnsupportedError, match="reads all waves of the grid"):
+        sea.samples([[3.0, 7.0]], 4.0, exact=True, resolution=16)
+    with pytest.raises(libocean.UnsupportedError):
+        sea.perform(1.0, "wind_speed", 12)
+
+
 def test_a_region_is_the_surface_that_queries_find(sea):
     sea.set_bed(np.tile(np.linspace(-12.0, 3.0, 61), (40, 1)), cell=5.0)
     fields = ["displacement", "depth", "foam", "normal", "velocity"]

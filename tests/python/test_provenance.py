@@ -46,6 +46,7 @@ def test_headers_are_those_of_a_bake(sea):
         "ocean:unit": "m",
     }
     assert "ocean:field" not in sea.provenance(7, 1.5)
+    assert sea.provenance(7, 1.5, "cover", axes="tnb")["ocean:axes"] == "zup"  # the same in all
     with libocean.parse(sea.text, backend="dft") as other:
         assert other.provenance(7, 1.5)["ocean:backend"] == "dft"
 

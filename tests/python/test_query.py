@@ -35,6 +35,13 @@ def test_float_poses_are_tilted_frames_on_the_surface(sea):
     np.testing.assert_allclose(np.sin(np.radians(pose.roll)), port[:, 2], atol=1e-6)
     heights = sea.query([body[:2] for body in bodies], TIME)[:, 2]
     assert np.std(pose.position[:, 2] - heights) < 0.1 * heights.std()
+    # A small body lies as the surface, its bow to the north; one of 10 km is level.
+    small = sea.float_pose([[30.0, 40.0, 90.0, 0.5, 0.2], [-7.0, 1e6, 0.0, 1e4, 50.0]], TIME)
+    (there,) = sea.query([[30.0, 40.0]], TIME)
+    assert np.abs(small.position[0] - there[:3]).max() < 1e-6
+    assert np.abs(small.up[0] - there[3:6]).max() < 1e-6
+    assert abs(small.forward[0, 0]) < 1e-6 and small.forward[0, 1] > 0.5
+    assert small.up[1, 2] > 0.999
 
 
 def test_shapes_that_are_no_points_are_refused(sea):
@@ -90,11 +97,23 @@ def test_water_at_any_depths_is_that_of_each_depth(sea):
         rows = [i for i, point in enumerate(points) if point[2] == z]
         alone = sea.orbital_velocity([points[i][:2] for i in rows], 4.0, z)
         assert np.array_equal(water.velocity[rows], alone)
+    most = [np.abs(water.pressure[k::3]).max() for k in range(3)]
+    assert 60000.0 > most[0] > max(3000.0, most[1]) and most[1] > most[2] > 0.0
     exact = sea.water(points, 4.0, exact=True)
     assert np.abs(water.pressure - exact.pressure).max() < 0.01 * exact.pressure.std()
     assert exact.pressure.std() > 100.0
     with pytest.raises(libocean.Error, match="shape"):
         sea.water([(1.0, 2.0)], 4.0)
+
+
+def test_water_moves_up_and_down_as_the_surface_and_less_below(sea):
+    """With no displacement the shown point is the label."""
+    sea.set("choppiness", 0)
+    points = np.column_stack([14.6 * np.arange(100), 14.6 * np.arange(100) + 7.3])
+    above, still, below = (sea.orbital_velocity(points, TIME, z) for z in (1.0, 0.0, -20.0))
+    assert np.array_equal(above, still)
+    assert np.abs(still[:, 2] - sea.query(points, TIME)[:, 8]).max() < 1e-5
+    assert 0.0 < (below**2).sum() < 0.2 * (still**2).sum()
 
 
 def test_gauges_read_the_water_and_the_surface(sea):
@@ -105,8 +124,9 @@ def test_gauges_read_the_water_and_the_surface(sea):
     assert np.allclose(read[:, 1, 1], 10.0 + read[:, 1, 0])
     assert np.allclose(read[:, 2, 2], 2.0 * (read[:, 2, 0] - 2.0))
     for row in read.reshape(-1, 10):
-        height = sea.query(row[1:3], row[0], foam=False)[0, 2]
-        assert abs(row[3] - height) < 0.01
+        (found,) = sea.query(row[1:3], row[0], foam=False)
+        assert abs(row[3] - found[2]) < 0.01
+        assert np.abs(row[4:6] + found[3:5] / found[5]).max() < 0.02
     water = sea.water([(10.0, 5.0, -2.0)], 3.0, exact=True)
     assert np.allclose(read[2, 0, 6:9], water.velocity[0], atol=1e-6)
     assert np.isclose(read[2, 0, 9], water.pressure[0], rtol=1e-5)

@@ -75,7 +75,44 @@ def test_lazy_and_named_fields_are_the_same_bits(sea):
     named = sea.surface(7.0, resolution=128, fields=("normal", "height"))
     assert lazy.resolution == 128
     assert (lazy.height == named.height).all() and (lazy.normal == named.normal).all()
-    assert sea.surface(7.0, fields="height").height.shape == (64, 64)
+    coarse = sea.surface(7.0, fields="height").height
+    assert coarse.shape == (64, 64)
+    assert np.std(lazy.height[::2, ::2] - coarse) < 2e-6 * coarse.std()
+
+
+def filled(sea, *names, axes="zup"):
+    """The components of a buffer of these channels."""
+    buffer = np.empty((64, 64, len(names)), np.float32)
+    sea.fill(3.0, [(buffer, names)], axes=axes)
+    return np.moveaxis(buffer, -1, 0)
+
+
+def test_interleaved_buffers_hold_the_planar_maps(sea):
+    names = libocean.CHANNELS[:9] + libocean.CHANNELS[11:14]
+    planar = [filled(sea, name)[0] for name in names]
+    for first in range(12):
+        several = [(first + step) % 12 for step in (0, 2, 5, 7)]
+        for count in range(1, 5):
+            found = filled(sea, *(names[k] for k in several[:count]))
+            assert np.array_equal(found, [planar[k] for k in several[:count]])
+
+
+def test_axes_turn_whole_vectors_only(sea):
+    (other,) = filled(sea, "jacobian")
+    for names in (("dx", "dy", "height"), ("nx", "ny", "nz"), ("vx", "vy", "vz")):
+        x, y, z = (filled(sea, name)[0] for name in names)
+        for axes, sign in (("yup", -1), ("tnb", 1)):
+            turned = [x, z, sign * y]
+            assert np.array_equal(filled(sea, *names, "jacobian", axes=axes), [*turned, other])
+            assert np.array_equal(filled(sea, "jacobian", *names, axes=axes), [other, *turned])
+        assert np.array_equal(filled(sea, *names[:2], axes="tnb"), [x, y])
+    for parts in (
+        ("nx", "ny", "height", "dy"),
+        ("vx", "jacobian", "vz", "vy"),
+        ("dy", "dx", "height"),
+        ("dx_x", "dy_y", "dx_y"),
+    ):
+        assert np.array_equal(filled(sea, *parts, axes="yup"), filled(sea, *parts))
 
 
 def test_axes_turn_vectors(sea):
@@ -182,6 +219,14 @@ def test_parse_finds_a_buoy_beside_base_dir():
     text = 'libocean = 1\n[[waves]]\nspectrum = "measured"\nfile = "ndbc_41010.data_spec"\n'
     with libocean.parse(text, base_dir=DATA / "spectra") as sea:
         asked = sea.state["significant_wave_height"]["asked"]
+        before = sea.surface(1.0).height
+        for name, value, code in (("record", "1999-01-01T00:00", 4), ("file", "nowhere", 3)):
+            with pytest.raises(libocean.Error) as refused:
+                sea.set(name, value)
+            assert refused.value.code == code
+        assert np.array_equal(sea.surface(1.0).height, before)
+        sea.set("record", "2020-06-07T22:50")
+        assert not np.array_equal(sea.surface(1.0).height, before)
     record = libocean.records(DATA / "spectra" / "ndbc_41010.data_spec")[0]
     assert abs(asked / record["significant_wave_height"] - 1) < 0.01
 
@@ -372,17 +417,18 @@ def test_fill_keeps_gaps_between_rows_and_closes_the_seam(sea):
 def test_cascades_add_up_to_the_sea():
     sea = libocean.parse(SMALL)
     sea.set("cascades", 2)
-    whole = sea.surface(3.0, 512)
-    periods = sea.cascade_periods
-    total = np.zeros((512, 512), np.float32)
+    names, periods = ("dx", "height", "vy", "dx_x"), sea.cascade_periods
+    whole, part = (np.empty((512, 512, 4), np.float32) for _ in range(2))
+    sea.fill(3.0, [(whole, names)])
+    total = np.zeros((512, 512, 4))
     for number, period in enumerate(periods):
-        part = np.empty((512, 512, 1), np.float32)
-        sea.fill(3.0, [(part, ("dx_x",))], cascade=number)
+        sea.fill(3.0, [(part, names)], cascade=number)
         places = np.arange(512) * round(periods[0] / period) % 512
-        total += part[np.ix_(places, places)][..., 0]
-    assert np.abs(total - whole.derivatives[..., 0]).max() < 1e-5 * whole.derivatives.std()
+        total += part[np.ix_(places, places)]
+    error = np.sqrt(np.mean((total - whole) ** 2, axis=(0, 1)))
+    assert (error < 2e-6 * whole.std(axis=(0, 1))).all()
     with pytest.raises(libocean.InvalidValueError, match="jacobian"):
-        sea.fill(3.0, [(part, ("jacobian",))], cascade=0)
+        sea.fill(3.0, [(part[..., :1].copy(), ("jacobian",))], cascade=0)
 
 
 def test_wave_systems_come_and_go(sea):
