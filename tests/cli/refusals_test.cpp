@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Claims: each command line of the folder `refusals` ends with its exit code and its one sentence,
-// prints nothing else and changes no file. A group of rows has its commands, files and steps that
-// prepare them; the key of a row ends the command line, takes the place of {} in it, or is the
-// content of the group's `file`. test_refusals.py runs the first row of each group end to end.
+// prints nothing else and changes no file. A table is of one program, a group of rows has its
+// commands, files and steps that prepare them; the key of a row ends the command line, takes the
+// place of {} in it, or is the content of the group's `file`, or of {} in its `text`.
+// test_refusals.py runs the first row of each group end to end.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -20,6 +22,12 @@
 #include "ocean_program.hpp"
 #include "seafile/corpus.hpp"
 #include "temporary_folder.hpp"
+#if OCEAN_HAS_BRIDGE
+#include "bridge_program.hpp"
+#endif
+#if OCEAN_HAS_PREVIEW
+#include "preview_program.hpp"
+#endif
 
 namespace ocean::test {
 namespace {
@@ -32,18 +40,38 @@ struct Outcome {
     std::string error;
 };
 
+using Main = int (*)(int argc, char** argv);
+
+int run_whole_ocean(int argc, char** argv) {
+    return app::run_ocean(argc, argv, app::ocean_catalogue());
+}
+
+const std::map<std::string, Main> kPrograms = {
+    {"ocean", &run_whole_ocean},
+#if OCEAN_HAS_BRIDGE
+    {"ocean-bridge", &app::run_bridge},
+#endif
+#if OCEAN_HAS_PREVIEW
+    {"ocean-preview", &app::run_preview},
+#endif
+};
+
 /// Runs the words of a line, of which double quotes surround those with blanks and empty ones.
-Outcome run(const std::string& line) {
-    std::vector<std::string> words = {"ocean"};
+Outcome run(const std::string& program, const std::string& line) {
+    std::vector<std::string> words = {program};
     std::istringstream stream(line);
     for (std::string word; stream >> std::quoted(word);) words.push_back(word);
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
-    const int code = app::run_ocean(static_cast<int>(arguments.size()), arguments.data(),
-                                    app::ocean_catalogue());
+    const int code = kPrograms.at(program)(static_cast<int>(arguments.size()), arguments.data());
     return {code, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+}
+
+std::string with(std::string text, const std::string& key) {
+    const std::size_t place = text.find("{}");
+    return place == std::string::npos ? text : text.replace(place, 2, key);
 }
 
 /// A name that ends with a slash is a folder.
@@ -64,33 +92,30 @@ std::map<fs::path, std::string> contents() {
     return found;
 }
 
-void expect_refusal(const std::string& line, int code, const toml::node& sentence) {
+void expect_refusal(const std::string& program, const std::string& line, int code,
+                    const toml::node& sentence) {
     SCOPED_TRACE(line);
     const auto before = contents();
-    const Outcome outcome = run(line);
+    const Outcome outcome = run(program, line);
     if (kPrints) std::cout << line << "\n    " << outcome.error;
     EXPECT_EQ(outcome.code, code);
     EXPECT_EQ(outcome.output, "");
     EXPECT_TRUE(contents() == before) << "a file is another than before";
-    ASSERT_TRUE(outcome.error.starts_with("ocean: ")) << outcome.error;
+    const std::size_t begin = program.size() + 2;
+    ASSERT_TRUE(outcome.error.starts_with(program + ": ")) << outcome.error;
     EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
-    expect_sentence(outcome.error.substr(7, outcome.error.size() - 8), &sentence);
+    expect_sentence(outcome.error.substr(begin, outcome.error.size() - begin - 1), &sentence);
 }
 
-void expect_row(const toml::table& group, const TomlEntry& row) {
+void expect_row(const std::string& program, const toml::table& group, const TomlEntry& row) {
     SCOPED_TRACE("line " + std::to_string(row.line));
     const std::string key = bytes_of(row.key);
     const auto file = group["file"].value<std::string>();
-    if (file) write(*file, key);
+    if (file) write(*file, with(group["text"].value_or("{}"), key));
     for (const toml::node& command : *group["commands"].as_array()) {
         std::string line = text_of(command);
-        const std::size_t place = line.find("{}");
-        if (place != std::string::npos) {
-            line.replace(place, 2, key);
-        } else if (!file) {
-            line += " " + key;
-        }
-        expect_refusal(line, group["code"].value_or(2), *row.node);
+        if (!file && line.find("{}") == std::string::npos) line += " {}";
+        expect_refusal(program, with(line, key), group["code"].value_or(2), *row.node);
     }
 }
 
@@ -98,6 +123,9 @@ class Refusals : public testing::TestWithParam<fs::path> {};
 
 TEST_P(Refusals, AreThoseOfTheTable) {
     const toml::table table = read_table(GetParam());
+    const std::string program = table["program"].value_or("ocean");
+    if (!kPrograms.contains(program)) GTEST_SKIP() << program << " was not built";
+    for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY"}) unsetenv(display);
     for (const toml::node& node : *table["group"].as_array()) {
         const toml::table& group = *node.as_table();
         const TemporaryFolder folder;
@@ -106,10 +134,10 @@ TEST_P(Refusals, AreThoseOfTheTable) {
         write_files(table.get("files"));
         write_files(group.get("files"));
         if (const toml::array* steps = group["prepare"].as_array()) {
-            for (const toml::node& step : *steps) ASSERT_EQ(run(text_of(step)).code, 0);
+            for (const toml::node& step : *steps) ASSERT_EQ(run(program, text_of(step)).code, 0);
         }
         for (const TomlEntry& row : in_file_order(*group["says"].as_table())) {
-            expect_row(group, row);
+            expect_row(program, group, row);
         }
         fs::current_path(fs::temp_directory_path());
     }

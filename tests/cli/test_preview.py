@@ -331,14 +331,6 @@ def test_an_environment_is_the_sky_and_its_sun(folder):
         columns = towards[50:].sum((0, 2)).argsort()[-20:]
         assert numpy.abs(columns - 79.5).mean() < 25.0
 
-    write_exr(folder / "square.exr", sky[:, :height])
-    for arguments, words in (
-        (("--environment", "square.exr"), "128 x 128"),
-        (("--environment", "sky.exr", "--sun", "10,0"), "--sun"),
-    ):
-        done = run(folder, "sea.toml --offscreen no.png", *arguments)
-        assert done.returncode == 2 and words in done.stderr, done.stderr
-
 
 def test_the_look_of_the_teaching_programs(folder):
     asked = ("preset:seed_lantz", "--size", "160x90", "--pitch", 0)

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""A sea over a bed in `ocean-preview`: pictures, probes, wrong input, frame time, a window."""
+"""A sea over a bed in `ocean-preview`: pictures, probes, frame time, a window."""
 
 import numpy
 import pytest
-from test_preview import Hand, good, pictures, run
+from test_preview import Hand, good, pictures
 from test_preview import folder as sea_folder  # noqa: F401
 
 OPEN = """libocean = 1
@@ -64,21 +64,6 @@ def test_the_probe_ends_with_the_water(folder):
     lines = good(folder, "sea.toml --eye 224,96,2 --probe 224,96 --probe 290,96")
     wet, dry = (line.split(",") for line in lines.splitlines())
     assert len(wet) == 7 and len(dry) == 2
-
-
-def test_what_a_coast_cannot_do_is_a_sentence(folder):
-    def told(*arguments) -> str:
-        done = run(folder, *arguments, "--offscreen", "a.png", "--size", "16x16")
-        assert done.returncode == 2 and not (folder / "a.png").exists(), done.stderr
-        return done.stderr
-
-    assert "no such file" in told("sea.toml", "--set", "seabed=none.asc")
-    assert "knows no bed" in told("sea.toml", "--backend", "radix2")
-    known = "0" * 64
-    (folder / "known.toml").write_text(COAST + f'[water.bed_heights]\nsha256 = "{known}"\n')
-    assert "is another bed: its hash is " in told("known.toml")
-    assert f"the bed with the hash {known}" in told("known.toml")
-    assert "no waves" in told("sea.toml", "--set", "waves.0.wind_speed=0")
 
 
 @pytest.mark.parametrize(("height", "land"), [(3.0, True), (-8.0, False)])

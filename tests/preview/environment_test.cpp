@@ -16,6 +16,7 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/water_types.hpp"
 #include "preview_fixture.hpp"
+#include "refusal.hpp"
 #include "sky.hpp"
 #include "wave/wave.hpp"
 
@@ -142,7 +143,8 @@ TEST(Environment, AnOvercastSkyHasNoSun) {
 TEST(Environment, RefusesWhatIsNone) {
     const std::vector<float> rgb(3 * 16 * 8, 1.0f);
     EXPECT_NO_THROW(make_environment(16, 8, rgb));
-    EXPECT_THROW(make_environment(8, 16, rgb), Error);
+    test::expect_refusal(ErrorKind::invalid_value, "an environment of 8 x 16 texels",
+                         [&] { make_environment(8, 16, rgb); });
     EXPECT_THROW(make_environment(16, 8, std::span(rgb).subspan(3)), Error);
     std::vector<float> wrong = rgb;
     wrong[77] = -1.0f;
