@@ -79,31 +79,3 @@ def test_a_lost_frame_turns_the_check_red(ocean):
     done = ocean.shell("cd farm && sh check.sbatch")
     assert done.returncode == 1 and done.stdout.startswith("missing")
     assert ocean.shell(f"{bake} && sh check.sbatch").returncode == 0
-
-
-@pytest.mark.parametrize(
-    ("words", "sentence"),
-    [
-        (("--engine", "slum"), "did you mean slurm"),
-        (("--engine", "slurm", "--tasks", "7"), "--tasks 7: more than the"),
-        (("--engine", "slurm", "--render", "scene.obj"), "a scene of POV-Ray, .pov, or of Blender"),
-        (("--engine", "slurm", "--job", "sea.toml/x"), "sea.toml"),
-        (("--engine", "slurm", "--job", "."), "is an input of this command"),
-        (("--engine", "slurm", "--shard", "1/2"), "--shard"),
-    ],
-)
-def test_what_cannot_be_a_job_is_refused(ocean, words, sentence):
-    before = ocean.files(".")
-    code = 1 if "sea.toml/x" in words else 2
-    assert sentence in ocean.bad("farm sea.toml -o", OUTPUT, *FRAMES, *words, code=code)
-    assert ocean.files(".") == before
-
-
-def test_a_file_of_others_is_not_replaced(ocean):
-    mine = ocean.write("farm/submit.sh", "echo mine")
-    assert "was not written by a farm job" in ocean.bad(*farm("slurm"))
-    assert ocean.files("farm") == ["submit.sh"] and mine.read_text() == "echo mine"
-
-
-def test_frames_are_needed(ocean):
-    assert "--frames" in ocean.bad("farm sea.toml -o", OUTPUT, "--engine", "slurm")
