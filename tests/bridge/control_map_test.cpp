@@ -13,6 +13,7 @@
 
 #include "mistakes.hpp"
 #include "refusal.hpp"
+#include "scripted.hpp"
 
 namespace ocean::bridge {
 namespace {
@@ -66,25 +67,38 @@ std::string knob(const std::string& more) {
     return "[[map]]\nfrom = \"board0/a1\"\nto = \"wind_speed\"\nout = [0, 30]\n" + more;
 }
 
-TEST(ControlMap, TheFirstReportOnlySaysWhereTheKnobIs) {
-    Desk desk(knob(""));
-    EXPECT_EQ(desk.turn(200), 0u);
-    EXPECT_EQ(desk.turn(100), 1u);
-    EXPECT_NEAR(desk.value(), 30.0 * 100 / 255, 1e-4);
+class DeskScript : public testing::TestWithParam<test::Script> {};
+
+TEST_P(DeskScript, SetsWhatItSays) {
+    Desk desk(GetParam().map);
+    for (const auto& [line, words, gives] : GetParam().steps) {
+        SCOPED_TRACE(line);
+        std::size_t settings = 0;
+        if (words[0] == "set") {
+            desk.write(words[1], words[2]);
+        } else if (words[0] == "plug") {
+            desk.plug(words[1]);
+        } else if (words[0] == "pass") {
+            settings = desk.pass(std::stoi(words[1]) * 1ms);
+        } else {
+            const bool hand = words[0] == "hand";
+            settings = desk.turn(std::stod(words.back()), words[hand ? 1 : 0], hand);
+        }
+        if (!gives) continue;
+        std::istringstream given(*gives);
+        std::string name;
+        double value = 0.0;
+        if (given >> name >> value) {
+            EXPECT_NEAR(desk.value(name), value, 1e-6);
+        } else {
+            EXPECT_EQ(name, "nothing");
+            EXPECT_EQ(settings, 0u);
+        }
+    }
 }
 
-TEST(ControlMap, TheRangeEndsAreReachedAndNotLeft) {
-    Desk desk(knob("in = [4, 251]\nhysteresis = 0\n"));
-    desk.turn(100);
-    desk.turn(255);
-    EXPECT_EQ(desk.value(), 30.0);
-    desk.turn(0);
-    EXPECT_EQ(desk.value(), 0.0);
-    Desk inverted(knob("in = [4, 251]\ninvert = true\n"));
-    inverted.turn(100);
-    inverted.turn(255);
-    EXPECT_EQ(inverted.value(), 0.0);
-}
+INSTANTIATE_TEST_SUITE_P(Of, DeskScript, testing::ValuesIn(test::scripts_of("desk.toml")),
+                         test::name_of_script);
 
 TEST(ControlMap, EachCurveRisesFromEndToEnd) {
     for (const Curve curve :
@@ -97,23 +111,6 @@ TEST(ControlMap, EachCurveRisesFromEndToEnd) {
     }
     EXPECT_NEAR(curved(Curve::exp, 1, 0.5), 1.0 / 11.0, 1e-12);  // a decade of two
     EXPECT_NEAR(curved(Curve::log, 1, curved(Curve::exp, 1, 0.3)), 0.3, 1e-12);
-    Desk desk(knob("curve = \"gamma:2\"\nhysteresis = 0\nin = [0, 100]\n"));
-    desk.turn(0);
-    desk.turn(50);
-    EXPECT_NEAR(desk.value(), 7.5, 1e-9);
-}
-
-TEST(ControlMap, AStickRestsInTheMiddle) {
-    Desk desk(knob("in = [0, 200]\ndeadzone = 20\nhysteresis = 0\n"));
-    desk.turn(0);
-    for (const double raw : {80.0, 100.0, 120.0}) {
-        desk.turn(raw);
-        EXPECT_EQ(desk.value(), 15.0) << raw;
-    }
-    desk.turn(160);
-    EXPECT_NEAR(desk.value(), 22.5, 1e-9);
-    desk.turn(200);
-    EXPECT_EQ(desk.value(), 30.0);
 }
 
 /// Wherever the knob rests, and after it was moved there.
@@ -169,111 +166,6 @@ TEST(ControlMap, SmoothingIsByTimeNotByReports) {
     }
 }
 
-TEST(ControlMap, AnotherHandKeepsTheValueUntilTheKnobComesBy) {
-    Desk desk(knob("takeover = \"pickup\"\nin = [0, 300]\nhysteresis = 0\n"));
-    desk.write("wind_speed", "20");
-    desk.turn(0);
-    EXPECT_EQ(desk.turn(100), 0u);
-    EXPECT_EQ(desk.value(), 20.0);
-    EXPECT_EQ(desk.turn(210), 1u);  // past 20
-    EXPECT_EQ(desk.value(), 21.0);
-    EXPECT_EQ(desk.turn(100), 1u);
-    EXPECT_EQ(desk.value(), 10.0);
-    desk.write("wind_speed", "5");
-    EXPECT_EQ(desk.turn(200), 0u);
-    EXPECT_EQ(desk.value(), 5.0);
-}
-
-TEST(ControlMap, ScaledTakeoverMeetsTheKnobAtTheEnd) {
-    Desk desk(knob("takeover = \"scale\"\nin = [0, 300]\nhysteresis = 0\n"));
-    desk.write("wind_speed", "20");
-    desk.turn(0);
-    desk.turn(150);  // half of the way up: half of what is left above
-    EXPECT_NEAR(desk.value(), 25.0, 1e-6);
-    desk.turn(300);
-    EXPECT_NEAR(desk.value(), 30.0, 1e-6);
-    desk.turn(100);
-    EXPECT_NEAR(desk.value(), 10.0, 1e-6);
-}
-
-/// As of a MIDI fader, whose place is not known before it is moved.
-TEST(ControlMap, AKnobThatIsPickedUpNeedsToBeSeenOnBothSides) {
-    Desk desk(knob("takeover = \"pickup\"\nin = [0, 127]\nhysteresis = 0\n"));
-    desk.write("wind_speed", "15");
-    EXPECT_EQ(desk.turn(100, "board0/a1", true), 0u);  // far above, and from nobody knows where
-    EXPECT_EQ(desk.turn(90, "board0/a1", true), 0u);
-    EXPECT_EQ(desk.turn(63, "board0/a1", true), 1u);
-    EXPECT_NEAR(desk.value(), 30.0 * 63 / 127, 1e-4);
-}
-
-TEST(ControlMap, ABoardThatIsBackSetsNothing) {
-    Desk desk(knob("hysteresis = 0\n"));
-    desk.turn(0);
-    EXPECT_EQ(desk.turn(100), 1u);
-    desk.plug("board1");
-    EXPECT_EQ(desk.turn(101), 1u);
-    desk.plug();
-    EXPECT_EQ(desk.turn(200), 0u);  // turned while it was away
-    EXPECT_EQ(desk.turn(201), 1u);
-    EXPECT_NEAR(desk.value(), 30.0 * 201 / 255, 1e-4);
-}
-
-std::string counter(const std::string& more) {
-    return "[[map]]\nfrom = \"board0/c1\"\nto = \"wind_direction\"\nmode = \"increment\"\n" + more;
-}
-
-TEST(ControlMap, EachCountIsAStep) {
-    Desk desk(counter("in = [0, 65535]\nout = [0, 90]\nstep = 5\n"));
-    desk.write("wind_direction", "10");
-    const auto count = [&](double raw) {
-        const std::size_t settings = desk.turn(raw, "board0/c1");
-        return settings == 0 ? -1.0 : desk.value("wind_direction");
-    };
-    EXPECT_EQ(count(65534), -1.0);  // where it stands
-    EXPECT_EQ(count(65534), -1.0);
-    EXPECT_EQ(count(65535), 15.0);
-    EXPECT_EQ(count(1), 25.0);  // past its end
-    EXPECT_EQ(count(65535), 15.0);
-    desk.write("wind_direction", "80");
-    EXPECT_EQ(count(2), 90.0);  // the end of out
-    EXPECT_EQ(count(1), 85.0);
-    desk.plug();
-    EXPECT_EQ(count(7), -1.0);
-}
-
-TEST(ControlMap, CountsGoRoundInsideOut) {
-    Desk desk(counter("in = [0, 127]\nout = [0, 360]\nstep = -50\nwrap = true\n"));
-    desk.write("wind_direction", "70");
-    desk.turn(0, "board0/c1");
-    desk.turn(2, "board0/c1");
-    EXPECT_EQ(desk.value("wind_direction"), 330.0);
-    desk.turn(126, "board0/c1");
-    EXPECT_EQ(desk.value("wind_direction"), 170.0);
-    desk.turn(0, "board0/c1");
-    desk.turn(100, "board0/c1");  // 28 back is shorter than 100 forth
-    EXPECT_EQ(desk.value("wind_direction"), 30.0);
-}
-
-TEST(ControlMap, LargeWholeNumbersAreCountedToo) {
-    Desk desk(
-        "[[map]]\nfrom = \"board0/c1\"\nto = \"seed\"\nmode = \"increment\"\nout = [0, 9999999]\n");
-    desk.write("seed", "1234567");
-    desk.turn(0, "board0/c1");
-    desk.turn(1, "board0/c1");
-    EXPECT_EQ(desk.value("seed"), 1234568.0);
-}
-
-std::string endless(const std::string& code, const std::string& more = "") {
-    return "[[map]]\nfrom = \"m/cc16\"\nto = \"wind_speed\"\nmode = \"relative\"\ncode = \"" +
-           code + "\"\nout = [0, 30]\n" + more;
-}
-
-/// Returns the value after a byte of the endless knob.
-double turned(Desk& desk, int byte, const std::string& name = "wind_speed") {
-    desk.turn(byte, "m/cc16", true);
-    return desk.value(name);
-}
-
 /// The bytes that endless knobs send, as their makers' manuals and the hosts that take them have
 /// it.
 TEST(ControlMap, ABytesStepsByItsCode) {
@@ -297,9 +189,15 @@ TEST(ControlMap, AnEndlessKnobStepsOnFromTheValue) {
     for (const auto& [code, up, two_up, down] : {std::tuple("twos_complement", 0x01, 0x02, 0x7F),
                                                  std::tuple("binary_offset", 0x41, 0x42, 0x3F),
                                                  std::tuple("signed_bit", 0x01, 0x02, 0x41)}) {
-        Desk desk(endless(code));
+        Desk desk(
+            "[[map]]\nfrom = \"m/cc16\"\nto = \"wind_speed\"\nmode = \"relative\"\nout = [0, "
+            "30]\n" +
+            ("code = \"" + std::string(code)) + "\"\n");
         desk.write("wind_speed", "12");
-        const auto turn = [&](int byte) { return turned(desk, byte); };
+        const auto turn = [&](int byte) {
+            desk.turn(byte, "m/cc16", true);
+            return desk.value();
+        };
         EXPECT_NEAR(turn(up), 12.3, 1e-12) << code;  // the first byte counts
         EXPECT_NEAR(turn(up), 12.6, 1e-12) << code;  // and so does the same once more
         EXPECT_NEAR(turn(two_up), 13.2, 1e-12) << code;
@@ -309,35 +207,6 @@ TEST(ControlMap, AnEndlessKnobStepsOnFromTheValue) {
         desk.plug("m");
         EXPECT_NEAR(turn(down), 19.4, 1e-12) << code;
     }
-}
-
-TEST(ControlMap, AnEndlessKnobEndsAtTheEndsOfItsRange) {
-    Desk desk(endless("twos_complement", "step = 5\n"));
-    const auto turn = [&](int byte) { return turned(desk, byte); };
-    desk.write("wind_speed", "22");
-    EXPECT_EQ(turn(2), 30.0);
-    EXPECT_EQ(turn(1), 30.0);
-    EXPECT_EQ(turn(0x7F), 25.0);
-    EXPECT_EQ(turn(0x40), 0.0);
-    EXPECT_EQ(turn(0x7F), 0.0);
-    desk.write("wind_speed", "50");  // beyond `out`: it comes back and does not jump
-    EXPECT_EQ(turn(1), 50.0);
-    EXPECT_EQ(turn(0x7F), 45.0);
-    EXPECT_EQ(turn(1), 45.0);
-    Desk backwards(endless("twos_complement", "step = -0.5\n"));
-    backwards.write("wind_speed", "10");
-    EXPECT_EQ(turned(backwards, 1), 9.5);
-    Desk round(
-        "[[map]]\nfrom = \"m/cc16\"\nto = \"wind_direction\"\nmode = \"relative\"\ncode = "
-        "\"signed_bit\"\nout = [0, 360]\nwrap = true\n");
-    round.write("wind_direction", "358");
-    EXPECT_NEAR(turned(round, 1, "wind_direction"), 1.6, 1e-9);
-    // The step of a whole number is at least one.
-    Desk whole(
-        "[[map]]\nfrom = \"m/cc16\"\nto = \"seed\"\nmode = \"relative\"\ncode = "
-        "\"signed_bit\"\nout = [0, 20]\n");
-    whole.write("seed", "7");
-    EXPECT_EQ(turned(whole, 1, "seed"), 8.0);
 }
 
 /// Without `in` a channel of MIDI has the range that its kind has.
@@ -354,76 +223,6 @@ TEST(ControlMap, AChannelOfMidiIsAsWideAsItsKind) {
         desk.turn(highest, channel, true);
         EXPECT_EQ(desk.value(), 30.0) << channel;
     }
-}
-
-std::string button(const std::string& mode, const std::string& more = "") {
-    return "[[map]]\nfrom = \"board0/d1\"\nto = \"app.pause\"\nmode = \"" + mode + "\"\n" + more;
-}
-
-TEST(ControlMap, ButtonsToggleHoldAndTrigger) {
-    const auto press = [](Desk& desk, int value) {
-        desk.turn(value, "board0/d1");
-        desk.pass(100ms);
-        return desk.value("app.pause");
-    };
-    Desk toggle(button("toggle"));
-    EXPECT_EQ(press(toggle, 0), 0.0);
-    EXPECT_EQ(press(toggle, 1), 1.0);
-    EXPECT_EQ(press(toggle, 0), 1.0);
-    EXPECT_EQ(press(toggle, 1), 0.0);
-    toggle.write("app.pause", "1");
-    press(toggle, 0);
-    EXPECT_EQ(press(toggle, 1), 0.0);  // of what it is, whoever made it so
-    Desk momentary(button("momentary"));
-    EXPECT_EQ(press(momentary, 0), 0.0);
-    EXPECT_EQ(press(momentary, 1), 1.0);
-    EXPECT_EQ(press(momentary, 0), 0.0);
-    Desk trigger(button("trigger", "edge = \"fall\"\n"));
-    EXPECT_EQ(press(trigger, 1), 0.0);
-    EXPECT_EQ(press(trigger, 0), 1.0);
-    EXPECT_EQ(press(trigger, 1), 1.0);
-}
-
-/// A board that does not say where its buttons rest says when they are pressed.
-TEST(ControlMap, TheFirstPressCountsWhereAHandIsSeen) {
-    Desk desk(button("toggle"));
-    desk.turn(127, "board0/d1", true);
-    EXPECT_EQ(desk.value("app.pause"), 1.0);
-    desk.pass(100ms);
-    desk.turn(0, "board0/d1", true);
-    desk.pass(100ms);
-    desk.turn(127, "board0/d1", true);
-    EXPECT_EQ(desk.value("app.pause"), 0.0);
-    desk.pass(100ms);
-    desk.plug();
-    desk.turn(127, "board0/d1", true);  // let go while it was away
-    EXPECT_EQ(desk.value("app.pause"), 1.0);
-    Desk known(button("toggle"));
-    known.turn(1, "board0/d1");
-    EXPECT_EQ(known.value("app.pause"), 0.0);
-}
-
-TEST(ControlMap, AContactThatBouncesIsOnePress) {
-    Desk desk(button("toggle", "debounce_ms = 20\n"));
-    desk.turn(0, "board0/d1");
-    for (int bounce = 0; bounce < 5; ++bounce) {
-        desk.turn(1, "board0/d1");
-        desk.pass(1ms);
-        desk.turn(0, "board0/d1");
-        desk.pass(1ms);
-    }
-    desk.turn(1, "board0/d1");
-    desk.pass(200ms);
-    EXPECT_EQ(desk.value("app.pause"), 1.0);
-    // Released within the time that is not looked at: seen when it is over.
-    Desk momentary(button("momentary", "debounce_ms = 20\n"));
-    momentary.turn(0, "board0/d1");
-    momentary.turn(1, "board0/d1");
-    momentary.pass(5ms);
-    momentary.turn(0, "board0/d1");
-    EXPECT_EQ(momentary.value("app.pause"), 1.0);
-    momentary.pass(50ms);
-    EXPECT_EQ(momentary.value("app.pause"), 0.0);
 }
 
 TEST(ControlMap, OutputsGetEachChangeOnce) {

@@ -7,12 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <fstream>
 #include <sstream>
 #include <utility>
 
-#include "paths.hpp"
+#include "seafile/corpus.hpp"
 
 namespace ocean::bridge {
 namespace {
@@ -31,83 +30,30 @@ std::string lines_of(const std::vector<std::string>& pieces, std::string* replie
     return seen;
 }
 
-std::string each_byte_alone(const std::string& bytes) {
-    std::vector<std::string> pieces;
-    for (const char c : bytes) pieces.emplace_back(1, c);
-    return lines_of(pieces);
-}
-
-TEST(LineSplitter, EndsOfLinesAreThoseOfEveryProgram) {
-    using namespace std::string_literals;
-    EXPECT_EQ(lines_of({"GET a\nGET b\r\nGET c\r\0rest"s}), "[GET a][GET b][GET c]");
-    EXPECT_EQ(lines_of({"half", " a line\n\n"}), "[half a line][]");
-    for (const std::string& bytes :
-         {"a\r\r\nb\r\n"s, "a\rb\r"s, "a\r\r\0b\r\0"s, "a\r\r\r\nb\n"s, "a\r\xFF\xF1\nb\n"s}) {
-        EXPECT_EQ(lines_of({bytes}), "[a][b]") << testing::PrintToString(bytes);
-        EXPECT_EQ(each_byte_alone(bytes), "[a][b]") << testing::PrintToString(bytes);
-    }
-    EXPECT_EQ(lines_of({"a\r"}), "[a]") << "a CR alone is not to wait for what follows";
-    EXPECT_EQ(lines_of({"a\r\n\r\nb\n\n"}), "[a][][b][]");
-}
-
-TEST(LineSplitter, ALineIsEditedAsInATerminal) {
-    const std::string wave = "\xF0\x9F\x8C\x8A";
-    const std::vector<std::pair<std::string, std::string>> lines = {
-        {"PINX\bG", "[PING]"},
-        {"PINX\x7FG", "[PING]"},
-        {"PINX\xFF\xF7G", "[PING]"},  // telnet's Erase Character
-        {"\b\x7FPING", "[PING]"},     // nothing is there to erase
-        {"PI" + wave + "\bNG", "[PING]"},
-        {"PI\xC3\xA4\xE2\x82\xAC\b\bNG", "[PING]"},
-        {"PING\b\b\b\b\b", "[]"},
-        {"\xC3(\b\bPING", "[PING]"},  // what was no text is gone
-        {"GET a b  \x17", "[GET a ]"},
-        {"GET a\x17\x17\x17PING", "[PING]"},
-        {"FLY\x15PING", "[PING]"},
-        {"FLY\x03PING", "[PING]"},
-        {"FLY\xFF\xF8PING", "[PING]"},  // telnet's Erase Line
-        {std::string(2000, 'a') + "\x15PING", "[PING]"},
-        {std::string(kMaxLineBytes, 'a') + "\bb", "[" + std::string(kMaxLineBytes - 1, 'a') + "b]"},
-    };
-    for (const auto& [bytes, line] : lines) {
-        EXPECT_EQ(lines_of({bytes + "\r\n"}), line) << testing::PrintToString(bytes);
-        EXPECT_EQ(each_byte_alone(bytes + "\r\n"), line) << testing::PrintToString(bytes);
-    }
-}
-
-TEST(LineSplitter, TelnetsCommandsAreNoText) {
-    const std::string bytes = "\xFF\xFD\x06PI\xFF\xFA\x18\x01xterm\xFF\xF0NG\xFF\xF1\r\n";
-    EXPECT_EQ(lines_of({bytes}), "[PING]");
-    EXPECT_EQ(each_byte_alone(bytes), "[PING]");
-    // A subnegotiation with an escaped 255, one that DO breaks off, and one that never ends.
-    EXPECT_EQ(lines_of({"PI\xFF\xFA\x18\xFF\xFF\xF0\xFF\xF0NG\n"}), "[PING]");
-    EXPECT_EQ(lines_of({"PI\xFF\xFA\x18\xFF\xFD\x01NG\n"}), "[PING]");
-    EXPECT_EQ(lines_of({"\xFF\xFA" + std::string(2000, 'a') + "\nPING\n"}), "<TOO-LONG>[PING]");
-    // An escaped 255 is a byte of the line, and no UTF-8.
-    EXPECT_EQ(lines_of({"PI\xFF\xFFNG\nPING\n"}), "<BAD-UTF8>[PING]");
-}
-
-/// [RFC 854]: a request is refused, a refusal is not answered. [RFC 860]: until DO TIMING-MARK is
-/// answered, a telnet that was interrupted shows nothing.
-TEST(LineSplitter, TelnetIsAnsweredWhatItWaitsFor) {
-    const std::vector<std::array<std::string, 3>> cases = {
-        {"FLY\xFF\xF4\xFF\xFD\x06PING\r\n", "[PING]", "\xFF\xFC\x06"},  // Ctrl-C
-        {"FLY\xFF\xF3PING\n", "[PING]", ""},                            // Break
-        {"FLY\xFF\xEEPING\n", "[PING]", ""},                            // Abort
-        {"FLY\xFF\xEDPING\n", "[PING]", ""},                            // Suspend
-        {std::string(2000, 'a') + "\xFF\xF4PING\n", "[PING]", ""},
-        {"PI\xFF\xF5NG\n", "[PING]", ""},  // Abort Output
-        {"PI\xFF\xF2NG\n", "[PING]", ""},  // Data Mark
-        {"PI\xFF\xF6NG\n", "[PING]", "EVT HERE\r\n"},
-        {"PI\xFF\xFD\xFFNG\n", "[PING]", "\xFF\xFC\xFF"},  // option 255
-        {"\xFF\xFB\x1F\xFF\xFA\x1F\x01\x02\x03\x04\xFF\xF0PING\n", "[PING]", "\xFF\xFE\x1F"},
-        {"\xFF\xFC\x06\xFF\xFE\x06PING\n", "[PING]", ""},
-    };
-    for (const auto& [bytes, lines, replies] : cases) {
+/// Expects the same of all bytes at once and of each alone.
+void expect_lines(const std::string& bytes, const std::string& lines, const std::string& replies) {
+    SCOPED_TRACE(testing::PrintToString(bytes));
+    std::vector<std::string> each;
+    for (const char c : bytes) each.emplace_back(1, c);
+    for (const std::vector<std::string>& pieces : {std::vector{bytes}, each}) {
         std::string given;
-        EXPECT_EQ(lines_of({bytes}, &given), lines) << testing::PrintToString(bytes);
-        EXPECT_EQ(given, replies) << testing::PrintToString(bytes);
+        EXPECT_EQ(lines_of(pieces, &given), lines);
+        EXPECT_EQ(given, replies);
     }
+}
+
+TEST(LineSplitter, BytesAreTheLinesOfTheTable) {
+    const toml::table table =
+        ocean::test::read_table(ocean::test::source_dir() + "/tests/bridge/scripts/lines.toml");
+    for (const toml::node& row : *table["lines"].as_array()) {
+        const auto text = [&](std::size_t i) { return ocean::test::text_of((*row.as_array())[i]); };
+        expect_lines(text(0), text(1), text(2));
+    }
+    const std::string longest(kMaxLineBytes - 1, 'a');
+    expect_lines(std::string(2000, 'a') + "\x15PING\r\n", "[PING]", "");
+    expect_lines(std::string(2000, 'a') + "\xFF\xF4PING\n", "[PING]", "");
+    expect_lines(longest + "a\bb\r\n", "[" + longest + "b]", "");
+    expect_lines("\xFF\xFA" + std::string(2000, 'a') + "\nPING\n", "<TOO-LONG>[PING]", "");
     for (int option = 0; option < 256; ++option) {
         const std::string end(1, static_cast<char>(option));
         std::string given;
@@ -120,15 +66,6 @@ TEST(LineSplitter, ALongLineIsSkippedToItsEnd) {
     EXPECT_EQ(lines_of({std::string(kMaxLineBytes, 'a') + "\n"}),
               "[" + std::string(kMaxLineBytes, 'a') + "]");
     EXPECT_EQ(lines_of({std::string(100 * kMaxLineBytes, 'a') + "\nPING\n"}), "<TOO-LONG>[PING]");
-}
-
-TEST(LineSplitter, WhatIsNotUtf8TextIsNamed) {
-    using namespace std::string_literals;
-    for (const std::string& bad : {"\xC3("s, "\xED\xA0\x80"s, "a\0b"s, "\xC3(\b"s, "\x1B[2J"s}) {
-        EXPECT_EQ(lines_of({bad + "\nPING\n"}), "<BAD-UTF8>[PING]");
-        EXPECT_EQ(each_byte_alone(bad + "\nPING\n"), "<BAD-UTF8>[PING]");
-    }
-    EXPECT_EQ(each_byte_alone("SET a \xF0\x9F\x8C\x8A\n"), "[SET a \xF0\x9F\x8C\x8A]");
 }
 
 std::string read_as(std::string_view line) {

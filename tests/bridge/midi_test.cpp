@@ -14,6 +14,7 @@
 #include "midi_ports.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/bridge/midi_source.hpp"
+#include "scripted.hpp"
 #ifdef OCEAN_HAVE_RTMIDI
 #include <RtMidi.h>
 #endif
@@ -27,51 +28,6 @@ using Bytes = std::vector<std::uint8_t>;
 
 std::vector<MidiReport> parse_midi(const Bytes& bytes) {
     return MidiParser().feed(bytes);
-}
-
-TEST(MidiParser, KnowsControllersNotesAndTheWheel) {
-    EXPECT_EQ(parse_midi({0xB0, 7, 100, 0x9F, 60, 64, 0x8F, 60, 64, 0xE2, 0x00, 0x40}),
-              (std::vector<MidiReport>{{MidiKind::controller, 1, 7, 100},
-                                       {MidiKind::note, 16, 60, 1},
-                                       {MidiKind::note, 16, 60, 0},
-                                       {MidiKind::bend, 3, 1, 8192}}));
-    EXPECT_EQ(parse_midi({0xE0, 0x7F, 0x7F}),
-              (std::vector<MidiReport>{{MidiKind::bend, 1, 1, 16383}}));
-}
-
-TEST(MidiParser, RunningStatusHoldsAndVelocityZeroEndsANote) {
-    EXPECT_EQ(
-        parse_midi({0x90, 60, 64, 60, 0, 62, 1}),
-        (std::vector<MidiReport>{
-            {MidiKind::note, 1, 60, 1}, {MidiKind::note, 1, 60, 0}, {MidiKind::note, 1, 62, 1}}));
-}
-
-TEST(MidiParser, RealTimeStandsAnywhere) {
-    EXPECT_EQ(parse_midi({0xB0, 0xF8, 7, 0xFE, 100, 0xFF, 8, 0xFA, 9}),
-              (std::vector<MidiReport>{{MidiKind::controller, 1, 7, 100},
-                                       {MidiKind::controller, 1, 8, 9}}));
-}
-
-TEST(MidiParser, SystemMessagesAreSkippedAndEndRunningStatus) {
-    EXPECT_EQ(parse_midi({0xB0, 7, 1, 0xF0, 0x42, 0x40, 7, 2, 0xF7, 7, 3, 0xB1, 7, 4}),
-              (std::vector<MidiReport>{{MidiKind::controller, 1, 7, 1},
-                                       {MidiKind::controller, 2, 7, 4}}));
-    // Song position, song select, time code and an exclusive message that another one breaks off.
-    EXPECT_EQ(parse_midi({0xF2, 1, 2, 0xF3, 1, 0xF1, 5, 0xF0, 1, 2, 0x90, 60, 1}),
-              (std::vector<MidiReport>{{MidiKind::note, 1, 60, 1}}));
-}
-
-TEST(MidiParser, OtherMessagesOfAChannelHaveTheirOwnLength) {
-    EXPECT_EQ(parse_midi({0xC0, 5, 6, 0xD0, 7, 8, 0xA0, 60, 9, 0xB0, 1, 2}),
-              (std::vector<MidiReport>{{MidiKind::controller, 1, 1, 2}}));
-}
-
-TEST(MidiParser, WhatIsCutOffIsNothing) {
-    EXPECT_TRUE(parse_midi({}).empty());
-    EXPECT_TRUE(parse_midi({7, 100}).empty());
-    EXPECT_TRUE(parse_midi({0xB0, 7}).empty());
-    EXPECT_EQ(parse_midi({0xB0, 7, 0x90, 60, 1}),
-              (std::vector<MidiReport>{{MidiKind::note, 1, 60, 1}}));
 }
 
 TEST(MidiParser, ItDoesNotMatterWhereAStreamIsCut) {
@@ -88,96 +44,48 @@ TEST(MidiParser, ItDoesNotMatterWhereAStreamIsCut) {
     }
 }
 
-/// Joins the values of a stream, with a clock that the test moves.
-class Joined {
-  public:
-    Joined& play(const Bytes& bytes) {
-        for (const MidiReport& report : parser_.feed(bytes)) hear(joiner_.take(report, now_));
-        return *this;
+/// " 2:cc7=100" of each report, without the number of the first MIDI channel.
+std::string text_of(const std::vector<MidiReport>& reports) {
+    constexpr std::array kNames = {"cc", "n", "pb", "pair", "nrpn", "rpn"};
+    std::string text;
+    for (const MidiReport& report : reports) {
+        text += " " + (report.channel > 1 ? std::to_string(report.channel) + ":" : std::string()) +
+                kNames[static_cast<std::size_t>(report.kind)] + std::to_string(report.number) +
+                "=" + std::to_string(report.value);
     }
-    Joined& pass(Clock::duration time = MidiJoiner::kFineWait) {
-        now_ += time;
-        hear(joiner_.advance(now_));
-        return *this;
-    }
-    bool rests() const { return !joiner_.next(); }
-    /// "pair7 = 8224" of each value, with "2:" before those of MIDI channel 2.
-    std::vector<std::string> values() { return std::exchange(values_, {}); }
+    return text;
+}
 
-  private:
-    void hear(const std::vector<MidiReport>& reports) {
-        for (const MidiReport& report : reports) {
-            const std::string kind = report.kind == MidiKind::pair   ? "pair"
-                                     : report.kind == MidiKind::nrpn ? "nrpn"
-                                                                     : "rpn";
-            values_.push_back(
-                (report.channel > 1 ? std::to_string(report.channel) + ":" : std::string()) + kind +
-                std::to_string(report.number) + " = " + std::to_string(report.value));
+class MidiScript : public testing::TestWithParam<test::Script> {};
+
+TEST_P(MidiScript, SaysWhatItSays) {
+    MidiParser parser;
+    MidiJoiner joiner;
+    Clock::time_point now{1h};
+    for (const auto& [line, words, gives] : GetParam().steps) {
+        SCOPED_TRACE(line);
+        Bytes bytes;
+        for (std::size_t i = 1; i < words.size(); ++i) {
+            bytes.push_back(static_cast<std::uint8_t>(std::stoi(words[i], nullptr, 0)));
         }
+        std::string given;
+        if (words[0] == "rests") {
+            EXPECT_FALSE(joiner.next());
+            continue;
+        }
+        if (words[0] == "parse") given = text_of(parse_midi(bytes));
+        if (words[0] == "join") {
+            for (const MidiReport& report : parser.feed(bytes)) {
+                given += text_of(joiner.take(report, now));
+            }
+        }
+        if (words[0] == "pass") given = text_of(joiner.advance(now += bytes[0] * 1ms));
+        EXPECT_EQ(given, gives);
     }
-    MidiParser parser_;
-    MidiJoiner joiner_;
-    Clock::time_point now_{1h};
-    std::vector<std::string> values_;
-};
-using Values = std::vector<std::string>;
-
-/// [MIDI 1.0], "Control Change": cc7 is the coarse byte of a fader, cc39 its fine one.
-TEST(MidiJoiner, TwoBytesAreOneValueAndNoJumpBetweenThem) {
-    Joined fader;
-    EXPECT_EQ(fader.play({0xB0, 0x07, 0x40, 0xB0, 0x27, 0x20}).values(), Values{"pair7 = 8224"});
-    // Over the edge of a coarse step, both ways: no value in between.
-    EXPECT_EQ(fader.play({7, 0x3F}).values(), Values{});
-    EXPECT_EQ(fader.play({39, 0x7F}).values(), Values{"pair7 = 8191"});
-    EXPECT_EQ(fader.play({7, 0x40, 39, 0}).values(), Values{"pair7 = 8192"});
-    EXPECT_EQ(fader.play({7, 127, 39, 127, 7, 0, 39, 0}).values(),
-              (Values{"pair7 = 16383", "pair7 = 0"}));
-    // The fine byte alone is a small step.
-    EXPECT_EQ(fader.play({39, 5, 39, 6}).values(), (Values{"pair7 = 5", "pair7 = 6"}));
-    EXPECT_TRUE(fader.rests());
-    // The coarse byte alone means that the fine one is 0, once that has had its time.
-    EXPECT_EQ(fader.play({7, 2}).pass(9ms).values(), Values{});
-    EXPECT_EQ(fader.pass(1ms).values(), Values{"pair7 = 256"});
-    EXPECT_EQ(fader.play({7, 3, 7, 4}).values(), Values{"pair7 = 384"});
-    EXPECT_EQ(fader.pass().values(), Values{"pair7 = 512"});
-    EXPECT_TRUE(fader.rests());
 }
 
-TEST(MidiJoiner, PlainControllersAreNoPairs) {
-    Joined plain;
-    EXPECT_EQ(plain.play({0xB0, 7, 1, 7, 2, 8, 3, 64, 9}).pass().values(), Values{});
-    EXPECT_EQ(plain.play({39, 4}).values(), Values{"pair7 = 260"});
-    // A fine byte whose coarse one nobody has heard says nothing; nor do those of other channels.
-    EXPECT_EQ(plain.play({0xB1, 39, 4, 0xB0, 40, 4}).values(), (Values{"pair8 = 388"}));
-    EXPECT_EQ(plain.play({0xB1, 7, 1, 39, 1}).values(), (Values{"2:pair7 = 129"}));
-    EXPECT_EQ(plain.play({0x90, 7, 1, 0xE0, 7, 1}).values(), Values{});
-}
-
-TEST(MidiJoiner, NrpnAndRpnAreSelectedAndThenSet) {
-    Joined midi;
-    EXPECT_EQ(midi.play({0xB0, 0x63, 0x01, 0xB0, 0x62, 0x08, 0xB0, 0x06, 0x50, 0xB0, 0x26, 0x10})
-                  .values(),
-              Values{"nrpn136 = 10256"});
-    // The selection holds, also where it is sent again, and its fine byte alone is a small step.
-    EXPECT_EQ(midi.play({6, 0x51, 38, 0x11}).values(), Values{"nrpn136 = 10385"});
-    EXPECT_EQ(midi.play({99, 1, 98, 8, 38, 0x12}).values(), Values{"nrpn136 = 10386"});
-    // One that sends the coarse byte alone is heard after the time of the fine one, or with what
-    // comes next.
-    EXPECT_EQ(midi.play({99, 1, 98, 9, 6, 2}).pass(5ms).values(), Values{});
-    EXPECT_EQ(midi.play({99, 1}).values(), Values{"nrpn137 = 256"});
-    EXPECT_EQ(midi.play({98, 10, 6, 3}).pass().values(), Values{"nrpn138 = 384"});
-    // Another number has not said anything coarse yet.
-    EXPECT_EQ(midi.play({98, 11, 38, 5}).values(), Values{});
-    // RPN 0/0, the range of the wheel, in between; each MIDI channel has a selection of its own.
-    EXPECT_EQ(midi.play({101, 0, 100, 0, 6, 2, 38, 0}).values(), Values{"rpn0 = 256"});
-    EXPECT_EQ(midi.play({0xB5, 6, 1, 38, 1}).values(), Values{"6:pair6 = 129"});
-    EXPECT_EQ(midi.play({99, 127, 98, 126, 6, 127, 38, 127}).values(),
-              Values{"6:nrpn16382 = 16383"});
-    // Null selects nothing, and half a number is none.
-    EXPECT_EQ(midi.play({0xB0, 99, 127, 98, 127, 6, 1, 38, 1}).pass().values(), Values{});
-    EXPECT_EQ(Joined().play({0xB0, 99, 1, 6, 1, 38, 1}).pass().values(), Values{});
-    EXPECT_TRUE(midi.rests());
-}
+INSTANTIATE_TEST_SUITE_P(Of, MidiScript, testing::ValuesIn(test::scripts_of("midi.toml")),
+                         test::name_of_script);
 
 /// A system whose ports the test plugs.
 struct System {

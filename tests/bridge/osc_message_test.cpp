@@ -9,10 +9,14 @@
 
 #include <limits>
 
+#include "mistakes.hpp"
 #include "refusal.hpp"
 
 namespace ocean::bridge {
 namespace {
+
+using ocean::test::Mistake;
+using ocean::test::mistakes;
 
 template <std::size_t size>
 std::string bytes(const char (&text)[size]) {
@@ -107,36 +111,22 @@ TEST(OscMessage, ManyMessagesAreMoreThanOneBundle) {
 }
 
 TEST(OscMessage, BrokenBytesAreRefused) {
-    for (const auto& [packet, says] : std::vector<std::pair<std::string, std::string>>{
-             {"", "not a message"},
-             {"/a", "multiple of four"},
-             {"/abc", "not a message"},
-             {bytes("abc\0,\0\0\0"), "not a message"},
-             {bytes("\0\0\0\0,\0\0\0"), "not a message"},
-             {bytes("/a\0\0f\0\0\0\0\0\0\0"), "types of its arguments are missing"},
-             {bytes("/a\0\0,f\0\0"), "do not fit its types"},
-             {bytes("/a\0\0,f\0\0\0\0\0\0\0\0\0\0"), "do not fit its types"},
-             {bytes("/a\0\0,d\0\0\0\0\0\0"), "do not fit its types"},
-             {bytes("/a\0\0,s\0\0abcd"), "do not fit its types"},
-             {bytes("/a\0\0,s\0\0ab\0x"), "do not fit its types"},
-             {bytes("/a\0x,\0\0\0"), "do not fit its types"},
-             {bytes("/a\0\0,fff"), "do not fit its types"},
-             // liblo would read behind these.
-             {bytes("/a\0\0,b\0\0"), "have the types b; allowed"},
-             {bytes("/a\0\0,b\0\0\0\0\0\4abcd"), "have the types b; allowed"},
-             {bytes("/a\0\0,r\0\0\0\0\0\0"), "have the types r; allowed"},
-             {bytes("/a\0\0,[i]\0\0\0\0\0\0\0\1"), "have the types [i]; allowed"},
-             {bytes("/a\0\0,") + std::string(17, 'T') + bytes("\0\0"), "too many arguments"},
-             {'/' + std::string(258, 'a') + bytes("\0,\0\0\0"), "not a message"},
-             {bytes("/a\0\0,s\0\0") + std::string(1025, 'a') + bytes("\0\0\0"), "too long"},
-             {bytes("#bundle\0\0\0\0\0"), "ends within its time"},
-             {bundle_of({}) + bytes("\0\0\0\4"), "do not fit"},
-             {bundle_of({}) + bytes("\xff\xff\xff\xfc/a\0\0"), "do not fit"},
-             {bundle_of({}) + bytes("\0\0\0\3/a\0\0"), "do not fit"},
-             {bundle_of(std::vector<std::string>(257, bytes("abc\0"))), "too many messages"},
-             {bundle_of({bundle_of(std::vector<std::string>(300, bytes("/a\0\0")))}),
-              "too many messages"},
-             {bundle_of(std::vector<std::string>(257, bytes("/a\0\0"))), "too many messages"}}) {
+    std::vector<Mistake> packets = mistakes("bridge/mistakes.toml", "osc");
+    packets.insert(
+        packets.end(),
+        {
+            {bytes("/a\0\0,") + std::string(17, 'T') + bytes("\0\0"), "too many arguments"},
+            {'/' + std::string(258, 'a') + bytes("\0,\0\0\0"), "not a message"},
+            {bytes("/a\0\0,s\0\0") + std::string(1025, 'a') + bytes("\0\0\0"), "too long"},
+            {bundle_of({}) + bytes("\0\0\0\4"), "do not fit"},
+            {bundle_of({}) + bytes("\xff\xff\xff\xfc/a\0\0"), "do not fit"},
+            {bundle_of({}) + bytes("\0\0\0\3/a\0\0"), "do not fit"},
+            {bundle_of(std::vector<std::string>(257, bytes("abc\0"))), "too many messages"},
+            {bundle_of({bundle_of(std::vector<std::string>(300, bytes("/a\0\0")))}),
+             "too many messages"},
+            {bundle_of(std::vector<std::string>(257, bytes("/a\0\0"))), "too many messages"},
+        });
+    for (const auto& [packet, says] : packets) {
         EXPECT_NE(packet_refusal(packet).find(says), std::string::npos)
             << testing::PrintToString(packet) << ": " << packet_refusal(packet);
     }
@@ -154,35 +144,19 @@ TEST(OscMessage, BundlesInBundlesHaveAnEnd) {
     EXPECT_TRUE(messages_of(packet).empty());
 }
 
-/// Messages for other programs in a bundle, of any type, do not affect the sea's own messages: an
-/// element has its own size. [OSC 1.0] has i, f, s, b; its list of types that are less usual the
-/// others.
+/// Of any type, they do not affect the sea's own messages: an element has its own size.
 TEST(OscMessage, WhatABundleHasForOthersIsLeftOutAlone) {
     const std::string time = bytes("\x83\xaa\x7e\x80\0\0\0\0");
-    const std::vector<std::pair<std::string, std::string>> foreign = {
-        {bytes("/page/picture\0\0\0,b\0\0\0\0\0\4abcd"), "the types b; allowed"},
-        {bytes("/p\0\0,b\0\0\x7f\xff\xff\xff"), "the types b; allowed"},
-        {bytes("/p\0\0,t\0\0") + time, "the types t; allowed"},
-        {bytes("/p\0\0,r\0\0\xff\0\0\xff"), "the types r; allowed"},
-        {bytes("/p\0\0,m\0\0\0\x90\x3c\x40"), "the types m; allowed"},
-        {bytes("/p\0\0,c\0\0\0\0\0A"), "the types c; allowed"},
-        {bytes("/p\0\0,N\0\0"), "the types N; allowed"},
-        {bytes("/p\0\0,I\0\0"), "the types I; allowed"},
-        {bytes("/p\0\0,[ff]\0\0\0\0\0\0\0\0\0\0\0"), "the types [ff]; allowed"},
-        {bytes("/p\0\0,[[i]T]\0\0\0\0\1"), "the types [[i]T]; allowed"},
-        {bytes("/p\0\0,fbf\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0"), "the types fbf; allowed"},
-        {bytes("/p\0\0,x\0\0who knows how long\0\0"), "the types x; allowed"},
-        {bytes("/p\0\0,") + std::string(18, 'f') + '\0' + std::string(72, '\0'), "too many"},
-        {bytes("/p\0\0,f\0\0"), "do not fit its types"},
-        {bytes("/p\0\0,f\0\0\0\0\0\0\0\0\0\0"), "do not fit its types"},
-        {bytes("/p\0\0f\0\0\0\0\0\0\0"), "types of its arguments are missing"},
-        {bytes("page\0\0\0\0,\0\0\0"), "not a message of OSC: page"},
-        {"", "not a message of OSC"},
-        {'/' + std::string(258, 'a') + bytes("\0,\0\0\0"), "not a message of OSC"},
-        {bytes("#bundle\0\0\0\0\0"), "ends within its time"},
-        {bundle_of({kFoo}) + bytes("\0\0\0\x40/a\0\0"), "do not fit"},
-        {bundle_of({kFoo}) + bytes("\xff\xff\xff\xfc"), "do not fit"},
-    };
+    std::vector<Mistake> foreign = mistakes("bridge/mistakes.toml", "foreign");
+    foreign.insert(
+        foreign.end(),
+        {
+            {bytes("/p\0\0,t\0\0") + time, "the types t; allowed"},
+            {bytes("/p\0\0,") + std::string(18, 'f') + '\0' + std::string(72, '\0'), "too many"},
+            {'/' + std::string(258, 'a') + bytes("\0,\0\0\0"), "not a message of OSC"},
+            {bundle_of({kFoo}) + bytes("\0\0\0\x40/a\0\0"), "do not fit"},
+            {bundle_of({kFoo}) + bytes("\xff\xff\xff\xfc"), "do not fit"},
+        });
     std::vector<std::string> all;
     for (const auto& [element, says] : foreign) {
         for (const std::string& packet :

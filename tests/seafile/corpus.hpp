@@ -40,9 +40,8 @@ inline std::string text_of(const toml::node& node) {
 }
 
 /// Expects a sentence of a table, in which "(...)" stands for any words.
-inline void expect_sentence(const std::string& actual, const toml::node* expected) {
+inline void expect_sentence(const std::string& actual, const std::string& wanted) {
     constexpr std::string_view kAny = "(...)";
-    const std::string wanted = expected == nullptr ? "?" : text_of(*expected);
     const std::size_t any = wanted.find(kAny);
     if (any == std::string::npos) {
         EXPECT_EQ(actual, wanted);
@@ -57,6 +56,10 @@ inline void expect_sentence(const std::string& actual, const toml::node* expecte
         from = std::min(to, wanted.size() - kAny.size()) + kAny.size();
         to = std::min(wanted.find(kAny, from), wanted.size());
     }
+}
+
+inline void expect_sentence(const std::string& actual, const toml::node* expected) {
+    expect_sentence(actual, expected == nullptr ? "?" : text_of(*expected));
 }
 
 inline toml::table read_table(const std::filesystem::path& path) {
