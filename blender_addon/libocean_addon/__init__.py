@@ -18,7 +18,7 @@ bl_info = {  # of Blender before 4.2; later ones read blender_manifest.toml
     "author": "The libocean authors",
     "version": (0, 1, 0),
     "blender": (3, 4, 0),
-    "location": "Add > Mesh > Ocean, Terrain or Coast, Object > Ocean, Modifier properties",
+    "location": "Add > Ocean, Coast or Terrain Scene, Add > Mesh, Modifier properties",
     "description": "A sea as a modifier, the same as in every other libocean tool",
     "category": "Mesh",
 }

@@ -348,22 +348,12 @@ BEACH = HERE.parent / "coast" / "beach.toml"
 def coast_of(region: tuple[float, ...], cell: float):
     """The water and the land of a rectangle of the beach's bed, and still water around it."""
     enable_addon()
-    bpy.ops.libocean.add_coast(filepath=str(BEACH), cell=50.0, water_type="jerlov_1c")
+    look = {"use_far_water": True, "water_type": "jerlov_1c"}
+    bpy.ops.libocean.add_coast(filepath=str(BEACH), cell=50.0, **look)
     water = bpy.context.object
     settings = water.libocean_coast
     settings.region, settings.use_region = region, True
     settings.cell, settings.use_wetness = cell, True
-    west, south, east, north = region
-    far = 40e3
-    corners = [(x, y, 0.0) for y in (-far, south, north, far) for x in (-far, west, east, far)]
-    squares = [(i, i + 1, i + 5, i + 4) for i in (0, 1, 2, 4, 6, 8, 9, 10)]  # not the middle one
-    mesh = bpy.data.meshes.new("Still water")
-    mesh.from_pydata(corners, [], squares)
-    # The roughness of the waves that it has not, by Cox and Munk's law for 6 m/s.
-    slopes = mesh.attributes.new("slope_variance", "FLOAT", "POINT")
-    slopes.data.foreach_set("value", [0.003 + 0.00512 * 6.0] * len(corners))
-    mesh.materials.append(water.material_slots[0].material)
-    bpy.context.scene.collection.objects.link(bpy.data.objects.new("Still water", mesh))
     return water
 
 

@@ -298,6 +298,17 @@ def waiting(monkeypatch):
     drafts.close()
 
 
+@pytest.fixture
+def small_coast(monkeypatch):
+    """Has the coast without a file be a smaller sea over fewer samples, made in no time."""
+    from libocean_addon.coast import coast_job, first_coast
+
+    sea = first_coast._SEA.replace("= 512", "= 64").replace("1420.0", "177.5")
+    monkeypatch.setattr(first_coast, "_SEA", sea)
+    monkeypatch.setattr(first_coast, "_BED", first_coast._BED.replace("= 512", "= 64"))
+    monkeypatch.setattr(coast_job, "AUTOMATIC", 64)
+
+
 def finish() -> None:
     """Calls the timer until it has nothing more to do."""
     while (pause := drafts.step()) is not None:

@@ -180,20 +180,38 @@ def test_a_region_shows_a_part_at_its_own_cell(coast):
     assert "reaches beyond" in settings.problem
 
 
-def test_without_a_file_it_is_an_island_that_suits_its_sea(tmp_path, monkeypatch):
-    with libocean.parse(first_coast.values().text()) as sea:
-        state = sea.state
-    assert all("repeat every 600 m" in warning for warning in state["warnings"])
-    assert 0.1 < 1.0 - state["bed"]["wet_share"] < 0.5
-    # A smaller sea over fewer samples is made in no time.
-    small = first_coast._SEA.replace("= 256", "= 64").replace("600.0", "150.0")
-    monkeypatch.setattr(first_coast, "_SEA", small)
-    monkeypatch.setattr(first_coast, "_BED", first_coast._BED.replace("= 512", "= 64"))
+def test_without_a_file_it_is_an_island_that_suits_its_sea(tmp_path, small_coast):
     for filepath in ("", f"{tmp_path}/"):
         bpy.ops.libocean.add_coast(filepath=filepath, cell=64.0, use_material=False)
         ob = bpy.context.object
         assert ob.libocean_coast.problem == "" and ob.libocean.bed_lines
         assert np.abs(attribute(ob, "ocean_velocity")).max() > 0.1
+
+
+def test_the_island_draws_no_warning_about_itself():
+    with libocean.parse(first_coast.values().text()) as sea:
+        state = sea.state
+    assert state["warnings"] == []
+    assert 0.1 < 1.0 - state["bed"]["wet_share"] < 0.5
+
+
+def test_far_water_lies_around_the_map(sea_file):
+    ob = add_coast(sea_file, use_far_water=True, use_material=True)
+    far = ob.libocean_coast.far_water
+    assert far.parent == ob and len(far.data.polygons) == 8
+    assert far.material_slots[0].material == ob.material_slots[0].material
+    settings = ob.libocean_coast
+    for region in (None, (50.0, 40.0, 90.0, 100.0)):
+        if region is not None:
+            settings.region, settings.use_region = region, True
+        inner = rest(far).reshape(4, 4, 3)[1:3, 1:3].reshape(-1, 3)
+        corners = rest(ob)
+        assert np.array_equal(inner.min(axis=0), corners.min(axis=0))
+        assert np.array_equal(inner.max(axis=0), corners.max(axis=0))
+        assert np.ptp(rest(far)[:, 0]) > 8e4
+    with library_of(ob) as sea:
+        slopes = sea.state["mean_square_slope"]["resolved"]
+    assert attribute(far, "slope_variance") == pytest.approx(slopes, rel=1e-5)
 
 
 # Values ---------------------------------------------------------------------------

@@ -172,10 +172,10 @@ def names() -> set[str]:
     return {ob.name for ob in bpy.data.objects}
 
 
-def test_the_start_up_cube_and_lamp_go_and_undo_brings_them_back(default_file, small, waiting):
+def test_the_start_up_objects_go_and_undo_brings_them_back(default_file, small, waiting):
     push()
     bpy.ops.libocean.add_scene("EXEC_DEFAULT", True)
-    assert names() == {"Camera", "Ocean", "Ocean Camera", "Ocean Sun"}
+    assert names() == {"Ocean", "Ocean Camera", "Ocean Sun"}
     assert "Cube" not in bpy.data.meshes and "Material" not in bpy.data.materials
     bpy.ops.ed.undo()
     assert names() == {"Camera", "Cube", "Light"}
@@ -201,28 +201,33 @@ TOUCHES = (
 )
 
 
+def of_start_up() -> list:
+    return [bpy.data.objects[name] for name in ("Cube", "Light", "Camera")]
+
+
 def test_a_touched_cube_stays(default_file):
-    cube, lamp = bpy.data.objects["Cube"], bpy.data.objects["Light"]
     push()
     for number, touch in enumerate(TOUCHES):
-        cube, lamp = bpy.data.objects["Cube"], bpy.data.objects["Light"]
-        assert start_up.untouched(bpy.context.scene) == [cube, lamp], number
+        cube, lamp, camera = of_start_up()
+        assert start_up.untouched(bpy.context.scene) == [cube, lamp, camera], number
         touch(cube)
-        assert start_up.untouched(bpy.context.scene) == [lamp], number
+        assert start_up.untouched(bpy.context.scene) == [lamp, camera], number
         push()
         bpy.ops.ed.undo()
-    bpy.data.objects["Cube"].location.x = 1.0
-    bpy.data.objects["Light"].data.energy = 10.0
+    cube, lamp, camera = of_start_up()
+    cube.location.x = 1.0
+    lamp.data.energy = 10.0
+    camera.data.lens = 35.0
     assert start_up.untouched(bpy.context.scene) == []
 
 
 def test_a_lamp_with_nodes_of_its_own_stays(default_file):
-    cube, lamp = bpy.data.objects["Cube"], bpy.data.objects["Light"]
+    cube, lamp, camera = of_start_up()
     lamp.data.use_nodes = True  # from 5.2 on each lamp has nodes
     emission = next(node for node in lamp.data.node_tree.nodes if node.type == "EMISSION")
-    assert start_up.untouched(default_file) == [cube, lamp]
+    assert start_up.untouched(default_file) == [cube, lamp, camera]
     emission.inputs["Strength"].default_value = 2.0
-    assert start_up.untouched(default_file) == [cube]
+    assert start_up.untouched(default_file) == [cube, camera]
 
 
 def test_nothing_goes_from_a_scene_with_other_objects(default_file):
@@ -232,7 +237,7 @@ def test_nothing_goes_from_a_scene_with_other_objects(default_file):
 
 def test_nothing_goes_if_that_is_switched_off(default_file, small, waiting):
     bpy.ops.libocean.add_scene(remove_start_up=False)
-    assert {"Cube", "Light"} <= names()
+    assert {"Cube", "Light", "Camera"} <= names()
 
 
 def test_near_detail_is_on(scene, small):

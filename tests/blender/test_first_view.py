@@ -36,6 +36,7 @@ def default_file():
 
 
 def test_the_first_picture_shows_sky_over_a_darker_sea(default_file, tmp_path):
+    default_file.camera.data.lens = 35.0
     before = default_file.camera, default_file.world
     assert bpy.ops.libocean.add_scene() == {"FINISHED"}
     ocean = bpy.context.object

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The coast that is added without a file: an island of a kilometre with bays, and a wind sea that
-suits its bed. The terrain is the preset bay_island, an eighth as large."""
+"""The coast that is added without a file: an island of 600 m with beaches in its bays, and a wind
+sea that runs into the largest of them. The terrain is the preset bay_island, a twelfth as large."""
 
 from __future__ import annotations
 
@@ -15,33 +15,36 @@ _BED = """libocean = 1
 [terrain]
 kind = "placed"
 resolution = 512
-patch_size = 2048.0
+patch_size = 1400.0
 seed = 8
 beta = 1.9
-rms = 25.0
-mean = 90.0
-outer_scale = 1125.0
-breaks = [[187.0, 2.5]]
-island = 220.0
+rms = 18.0
+mean = 66.0
+outer_scale = 769.0
+breaks = [[127.8, 2.5]]
+island = 165.0
 [terrain.stream]
 slope = 0.62
 [terrain.coast]
-slope = 0.05
-shelf = 40.0
+slope = 0.03
+shelf = 100.0
+smooth = 10.0
+shelter = 100.0
+width = 60.0
 """
 _SEA = """libocean = 1
 [grid]
-resolution = 256
-patch_size = 600.0
+resolution = 512
+patch_size = 1420.0
 [water]
 depth = 30.0
 seabed = "island.toml"
 [[waves]]
 spectrum = "jonswap"
 wind_speed = 9.0
-significant_wave_height = 0.8
-peak_period = 4.6
-wind_direction = 60.0
+significant_wave_height = 0.9
+peak_period = 4.4
+wind_direction = 205.0
 [water.bed_terrain]
 """
 

@@ -81,10 +81,11 @@ def give(land, look: dict[str, float], world) -> None:
         air.follow(material.node_tree, ground, world)
 
 
-def new(water):
-    """Returns a new land of a coast, a child of its water, without vertices yet."""
-    land = bpy.data.objects.new("Land", bpy.data.meshes.new("Land"))
+def new_part(water, name: str):
+    """Returns a new part of a coast, its land or far water: a child of its water, without vertices
+    yet."""
+    part = bpy.data.objects.new(name, bpy.data.meshes.new(name))
     for collection in water.users_collection:
-        collection.objects.link(land)
-    land.parent = water
-    return land
+        collection.objects.link(part)
+    part.parent = water
+    return part

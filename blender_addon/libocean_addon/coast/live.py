@@ -14,7 +14,7 @@ from ..sea import live as sea_live
 from ..shared import console, drafts, meshes, modifier_groups
 from ..shared.subject import Moment, Picture, Shown
 from ..terrain.extent import Extent
-from . import coast_bake, land, land_nodes, node_group
+from . import coast_bake, far_water, land, land_nodes, node_group
 from .coast_job import CoastJob, View, quick_fields, region_of
 from .node_group import BLANKS, DISPLACEMENT, WETNESS, grid_words
 from .open_coast import OpenCoast
@@ -114,6 +114,7 @@ def _follow_meshes(ob, coast: OpenCoast, extent: Extent) -> None:
     if bed is not None:
         with console.work(ob.name_full, "land"):
             land.follow(ob.libocean_coast.land, extent, bed, land.run_up(coast.state))
+        far_water.follow(ob.libocean_coast.far_water, extent, coast.state)
 
 
 def job(shown: Shown) -> CoastJob | None:

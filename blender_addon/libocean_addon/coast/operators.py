@@ -84,13 +84,9 @@ class OnCoast(OnSubject):
         )
 
 
-class AddCoast(bpy.types.Operator, ImportHelper, object_utils.AddObjectHelper):
-    """Add a coast: the water of a sea file that has a bed, and the land. A file that holds a bed
-    alone, a terrain or an elevation model, gets the sea of the active object, or a moderate one.
-    Without a file an island is made"""
+class _AddCoast(ImportHelper, object_utils.AddObjectHelper):
+    """Base of operators that add the coast of a file; without a file an island."""
 
-    bl_idname = "libocean.add_coast"
-    bl_label = "Coast"
     bl_options = {"REGISTER", "UNDO"}
 
     filter_glob: bpy.props.StringProperty(default=_FILES, options={"HIDDEN"})
@@ -117,7 +113,9 @@ class AddCoast(bpy.types.Operator, ImportHelper, object_utils.AddObjectHelper):
         with changes.quiet():
             ob.libocean_coast.cell = self.cell
             if self.use_land:
-                ob.libocean_coast.land = land.new(ob)
+                ob.libocean_coast.land = land.new_part(ob, "Land")
+            if self.use_far_water:
+                ob.libocean_coast.far_water = land.new_part(ob, "Far Water")
         COAST.parameters.assign(ob, values)
         state = coast_of(ob.name_full).state
         if state is not None:
@@ -128,9 +126,30 @@ class AddCoast(bpy.types.Operator, ImportHelper, object_utils.AddObjectHelper):
         water_material.fit(made, ob, context.scene)
         water_material.put(made, water_material.look_of(state))
         water_material.assign(ob, made)
+        if self.use_far_water:
+            water_material.put_in_first_slot(ob.libocean_coast.far_water, made)
         if self.use_land:
             size = max(coast_of(ob.name_full).own.size)
             land.give(ob.libocean_coast.land, land.look_of(state, size), context.scene.world)
+
+
+class AddCoast(_AddCoast, bpy.types.Operator):
+    """Add a coast, water and land: an island with bays and beaches, or the coast of a file"""
+
+    bl_idname = "libocean.add_coast"
+    bl_label = "Coast"
+
+    def invoke(self, context, _event):
+        return self.execute(context)
+
+
+class AddCoastFile(_AddCoast, bpy.types.Operator):
+    """Add a coast: the water of a sea file that has a bed, and the land. A file that holds a bed
+    alone, a terrain or an elevation model, gets the sea of the active object, or a moderate one.
+    Without a file an island is made"""
+
+    bl_idname = "libocean.add_coast_file"
+    bl_label = "Coast File"
 
 
 class LoadCoast(OnCoast, LoadFile, bpy.types.Operator):
@@ -154,11 +173,12 @@ class SaveCoast(OnCoast, SaveFile, bpy.types.Operator):
     bl_label = "Save Coast"
 
 
-CLASSES = (AddCoast, LoadCoast, SaveCoast)
+CLASSES = (AddCoast, AddCoastFile, LoadCoast, SaveCoast)
 
 
 def _draw_add(self, _context) -> None:
     self.layout.operator(AddCoast.bl_idname, icon="MOD_OCEAN")
+    self.layout.operator(AddCoastFile.bl_idname, icon="MOD_OCEAN")
 
 
 register, unregister = registration.functions(CLASSES, menus={"VIEW3D_MT_mesh_add": _draw_add})

@@ -34,6 +34,13 @@ class CoastSettings(Limited, bpy.types.PropertyGroup):
             poll=_is_mesh,
             update=changed,
         ),
+        "far_water": bpy.props.PointerProperty(
+            name="Far water",
+            description="The object whose mesh is the still water around the map",
+            type=bpy.types.Object,
+            poll=_is_mesh,
+            update=changed,
+        ),
     }
 
 

@@ -38,6 +38,8 @@ _SKY = (
     "ground_albedo",
     "sun_direction",
 )
+_DIRECTED = ("PREETHAM", "HOSEK_WILKIE")
+"""The models that read the direction of the sun; the others have its elevation and rotation."""
 
 
 class _Copy:
@@ -103,8 +105,9 @@ class _Copy:
         if node.type == "TEX_SKY":
             if hasattr(made, "sun_disc"):
                 made.sun_disc = False
+            is_old = node.sky_type in _DIRECTED
             for name in _SKY:
-                if hasattr(node, name):
+                if hasattr(node, name) and (is_old or name != "sun_direction"):
                     self._drive(made, name, node, name)
         if node.type in {"RGB", "VALUE"}:
             made.outputs[0].default_value = node.outputs[0].default_value

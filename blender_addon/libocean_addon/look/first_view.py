@@ -1,6 +1,10 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A sea to look at: with sky, sun and camera, so that the first picture is one."""
+"""A sea, a coast or a land to look at: with sky, sun and camera, so that the first picture is one
+of it.
+
+    operator: subject -> Eye -> sky, sun, camera -> the 3D view looks through it
+"""
 
 from __future__ import annotations
 
@@ -8,11 +12,17 @@ import math
 
 import bpy
 
+from ..coast.subject import COAST
 from ..sea import operators
-from ..shared import compat, console, registration
+from ..shared import compat, console, paths, registration
 from ..shared.compat import tr
+from ..shared.native import libocean
 from ..shared.table_properties import settings_of
-from . import material, start_up
+from ..terrain import material as terrain_material
+from ..terrain import operators as terrain_operators
+from ..terrain.open_terrain import terrain_of
+from . import framing, material, start_up
+from .framing import Eye
 
 _SKIES = bpy.types.ShaderNodeTexSky.bl_rna.properties["sky_type"].enum_items.keys()
 MODEL = "MULTIPLE_SCATTERING" if "MULTIPLE_SCATTERING" in _SKIES else "NISHITA"  # from 5.0 on
@@ -49,6 +59,8 @@ _SUN_MULTIPLE_SCATTERING = (
 )
 _SUN = {"NISHITA": _SUN_NISHITA, "MULTIPLE_SCATTERING": _SUN_MULTIPLE_SCATTERING}[MODEL]
 _SUN_DIAMETER = math.radians(0.533)
+_CLEAR = 90e3
+"""[m] The visibility over a land, whose far hills are then bluer than the near ones."""
 
 
 def sun_irradiance(elevation: float) -> tuple[float, float, float]:
@@ -64,9 +76,9 @@ def sun_irradiance(elevation: float) -> tuple[float, float, float]:
     return _SUN[-1][1]
 
 
-def make_sky(elevation: float, azimuth: float):
+def make_sky(elevation: float, azimuth: float, name: str = "Ocean"):
     """A world with a clear sky. Degrees; azimuth counter-clockwise from +x."""
-    world = bpy.data.worlds.new("Ocean Sky")
+    world = bpy.data.worlds.new(f"{name} Sky")
     compat.use_nodes(world)
     nodes = world.node_tree.nodes
     texture = nodes.new("ShaderNodeTexSky")
@@ -83,49 +95,110 @@ def make_sky(elevation: float, azimuth: float):
     return world
 
 
-def make_sun(elevation: float, azimuth: float):
+def make_sun(elevation: float, azimuth: float, name: str = "Ocean"):
     """The lamp that belongs to that sky."""
     irradiance = sun_irradiance(elevation)
     brightest = max(irradiance)
-    lamp = bpy.data.lights.new("Ocean Sun", "SUN")
+    lamp = bpy.data.lights.new(f"{name} Sun", "SUN")
     lamp.energy = STRENGTH * brightest
     if brightest > 0.0:
         lamp.color = tuple(part / brightest for part in irradiance)
     lamp.angle = _SUN_DIAMETER
-    ob = bpy.data.objects.new("Ocean Sun", lamp)
+    ob = bpy.data.objects.new(lamp.name, lamp)
     # A lamp shines along its -z.
     ob.rotation_euler = (0.0, math.radians(90.0 - elevation), math.radians(azimuth))
     ob.location.z = 20.0
     return ob
 
 
-def make_camera(height: float, heading: float):
+def make_camera(eye: Eye, name: str = "Ocean"):
     """A little below the horizon, which lies in the upper half of the picture."""
-    data = bpy.data.cameras.new("Ocean Camera")
+    data = bpy.data.cameras.new(f"{name} Camera")
     data.lens = 28.0
     data.clip_start, data.clip_end = 0.1, 1e5
-    ob = bpy.data.objects.new("Ocean Camera", data)
-    ob.location.z = height
-    ob.rotation_euler = (math.radians(90.0 - 5.0), 0.0, math.radians(heading - 90.0))
+    ob = bpy.data.objects.new(data.name, data)
+    ob.location = eye.place
+    ob.rotation_euler = (math.radians(90.0 - eye.down), 0.0, math.radians(eye.heading - 90.0))
     return ob
 
 
-def _look_through_camera(space) -> None:
+def _look_through_camera(space) -> bool:
     """Has the 3D view, from which the operator was called, show the picture that a render will
-    give."""
+    give. Returns whether it shows materials that it did not."""
     space.clip_end = max(space.clip_end, 1e5)
     space.shading.use_scene_world = True  # of the material preview
     space.shading.use_scene_lights = True
     space.region_3d.view_perspective = "CAMERA"
+    for name in ("show_floor", "show_axis_x", "show_axis_y"):  # lines across the water
+        setattr(space.overlay, name, False)
+    is_plain = space.shading.type in ("WIREFRAME", "SOLID")
+    if is_plain:
+        space.shading.type = "MATERIAL"
+    return is_plain
 
 
-class AddScene(bpy.types.Operator):
+_SCENE = settings_of("look")["AddScene"]
+_OF_ALL = ("sun_elevation", "sun_bearing", "remove_start_up")
+
+
+class _Scene:
+    """Base of operators that add a subject with sky, sun and camera. A subclass has the names of
+    the new parts begin with `prefix`."""
+
+    bl_options = {"REGISTER", "UNDO"}
+    prefix = ""
+
+    def add(self, context):
+        """Returns a new object of the subject."""
+        raise NotImplementedError
+
+    def eye(self, context, ob) -> Eye:
+        """Returns the view of that object."""
+        raise NotImplementedError
+
+    def finish(self, context, ob) -> None:
+        """Fits the object to the sky, the sun and the camera, which are there now."""
+        raise NotImplementedError
+
+    def execute(self, context):
+        with console.work(self.bl_label, "sky, sun and camera"):
+            self._make(context, context.scene)
+        return {"FINISHED"}
+
+    def _make(self, context, scene) -> None:
+        if self.remove_start_up:
+            start_up.remove_untouched(scene)
+        for kept in (scene.world, scene.camera and scene.camera.data):
+            if kept is not None:
+                kept.use_fake_user = True
+        ob = self.add(context)
+        eye = self.eye(context, ob)
+        azimuth = eye.heading + math.degrees(self.sun_bearing)
+        elevation = math.degrees(self.sun_elevation)
+        scene.world = make_sky(elevation, azimuth, self.prefix)
+        camera = make_camera(eye, self.prefix)
+        for made in (make_sun(elevation, azimuth, self.prefix), camera):
+            context.collection.objects.link(made)
+        scene.camera = camera
+        context.view_layer.update()
+        self.finish(context, ob)
+        context.view_layer.objects.active = ob
+        space = context.space_data
+        if space is not None and space.type == "VIEW_3D" and _look_through_camera(space):
+            text = tr("The 3D view shows materials now: Eevee prepares them for some seconds")
+            self.report({"INFO"}, text)
+        if compat.denoises_without_denoiser(scene):
+            scene.cycles.use_denoising = False
+            self.report({"INFO"}, tr("Denoise is off: {}", compat.no_denoiser()))
+
+
+class AddScene(_Scene, bpy.types.Operator):
     """Add a sea to the horizon with sky, sun and camera. The scene's world and camera stay in the
     file, but others take their places"""
 
     bl_idname = "libocean.add_scene"
     bl_label = "Ocean Scene"
-    bl_options = {"REGISTER", "UNDO"}
+    prefix = "Ocean"
 
     preset: bpy.props.EnumProperty(
         name="Preset",
@@ -134,46 +207,83 @@ class AddScene(bpy.types.Operator):
         default=operators.DEFAULT_PRESET,
     )
     water_type: material.water_type_property()
-    __annotations__.update(settings_of("look")["AddScene"])
+    __annotations__.update(_SCENE)
 
-    def execute(self, context):
-        with console.work("Ocean Scene", "sky, sun and camera"):
-            self._make(context, context.scene)
-        return {"FINISHED"}
-
-    def _make(self, context, scene) -> None:
-        for kept in (scene.world, scene.camera and scene.camera.data):
-            if kept is not None:
-                kept.use_fake_user = True
-        if self.remove_start_up:
-            start_up.remove_untouched(scene)
+    def add(self, context):
         bpy.ops.libocean.add(kind="HORIZON", preset=self.preset, water_type=self.water_type)
-        ocean = context.view_layer.objects.active
+        return context.view_layer.objects.active
+
+    def eye(self, _context, _ob) -> Eye:
         # Against the waves, which is where they look like waves.
-        heading = 180.0
-        azimuth = heading + math.degrees(self.sun_bearing)
-        elevation = math.degrees(self.sun_elevation)
-        scene.world = make_sky(elevation, azimuth)
-        camera = make_camera(self.camera_height, heading)
-        for ob in (make_sun(elevation, azimuth), camera):
-            context.collection.objects.link(ob)
-        scene.camera = camera
-        for slot in ocean.material_slots:
-            material.fit(slot.material, ocean, scene)
-        ocean.libocean.use_detail = self.near_detail
-        context.view_layer.objects.active = ocean
-        if context.space_data is not None and context.space_data.type == "VIEW_3D":
-            _look_through_camera(context.space_data)
-        if compat.denoises_without_denoiser(scene):
-            scene.cycles.use_denoising = False
-            self.report({"INFO"}, tr("Denoise is off: {}", compat.no_denoiser()))
+        return Eye((0.0, 0.0, self.camera_height), 180.0, 5.0)
+
+    def finish(self, context, ob) -> None:
+        for slot in ob.material_slots:
+            material.fit(slot.material, ob, context.scene)
+        ob.libocean.use_detail = self.near_detail
 
 
-CLASSES = (AddScene,)
+class AddCoastScene(_Scene, bpy.types.Operator):
+    """Add an island in a sea to the horizon, with sky, sun and camera over its surf. The scene's
+    world and camera stay in the file, but others take their places"""
+
+    bl_idname = "libocean.add_coast_scene"
+    bl_label = "Coast Scene"
+    prefix = "Coast"
+
+    water_type: material.water_type_property()
+    __annotations__.update({key: _SCENE[key] for key in _OF_ALL})
+
+    def add(self, context):
+        bpy.ops.libocean.add_coast(use_far_water=True, water_type=self.water_type)
+        return context.view_layer.objects.active
+
+    def eye(self, context, ob) -> Eye:
+        values = COAST.parameters.values_of(ob, context.scene)
+        with libocean.parse(values.text(), base_dir=paths.blend_folder()) as sea:
+            travel = sea.state["mean_direction"]["resolved"]
+            return framing.shore_eye(framing.of_bed(sea, values.values["seabed_origin"]), travel)
+
+    def finish(self, context, ob) -> None:
+        for slot in ob.material_slots:
+            material.fit(slot.material, ob, context.scene)
+
+
+class AddTerrainScene(_Scene, bpy.types.Operator):
+    """Add a land to the horizon with sky, sun and camera. The scene's world and camera stay in the
+    file, but others take their places"""
+
+    bl_idname = "libocean.add_terrain_scene"
+    bl_label = "Terrain Scene"
+    prefix = "Terrain"
+
+    preset: bpy.props.EnumProperty(
+        name="Preset",
+        description="The terrain to begin with",
+        items=terrain_operators.PRESETS,
+        default=terrain_operators.DEFAULT_PRESET,
+    )
+    __annotations__.update({key: _SCENE[key] for key in _OF_ALL})
+
+    def add(self, context):
+        bpy.ops.libocean.add_terrain(preset=self.preset, use_material=False)
+        return context.view_layer.objects.active
+
+    def eye(self, _context, ob) -> Eye:
+        return framing.relief_eye(framing.of_terrain(terrain_of(ob.name_full).handle))
+
+    def finish(self, context, ob) -> None:
+        terrain_material.give(ob, context.scene.world, visibility=_CLEAR)
+        ob.libocean_terrain.use_lod = True
+
+
+CLASSES = (AddScene, AddCoastScene, AddTerrainScene)
 
 
 def _draw_add(self, _context) -> None:
     self.layout.operator(AddScene.bl_idname, icon="MOD_OCEAN")
+    self.layout.operator(AddCoastScene.bl_idname, icon="MOD_OCEAN")
+    self.layout.operator(AddTerrainScene.bl_idname, icon="RNDCURVE")
 
 
 register, unregister = registration.functions(CLASSES, menus={"VIEW3D_MT_add": _draw_add})

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The cube and the lamp of Blender's start-up file, which stand in the way of a sea."""
+"""The cube, the lamp and the camera of Blender's start-up file, which stand in the way of a sea."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ _PLACES = {
 _TURNS = {
     "Cube": (0.0, 0.0, 0.0),
     "Light": (0.6503280, 0.0552171, 1.8663908),
+    "Camera": (1.1093190, 0.0, 0.8149282),
 }
 # Custom properties that panels make.
 _OF_ADDONS = {"cycles", "libocean", "libocean_float", "libocean_terrain"}
@@ -92,12 +93,24 @@ def _is_default_lamp(ob) -> bool:
     )
 
 
-_DEFAULTS = {"Cube": _is_default_cube, "Light": _is_default_lamp}
+def _is_default_camera(ob) -> bool:
+    camera = ob.data
+    return (
+        ob.type == "CAMERA"
+        and _is_plain(camera)
+        and camera.type == "PERSP"
+        and camera.lens == 50.0
+        and camera.shift_x == camera.shift_y == 0.0
+        and not (camera.dof.use_dof or camera.background_images)
+    )
+
+
+_DEFAULTS = {"Cube": _is_default_cube, "Light": _is_default_lamp, "Camera": _is_default_camera}
 
 
 def untouched(scene) -> list:
-    """Returns the cube and the lamp of the start-up file, each if it is unchanged; neither if the
-    scene has other objects than the start-up file."""
+    """Returns the cube, the lamp and the camera of the start-up file, each if it is unchanged; none
+    if the scene has other objects than the start-up file."""
     if any(ob.name not in _PLACES for ob in scene.objects):
         return []
     found = [scene.objects[name] for name in _DEFAULTS if name in scene.objects]
@@ -115,7 +128,7 @@ def untouched(scene) -> list:
 
 
 def remove_untouched(scene) -> list[str]:
-    """Removes the untouched cube and lamp of the start-up file, with their data. Returns the names
+    """Removes the untouched objects of the start-up file, with their data. Returns the names
     of the removed objects."""
     found = untouched(scene)
     names = [ob.name for ob in found]

@@ -28,6 +28,8 @@ from .properties import SETTINGS
 from .subject import TERRAIN
 
 DEFAULT_PRESET = "tujunga"
+_START_UP_CLIP = (100.0, 1000.0)
+"""[m] How far the cameras of Blender's start-up files see, which ends before most lands do."""
 _TILES, _USE_MATERIAL = SETTINGS["AddTerrain"].values()
 
 PRESETS = [
@@ -103,7 +105,11 @@ def _add(operator, context, values, mesh_resolution: int, tiles: int = 1) -> Non
             settings.tiles = tiles
         TERRAIN.parameters.assign(ob, values)
         give_material(operator, ob, lambda: material.give(ob, context.scene.world))
-    _show_all_of(context, settings.patch_size * tiles)
+    size = settings.patch_size * tiles
+    camera = context.scene.camera
+    if camera is not None and camera.type == "CAMERA" and camera.data.clip_end in _START_UP_CLIP:
+        camera.data.clip_end = 10.0 * size
+    _show_all_of(context, size)
 
 
 class AddTerrainFile(LoadFile, bpy.types.Operator, object_utils.AddObjectHelper):
