@@ -43,6 +43,13 @@ SLIDES = {
 }
 
 
+def test_a_new_coast_has_its_land_at_once(waiting, sea_file):
+    ob = add_coast(sea_file)
+    assert drafts.progress(ob.name_full) is not None
+    assert len(ob.libocean_coast.land.data.vertices) == COLUMNS * ROWS
+    assert_is_bed(ob)
+
+
 @pytest.mark.parametrize("name", SLIDES)
 def test_nothing_that_slides_has_the_main_thread_wait(
     coast,

@@ -66,6 +66,30 @@ def test_a_scene_begins_with_few_vertices_and_is_saved_with_fewer(waiting, small
     assert len(ocean.data.vertices) > 4 * horizon_mesh.DRAFT_VERTICES
 
 
+def test_panels_are_drawn_again_where_the_progress_is_another_one(monkeypatch):
+    said, drawn = ["1%"], []
+    job = SimpleNamespace(is_alive=lambda: True, status_text=lambda _name: said[0])
+
+    def draw() -> None:
+        drawn.append(said[0])
+        drafts._drawn = said[0]
+
+    monkeypatch.setattr(drafts, "_running", ("Sea", job))
+    monkeypatch.setattr(drafts, "_drawn", None)
+    monkeypatch.setattr(drafts, "_drawn_at", -1e9)
+    monkeypatch.setattr(drafts, "_redraw", draw)
+    drafts.step()
+    drafts.step()
+    assert drawn == ["1%"]
+    said[0] = "2%"
+    monkeypatch.setattr(drafts, "_drawn_at", time.monotonic() + 1e9)
+    drafts.step()
+    assert drawn == ["1%"], "too soon"
+    monkeypatch.setattr(drafts, "_drawn_at", -1e9)
+    drafts.step()
+    assert drawn == ["1%", "2%"]
+
+
 def test_a_render_begins_with_the_whole_sea(scene, waiting):
     ocean = add_horizon(64, 150000, sea=PAST, use_material=False)
     drafts.stop(ocean.name_full)

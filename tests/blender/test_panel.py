@@ -11,6 +11,7 @@ import pytest
 from conftest import add_ocean, evaluated_mesh, failing, plane, positions
 from layouts import NARROW, ROW, WIDE, NarrowLayout, drawn_by
 from libocean_addon import translations
+from libocean_addon.look import material
 from libocean_addon.sea import facts, hints, node_group, panels, parameter_values
 from libocean_addon.shared import compat, drafts, drawing
 
@@ -36,7 +37,7 @@ def everything() -> list[str]:
 def test_a_measured_sea_without_its_file_is_said(ocean):
     ocean.libocean.waves[0].spectrum = "measured"
     assert "needs a file" in said()
-    assert "file" in drawn_by(panels.WavesPanel)  # where it is chosen
+    assert "file" in drawn_by(panels.SpectrumPanel)  # where it is chosen
 
 
 # Settings that apply, in words that fit --------------------------------------------
@@ -58,6 +59,25 @@ def test_what_does_not_apply_is_not_there(ocean):
     assert "fetch" not in shown
     settings.use_foam = False
     assert not {"foam_lifetime", "foam_threshold", "foam_step"} & set(everything())
+
+
+def test_what_opens_is_what_an_artist_changes(ocean):
+    opened = [cls for cls in PANELS if "DEFAULT_CLOSED" not in getattr(cls, "bl_options", ())]
+    assert opened == [panels.OceanPanel, panels.WavesPanel]
+    bpy.ops.libocean.add_material()
+    shown = drawn_by(panels.WavesPanel)
+    names = ["wind_speed", "wind_direction", "significant_wave_height", "default_value"]
+    names += ["choppiness", "seed", "use_detail"]
+    assert [name for name in shown if name in names] == names
+    assert not {"spectrum", "fetch", "peak_enhancement", "spreading", "cascades"} & set(shown)
+    assert {"fetch", "peak_enhancement", "spreading"} <= set(drawn_by(panels.SpectrumPanel))
+
+
+def test_the_amount_of_foam_is_that_of_the_material(ocean):
+    assert "default_value" not in drawn_by(panels.WavesPanel)
+    bpy.ops.libocean.add_material()
+    (water,) = material.waters_of(ocean)
+    assert water.inputs["Foam Amount"].default_value == 1.0
 
 
 def test_divisors_are_as_many_as_cascades(ocean):

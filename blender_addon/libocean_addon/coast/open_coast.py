@@ -172,13 +172,16 @@ class OpenCoast(ShownImages):
 
     def show_draft(self, view: View, image_named: dict) -> Extent | None:
         """Fills the images with coarser maps of a view, if the handle is free and the library knows
-        where the waves go; otherwise the images keep their content. Returns the samples of that
-        content; None for water at rest."""
+        where the waves go; otherwise the images keep their content. Makes the bed at once where the
+        handle has it. Returns the samples of the content; None for water at rest."""
+        whole = view.region.extent(self.own)
+        if self._held.values == self.values and not self.is_busy():
+            with self.lock:
+                self.require_bed(whole)
         if self._draft is not None and self._draft.key == self.key(view):
             return self._put_draft(image_named)
         if not self.is_cheap():
             return self.extent_in(image_named[DISPLACEMENT])
-        whole = view.region.extent(self.own)
         coarse = whole.coarser(whole.step_for(self.pace.size))
         draft = dataclasses.replace(view, fields=tuple(image_named))
         key = (_COARSE, coarse, *self.key(draft))

@@ -12,14 +12,14 @@ from ..sea import panels as sea_panels
 from ..sea import parameter_values
 from ..shared import drafts, meshes, subject_panel
 from ..shared.compat import tr_label
-from ..shared.drawing import draws, field, never_raises, place_labels, say
+from ..shared.drawing import draws, field, never_raises, say
 from ..terrain.look_panels import SIDES
 from . import facts, node_group, operators
 
 BED = ("seabed", "seabed_origin", "seabed_unit", "seabed_sign", "level", "depth")
 _ENTRIES = {entry["key"]: entry for entry in parameter_values.entries(waves=False)}
 SHORE = tuple(key for key, entry in _ENTRIES.items() if entry["section"] == "water.shore")
-LOOK = ("choppiness", *sea_panels.FOAM)
+SPECTRUM = ("patch_size", "resolution")
 
 
 class _Panel(subject_panel.ModifierPanel):
@@ -47,7 +47,7 @@ class CoastPanel(_Panel, bpy.types.Panel):
 
 
 class CoastWavesPanel(_Panel, bpy.types.Panel):
-    """The waves that reach the coast"""
+    """The sea as an artist changes it"""
 
     bl_idname = "LIBOCEAN_PT_coast_waves"
     bl_parent_id = CoastPanel.bl_idname
@@ -55,15 +55,23 @@ class CoastWavesPanel(_Panel, bpy.types.Panel):
 
     @never_raises
     def draw(self, context) -> None:
+        sea_panels.draw_sea(self.layout, context.object)
+
+
+class CoastSpectrumPanel(_Panel, bpy.types.Panel):
+    """The wave systems that reach the coast, with their spectra"""
+
+    bl_idname = "LIBOCEAN_PT_coast_spectrum"
+    bl_parent_id = CoastPanel.bl_idname
+    bl_label = "Spectrum"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @never_raises
+    def draw(self, context) -> None:
         layout, settings = self.layout, context.object.libocean
-        sea_panels.draw_waves(layout, settings)
-        place_labels(layout)
-        if settings.active_wave < len(settings.waves):
-            system = settings.waves[settings.active_wave]
-            for entry in parameter_values.entries(waves=True):
-                sea_panels.draw_parameter(layout, system, entry)
+        sea_panels.draw_spectrum(layout, settings)
         layout.separator()
-        _draw_parameters(layout, settings, ("seed", "patch_size", "resolution"))
+        _draw_parameters(layout, settings, SPECTRUM)
 
 
 def _draw_parameters(layout, settings, keys) -> None:
@@ -77,11 +85,13 @@ class CoastBedPanel(_Panel, bpy.types.Panel):
     bl_idname = "LIBOCEAN_PT_coast_bed"
     bl_parent_id = CoastPanel.bl_idname
     bl_label = "Bed"
+    bl_options = {"DEFAULT_CLOSED"}
 
     @draws
     def draw(self, layout, ob, _context) -> None:
         _draw_parameters(layout, ob.libocean, (*BED, *SHORE))
-        field(layout, ob.libocean_coast, "land")
+        for name in ("land", "far_water"):
+            field(layout, ob.libocean_coast, name)
 
 
 class CoastLookPanel(_Panel, bpy.types.Panel):
@@ -90,6 +100,7 @@ class CoastLookPanel(_Panel, bpy.types.Panel):
     bl_idname = "LIBOCEAN_PT_coast_look"
     bl_parent_id = CoastPanel.bl_idname
     bl_label = "Look"
+    bl_options = {"DEFAULT_CLOSED"}
 
     @draws
     def draw(self, layout, ob, _context) -> None:
@@ -109,7 +120,7 @@ class CoastLookPanel(_Panel, bpy.types.Panel):
         column.prop(settings, "use_wetness")
         if settings.use_wetness and not meshes.is_ours(settings.land):
             say(layout, tr_label("Wet ground has no effect: it needs Land, a mesh"), "ERROR")
-        _draw_parameters(layout, ob.libocean, LOOK)
+        _draw_parameters(layout, ob.libocean, sea_panels.FOAM)
 
 
 class CoastBakePanel(_Panel, bpy.types.Panel):
@@ -125,6 +136,13 @@ class CoastBakePanel(_Panel, bpy.types.Panel):
         sea_panels.draw_bake(self.layout, context.object, context.scene)
 
 
-CLASSES = (CoastPanel, CoastWavesPanel, CoastBedPanel, CoastLookPanel, CoastBakePanel)
+CLASSES = (
+    CoastPanel,
+    CoastWavesPanel,
+    CoastSpectrumPanel,
+    CoastBedPanel,
+    CoastLookPanel,
+    CoastBakePanel,
+)
 
 register, unregister = bpy.utils.register_classes_factory(CLASSES)

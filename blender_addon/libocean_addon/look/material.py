@@ -105,6 +105,12 @@ def pixel_angle(scene) -> float | None:
     return (right.x - left.x) / -right.z / pixels
 
 
+def waters_of(ob) -> list:
+    """Returns the nodes of water in the material that an object shows first."""
+    made = ob.material_slots[0].material if ob.material_slots else None
+    return [] if made is None or made.node_tree is None else waters(made.node_tree)
+
+
 def put(made, values: dict) -> None:
     """Sets inputs of the water of a material."""
     for node in made.node_tree.nodes:

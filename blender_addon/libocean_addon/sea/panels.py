@@ -21,6 +21,8 @@ from . import facts, hints, node_group, operators, parameter_values, records
 from .parameter_values import PARAMETERS
 
 SHORT = {
+    "wind_speed": "Wind",
+    "wind_direction": "Direction",
     "peak_enhancement": "Enhancement",
     "significant_wave_height": "Wave height",
     "foam_coverage": "Coverage",
@@ -39,14 +41,17 @@ SHORT = {
 }
 """Short labels for fields whose label does not fit a panel of default width."""
 
-# Parameters by the panel that shows them; every other one is in Advanced.
-SEA = ("patch_size", "depth", "seed")
+# Parameters by the panel that shows them; every other one is in Advanced, or of a wave system in
+# Spectrum.
+WIND = ("wind_speed", "wind_direction", "significant_wave_height")
+SEA = ("choppiness", "seed")
+SPECTRUM = ("patch_size", "depth")
 FOAM = ("foam_lifetime", "foam_coverage", "foam_threshold", "foam_width")
-LOOK = ("resolution", "choppiness", *FOAM)
+LOOK = ("resolution", *FOAM)
 TIME = ("start", "first_frame", "fps", "loop_period", "take", "glide")
 
 _ENTRIES = {entry["key"]: entry for entry in parameter_values.entries(waves=False)}
-ADVANCED = tuple(key for key in _ENTRIES if key not in (*SEA, *LOOK, *TIME))
+ADVANCED = tuple(key for key in _ENTRIES if key not in (*SEA, *SPECTRUM, *LOOK, *TIME))
 
 
 def label_of(entry) -> str:
@@ -170,8 +175,39 @@ def _draw_hints(layout, ob, seen) -> None:
         layout.operator(hints.Subdivide.bl_idname, icon="MOD_SUBSURF")
 
 
+def draw_sea(layout, ob) -> None:
+    """Draws what an artist changes first: wind and height of the active wave system, the amount of
+    foam, the shape of crests, the seed."""
+    settings = ob.libocean
+    if len(settings.waves) > 1:
+        draw_waves(layout, settings)
+    place_labels(layout)
+    _draw_system(layout, settings, lambda key: key in WIND)
+    for water in material.waters_of(ob):
+        amount = water.inputs["Foam Amount"]
+        layout.prop(amount, "default_value", text="Foam amount", text_ctxt=translations.SEA)
+    _draw_parameters(layout, settings, SEA)
+
+
+def draw_spectrum(layout, settings) -> None:
+    """Draws the wave systems, and how each of them shares its energy out."""
+    draw_waves(layout, settings)
+    place_labels(layout)
+    _draw_system(layout, settings, lambda key: key not in WIND)
+
+
+def _draw_system(layout, settings, is_shown) -> None:
+    """Draws parameters of the active wave system. is_shown(key): whether to draw one."""
+    if settings.active_wave >= len(settings.waves):
+        return
+    system = settings.waves[settings.active_wave]
+    for entry in parameter_values.entries(waves=True):
+        if is_shown(entry["key"]):
+            draw_parameter(layout, system, entry)
+
+
 class WavesPanel(_Panel, bpy.types.Panel):
-    """The waves of the sea, and the water they run on"""
+    """The sea as an artist changes it"""
 
     bl_idname = "LIBOCEAN_PT_waves"
     bl_parent_id = OceanPanel.bl_idname
@@ -179,16 +215,28 @@ class WavesPanel(_Panel, bpy.types.Panel):
 
     @never_raises
     def draw(self, context) -> None:
+        layout, ob = self.layout, context.object
+        draw_sea(layout, ob)
+        column = layout.column()
+        column.active = ob.libocean.use_foam and ob.libocean.use_normal
+        column.prop(ob.libocean, "use_detail")
+
+
+class SpectrumPanel(_Panel, bpy.types.Panel):
+    """The wave systems of the sea with their spectra, and the water they run on"""
+
+    bl_idname = "LIBOCEAN_PT_spectrum"
+    bl_parent_id = OceanPanel.bl_idname
+    bl_label = "Spectrum"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @never_raises
+    def draw(self, context) -> None:
         layout, settings = self.layout, context.object.libocean
-        draw_waves(layout, settings)
-        place_labels(layout)
-        if settings.active_wave < len(settings.waves):
-            system = settings.waves[settings.active_wave]
-            layout.operator(records.PickRecord.bl_idname, icon="FILE_FOLDER").filepath = ""
-            for entry in parameter_values.entries(waves=True):
-                draw_parameter(layout, system, entry)
-            layout.separator()
-        _draw_parameters(layout, settings, SEA)
+        draw_spectrum(layout, settings)
+        layout.operator(records.PickRecord.bl_idname, icon="FILE_FOLDER").filepath = ""
+        layout.separator()
+        _draw_parameters(layout, settings, SPECTRUM)
 
 
 class LookPanel(_Panel, bpy.types.Panel):
@@ -197,6 +245,7 @@ class LookPanel(_Panel, bpy.types.Panel):
     bl_idname = "LIBOCEAN_PT_look"
     bl_parent_id = OceanPanel.bl_idname
     bl_label = "Look"
+    bl_options = {"DEFAULT_CLOSED"}
 
     @draws
     def draw(self, layout, ob, context) -> None:
@@ -204,7 +253,7 @@ class LookPanel(_Panel, bpy.types.Panel):
         layout.operator_menu_enum(
             material.AddMaterial.bl_idname, "water_type", text="Material", icon="MATERIAL"
         )
-        _draw_parameters(layout, settings, ("choppiness", "resolution"))
+        _draw_parameters(layout, settings, ("resolution",))
         _draw_map_size(layout, ob)
         names = ["viewport_resolution", "render_resolution"]
         if settings.kind == "PATCH":
@@ -219,9 +268,6 @@ class LookPanel(_Panel, bpy.types.Panel):
         column = layout.column(heading="Attributes")
         for name in ("use_foam", "use_velocity", "use_normal"):
             column.prop(settings, name)
-        column = layout.column()
-        column.active = settings.use_foam and settings.use_normal
-        column.prop(settings, "use_detail")
         _draw_parameters(layout, settings, FOAM)
         mask_field(layout, settings, ob)
         layout.prop(settings, "follow_world")
@@ -336,6 +382,7 @@ CLASSES = (
     WavesList,
     OceanPanel,
     WavesPanel,
+    SpectrumPanel,
     LookPanel,
     SprayPanel,
     BakePanel,

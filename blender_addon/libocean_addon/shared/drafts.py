@@ -319,7 +319,8 @@ def _step() -> float | None:
     if _running is not None:
         name, job = _running
         if job.is_alive():
-            _redraw()
+            if line()[0] != _drawn and time.monotonic() - _drawn_at >= _REDRAWS:
+                _redraw()
             return 0.1
         _running = None
         hooks.connected().finish_draft_job(name, job)
@@ -363,6 +364,9 @@ def complete() -> bool:
 
 _drawn: str | None = None
 """The line that the status bar shows."""
+_drawn_at = 0.0
+_REDRAWS = 0.4
+"""[s] From one picture of the progress to the next, at least: each draws the panels again."""
 
 
 def line() -> tuple[str, str]:
@@ -378,9 +382,9 @@ def line() -> tuple[str, str]:
 
 def _redraw() -> None:
     """Has the panels drawn again and, if its line is another one, the status bar."""
-    global _drawn
+    global _drawn, _drawn_at
     said, before = line()[0], _drawn
-    _drawn = said
+    _drawn, _drawn_at = said, time.monotonic()
     for window in bpy.context.window_manager.windows:
         for area in window.screen.areas:
             if area.type == "PROPERTIES":

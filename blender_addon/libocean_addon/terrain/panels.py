@@ -217,6 +217,7 @@ class SpectrumPanel(ObjectPanel, bpy.types.Panel):
     bl_idname = "LIBOCEAN_PT_terrain_spectrum"
     bl_parent_id = TerrainPanel.bl_idname
     bl_label = "Spectrum"
+    bl_options = {"DEFAULT_CLOSED"}
 
     @draws
     def draw(self, layout, ob, _context) -> None:
