@@ -261,7 +261,7 @@ class AddTerrainScene(_Scene, bpy.types.Operator):
         name="Preset",
         description="The terrain to begin with",
         items=terrain_operators.PRESETS,
-        default=terrain_operators.DEFAULT_PRESET,
+        default="big_tujunga",  # mountains with gullies
     )
     __annotations__.update({key: _SCENE[key] for key in _OF_ALL})
 

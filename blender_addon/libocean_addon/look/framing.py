@@ -114,7 +114,7 @@ def shore_eye(ground: Ground, travel: float) -> Eye:
     x = ground.origin[0] + cell * columns[kept]
     y = ground.origin[1] + cell * rows[kept]
     middle = np.array(ground.origin) + cell / 2.0 * np.array(heights.shape[::-1])
-    low = 0.012 * size
+    low = 0.02 * size
     away = np.geomspace(0.02 * size, size, 48)
     east, north = _ways()
     ray_x = x[:, None, None] + east[:, None] * away
@@ -141,7 +141,9 @@ def shore_eye(ground: Ground, travel: float) -> Eye:
     near = np.nanmin(np.where(np.isnan(logs), 0.0, logs), axis=2)
     far = np.nanmax(np.where(np.isnan(logs), near[..., None], logs), axis=2)
     surf = np.nan_to_num(_pictures(np.where(hits, of_hits, 0.0)).mean(axis=2))
-    scores = surf - 2.0 * abs(shares - 0.5) + 0.3 * (far - near) - 0.6 * abs(near - np.log(0.06))
+    scores = (
+        3.0 * surf - 2.0 * abs(shares - 0.6) + 0.3 * (far - near) - 0.6 * abs(near - np.log(0.1))
+    )
     place, heading = _best(scores)
     spot = np.array([x[place], y[place]])
     return Eye((*spot, max(0.0, ground.highest_within(spot, 0.02 * size)) + low), heading, 6.0)
