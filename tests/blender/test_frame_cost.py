@@ -7,9 +7,10 @@ import time
 
 import bpy
 import pytest
-from conftest import evaluated_mesh
+from conftest import add_ocean, evaluated_mesh
 from libocean_addon.sea import live, open_sea
-from libocean_addon.shared import images
+from libocean_addon.shared import changes, images
+from test_hull_cut import trough
 
 FRAMES = range(2, 26)
 LIMIT = 0.35 if bpy.app.version < (4, 2) else 0.20
@@ -106,3 +107,52 @@ def test_spray_costs_a_few_times_what_the_library_takes_for_it(scene, engine):
         f"more than {1e3 * without:.1f}, {1e3 * library:.1f} the library's; the first {first:.2f} s"
     )
     assert seconds - without <= 5 * library
+
+
+def processor_seconds(scene, ob, frames) -> list[float]:
+    """The times of the processor that frames take, the evaluated mesh included."""
+    taken = []
+    for frame in frames:
+        start = time.process_time()
+        scene.frame_set(frame)
+        evaluated_mesh(ob)
+        taken.append(time.process_time() - start)
+    return taken
+
+
+CUT = 0.2
+"""The cost of cutting a boat out of the water, in frames of the sea alone."""
+
+
+def test_to_cut_a_boat_out_costs_a_fifth_of_a_frame(scene):
+    """A boat of 12 m at 8 m/s, its wake alone, and the sea alone, in turns in one run. Whitecaps
+    have no past: a past would make the sea's own frame longer."""
+    scene.frame_end = 241
+    ob = add_ocean(512, kind="PATCH")
+    ob.libocean.mesh_resolution = 512
+    boat = trough(size=(12.0, 3.0), way=40.0, frames=(1, 241))
+    assert bpy.ops.libocean.add_wake(ocean=ob.name) == {"FINISHED"}
+    settings, hull = ob.libocean, ob.libocean.hulls[0]
+    kept = {name: getattr(hull, name) for name in ("length", "beam", "draught", "outline")}
+    kept |= {"track_lines": hull.track_lines, "track_key": hull.track_key}
+    taken = {"sea": [], "wake": [], "cut": []}
+    for repeat in range(10):
+        for state, all_times in taken.items():
+            with changes.quiet():
+                settings.hulls.clear()
+                settings.use_hull_cut = state == "cut"
+                if state != "sea":
+                    hull = settings.hulls.add()
+                    hull.source = boat
+                    for name, value in kept.items():
+                        setattr(hull, name, value)
+            changes.tell(settings)
+            first = 20 + 8 * repeat
+            times = processor_seconds(scene, ob, range(first, first + 6))
+            all_times.append(statistics.median(times[2:]))  # the first two fill what is kept
+    sea, wake, cut = (statistics.median(times) for times in taken.values())
+    print(
+        f"\n{bpy.app.version_string}: {1e3 * sea:.1f} ms of the processor; with a wake "
+        f"{wake / sea:.2f} times as much, the boat cut out {cut / sea:.2f} times"
+    )
+    assert cut - wake <= CUT * sea

@@ -23,10 +23,12 @@ def ocean(scene):
     return ob
 
 
-def trough(name="Boat", place=(0.0, 4.0), turn=0.0):
-    """A box without a lid, whose length lies along x: it moves 24 m in two seconds."""
+def trough(
+    name="Boat", place=(0.0, 4.0), turn=0.0, *, size=(LENGTH, WIDTH), way=12.0, frames=(1, 49)
+):
+    """A box without a lid, whose length lies along x: it moves twice a way [m] in these frames."""
     bpy.ops.object.select_all(action="DESELECT")
-    x, y = LENGTH / 2, WIDTH / 2
+    x, y = size[0] / 2, size[1] / 2
     corners = [(a * x, b * y, z) for z in (BOTTOM, TOP) for a in (-1, 1) for b in (-1, 1)]
     faces = [(0, 1, 3, 2), (0, 2, 6, 4), (1, 5, 7, 3), (0, 4, 5, 1), (2, 3, 7, 6)]
     mesh = bpy.data.meshes.new(name)
@@ -34,9 +36,9 @@ def trough(name="Boat", place=(0.0, 4.0), turn=0.0):
     ob = bpy.data.objects.new(name, mesh)
     bpy.context.scene.collection.objects.link(ob)
     ob.rotation_euler.z = turn
-    way = 12.0 * np.array([np.cos(turn), np.sin(turn)])
-    ends = (np.array(place) - way, np.array(place) + way)
-    keyed(ob, location={frame: (*end, 0.0) for frame, end in zip((1, 49), ends, strict=True)})
+    half = way * np.array([np.cos(turn), np.sin(turn)])
+    ends = (np.array(place) - half, np.array(place) + half)
+    keyed(ob, location={frame: (*end, 0.0) for frame, end in zip(frames, ends, strict=True)})
     for curve in compat.curves_of(ob.animation_data):
         for key in curve.keyframe_points:
             key.interpolation = "LINEAR"
