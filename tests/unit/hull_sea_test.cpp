@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -77,6 +78,29 @@ TEST(HullSea, AQueryFindsTheSurfaceOfTheRegion) {
         EXPECT_NEAR(samples[i].velocity[2], of(Channel::vz), 1e-4);
         EXPECT_NEAR(samples[i].foam, of(Channel::foam), 1e-3);
         EXPECT_NEAR(exact[i].height, of(Channel::height), 3e-3 * height);
+    }
+}
+
+TEST(HullSea, OnCalmWaterAQueryFindsTheWakeToItsOwnScale) {
+    Parameters calm = sea_with_boat();
+    calm.waves.front().wind_speed = 0.0;
+    Ocean ocean(calm);
+    const Surface map = ocean.region(kTime, kWake, {Channel::dx, Channel::dy, Channel::height});
+    const std::span<const float> heights = map.channel(Channel::height);
+    std::vector<WorldPoint> points;
+    double squares = 0.0;
+    for (std::size_t n = 0; n < heights.size(); ++n) {
+        const auto [x, y] = kWake.place(static_cast<int>(n % 41), static_cast<int>(n / 41));
+        points.push_back({x + static_cast<double>(map.channel(Channel::dx)[n]),
+                          y + static_cast<double>(map.channel(Channel::dy)[n])});
+        squares += static_cast<double>(heights[n]) * static_cast<double>(heights[n]);
+    }
+    const double rms = std::sqrt(squares / static_cast<double>(heights.size()));
+    EXPECT_GT(rms, 0.01);
+    std::vector<QuerySample> samples(points.size());
+    ocean.query(kTime, points, samples);
+    for (std::size_t n = 0; n < heights.size(); ++n) {
+        EXPECT_NEAR(samples[n].height, static_cast<double>(heights[n]), 1e-5 * rms) << n;
     }
 }
 

@@ -121,9 +121,9 @@ class FilteredWake {
     std::optional<OpenSurface> map_;
 };
 
-/// Waves of a short hull, which sends the same to each wave, times the sections e^(-|x|/l) of a
-/// hull with l = 7.5 m: all of them come from one place, so that bow and stern do not interfere.
-FilteredWake cusp_wake(double speed, double size, ThreadPool& pool) {
+/// Waves of a short hull, which sends the same to each wave, times a factor.
+FilteredWake short_wake(double speed, double size, const FilteredWake::Factor& factor,
+                        ThreadPool& pool) {
     Hull hull = straight_hull(0.5, 0.1, 0.05, speed);
     hull.wake_size = size;
     hull.wake_resolution = 512;
@@ -131,14 +131,19 @@ FilteredWake cusp_wake(double speed, double size, ThreadPool& pool) {
     hull.factor = 10.0;
     Wake wake(hull, deep_water(), 0.0, pool);
     wake.move_to(0.0, false, pool);
+    return {wake, factor, pool};
+}
+
+/// Waves of a hull with the sections e^(-|x|/l), l = 7.5 m: all of them come from one place, so
+/// that bow and stern do not interfere.
+FilteredWake cusp_wake(double speed, double size, ThreadPool& pool) {
     const double transverse = kTwoPi * speed * speed / kGravity;
     const double blur = 0.05 * transverse;
-    return {wake,
-            [blur](double k, double kx, double ky) {
-                return 1e4 * std::exp(-0.5 * blur * blur * ky * ky) / (1.0 + kx * kx * 7.5 * 7.5) /
-                       (1.0 + k * 1.5);
-            },
-            pool};
+    const auto factor = [blur](double k, double kx, double ky) {
+        return 1e4 * std::exp(-0.5 * blur * blur * ky * ky) / (1.0 + kx * kx * 7.5 * 7.5) /
+               (1.0 + k * 1.5);
+    };
+    return short_wake(speed, size, factor, pool);
 }
 
 /// Returns the slope of the line through points by least squares.
@@ -197,10 +202,12 @@ double transverse_length(const FilteredWake& wake, double expected, double near,
     return best;
 }
 
+constexpr double kEdge = 0.663;  // Ai(0) / max Ai
+
 /// Returns the half-angle of the wedge: the slope of the places where the envelope of the crests
-/// has fallen to Ai(0) / max Ai outside its highest [degrees].
-double wedge_angle(const FilteredWake& wake, double length, double near, double far, double step) {
-    constexpr double kLevel = 0.663;
+/// has fallen to a share of its highest, outside of that [degrees].
+double wedge_angle(const FilteredWake& wake, double length, double near, double far, double step,
+                   double share = kEdge) {
     std::vector<double> xs, ys;
     for (double x = near; x < far; x += 0.25 * length) {
         std::vector<double> envelope;
@@ -213,9 +220,9 @@ double wedge_angle(const FilteredWake& wake, double length, double near, double 
         }
         const auto peak = std::ranges::max_element(envelope);
         const auto edge =
-            std::find_if(peak, envelope.end(), [&](double e) { return e < kLevel * *peak; });
+            std::find_if(peak, envelope.end(), [&](double e) { return e < share * *peak; });
         const double before = *(edge - 1);
-        const double part = (before - kLevel * *peak) / (before - *edge);
+        const double part = (before - share * *peak) / (before - *edge);
         xs.push_back(x);
         ys.push_back(step * (static_cast<double>(edge - envelope.begin()) + part));
     }
@@ -234,6 +241,27 @@ TEST(Wake, TransverseWavesAndTheWedgeAreKelvins) {
         if (froude > 0.4) continue;
         EXPECT_NEAR(wedge_angle(wake, length, 6.0 * length, 0.5 * size, size / 512), 19.47, 0.5)
             << froude;
+    }
+}
+
+// The waves of a disturbance with Gaussian sections of 10 m. [Rabaud 2013] saw the angle of the
+// highest waves of ships fall as 1/Fr, and gave it the curve below.
+TEST(Wake, TheHighestWavesOfFastHullsStandAtNarrowerAngles) {
+    ThreadPool pool;
+    constexpr double kSpread = 10.0 / kTwoPi, kSize = 320.0;
+    const auto gaussian = [](double k, double, double) {
+        return 1e4 * std::exp(-0.5 * k * k * kSpread * kSpread);
+    };
+    double before = 19.47;
+    for (const double froude : {1.0, 1.5, 2.0, 2.5}) {
+        const double speed = froude * std::sqrt(kGravity * 10.0);
+        const FilteredWake wake = short_wake(speed, kSize, gaussian, pool);
+        const double highest = wedge_angle(wake, 14.0, 60.0, 0.4 * kSize, kSize / 512, 1.0);
+        const double square = kTwoPi * froude * froude;
+        const double seen = std::atan(std::sqrt(square - 1.0) / (2.0 * square - 1.0)) / kDegree;
+        EXPECT_LT(highest, before) << froude;
+        EXPECT_NEAR(highest, seen, 0.25 * seen) << froude;
+        before = highest;
     }
 }
 
