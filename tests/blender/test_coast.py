@@ -198,19 +198,22 @@ def test_the_island_draws_no_warning_about_itself():
 def test_far_water_lies_around_the_map(sea_file):
     ob = add_coast(sea_file, use_far_water=True, use_material=True)
     far = ob.libocean_coast.far_water
-    assert far.parent == ob and len(far.data.polygons) == 8
+    assert far.parent == ob and len(far.data.polygons) == 8 + 4
     assert far.material_slots[0].material == ob.material_slots[0].material
     settings = ob.libocean_coast
     for region in (None, (50.0, 40.0, 90.0, 100.0)):
         if region is not None:
             settings.region, settings.use_region = region, True
-        inner = rest(far).reshape(4, 4, 3)[1:3, 1:3].reshape(-1, 3)
+        inner = rest(far)[:16].reshape(4, 4, 3)[1:3, 1:3].reshape(-1, 3)
         corners = rest(ob)
         assert np.array_equal(inner.min(axis=0), corners.min(axis=0))
         assert np.array_equal(inner.max(axis=0), corners.max(axis=0))
         assert np.ptp(rest(far)[:, 0]) > 8e4
+    assert all(face.normal.z > 0.9 for face in far.data.polygons)
     with library_of(ob) as sea:
         slopes = sea.state["mean_square_slope"]["resolved"]
+        height = sea.state["significant_wave_height"]["resolved"]
+    assert rest(far)[-4:, 2] == pytest.approx(-height), "a slope closes the border below troughs"
     assert attribute(far, "slope_variance") == pytest.approx(slopes, rel=1e-5)
 
 
