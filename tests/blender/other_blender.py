@@ -205,11 +205,11 @@ def in_window(operator, *arguments, **settings):
 
 def draw_every_panel(picture: str):
     """Keeps a picture of the editor of properties with all panels open."""
-    from libocean_addon.sea import open_sea, panels
+    from libocean_addon.sea import crest_panels, hulls, open_sea, panels
     from libocean_addon.shared import drafts
 
-    for panel in panels.CLASSES:
-        if getattr(panel, "bl_options", None):
+    for panel in (*panels.CLASSES, *crest_panels.CLASSES, *hulls.CLASSES):
+        if issubclass(panel, bpy.types.Panel) and getattr(panel, "bl_options", None):
             bpy.utils.unregister_class(panel)
             panel.bl_options = set()
             bpy.utils.register_class(panel)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from conftest import NO_PAST, factory_settings, presets_with, push
 from libocean_addon.bundled import libocean
-from libocean_addon.coast import first_coast
+from libocean_addon.coast import bed_sea, coast_job, first_coast
 from libocean_addon.look import framing
 from libocean_addon.sea import facts as sea_facts
 from libocean_addon.sea import hints
@@ -116,7 +116,8 @@ def test_an_entry_is_a_picture_and_is_undone(entry, is_empty, small_coast, waiti
 
 def test_the_view_of_the_island_is_over_its_surf():
     with libocean.parse(first_coast.values().text()) as sea:
-        ground = framing.of_bed(sea, sea.get("seabed_origin"))
+        extent = bed_sea.extent_of(sea.get("seabed_origin"), sea.state)
+        ground = framing.of_bed(coast_job.make_bed(sea, extent), extent)
         travel = sea.state["mean_direction"]["resolved"]
     eye = framing.shore_eye(ground, travel)
     place = np.array(eye.place)

@@ -12,11 +12,11 @@ import math
 
 import bpy
 
-from ..coast.subject import COAST
+from ..coast.coast_job import region_of
+from ..coast.open_coast import coast_of
 from ..sea import operators
-from ..shared import compat, console, paths, registration
+from ..shared import compat, console, registration
 from ..shared.compat import tr
-from ..shared.native import libocean
 from ..shared.table_properties import settings_of
 from ..terrain import material as terrain_material
 from ..terrain import operators as terrain_operators
@@ -152,7 +152,7 @@ class _Scene:
         """Returns a new object of the subject."""
         raise NotImplementedError
 
-    def eye(self, context, ob) -> Eye:
+    def eye(self, ob) -> Eye:
         """Returns the view of that object."""
         raise NotImplementedError
 
@@ -172,7 +172,7 @@ class _Scene:
             if kept is not None:
                 kept.use_fake_user = True
         ob = self.add(context)
-        eye = self.eye(context, ob)
+        eye = self.eye(ob)
         azimuth = eye.heading + math.degrees(self.sun_bearing)
         elevation = math.degrees(self.sun_elevation)
         scene.world = make_sky(elevation, azimuth, self.prefix)
@@ -213,7 +213,7 @@ class AddScene(_Scene, bpy.types.Operator):
         bpy.ops.libocean.add(kind="HORIZON", preset=self.preset, water_type=self.water_type)
         return context.view_layer.objects.active
 
-    def eye(self, _context, _ob) -> Eye:
+    def eye(self, _ob) -> Eye:
         # Against the waves, which is where they look like waves.
         return Eye((0.0, 0.0, self.camera_height), 180.0, 5.0)
 
@@ -238,11 +238,11 @@ class AddCoastScene(_Scene, bpy.types.Operator):
         bpy.ops.libocean.add_coast(use_far_water=True, water_type=self.water_type)
         return context.view_layer.objects.active
 
-    def eye(self, context, ob) -> Eye:
-        values = COAST.parameters.values_of(ob, context.scene)
-        with libocean.parse(values.text(), base_dir=paths.blend_folder()) as sea:
-            travel = sea.state["mean_direction"]["resolved"]
-            return framing.shore_eye(framing.of_bed(sea, values.values["seabed_origin"]), travel)
+    def eye(self, ob) -> Eye:
+        coast = coast_of(ob.name_full)
+        extent = region_of(ob.libocean_coast).extent(coast.own)
+        travel = coast.state["mean_direction"]["resolved"]
+        return framing.shore_eye(framing.of_bed(coast.bed(extent), extent), travel)
 
     def finish(self, context, ob) -> None:
         for slot in ob.material_slots:
@@ -269,7 +269,7 @@ class AddTerrainScene(_Scene, bpy.types.Operator):
         bpy.ops.libocean.add_terrain(preset=self.preset, use_material=False)
         return context.view_layer.objects.active
 
-    def eye(self, _context, ob) -> Eye:
+    def eye(self, ob) -> Eye:
         return framing.relief_eye(framing.of_terrain(terrain_of(ob.name_full).handle))
 
     def finish(self, context, ob) -> None:

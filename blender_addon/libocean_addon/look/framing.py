@@ -12,7 +12,7 @@ import dataclasses
 
 import numpy as np
 
-from ..coast.bed_sea import extent_of
+from ..coast.coast_job import Bed
 from ..terrain.extent import Extent
 from ..terrain.node_group import GROUND
 from ..terrain.open_terrain import fill_maps, own_extent
@@ -63,21 +63,18 @@ class Ground:
         return float(self.sample(self.heights, x, y).max())
 
 
-def _ground(extent: Extent, heights_of) -> Ground:
-    """Returns the land on few samples. heights_of(extent): its heights there."""
-    coarse = extent.coarser(extent.step_for(_SAMPLES))
-    return Ground(heights_of(coarse), coarse.origin, coarse.cell, coarse.wraps)
-
-
-def of_bed(sea, origin: str) -> Ground:
-    """Returns the bed of a sea. origin: its seabed_origin."""
-    extent = extent_of(origin, sea.state)
-    return _ground(extent, lambda few: sea.bed_region(few.origin, few.samples, few.cell))
+def of_bed(bed: Bed, extent: Extent) -> Ground:
+    """Returns the bed of a coast, on few of its samples."""
+    step = extent.step_for(_SAMPLES)
+    return Ground(bed.heights[::step, ::step], extent.origin, extent.cell * step, False)
 
 
 def of_terrain(terrain) -> Ground:
-    """Returns the land of a terrain."""
-    return _ground(own_extent(terrain), lambda few: fill_maps(terrain, few, ())[GROUND][..., 3])
+    """Returns the land of a terrain, on few samples."""
+    own = own_extent(terrain)
+    few = own.coarser(own.step_for(_SAMPLES))
+    heights = fill_maps(terrain, few, ())[GROUND][..., 3]
+    return Ground(heights, few.origin, few.cell, few.wraps)
 
 
 def _ways() -> tuple[np.ndarray, np.ndarray]:
