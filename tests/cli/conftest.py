@@ -12,6 +12,7 @@ import time
 import tomllib
 from pathlib import Path
 
+import OpenImageIO
 import pytest
 from bake_runs import BAKE, pattern
 from coasts import BEACH, SEA, grid
@@ -108,6 +109,15 @@ class Program:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(text if isinstance(text, bytes) else text.encode())
         return path
+
+    def image(self, name: str):
+        """The spec of an image and its pixels, the southern row first."""
+        buffer = OpenImageIO.ImageBuf(str(self.folder / name))
+        assert not buffer.has_error, buffer.geterror()
+        return buffer.spec(), buffer.get_pixels(OpenImageIO.FLOAT)[::-1]
+
+    def bytes_of(self, name: str) -> bytes:
+        return (self.folder / name).read_bytes()
 
     def files(self, folder: str = "out") -> list[str]:
         """Returns the names of the files in a folder, including hidden ones."""

@@ -3,20 +3,9 @@
 """`ocean bake --products detail`: slope tiles beside a map, with headers that make them again."""
 
 import numpy as np
-import OpenImageIO
 import pytest
 
 SMALL = ("--detail-samples", "256")
-
-
-def image(ocean, name):
-    buffer = OpenImageIO.ImageBuf(str(ocean.folder / name))
-    assert not buffer.has_error, buffer.geterror()
-    return buffer.spec(), buffer.get_pixels(OpenImageIO.FLOAT)[::-1]
-
-
-def bytes_of(ocean, name):
-    return (ocean.folder / name).read_bytes()
 
 
 def numbers(spec, name):
@@ -29,7 +18,7 @@ def test_each_band_has_a_file_of_its_own(ocean):
     assert names == ["o/s.height.0001.exr", *bands]
     longest = None
     for band, name in enumerate(bands, 1):
-        spec, pixels = image(ocean, name)
+        spec, pixels = ocean.image(name)
         assert pixels.shape == (512, 512, 3) and str(spec.format) == "half"
         assert spec.channelnames == ("R", "G", "B") and (pixels[..., 2] == 0).all()
         assert spec.getattribute("ocean:field") == f"detail{band}"
@@ -46,12 +35,12 @@ def test_each_band_has_a_file_of_its_own(ocean):
         assert 1e-4 < numbers(spec, "slope_residual")[0] < 1e-3
     assert longest == 0.012
     ocean.bake("-o alone.exr --products detail2")
-    assert bytes_of(ocean, "alone.exr") == bytes_of(ocean, bands[1])
+    assert ocean.bytes_of("alone.exr") == ocean.bytes_of(bands[1])
 
 
 def test_bands_begin_where_the_map_ends(ocean):
     ocean.bake("-o s.exr --products detail1 --resolution 256", *SMALL)
-    spec, pixels = image(ocean, "s.exr")
+    spec, pixels = ocean.image("s.exr")
     assert pixels.shape[0] == 256 and spec.getattribute("ocean:map_resolution") == "256"
     # The sea's own modes end first: 64 of them.
     assert numbers(spec, "longest_wave") == [pytest.approx(200 / 31.5)]
@@ -60,10 +49,10 @@ def test_bands_begin_where_the_map_ends(ocean):
 def test_options_win_over_the_header(ocean):
     ocean.bake("-o b.exr --products detail1", *SMALL)
     ocean.good("bake --from b.exr -o other.exr --detail-samples 512")
-    assert image(ocean, "other.exr")[1].shape[0] == 512
+    assert ocean.image("other.exr")[1].shape[0] == 512
     # Another product gets none of the strings of detail.
     ocean.good("bake --from b.exr -o h.exr --products height")
-    spec, pixels = image(ocean, "h.exr")
+    spec, pixels = ocean.image("h.exr")
     assert pixels.shape[0] == 64 and spec.getattribute("ocean:tile") is None
 
 
@@ -71,6 +60,6 @@ def test_a_take_changes_the_tiles_of_each_frame(ocean):
     (ocean.folder / "wind.take").write_text("0.0 wind_speed 16\n")
     frames = ("--frames", "1,25", "--set", "take=wind.take", *SMALL)
     ocean.bake("-o o/s.####.exr --products detail1", *frames)
-    calm, windy = (image(ocean, f"o/s.detail1.00{n}.exr") for n in ("01", "25"))
+    calm, windy = (ocean.image(f"o/s.detail1.00{n}.exr") for n in ("01", "25"))
     assert numbers(windy[0], "slope_variance")[0] > 1.1 * numbers(calm[0], "slope_variance")[0]
     assert windy[1].std() > 1.05 * calm[1].std()
