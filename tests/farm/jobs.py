@@ -78,7 +78,7 @@ def run(*words, folder: Path) -> str:
     environment = os.environ | {"PATH": programs}
     done = subprocess.run(
         [str(word) for word in words], cwd=folder, env=environment, text=True,
-        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=300,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=600,
     )  # fmt: skip
     assert done.returncode == 0, done.stdout
     return done.stdout
