@@ -21,6 +21,8 @@ OCEAN = os.environ.get("OCEAN", "")
 if not Path(OCEAN).is_file():
     pytest.exit("set OCEAN to the path of the program; ctest does", returncode=1)
 DATA = Path(__file__).resolve().parent.parent / "data"
+# The preview makes no use of a display that is there.
+KEPT = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
 BUOY = DATA / "spectra" / "ndbc_41010.data_spec"
 
 # Small enough that a bake takes milliseconds.

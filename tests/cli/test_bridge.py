@@ -96,6 +96,11 @@ class Bridge:
         return self.process.wait(timeout=PATIENCE)
 
 
+def run(*arguments, **options) -> subprocess.CompletedProcess:
+    return subprocess.run([BRIDGE, *arguments], capture_output=True, text=True, timeout=PATIENCE,
+                          **options)  # fmt: skip
+
+
 @pytest.fixture
 def start(tmp_path):
     started = []
@@ -299,13 +304,8 @@ def test_a_token_guards_it(start, tmp_path):
 
 def test_the_terminal_client(start):
     bridge = start("--dummy")
-    done = subprocess.run(
-        [BRIDGE, "--client", f"127.0.0.1:{bridge.port}"],
-        input="SET wind_speed 14\nGET wind_speed\nLIST\nFLY\n",
-        capture_output=True,
-        text=True,
-        timeout=PATIENCE,
-    )
+    asked = "SET wind_speed 14\nGET wind_speed\nLIST\nFLY\n"
+    done = run("--client", bridge.address, input=asked)
     assert done.returncode == 0, done.stderr
     assert "waves.0.wind_speed = 14\n" in done.stdout
     assert "END LIST\n" in done.stdout
@@ -404,11 +404,6 @@ def test_learning_prints_the_map_of_what_is_moved(tmp_path, start):
 
 def test_a_port_that_is_taken_is_named(start):
     bridge = start()
-    done = subprocess.run(
-        [BRIDGE, "--listen", f"127.0.0.1:{bridge.port}"],
-        capture_output=True,
-        text=True,
-        timeout=PATIENCE,
-    )
+    done = run("--listen", bridge.address)
     assert done.returncode == 1
-    assert f"cannot listen on 127.0.0.1:{bridge.port}: Address already in use" in done.stderr
+    assert f"cannot listen on {bridge.address}: Address already in use" in done.stderr

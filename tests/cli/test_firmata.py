@@ -15,6 +15,7 @@ from pathlib import Path
 
 import pytest
 from test_bridge import PATIENCE, Bridge
+from test_bridge import start as start_any  # noqa: F401
 
 MAP = """[[device]]
 id = "uno"
@@ -156,18 +157,8 @@ def board(tmp_path):
 
 
 @pytest.fixture
-def start(tmp_path):
-    started = []
-
-    def one() -> Bridge:
-        started.append(Bridge(tmp_path, "--map", "map.toml"))
-        return started[-1]
-
-    yield one
-    for bridge in started:
-        if bridge.process.poll() is None:
-            bridge.process.kill()
-            bridge.process.wait()
+def start(start_any):  # noqa: F811
+    return lambda: start_any("--map", "map.toml")
 
 
 def subscribed(bridge: Bridge, *names: str):

@@ -8,11 +8,10 @@ import socket
 import subprocess
 
 import pytest
-from test_bridge import BRIDGE, PATIENCE, Bridge, Lines
+from test_bridge import PATIENCE, Bridge, Lines, run
 from test_bridge import start as start  # a fixture
 
-LIBRARIES = subprocess.run([BRIDGE, "--version"], stdout=subprocess.PIPE, text=True).stdout
-if "\nliblo " not in LIBRARIES:
+if "\nliblo " not in run("--version").stdout:
     pytest.skip("the bridge is built without liblo", allow_module_level=True)
 SEND = shutil.which("oscsend")
 DUMP = shutil.which("oscdump")
@@ -126,11 +125,6 @@ def test_a_port_that_is_taken_is_named():
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
         taken.bind(("127.0.0.1", 0))
         where = f"127.0.0.1:{taken.getsockname()[1]}"
-        done = subprocess.run(
-            [BRIDGE, "--listen", "127.0.0.1:0", "--osc", where],
-            capture_output=True,
-            text=True,
-            timeout=PATIENCE,
-        )
+        done = run("--listen", "127.0.0.1:0", "--osc", where)
     assert done.returncode == 1
     assert f"cannot listen on {where} for OSC: Address already in use" in done.stderr

@@ -10,30 +10,16 @@ import subprocess
 import threading
 import time
 import tomllib
-from pathlib import Path
 
 import numpy
-import OpenImageIO as oiio
 import pytest
-from conftest import OCEAN, cpu_seconds
+import test_preview
+from conftest import KEPT, OCEAN, cpu_seconds
 from test_bridge import Bridge
+from test_preview import PREVIEW, expect_baked_as_shown, good, pixels
 
-PREVIEW = os.environ.get("OCEAN_PREVIEW", "")
-if not PREVIEW:
-    pytest.skip("ocean-preview was not built", allow_module_level=True)
-SEA = """libocean = 1
-[grid]
-resolution = 64
-patch_size = 200.0
-[random]
-seed = 4
-[[waves]]
-spectrum = "jonswap"
-wind_speed = 9.0
-wind_direction = 30.0
-"""
+SEA = test_preview.SEA.replace("resolution = 128", "resolution = 64")
 PATIENCE = 240.0  # s, for what hangs; not for what is slow on a busy machine
-KEPT = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
 
 
 def wait_for(condition, *programs: subprocess.Popen):
@@ -86,37 +72,64 @@ def window(folder, bridge, display):
         each.wait(timeout=PATIENCE)
 
 
-def preview(folder: Path, *arguments) -> subprocess.CompletedProcess:
-    command = [PREVIEW, *map(str, arguments)]
-    return subprocess.run(
-        command, cwd=folder, env=KEPT, capture_output=True, text=True, timeout=PATIENCE
-    )
+class Client:
+    """A client of the bridge."""
+
+    def __init__(self, bridge: Bridge):
+        self.socket = bridge.say()
+        self.lines = self.socket.makefile("r", encoding="utf-8")
+
+    def tell(self, line: str):
+        self.socket.sendall(f"{line}\r\n".encode())
+
+    def ask(self, line: str) -> str:
+        self.tell(line)
+        return self.lines.readline().strip()
+
+    def value(self, name: str) -> str:
+        return self.ask(f"GET {name}").split()[2]
+
+    def number(self, name: str) -> float:
+        return float(self.value(name))
+
+    def found(self, pattern: str) -> re.Match:
+        """In the next line that has the pattern."""
+        while line := self.lines.readline():
+            if found := re.search(pattern, line):
+                return found
+        raise AssertionError(f"no {pattern!r} to the end")
 
 
-def test_a_sea_is_drawn_as_the_board_has_it(folder, bridge):
+@pytest.fixture
+def hand(bridge) -> Client:
+    return Client(bridge)
+
+
+def opened(folder, *arguments) -> subprocess.Popen:
+    """The program without a display."""
+    return subprocess.Popen(
+        [PREVIEW, *map(str, arguments)], cwd=folder, env=KEPT, stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE, text=True,
+    )  # fmt: skip
+
+
+def test_a_sea_is_drawn_as_the_board_has_it(folder, bridge, hand):
     join = ("sea.toml", "--bridge", bridge.address, "--time", 5, "--probe", "3,4")
-    alone = preview(folder, "sea.toml", "--time", 5, "--probe", "3,4").stdout
     # Nobody has moved anything: the sea is the file's.
-    still = preview(folder, *join)
-    assert still.returncode == 0, still.stderr
-    assert still.stdout == alone
+    assert good(folder, *join) == good(folder, "sea.toml --time 5 --probe 3,4")
     # The first report says where the knob is; from the second on it moves the wind.
-    connection = bridge.say("OUT board0/a1 10", "OUT board0/a1 128")
-    reader = connection.makefile("r")
+    for value in (10, 128):
+        assert hand.ask(f"OUT board0/a1 {value}") == "OK"
 
     def wind_of_the_bridge() -> str:
-        connection.sendall(b"GET waves.0.wind_speed\r\n")
-        value = reader.readline().split()[2]
+        value = hand.value("waves.0.wind_speed")
         return value if value != "unset" and float(value) > 10.0 else ""
 
     wind = wait_for(wind_of_the_bridge)
-    moved = preview(folder, *join, "--offscreen", "a.png", "--size", "64x36")
-    assert moved.returncode == 0 and (folder / "a.png").exists()
-    assert wind_of_the_bridge() == wind
-    expected = preview(
-        folder, "sea.toml", "--set", f"wind_speed={wind}", "--time", 5, "--probe", "3,4"
-    )
-    assert moved.stdout.splitlines()[0] == expected.stdout.strip()
+    moved = good(folder, *join, "--offscreen", "a.png", "--size", "64x36")
+    assert (folder / "a.png").exists() and wind_of_the_bridge() == wind
+    expected = good(folder, f"sea.toml --set wind_speed={wind} --time 5 --probe 3,4")
+    assert moved.splitlines()[0] == expected.strip()
 
 
 def test_a_coast_is_drawn_as_without_a_bridge(folder, bridge):
@@ -125,25 +138,21 @@ def test_a_coast_is_drawn_as_without_a_bridge(folder, bridge):
     (folder / "bed.asc").write_text(head + f"{beach}\n" * 25)
     coast = ("sea.toml", "--set", "water.seabed=bed.asc", "--set", "grid.resolution=32")
     coast += ("--size", "64x36", "--offscreen")
-    for name, *join in (("alone.png",), ("joined.png", "--bridge", bridge.address)):
-        drawn = preview(folder, *coast, name, *join)
-        assert drawn.returncode == 0, drawn.stderr
-    alone, joined = (oiio.ImageBuf(str(folder / f"{n}.png")) for n in ("alone", "joined"))
-    assert numpy.array_equal(alone.get_pixels(), joined.get_pixels())
+    good(folder, *coast, "alone.png")
+    good(folder, *coast, "joined.png", "--bridge", bridge.address)
+    assert numpy.array_equal(*(pixels(folder / f"{name}.png") for name in ("alone", "joined")))
 
 
-def test_a_knob_moves_the_sea_that_is_shown(folder, bridge):
+def test_a_knob_moves_the_sea_that_is_shown(folder, bridge, hand):
     join = ("sea.toml", "--bridge", bridge.address, "--time", 5, "--probe", "3,4", "--follow")
-    follows = subprocess.Popen(
-        [PREVIEW, *map(str, join), "600"], cwd=folder, env=KEPT, stdout=subprocess.PIPE, text=True
-    )
+    follows = opened(folder, *join, 600)
     first = follows.stdout.readline().split(",")
     assert first[1:3] == ["3", "4"]
     start = cpu_seconds(follows)
-    hand = bridge.say("OUT board0/a1 10")
+    hand.ask("OUT board0/a1 10")
     heights = [first[3]]
     for value in (60, 120, 180, 90):
-        hand.sendall(f"OUT board0/a1 {value}\r\n".encode())
+        hand.tell(f"OUT board0/a1 {value}")
         line = follows.stdout.readline().split(",")
         assert line[3] != heights[-1]
         heights.append(line[3])
@@ -152,79 +161,51 @@ def test_a_knob_moves_the_sea_that_is_shown(folder, bridge):
     follows.send_signal(signal.SIGINT)
     assert follows.wait(timeout=PATIENCE) == 130
     # After its seconds it ends by itself.
-    done = preview(folder, *join, 0.1, "--no-detail")
-    assert done.returncode == 0 and done.stdout, done.stderr
+    assert good(folder, *join, 0.1, "--no-detail")
 
 
 @pytest.mark.parametrize("backend", ["cpu", "gl"])
-def test_what_a_board_performed_is_baked_as_it_was_shown(folder, bridge, backend):
+def test_what_a_board_performed_is_baked_as_it_was_shown(folder, bridge, hand, backend):
     program = [os.environ["PERFORM_LIVE"], "sea.toml", backend, ".", bridge.address]
     performs = subprocess.Popen(program, cwd=folder, env=KEPT)
-    hand = bridge.say("OUT board0/a1 10", "OUT board0/a2 10")
     random.seed(3)
     while performs.poll() is None:
-        hand.sendall(f"OUT board0/a1 {random.randint(30, 200)}\r\n".encode())
-        hand.sendall(f"OUT board0/a2 {random.randint(30, 200)}\r\n".encode())
-        hand.recv(4096)
+        for knob in (1, 2):
+            assert hand.ask(f"OUT board0/a{knob} {random.randint(30, 200)}") == "OK"
         time.sleep(0.02)  # as fast as hands are: reports are as many as they like
     assert performs.returncode == 0
     take = tomllib.loads((folder / "performed.toml").read_text())["take"]["lines"]
     assert len(take) > 50 and {line.split()[1] for line in take} > {"waves.0.wind_speed"}
-    shown = sorted(folder.glob("heights-*.f32"))
-    frames = [path.stem.split("-")[1] for path in shown]
-    assert len(frames) == 20
-    command = [OCEAN, "bake", "performed.toml", "-q", "-o", "####.exr", "--products", "height"]
-    command += ["--type", "float", "--resolution", "128", "--frames", ",".join(frames)]
-    subprocess.run(command, cwd=folder, check=True, capture_output=True)
-    for path, frame in zip(shown, frames, strict=True):
-        heights = numpy.fromfile(path, numpy.float32).reshape(128, 128)
-        baked = oiio.ImageBuf(str(folder / f"height.{int(frame):04}.exr"))
-        baked = baked.get_pixels(oiio.FLOAT)[::-1, :, 0]
-        assert baked.std() > 0.05
-        assert abs(heights - baked).max() < 1e-5 * 4 * baked.std()
+    expect_baked_as_shown(folder, 128)
 
 
-def test_a_window_that_never_recorded_says_nothing_of_it(bridge, window):
+def test_a_window_that_never_recorded_says_nothing_of_it(window, hand):
     """Its word could end a take that another has just begun."""
     window()
-    watch = bridge.say()
-    watch.settimeout(PATIENCE)
-    watch.sendall(b"SUBSCRIBE app.time app.record\r\n")
+    hand.tell("SUBSCRIBE app.time app.record")
     told = []
-    for line in watch.makefile("r", encoding="utf-8"):
-        told.append(line.strip())
-        if sum(line.startswith("UPD app.time") for line in told) == 4:
-            break
+    while sum(line.startswith("UPD app.time") for line in told) < 4:
+        told.append(hand.lines.readline().strip())
     assert any("WRITER app.time" in line for line in told), told
     assert not any("WRITER app.record" in line for line in told), told
 
 
-def test_a_window_that_is_joined_writes_the_take(folder, bridge, window):
+def test_a_window_that_is_joined_writes_the_take(folder, bridge, window, hand):
     shown = window()
-    watch = bridge.say()
-    watch.settimeout(PATIENCE)
-    watch.sendall(b"SUBSCRIBE app.time\r\n")
-    told = watch.makefile("r", encoding="utf-8")
+    watch = Client(bridge)
+    watch.tell("SUBSCRIBE app.time")
 
     def writer_of_the_time() -> str:
-        while True:
-            found = re.search(r"EVT WRITER app.time (\S+)", told.readline())
-            if found:
-                return found[1]
+        return watch.found(r"EVT WRITER app.time (\S+)")[1]
 
     the_window = writer_of_the_time()
-    hand = bridge.say()
-    reader = hand.makefile("r", encoding="utf-8")
-
-    def ask(line: str) -> str:
-        hand.sendall(f"{line}\r\n".encode())
-        return reader.readline().strip()
+    ask = hand.ask
 
     def time_of_the_sea() -> float:
-        return float(ask("GET app.time").split()[2])
+        return hand.number("app.time")
 
     # It says how fast it draws, and where its clock is.
-    wait_for(lambda: float(ask("GET app.frame_rate").split()[2]) > 0.0, shown)
+    wait_for(lambda: hand.number("app.frame_rate") > 0.0, shown)
     assert ask("RECORD START storm.take") == "OK"
     ask("OUT board0/a1 10")
     for value in (60, 120, 180):
@@ -278,20 +259,11 @@ track = [[-60.0, 20.0, -240.0], [0.0, 20.0, 0.0], [900.0, 20.0, 3600.0]]
 """
 
 
-def test_a_client_drives_a_hull_and_its_way_is_saved(folder, bridge, window):
+def test_a_client_drives_a_hull_and_its_way_is_saved(folder, window, hand):
     (folder / "sea.toml").write_text(SEA + HULL)
     shown = window("-v", "--no-detail", stderr=subprocess.PIPE, text=True)
     lines = lines_of(shown.stderr)
-    hand = bridge.say()
-    reader = hand.makefile("r", encoding="utf-8")
-
-    def ask(line: str) -> str:
-        hand.sendall(f"{line}\r\n".encode())
-        return reader.readline().strip()
-
-    def number(name: str) -> float:
-        return float(ask(f"GET {name}").split()[2])
-
+    ask, number = hand.ask, hand.number
     wait_for(lambda: number("app.frame_rate") > 0.0, shown)
     for wrong in ("app.hull.speed 1e9", "app.hull.heading nan", "app.hull.drive 17"):
         assert ask(f"SET {wrong}").startswith("ERR RANGE"), wrong
@@ -323,7 +295,7 @@ def test_a_client_drives_a_hull_and_its_way_is_saved(folder, bridge, window):
     assert told.returncode == 0, told.stderr
 
 
-def test_of_two_windows_one_has_the_clock_and_both_follow_it(bridge, window):
+def test_of_two_windows_one_has_the_clock_and_both_follow_it(window, hand):
     told = []
 
     def open_window() -> subprocess.Popen:
@@ -331,18 +303,7 @@ def test_of_two_windows_one_has_the_clock_and_both_follow_it(bridge, window):
         told.append(lines_of(opened.stderr))
         return opened
 
-    hand = bridge.say()
-    reader = hand.makefile("r", encoding="utf-8")
-
-    def tell(line: str):
-        hand.sendall(f"{line}\r\n".encode())
-
-    def clock_of(pattern: str) -> re.Match:
-        while True:
-            found = re.search(pattern, reader.readline())
-            if found:
-                return found
-
+    tell, clock_of = hand.tell, hand.found
     windows = [open_window()]
     tell("SUBSCRIBE app.time")
     first = clock_of(r"EVT WRITER app.time (\S+)")[1]
@@ -366,14 +327,7 @@ def test_of_two_windows_one_has_the_clock_and_both_follow_it(bridge, window):
 def test_a_lost_bridge_is_told_and_what_it_moved_holds(folder):
     first = Bridge(folder, "sea.toml", "--dummy")
     join = ("sea.toml", "--bridge", first.address, "--probe", "3,4", "--follow", 600, "-v")
-    follows = subprocess.Popen(
-        [PREVIEW, *map(str, join)],
-        cwd=folder,
-        env=KEPT,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
+    follows = opened(folder, *join)
     follows.stdout.readline()
     first.say("SET wind_speed 17")
     moved = follows.stdout.readline().split(",", 1)[1]
@@ -383,6 +337,6 @@ def test_a_lost_bridge_is_told_and_what_it_moved_holds(folder):
     follows.send_signal(signal.SIGINT)
     out = follows.stdout.read()
     assert follows.wait(timeout=PATIENCE) == 130  # until then it was there
-    expected = preview(folder, "sea.toml", "--set", "wind_speed=17", "--probe", "3,4").stdout
+    expected = good(folder, "sea.toml --set wind_speed=17 --probe 3,4")
     # Its foam has only begun.
     assert moved.split(",")[:6] == expected.split(",")[:6] and out == ""

@@ -11,10 +11,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
-from conftest import DATA
-
-# The preview makes no use of a display that is there.
-KEPT = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+from conftest import DATA, KEPT
 
 
 def groups():
