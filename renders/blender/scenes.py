@@ -4,9 +4,10 @@
 
 usage: blender --background --python renders/blender/scenes.py -- SCENE PICTURE [SAMPLES] [PERCENT]
 
-The add-on must be installed. SCENE is open_sea, dusk, storm, volume, below, ferry, hero,
-hero_before, coast_dusk or coast_bay; PICTURE ends in .jpg or .png. Storm and volume also need the
-command `ocean` (or another by the environment variable OCEAN), and volume OpenVDB's Python module.
+The add-on must be installed. SCENE is open_sea, dusk, storm, volume, below, ferry, ferry_above,
+hero, hero_before, coast_dusk or coast_bay; PICTURE ends in .jpg or .png. Storm and volume also need
+the command `ocean` (or another by the environment variable OCEAN), and volume OpenVDB's Python
+module.
 """
 
 import atexit
@@ -310,17 +311,25 @@ def ferry_boat(place: tuple[float, float], heading: float) -> None:
     whole.rotation_euler.z = math.radians(heading)
 
 
-def ferry(scene) -> None:
+QUARTER = (74.0, 66.0, 9.0), (126.0, 6.0, 1.5), 32.5
+
+
+def ferry(scene, view=QUARTER) -> None:
     """A ferry in a turn on the sea of Beaufort 4, from 9 m over its port quarter: the picture of
     POV-Ray. The list by which it is judged:
     hull      at the point of the wedge, in the water
     wake      Kelvin's wedge astern, no square, no second one
     horizon   a line"""
     sky(scene, elevation=32.0, azimuth=-15.0, strength=0.16, dust=0.6)
-    camera(scene, (74.0, 66.0, 9.0), (126.0, 6.0, 1.5), 32.5)
+    camera(scene, *view)
     ocean_of(HERE.parent / "hulls" / "ferry.toml", "jerlov_ib")
     ferry_boat((129.6, 5.8), -43.8)
     scene.frame_set(1)
+
+
+def ferry_above(scene) -> None:
+    """The same ferry from above, as POV-Ray and the preview show it."""
+    ferry(scene, ((-60.0, -110.0, 150.0), (50.0, 25.0, 0.0), 27.7))
 
 
 def hero(scene, *, has_crest: bool = True) -> None:
@@ -402,6 +411,7 @@ SCENES = {
     "volume": volume,
     "below": below,
     "ferry": ferry,
+    "ferry_above": ferry_above,
     "hero": hero,
     "hero_before": hero_before,
     "coast_dusk": coast_dusk,

@@ -1,14 +1,21 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-// A ferry of 30 m in a turn on the sea of Beaufort 4, from 9 m over its port quarter.
-// scripts/pictures hulls/ferry.jpg
+// A ferry of 30 m in a turn on the sea of Beaufort 4, from 9 m over its port quarter or, with
+// Declare=Above=1, from above.
+// scripts/pictures hulls/ferry.jpg hulls/above_povray.jpg
 #version 3.7;
 #include "coast.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 8 }
 Ocean_Load(Ocean_Frame_Name(frame_number))
-#declare Eye = <74, 9, 66>;
-#declare Target = <126, 1.5, 6>;
-#declare View_Angle = 58;
+#ifdef (Above)
+    #declare Eye = <-60, 150, -110>;
+    #declare Target = <50, 0, 25>;
+    #declare View_Angle = 66;
+#else
+    #declare Eye = <74, 9, 66>;
+    #declare Target = <126, 1.5, 6>;
+    #declare View_Angle = 58;
+#end
 camera { location Eye right x*image_width/image_height angle View_Angle look_at Target }
 Ocean_Eye_At(Eye, View_Angle)
 Ocean_Sun(32, -15)
