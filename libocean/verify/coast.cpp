@@ -343,7 +343,8 @@ void height_rows(Bench& bench, double run) {
                 .tolerance = 0.13,
                 .bound = "the range that was measured"};
         if (run == 15.0 && depth == 1.0) {
-            row.shortfall = "docs/coast_accuracy.md: on 1:15 the energy equation itself gives 0.60 there";
+            row.shortfall =
+                "docs/coast_accuracy.md: on 1:15 the energy equation itself gives 0.60 there";
         }
         bench.add(std::move(row));
     }
