@@ -5,9 +5,9 @@
 usage: blender --background --python renders/blender/scenes.py -- SCENE PICTURE [SAMPLES] [PERCENT]
 
 The add-on must be installed. SCENE is open_sea, dusk, storm, volume, below, ferry, ferry_above,
-hero, hero_before, coast_dusk or coast_bay; PICTURE ends in .jpg or .png. Storm and volume also need
-the command `ocean` (or another by the environment variable OCEAN), and volume OpenVDB's Python
-module.
+hero, hero_before, coast_dusk or coast_bay, or one of first_ocean, first_coast and first_terrain,
+which are what *Add > ... Scene* makes; PICTURE ends in .jpg or .png. Storm and volume also need the
+command `ocean` (or another by the environment variable OCEAN), and volume OpenVDB's Python module.
 """
 
 import atexit
@@ -394,6 +394,17 @@ def coast_bay(scene) -> None:
     camera(scene, (1420.0, 1150.0, 600.0), (960.0, 700.0, 0.0), 45.0)
 
 
+def first_scene(operator: str):
+    """Returns the scene that one entry of the menu makes, as it is, for 16:9."""
+
+    def make(scene) -> None:
+        enable_addon()
+        getattr(bpy.ops.libocean, operator)()
+        scene.render.resolution_x, scene.render.resolution_y = 1600, 900
+
+    return make
+
+
 def bake(sea: Path, *arguments: str) -> Path:
     """Volumes of a sea's first frame, by the command in OCEAN."""
     folder = Path(tempfile.mkdtemp(prefix="libocean-"))
@@ -416,6 +427,9 @@ SCENES = {
     "hero_before": hero_before,
     "coast_dusk": coast_dusk,
     "coast_bay": coast_bay,
+    "first_ocean": first_scene("add_scene"),
+    "first_coast": first_scene("add_coast_scene"),
+    "first_terrain": first_scene("add_terrain_scene"),
 }
 
 
