@@ -10,7 +10,8 @@
 const BAKE_OPTIONS = [
   // generated: bake options
   { key: "region", type: "string", default: "", label: "Region",
-    description: "Only this rectangle [m], of a land or of a sea over a bed; needs --cell" },
+    description: "Only this rectangle [m], of a land or of a sea with a bed or hulls; needs " +
+      "--cell" },
   { key: "cell", type: "string", default: "", label: "Cell",
     description: "Distance of the samples of --region: neighbouring regions of one cell that " +
       "share an edge join without a seam" },

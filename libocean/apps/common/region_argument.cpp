@@ -10,7 +10,7 @@ namespace ocean::app {
 
 std::vector<Option> region_options(RegionArgument& argument) {
     return {{"--region", &argument.region, "X0,Y0,X1,Y1",
-             "Only this rectangle [m], of a land or of a sea over a bed; needs --cell"},
+             "Only this rectangle [m], of a land or of a sea with a bed or hulls; needs --cell"},
             {"--cell", &argument.cell, "METRES",
              "Distance of the samples of --region: neighbouring regions of one cell that share an "
              "edge join without a seam"}};

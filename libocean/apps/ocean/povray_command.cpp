@@ -35,7 +35,7 @@ std::vector<OptionGroup> povray_options(PovrayRequest& typed) {
         {"Sea",
          {only_of(kSeaKind, {"--fps", &bake.fps, "RATE",
                              "Frames per second, in place of the sea's time.fps"})}},
-        {"Terrain, or sea over a bed", region_options(typed.region)},
+        {"Terrain, or sea with a bed or hulls", region_options(typed.region)},
         {"Output",
          {{"-o,--output", &typed.folder, "DIR", "The folder, created if it is missing", kRequired},
           only_of(kSeaKind, {"--frames", &bake.frames, "RANGES",
