@@ -138,13 +138,15 @@ def test_a_build_of_another_version_on_one_node_is_told(farm, job):
     job = job(8, 2)
     version = job.ocean("ocean --version").stdout.split()[1].encode()
     program = farm.folder / "bin" / "newer"
-    program.write_bytes(Path(OCEAN).read_bytes().replace(version + b"\0", b"9.9.9\0"))
+    # A compiler may have the text in an instruction, of four bytes and the rest.
+    program.write_bytes(Path(OCEAN).read_bytes().replace(version[:4], b"9.9."))
+    newer = b"9.9." + version[4:]
     program.chmod(0o755)
     with farm.nodes[1].runs(program):
         job.send("1", "n1")
         job.send("2", "n2")
         farm.wait()
-    assert b"9.9.9" in (job.folder / "out/s.height.0005.exr").read_bytes()
+    assert newer in (job.folder / "out/s.height.0005.exr").read_bytes()
     told = job.faults()
     assert sum("of other options or another version" in line for line in told) == 8, told
     job.send()  # keeps the frames of this version, and bakes the others again
