@@ -109,6 +109,7 @@ def _mark(b: Builder, geometry, hull, outline, begin, size, number, *, first: bo
         nearer = b.number("GREATER_THAN", *depths)
         is_none = b.number("LESS_THAN", known, 0.5)
         value = b.switch("VECTOR", b.number("MAXIMUM", nearer, is_none), before, value)
+    # Where the node has no selection, all vertices get the value.
     reach = b.number("MULTIPLY_ADD", length, 1.5, 5.0)
     is_near = b.number("LESS_THAN", b.math("LENGTH", place, result="Value"), reach)
     geometry = b.store(geometry, HULL, "FLOAT_VECTOR", value, is_near)

@@ -171,40 +171,14 @@ class Builder:
         return compat.active(made.outputs, "Output")
 
     def store(self, geometry, name: str, kind: str, value, selection=None):
-        """selection: which points get the value; the others keep what they have, or get 0. Only
-        there is it computed."""
+        """selection: which points get the value, from Blender 3.6 on; in 3.4 all do."""
         made = self.node("GeometryNodeStoreNamedAttribute", data_type=kind, domain="POINT")
         if selection is not None and "Selection" in made.inputs:
             self.link(selection, made.inputs["Selection"])
-        elif selection is not None:
-            value = self._at_selected(geometry, name, kind, value, selection)
         made.inputs["Name"].default_value = name
         self.link(geometry, made.inputs["Geometry"])
         self.link(value, compat.active(made.inputs, "Value"))
         return made.outputs["Geometry"]
-
-    def _at_selected(self, geometry, name: str, kind: str, value, selection):
-        """Returns a value at the selected points, and what the attribute of that name has at the
-        others: for Blender 3.4, whose node of attributes has no selection. The value travels as the
-        position of points that stand for the selected ones alone."""
-        few = self.node("GeometryNodeMeshToPoints")
-        self.link(geometry, few.inputs["Mesh"])
-        self.link(selection, few.inputs["Selection"])
-        self.feed(value, few.inputs["Position"])
-        rank = self.node("GeometryNodeAccumulateField", data_type="INT")
-        self.link(selection, compat.active(rank.inputs, "Value"))
-        found = self.node("GeometryNodeSampleIndex", data_type="FLOAT_VECTOR", clamp=True)
-        self.link(few.outputs["Points"], found.inputs["Geometry"])
-        position = self.node("GeometryNodeInputPosition").outputs[0]
-        self.link(position, compat.active(found.inputs, "Value"))
-        self.link(compat.active(rank.outputs, "Trailing"), found.inputs["Index"])
-        taken = compat.active(found.outputs, "Value")
-        before = self.node("GeometryNodeInputNamedAttribute", data_type=kind)
-        before.inputs["Name"].default_value = name
-        if kind == "FLOAT":
-            taken = self.parts(taken)[0]
-        kept = compat.active(before.outputs, "Attribute")
-        return self.switch(kind.removeprefix("FLOAT_"), selection, kept, taken)
 
     def texture(
         self, image, coordinates, interpolation: str, frame=None, extension: str = "REPEAT"
