@@ -56,7 +56,8 @@ double worth(const std::vector<Sight>& sights, int bearing) {
     return (2.0 * open + std::min(2.0 * water, kWidth) + relief) / kWidth;
 }
 
-/// Puts a camera with a wish for its heading where most is to be seen of land that exists once.
+/// Puts a camera where it sees most of land that exists once, with its own heading if it keeps
+/// that.
 void choose_outlook(const CameraGround& ground, const Domain& domain, bool keeps_heading,
                     preview::Camera& camera) {
     constexpr int kPlaces = 12;  // along a side
