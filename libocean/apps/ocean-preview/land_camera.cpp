@@ -12,7 +12,7 @@
 namespace ocean::app {
 namespace {
 
-constexpr int kBearings = 48;
+constexpr int kBearings = 24;
 
 /// The view along one bearing.
 struct Sight {
@@ -24,10 +24,10 @@ struct Sight {
 Sight sight_along(const CameraGround& ground, const std::array<double, 3>& eye, double bearing,
                   double side) {
     constexpr double kLevel = -0.04;  // slopes above it hide the middle of the picture
+    const double east = std::cos(bearing), north = std::sin(bearing);
     Sight seen;
-    for (double away = 2.0; away < 1.5 * side; away *= 1.12) {
-        const double height =
-            ground.height(eye[0] + away * std::cos(bearing), eye[1] + away * std::sin(bearing));
+    for (double away = 2.0; away < 1.5 * side; away *= 1.2) {
+        const double height = ground.height(eye[0] + away * east, eye[1] + away * north);
         const double slope = (height - eye[2]) / away;
         if (slope <= seen.skyline) continue;  // hidden
         seen.skyline = slope;
@@ -63,6 +63,9 @@ void choose_outlook(const CameraGround& ground, const Domain& domain, bool keeps
     constexpr int kPlaces = 12;  // along a side
     constexpr double kTurn = 2.0 * std::numbers::pi / kBearings;
     const double side = std::min(domain.size[0], domain.size[1]);
+    const auto given = static_cast<int>(std::lround(camera.heading * kBearings / 360.0));
+    const int kept = (given % kBearings + kBearings) % kBearings;
+    const int first = keeps_heading ? kept : 0, last = keeps_heading ? kept : kBearings - 1;
     double best = -1.0;
     std::vector<Sight> sights(kBearings);
     for (int place = 0; place < kPlaces * kPlaces; ++place) {
@@ -75,14 +78,12 @@ void choose_outlook(const CameraGround& ground, const Domain& domain, bool keeps
         for (int i = 0; i < kBearings; ++i) {
             sights[static_cast<std::size_t>(i)] = sight_along(ground, eye, i * kTurn, side);
         }
-        const double given = camera.heading * std::numbers::pi / 180.0 / kTurn;
-        for (int i = 0; i < kBearings; ++i) {
-            const int bearing = keeps_heading ? static_cast<int>(std::lround(given)) : i;
-            const double found = worth(sights, (bearing % kBearings + kBearings) % kBearings);
+        for (int bearing = first; bearing <= last; ++bearing) {
+            const double found = worth(sights, bearing);
             if (found <= best) continue;
             best = found;
             std::ranges::copy(eye, camera.eye.begin());
-            if (!keeps_heading) camera.heading = 360.0 * i / kBearings;
+            if (!keeps_heading) camera.heading = 360.0 * bearing / kBearings;
         }
     }
 }
