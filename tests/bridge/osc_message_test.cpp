@@ -144,7 +144,7 @@ TEST(OscMessage, BundlesInBundlesHaveAnEnd) {
     EXPECT_TRUE(messages_of(packet).empty());
 }
 
-/// Of any type, they do not affect the sea's own messages: an element has its own size.
+/// Blobs and messages of any type do not affect the sea's own: an element has its own size.
 TEST(OscMessage, WhatABundleHasForOthersIsLeftOutAlone) {
     const std::string time = bytes("\x83\xaa\x7e\x80\0\0\0\0");
     std::vector<Mistake> foreign = mistakes("bridge/mistakes.toml", "foreign");

@@ -34,7 +34,7 @@ class Row(NamedTuple):
     masks: tuple[str, ...]
     words: str = ""
     tiles: tuple[int, int] = (1, 1)  # columns and rows of a land that repeats
-    # Of a level set [m]: its distances are along the normal, and a query of a map is right to 1e-3
+    # A level set [m] has distances along the normal, and a query of a map is right to 1e-3
     # of the rms of its heights.
     zero_error: float = 0.3
 

@@ -14,8 +14,6 @@ _FAR = 40e3
 """[m] from the map to the outer border."""
 _SQUARES = (0, 1, 2, 4, 6, 8, 9, 10)
 """The first corners of the squares of 4 x 4 corners, without the one in the middle."""
-
-
 _INNER = (5, 6, 10, 9)
 """The corners of the map among them, counter-clockwise."""
 _SLOPE = np.array([[1.0, 1.0, -0.2], [-1.0, 1.0, -0.2], [-1.0, -1.0, -0.2], [1.0, -1.0, -0.2]])

@@ -19,6 +19,13 @@ def _is_mesh(_settings, ob) -> bool:
     return ob.type == "MESH"
 
 
+def _part(name: str, description: str):
+    """Returns the property of an object that belongs to a coast."""
+    return bpy.props.PointerProperty(
+        name=name, description=description, type=bpy.types.Object, poll=_is_mesh, update=changed
+    )
+
+
 @overridable
 class CoastSettings(Limited, bpy.types.PropertyGroup):
     """How the water of a coast is shown"""
@@ -27,20 +34,8 @@ class CoastSettings(Limited, bpy.types.PropertyGroup):
 
     __annotations__ = {
         **SETTINGS["CoastSettings"],
-        "land": bpy.props.PointerProperty(
-            name="Land",
-            description="The object whose mesh is the bed",
-            type=bpy.types.Object,
-            poll=_is_mesh,
-            update=changed,
-        ),
-        "far_water": bpy.props.PointerProperty(
-            name="Far water",
-            description="The object whose mesh is the still water around the map",
-            type=bpy.types.Object,
-            poll=_is_mesh,
-            update=changed,
-        ),
+        "land": _part("Land", "The object whose mesh is the bed"),
+        "far_water": _part("Far water", "The object whose mesh is the still water around the map"),
     }
 
 
