@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -107,6 +109,29 @@ float wet_about(std::span<const float> depth, const std::array<int, 2>& samples,
     if (over_cell <= kFine) return covered_by(depth[at]);
     return std::clamp(0.5f + depth[at] / over_cell, 0.0f, 1.0f);
 }
+
+/// The part of a window that changes with the waves: the surf and the swash.
+struct SurfEdge {
+    RegionSurf labels;
+    std::vector<float> depth;         // of all samples of the part [m]
+    std::vector<std::uint32_t> edge;  // samples that may get wet or dry
+
+    /// The part has its depth at that time.
+    SurfEdge(const CoastPart& part, Ocean& sea, double time) : labels(part.surface.domain()) {
+        const auto now = part.surface.channel(kDepth);
+        depth.assign(now.begin(), now.end());
+        std::vector<char> is_edge(depth.size());
+        const auto width = static_cast<std::size_t>(part.surface.domain().samples[0]);
+        labels.read(sea, time, [&](std::size_t at, float, float) {
+            for (const std::size_t near : {at - width, at - 1, at, at + 1, at + width}) {
+                if (near < is_edge.size()) is_edge[near] = 1;
+            }
+        });
+        for (std::uint32_t at = 0; at < is_edge.size(); ++at) {
+            if (is_edge[at] != 0) edge.push_back(at);
+        }
+    }
+};
 
 /// Returns the bed of a sea, or the box of all wakes.
 Domain placed_area(const Ocean& sea, double time) {
@@ -239,42 +264,29 @@ void CoastSurface::settle(Ocean& sea, double time) {
     const double foam = kSettledLifetimes * lifetime;
     double ago = std::max(kDryingTime, foam + kWetTick);
     const std::vector<CoastPart> parts = follow(sea, time - ago, kTraceChannels);
-    // Beyond the surf and the swash nothing changes with the waves.
-    std::vector<RegionSurf> surf;
-    std::vector<std::vector<float>> depths;
-    std::vector<std::vector<std::uint32_t>> edges;  // samples that may get wet or dry
+    std::vector<std::optional<SurfEdge>> surf;
     for (const CoastPart& part : parts) {
-        surf.emplace_back(part.surface.domain());
-        auto& depth = depths.emplace_back();
-        auto& edge = edges.emplace_back();
-        if (!part.surface.channels().contains(kDepth)) continue;
-        const auto now = part.surface.channel(kDepth);
-        depth.assign(now.begin(), now.end());
-        std::vector<char> is_edge(depth.size());
-        const auto width = static_cast<std::size_t>(part.surface.domain().samples[0]);
-        surf.back().read(sea, time - ago, [&](std::size_t at, float, float) {
-            for (const std::size_t near : {at - width, at - 1, at, at + 1, at + width}) {
-                if (near < is_edge.size()) is_edge[near] = 1;
-            }
-        });
-        for (std::uint32_t at = 0; at < is_edge.size(); ++at) {
-            if (is_edge[at] != 0) edge.push_back(at);
-        }
+        auto& edge = surf.emplace_back();
+        if (part.surface.channels().contains(kDepth)) edge.emplace(part, sea, time - ago);
     }
     for (ago -= kWetTick; ago > 0.0; ago -= ago > foam ? kWetTick : kFoamTick) {
         const Left left = left_until(time - ago, lifetime);
         for (std::size_t w = 0; w < parts.size(); ++w) {
-            if (edges[w].empty()) continue;
-            const std::array<int, 2> samples = parts[w].surface.domain().samples;
+            if (!surf[w]) continue;
             CoastTraces& traces = traces_[w];
-            surf[w].read(sea, time - ago, [&](std::uint32_t at, float breaking, float depth) {
-                depths[w][at] = depth;
-                float& was = traces.foam[index_in_window(parts[w], traces.window, at)];
-                was = std::max(breaking, left.foam * was);
-            });
-            for (const std::uint32_t at : edges[w]) {
-                float& was = traces.wet[index_in_window(parts[w], traces.window, at)];
-                was = std::max(wet_about(depths[w], samples, at), left.wet * was);
+            const auto in_window = [&](std::uint32_t at) {
+                return index_in_window(parts[w], traces.window, at);
+            };
+            surf[w]->labels.read(sea, time - ago,
+                                 [&](std::uint32_t at, float breaking, float depth) {
+                                     surf[w]->depth[at] = depth;
+                                     float& was = traces.foam[in_window(at)];
+                                     was = std::max(breaking, left.foam * was);
+                                 });
+            const std::array<int, 2> samples = parts[w].surface.domain().samples;
+            for (const std::uint32_t at : surf[w]->edge) {
+                float& was = traces.wet[in_window(at)];
+                was = std::max(wet_about(surf[w]->depth, samples, at), left.wet * was);
             }
         }
         followed_ = time - ago;
