@@ -64,12 +64,11 @@ class Lines:
                 return when, found
 
 
-class MockedBoard:
-    """A K8055 on a bus of its own, and ocean-bridge, which has found it."""
+class MockedBus:
+    """A K8055 on a bus of its own, and a program that reads it by libusb."""
 
-    def __init__(self, build: Path, folder: Path, *arguments):
-        command = ["umockdev-wrapper", build / "tests/bridge/mock_k8055_program"]
-        command += [build / "bin/ocean-bridge", "--listen", "127.0.0.1:0", *arguments]
+    def __init__(self, build: Path, folder: Path, *reader):
+        command = ["umockdev-wrapper", build / "tests/bridge/mock_k8055_program", *reader]
         self.program = subprocess.Popen(
             [str(word) for word in command],
             cwd=folder,
@@ -81,8 +80,6 @@ class MockedBoard:
         self.bus = Lines(self.program.stdout)
         self.log = Lines(self.program.stderr)
         self.pid = int(self.bus.wait_for(r"program (\d+)")[1][1])
-        self.port = int(self.log.wait_for(r"listening on 127\.0\.0\.1:(\d+)")[1][1])
-        self.address = f"127.0.0.1:{self.port}"
 
     def tell(self, command: str):
         self.program.stdin.write(command + "\n")
@@ -99,16 +96,31 @@ class MockedBoard:
         self.tell(f"set {a1} 0 0 0 0")
         return float(self.bus.wait_for(r"sent ([\d.]+)")[1][1])
 
+    def seconds(self) -> float:
+        """The processor time of all threads of the program [s]."""
+        tasks = Path(f"/proc/{self.pid}/task").glob("*/schedstat")
+        return sum(int(task.read_text().split()[0]) for task in tasks) * 1e-9
+
+    def end(self) -> int:
+        """The exit code of the program."""
+        self.program.stdin.close()
+        return self.program.wait(timeout=PATIENCE)
+
+
+class MockedBoard(MockedBus):
+    """A mocked board and ocean-bridge, which has found it."""
+
+    def __init__(self, build: Path, folder: Path, *arguments):
+        listening = [build / "bin/ocean-bridge", "--listen", "127.0.0.1:0"]
+        super().__init__(build, folder, *listening, *arguments)
+        self.port = int(self.log.wait_for(r"listening on 127\.0\.0\.1:(\d+)")[1][1])
+        self.address = f"127.0.0.1:{self.port}"
+
     def client(self, *lines: str) -> tuple[socket.socket, Lines]:
         connection = socket.create_connection(("127.0.0.1", self.port), timeout=PATIENCE)
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         connection.sendall("".join(f"{line}\r\n" for line in lines).encode())
         return connection, Lines(connection.makefile("r", encoding="utf-8", newline="\n"))
-
-    def end(self) -> int:
-        """The exit code of the bridge."""
-        self.program.stdin.close()
-        return self.program.wait(timeout=PATIENCE)
 
 
 def wait_until(condition):
