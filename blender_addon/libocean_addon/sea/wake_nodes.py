@@ -107,7 +107,13 @@ class Wakes:
     def added(self, geometry, field: str, make: Callable):
         """Returns make(geometry, vector, alpha) with what all wakes add to a field; without wakes
         make(geometry)."""
-        waked = make(geometry, *self._sums(field))
+        vector, alpha = self._sums(field)
+        waked = geometry
+        if field != "Normal":  # two attributes read it, and an image is dear to read
+            whole = self.b.color(*self.b.parts(vector), alpha)
+            waked, vector = compat.capture(self.b.group, geometry, whole)
+            alpha = self.b.alpha(vector)
+        waked = make(waked, vector, alpha)
         return self.b.switch("GEOMETRY", self.inputs[USE], make(geometry), waked)
 
 
