@@ -46,7 +46,7 @@ class SeaMaps::Impl {
         }
         shown_.coast = nullptr;
         const auto& bed = of.parameters().water.bed;
-        if (eye && (bed || !of.parameters().hulls.empty())) {
+        if (eye && !repeats(of.parameters())) {
             shown_.coast = coast_.show(of, time, *eye, power);
             done("coast");
         } else if (bed) {

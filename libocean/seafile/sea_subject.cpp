@@ -231,7 +231,7 @@ std::unique_ptr<Subject> make_subject(Sea sea) {
 }
 
 std::unique_ptr<Subject> make_region_subject(Sea sea, const Region& region) {
-    if (!sea.parameters.water.bed && sea.parameters.hulls.empty()) {
+    if (repeats(sea.parameters)) {
         throw Error(ErrorKind::unsupported,
                     "--region: this sea has no bed (water.seabed), so that it repeats, and its "
                     "maps are those of one period");

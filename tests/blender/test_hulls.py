@@ -53,10 +53,12 @@ def rows(hull) -> np.ndarray:
 
 def test_size_and_motion_of_an_object_are_a_hull(scene, ocean, boat):
     before = positions(ocean)
-    begun = time.perf_counter()
+    begun = time.process_time()
     assert bpy.ops.libocean.add_wake() == {"FINISHED"}
     shown = positions(ocean)
-    print(f"\nfirst picture after {time.perf_counter() - begun:.2f} s")
+    seconds = time.process_time() - begun
+    print(f"\nfirst picture after {seconds:.2f} s of the processor")
+    assert seconds <= 2.0
     (hull,) = ocean.libocean.hulls
     assert (hull.source, hull.name) == (boat, "Boat")
     assert (hull.length, hull.beam, hull.draught) == pytest.approx((12.0, 3.0, 0.8), abs=1e-5)

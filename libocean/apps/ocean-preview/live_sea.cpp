@@ -54,7 +54,7 @@ std::unique_ptr<preview::SeaMaps> LiveSea::make_maps(const Computing& computing)
 
 preview::DrawnSea LiveSea::show(const std::array<double, 3>& eye) {
     const auto eye_of = [&](bool has_coast, const Ocean& sea) {
-        return has_coast || !sea.parameters().hulls.empty() ? std::optional(eye) : std::nullopt;
+        return has_coast || !sea.parameters().water.bed ? std::optional(eye) : std::nullopt;
     };
     maps_->set_detail(near_detail);
     preview::DrawnSea shown = maps_->show(*ocean_, time_, eye_of(has_coast_, *ocean_));

@@ -82,8 +82,7 @@ std::unique_ptr<Subject> shown_part(Sea sea, const BakeArguments& typed,
                                     const std::optional<Region>& region) {
     if (region) return make_region_subject(std::move(sea), *region);
     const SeaBed* const bed = sea.parameters.water.bed.get();
-    const bool may_have_regions = bed != nullptr || !sea.parameters.hulls.empty();
-    const bool from_file = may_have_regions && !typed.bake.from.empty();
+    const bool from_file = !repeats(sea.parameters) && !typed.bake.from.empty();
     const auto provenance = from_file ? io::read_provenance(typed.bake.from) : std::nullopt;
     const bool is_part = provenance && provenance->domain && !provenance->domain->wraps &&
                          (bed == nullptr || *provenance->domain != bed->domain);

@@ -218,6 +218,10 @@ struct Parameters {
     std::vector<Crest> crests = {};                  // 0 .. kMaxCrests
     std::vector<Hull> hulls = {};                    // at most kMaxHulls
 };
+/// Returns true if maps of one period are the whole sea: a bed exists once, and so does a wake.
+inline bool repeats(const Parameters& sea) {
+    return !sea.water.bed && sea.hulls.empty();
+}
 inline constexpr std::size_t kMaxWaveSystems = 16;
 inline constexpr std::size_t kMaxHulls = 16;
 
