@@ -3,6 +3,7 @@
 """The pictures of the Blender add-on, made from nothing through its operators.
 
 usage: blender --background --python renders/blender/scenes.py -- SCENE PICTURE [SAMPLES] [PERCENT]
+       [CYCLES|EEVEE]
 
 The add-on must be installed. SCENE is open_sea, dusk, storm, volume, below, ferry, ferry_above,
 hero, hero_before, coast_dusk or coast_bay, or one of first_ocean, first_coast and first_terrain,
@@ -433,15 +434,24 @@ SCENES = {
 }
 
 
+def engine_named(name: str) -> str:
+    """Returns the identifier in this Blender of CYCLES or EEVEE."""
+    if name != "EEVEE":
+        return name
+    return "BLENDER_EEVEE_NEXT" if (4, 2) <= bpy.app.version < (5, 0) else "BLENDER_EEVEE"
+
+
 def main() -> None:
     name, picture, *more = sys.argv[sys.argv.index("--") + 1 :]
-    samples, percent = (int(text) for text in (*more, *("128", "100")[len(more) :]))
+    samples, percent, engine = (*more, *("128", "100", "CYCLES")[len(more) :])
+    samples, percent = int(samples), int(percent)
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene
-    scene.render.engine = "CYCLES"
+    scene.render.engine = engine_named(engine)
     scene.cycles.samples = samples
+    scene.eevee.taa_render_samples = max(1, samples // 12)  # a minute each without a GPU
     scene.cycles.use_denoising = can_denoise()
-    if not can_denoise():
+    if engine == "CYCLES" and not can_denoise():
         print(
             f"warning: this Blender has no denoiser, {samples} samples leave noise", file=sys.stderr
         )
