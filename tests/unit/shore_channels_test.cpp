@@ -58,6 +58,9 @@ TEST(ShoreChannels, FoamAndWetGroundShareTheReadsOfATime) {
     EXPECT_EQ(ticks(ocean, traces), ticks(foam, Channel::foam));
     const Surface followed = ocean.region(4.1, beach, traces);
     EXPECT_TRUE(test::same_bits(followed, Ocean(beach_sea()).region(4.1, beach, traces)));
+    const Channel wet = channel_of(LandMask::wetness);  // which alone reads the swash alone
+    const Surface alone = Ocean(beach_sea()).region(4.1, beach, wet);
+    EXPECT_TRUE(std::ranges::equal(alone.channel(wet), followed.channel(wet)));
 }
 
 TEST(ShoreChannels, ARegionGoesIntoInterleavedPaddedBuffersWithFactors) {

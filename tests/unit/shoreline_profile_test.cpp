@@ -146,6 +146,28 @@ TEST(CoastProfile, ShelteredShoresAreFlatWithABermAndExposedOnesSteepWithACliff)
     EXPECT_GT(percentile(sheltered.belt, 0.5), 2.0 * percentile(exposed.belt, 0.5));
 }
 
+TEST(CoastProfile, LessLandAroundAShoreSufficesForABeachWhereBeachesSaySo) {
+    // Around a round island of 600 m every shore has less than half of the land around it.
+    Coast coast = made_of(128, 128, 10.0, [](double x, double y) {
+        return 0.4 * (300.0 - std::hypot(x - 640.0, y - 640.0));
+    });
+    const auto beach_at_the_shore = [&coast](double beaches) {
+        ShorelineSettings settings;
+        settings.shelter = 100.0;
+        settings.beaches = beaches;
+        coast.shape(test::pool(), settings);
+        std::vector<double> shares;
+        for (std::size_t at = 0; at < coast.after.size(); ++at) {
+            if (std::abs(coast.maps.distance[at]) < 10.0f) {
+                shares.push_back(double{coast.maps.beach[at]});
+            }
+        }
+        return percentile(shares, 0.5);
+    };
+    EXPECT_LT(beach_at_the_shore(0.0), 0.05);
+    EXPECT_GT(beach_at_the_shore(0.25), 0.95);
+}
+
 TEST(CoastProfile, OneSeaWhoseLineIsTheShoreLineAndMasksThatAreSmoothShares) {
     const Coast coast = shaped_island();
     Coast raw = coast;

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The coast that is added without a file: an island of 600 m with beaches in its bays, and a wind
-sea that runs into the largest of them. The terrain is the preset bay_island, a twelfth as large."""
+"""The coast that is added without a file: an island of 600 m with beaches between its capes, and a
+wind sea that runs into the largest of its bays. The terrain is the preset bay_island, a twelfth as
+large, with more beaches."""
 
 from __future__ import annotations
 
@@ -26,11 +27,13 @@ island = 165.0
 [terrain.stream]
 slope = 0.62
 [terrain.coast]
-slope = 0.03
+slope = 0.04
+closure = 14.0
 shelf = 100.0
 smooth = 10.0
 shelter = 100.0
 width = 60.0
+beaches = 0.15
 """
 _SEA = """libocean = 1
 [grid]

@@ -72,6 +72,7 @@ struct ShorelineSettings {
     double smooth = 40.0;             // deviation of the Gaussian that smooths the shore line [m]
     double shelter = 450.0;           // deviation of the Gaussian of the land share [m]
     double width = 130.0;             // of the beach on land [m]
+    double beaches = 0.0;             // less land around a shore suffices for a beach, as a share
 };
 
 /// A further tile over the first one, with its own period and noise. It has the same law, so that

@@ -27,9 +27,11 @@ bool is_in_swash(const RunUpSea& sea, const SwashPlace<Plain>& place) {
     return bed <= kNeverReached * highest;
 }
 
-/// Appends those labels, of up to kShoreBlock, that are in the surf or in the swash.
+/// Appends those labels, of up to kShoreBlock, that are in the swash, and those that are in the
+/// surf alone.
 void append_surf(const ShoreStatics& statics, const RunUpSea& sea,
-                 std::span<const WorldPoint> labels, std::uint32_t first, SurfLabels& surf) {
+                 std::span<const WorldPoint> labels, std::uint32_t first, SurfLabels& swash,
+                 SurfLabels& surf_alone) {
     const Domain& domain = statics.domain();
     std::array<double, kShoreBlock> x{}, y{};
     for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -54,6 +56,7 @@ void append_surf(const ShoreStatics& statics, const RunUpSea& sea,
         const bool runs_up = is_in_swash(sea, place);
         const bool breaks = surf_weight(rms_height, depth) > 0.0f && place.bed.value() < 0.0f;
         if (!runs_up && !breaks) continue;
+        SurfLabels& surf = runs_up ? swash : surf_alone;
         surf.index.push_back(first + static_cast<std::uint32_t>(i));
         surf.x.push_back(x[i]);
         surf.y.push_back(y[i]);
@@ -66,7 +69,6 @@ void append_surf(const ShoreStatics& statics, const RunUpSea& sea,
         surf.arrival.push_back(place.arrival.value());
         surf.group_width.push_back(place.group_width.value());
         surf.lee.push_back(lee);
-        surf.in_swash.push_back(runs_up ? 1 : 0);
     }
 }
 
@@ -75,15 +77,19 @@ void append_surf(const ShoreStatics& statics, const RunUpSea& sea,
 std::vector<SurfLabels> find_surf(const ShoreStatics& statics, const RunUpSea& sea,
                                   std::span<const WorldPoint> labels, ThreadPool& pool) {
     constexpr std::size_t kPiece = 1024;
-    std::vector<SurfLabels> pieces((labels.size() + kPiece - 1) / kPiece);
-    pool.for_each_item(static_cast<int>(pieces.size()), [&](int piece, int) {
+    const std::size_t count = (labels.size() + kPiece - 1) / kPiece;
+    std::vector<SurfLabels> pieces(2 * count);
+    pool.for_each_item(static_cast<int>(count), [&](int piece, int) {
         const auto p = static_cast<std::size_t>(piece);
         const std::size_t end = std::min((p + 1) * kPiece, labels.size());
+        SurfLabels& swash = pieces[2 * p];
+        swash.in_swash = true;
         for (std::size_t i = p * kPiece; i < end; i += kShoreBlock) {
             append_surf(statics, sea, labels.subspan(i, std::min(kShoreBlock, end - i)),
-                        static_cast<std::uint32_t>(i), pieces[p]);
+                        static_cast<std::uint32_t>(i), swash, pieces[2 * p + 1]);
         }
     });
+    std::erase_if(pieces, [](const SurfLabels& piece) { return piece.size() == 0; });
     return pieces;
 }
 
@@ -110,7 +116,7 @@ void ShoreSurface::read_surf(const SurfLabels& labels, std::span<float> breaking
                                                  labels.depth[at], labels.share[at]);
             breaking[at] = surf_left(bed) * source;
             depths[at] = -bed;
-            if (labels.in_swash[at] != 0) {
+            if (labels.in_swash) {
                 depths[at] = swash_depth(labels, at, {real, imaginary, squares});
                 const float tip = tip_foam(depths[at], labels.slope[at], swash_weight(bed));
                 breaking[at] = std::max(breaking[at], tip);

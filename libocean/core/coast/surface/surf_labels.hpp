@@ -20,6 +20,7 @@ struct RunUpSea;
 
 /// Arrays of one value for each label in the surf or the swash, in the order of the labels.
 struct SurfLabels {
+    bool in_swash = false;             // all of them; otherwise none
     std::vector<std::uint32_t> index;  // index among the labels
     std::vector<double> x, y;          // [m]
     std::vector<float> rms_height;     // [m]
@@ -29,13 +30,12 @@ struct SurfLabels {
     // See SwashPlace.
     std::vector<float> bed, slope, arrival, group_width;
     std::vector<float> lee;  // factor on waves behind narrow walls
-    std::vector<char> in_swash;
 
     std::size_t size() const { return index.size(); }
 };
 
-/// Returns the labels in the surf and in the swash in pieces, each of at most 1024 consecutive
-/// labels. The indices count all labels.
+/// Returns the labels in the surf and in the swash in pieces, each of at most 1024 labels that lie
+/// within 1024 consecutive ones. The indices count all labels.
 std::vector<SurfLabels> find_surf(const ShoreStatics& statics, const RunUpSea& sea,
                                   std::span<const WorldPoint> labels, ThreadPool& pool);
 

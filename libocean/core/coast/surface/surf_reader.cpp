@@ -3,6 +3,7 @@
 #include "coast/surface/surf_reader.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "coast/surface/shore_surface.hpp"
 #include "ocean/internal/surf_traces.hpp"
@@ -29,21 +30,28 @@ RegionTraces::RegionTraces(const Domain& of) : domain(of), reader([of] { return 
 
 const std::vector<SurfReader::Piece>& SurfReader::read(const ShoreSurface& surface,
                                                        ThreadPool& pool) {
+    read(surface, SurfTrace::foam, pool);
+    return *pieces_;
+}
+
+void SurfReader::read(const ShoreSurface& surface, SurfTrace trace, ThreadPool& pool) {
     if (!pieces_) {
         std::vector<Piece> pieces;
         for (SurfLabels& labels : find_surf(surface.statics(), surface.run_up(), labels_(), pool)) {
-            pieces.push_back({std::move(labels), {}, {}});
+            std::vector<float> depths(labels.size());
+            std::ranges::transform(labels.bed, depths.begin(), std::negate<>());
+            pieces.push_back({std::move(labels), {}, std::move(depths)});
         }
         pieces_ = std::move(pieces);
     }
-    read_time_.reset();  // invalid until the new reads are complete
+    foam_time_.reset();  // invalid until the new reads are complete
+    wet_time_.reset();
     pool.for_each_item(static_cast<int>(pieces_->size()), [&](int number, int) {
         Piece& piece = (*pieces_)[static_cast<std::size_t>(number)];
+        if (trace == SurfTrace::wet_ground && !piece.labels.in_swash) return;
         piece.breaking.resize(piece.labels.size());
-        piece.depths.resize(piece.labels.size());
         surface.read_surf(piece.labels, piece.breaking, piece.depths);
     });
-    return *pieces_;
 }
 
 FoamSource SurfReader::source(SurfTrace trace, double lifetime,
@@ -52,9 +60,11 @@ FoamSource SurfReader::source(SurfTrace trace, double lifetime,
                               std::function<void(std::int64_t, std::int64_t)> progress) {
     const auto tick = [this, trace, surface_at = std::move(surface_at), &pool](
                           double time, const FoamLayer& before, std::span<float> left) {
-        if (read_time_ != time) {
-            read(surface_at(time), pool);
-            read_time_ = time;
+        const bool is_foam = trace == SurfTrace::foam;
+        if ((is_foam ? foam_time_ : wet_time_) != time) {
+            read(surface_at(time), trace, pool);
+            wet_time_ = time;
+            if (is_foam) foam_time_ = time;
         }
         std::ranges::fill(left, 0.0f);
         pool.for_each_item(static_cast<int>(pieces_->size()), [&](int number, int) {
@@ -62,8 +72,7 @@ FoamSource SurfReader::source(SurfTrace trace, double lifetime,
             for (std::size_t n = 0; n < piece.labels.size(); ++n) {
                 const std::size_t i = piece.labels.index[n];
                 const float past = before.map == nullptr ? 0.0f : before.fade * before.map[i];
-                const float now =
-                    trace == SurfTrace::foam ? piece.breaking[n] : covered_by(piece.depths[n]);
+                const float now = is_foam ? piece.breaking[n] : covered_by(piece.depths[n]);
                 const float value = std::max(now, past);
                 left[i] = value < before.cutoff ? 0.0f : value;
             }

@@ -48,9 +48,12 @@ class SurfReader {
     const std::vector<Piece>& read(const ShoreSurface& surface, ThreadPool& pool);
 
   private:
+    /// Reads the labels that a trace needs: wet ground changes in the swash alone.
+    void read(const ShoreSurface& surface, SurfTrace trace, ThreadPool& pool);
+
     std::function<std::vector<WorldPoint>()> labels_;
     std::optional<std::vector<Piece>> pieces_;
-    std::optional<double> read_time_;  // of the pieces [s]
+    std::optional<double> foam_time_, wet_time_;  // for which the pieces hold a trace [s]
 };
 
 /// The traces on a region, followed from call to call.

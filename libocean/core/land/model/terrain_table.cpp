@@ -230,6 +230,11 @@ constexpr TableRow<TerrainModel> kRows[] = {
     {kCoast, "width", "m", "Beach width", "Width of a beach above the water.",
      member<&TerrainModel::coast, &ShorelineSettings::width>(), 0.0, 10000.0, 10.0, 400.0, kRebuild,
      TerrainStage::shape, OptionalColumns{.neutral = "130"}},
+    {kCoast, "beaches", "", "Beaches",
+     "How much less land around a shore suffices for a beach, as a share: 0 means beaches in bays "
+     "alone, 0.2 cliffs at capes alone.",
+     member<&TerrainModel::coast, &ShorelineSettings::beaches>(), 0.0, 1.0, 0.0, 0.3, kRebuild,
+     TerrainStage::shape, OptionalColumns{.neutral = "0"}},
 };
 constexpr Table<TerrainModel> kTable{kTerrainKind, kSections, kRows};
 static_assert(is_consistent(kTable));

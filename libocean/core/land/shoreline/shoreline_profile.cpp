@@ -67,6 +67,9 @@ void check(std::span<const float> heights, const Domain& domain,
                                                .value = plain_text(value),
                                                .allowed = "above 0, at most " + plain_text(max)});
     }
+    if (!(settings.beaches >= 0.0 && settings.beaches <= 1.0)) {
+        throw refusal("coast.beaches is out of range");
+    }
     if (!(std::abs(settings.level) <= 1e5)) throw refusal("the level of the water is not finite");
     if (!std::ranges::all_of(heights, [](float h) { return std::isfinite(h); })) {
         throw refusal("a height is missing or not finite: holes must be filled before");
@@ -185,7 +188,7 @@ class ShorelineShaper {
         for_each_sample([this, &share, rise](std::size_t at, int, int) {
             const std::size_t shore = nearest_[at];
             const double at_line = double{share[shore]} - rise * double{maps_.distance[shore]};
-            const double shelter = ease(0.46, 0.60, at_line);
+            const double shelter = ease(0.46, 0.60, at_line + settings_.beaches);
             maps_.shelter[at] = static_cast<float>(shelter);
             maps_.cliff[at] =
                 static_cast<float>((1.0 - shelter) * ease(0.12, 0.4, steepness(shore)));

@@ -14,7 +14,8 @@
 //   land  a beach of slope `face` up to `berm`, then 0.012, as wide as `width`, where B is 1; else
 //         the land's own height, of at least 0.25 min(D, 12 m)
 //   B     0 .. 1 as the share of land around the shore, a Gaussian of deviation `shelter`, goes
-//         from 0.46 to 0.60: it is 1/2 at a straight shore and more within a bay
+//         from 0.46 to 0.60, both less `beaches`: it is 1/2 at a straight shore and more within a
+//         bay
 // The water line of the result lies within half a cell of the shore line: up to 3/4 of a cell
 // inland the land continues the slope of the bed, up to 9/4 it goes over into the law above.
 #pragma once
