@@ -9,7 +9,7 @@ import pytest
 from conftest import add_ocean, attribute, evaluated_mesh, failing, positions, rest
 from layouts import drawn_by
 from libocean_addon.bundled import libocean
-from libocean_addon.coast import coast_job, first_coast, open_coast, panels
+from libocean_addon.coast import coast_job, first_coast, open_coast, panels, shore_mesh
 from libocean_addon.sea import live as sea_live
 from libocean_addon.shared import drafts
 
@@ -47,7 +47,8 @@ def write_bed(folder) -> None:
 
 def add_coast(path, **arguments):
     """Adds the coast of a file, without materials."""
-    arguments = {"cell": CELL, "use_material": False, **arguments}
+    arguments = {"cell": CELL, "use_material": False, "use_wetness": False, **arguments}
+    arguments.setdefault("use_fine_shore", False)
     assert bpy.ops.libocean.add_coast(filepath=str(path), **arguments) == {"FINISHED"}
     ob = bpy.context.object
     assert ob.libocean_coast.problem == ""
@@ -114,22 +115,58 @@ def test_the_water_ends_where_the_land_rises_above_it(coast):
     assert shown[:, 0].max() < whole[..., 0].max() - CELL
 
 
-def test_no_gap_opens_between_water_and_land(coast, scene):
+def ends_of(mesh) -> np.ndarray:
+    """Returns the vertices of the sides that one face alone has."""
+    corners = np.array([loop.vertex_index for loop in mesh.loops])
+    counts = np.array([face.loop_total for face in mesh.polygons])
+    after = np.arange(len(corners)) + 1
+    after[np.cumsum(counts) - 1] -= counts
+    sides = np.sort(np.stack([corners, corners[after]], axis=1))
+    sides, counts = np.unique(sides, axis=0, return_counts=True)
+    return np.unique(sides[counts == 1])
+
+
+@pytest.mark.parametrize("fine", [False, True])
+def test_no_gap_opens_between_water_and_land(coast, scene, fine):
     """The water goes on below the land wherever it ends before the border of the region."""
+    coast.libocean_coast.use_fine_shore = fine
     for frame in (1, 7, 13):
         scene.frame_set(frame)
-        mesh = evaluated_mesh(coast)
-        faces = np.array([face.vertices[:] for face in mesh.polygons])
-        sides = np.sort(
-            np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2), axis=1
-        )
-        sides, counts = np.unique(sides, axis=0, return_counts=True)
-        ends = np.unique(sides[counts == 1])
+        ends = ends_of(evaluated_mesh(coast))
         label, depth = attribute(coast, "label")[ends, :2], attribute(coast, "depth")[ends]
         low, high = np.array((10.0, 20.0)), np.array((10.0, 20.0)) + CELL * np.array((40, 30))
         inside = ((label > low + 1e-3) & (label < high - 1e-3)).all(axis=1)
         assert inside.sum() > 20
         assert depth[inside].max() < 0.0
+
+
+def test_water_and_land_are_finer_where_they_meet(sea_file, scene):
+    """Cells of 4 m, and of 1 m in the swash; the vertices on samples have the library's values, and
+    no side of a face ends within another one."""
+    ob = add_coast(sea_file, use_fine_shore=True)
+    ob.libocean_coast.use_clip, land = False, ob.libocean_coast.land
+    want = region_of(ob, 1)
+    count = COLUMNS * ROWS
+    assert len(ob.data.vertices) == len(land.data.vertices) > 1.3 * count
+    moved = (positions(ob) - rest(ob))[:count] - want["displacement"]
+    assert np.abs(moved).max() <= 1e-5 * want["Hs"]
+    heights = positions(land)[:, 2]
+    assert np.abs(heights[:count].reshape(ROWS, COLUMNS) - bed()).max() <= 1e-5
+    low, high = np.array((10.0, 20.0)), np.array((170.0, 140.0))
+    for part in (ob, land):
+        ends = rest(part)[ends_of(part.data), :2]
+        assert len(ends) >= 2 * (COLUMNS + ROWS) - 4
+        assert (np.isclose(ends, low) | np.isclose(ends, high)).any(axis=1).all()
+    low, high = np.multiply(shore_mesh._BAND, want["Hs"])
+    places = rest(land)
+    for face in land.data.polygons:
+        corners = list(face.vertices)
+        if heights[corners].min() < high and heights[corners].max() > low:
+            assert np.ptp(places[corners, :2], axis=0).max() <= 1.0 + 1e-4
+    assert 4.0 in {np.ptp(places[list(face.vertices), 0]) for face in land.data.polygons}
+    before = ob.data["libocean_mesh"]
+    ob.libocean.waves[0].wind_speed = 8.1
+    assert ob.data["libocean_mesh"] == before, "the mesh stays while values glide"
 
 
 def test_the_land_is_the_bed(coast):
@@ -188,11 +225,15 @@ def test_without_a_file_it_is_an_island_that_suits_its_sea(tmp_path, small_coast
         assert np.abs(attribute(ob, "ocean_velocity")).max() > 0.1
 
 
-def test_the_island_draws_no_warning_about_itself():
+def test_the_island_has_beaches_and_draws_no_warning_about_itself():
     with libocean.parse(first_coast.values().text()) as sea:
         state = sea.state
+        own = state["bed"]["samples"], state["bed"]["cell"]
+        heights = sea.bed_region((0.0, 0.0), *own)
     assert state["warnings"] == []
     assert 0.1 < 1.0 - state["bed"]["wet_share"] < 0.5
+    slope = np.hypot(*np.gradient(heights, own[1]))
+    assert 0.03 < np.median(slope[(heights > 0.5) & (heights < 3.0)]) < 0.12
 
 
 def test_far_water_lies_around_the_map(sea_file):

@@ -11,13 +11,11 @@ from ..look import air
 from ..shared import meshes
 from ..terrain import material as terrain_material
 from ..terrain import node_group as terrain_group
-from ..terrain.extent import Extent
-from .coast_job import Bed
+from .shore_mesh import DRY_SAND, Grid
 
 _RUN_UP = 0.3
 """Height over still water up to which waves wet the land, as a share of the significant wave
 height. The value holds for a beach of moderate slope."""
-_DRY_SAND = 1.0  # [m] of sand above that
 
 
 def _write(mesh, name: str, kind: str, values: np.ndarray) -> None:
@@ -30,30 +28,27 @@ def run_up(state: dict) -> float:
     return _RUN_UP * state["significant_wave_height"]["resolved"]
 
 
-def follow(land, extent: Extent, bed: Bed, wet: float) -> None:
-    """Has an object show the bed, unless it does, is linked or being edited. bed: on the samples of
-    the extent; wet: the run-up of the waves [m]."""
+def follow(land, grid: Grid, wet: float) -> None:
+    """Has an object show the bed of a grid, unless it does, is linked or being edited. wet: the
+    run-up of the waves [m]."""
     if not meshes.is_ours(land) or land.mode != "OBJECT":
         return
-    heights = bed.heights
+    extent, bed = grid.extent, grid.bed
 
     def make(mesh) -> None:
-        vertices = np.empty((*extent.shape, 3), np.float32)
-        vertices[..., 0] = extent.along(0)[None, :]
-        vertices[..., 1] = extent.along(1)[:, None]
-        vertices[..., 2] = heights
-        if meshes.made_of(mesh).endswith(f" {extent.samples}"):
-            mesh.vertices.foreach_set("co", vertices.ravel())
+        vertices, heights = grid.places, grid.read(bed.heights)
+        vertices[:, 2] = heights
+        if grid.ratio == 1 and meshes.made_of(mesh).endswith(f" {extent.samples}"):
+            mesh.vertices.foreach_set("co", vertices.astype(np.float32).ravel())
             mesh.update()
         else:
-            columns, rows = extent.samples
-            meshes.fill(mesh, vertices.reshape(-1, 3), meshes.grid_faces(columns - 1, rows - 1))
+            meshes.fill(mesh, vertices, *grid.faces)
         _write(mesh, terrain_group.HEIGHT, "FLOAT", heights)
-        beach = np.clip((wet + _DRY_SAND - heights) / _DRY_SAND, 0.0, 1.0)
+        beach = np.clip((wet + DRY_SAND - heights) / DRY_SAND, 0.0, 1.0)
         _write(mesh, "beach", "FLOAT", beach.astype(np.float32))
-        _write(mesh, terrain_group.NORMAL, "FLOAT_VECTOR", bed.normals)
+        _write(mesh, terrain_group.NORMAL, "FLOAT_VECTOR", grid.read(bed.normals))
 
-    words = f"bed {bed.mark} {extent.origin} {extent.cell!r} {extent.samples}"
+    words = f"bed {bed.mark} {extent.origin} {extent.cell!r} {extent.samples}{grid.fine_words}"
     meshes.follow(land, words, make)
 
 
@@ -70,7 +65,7 @@ def look_of(state: dict, size: float) -> dict[str, float]:
     }
     look = terrain_material.look_of(ground, 0.0)
     wet = run_up(state)
-    return {**look, "Wet Line": wet, "Sand Line": wet + _DRY_SAND}
+    return {**look, "Wet Line": wet, "Sand Line": wet + DRY_SAND}
 
 
 def give(land, look: dict[str, float], world) -> None:

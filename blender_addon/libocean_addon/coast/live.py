@@ -18,6 +18,7 @@ from . import coast_bake, far_water, land, land_nodes, node_group
 from .coast_job import CoastJob, View, quick_fields, region_of
 from .node_group import BLANKS, DISPLACEMENT, WETNESS, grid_words
 from .open_coast import OpenCoast
+from .shore_mesh import Grid, steady_height
 
 
 def follow(shown: Shown, _seen, _depsgraph) -> None:
@@ -107,13 +108,16 @@ def before_change(shown: Shown) -> bool:
 def _follow_meshes(ob, coast: OpenCoast, extent: Extent) -> None:
     """Makes the grid of the water, and the land as soon as its heights are known. Linked meshes
     stay as their file has them."""
+    bed, wave_height = coast.bed(extent), 0.0
+    if ob.libocean_coast.use_fine_shore:
+        wave_height = steady_height(coast.state["significant_wave_height"]["resolved"])
+    grid = Grid(extent, bed, wave_height)
     if ob.library is None and ob.data.library is None and ob.mode == "OBJECT":
-        along = extent.along(0), extent.along(1)
-        meshes.follow_grid(ob, grid_words(extent), along)
-    bed = coast.bed(extent)
+        words = grid_words(extent) + grid.fine_words
+        meshes.follow_plane(ob, words, lambda: (grid.places, *grid.faces))
     if bed is not None:
         with console.work(ob.name_full, "land"):
-            land.follow(ob.libocean_coast.land, extent, bed, land.run_up(coast.state))
+            land.follow(ob.libocean_coast.land, grid, land.run_up(coast.state))
         far_water.follow(ob.libocean_coast.far_water, extent, coast.state)
 
 

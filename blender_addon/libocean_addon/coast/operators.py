@@ -112,8 +112,10 @@ class _AddCoast(ImportHelper, object_utils.AddObjectHelper):
         ob = new_object(self, context, "Water", "Coast", node_group.get)
         with changes.quiet():
             ob.libocean_coast.cell = self.cell
+            ob.libocean_coast.use_fine_shore = self.use_fine_shore
             if self.use_land:
                 ob.libocean_coast.land = land.new_part(ob, "Land")
+                ob.libocean_coast.use_wetness = self.use_wetness
             if self.use_far_water:
                 ob.libocean_coast.far_water = land.new_part(ob, "Far Water")
         COAST.parameters.assign(ob, values)

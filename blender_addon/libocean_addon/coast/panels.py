@@ -106,6 +106,7 @@ class CoastLookPanel(_Panel, bpy.types.Panel):
     def draw(self, layout, ob, _context) -> None:
         settings = ob.libocean_coast
         layout.prop(settings, "cell")
+        layout.prop(settings, "use_fine_shore")
         layout.prop(settings, "use_region")
         if settings.use_region:
             column = layout.column(align=True)

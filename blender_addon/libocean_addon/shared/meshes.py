@@ -247,20 +247,31 @@ def follow_patch(
         _write_labels(ob.data, size, layers)
 
 
-def follow_grid(ob, words: str, along: tuple[np.ndarray, np.ndarray]) -> None:
-    """Makes a rectangle with a vertex at each pair of these coordinates [m], east and north, unless
-    the mesh was made of the same. words: as made_of of follow()."""
+def follow_plane(ob, words: str, make_plane) -> None:
+    """Makes a level mesh of make_plane(), vertices (n, 3) [m] and faces as fill() has them, with a
+    UV map over its sides, unless it was made of the same. words: as made_of of follow()."""
 
     def make(mesh) -> None:
-        east, north = along
-        vertices = np.zeros((len(north), len(east), 3), np.float32)
-        vertices[..., 0] = east[None, :]
-        vertices[..., 1] = north[:, None]
-        fill(mesh, vertices.reshape(-1, 3), grid_faces(len(east) - 1, len(north) - 1))
-        sides = float(east[-1] - east[0]), float(north[-1] - north[0])
-        _write_labels(mesh, sides, {UV_MAP}, (float(east[0]), float(north[0])))
+        vertices, *faces = make_plane()
+        fill(mesh, vertices, *faces)
+        low, high = vertices[:, :2].min(axis=0), vertices[:, :2].max(axis=0)
+        _write_labels(mesh, high - low, {UV_MAP}, low)
 
     follow(ob, words, make)
+
+
+def follow_grid(ob, words: str, along: tuple[np.ndarray, np.ndarray]) -> None:
+    """Makes a rectangle as follow_plane() does, with a vertex at each pair of these coordinates
+    [m], east and north."""
+
+    def make_plane() -> tuple[np.ndarray, np.ndarray]:
+        east, north = along
+        vertices = np.zeros((len(north), len(east), 3))
+        vertices[..., 0] = east[None, :]
+        vertices[..., 1] = north[:, None]
+        return vertices.reshape(-1, 3), grid_faces(len(east) - 1, len(north) - 1)
+
+    follow_plane(ob, words, make_plane)
 
 
 STAND_IN = "stand-in"

@@ -21,7 +21,7 @@ from ..shared.shader_builder import Tree, facing, shader_group, stored_normal
 from .node_group import HEIGHT, NORMAL
 
 GROUP = "Terrain Ground"
-VERSION = 4
+VERSION = 5
 MARK = "libocean_ground"  # custom property of a group: the version that built it
 
 ALBEDOS = {
@@ -263,7 +263,9 @@ def _build(group) -> None:
     fresnel = t.node("ShaderNodeFresnel")
     fresnel.inputs["IOR"].default_value = _WATER_IOR
     t.feed(normal, fresnel.inputs["Normal"])
-    ground = t.mix_shaders(t.number("MULTIPLY", fresnel.outputs[0], wetness), ground, film)
+    # It is left for some seconds after the water: damp sand has none.
+    share = t.number("MULTIPLY", fresnel.outputs[0], t.eased(0.6, 0.95, wetness))
+    ground = t.mix_shaders(share, ground, film)
     output = t.node("NodeGroupOutput")
     haze = t.shader("ShaderNodeEmission", Color=inputs[air.SOCKET])
     hazy = t.mix_shaders(crest_nodes.seen_haze(t, inputs), ground, haze)
