@@ -261,7 +261,7 @@ class AddTerrainScene(_Scene, bpy.types.Operator):
         name="Preset",
         description="The terrain to begin with",
         items=terrain_operators.PRESETS,
-        default="big_tujunga",  # mountains with gullies
+        default=terrain_operators.DEFAULT_PRESET,
     )
     __annotations__.update({key: _SCENE[key] for key in _OF_ALL})
 

@@ -27,7 +27,8 @@ from .parameters import PAIRS, RESOLUTIONS
 from .properties import SETTINGS
 from .subject import TERRAIN
 
-DEFAULT_PRESET = "tujunga"
+DEFAULT_PRESET = "big_tujunga"
+"""Mountains with gullies."""
 _START_UP_CLIP = (100.0, 1000.0)
 """[m] How far the cameras of Blender's start-up files see, which ends before most lands do."""
 _TILES, _USE_MATERIAL = SETTINGS["AddTerrain"].values()
