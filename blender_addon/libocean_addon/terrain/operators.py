@@ -29,6 +29,8 @@ from .subject import TERRAIN
 
 DEFAULT_PRESET = "big_tujunga"
 """Mountains with gullies."""
+_MESH_PRESET = "tujunga"
+"""The terrain of the user's own mesh, which may be small: a tile of any size can have its law."""
 _START_UP_CLIP = (100.0, 1000.0)
 """[m] How far the cameras of Blender's start-up files see, which ends before most lands do."""
 _TILES, _USE_MATERIAL = SETTINGS["AddTerrain"].values()
@@ -137,7 +139,7 @@ class AddTerrainModifier(AddToObject, bpy.types.Operator):
 
     def execute(self, context):
         modifier_groups.add(context.object, "Terrain", node_group.get)
-        TERRAIN.parameters.assign(context.object, preset_values(TERRAIN.parameters, DEFAULT_PRESET))
+        TERRAIN.parameters.assign(context.object, preset_values(TERRAIN.parameters, _MESH_PRESET))
         return {"FINISHED"}
 
 
