@@ -28,7 +28,8 @@ def seen(studio, tmp_path):
         if not material.grounds(ob):
             bpy.ops.libocean.add_terrain_material()
         (ground,) = material.grounds(ob)
-        ground.inputs["Noise Amount"].default_value = 0.0
+        for name in ("Noise Amount", "Relief"):
+            ground.inputs[name].default_value = 0.0
         for name, value in sockets.items():
             ground.inputs[name.replace("_", " ").title()].default_value = value
         tree = ob.material_slots[0].material.node_tree
@@ -50,6 +51,7 @@ def share_of(image: np.ndarray, name: str) -> float:
 LEVEL = {"snow_line": 1e5, "forest_line": -1e5, "sand_line": -1e5, "wet_line": -1e5}
 LEVEL |= {"dry_share": 0.0, "rock_slope": 9.0, "scree_slope": 9.0}
 LEVEL |= {"snow_slope": 9.0, "sun_melt": 0.0, "line_width": 1.0}
+GRASS = {"Noise Amount": 0.0, "Rock Slope": 9.0, "Scree Slope": 9.0, "Forest Line": -1e5}
 SNOW = np.array(ground_shader.ALBEDOS["Snow"])
 BY_MASKS = ("beach_sand", "cliff_rock", "stream_scree", "flow_forest", "wear_shade")
 
@@ -117,8 +119,12 @@ def test_sand_below_the_wet_line_is_dark(terrain, seen):
 
 def test_noise_has_four_scales(terrain):
     group = ground_shader.get_group()
-    inner = [node.node_tree for node in group.nodes if node.type == "GROUP"]
-    noises = [node for tree in inner for node in tree.nodes if node.type == "TEX_NOISE"]
+    (inner,) = {
+        node.node_tree
+        for node in group.nodes
+        if node.type == "GROUP" and "ground noise" in node.node_tree.name
+    }
+    noises = [node for node in inner.nodes if node.type == "TEX_NOISE"]
     scales = sorted(node.inputs["Scale"].default_value for node in noises)
     assert len(scales) == 4
     assert np.diff(np.log(scales)) == pytest.approx([np.log(1.0 / 0.23)] * 3, rel=1e-4)
@@ -151,6 +157,52 @@ def test_forest_follows_the_water_and_crests_are_light(tmp_path, seen):
     wear = map_of(worn, "wear")["wear"]
     assert ratio.max() == pytest.approx(1.0 + wear.max(), abs=0.15)
     assert ratio.min() == pytest.approx(max(1.0 + wear.min(), 0.2), abs=0.15)
+
+
+def contrast(image: np.ndarray) -> float:
+    """Returns the deviation of the green of a picture, relative to its mean."""
+    return float(image[..., 1].std() / image[..., 1].mean())
+
+
+def test_relief_is_seen_near_the_eye_and_is_its_mean_from_afar(tmp_path, seen, studio):
+    ob = plane(60.0, 2)
+    ob.data.materials.append(material.make({**GRASS, "Pixel Angle": 0.01}))
+    smooth = seen(ob)
+    studio.camera.location.z, studio.camera.data.ortho_scale = 20.0, 4.0
+    (ground,) = material.grounds(ob)
+    ground.inputs["Relief"].default_value = 1.0
+    near = taken(studio, tmp_path)
+    assert contrast(smooth) < 0.01 and contrast(near) > 0.1
+    ground.inputs["Pixel Angle"].default_value = 1.0
+    assert contrast(taken(studio, tmp_path)) < 0.01
+
+
+def test_relief_breaks_the_edge_of_a_cover_and_keeps_its_share(tmp_path, seen, studio):
+    """Snow of half a share all over lies in patches near the eye, and covers half of the ground."""
+    ob = plane(60.0, 2)
+    line = {"Snow Line": 0.0, "Line Width": 1.0, "Snow Slope": 9.0, "Pixel Angle": 0.0001}
+    ob.data.materials.append(material.make({**GRASS, **line}))
+    smooth = seen(ob)
+    studio.camera.location.z, studio.camera.data.ortho_scale = 20.0, 20.0
+    (ground,) = material.grounds(ob)
+    ground.inputs["Relief"].default_value = 1.0
+    broken = taken(studio, tmp_path)
+    assert contrast(smooth) < 0.01 and contrast(broken) > 0.3
+    assert broken[..., 2].mean() == pytest.approx(smooth[..., 2].mean(), rel=0.15)
+
+
+def test_snow_lies_on_the_floors_of_gullies(tmp_path, seen):
+    ob = add_land(tmp_path, WORN)
+    middle = float(np.median(positions(ob)[:, 2]))
+    sockets = {**LEVEL, "snow_line": middle, "wear_shade": 0.0}
+    wear = map_of(ob, "wear")["wear"]
+    even, hollow = (
+        np.abs(seen(ob, **sockets, hollow_snow=rise) - SNOW).max(-1) < 0.01 for rise in (0.0, 200.0)
+    )
+    assert 0.3 < even.mean() < 0.7
+    assert hollow.mean() == pytest.approx(
+        float((positions(ob)[:, 2] > middle + 200.0 * wear).mean()), abs=0.1
+    )
 
 
 def test_without_masks_the_ground_is_as_it_was(seen):

@@ -10,7 +10,8 @@
     0 and changes nothing
 
 Each cover lies over those before it, with an edge that the noise moves up and down. Noise of a
-single scale would make spots all of one size.
+single scale would make spots all of one size. Near the eye the covers have a relief of their own
+(ground_relief.py), which breaks the edges.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from __future__ import annotations
 from ..look import air, crest_nodes
 from ..shared import compat
 from ..shared.shader_builder import Tree, facing, shader_group, stored_normal
+from . import ground_relief
 from .node_group import HEIGHT, NORMAL
 
 GROUP = "Terrain Ground"
@@ -54,6 +56,14 @@ _NUMBERS = (
         360.0,
         "Direction of the sun at noon, in degrees counter-clockwise from +x",
     ),
+    (
+        "Hollow Snow",
+        260.0,
+        0.0,
+        1e5,
+        "How much higher snow begins on the crests of gullies, and lower on their floors, by the "
+        "attribute wear [m]",
+    ),
     ("Snow Slope", 0.75, 0.0, 10.0, "Slope at which snow begins to slide off, gone at 0.5 more"),
     ("Rock Slope", 0.62, 0.0, 10.0, "Slope at which rock begins, everywhere at 0.3 more"),
     ("Scree Slope", 0.50, 0.0, 10.0, "Slope at which scree begins, everywhere at 0.18 more"),
@@ -78,6 +88,7 @@ _NUMBERS = (
         "Distance through the air at which 2 % of the contrast are left [m]; 0: no haze",
     ),
     ("Roughness", 0.5, 0.0, 1.0, "Of the ground, as Oren and Nayar have it: 0 is smooth and matt"),
+    *ground_relief.NUMBERS,
 )
 _WATER_IOR = 1.33
 _FILM_ROUGHNESS = 0.12
@@ -165,6 +176,7 @@ _OF_COVERS = (
     "Line Width",
     "Sun Melt",
     "Sun Bearing",
+    "Hollow Snow",
     "Snow Slope",
     "Rock Slope",
     "Scree Slope",
@@ -172,9 +184,15 @@ _OF_COVERS = (
 """The inputs that decide where each cover lies."""
 
 
-def _covers(t: Tree, inputs, height, slopes, noise, by_masks) -> list:
-    """Returns the share of each cover over the covers before it, in the order of _COVERS. by_masks:
-    shares that masks give to forest, scree, rock."""
+_OF_WEAR = {"Forest": -0.3, "Scree": -0.08, "Rock": 0.10}
+"""What a crest of gullies adds to the noise that lets forest grow, and to the slopes at which scree
+and rock begin; their floors subtract it."""
+
+
+def _covers(t: Tree, inputs, height, slopes, noise, wear, by_masks) -> list:
+    """Returns the share of each cover over the covers before it, in the order of _COVERS. wear: 1
+    on the crests of gullies, -1 on their floors. by_masks: shares that masks give to forest, scree,
+    rock."""
     lush, gravel, cliff = by_masks
     slope = t.math("LENGTH", slopes, result="Value")
     width = inputs["Line Width"]
@@ -186,12 +204,18 @@ def _covers(t: Tree, inputs, height, slopes, noise, by_masks) -> list:
     sand = t.number("MULTIPLY", _below(t, inputs["Sand Line"], narrow, rippled), level)
     grows = t.number("SUBTRACT", 1.0, _from(t, 0.60, 0.35, slope, noise, 0.12))
     # Forest leaves clearings.
-    forest = t.number("MULTIPLY", grows, t.eased(-0.55, 0.15, t.number("ADD", noise, 0.2)))
+    open_ = t.number("MULTIPLY_ADD", wear, _OF_WEAR["Forest"], t.number("ADD", noise, 0.2))
+    forest = t.number("MULTIPLY", grows, t.eased(-0.55, 0.15, open_))
     below = _below(t, inputs["Forest Line"], t.number("MULTIPLY", width, 0.64), rough)
     forest = t.number("MAXIMUM", t.number("MULTIPLY", forest, below), lush)
-    scree = t.number("MAXIMUM", _from(t, inputs["Scree Slope"], 0.18, slope, noise, 0.20), gravel)
-    rock = t.number("MAXIMUM", _from(t, inputs["Rock Slope"], 0.30, slope, noise, 0.22), cliff)
+    of_scree = t.number("MULTIPLY_ADD", wear, _OF_WEAR["Scree"], slope)
+    of_rock = t.number("MULTIPLY_ADD", wear, _OF_WEAR["Rock"], slope)
+    scree = t.number(
+        "MAXIMUM", _from(t, inputs["Scree Slope"], 0.18, of_scree, noise, 0.20), gravel
+    )
+    rock = t.number("MAXIMUM", _from(t, inputs["Rock Slope"], 0.30, of_rock, noise, 0.22), cliff)
     melt = t.number("MULTIPLY", inputs["Sun Melt"], _sunward(t, slopes, inputs["Sun Bearing"]))
+    melt = t.number("MULTIPLY_ADD", wear, inputs["Hollow Snow"], melt)
     snow_line = t.number("ADD", inputs["Snow Line"], melt)
     snow = t.number("SUBTRACT", 1.0, _below(t, snow_line, width, rough))
     lies = t.number("SUBTRACT", 1.0, _from(t, inputs["Snow Slope"], 0.50, slope, noise, 0.15))
@@ -232,28 +256,38 @@ def _build(group) -> None:
     height = t.node("ShaderNodeAttribute", attribute_name=HEIGHT).outputs["Fac"]
     noise, fine = t.nested("ground noise", _noise, inputs["Noise Size"], inputs["Noise Amount"])
 
-    def covers(t: Tree, height, slopes, noise, lush, gravel, cliff, *sockets) -> list:
+    wear = _mask(t, "wear")
+
+    def covers(t: Tree, height, slopes, noise, wear, lush, gravel, cliff, *sockets) -> list:
         named = dict(zip(_OF_COVERS, sockets, strict=True))
-        return _covers(t, named, height, slopes, noise, (lush, gravel, cliff))
+        return _covers(t, named, height, slopes, noise, wear, (lush, gravel, cliff))
 
     given = [inputs[name] for name in _OF_COVERS]
     by_masks = _by_masks(t, inputs)
-    shares = t.nested("ground covers", covers, height, slopes, noise, *by_masks, *given)
+    shares = t.nested("ground covers", covers, height, slopes, noise, wear, *by_masks, *given)
     # Sand is dark where waves have wetted it, by the first water most [Lobell and Asner 2002].
     above = t.number("SUBTRACT", height, inputs["Wet Line"])
     wetness = _mask(t, "shore_wetness")
     bright = t.number("EXPONENT", t.number("MULTIPLY", wetness, -5.0))
     dry = t.number("MULTIPLY", t.eased(-0.3, 0.5, above), bright)
     sand = t.mix(inputs["Wet Sand Colour"], inputs["Sand Colour"], dry)
-    colour = inputs["Grass Colour"]
+    grain = ground_relief.Grain(t, inputs, normal, fine)
+    straw = grain.straw(t)
+    colour = t.mix(inputs["Grass Colour"], inputs["Dry Grass Colour"], straw)
+    steepness = ground_relief.STEEPNESS["Grass"]
     for name, share in zip(_COVERS, shares, strict=True):
         if name == "Snow":  # noise and wear shade the ground, not the snow on it
-            colour = t.mix(colour, sand, _mask(t, "beach", inputs["Beach Sand"]))
+            beach = _mask(t, "beach", inputs["Beach Sand"])
+            colour = t.mix(colour, sand, beach)
+            steepness = t.mix(steepness, ground_relief.STEEPNESS["Sand"], beach)
             shade = t.number("MULTIPLY_ADD", fine, 2.0 * _SHADE, 1.0)
-            shade = t.number("ADD", _mask(t, "wear", inputs["Wear Shade"]), shade)
+            shade = t.number("MULTIPLY_ADD", wear, inputs["Wear Shade"], shade)
             colour = t.scale(colour, t.number("MAXIMUM", shade, 0.2))
         cover = sand if name == "Sand" else inputs[f"{name} Colour"]
-        colour = t.mix(colour, cover, share)
+        broken = grain.broken(t, share)
+        colour = t.mix(colour, cover, broken)
+        steepness = t.mix(steepness, ground_relief.STEEPNESS[name], broken)
+    colour, normal = grain.relief(t, colour, steepness)
     ground = t.shader(
         "ShaderNodeBsdfDiffuse", Color=colour, Roughness=inputs["Roughness"], Normal=normal
     )

@@ -40,6 +40,7 @@ def look_of(state: dict, water: float | None = None) -> dict[str, float]:
             "Wet Line": water + _SWASH,
             "Dry Share": _DRY,
             "Line Width": 140.0 * relief,
+            "Hollow Snow": 260.0 * relief,
             "Noise Size": _NOISE_SHARE * max(state["size"]),
         }
     return {
@@ -48,6 +49,7 @@ def look_of(state: dict, water: float | None = None) -> dict[str, float]:
         "Dry Share": _DRY,
         "Line Width": 140.0 * relief,
         "Sun Melt": 220.0 * relief,
+        "Hollow Snow": 260.0 * relief,
         "Noise Size": _NOISE_SHARE * (state["period"] or max(state["size"])),
     }
 

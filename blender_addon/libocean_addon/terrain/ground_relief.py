@@ -1,0 +1,132 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The relief of the covers of land, as nodes: stones, tufts, crowns and drifts that no mesh has.
+
+place -> grain of five wavelengths, each left out where a pixel holds it -> edges of covers
+grain, steepness of the cover -> normal, and less light in the hollows
+"""
+
+from __future__ import annotations
+
+from ..look import water_shader
+from ..shared.shader_builder import Tree
+
+WAVELENGTHS = (16.0, 4.0, 1.0, 0.25, 0.0625)
+"""[m] Of the grain, each seen where it is longer than four pixels and gone at two."""
+STEEPNESS = {
+    "Grass": (0.08, 0.22, 0.40),
+    "Dry Grass": (0.08, 0.22, 0.40),
+    "Forest": (0.40, 0.30, 0.20),
+    "Scree": (0.14, 0.45, 0.50),
+    "Rock": (0.40, 0.40, 0.35),
+    "Snow": (0.08, 0.05, 0.04),
+    "Sand": (0.03, 0.06, 0.10),
+}
+"""Slopes of the relief of each cover: of the two longest waves, of that of 1 m, and of the two
+shortest."""
+NUMBERS = (
+    ("Relief", 1.0, 0.0, 10.0, "Of stones, tufts, tree crowns and drifts near the eye; 0: none"),
+    (
+        "Pixel Angle",
+        water_shader.PIXEL_ANGLE,
+        0.0,
+        1.0,
+        "Of a pixel of the picture, in radians: relief that is finer is left out. 0: never",
+    ),
+)
+_STEP = 0.15
+"""The wavelengths between two places whose difference is a slope."""
+_CONTRAST = 4.8  # Blender's noise has a deviation of about 0.13 around 0.5
+_BREAKS = (0.30, 0.30, 0.25, 0.15, 0.10)
+"""How much each wavelength moves the edges of covers, in shares of a cover."""
+_DARK = 0.7
+"""The light that hollows lack, in slopes of the relief."""
+_UNEVEN = 2.0
+"""How much a noise of the ground makes relief stronger: of equal strength it would look woven."""
+_STRAW = 0.45
+"""The share of dry grass in the driest grass."""
+
+
+def _wave(t: Tree, place, along, across, side, length) -> list:
+    """Returns the grain of a wavelength, about -1 .. 1, and its slopes along two directions. side:
+    of a pixel on the ground [m]."""
+    inverse = t.number("DIVIDE", 1.0, length)
+    at = t.scale(place, inverse)
+
+    def read(where):
+        made = t.node("ShaderNodeTexNoise")
+        t.feed(where, made.inputs["Vector"])
+        made.inputs["Scale"].default_value = 1.0
+        made.inputs["Detail"].default_value = 0.0
+        return made.outputs["Fac"]
+
+    here = read(at)
+    wave = t.number("SUBTRACT", 1.0, t.eased(0.25, 0.5, t.number("MULTIPLY", side, inverse)))
+    wave = t.number("MULTIPLY", wave, _CONTRAST)
+    results = [t.number("MULTIPLY", t.number("SUBTRACT", here, 0.5), wave)]
+    for way in (along, across):
+        beside = read(t.math("ADD", at, t.scale(way, _STEP)))
+        slope = t.number("DIVIDE", t.number("SUBTRACT", beside, here), _STEP)
+        results.append(t.number("MULTIPLY", slope, wave))
+    return results
+
+
+class Grain:
+    """The grain at a place, in a group with the inputs NUMBERS. normal: of the land; noise: longer
+    than the grain, about -1 .. 1, which makes it stronger and weaker."""
+
+    def __init__(self, t: Tree, inputs, normal, noise) -> None:
+        self.normal = normal
+        uneven = t.number("MULTIPLY_ADD", noise, _UNEVEN, 0.9)
+        uneven = t.number("MINIMUM", t.number("MAXIMUM", uneven, 0.25), 1.6)
+        self.amount = t.number("MULTIPLY", inputs["Relief"], uneven)
+        self.along = t.math("NORMALIZE", t.math("CROSS_PRODUCT", (0.0, 1.0, 0.0), normal))
+        self.across = t.math("CROSS_PRODUCT", normal, self.along)
+        place = t.node("ShaderNodeTexCoord").outputs["Object"]
+        self.side = water_shader.footprint(t, inputs["Pixel Angle"])
+        self.waves = []
+        for length in WAVELENGTHS:
+            value = t.node("ShaderNodeValue").outputs[0]
+            value.default_value = length
+            given = (place, self.along, self.across, self.side, value)
+            self.waves.append(t.nested("ground grain", _wave, *given))
+        self.moves = t.number("MULTIPLY", self._sum(t, 0, _BREAKS), self.amount)
+        finest = t.number("DIVIDE", self.side, WAVELENGTHS[2])
+        seen = t.number("SUBTRACT", 1.0, t.eased(0.25, 0.5, finest))
+        self.seen = t.number("MULTIPLY", seen, self.amount, clamp=True)
+
+    def _sum(self, t: Tree, part: int, weights):
+        """Returns the sum of a part of all waves. weights: one for each wavelength."""
+        total = 0.0
+        for wave, weight in zip(self.waves, weights, strict=True):
+            total = t.number("MULTIPLY_ADD", wave[part], weight, total)
+        return total
+
+    def straw(self, t: Tree):
+        """Returns the share of dry grass among the other grass."""
+        return t.number("MULTIPLY", t.eased(0.0, 0.8, self.moves), _STRAW)
+
+    def broken(self, t: Tree, share):
+        """Returns the share of a cover whose edge follows the grain: where there is none of it, or
+        nothing else, it stays so."""
+
+        def make(t: Tree, share, moves, seen) -> list:
+            other = t.number("SUBTRACT", 1.0, share)
+            free = t.number("MULTIPLY", t.number("MULTIPLY", share, other), 4.0)
+            moved = t.number("MULTIPLY_ADD", free, moves, share)
+            sharp = t.eased(0.25, 0.75, moved)
+            change = t.number("SUBTRACT", sharp, share)
+            return [t.number("MULTIPLY_ADD", change, seen, share)]
+
+        return t.nested("ground edge", make, share, self.moves, self.seen)[0]
+
+    def relief(self, t: Tree, colour, steepness) -> tuple:
+        """Returns the colour in the light that its hollows have, and the normal of the relief.
+        steepness: as of STEEPNESS."""
+        coarse, middle, fine = t.parts(t.scale(steepness, self.amount))
+        weights = (coarse, coarse, middle, fine, fine)
+        light = t.number("MULTIPLY_ADD", self._sum(t, 0, weights), _DARK, 1.0)
+        light = t.number("MINIMUM", t.number("MAXIMUM", light, 0.25), 1.75)
+        slopes = [self._sum(t, part, weights) for part in (1, 2)]
+        tilt = t.math("ADD", t.scale(self.along, slopes[0]), t.scale(self.across, slopes[1]))
+        return t.scale(colour, light), t.math("NORMALIZE", t.math("SUBTRACT", self.normal, tilt))
