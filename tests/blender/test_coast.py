@@ -12,6 +12,8 @@ from libocean_addon.bundled import libocean
 from libocean_addon.coast import coast_job, first_coast, open_coast, panels, shore_mesh
 from libocean_addon.sea import live as sea_live
 from libocean_addon.shared import drafts
+from libocean_addon.terrain import trees
+from test_land_look import trees_on
 
 SEA = """libocean = 1
 [water]
@@ -113,6 +115,17 @@ def test_the_water_ends_where_the_land_rises_above_it(coast):
     shown = positions(coast)
     assert len(shown) < COLUMNS * ROWS
     assert shown[:, 0].max() < whole[..., 0].max() - CELL
+
+
+def test_trees_grow_on_the_land_from_the_water_or_from_it(coast):
+    land = coast.libocean_coast.land
+    for active in (coast, land):
+        bpy.context.view_layer.objects.active = active
+        assert bpy.ops.libocean.add_trees() == {"FINISHED"}
+        places = trees_on(land)
+        assert len(places) > 5 and places[:, 2].min() >= 0.5 - 1e-3
+        assert not bpy.ops.libocean.add_trees.poll()
+        land.modifiers.remove(trees.FAMILY.modifiers(land)[0])
 
 
 def ends_of(mesh) -> np.ndarray:

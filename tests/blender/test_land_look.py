@@ -5,7 +5,7 @@
 import bpy
 import numpy as np
 import pytest
-from conftest import failing, plane, positions, rest, taken
+from conftest import camera, failing, plane, positions, rest, taken
 from libocean_addon.shared import modifier_groups
 from libocean_addon.terrain import ground_shader, material, node_group, tree_meshes, trees
 from test_land import CARVED, PLACED, WORN, add_land, library_of, map_of
@@ -225,11 +225,11 @@ def test_the_material_knows_the_water_of_the_shore(tmp_path):
 # Trees ----------------------------------------------------------------------------
 
 
-def trees_on(ob) -> np.ndarray:
-    """Returns the places of the trees of an object, (n, 3)."""
+def trees_on(ob, part: str = "translation") -> np.ndarray:
+    """Returns the places of the trees of an object, (n, 3), or another part of their matrices."""
     graph = bpy.context.evaluated_depsgraph_get()
     found = [
-        tuple(instance.matrix_world.translation)
+        tuple(getattr(instance.matrix_world, "to_" + part)())
         for instance in graph.object_instances
         if instance.is_instance and instance.parent.original == ob
     ]
@@ -280,10 +280,27 @@ def test_no_tree_grows_where_a_mask_is_1():
         ob.data.attributes.remove(ob.data.attributes[name])
 
 
+def test_trees_of_a_large_land_grow_around_the_camera_and_differ_in_size(scene):
+    ob = add_terrain(64, "seed_smooth")
+    ob.libocean_terrain.patch_size = 8000.0
+    camera(scene, (3000.0, 2000.0, 100.0), width=6.0)
+    assert bpy.ops.libocean.add_trees() == {"FINISHED"}
+    (modifier,) = trees.FAMILY.modifiers(ob)
+    reach = modifier_groups.value(modifier, "Reach")
+    places = trees_on(ob)
+    assert 1000 < len(places) <= trees.MAX_TREES
+    away = np.linalg.norm(places - np.array((3000.0, 2000.0, 100.0)), axis=1)
+    assert 0.8 * reach < away.max() < reach + 1.5 * 8000.0 / 64
+    assert trees_on(ob, "scale").std() > 0.1
+    modifier_groups.assign(modifier, {"Size Variation": 0.0, "Reach": 500.0})
+    bpy.context.view_layer.update()
+    assert np.ptp(trees_on(ob, "scale")) < 1e-5 and 0 < len(trees_on(ob)) < len(places)
+
+
 def test_trees_of_a_plain_tile_avoid_its_slopes():
     ob = add_terrain(64, "seed_rough")
     assert bpy.ops.libocean.add_trees() == {"FINISHED"}
-    assert ob.libocean_terrain.use_slope and len(trees_on(ob)) > 10
+    assert len(trees_on(ob)) > 10
     assert "has trees" in failing(bpy.ops.libocean.add_trees)
     (modifier,) = trees.FAMILY.modifiers(ob)
     modifier_groups.assign(modifier, {"Max Slope": 0.0})

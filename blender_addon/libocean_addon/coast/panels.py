@@ -13,6 +13,7 @@ from ..sea import parameter_values
 from ..shared import drafts, meshes, subject_panel
 from ..shared.compat import tr_label
 from ..shared.drawing import draws, field, never_raises, say
+from ..terrain import trees
 from ..terrain.look_panels import SIDES
 from . import facts, node_group, operators
 
@@ -122,6 +123,7 @@ class CoastLookPanel(_Panel, bpy.types.Panel):
         if settings.use_wetness and not meshes.is_ours(settings.land):
             say(layout, tr_label("Wet ground has no effect: it needs Land, a mesh"), "ERROR")
         _draw_parameters(layout, ob.libocean, sea_panels.FOAM)
+        layout.operator(trees.AddTrees.bl_idname, icon="OUTLINER_OB_POINTCLOUD")
 
 
 class CoastBakePanel(_Panel, bpy.types.Panel):

@@ -1,16 +1,18 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Trees on a terrain: a modifier behind the terrain's that scatters instances by its attributes. An
-example to begin with: the node group is plain, and its inputs are those of the modifier.
+"""Trees on a terrain or on the land of a coast: a modifier behind that of the land scatters
+instances by its attributes. The node group is plain, and its inputs are those of the modifier.
 
     terrain_height, slope, beach, cliff, streambed, wetness -> density -> points -> instances
 """
 
 from __future__ import annotations
 
+import math
+
 import bpy
 
-from ..shared import compat, life, modifier_groups
+from ..shared import compat, life, modifier_groups, registration
 from ..shared.compat import tr
 from ..shared.modifier_groups import Family
 from ..shared.node_builder import Builder
@@ -18,7 +20,7 @@ from . import material, node_group, tree_meshes
 from .open_terrain import terrain_of
 from .subject import TERRAIN
 
-VERSION = 1
+VERSION = 2
 FAMILY = Family("libocean_scatter", VERSION)
 _NAME = "Terrain Trees"
 
@@ -31,9 +33,14 @@ _INPUTS = (
     ("Clearings", 0.5, 0.0, 1.0, "Share of the ground that clearings take"),
     ("Clearing Size", 120.0, 0.1, 1e5, "Distance of clearings [m]"),
     ("Scale", 1.0, 0.01, 100.0, "Of the trees, which are 2 to 14 m high"),
+    ("Size Variation", 0.33, 0.0, 1.0, "How much smaller and larger than their mean trees are"),
+    ("Reach", 0.0, 0.0, 1e6, "Distance from Camera at which trees end [m]; 0: they do not"),
 )
 MAX_TREES = 60000
-"""The trees that the first density of a large land gives at most."""
+"""The trees that a new land has at most."""
+_DENSE, _SPARSE = 250.0, 120.0
+"""Trees a hectare of a land that can have them all over, and of a larger one around the camera."""
+_MEAN_SIZE = 0.9  # of a tree, relative to its mesh
 _HECTARE = 1e4  # [m^2]
 
 
@@ -52,6 +59,7 @@ def _declare(group) -> None:
             description=description,
         )
     socket(group, "Seed", "NodeSocketInt")
+    socket(group, "Camera", "NodeSocketObject", description="Around which trees grow, see Reach")
     socket(group, "Geometry", "NodeSocketGeometry", output=True)
 
 
@@ -77,9 +85,29 @@ def _clearings(b: Builder, inputs):
     return b.eased(low, b.number("ADD", low, 0.1), noise.outputs["Fac"])
 
 
+def _slope(b: Builder):
+    """Returns the slope in the attribute, or that of the mesh, whichever is steeper."""
+    upward = b.parts(b.node("GeometryNodeInputNormal").outputs[0])[2]
+    level = b.number("MAXIMUM", b.number("ABSOLUTE", upward), 0.01)
+    across = b.number("SUBTRACT", 1.0, b.number("MULTIPLY", level, level))
+    of_mesh = b.number("DIVIDE", b.number("SQRT", across), level)
+    return b.number("MAXIMUM", _named(b, node_group.SLOPE), of_mesh)
+
+
+def _within_reach(b: Builder, inputs):
+    """Returns 1 near the camera, 0 beyond the reach, and 1 everywhere without one."""
+    camera = b.node("GeometryNodeObjectInfo", transform_space="RELATIVE")
+    b.link(inputs["Camera"], camera.inputs["Object"])
+    place = b.node("GeometryNodeInputPosition").outputs[0]
+    away = b.math("DISTANCE", place, camera.outputs["Location"], result="Value")
+    reach = inputs["Reach"]
+    beyond = b.eased(b.number("MULTIPLY", reach, 0.7), reach, away)
+    return b.number("SUBTRACT", 1.0, b.number("MULTIPLY", beyond, b.number("SIGN", reach)))
+
+
 def _density(b: Builder, inputs):
     """Returns the density of trees [1/m^2]."""
-    slope, height = _named(b, node_group.SLOPE), _named(b, node_group.HEIGHT)
+    slope, height = _slope(b), _named(b, node_group.HEIGHT)
     bare = b.number("MAXIMUM", inputs["Max Slope"], 1e-3)
     share = b.number("SUBTRACT", 1.0, b.eased(b.number("MULTIPLY", bare, 0.6), bare, slope))
     by_wetness = b.number("SUBTRACT", _named(b, "wetness"), 1.0)
@@ -92,6 +120,7 @@ def _density(b: Builder, inputs):
         b.number("LESS_THAN", height, inputs["Highest"]),
         wet,
         _clearings(b, inputs),
+        _within_reach(b, inputs),
         b.number("DIVIDE", inputs["Density"], _HECTARE),
     )
     for factor in factors:
@@ -130,7 +159,9 @@ def get_group():
     placed.inputs["Pick Instance"].default_value = True
     turn = b.vector(0.0, 0.0, _random(b, inputs, 0.0, 6.2832, 1))
     b.link(turn, placed.inputs["Rotation"])
-    size = b.number("MULTIPLY", _random(b, inputs, 0.6, 1.2, 2), inputs["Scale"])
+    other = b.number("MULTIPLY", _random(b, inputs, -1.0, 1.0, 2), inputs["Size Variation"])
+    size = b.number("MULTIPLY_ADD", other, _MEAN_SIZE, _MEAN_SIZE)
+    size = b.number("MULTIPLY", size, inputs["Scale"])
     b.link(size, placed.inputs["Scale"])
     joined = b.node("GeometryNodeJoinGeometry")
     b.link(placed.outputs[0], joined.inputs[0])
@@ -140,27 +171,54 @@ def get_group():
     return group
 
 
-def _fitted(ob) -> dict[str, float]:
-    """Returns the inputs for the land of an object: no trees in the water and few enough of them to
-    be shown."""
-    terrain = terrain_of(ob.name_full)
+def _land_of(ob):
+    """Returns the object on which trees grow, for a terrain, or for the water or the land of a
+    coast; None for other objects."""
+    if ob is None or node_group.modifiers(ob):
+        return ob
+    if ob.libocean_coast.land is not None:
+        return ob.libocean_coast.land
+    is_land = ob.parent is not None and ob.parent.libocean_coast.land == ob
+    return ob if is_land else None
+
+
+def _size_of(ob) -> tuple[float, dict[str, float]]:
+    """Returns the area of a land [hectares], and the inputs that fit its water and its forest."""
     values = {}
+    if not node_group.modifiers(ob):
+        return ob.dimensions.x * ob.dimensions.y / _HECTARE, {"Lowest": 0.5}
+    terrain, settings = terrain_of(ob.name_full), ob.libocean_terrain
     if terrain.handle is None:
-        return values
+        return 0.0, values
     water = material.water_of(terrain.values)
     if water is not None:
         values["Lowest"] = water + 2.0
+    elif material.grounds(ob):
+        inputs = material.grounds(ob)[0].inputs
+        line, width = (inputs[name].default_value for name in ("Forest Line", "Line Width"))
+        values["Highest"] = line + 0.64 * width
     if "stream" in terrain.groups:
         values["Wet Share"] = 0.7
-    (east, north), tiles = terrain.extent.size, ob.libocean_terrain.tiles
-    hectares = east * north / _HECTARE * (tiles**2 if terrain.extent.wraps else 1)
-    values["Density"] = min(250.0, MAX_TREES / max(hectares, 1e-6))
-    return values
+    (east, north), tiles = terrain.extent.size, settings.tiles
+    if settings.use_lod:
+        east = north = max(2.0 * settings.lod_farthest, east)
+    return east * north / _HECTARE * (tiles**2 if terrain.extent.wraps else 1), values
+
+
+def _fitted(ob, camera) -> dict:
+    """Returns the inputs for a land: no trees in its water, and few enough of them to be shown."""
+    hectares, values = _size_of(ob)
+    if _DENSE * hectares <= MAX_TREES or camera is None:
+        values["Density"] = min(_DENSE, MAX_TREES / max(hectares, 1e-6))
+        return values
+    values["Density"] = _SPARSE
+    values["Reach"] = math.sqrt(MAX_TREES / _SPARSE * _HECTARE / math.pi)
+    return {**values, "Camera": camera}
 
 
 class AddTrees(bpy.types.Operator):
-    """Scatter trees on the active terrain: none on beaches, cliffs, in streams and on steep slopes,
-    more where the ground is wet"""
+    """Scatter trees on the active terrain or coast: none on beaches, cliffs, in streams and on
+    steep slopes, more where the ground is wet, on a large land around the camera"""
 
     bl_idname = "libocean.add_trees"
     bl_label = "Add Trees"
@@ -168,26 +226,31 @@ class AddTrees(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context) -> bool:
-        ob = context.object
-        if ob is None or not node_group.modifiers(ob):
-            cls.poll_message_set(tr("The active object has no terrain modifier"))
+        land = _land_of(context.object)
+        if land is None:
+            cls.poll_message_set(tr("The active object is no terrain and no coast with a land"))
             return False
-        if FAMILY.modifiers(ob):
+        if FAMILY.modifiers(land):
             cls.poll_message_set(tr("The active object has trees"))
             return False
         return True
 
     def execute(self, context):
-        ob = context.object
-        if not ob.libocean_terrain.use_slope:
-            ob.libocean_terrain.use_slope = True
-        life.show_now(TERRAIN, ob)
+        ob = _land_of(context.object)
+        if node_group.modifiers(ob):
+            life.show_now(TERRAIN, ob)
         modifier = modifier_groups.add(ob, "Trees", get_group)
         modifier.show_expanded = True
-        modifier_groups.assign(modifier, {"Trees": tree_meshes.get(), **_fitted(ob)})
+        inputs = {"Trees": tree_meshes.get(), **_fitted(ob, context.scene.camera)}
+        modifier_groups.assign(modifier, inputs)
         return {"FINISHED"}
 
 
 CLASSES = (AddTrees,)
 
-register, unregister = bpy.utils.register_classes_factory(CLASSES)
+
+def _draw_object(self, _context) -> None:
+    self.layout.operator(AddTrees.bl_idname, icon="OUTLINER_OB_POINTCLOUD")
+
+
+register, unregister = registration.functions(CLASSES, menus={"VIEW3D_MT_object": _draw_object})
