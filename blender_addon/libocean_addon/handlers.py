@@ -14,7 +14,7 @@ from .bake import render_check
 from .floating import floating
 from .look import foam_images
 from .sea import hulls
-from .shared import compat, drafts, failures, hooks, life, meshes
+from .shared import compat, drafts, failures, hooks, life, meshes, stored_meshes
 from .shared.life import complete
 from .spray import spray
 
@@ -41,7 +41,7 @@ def _depsgraph_updated(scene, depsgraph) -> None:
     if any(isinstance(update.id, kinds) for update in depsgraph.updates):
         objects = life.all_shown()
         life.keep_only(objects)
-        life.make_whole(objects)  # linked, appended, or of a file that was not written
+        stored_meshes.make_whole()  # linked, appended, or of a file that was not written
         life.own_images(objects)
         life.show_all(objects, scene, depsgraph)
         for shown in objects:
@@ -69,7 +69,7 @@ def _saving(*_) -> None:
 @persistent
 @failures.log_once
 def _saved(*_) -> None:
-    life.make_whole(life.all_shown())
+    stored_meshes.make_whole()
 
 
 @persistent

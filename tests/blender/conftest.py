@@ -222,6 +222,14 @@ def save(path: Path) -> Path:
     return path
 
 
+def meshes_in(path: Path, *names: str) -> list:
+    """Returns meshes of a file, as they are stored there."""
+    copy = shutil.copy(path, path.with_name("copy.blend"))  # Blender links nothing from its own
+    with bpy.data.libraries.load(str(copy), link=True) as (_, into):
+        into.meshes = list(names)
+    return into.meshes
+
+
 def opened(path: Path, name: str, frame: int | None = None):
     """Opens a file; returns one of its objects, which becomes the active one."""
     bpy.ops.wm.open_mainfile(filepath=str(path))

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 from conftest import assert_shown_without_the_add_on, keyed, opened, push, read_exr, save, times
 from libocean_addon.bake import bake_record, bake_state
+from libocean_addon.shared import mesh_content
 from subjects import BAKED, same
 
 FRAMES = (1, 2, 4)
@@ -243,7 +244,8 @@ def test_a_bake_is_undone_and_redone(case, shot):
     assert all_same(live, at_frames(case, case.found()))
 
 
-def test_in_another_folder_it_plays_with_and_without_the_add_on(case, shot, tmp_path):
+def test_in_another_folder_it_plays_with_and_without_the_add_on(case, shot, tmp_path, monkeypatch):
+    monkeypatch.setattr(mesh_content, "_SIDE", 10)  # of a live one
     live = at_frames(case, shot)
     bake()
     bpy.ops.wm.save_mainfile()

@@ -66,6 +66,15 @@ def test_a_scene_begins_with_few_vertices_and_is_saved_with_fewer(waiting, small
     assert len(ocean.data.vertices) > 4 * horizon_mesh.DRAFT_VERTICES
 
 
+@pytest.mark.parametrize("add", ["add_coast", "add_terrain", "add_terrain_scene"])
+def test_a_default_subject_is_a_small_file(waiting, add, tmp_path):
+    """Three MB are the textures of foam; a whole mesh is 25."""
+    assert getattr(bpy.ops.libocean, add)() == {"FINISHED"}
+    path = save(tmp_path / "shot.blend")
+    assert max(len(ob.data.vertices) for ob in bpy.data.objects if meshes.is_mesh(ob)) > 200_000
+    assert path.stat().st_size < 10e6
+
+
 def test_panels_are_drawn_again_where_the_progress_is_another_one(monkeypatch):
     said, drawn = ["1%"], []
     job = SimpleNamespace(is_alive=lambda: True, status_text=lambda _name: said[0])

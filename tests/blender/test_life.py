@@ -14,6 +14,7 @@ from conftest import (
     failing,
     finish,
     keyed,
+    meshes_in,
     opened,
     pixels,
     positions,
@@ -25,7 +26,8 @@ from conftest import (
 )
 from libocean_addon import handlers
 from libocean_addon.bundled import libocean
-from libocean_addon.shared import drafts, life, meshes
+from libocean_addon.shared import drafts, life, mesh_content, meshes
+from libocean_addon.shared.mesh_content import Content
 from subjects import SHOWN, SLOW, Coast, Land, Sea, same
 
 
@@ -161,9 +163,20 @@ def test_applied_it_is_a_mesh_for_good(ob):
 # Files ----------------------------------------------------------------------------
 
 
+FEW = 10  # vertices along a side of a small mesh
+
+
+def made_meshes(case) -> dict[str, Content]:
+    """Returns the content of each mesh that the add-on made for an object."""
+    ob = case.found()
+    found = (part.data for part in case.row(ob).parts(ob) if meshes.is_mesh(part))
+    return {mesh.name: Content.of(mesh) for mesh in found if meshes.made_of(mesh)}
+
+
 @pytest.fixture
-def saved(case, ob, scene, tmp_path):
+def saved(case, ob, scene, tmp_path, monkeypatch):
     """Returns a file, without those that it was made of, and how its object looks."""
+    monkeypatch.setattr(mesh_content, "_SIDE", FEW)
     scene.frame_set(5)
     case.mark(ob)
     want = case.shown(ob)
@@ -188,8 +201,20 @@ def put_into_scene(*objects) -> None:
 
 
 def test_a_file_is_opened_as_it_was_saved(case, saved):
+    """It holds small meshes, in the place of which whole ones are made, equal to the bit."""
     path, want = saved
+    before, names = made_meshes(case), sorted(mesh.name for mesh in bpy.data.meshes)
+    stored = {mesh.name: len(mesh.vertices) for mesh in meshes_in(path, *before)}
+    assert all(stored[name] <= FEW**2 or not made.is_large for name, made in before.items())
     ob = opened(path, case.name)
+    assert sorted(mesh.name for mesh in bpy.data.meshes) == names
+    after = made_meshes(case)
+    assert after.keys() == before.keys()
+    for name, made in after.items():
+        assert made.mark() == before[name].mark()
+        assert np.array_equal(made.places, before[name].places)
+        assert np.array_equal(made.corners, before[name].corners)
+        assert same(made.layers, before[name].layers)
     assert case.problem(ob) == ""
     assert same(case.shown(ob), want)
     case.assert_is_library(ob)

@@ -25,4 +25,5 @@ COAST = Subject(
     float_pose=floats.float_pose,
     bake=coast_bake.CoastBake,
     before_change=live.before_change,
+    parts=lambda ob: [ob, ob.libocean_coast.land, ob.libocean_coast.far_water],
 )

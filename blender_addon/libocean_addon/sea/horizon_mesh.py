@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from ..shared import meshes
+from ..shared import meshes, stored_meshes
 from . import ring_nodes
 
 DRAFT_VERTICES = 100000
@@ -97,12 +97,9 @@ class Horizon:
     """From the middle to the edge, at least [m]."""
 
     @staticmethod
-    def of(words: str) -> Horizon | None:
-        """Returns the horizon that these words describe; None for words of another mesh."""
-        kind, *numbers = words.split() or [""]
-        if kind != _KIND:
-            return None
-        spacing, most_vertices, distance = numbers
+    def of(words: str) -> Horizon:
+        """Returns the horizon that words() describe."""
+        _, spacing, most_vertices, distance = words.split()
         return Horizon(float(spacing), int(most_vertices), float(distance))
 
     def words(self) -> str:
@@ -127,3 +124,6 @@ def follow_horizon(
     shape = Horizon(spacing, DRAFT_VERTICES if draft else most_vertices, distance)
     made_of = shape.words()
     meshes.follow(ob, meshes.draft_of(made_of) if draft else made_of, shape.fill)
+
+
+stored_meshes.earlier[_KIND] = lambda words: Horizon.of(words).fill

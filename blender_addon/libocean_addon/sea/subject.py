@@ -16,7 +16,6 @@ from . import (
     open_sea,
     parameter_values,
     sea_text,
-    stored_horizon,
     versions,
 )
 
@@ -58,6 +57,4 @@ SEA = Subject(
     fault=live.fault_of,
     before_change=live.before_change,
     upgrade=versions.upgrade,
-    put_aside=stored_horizon.put_aside,
-    make_whole=stored_horizon.make_whole,
 )

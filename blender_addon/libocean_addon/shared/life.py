@@ -19,7 +19,16 @@ from collections.abc import Iterable, Iterator
 
 import bpy
 
-from . import console, drafts, failures, hooks, meshes, modifier_groups, subject
+from . import (
+    console,
+    drafts,
+    failures,
+    hooks,
+    meshes,
+    modifier_groups,
+    stored_meshes,
+    subject,
+)
 from .failures import NotShownError
 from .native import libocean
 from .subject import Moment, Picture, Shown, Subject
@@ -165,21 +174,13 @@ def keep_only(objects: Iterable[Shown]) -> None:
     drafts.keep_only({shown.ob.name_full for shown in objects})
 
 
-def _of(row: Subject, objects: Iterable[Shown]) -> list:
-    return [shown.ob for shown in objects if shown.subject is row]
-
-
-def make_whole(objects: list[Shown]) -> None:
-    """Makes objects whole that a file holds in a smaller form."""
-    for row in subject.rows:
-        row.make_whole(_of(row, objects))
-
-
 def put_aside() -> None:
-    """Takes large data out of a file that is saved, until make_whole()."""
-    objects = all_shown()
-    for row in subject.rows:
-        row.put_aside(_of(row, objects))
+    """Takes large meshes out of a file that is saved, until make_whole()."""
+    live, baked = [], []
+    for shown in all_shown():
+        parts = [part for part in shown.subject.parts(shown.ob) if meshes.is_mesh(part)]
+        (live if shown.live else baked).extend(parts)
+    stored_meshes.put_aside(live, baked)
 
 
 def replaced(scene) -> None:
@@ -187,9 +188,9 @@ def replaced(scene) -> None:
     objects = all_shown()
     keep_only(objects)
     drafts.forget_stops()
-    make_whole(objects)
+    stored_meshes.make_whole()
     for row in subject.rows:
-        row.opened.forget({ob.name_full for ob in _of(row, objects)})
+        row.opened.forget({shown.ob.name_full for shown in objects if shown.subject is row})
     for shown in objects:
         shown.subject.upgrade(shown.ob)
     objects = all_shown()  # an upgrade exchanges node groups
@@ -234,7 +235,7 @@ def complete() -> None:
     """Blocks until nothing is a draft, before a render. Says so in the console if that fails."""
     is_whole = drafts.complete()
     if drafts.is_main_thread():
-        make_whole(all_shown())
+        stored_meshes.make_whole()
         complete_meshes()
         return
     few = _draft_meshes()

@@ -9,24 +9,15 @@ import bpy
 import numpy as np
 
 from . import compat
+from .mesh_content import Content, write_geometry
 
 
 def fill(mesh, vertices: np.ndarray, *faces: np.ndarray) -> None:
     """Replaces all of a mesh by these vertices (n, 3) and smooth faces. faces: (m, k), one array
     for each number of corners k."""
-    mesh.clear_geometry()
-    mesh.vertices.add(len(vertices))
-    mesh.vertices.foreach_set("co", np.ascontiguousarray(vertices, dtype=np.float32).ravel())
     corners = np.concatenate([of_one_kind.ravel() for of_one_kind in faces]).astype(np.int32)
     counts = np.concatenate([np.full(len(f), f.shape[1], np.int32) for f in faces])
-    mesh.loops.add(len(corners))
-    mesh.loops.foreach_set("vertex_index", corners)
-    mesh.polygons.add(len(counts))
-    mesh.polygons.foreach_set("loop_start", np.cumsum(counts, dtype=np.int32) - counts)
-    if not compat.LOOP_TOTAL_FOLLOWS:
-        mesh.polygons.foreach_set("loop_total", counts)
-    mesh.update(calc_edges=True)
-    compat.shade_smooth(mesh)
+    write_geometry(mesh, vertices, corners, counts)
 
 
 def is_there(ob) -> bool:
@@ -35,12 +26,15 @@ def is_there(ob) -> bool:
     return ob is not None and len(ob.users_collection) > 0
 
 
+def is_mesh(ob) -> bool:
+    """Returns whether an object is a mesh in use."""
+    return is_there(ob) and ob.type == "MESH"
+
+
 def is_ours(ob) -> bool:
     """Returns whether an object is a mesh in use that may be changed: a linked one stays as its
     file has it."""
-    if not is_there(ob) or ob.type != "MESH":
-        return False
-    return ob.library is None and ob.data.library is None
+    return is_mesh(ob) and ob.library is None and ob.data.library is None
 
 
 LABEL = "label"
@@ -123,6 +117,7 @@ MAX_SAMPLES = 4096
 DRAFT_SAMPLES = 256
 """The max samples per side of a patch's mesh while its subject is a draft."""
 _MADE_OF = "libocean_mesh"  # custom property of a mesh: the values it was made of
+_MARK = "libocean_mark"  # and of what was made: its content
 
 
 def automatic(own: int) -> int:
@@ -200,7 +195,15 @@ def make_again(mesh, made_of: str, make) -> None:
         _fill_linked(mesh, make)
     else:
         make(mesh)
+        content = Content.of(mesh)
+        mesh[_MARK] = "" if content is None else content.mark()
     mesh[_MADE_OF] = made_of
+
+
+def content_as_made(mesh) -> Content | None:
+    """Returns the content of a mesh that nothing has changed since make_again(); None of others."""
+    content = Content.of(mesh) if _MARK in mesh else None
+    return content if content is not None and content.mark() == mesh[_MARK] else None
 
 
 def _fill_linked(mesh, make) -> None:

@@ -190,10 +190,8 @@ class Subject:
     """Returns whether an object follows the evaluated camera."""
     upgrade: Callable[[Any], None] = _nothing
     """Rewrites an object of an earlier version of the add-on."""
-    put_aside: Callable[[list], None] = _nothing
-    """Takes large data of objects out of a file that is saved."""
-    make_whole: Callable[[list], None] = _nothing
-    """Makes objects whole that a file holds in a smaller form."""
+    parts: Callable[[Any], list] = lambda ob: [ob]
+    """Returns the objects whose meshes show an object."""
 
     def look_up(self, ob) -> Shown:
         modifiers = tuple(self.family.modifiers(ob))
