@@ -32,6 +32,13 @@ float uniform_read(sampler2D map, int rows, vec2 place, float footprint, float t
     return textureLod(lace_shares, row / size, 0.0).r;
 }
 
+// Returns a read of the streaks at a label.
+float streaks_at(int v, vec2 at, float footprint) {
+    vec2 tiles = vec2(dot(at, lace[v].xy), at.y * lace[v].x - at.x * lace[v].y);
+    vec2 place = lace_more[v].zw + tiles * (lace_tile / streak_tile);
+    return uniform_read(streak_map, 16, place, footprint, streak_tile);
+}
+
 // Returns the value that draws the foam of a cover at a label, uniform in [0, 1], as POV-Ray's
 // Ocean_Lace_ does; net_alone: the value of the net without bubbles and streaks.
 float lace_at(int v, vec2 at, float footprint, out float net_alone) {
@@ -42,14 +49,12 @@ float lace_at(int v, vec2 at, float footprint, out float net_alone) {
         uniform_read(lace_map, 0, lace_net[v].xy + turned, footprint,
                      lace_tile * 11.0 / sqrt(10.0)),
         uniform_read(lace_map, 0, lace_net[v].zw + net, footprint, lace_tile), 0.08);
-    float bubbled = max(0.3 - foam_faded(0.0, 0.3, footprint, bubble_cell), 1e-3);
+    float bubbled = max(0.3 - 0.3 * foam_fade(footprint, bubble_cell), 1e-3);
     float bubbles = uniform_read(bubble_map, 8, lace_more[v].xy + tiles * (lace_tile / bubble_tile),
                                  footprint, bubble_tile);
     float value = add_uniform(net_alone, bubbles, bubbled);
     if (lace[v].w <= 0.0) return value;
-    vec2 streak_place = lace_more[v].zw + tiles * (lace_tile / streak_tile);
-    float streaks = uniform_read(streak_map, 16, streak_place, footprint, streak_tile);
-    return add_uniform(value, streaks, lace[v].w);
+    return add_uniform(value, streaks_at(v, at, footprint), lace[v].w);
 }
 #endif
 
@@ -72,24 +77,31 @@ Foam foam_at(Water water, vec2 at) {
         float white = c;
         float thickness = mean.g / max(mean.r, 1e-6);
         float height = 0.0;
+        float bubbles = clamp(foam.w, 0.0, 1.0) * mean.b;
 #if LACE
-        float far = lace_ready > 0 ? foam_faded(0.0, 1.0, footprint, lace_cell) : 1.0;
-        if (c > 0.0 && far < 1.0) {
-            float net;
-            seen.value = lace_at(v, at, footprint, net);
-            // A pixel blurs the pattern; an edge of any width has the same mean.
-            float edge = min(foam_edge + footprint / lace_cell, 1.0);
-            white = foam_faded(foam_mask(c, seen.value, edge), c, footprint, lace_cell);
-            float here = foam_thickness(c, seen.value, foam_span);
-            // The slope follows from differences of pixels, and bubbles are smaller than two.
-            height = foam_height * foam_thickness(c, net, 1.0) * (1.0 - far);
-            thickness = mix(here, thickness, min(2.5 * footprint / lace_cell, 1.0));
+        if (c > 0.0 && lace_ready > 0) {
+            float far = foam_fade(footprint, lace_cell);
+            float gathered = lace[v].w * (1.0 - foam_fade(footprint, streak_cell));
+            if (gathered > 0.0) white = foam_in_streaks(c, streaks_at(v, at, footprint), gathered);
+            float around = max(bubbles, white);
+            if (far < 1.0) {
+                float net;
+                seen.value = lace_at(v, at, footprint, net);
+                float edge = foam_pixel_edge(foam_edge, footprint, lace_cell);
+                white = mix(foam_mask(c, seen.value, edge), white, far);
+                float here = foam_thickness(c, seen.value, foam_span);
+                thickness = foam_pixel_thickness(here, thickness, footprint, lace_cell);
+                around = mix(foam_bubbles(bubbles, c, seen.value), around, far);
+                // The slope follows from differences of pixels, and bubbles are smaller than two.
+                height = foam_height * foam_thickness(c, net, 1.0) * (1.0 - far);
+            }
+            bubbles = around;
         }
 #endif
         seen.white += cover_share[v] * white;
         thick += cover_share[v] * white * thickness;
         seen.height += cover_share[v] * height;
-        seen.plume += cover_share[v] * clamp(foam.w, 0.0, 1.0) * mean.b;
+        seen.plume += cover_share[v] * bubbles;
     }
     seen.thickness = thick / max(seen.white, 1e-6);
     return seen;

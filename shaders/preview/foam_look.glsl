@@ -20,3 +20,9 @@ const float lace_cell = 0.86;
 const float bubble_tile = 1.3;
 const float bubble_cell = 0.041;
 const float streak_tile = 97.0;
+// Their widest patches.
+const float streak_cell = 14.0;
+// Cover of the line where the sheet of a swash ends, of waves of half a metre and more, and the
+// depth of the sheet where the line ends [m].
+const float swash_cover = 0.5;
+const float swash_sheet = 0.15;

@@ -57,11 +57,41 @@ formula real foam_mean_thickness(real cover, real span) {
     return real(1.0) - real(0.5) * span / cover;
 }
 
-// From the mask to the cover itself, as a pixel becomes too large for the pattern: `footprint` is
-// a pixel's size and `cell` the width of the pattern's widest cells, both in metres. Half a cell
-// shows its walls, three cells nothing. Both ends have the mean c, so all between have it.
+// Returns the share of the pattern that a pixel is too large to show, 0 .. 1: `footprint` is a
+// pixel's size and `cell` the width of the pattern's widest cells, both in metres. The walls of
+// cells are a tenth of them and more: pixels of a tenth of a cell show all, those of 1.5 cells
+// none.
+formula real foam_fade(real footprint, real cell) {
+    real far = min(max((footprint / cell - real(0.1)) / real(1.4), real(0.0)), real(1.0));
+    return far * far * (real(3.0) - real(2.0) * far);
+}
+
+// Returns how white a pixel is: from the mask to the cover itself as the pixel becomes too large
+// for the pattern. Both ends have the mean c, so all between have it.
 formula real foam_faded(real mask, real cover, real footprint, real cell) {
-    real far = min(max((footprint / cell - real(0.4)) / real(2.5), real(0.0)), real(1.0));
-    far = far * far * (real(3.0) - real(2.0) * far);
-    return mask + (cover - mask) * far;
+    return mask + (cover - mask) * foam_fade(footprint, cell);
+}
+
+// Returns the width of the mask's edge in a pixel, which blurs the pattern: a thin wall is grey
+// then, and not white in one pixel and dark in the next one.
+formula real foam_pixel_edge(real edge, real footprint, real cell) {
+    return min(edge + footprint / cell, real(1.0));
+}
+
+// Returns the thickness in a pixel: a soft mask is white where the foam is thin too, so that the
+// mean over the pattern takes the place of the thickness as pixels blur it.
+formula real foam_pixel_thickness(real thickness, real mean, real footprint, real cell) {
+    return thickness + (mean - thickness) * min(real(2.5) * footprint / cell, real(1.0));
+}
+
+// Returns the cover that windrows have gathered: `streaks`, uniform in [0, 1], draw a share of it,
+// with the widest edge. What remains of the pattern where pixels are larger than its cells.
+formula real foam_in_streaks(real cover, real streaks, real share) {
+    return cover + share * (foam_mask(cover, streaks, real(1.0)) - cover);
+}
+
+// Returns the bubbles under the surface, 0 .. 1: those that breakers drove down, and those below
+// and around the foam, as the water blurs its pattern.
+formula real foam_bubbles(real driven, real cover, real value) {
+    return max(driven, foam_mask(cover, value, real(1.0)));
 }

@@ -10,6 +10,7 @@ from conftest import add_ocean, attribute, evaluated_mesh, failing, positions, r
 from layouts import drawn_by
 from libocean_addon.bundled import libocean
 from libocean_addon.coast import coast_job, first_coast, open_coast, panels, shore_mesh
+from libocean_addon.look import material as water_material
 from libocean_addon.sea import live as sea_live
 from libocean_addon.shared import drafts
 from libocean_addon.terrain import trees
@@ -202,7 +203,7 @@ def test_water_and_land_have_materials(sea_file):
     with library_of(ob) as sea:
         height = sea.state["significant_wave_height"]["resolved"]
     assert ground.inputs["Wet Line"].default_value == pytest.approx(0.3 * height)
-    (water,) = [n for n in ob.material_slots[0].material.node_tree.nodes if n.type == "GROUP"]
+    (water,) = water_material.waters_of(ob)
     assert water.inputs["Wave Height"].default_value == pytest.approx(height)
 
 

@@ -39,6 +39,12 @@ FORMULAS = {
     "Ocean_Foam_Thickness_": foam_nodes.foam_thickness,
     "Ocean_Foam_Mean_Thickness_": lambda t, a, _, c: foam_nodes.foam_mean_thickness(t, a, c),
     "Ocean_Foam_Faded_": lambda t, a, b, c: foam_nodes.foam_faded(t, a, b, c, 0.86),
+    "Ocean_Foam_Pixel_Edge_": foam_nodes.foam_pixel_edge,
+    "Ocean_Foam_Pixel_Thickness_": lambda t, a, b, c: foam_nodes.foam_pixel_thickness(
+        t, a, b, c, 0.86
+    ),
+    "Ocean_Foam_In_Streaks_": foam_nodes.foam_in_streaks,
+    "Ocean_Foam_Bubbles_": foam_nodes.foam_bubbles,
 }
 
 
@@ -100,30 +106,73 @@ def foam_of(ob, **inputs):
     shine(ob, made, node.outputs["Foam"])
 
 
-NEAR, PART, FAR = 0.0, 1.3, 10.0  # pixels as wide as so many of the widest cells
+def variance_of(cover: float, cells: float) -> float:
+    """Returns the variance of the foam of an even cover, by docs/foam.md. cells: the side of a
+    pixel in the widest cells."""
+    edge = min(0.1 + cells, 1.0)
+    share = min(cover, 1.0 - cover)
+    thin = edge / 3.0 * (2.0 * share / edge) ** 1.5
+    square = thin if share < edge / 2.0 else share - edge / 6.0
+    far = np.clip((cells - 0.1) / 1.4, 0.0, 1.0)
+    return (1.0 - far * far * (3.0 - 2.0 * far)) ** 2 * (square - share * share)
 
 
-@pytest.mark.parametrize(("streaks", "covers"), [(0.0, (0.02, 0.3)), (0.3, (0.1, 0.7))])
-@pytest.mark.parametrize("cells", [NEAR, PART, FAR])
+NEAR, FAR = 0.0, 3.0  # pixels as wide as so many of the widest cells
+
+
+@pytest.mark.parametrize(
+    ("streaks", "covers", "cells"),
+    [
+        *((0.0, (0.02, 0.3), cells) for cells in (NEAR, 0.2, 0.5, 1.0, FAR)),
+        (0.3, (0.1, 0.7), NEAR),
+        (0.3, (0.7,), FAR),
+    ],
+)
 def test_the_net_is_white_on_the_share_that_is_covered(studio, tmp_path, cells, streaks, covers):
-    """Eleven tiles are a period of the net, which is 1.5 times as long as wide; the other textures
-    have many of theirs in it."""
+    """At every distance, and it varies by the rule of all hosts; streaks are seen where the net is
+    not. Eleven tiles are a period of the net, which is 1.5 times as long as wide; the other
+    textures have many of theirs in it."""
     ob = plane(198.0, 2)
     studio.camera.data.ortho_scale = 198.0
     studio.render.resolution_x, studio.render.resolution_y = 690, 460
-    if cells == FAR:  # nothing of the pattern is left
+    if cells == FAR:  # nothing of the net is left
         studio.render.resolution_percentage = 20
-    distance = np.hypot(100.0, 0.0)
+    distance = 1e4  # from which all pixels are as large
+    studio.camera.location.z, studio.camera.data.clip_end = distance, 2.0 * distance
     print()
     cover = ob.data.attributes.new("cover", "FLOAT", "POINT")
     for wanted in covers:
         cover.data.foreach_set("value", np.full(len(ob.data.vertices), wanted, np.float32))
         foam_of(ob, Foam_Streaks=streaks, Pixel_Angle=cells * 0.86 / distance)
         found = taken(studio, tmp_path)[..., 0]
-        print(f"cells {cells}, streaks {streaks}, cover {wanted}: {found.mean() / wanted - 1:+.2%}")
+        spread, expected = found.std(), np.sqrt(variance_of(wanted, cells))
+        print(
+            f"cells {cells}, streaks {streaks}, cover {wanted}: {found.mean() / wanted - 1:+.2%},"
+            f" deviation {spread:.4f} of {expected:.4f}"
+        )
         assert found.mean() == pytest.approx(wanted, rel=0.02)
-        spread = found.std() / np.sqrt(wanted * (1.0 - wanted))
-        assert spread < 1e-3 if cells == FAR else spread > (0.6 if cells == NEAR else 0.2)
+        if streaks == 0.0:
+            assert spread == pytest.approx(expected, rel=0.1, abs=1e-3 * wanted)
+        else:
+            assert spread > 0.05
+
+
+def test_a_line_of_foam_ends_the_water_on_a_beach(studio, tmp_path):
+    """Where the attribute depth is a few centimetres; the open sea has none, and no line."""
+    ob = plane(20.0, 2)
+    studio.camera.data.ortho_scale = 20.0
+    studio.render.resolution_x = studio.render.resolution_y = 32
+    foam_of(ob, Pixel_Angle=1.0, Wave_Height=1.0)
+    assert taken(studio, tmp_path).max() == 0.0
+    depth = ob.data.attributes.new("depth", "FLOAT", "POINT")
+    depth.data.foreach_set("value", 0.1 + 0.02 * positions(ob)[:, 0])
+    ob.data.update()
+    line = taken(studio, tmp_path)[16, :, 0]
+    at = np.linspace(-0.1, 0.3, 65)[1::2]
+    deep = np.clip(at / 0.15, 0.0, 1.0)
+    expected = np.where(at > 0.0, 0.5 * (1.0 - deep * deep * (3.0 - 2.0 * deep)), 0.0)
+    assert np.abs(line - expected).max() < 2e-3
+    assert line.max() > 0.4
 
 
 # The waves take it along ----------------------------------------------------------

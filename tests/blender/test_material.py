@@ -17,6 +17,7 @@ from conftest import (
     plane,
     positions,
     shine,
+    taken,
 )
 from libocean_addon.look import material
 from libocean_addon.shared import compat
@@ -310,30 +311,54 @@ def test_eevee_shows_foam_on_water(scene, tmp_path):
 
 
 def foam_inputs(ob) -> dict[str, float]:
-    tree = ob.material_slots[0].material.node_tree
-    node = next(n for n in tree.nodes if n.type == "GROUP")
-    names = ("Wind Direction", "Foam Stretch", "Foam Streaks", "Pixel Angle")
+    (node,) = material.waters_of(ob)
+    names = ("Wind Direction", "Foam Stretch", "Foam Streaks")
     return {name: node.inputs[name].default_value for name in names}
 
 
-def test_foam_is_that_of_the_sea_and_the_camera(scene):
-    """Streaks and long cells are of gales; a camera says how wide a pixel is."""
-    scene.camera.data.type = "PERSP"
-    scene.camera.data.lens = 36.0
-    scene.camera.data.sensor_width = 36.0
-    scene.render.resolution_x, scene.render.resolution_y = 1000, 500
+def test_foam_is_that_of_the_sea(scene):
+    """Streaks and long cells are of gales."""
     calm = foam_inputs(add_ocean(256, preset="beaufort_3"))
     assert calm["Foam Streaks"] == 0.0 and calm["Foam Stretch"] == 1.5
-    assert calm["Pixel Angle"] == pytest.approx(1.0 / 1000)
     ob = add_ocean(256, preset="beaufort_10")
     ob.libocean.waves[0].wind_direction = 30.0
-    scene.camera.data.lens = 72.0
     assert bpy.ops.libocean.add_material() == {"FINISHED"}
     gale = foam_inputs(ob)
     assert gale["Foam Streaks"] == pytest.approx(0.3)
     assert gale["Foam Stretch"] == pytest.approx(2.2)
     assert gale["Wind Direction"] == pytest.approx(30.0, abs=3.0)
-    assert gale["Pixel Angle"] == pytest.approx(0.5 / 1000)
+
+
+@pytest.mark.parametrize("engine", ["CYCLES", EEVEE])
+def test_the_angle_of_a_pixel_follows_the_rendered_scene(scene, tmp_path, engine):
+    """Camera, lens, sensor and resolution, as they are when the picture is made."""
+    eye = camera(scene, (0.0, 0.0, 100.0))
+    picture_settings(scene, 16)
+    scene.render.engine, scene.eevee.taa_render_samples = engine, 1
+    ob = add_ocean(64, preset="beaufort_2")
+    made = ob.material_slots[0].material
+    (water_node,) = material.waters_of(ob)
+    (link,) = water_node.inputs["Pixel Angle"].links
+    material.fit(made, ob, scene)
+    assert len(water_node.inputs["Pixel Angle"].links) == 1
+    bpy.data.objects.remove(ob)
+    lens = eye.data
+    lens.sensor_width, lens.sensor_height = 36.0, 24.0
+    shine(plane(400.0, 2), made, link.from_socket)
+
+    def told(width: int, height: int, **camera) -> float:
+        scene.render.resolution_x, scene.render.resolution_y = width, height
+        for name, value in camera.items():
+            setattr(lens, name, value)
+        return taken(scene, tmp_path)[0, 0, 0]
+
+    wide = pytest.approx(36.0 / 36.0 / 16.0, rel=2e-3)  # Eevee has halves of floats
+    assert told(16, 8, lens=36.0) == wide
+    assert told(8, 16) == wide
+    assert told(16, 8, lens=72.0) == pytest.approx(0.5 / 16.0, rel=2e-3)
+    assert told(16, 8, sensor_fit="VERTICAL") == pytest.approx(24.0 / 72.0 / 8.0, rel=2e-3)
+    scene.render.resolution_percentage = 50
+    assert told(32, 16, lens=36.0, sensor_fit="AUTO") == wide
 
 
 def test_a_new_ocean_is_of_water(scene):
@@ -392,5 +417,5 @@ def test_all_that_can_be_tuned_says_what_it_is():
         if hasattr(group, "inputs")
         else [item for item in group.interface.items_tree if item.in_out == "INPUT"]
     )
-    assert len(sockets) == 27
+    assert len(sockets) == 28
     assert all(socket.description for socket in sockets)

@@ -45,7 +45,9 @@ void main() {
     float fade = slope_tile_fade(slope_footprint(10.0, 0.001, area), 0.1, 0.6);
     area += read.weight * (read.x + read.y) + slope_tile_left(fade, 0.01);
     float lace = unite_uniform(add_uniform(k, area, 0.3), 0.5, 0.1);
-    area += foam_faded(foam_mask(0.2, lace, 0.1), 0.2, k, 0.86);
+    area += foam_faded(foam_mask(0.2, lace, foam_pixel_edge(0.1, k, 0.86)), 0.2, k, 0.86);
+    area += foam_in_streaks(k, lace, 0.3) + foam_bubbles(k, 0.2, lace);
+    area += foam_pixel_thickness(k, area, k, 0.86);
     area += crest_light(area, 0.5, k, -0.2) + haze(area, 4e4);
     area += foam_thickness(0.2, lace, 0.35) + foam_mean_thickness(k, 0.35);
     result[id] = vec4(normal.x + normal.y, normal.z * group_velocity(k, 9.81, 7.4e-5, 100.0),

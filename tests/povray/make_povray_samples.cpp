@@ -47,7 +47,14 @@ std::string foam_lace_calls() {
     const auto faded = [](double mask, double cover, double footprint) {
         return wave::foam_faded(mask, cover, footprint, 0.86);
     };
-    add_calls(lines, "Ocean_Foam_Faded_", faded, {0.0, 0.35, 1.0, 2.4, 3.0});
+    add_calls(lines, "Ocean_Foam_Faded_", faded, {0.0, 0.06, 0.35, 1.0, 1.4});
+    add_calls(lines, "Ocean_Foam_Pixel_Edge_", wave::foam_pixel_edge, {0.86});
+    const auto thickness = [](double thickness, double mean, double footprint) {
+        return wave::foam_pixel_thickness(thickness, mean, footprint, 0.86);
+    };
+    add_calls(lines, "Ocean_Foam_Pixel_Thickness_", thickness, {0.0, 0.2, 1.0});
+    add_calls(lines, "Ocean_Foam_In_Streaks_", wave::foam_in_streaks, {0.0, 0.3, 1.0});
+    add_calls(lines, "Ocean_Foam_Bubbles_", wave::foam_bubbles, {0.0, 0.3, 1.0});
     return lines;
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <vector>
 
+#include "foam_variance.hpp"
 #include "lace_maps.hpp"
 #include "ocean/thread_pool.hpp"
 #include "preview_fixture.hpp"
@@ -113,8 +114,8 @@ class LaceTest : public PreviewTest {
 TEST_F(LaceTest, AsMuchIsWhiteAsIsCoveredNearAndFar) {
     for (const double cover : {0.02, 0.1, 0.3, 0.7}) {
         const DrawnSea sea = covered(cover);
-        // Pixels of 0.1 m and 0.3 m see the pattern, those of 1 m a part of it, those of 3 m none.
-        for (const int side : {1320, 440, 132, 44}) {
+        // Pixels of 0.1 m see the pattern, those of 0.3 m to 1 m a part of it, those of 3 m none.
+        for (const int side : {1320, 440, 264, 132, 44}) {
             // Larger pixels need more pictures, each shifted by a part of a pixel.
             const int beside = side < 1320 ? 3 : 1;
             double white = 0.0, squares = 0.0, thick = 0.0;
@@ -133,12 +134,10 @@ TEST_F(LaceTest, AsMuchIsWhiteAsIsCoveredNearAndFar) {
             white /= count;
             const double deviation = std::sqrt(std::max(0.0, squares / count - white * white));
             EXPECT_NEAR(white / cover, 1.0, 0.02) << cover << ", " << side << " pixels";
-            if (side == 1320) {
-                EXPECT_GT(deviation, 0.5 * std::sqrt(cover * (1.0 - cover))) << cover;
-            }
-            if (side == 44) {
-                EXPECT_LT(deviation, 0.01 * cover);
-            }
+            const double expected_deviation =
+                std::sqrt(test::foam_variance(cover, 0.1, kNet / side, 0.86));
+            EXPECT_NEAR(deviation, expected_deviation, 0.1 * expected_deviation + 1e-3 * cover)
+                << cover << ", " << side << " pixels";
             if (side <= 132) {  // else it varies with the pattern
                 const double expected =
                     white * wave::double_precision::foam_mean_thickness(cover, 0.35);

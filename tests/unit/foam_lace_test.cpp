@@ -6,6 +6,7 @@
 
 #include "wave/wave.hpp"
 
+#include "foam_variance.hpp"
 #include "testing.hpp"
 
 namespace ocean {
@@ -105,20 +106,64 @@ TEST(FoamLace, MeanThicknessIsThatOfTheFoamAlone) {
     }
 }
 
+constexpr double kCell = 0.86;
+
 TEST(FoamLace, FarFoamIsItsCover) {
-    constexpr double kCell = 0.86;
     const auto faded = [](double footprint) {
         return formula::foam_faded(1.0, 0.3, footprint, kCell);
     };
-    EXPECT_EQ(faded(0.4 * kCell), 1.0);
-    EXPECT_DOUBLE_EQ(faded(1.65 * kCell), 0.65);
-    EXPECT_DOUBLE_EQ(faded(3.0 * kCell), 0.3);
-    for (const double footprint : {0.1, 1.0, 2.0}) {
-        const auto shown = [&](double t) {
-            return formula::foam_faded(formula::foam_mask(0.3, t, 0.1), 0.3, footprint, kCell);
-        };
-        EXPECT_NEAR(mean(shown), 0.3, 1e-8);
+    EXPECT_EQ(faded(0.1 * kCell), 1.0);
+    EXPECT_DOUBLE_EQ(faded(0.8 * kCell), 0.65);
+    EXPECT_DOUBLE_EQ(faded(1.5 * kCell), 0.3);
+}
+
+TEST(FoamLace, PixelsOfEverySizeShowTheCoverAndVaryByTheRule) {
+    for (const double edge : {0.02, 0.1, 0.4}) {
+        for (const double cover : kCovers) {
+            double last = 1.0;
+            for (const double footprint : {0.0, 0.1, 0.3, 0.6, 1.0, 2.0}) {
+                const double soft = formula::foam_pixel_edge(edge, footprint, kCell);
+                const auto shown = [&](double t) {
+                    const double mask = formula::foam_mask(cover, t, soft);
+                    return formula::foam_faded(mask, cover, footprint, kCell);
+                };
+                constexpr int kSteps = 10000;
+                EXPECT_NEAR(mean(shown, kSteps), cover, 1e-7);
+                const double squares = mean([&](double t) { return shown(t) * shown(t); }, kSteps);
+                const double variance = test::foam_variance(cover, edge, footprint, kCell);
+                EXPECT_NEAR(squares - cover * cover, variance, 1e-6) << cover << " " << footprint;
+                EXPECT_LE(variance, last) << "pixels of " << footprint << " m";
+                last = variance;
+            }
+            EXPECT_EQ(last, 0.0);
+        }
     }
+}
+
+TEST(FoamLace, BlurredFoamIsAsBrightAsItsThicknessSays) {
+    const double thick = formula::foam_mean_thickness(0.3, 0.35);
+    EXPECT_EQ(formula::foam_pixel_thickness(0.1, thick, 0.0, kCell), 0.1);
+    EXPECT_EQ(formula::foam_pixel_thickness(0.1, thick, 0.4 * kCell, kCell), thick);
+}
+
+TEST(FoamLace, StreaksGatherFoamAndAddNone) {
+    for (const double cover : kCovers) {
+        for (const double share : {0.0, 0.3, 1.0}) {
+            const auto gathered = [&](double t) {
+                return formula::foam_in_streaks(cover, t, share);
+            };
+            EXPECT_NEAR(mean(gathered), cover, 1e-8);
+            EXPECT_EQ(gathered(0.0) > gathered(1.0), share > 0.0);
+        }
+    }
+}
+
+TEST(FoamLace, BubblesAreBelowAndAroundTheFoam) {
+    const double cover = 0.1, just_outside = 0.2;
+    EXPECT_EQ(formula::foam_mask(cover, just_outside, 0.1), 0.0);
+    EXPECT_GT(formula::foam_bubbles(0.0, cover, just_outside), 0.1);
+    EXPECT_EQ(formula::foam_bubbles(0.0, cover, 0.9), 0.0);
+    EXPECT_EQ(formula::foam_bubbles(0.7, cover, 0.9), 0.7);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ import bpy
 
 from ..shared import compat, images
 from ..shared.shader_builder import Tree
-from . import foam_nodes, water_shader
+from . import foam_nodes, pixel_angle, water_shader
 from .detail_tiles import SAMPLES, Band, band_of
 
 GROUP = "Ocean Detail"
@@ -121,7 +121,7 @@ def _group(owner: str):
         group,
         "Pixel Angle",
         "NodeSocketFloat",
-        default_value=water_shader.PIXEL_ANGLE,
+        default_value=pixel_angle.DEFAULT,
         min_value=0.0,
         description="Of a pixel of the picture, in radians: waves as short as it become roughness",
     )
@@ -204,7 +204,10 @@ def _attach(waters, group) -> None:
         node = tree.nodes.new("ShaderNodeGroup")
         node.node_tree = group
         node.location = (water.location[0] - 260, water.location[1] - 200)
-        node.inputs["Pixel Angle"].default_value = water.inputs["Pixel Angle"].default_value
+        of_node, of_water = node.inputs["Pixel Angle"], water.inputs["Pixel Angle"]
+        of_node.default_value = of_water.default_value
+        if of_water.is_linked:
+            tree.links.new(of_water.links[0].from_socket, of_node)
         tree.links.new(node.outputs[SOCKET], water.inputs[SOCKET])
 
 

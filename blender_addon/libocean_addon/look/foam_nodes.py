@@ -4,7 +4,7 @@
 streaks that POV-Ray's material (ocean.inc) makes of them, of the same sizes.
 
     label, textures -> T, uniform in 0 .. 1
-    cover, T, footprint of a pixel -> mask, thickness, height
+    cover, T, footprint of a pixel -> mask, thickness, height, bubbles
 
 The mean of the mask is the cover, near and far. Forms without a branch: a branch is a node too.
 """
@@ -23,8 +23,11 @@ _LACE_CELL = 0.86
 _BUBBLE_TILE = 1.3
 _BUBBLE_CELL = 0.041
 _STREAK_TILE = 97.0
+_STREAK_CELL = 14.0
 _LARGER_BEGINS = 0.08
 _BUBBLES = 0.3
+_SWASH = 0.5  # the cover where the sheet of a swash ends, of waves of half a metre and more
+_SHEET = 0.15  # m, the depth of the sheet where that line ends
 _LEAST_SHARE = 1e-3  # the formula of the sum has none of 0; this one is not seen
 _SPAN = 0.35  # foam lets no more water through where its cover is above T by this
 _HEIGHT = 0.043  # m, where the cover is above T by 1: 15 mm for foam that is just thick
@@ -79,15 +82,43 @@ def foam_mean_thickness(b: Builder, cover, span):
 
 
 def foam_fade(b: Builder, footprint, cell):
-    """The share of foam_faded() that is the cover: 0 .. 1 from 0.4 to 2.9 cells a pixel."""
+    """The share of foam_faded() that is the cover: 0 .. 1 from 0.1 to 1.5 cells a pixel."""
     made = b.node("ShaderNodeMapRange", interpolation_type="SMOOTHSTEP", clamp=True)
     b.feed(b.number("DIVIDE", footprint, cell), made.inputs["Value"])
-    made.inputs["From Min"].default_value, made.inputs["From Max"].default_value = 0.4, 2.9
+    made.inputs["From Min"].default_value, made.inputs["From Max"].default_value = 0.1, 1.5
     return made.outputs[0]
 
 
 def foam_faded(b: Builder, mask, cover, footprint, cell):
     return blend(b, mask, cover, foam_fade(b, footprint, cell))
+
+
+def foam_pixel_edge(b: Builder, edge, footprint, cell):
+    return b.number("MINIMUM", b.number("ADD", edge, b.number("DIVIDE", footprint, cell)), 1.0)
+
+
+def foam_pixel_thickness(b: Builder, thickness, mean, footprint, cell):
+    blurred = b.number("MULTIPLY", b.number("DIVIDE", footprint, cell), 2.5, clamp=True)
+    return blend(b, thickness, mean, blurred)
+
+
+def foam_in_streaks(b: Builder, cover, streaks, share):
+    return blend(b, cover, foam_mask(b, cover, streaks, 1.0), share)
+
+
+def foam_bubbles(b: Builder, driven, cover, value):
+    return b.number("MAXIMUM", driven, foam_mask(b, cover, value, 1.0))
+
+
+def foam_swash(b: Builder, depth, wave_height):
+    """Returns the cover of the line of foam where the sheet of a swash ends. A depth of 0 is none:
+    an attribute that is absent."""
+    made = b.node("ShaderNodeMapRange", interpolation_type="SMOOTHSTEP", clamp=True)
+    b.feed(depth, made.inputs["Value"])
+    made.inputs["From Min"].default_value, made.inputs["From Max"].default_value = _SHEET, 0.0
+    high = b.number("MULTIPLY", wave_height, 2.0, clamp=True)
+    high = b.number("MULTIPLY", high, b.number("GREATER_THAN", depth, 1e-5))
+    return b.number("MULTIPLY", made.outputs[0], b.number("MULTIPLY", high, _SWASH))
 
 
 def footprint(b: Builder, distance, pixel_angle, view_z):
@@ -141,7 +172,7 @@ def _net(b: Builder, u, v):
 
 
 def _textures(b: Builder, place, inputs, bubbled):
-    """T, uniform in 0 .. 1, at a place in metres, and what the net alone has of it."""
+    """T, uniform in 0 .. 1, at a place in metres, what the net alone has of it, and the streaks."""
     x, y, _ = b.parts(place)
     wind = b.number("RADIANS", inputs["Wind Direction"])
     cosine, sine = b.number("COSINE", wind), b.number("SINE", wind)
@@ -151,17 +182,16 @@ def _textures(b: Builder, place, inputs, bubbled):
     u, v = b.number("DIVIDE", u, tile), b.number("DIVIDE", v, tile)
     net = _net(b, b.number("DIVIDE", u, b.number("MAXIMUM", inputs["Foam Stretch"], 1e-3)), v)
 
-    def with_(value, kind: str, tile: float, share):
+    def read(kind: str, tile: float):
         often = TILE / tile
-        return add_uniform(
-            b,
-            value,
-            _read(b, kind, b.number("MULTIPLY", u, often), b.number("MULTIPLY", v, often)),
-            b.number("MAXIMUM", share, _LEAST_SHARE),
-        )
+        return _read(b, kind, b.number("MULTIPLY", u, often), b.number("MULTIPLY", v, often))
 
-    bubbly = with_(net, "bubbles", _BUBBLE_TILE, bubbled)
-    return with_(bubbly, "streaks", _STREAK_TILE, inputs["Foam Streaks"]), net
+    def with_(value, other, share):
+        return add_uniform(b, value, other, b.number("MAXIMUM", share, _LEAST_SHARE))
+
+    bubbly = with_(net, read("bubbles", _BUBBLE_TILE), bubbled)
+    streaks = read("streaks", _STREAK_TILE)
+    return with_(bubbly, streaks, inputs["Foam Streaks"]), net, streaks
 
 
 @dataclasses.dataclass(frozen=True)
@@ -174,29 +204,34 @@ class Foam:
     """The thickness of white foam: 0, thin, .. 1."""
     height: object
     """m"""
+    bubbles: object
+    """The amount under the surface, 0 .. 1."""
 
 
-def foam(b: Builder, cover, place, footprint, inputs) -> Foam:
-    """cover: 0 .. 1; place, footprint: metres."""
+def foam(b: Builder, cover, driven, place, footprint, inputs) -> Foam:
+    """cover, driven: the foam and the bubbles that breakers drove down, 0 .. 1; place, footprint:
+    metres."""
     size = b.number("MULTIPLY", inputs["Foam Tile"], 1.0 / TILE)
     pixels = b.number("DIVIDE", footprint, b.number("MAXIMUM", size, 1e-3 / TILE))
     far = foam_fade(b, pixels, _LACE_CELL)
     # Any share of bubbles is uniform, so that none needs to be seen far off.
     bubbles_far = foam_fade(b, pixels, _BUBBLE_CELL)
     bubbled = b.number("MULTIPLY_ADD", bubbles_far, -_BUBBLES, _BUBBLES)
-    value, net = _textures(b, place, inputs, bubbled)
-    edge = b.number("MINIMUM", b.number("MAXIMUM", inputs["Foam Edge"], 1e-3), 1.0)
+    value, net, streaks = _textures(b, place, inputs, bubbled)
+    edge = foam_pixel_edge(b, b.number("MAXIMUM", inputs["Foam Edge"], 1e-3), pixels, _LACE_CELL)
     mask = foam_mask(b, cover, value, edge)
-    shown = blend(b, mask, cover, far)
-    # The mean of two foams side by side, each weighted by its whiteness.
-    near_thick = b.number("MULTIPLY", mask, foam_thickness(b, cover, value, _SPAN))
-    far_thick = b.number("MULTIPLY", cover, foam_mean_thickness(b, cover, _SPAN))
-    thick = blend(b, near_thick, far_thick, far)
+    streaks_far = foam_fade(b, pixels, _STREAK_CELL)
+    share = b.number("MULTIPLY", inputs["Foam Streaks"], b.number("SUBTRACT", 1.0, streaks_far))
+    mean = foam_in_streaks(b, cover, streaks, share)
+    here, mean_thick = foam_thickness(b, cover, value, _SPAN), foam_mean_thickness(b, cover, _SPAN)
     # Bubbles would be as high as they are wide, and cost as much again for each of three heights.
     height = foam_thickness(b, cover, net, 1.0)
     height = b.number("MULTIPLY", height, b.number("MULTIPLY", size, _HEIGHT))
     return Foam(
-        mask=shown,
-        thickness=b.number("DIVIDE", thick, b.number("MAXIMUM", shown, 1e-6), clamp=True),
+        mask=blend(b, mask, mean, far),
+        thickness=foam_pixel_thickness(b, here, mean_thick, pixels, _LACE_CELL),
         height=b.number("MULTIPLY", height, b.number("SUBTRACT", 1.0, far)),
+        bubbles=blend(
+            b, foam_bubbles(b, driven, cover, value), b.number("MAXIMUM", driven, mean), far
+        ),
     )

@@ -16,7 +16,7 @@ from ..shared import compat, life
 from ..shared.compat import tr
 from ..shared.shader_builder import Tree
 from ..shared.table_properties import settings_of
-from . import air, detail, sun_focus, sunlight
+from . import air, detail, pixel_angle, sun_focus, sunlight
 from .water_shader import DEFAULT_TYPE, WATER_TYPES, get_group, is_water, waters
 
 _ITEMS = [(name, entry["label"], entry["help"]) for name, entry in WATER_TYPES.items()]
@@ -94,17 +94,6 @@ def look_of(state: dict) -> dict[str, float]:
     }
 
 
-def pixel_angle(scene) -> float | None:
-    """Returns the angle of a pixel in the middle of the picture [rad]; None without a perspective
-    camera."""
-    camera = scene.camera
-    if camera is None or camera.type != "CAMERA" or camera.data.type != "PERSP":
-        return None
-    right, _, left, _ = camera.data.view_frame(scene=scene)
-    pixels = scene.render.resolution_x * scene.render.resolution_percentage / 100.0
-    return (right.x - left.x) / -right.z / pixels
-
-
 def waters_of(ob) -> list:
     """Returns the nodes of water in the material that an object shows first."""
     made = ob.material_slots[0].material if ob.material_slots else None
@@ -120,12 +109,11 @@ def put(made, values: dict) -> None:
 
 
 def fit(made, ob, scene) -> None:
-    """Adapts a material to an ocean, the scene's camera, its sun and its air."""
+    """Adapts a new material to an ocean, the scene's camera, its sun and its air."""
     state = facts.sea_state(ob)
-    values = look_of(state) if state else {}
-    angle = pixel_angle(scene)
-    put(made, values if angle is None else {**values, "Pixel Angle": angle})
+    put(made, look_of(state) if state else {})
     for node in waters(made.node_tree):
+        pixel_angle.follow(made.node_tree, node)
         if air.SOCKET in node.inputs:  # it may be of an earlier version
             sunlight.follow(node, scene)
             air.follow(made.node_tree, node, scene.world)

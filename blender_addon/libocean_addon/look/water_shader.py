@@ -17,11 +17,11 @@ from ..sea import hull_nodes
 from ..shared import compat
 from ..shared.native import libocean
 from ..shared.shader_builder import Tree, facing, shader_group, stored_normal
-from . import crest_nodes, foam_nodes
+from . import crest_nodes, foam_nodes, pixel_angle
 
 GROUP = "Ocean Water"
 HULL_CUT = "Hull Cut"
-VERSION = 5
+VERSION = 6
 MARK = "libocean_water"  # custom property of a group: the version that built it
 
 WATER_TYPES = {entry["name"]: entry for entry in libocean.water_types()}
@@ -29,8 +29,6 @@ DEFAULT_TYPE = "jerlov_ii"
 
 # The roughness of water between the waves of the mesh: 0.03 is a glint 0.1 degrees wide.
 _ROUGHNESS = 0.03
-# The angle of a pixel behind a lens of 50 mm in a picture 1920 pixels wide [rad].
-PIXEL_ANGLE = 36.0 / 50.0 / 1920.0
 _THIN_FOAM = (0.22, 0.29, 0.31)
 _THICK_FOAM = (0.80, 0.80, 0.80)
 _PLUME = (0.012, 0.060, 0.066)  # light that bubbles below the surface send back
@@ -81,6 +79,7 @@ def _declare(group) -> None:
     number("Foam Edge", 0.1, 0.001, 1.0, "From water to foam, as a share of the cover; 1: soft")
     number("Foam Stretch", 1.5, 0.1, 10.0, "Length over width of the cells, along the wind")
     number("Foam Streaks", 0.0, 0.0, 1.0, "How much windrows gather the foam, in a gale 0.3")
+    number("Swash Line", 1.0, 0.0, 2.0, "How much foam marks the end of the water on a beach")
     number(
         "Wind Direction",
         0.0,
@@ -90,7 +89,7 @@ def _declare(group) -> None:
     )
     number(
         "Pixel Angle",
-        PIXEL_ANGLE,
+        pixel_angle.DEFAULT,
         0.0,
         1.0,
         "Of a pixel of the picture, in radians: where several cells of foam are in one, their mean "
@@ -222,6 +221,8 @@ _OF_FOAM = (
     "Foam Streaks",
     "Foam Edge",
     "Wind Direction",
+    "Swash Line",
+    "Wave Height",
 )
 """The inputs that decide foam."""
 
@@ -241,16 +242,25 @@ def _inside_hull(t: Tree):
 
 def _foam(t: Tree, inputs) -> foam_nodes.Foam:
     """Returns the foam on the water and in the trails of hulls: none where the attributes are 0,
-    full cover where one is 1."""
+    full cover where one is 1. Bubbles gather where foam has been for long."""
 
     def make(t: Tree, *sockets) -> list:
         inputs = dict(zip(_OF_FOAM, sockets, strict=True))
-        stored = t.node("ShaderNodeAttribute", attribute_name="cover").outputs["Fac"]
-        stored = t.number("MAXIMUM", stored, _trail(t))
-        cover = t.number("MULTIPLY", stored, inputs["Foam Amount"], clamp=True)
+
+        def stored(name: str):
+            found = t.node("ShaderNodeAttribute", attribute_name=name).outputs["Fac"]
+            return t.number("MAXIMUM", found, _trail(t))
+
+        depth = t.node("ShaderNodeAttribute", attribute_name="depth").outputs["Fac"]
+        line = foam_nodes.foam_swash(t, depth, inputs["Wave Height"])
+        line = t.number("MULTIPLY", line, inputs["Swash Line"])
+        cover = t.number("MAXIMUM", stored("cover"), line)
+        cover = t.number("MULTIPLY", cover, inputs["Foam Amount"], clamp=True)
+        driven = t.number("POWER", stored("foam"), 3.0)
+        driven = t.number("MULTIPLY", driven, t.number("MINIMUM", inputs["Foam Amount"], 1.0))
         side = footprint(t, inputs["Pixel Angle"])
-        foam = foam_nodes.foam(t, cover, place(t), side, inputs)
-        return [foam.mask, foam.thickness, foam.height]
+        foam = foam_nodes.foam(t, cover, driven, place(t), side, inputs)
+        return [foam.mask, foam.thickness, foam.height, foam.bubbles]
 
     return foam_nodes.Foam(*t.nested("foam", make, *(inputs[name] for name in _OF_FOAM)))
 
@@ -267,15 +277,6 @@ def _froth(t: Tree, inputs, foam: foam_nodes.Foam, normal):
     through = t.scale(t.math("SUBTRACT", (1.0, 1.0, 1.0), colour), inputs["Transparency"])
     through = t.shader("ShaderNodeBsdfTranslucent", Color=through, Normal=bump.outputs[0])
     return t.add_shaders(back, through)
-
-
-def _body_colour(t: Tree, inputs):
-    """Returns the colour of the water and of the bubbles in it, which gather where foam has been
-    for long."""
-    stored = t.node("ShaderNodeAttribute", attribute_name="foam").outputs["Fac"]
-    bubbles = t.number("POWER", t.number("MAXIMUM", stored, _trail(t)), 3.0)
-    bubbles = t.number("MULTIPLY", bubbles, t.number("MINIMUM", inputs["Foam Amount"], 1.0))
-    return t.math("ADD", inputs["Water Colour"], t.scale(inputs["Bubble Colour"], bubbles))
 
 
 def _crest(t: Tree, inputs, normal):
@@ -323,7 +324,9 @@ def _build(group) -> None:
     roughness = t.number("POWER", slopes, 0.25)
     reflectance = _reflectance(t, inputs["IOR"], normal, slopes)
 
-    body = t.shader("ShaderNodeBsdfDiffuse", Color=_body_colour(t, inputs), Normal=normal)
+    foam = _foam(t, inputs)
+    below = t.math("ADD", inputs["Water Colour"], t.scale(inputs["Bubble Colour"], foam.bubbles))
+    body = t.shader("ShaderNodeBsdfDiffuse", Color=below, Normal=normal)
     body = t.add_shaders(body, _crest(t, inputs, of_waves))
     mirror = t.shader(
         compat.GLOSSY,
@@ -347,7 +350,6 @@ def _build(group) -> None:
     unbent = t.shader("ShaderNodeBsdfTransparent", Color=passed)
     clear = t.mix_shaders(t.node("ShaderNodeLightPath").outputs["Is Shadow Ray"], clear, unbent)
     water = t.mix_shaders(inputs["Transparency"], deep, clear)
-    foam = _foam(t, inputs)
     froth = _froth(t, inputs, foam, normal)
 
     sea = t.mix_shaders(foam.mask, water, froth)
