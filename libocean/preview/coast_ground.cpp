@@ -23,7 +23,7 @@ CoastBlock make_coast_block(const DrawnCoast& coast, const Camera& camera) {
     const Domain& area = coast.area;
     const double west = area.origin[0] - camera.eye[0], south = area.origin[1] - camera.eye[1];
     block.edge = glm::vec4(west, south, west + area.size[0], south + area.size[1]);
-    block.count = glm::ivec4(static_cast<int>(coast.windows.size()), 0, 0, 0);
+    block.count = glm::ivec4(static_cast<int>(coast.windows.size()), coast.bed ? 1 : 0, 0, 0);
     return block;
 }
 

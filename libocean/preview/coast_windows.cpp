@@ -110,6 +110,21 @@ float wet_about(std::span<const float> depth, const std::array<int, 2>& samples,
     return std::clamp(0.5f + depth[at] / over_cell, 0.0f, 1.0f);
 }
 
+/// The bounds of CoastTraces::reach, so that deep water and high land do not count more in means
+/// [m].
+constexpr float kReach = 2.0f;
+
+/// Wets the ground about a sample of a part, whose traces are those of `to`. left: the share of its
+/// wetness that is left.
+void wet_ground(CoastTraces& traces, std::size_t to, std::span<const float> depth,
+                const std::array<int, 2>& samples, std::size_t at, float left) {
+    constexpr float kFall =
+        0.15f;  // while sand dries to 1/e the edge of wet sand falls by this [m]
+    const float now = std::clamp(depth[at], -kReach, kReach);
+    traces.reach[to] = std::max(now, traces.reach[to] - kFall * (1.0f - left));
+    traces.wet[to] = std::max(wet_about(depth, samples, at), left * traces.wet[to]);
+}
+
 /// The part of a window that changes with the waves: the surf and the swash.
 struct SurfEdge {
     RegionSurf labels;
@@ -184,7 +199,9 @@ void write_image(CoastImage& image, const CoastPart& part, const CoastTraces& tr
         // A trail is a share of the water, as cover is.
         const float cover = has_bed ? std::pow(foam, kSurfCoverPower) : foam;
         set(image.traces, cover, foam * foam * foam, traces.wet[to],
-            has_whitecaps ? std::pow(whitecap[n], power) : 0.0f);
+            has_bed         ? traces.reach[to]
+            : has_whitecaps ? std::pow(whitecap[n], power)
+                            : 0.0f);
     });
 }
 
@@ -285,8 +302,7 @@ void CoastSurface::settle(Ocean& sea, double time) {
                                  });
             const std::array<int, 2> samples = parts[w].surface.domain().samples;
             for (const std::uint32_t at : surf[w]->edge) {
-                float& was = traces.wet[in_window(at)];
-                was = std::max(wet_about(surf[w]->depth, samples, at), left.wet * was);
+                wet_ground(traces, in_window(at), surf[w]->depth, samples, at, left.wet);
             }
         }
         followed_ = time - ago;
@@ -320,8 +336,7 @@ std::vector<CoastPart> CoastSurface::follow(Ocean& sea, double time, ChannelSet 
         const auto depth = part.surface.channel(kDepth);
         visit_part(part, traces.window.samples, [&](std::size_t to, std::size_t from) {
             traces.foam[to] = std::max(breaking[from], left.foam * traces.foam[to]);
-            traces.wet[to] =
-                std::max(wet_about(depth, domain.samples, from), left.wet * traces.wet[to]);
+            wet_ground(traces, to, depth, domain.samples, from, left.wet);
         });
     }
     followed_ = time;
@@ -337,6 +352,7 @@ void CoastSurface::move_traces(const std::vector<CoastWindow>& windows) {
         to.window = window;
         to.foam.resize(sample_count(window));
         to.wet.resize(sample_count(window));
+        to.reach.resize(sample_count(window), -kReach);
         if (traces_.empty()) continue;
         const Domain domain = window.domain();
         std::size_t n = 0;
@@ -357,6 +373,7 @@ void CoastSurface::move_traces(const std::vector<CoastWindow>& windows) {
                 const std::size_t at = *nearest_sample(from->window, x, y);
                 to.foam[n] = from->foam[at];
                 to.wet[n] = from->wet[at];
+                to.reach[n] = from->reach[at];
             }
         }
     }

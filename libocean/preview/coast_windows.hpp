@@ -26,6 +26,7 @@ std::optional<double> read_windows(const std::vector<CoastImage>& windows,
 struct CoastTraces {
     CoastWindow window;
     std::vector<float> foam, wet;  // 0 .. 1
+    std::vector<float> reach;      // greatest depth of the water that has left the ground wet [m]
 };
 
 /// The part of a window that lies in the area of the bed or of the wakes, and its surface.

@@ -8,5 +8,5 @@ layout(std140) uniform CoastBlock {
     // along a side.
     vec4 coast_window[4];
     vec4 coast_edge;    // lowest and highest place of the bed relative to the eye [m]
-    ivec4 coast_count;  // windows
+    ivec4 coast_count;  // windows, 1 over a bed
 };

@@ -53,7 +53,10 @@ Ground ground_at(vec2 at) {
     float wetted = 0.0, still = 1.0;
 #if COAST
     CoastReads reads = coast_reads(at);
-    wetted = coast_mean(coast_traces, reads, footprint).z;
+    vec4 traces = coast_mean(coast_traces, reads, footprint);
+    float reach = traces.w / max(reads.whole, 1e-3);
+    float edge = max(0.02, fwidth(reach));  // [m]
+    wetted = traces.z * smoothstep(-0.5 * edge, 0.5 * edge, reach);
     still = 1.0 - reads.whole;
 #endif
     return Ground(mean.x, mean.yz, sqrt(max(mean.w, dot(mean.yz, mean.yz))), side, sides.x,

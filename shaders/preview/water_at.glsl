@@ -74,7 +74,8 @@ void add_surf(inout Water water, CoastReads reads, Footprint footprint) {
     float line = swash_cover * min(2.0 * waves.y, 1.0) * (1.0 - water.open);
     float white = max(traces.x, line * (1.0 - smoothstep(0.0, swash_sheet, water.depth)));
     float thick = white * foam_mean_thickness(white, foam_span);
-    vec2 cap = traces.w * vec2(1.0, foam_mean_thickness(traces.w, foam_span));
+    float caps = coast_count.y > 0 ? 0.0 : traces.w;
+    vec2 cap = caps * vec2(1.0, foam_mean_thickness(caps, foam_span));
     for (int v = 0; v < COVERS; ++v) {
         vec3 open = (1.0 - surf) * water.foam[v];
         open.rg = max(open.rg, cap);

@@ -47,8 +47,9 @@ struct DrawnCoast {
     unsigned shape = 0;      // Dx, Dy at choppiness 1, height, depth of the water over the bed [m]
     unsigned gradients = 0;  // slope x, slope y, dDx/dx, dDy/dy
     unsigned moments = 0;    // squares of the slopes, their product, dDx/dy
-    // Cover of the foam of breaking waves, its bubbles, wetness of the ground, cover of the
-    // whitecaps of a sea with hulls.
+    // Cover of the foam of breaking waves, its bubbles, wetness of the ground where the last number
+    // is above 0: the greatest depth of the water that wetted it [m]; over no bed it is the cover of
+    // the whitecaps of a sea with hulls.
     unsigned traces = 0;
     /// The finest window first; empty while the coast is being computed, when the open sea is
     /// shown.
