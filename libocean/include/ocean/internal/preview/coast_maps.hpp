@@ -48,8 +48,8 @@ struct DrawnCoast {
     unsigned gradients = 0;  // slope x, slope y, dDx/dx, dDy/dy
     unsigned moments = 0;    // squares of the slopes, their product, dDx/dy
     // Cover of the foam of breaking waves, its bubbles, wetness of the ground where the last number
-    // is above 0: the greatest depth of the water that wetted it [m]; over no bed it is the cover of
-    // the whitecaps of a sea with hulls.
+    // is above 0: the greatest depth of the water that wetted it [m]. Without a bed the last is the
+    // cover of the whitecaps of a sea with hulls.
     unsigned traces = 0;
     /// The finest window first; empty while the coast is being computed, when the open sea is
     /// shown.
