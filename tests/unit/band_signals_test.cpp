@@ -198,6 +198,23 @@ TEST(BandSignals, OutputsThatNobodyRequestsAreSkipped) {
     EXPECT_THROW(signals.read(0, 1, at.x.data(), at.y.data(), {.re_t = im.data()}), Error);
 }
 
+// A move without rates leaves the values their bits, and no rate of an earlier time is read.
+TEST(BandSignals, AMoveMakesRatesOnlyOnRequest) {
+    const DividedSea sea(test::wind_sea(64, 300.0));
+    BandSignals both(sea.modes, sea.bands, 1e-4, true);
+    BandSignals values = both;
+    const Places at(10, 0.0, 300.0);
+    both.move_to(9.0, test::pool());
+    values.move_to(2.0, test::pool());
+    values.move_to(9.0, test::pool(), false);
+    EXPECT_TRUE(both.has_rates());
+    EXPECT_FALSE(values.has_rates());
+    EXPECT_EQ(Jets(values, 0, at).im_x, Jets(both, 0, at).im_x);
+    EXPECT_THROW(Jets(values, 0, at, true), Error);
+    values.move_to(9.0, test::pool());
+    EXPECT_EQ(Jets(values, 0, at, true).im_t, Jets(both, 0, at, true).im_t);
+}
+
 // A flat sea has no signals, and its modes remain.
 TEST(BandSignals, AFlatSeaHasNone) {
     Parameters parameters = test::wind_sea(32, 100.0, {.height = 0.0});

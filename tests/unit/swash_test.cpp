@@ -92,7 +92,7 @@ struct WaterLine {
         std::vector<float> depths(labels.size());
         height.resize(places);
         for (double time = 0.0; time < waves * beach.period(); time += step) {
-            surface.move_to(time, pool);
+            surface.move_to(time, ShoreSurface::Rates::without, pool);
             // Land that no wave reaches is dry.
             std::ranges::fill(depths, -1.0f);
             for (const SurfLabels& piece : surf) {

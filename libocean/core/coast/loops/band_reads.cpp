@@ -10,7 +10,7 @@ namespace ocean {
 
 void BandSignals::read(std::size_t index, std::size_t n, const double* x, const double* y,
                        const SignalOutputs& out) const {
-    if (out.has_rate() && !rates_) {
+    if (out.has_rate() && !has_rates_) {
         throw Error(ErrorKind::invalid_value, "the signals were made without their rates");
     }
     CoastBandSector pair;

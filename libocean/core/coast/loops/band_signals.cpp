@@ -39,7 +39,9 @@ BandSignals::BandSignals(const Modes& modes, const ShoreBands& bands, double spl
     for (std::size_t i = 0; i < band_sectors_.size(); ++i) {
         band_sectors_[i].lattice = std::move(lattices[i]);
         prepare(band_sectors_[i], sides[i]);
-        for (std::size_t map = 0; map < (rates ? 2u : 1u); ++map) {
+    }
+    for (std::size_t map = 0; map < (rates ? 2u : 1u); ++map) {
+        for (std::size_t i = 0; i < band_sectors_.size(); ++i) {
             const int rows = 2 * band_sectors_[i].lattice.reach[1] + 1;
             for (int m = 0; m < rows; m += kFftBatch) row_batches_.push_back({i, map, m});
             for (int c = 0; c < sides[i][0]; c += kFftBatch) column_batches_.push_back({i, map, c});
@@ -72,14 +74,16 @@ void BandSignals::prepare(BandSector& pair, std::array<int, 2> side) const {
     }
 }
 
-void BandSignals::move_to(double time, ThreadPool& pool) {
+void BandSignals::move_to(double time, ThreadPool& pool, bool rates) {
     const double tau = clock_.tau(time);
+    has_rates_ = rates_ && rates;
+    const std::size_t parts = rates_ && !rates ? 2 : 1;
     std::vector<Work> work(static_cast<std::size_t>(pool.size()));
-    pool.for_each_item(static_cast<int>(row_batches_.size()), [&](int item, int thread) {
+    pool.for_each_item(static_cast<int>(row_batches_.size() / parts), [&](int item, int thread) {
         transform_rows(row_batches_[static_cast<std::size_t>(item)], tau,
                        work[static_cast<std::size_t>(thread)]);
     });
-    pool.for_each_item(static_cast<int>(column_batches_.size()), [&](int item, int thread) {
+    pool.for_each_item(static_cast<int>(column_batches_.size() / parts), [&](int item, int thread) {
         transform_columns(column_batches_[static_cast<std::size_t>(item)],
                           work[static_cast<std::size_t>(thread)]);
     });

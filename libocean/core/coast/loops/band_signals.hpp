@@ -41,16 +41,19 @@ class BandSignals {
   public:
     /// Copies the needed data from the modes. spline_tolerance: the rms error of a read of all
     /// pairs together, relative to their rms. The gradient's error is about (error)^(3/4), see
-    /// spline_map.hpp. Single precision limits both to about 2e-7. `rates` doubles the work of
-    /// move_to and the memory. Reads are allowed after the first move_to.
+    /// spline_map.hpp. Single precision limits both to about 2e-7. `rates` doubles the memory.
+    /// Reads are allowed after the first move_to.
     BandSignals(const Modes& modes, const ShoreBands& bands, double spline_tolerance = 2e-6,
                 bool rates = false);
-    /// Makes the maps of a time [s]. The bits are the same for any number of threads.
-    void move_to(double time, ThreadPool& pool);
+    /// Makes the maps of a time [s]. `rates`: those of rates too, if the signals have them, which
+    /// doubles the work. The bits are the same for any number of threads.
+    void move_to(double time, ThreadPool& pool, bool rates = true);
+    /// Returns whether rates of the time may be read.
+    bool has_rates() const { return has_rates_; }
     /// Returns the number of pairs: ShoreBands::waves.size().
     std::size_t count() const { return band_sectors_.size(); }
     /// Writes the signals of pair `index` at n finite places [m]; the sea's period wraps. Throws
-    /// Error invalid_value for a rate of signals that were made without rates.
+    /// Error invalid_value for a rate of maps that were made without rates.
     void read(std::size_t index, std::size_t n, const double* x, const double* y,
               const SignalOutputs& out) const;
     /// Writes the maps of pair `index` and the mapping of places into them. Valid until the next
@@ -94,9 +97,10 @@ class BandSignals {
 
     Modes clock_;  // without arrays: converts time to tau
     bool rates_;
+    bool has_rates_ = false;  // in the maps of the time
     SignalLoop loop_ = signal_loop(simd_level());
     std::vector<BandSector> band_sectors_;
-    std::vector<Batch> row_batches_;
+    std::vector<Batch> row_batches_;  // those of the values first, as many of the rates
     std::vector<Batch> column_batches_;
 };
 

@@ -97,9 +97,10 @@ ShoreSurface& CoastChain::current_surface(const CoastSea& sea, ShoreSurface::Rat
 ShoreSurface& CoastChain::surface(const CoastSea& sea, double time, ShoreSurface::Rates rates,
                                   ThreadPool& pool, const BuildProgress& progress) {
     ShoreSurface& surface = current_surface(sea, rates, pool, progress);
-    if (!moved_ || surface.time() != time) {
+    const bool lacks_rates = rates == ShoreSurface::Rates::with && !surface.has_rates();
+    if (!moved_ || surface.time() != time || lacks_rates) {
         moved_ = false;
-        surface.move_to(time, pool);
+        surface.move_to(time, rates, pool);
         moved_ = true;
     }
     return surface;

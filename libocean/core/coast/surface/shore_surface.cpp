@@ -73,8 +73,8 @@ ShoreSums ShoreSurface::sums(const Modes& modes, const Water& water) const {
     return {WaveSum(modes, water, shown_), WaveSum(remainder_modes_, water, shown_)};
 }
 
-void ShoreSurface::move_to(double time, ThreadPool& pool) {
-    signals_.move_to(time, pool);
+void ShoreSurface::move_to(double time, Rates rates, ThreadPool& pool) {
+    signals_.move_to(time, pool, rates == Rates::with);
     time_ = time;
     open_.forget();
     remainder_.forget();
@@ -93,7 +93,7 @@ void ShoreSurface::prepare(const Modes& modes, const Domain& labels, ThreadPool&
 }
 
 void ShoreSurface::prepare(const Modes& modes, const OpenSpans& spans, ThreadPool& pool) {
-    const bool rates = rates_ == Rates::with;
+    const bool rates = signals_.has_rates();
     const auto prepare_map = [&](OpenSurface& map, const Modes& of, const SpanAlongX& span) {
         if (span.is_empty()) return;
         map.move_to(of, time_, rates, pool);

@@ -92,8 +92,10 @@ class ShoreSurface {
     ShoreSurface(const Modes& modes, const Parameters& parameters, const ShoreStatics& statics,
                  int shown, Rates rates, ThreadPool& pool);
 
-    /// Begins another time [s]. No thread may read meanwhile.
-    void move_to(double time, ThreadPool& pool);
+    /// Begins another time [s], with rates only on request. No thread may read meanwhile.
+    void move_to(double time, Rates rates, ThreadPool& pool);
+    /// Returns whether rates of its time may be read.
+    bool has_rates() const { return signals_.has_rates(); }
     double time() const { return time_; }
     Rates rates() const { return rates_; }
     /// Makes the maps of the open sea that read() needs at the labels of a region, on all threads,
