@@ -7,7 +7,6 @@ from __future__ import annotations
 import bpy
 import numpy as np
 
-from ..look import air
 from ..shared import meshes
 from ..terrain import material as terrain_material
 from ..terrain import node_group as terrain_group
@@ -70,10 +69,8 @@ def look_of(state: dict, size: float) -> dict[str, float]:
 
 def give(land, look: dict[str, float], world) -> None:
     """Gives a land a new material of these sockets. world: whose sky lends the haze its light."""
-    material = terrain_material.make(look)
-    terrain_material.put_in_first_slot(land, material)
-    for ground in terrain_material.grounds(land):
-        air.follow(material.node_tree, ground, world)
+    terrain_material.put_in_first_slot(land, terrain_material.make(look))
+    terrain_material.follow_scene(land, world)
 
 
 def new_part(water, name: str):

@@ -8,7 +8,7 @@ grain, steepness of the cover -> normal, and less light in the hollows
 
 from __future__ import annotations
 
-from ..look import water_shader
+from ..look import pixel_angle, water_shader
 from ..shared.shader_builder import Tree
 
 WAVELENGTHS = (16.0, 4.0, 1.0, 0.25, 0.0625)
@@ -28,7 +28,7 @@ NUMBERS = (
     ("Relief", 1.0, 0.0, 10.0, "Of stones, tufts, tree crowns and drifts near the eye; 0: none"),
     (
         "Pixel Angle",
-        water_shader.PIXEL_ANGLE,
+        pixel_angle.DEFAULT,
         0.0,
         1.0,
         "Of a pixel of the picture, in radians: relief that is finer is left out. 0: never",

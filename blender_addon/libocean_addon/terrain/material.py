@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import bpy
 
-from ..look import air
+from ..look import air, pixel_angle
 from ..look.material import put_in_first_slot, visibility_property
 from ..shared import compat, life
 from ..shared.compat import tr
@@ -93,6 +93,14 @@ def assign(ob, material) -> None:
         ob.libocean_terrain.use_normal = True
 
 
+def follow_scene(ob, world) -> None:
+    """Has the new material of an object follow the air of a world, and the pixels of the scene that
+    is rendered."""
+    for ground in grounds(ob):
+        pixel_angle.follow(ground.id_data, ground)
+        air.follow(ground.id_data, ground, world)
+
+
 def give(ob, world, *, visibility: float = 0.0) -> None:
     """Gives an object with a terrain a new material that is fitted to it. world: whose sky lends
     the haze its light; visibility: the distance at which haze hides the land [m], 0: no haze."""
@@ -100,10 +108,8 @@ def give(ob, world, *, visibility: float = 0.0) -> None:
     values = {}
     if terrain.handle is not None:
         values = look_of(terrain.state_for_look(), water_of(terrain.values))
-    material = make({**values, "Visibility": visibility})
-    assign(ob, material)
-    for ground in grounds(ob):
-        air.follow(material.node_tree, ground, world)
+    assign(ob, make({**values, "Visibility": visibility}))
+    follow_scene(ob, world)
 
 
 class AddTerrainMaterial(bpy.types.Operator):
