@@ -13,6 +13,7 @@ from libocean_addon.coast import coast_job, first_coast, open_coast, panels, sho
 from libocean_addon.look import material as water_material
 from libocean_addon.sea import live as sea_live
 from libocean_addon.shared import drafts
+from libocean_addon.terrain import material as land_material
 from libocean_addon.terrain import trees
 from test_land_look import trees_on
 
@@ -199,7 +200,8 @@ def test_the_land_is_the_bed(coast):
 def test_water_and_land_have_materials(sea_file):
     ob = add_coast(sea_file, use_material=True)
     land = ob.libocean_coast.land
-    (ground,) = [n for n in land.material_slots[0].material.node_tree.nodes if n.type == "GROUP"]
+    (ground,) = land_material.grounds(land)
+    assert ground.inputs["Pixel Angle"].is_linked
     with library_of(ob) as sea:
         height = sea.state["significant_wave_height"]["resolved"]
     assert ground.inputs["Wet Line"].default_value == pytest.approx(0.3 * height)
