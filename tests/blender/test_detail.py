@@ -153,6 +153,16 @@ def as_read(band) -> float:
 SLOW = pytest.mark.slow
 
 
+def set_pixel_angle(ob, angle: float) -> None:
+    """In the place of that of the rendered scene."""
+    tree = ob.material_slots[0].material.node_tree
+    for node in nodes_of(ob):
+        socket = node.inputs["Pixel Angle"]
+        for link in socket.links:
+            tree.links.remove(link)
+        socket.default_value = angle
+
+
 @pytest.mark.parametrize(
     "pixel", [0.0, pytest.param(0.05, marks=SLOW), 0.15, pytest.param(0.4, marks=SLOW), 2.0]
 )
@@ -167,7 +177,7 @@ def test_mesh_and_detail_and_roughness_are_the_sea(studio, tmp_path, pixel):
     mapped, asked = slopes[facts.map_resolution(ob)], state["mean_square_slope"]["asked"]
     left_out = attribute(ob, "slope_variance")[0]
     node, _ = nodes_of(ob)
-    node.inputs["Pixel Angle"].default_value = pixel / 100.0
+    set_pixel_angle(ob, pixel / 100.0)
     flat = plane(60.0, 2)
     shine(flat, ob.material_slots[0].material, node.outputs["Detail"])
     bpy.data.objects.remove(ob)
@@ -281,7 +291,7 @@ def above(ob, scene):
     ob.hide_render = True
     flat = plane(60.0, 2)
     node = nodes_of(ob)[0]
-    node.inputs["Pixel Angle"].default_value = 0.001
+    set_pixel_angle(ob, 0.001)
     shine(flat, ob.material_slots[0].material, node.outputs["Detail"])
     scene.camera.data.ortho_scale = 5.0
     scene.render.resolution_x = scene.render.resolution_y = 200
