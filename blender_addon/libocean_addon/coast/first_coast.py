@@ -27,13 +27,13 @@ island = 165.0
 [terrain.stream]
 slope = 0.62
 [terrain.coast]
-slope = 0.04
+slope = 0.045
 closure = 14.0
 shelf = 100.0
 smooth = 10.0
 shelter = 100.0
 width = 60.0
-beaches = 0.15
+beaches = 0.17
 """
 _SEA = """libocean = 1
 [grid]
