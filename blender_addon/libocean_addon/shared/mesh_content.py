@@ -3,7 +3,7 @@
 """The content of a mesh that the add-on makes, apart from Blender's data: to know it again, to pack
 it into few bytes, to show it with few vertices.
 
-    mesh -> Content.of -> mark, packed, few -> Content.unpacked -> fill -> mesh
+    mesh, as mark_of() knows it -> Content.of -> packed, few -> Content.unpacked -> fill -> mesh
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ _LEVEL = 4  # of zlib: finer ones save 2 % and take longer
 _VECTORS = {1: ("FLOAT", "value"), 3: ("FLOAT_VECTOR", "vector")}
 """Types and keys of attributes of vertices by their components. Layers of two are UV maps."""
 _GEOMETRY = {"position", "sharp_face"}  # attributes of all meshes in later Blenders
+_FACES = "libocean_faces"  # custom property: _sum_of the faces as written, which take long to read
 
 
 def read(elements, name: str, kind, width: int = 1) -> np.ndarray:
@@ -29,6 +30,13 @@ def read(elements, name: str, kind, width: int = 1) -> np.ndarray:
     out = np.empty(width * len(elements), kind)
     elements.foreach_get(name, out)
     return out.reshape(-1, width)
+
+
+def _sum_of(arrays) -> str:
+    sum_ = 0
+    for array in arrays:
+        sum_ = zlib.crc32(np.ascontiguousarray(array).data, sum_)
+    return f"{sum_:08x}"
 
 
 def write_geometry(mesh, places: np.ndarray, corners: np.ndarray, counts: np.ndarray) -> None:
@@ -45,18 +53,13 @@ def write_geometry(mesh, places: np.ndarray, corners: np.ndarray, counts: np.nda
         mesh.polygons.foreach_set("loop_total", counts)
     mesh.update(calc_edges=True)
     compat.shade_smooth(mesh)
+    mesh[_FACES] = _sum_of([corners, counts])
 
 
-def _layers(mesh, corners: np.ndarray) -> dict[str, np.ndarray] | None:
-    """Returns the layers of a mesh, values of each vertex by name; None if it has layers of other
-    kinds. Names of Blender's own layers begin with a point."""
-    found = {}
-    for uv in mesh.uv_layers:
-        of_corners = read(uv.data, "uv", np.float32, 2)
-        found[uv.name] = np.zeros((len(mesh.vertices), 2), np.float32)
-        found[uv.name][corners] = of_corners
-        if not np.array_equal(found[uv.name][corners], of_corners):
-            return None
+def _layers(mesh) -> dict[str, np.ndarray] | None:
+    """Returns the layers of a mesh by name, of two components those of UV maps, at each corner;
+    None if it has layers of other kinds. Names of Blender's own layers begin with a point."""
+    found = {uv.name: read(uv.data, "uv", np.float32, 2) for uv in mesh.uv_layers}
     for layer in mesh.attributes:
         if layer.name in found or layer.name in _GEOMETRY or layer.name[0] == ".":
             continue
@@ -65,6 +68,16 @@ def _layers(mesh, corners: np.ndarray) -> dict[str, np.ndarray] | None:
             return None
         found[layer.name] = read(layer.data, _VECTORS[width][1], np.float32, width)
     return found
+
+
+def mark_of(mesh) -> str:
+    """Returns a text that tells vertices and layers of a mesh, and the faces written last, from
+    others; "" for a mesh that has more than a Content holds."""
+    layers = _layers(mesh)
+    if layers is None or mesh.shape_keys is not None or mesh.has_custom_normals:
+        return ""
+    arrays = [read(mesh.vertices, "co", np.float32, 3), *(layers[name] for name in sorted(layers))]
+    return " ".join([mesh.get(_FACES, ""), _sum_of(arrays), *sorted(layers)])
 
 
 def _coded(plane: np.ndarray) -> bytes:
@@ -95,20 +108,25 @@ class Content:
 
     @staticmethod
     def of(mesh) -> Content | None:
-        """Returns the content of a mesh; None for one that has more than a Content holds."""
-        if mesh.shape_keys is not None or mesh.has_custom_normals:
-            return None
-        polygons = mesh.polygons
-        if read(polygons, "material_index", np.int32).any():
-            return None
-        if not read(polygons, "use_smooth", bool).all():
-            return None
+        """Returns the content of a mesh whose faces are as they were written; None for others."""
+        layers, polygons = _layers(mesh), mesh.polygons
         corners = read(mesh.loops, "vertex_index", np.int32).ravel()
-        layers = _layers(mesh, corners)
-        if layers is None:
+        counts = read(polygons, "loop_total", np.int32).ravel()
+        is_plain = (
+            layers is not None
+            and mesh.get(_FACES) == _sum_of([corners, counts])
+            and not read(polygons, "material_index", np.int32).any()
+            and read(polygons, "use_smooth", bool).all()
+        )
+        if not is_plain:
             return None
-        places = read(mesh.vertices, "co", np.float32, 3)
-        return Content(places, corners, read(polygons, "loop_total", np.int32).ravel(), layers)
+        for name, values in layers.items():
+            if values.shape[1] == 2:
+                layers[name] = np.zeros((len(mesh.vertices), 2), np.float32)
+                layers[name][corners] = values
+                if not np.array_equal(layers[name][corners], values):
+                    return None
+        return Content(read(mesh.vertices, "co", np.float32, 3), corners, counts, layers)
 
     def fill(self, mesh) -> None:
         """Makes this the content of a mesh."""
@@ -126,13 +144,6 @@ class Content:
     def _arrays(self) -> list[np.ndarray]:
         flat = [self.corners[:, None], self.counts[:, None]]
         return [self.places, *flat, *(self.layers[name] for name in sorted(self.layers))]
-
-    def mark(self) -> str:
-        """Returns a text that tells this content from others."""
-        sum_ = zlib.crc32(" ".join(sorted(self.layers)).encode())
-        for array in self._arrays():
-            sum_ = zlib.crc32(np.ascontiguousarray(array).data, sum_)
-        return f"{sum_:08x} {len(self.places)} {len(self.counts)}"
 
     def packed(self) -> bytes:
         """Returns the content in few bytes, for unpacked()."""

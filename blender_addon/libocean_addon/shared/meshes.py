@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 
 from . import compat
-from .mesh_content import Content, write_geometry
+from .mesh_content import Content, mark_of, write_geometry
 
 
 def fill(mesh, vertices: np.ndarray, *faces: np.ndarray) -> None:
@@ -195,15 +195,14 @@ def make_again(mesh, made_of: str, make) -> None:
         _fill_linked(mesh, make)
     else:
         make(mesh)
-        content = Content.of(mesh)
-        mesh[_MARK] = "" if content is None else content.mark()
+        mesh[_MARK] = mark_of(mesh)
     mesh[_MADE_OF] = made_of
 
 
 def content_as_made(mesh) -> Content | None:
     """Returns the content of a mesh that nothing has changed since make_again(); None of others."""
-    content = Content.of(mesh) if _MARK in mesh else None
-    return content if content is not None and content.mark() == mesh[_MARK] else None
+    mark = mesh.get(_MARK)
+    return Content.of(mesh) if mark and mark == mark_of(mesh) else None
 
 
 def _fill_linked(mesh, make) -> None:
