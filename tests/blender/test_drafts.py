@@ -51,7 +51,7 @@ def seconds(action) -> float:
     return time.perf_counter() - begun
 
 
-def test_a_moving_value_waits_for_no_foam(scene, ocean, waiting, past):
+def test_a_moving_value_waits_for_no_foam(scene, ocean, waiting, past, monkeypatch):
     drafts.allowed = False
     ocean.libocean.resolution = 1024
     scene.frame_set(50)
@@ -67,7 +67,18 @@ def test_a_moving_value_waits_for_no_foam(scene, ocean, waiting, past):
     assert draft < whole / 4
     assert image_side(ocean) <= 512
     assert drafts.progress(ocean.name_full) == 0.0
+    fill, filled = libocean.Sea.fill, []
+
+    def noted(sea, at, maps) -> None:
+        filled.extend(channels for _, channels in maps)
+        fill(sea, at, maps)
+
+    monkeypatch.setattr(libocean.Sea, "fill", noted)
     shares = rest(ocean)
+    assert filled.count(("dx", "dy", "height", "cover")) == 1  # its map is what is shown
+    with libocean.parse(live.current_values(ocean.libocean, scene).text()) as sea:
+        want = sea.surface(sea.time_of_frame(50), 1024).cover
+    assert np.array_equal(open_sea.sea_of("Ocean").buffers["Displacement", 1024][..., 3], want)
     assert past == []  # a thread of its own followed it
     assert max(shares) > 0.0  # and told how far it was
     assert drafts.progress(ocean.name_full) is None

@@ -43,6 +43,7 @@ class OpenSea(OpenSubject):
         self.point_changes = 0
         self.wakes = wakes.WakeSea()
         self.buffers: dict[tuple[str, int], np.ndarray] = {}
+        self.displaced: tuple | None = None  # state and pixels of the job's displacement
         self.detail_pixels: np.ndarray | None = None  # the pixels for the image of a band
         self.ready: tuple | None = (
             None  # changes, size, channel of cover, time: of the last whole map
@@ -174,6 +175,8 @@ class OpenSea(OpenSubject):
                 self.wakes.adopt(job.spray_sea)
             self.took = (self._costs(job.channel), job.seconds / job.size**2)
             self.ready = (job.changes, job.size, job.channel, job.time)
+            state = (job.changes, job.time, job.size, job.channel)
+            self.displaced = state, job.displacement
             self.spray_ready = None if job.spray is None else (job.changes, job.spray, job.time)
         return True
 
@@ -203,8 +206,13 @@ class OpenSea(OpenSubject):
             return False
         far = [field for field in CHANNELS if node_group.far_image(field) in stale]
         fields = [field for field in CHANNELS if field in stale or field in far]
-        maps = [(self.buffer(field, size), _channels(field, channel)) for field in fields]
-        self.handle.fill(at, maps)
+        maps = {field: (self.buffer(field, size), _channels(field, channel)) for field in fields}
+        made, self.displaced = self.displaced, None
+        if made is not None and made[0] == state:
+            self.buffers["Displacement", size] = made[1]
+            maps.pop("Displacement", None)
+        if maps:
+            self.handle.fill(at, list(maps.values()))
         if far:
             if "Normal" in far:
                 self.buffer("Normal", size)[..., 3] = atlas.lost_slopes(self.read_state(), size)

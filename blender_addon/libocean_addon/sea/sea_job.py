@@ -4,8 +4,7 @@
 
 from __future__ import annotations
 
-import numpy as np
-
+from ..shared import images
 from ..shared.compat import tr_label
 from ..shared.drafts import Job
 
@@ -20,10 +19,11 @@ class SeaJob(Job):
         super().__init__((changes, at, size, channel))
         self.sea, self.changes, self.time, self.size, self.channel = sea, changes, at, size, channel
         self.spray, self.spray_sea = spray, spray_sea
+        self.displacement = images.aligned((size, size))
+        """The pixels of that image, once the job has ended."""
 
     def work(self) -> None:
-        map_ = np.empty((self.size, self.size, 4), np.float32)
-        self.sea.fill(self.time, [(map_, ("dx", "dy", "height", self.channel))])
+        self.sea.fill(self.time, [(self.displacement, ("dx", "dy", "height", self.channel))])
         if self.spray is not None:
             self.spray_sea.spray(self.time, **self.spray)
 
