@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "sky.hpp"
 #include "view_table.hpp"
@@ -84,14 +86,18 @@ void set_lattice(LandBlock& b, const DrawnLattice& lattice, const Camera& camera
 }
 
 /// Sets the sizes of the cover noise, in equal ratios from a part of the tile to less than a cell
-/// of the terrain.
+/// of the terrain, and those of the relief of covers.
 void set_cover(LandBlock& b, const DrawnLand& land, const Camera& camera) {
     const double largest = land.image->period / 24.0;
     const double smallest = std::min(0.1 * land.cell, kSmallestCover);
-    for (std::size_t i = 0; i < kCoverSizes; ++i) {
+    for (std::size_t i = 0; i < kNoiseSizes; ++i) {
         const double share = static_cast<double>(i) / (kCoverSizes - 1);
-        const double size = largest * std::pow(smallest / largest, share);
-        const double x = camera.eye[0] / size, y = camera.eye[1] / size;
+        const bool is_relief = i >= kCoverSizes;
+        const double size = is_relief ? kReliefWaves[i - kCoverSizes]
+                                      : largest * std::pow(smallest / largest, share);
+        double x = camera.eye[0] / size, y = camera.eye[1] / size;
+        // As turned by the shader.
+        if (is_relief) std::tie(x, y) = std::pair(0.8 * x + 0.6 * y, 0.8 * y - 0.6 * x);
         b.cover[i] = glm::vec4(fraction(x), fraction(y), 1.0 / size, size);
         b.cover_cell[i] = glm::ivec4(whole(x), whole(y), 0, 0);
     }

@@ -15,6 +15,9 @@
 namespace ocean::preview {
 
 inline constexpr std::size_t kCoverSizes = 4;
+/// Wavelengths of the relief of covers [m], of shaders/preview/ground_relief.glsl.
+inline constexpr std::array<double, 5> kReliefWaves = {16.0, 4.0, 1.0, 0.25, 0.0625};
+inline constexpr std::size_t kNoiseSizes = kCoverSizes + kReliefWaves.size();
 
 struct LandBlock {
     glm::vec4 tile{};
@@ -29,10 +32,10 @@ struct LandBlock {
     glm::vec4 morph{};
     glm::vec4 edge{};
     glm::vec4 water{};
-    std::array<glm::vec4, kCoverSizes> cover{};
-    std::array<glm::ivec4, kCoverSizes> cover_cell{};
+    std::array<glm::vec4, kNoiseSizes> cover{};
+    std::array<glm::ivec4, kNoiseSizes> cover_cell{};
 };
-static_assert(sizeof(LandBlock) == (12 + 2 * kCoverSizes) * 16, "std140 has no other padding");
+static_assert(sizeof(LandBlock) == (12 + 2 * kNoiseSizes) * 16, "std140 has no other padding");
 
 /// shadow_steps: RendererOptions::shadow_steps.
 LandBlock make_land_block(const DrawnLand& land, const DrawnLattice& lattice,

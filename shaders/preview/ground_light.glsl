@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The colours of the ground, and its light under sun and sky.
-#include "preview/cover_noise.glsl"
+#include "preview/ground_relief.glsl"
 #include "preview/ground_state.glsl"
 #include "preview/sand.glsl"
 #include "preview/sky.glsl"
@@ -46,44 +46,49 @@ float darkening_of(Ground ground, float noise) {
     return 1.0 - exp(-5.0 * ground.wetted) + still;
 }
 
-// Returns the colour c of the ground as streams, gullies and the sea have made it.
-vec3 made_albedo(vec3 c, Ground ground, float noise) {
+// Returns the ground as streams, gullies and the sea have made it.
+Cover made_cover(Cover c, Ground ground, float noise, Grain grain) {
     float rough = 1.0 + 0.2 * noise;
-    c *= 1.0 - 0.25 * max(-ground.gully_wear, 0.0);
-    c = mix(c, meadow_albedo * rough,
-            0.7 * ground.deposit * ramp(0.6, 0.25, ground.steepness + 0.1 * noise));
-    c = mix(c, gravel_albedo * rough, 0.8 * ramp(0.35, 0.8, ground.streambed + 0.15 * noise));
-    c = mix(c, cliff_albedo * rough, ramp(0.15, 0.6, -ground.shore + 0.15 * noise));
+    c.colour *= 1.0 - 0.25 * max(-ground.gully_wear, 0.0);
+    float meadow = 0.7 * ground.deposit * ramp(0.6, 0.25, ground.steepness + 0.1 * noise);
+    c = covered(c, meadow_albedo * rough, grass_relief, meadow, grain);
+    float gravel = 0.8 * ramp(0.35, 0.8, ground.streambed + 0.15 * noise);
+    c = covered(c, gravel_albedo * rough, scree_relief, gravel, grain);
+    float cliff = ramp(0.15, 0.6, -ground.shore + 0.15 * noise);
+    c = covered(c, cliff_albedo * rough, rock_relief, cliff, grain);
     vec3 sand = mix(sand_albedo, wet_sand_albedo, darkening_of(ground, noise));
-    sand *= 1.0 + 0.08 * noise;
-    return mix(c, sand, ramp(0.3, 0.7, ground.shore + 0.12 * noise));
+    float beach = ramp(0.3, 0.7, ground.shore + 0.12 * noise);
+    return covered(c, sand * (1.0 + 0.08 * noise), sand_relief, beach, grain);
 }
 
-// Returns the colour of land by height, slope and wear; noise about -1 .. 1.
-vec3 land_albedo(Ground ground, float noise, float wear) {
+// Returns the cover of land by height, slope and wear; noise about -1 .. 1.
+Cover land_cover(Ground ground, float noise, float wear, Grain grain) {
     float relief = heights.y, tree_line = water_line.z;
     float z = ground.height + 0.3 * relief * noise;
     float steep = ground.steepness;
-    vec3 c = grass_albedo * (1.0 + 0.3 * noise);
-    c = mix(c, dry_grass_albedo,
-            0.75 * ramp(tree_line - 0.25 * relief, max(min(snow.x, heights.w), tree_line + relief),
-                         z + 0.6 * relief * wear));
+    Cover c = Cover(grass_albedo * (1.0 + 0.3 * noise), grass_relief);
+    float straw = relief_straw * smoothstep(0.0, 0.8, grain.moves);
+    c.colour = mix(c.colour, dry_grass_albedo, straw);
+    float dry = 0.75 * ramp(tree_line - 0.25 * relief,
+                            max(min(snow.x, heights.w), tree_line + relief),
+                            z + 0.6 * relief * wear);
+    c = covered(c, dry_grass_albedo, grass_relief, dry, grain);
     float woods = ramp(tree_line + 0.15 * relief, tree_line - 0.3 * relief,
                        z + 0.25 * relief * wear) *
                   ramp(0.95, 0.6, steep + 0.12 * noise) *
                   ramp(-0.55, 0.15, noise + 0.35 - 0.3 * wear);
-    c = mix(c, forest_albedo * (1.0 + 0.25 * noise), woods);
-    c = mix(c, scree_albedo * (1.0 + 0.2 * noise),
-            0.8 * ramp(0.50, 0.68, steep + 0.24 * noise - 0.08 * wear));
-    c = mix(c, rock_albedo * (1.0 + 0.25 * noise),
-            ramp(0.62, 0.92, steep + 0.20 * noise + 0.10 * wear));
-    c = mix(c, dark_rock_albedo, 0.55 * ramp(0.9, 1.5, steep + 0.2 * noise));
-    c = made_albedo(c, ground, noise);
+    c = covered(c, forest_albedo * (1.0 + 0.25 * noise), forest_relief, woods, grain);
+    float scree = 0.8 * ramp(0.50, 0.68, steep + 0.24 * noise - 0.08 * wear);
+    c = covered(c, scree_albedo * (1.0 + 0.2 * noise), scree_relief, scree, grain);
+    float rock = ramp(0.62, 0.92, steep + 0.20 * noise + 0.10 * wear);
+    c = covered(c, rock_albedo * (1.0 + 0.25 * noise), rock_relief, rock, grain);
+    c.colour = mix(c.colour, dark_rock_albedo, 0.55 * ramp(0.9, 1.5, steep + 0.2 * noise));
+    c = made_cover(c, ground, noise, grain);
     vec2 level_sun = sun.xy / max(length(sun.xy), 1e-3);
     float facing = -dot(ground.slope, level_sun);
     float above = z - snow.x - snow.z * facing - snow.w * wear;
     float white = ramp(-snow.y, snow.y, above) * ramp(1.25, 0.75, steep + 0.15 * noise);
-    return mix(c, snow_albedo * (0.94 + 0.06 * noise), white);
+    return covered(c, snow_albedo * (0.94 + 0.06 * noise), snow_relief, white, grain);
 }
 
 // Returns the ramp of the teaching programs, c0 + c1 u in colours of a screen: c1 is an increment,
@@ -127,13 +132,21 @@ vec3 shaded(Ground ground) {
     float distance = length(from_eye);
     vec2 place = map_place(label);
     float wear = wear_at(place);
-    vec3 albedo = colours.x == 0
-                      ? land_albedo(ground, cover_noise(label, ground.footprint), wear)
-                      : ramp_albedo(ground.height);
+    vec3 albedo = ramp_albedo(ground.height);
+    vec2 slope = ground.slope;
+    if (colours.x == 0) {
+        float noise = cover_noise(label, ground.footprint);
+        Footprint footprint = footprint_of(label);
+        float side = sqrt(footprint.width * length(footprint.longer));
+        Grain grain = grain_at(label, side, noise);
+        Cover cover = land_cover(ground, noise, wear, grain);
+        albedo = cover.colour * relief_light(cover, grain);
+        slope += relief_slope(cover, grain);
+    }
 
     // On the round Earth the zenith leans away from the eye's.
     vec2 lean = eye.w * label / earth_radius();
-    vec3 normal = normalize(vec3(-ground.slope - lean, 1.0));
+    vec3 normal = normalize(vec3(-slope - lean, 1.0));
     float facing = max(dot(normal, sun.xyz), 0.0);
     float lit = facing > 0.0 && sun.w > 0.0
                     ? facing * free_sun(label, ground.height, ground.footprint)

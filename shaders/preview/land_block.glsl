@@ -24,7 +24,8 @@ layout(std140) uniform LandBlock {
     vec4 edge;        // lowest and highest place of the land relative to the eye [m], 1e30 without
                       // end
     vec4 water_line;  // height of still water [m]; 1: there is some; the tree line [m]
-    // The cover noise: place of the eye in its cell, 0 .. 1, 1/cell [1/m], cell [m]; that cell.
-    vec4 cover[4];
-    ivec4 cover_cell[4];
+    // The cover noise, of four sizes, and the grain of the relief, of five: place of the eye in its
+    // cell, 0 .. 1, 1/cell [1/m], cell [m]; that cell.
+    vec4 cover[9];
+    ivec4 cover_cell[9];
 };

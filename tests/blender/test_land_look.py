@@ -2,12 +2,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The ground of a land follows its heights, its slopes and its masks, and so do its trees."""
 
+import re
+from pathlib import Path
+
 import bpy
 import numpy as np
 import pytest
 from conftest import camera, failing, plane, positions, rest, taken
 from libocean_addon.shared import modifier_groups
-from libocean_addon.terrain import ground_shader, material, node_group, tree_meshes, trees
+from libocean_addon.terrain import (
+    ground_relief,
+    ground_shader,
+    material,
+    node_group,
+    tree_meshes,
+    trees,
+)
 from test_land import CARVED, PLACED, WORN, add_land, library_of, map_of
 from test_terrain import add_terrain
 
@@ -189,6 +199,22 @@ def test_relief_breaks_the_edge_of_a_cover_and_keeps_its_share(tmp_path, seen, s
     broken = taken(studio, tmp_path)
     assert contrast(smooth) < 0.01 and contrast(broken) > 0.3
     assert broken[..., 2].mean() == pytest.approx(smooth[..., 2].mean(), rel=0.15)
+
+
+@pytest.mark.only_reads
+def test_preview_and_povray_have_the_same_relief():
+    shader = Path(__file__).parents[2] / "shaders" / "preview" / "ground_relief.glsl"
+    text = shader.read_text(encoding="utf-8")
+    macros = shader.parents[2] / "povray_macros" / "terrain.inc.in"
+    povray = macros.read_text(encoding="utf-8")
+    for cover, steepness in ground_relief.STEEPNESS.items():
+        name = cover.removeprefix("Dry ").lower()
+        numbers = re.search(rf"{name}_relief = vec3\((.*)\);", text).group(1)
+        assert tuple(map(float, numbers.split(","))) == steepness, cover
+        assert f"Terrain_{name.title()}_Relief_ = <{numbers}>" in povray, cover
+    for name in ("dark", "straw", "uneven"):
+        number = re.search(rf"relief_{name} = ([0-9.]+);", text).group(1)
+        assert float(number) == getattr(ground_relief, f"_{name.upper()}"), name
 
 
 def test_snow_lies_on_the_floors_of_gullies(tmp_path, seen):

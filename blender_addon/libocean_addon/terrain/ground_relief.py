@@ -12,26 +12,34 @@ from ..look import pixel_angle, water_shader
 from ..shared.shader_builder import Tree
 
 WAVELENGTHS = (16.0, 4.0, 1.0, 0.25, 0.0625)
-"""[m] Of the grain, each seen where it is longer than four pixels and gone at two."""
+"""[m] Of the grain. This rule and its numbers are those of shaders/preview/ground_relief.glsl."""
+_FADE = (0.3, 0.9)
+"""The pixels of a wavelength, inverted, between which it fades."""
 STEEPNESS = {
     "Grass": (0.08, 0.22, 0.40),
     "Dry Grass": (0.08, 0.22, 0.40),
-    "Forest": (0.40, 0.30, 0.20),
-    "Scree": (0.14, 0.45, 0.50),
-    "Rock": (0.40, 0.40, 0.35),
+    "Forest": (0.30, 0.30, 0.20),
+    "Scree": (0.14, 0.40, 0.35),
+    "Rock": (0.25, 0.40, 0.40),
     "Snow": (0.08, 0.05, 0.04),
     "Sand": (0.03, 0.06, 0.10),
 }
 """Slopes of the relief of each cover: of the two longest waves, of that of 1 m, and of the two
 shortest."""
 NUMBERS = (
-    ("Relief", 1.0, 0.0, 10.0, "Of stones, tufts, tree crowns and drifts near the eye; 0: none"),
+    (
+        "Relief",
+        1.0,
+        0.0,
+        10.0,
+        "Steepness of stones, tufts, crowns and drifts near the eye; 0: none",
+    ),
     (
         "Pixel Angle",
         pixel_angle.DEFAULT,
         0.0,
         1.0,
-        "Of a pixel of the picture, in radians: relief that is finer is left out. 0: never",
+        "Angle of a pixel of the picture, in radians: finer relief is left out. 0: never",
     ),
 )
 _STEP = 0.15
@@ -41,7 +49,7 @@ _BREAKS = (0.30, 0.30, 0.25, 0.15, 0.10)
 """How much each wavelength moves the edges of covers, in shares of a cover."""
 _DARK = 0.7
 """The light that hollows lack, in slopes of the relief."""
-_UNEVEN = 2.0
+_UNEVEN = 0.8
 """How much a noise of the ground makes relief stronger: of equal strength it would look woven."""
 _STRAW = 0.45
 """The share of dry grass in the driest grass."""
@@ -61,7 +69,7 @@ def _wave(t: Tree, place, along, across, side, length) -> list:
         return made.outputs["Fac"]
 
     here = read(at)
-    wave = t.number("SUBTRACT", 1.0, t.eased(0.25, 0.5, t.number("MULTIPLY", side, inverse)))
+    wave = t.number("SUBTRACT", 1.0, t.eased(*_FADE, t.number("MULTIPLY", side, inverse)))
     wave = t.number("MULTIPLY", wave, _CONTRAST)
     results = [t.number("MULTIPLY", t.number("SUBTRACT", here, 0.5), wave)]
     for way in (along, across):
@@ -92,7 +100,7 @@ class Grain:
             self.waves.append(t.nested("ground grain", _wave, *given))
         self.moves = t.number("MULTIPLY", self._sum(t, 0, _BREAKS), self.amount)
         finest = t.number("DIVIDE", self.side, WAVELENGTHS[2])
-        seen = t.number("SUBTRACT", 1.0, t.eased(0.25, 0.5, finest))
+        seen = t.number("SUBTRACT", 1.0, t.eased(*_FADE, finest))
         self.seen = t.number("MULTIPLY", seen, self.amount, clamp=True)
 
     def _sum(self, t: Tree, part: int, weights):

@@ -185,8 +185,8 @@ _OF_COVERS = (
 
 
 _OF_WEAR = {"Forest": -0.3, "Scree": -0.08, "Rock": 0.10}
-"""What a crest of gullies adds to the noise that lets forest grow, and to the slopes at which scree
-and rock begin; their floors subtract it."""
+"""A crest of gullies adds it to the noise that lets forest grow, and to the slopes that decide
+scree and rock; their floors subtract it."""
 
 
 def _covers(t: Tree, inputs, height, slopes, noise, wear, by_masks) -> list:
@@ -271,7 +271,7 @@ def _build(group) -> None:
     bright = t.number("EXPONENT", t.number("MULTIPLY", wetness, -5.0))
     dry = t.number("MULTIPLY", t.eased(-0.3, 0.5, above), bright)
     sand = t.mix(inputs["Wet Sand Colour"], inputs["Sand Colour"], dry)
-    grain = ground_relief.Grain(t, inputs, normal, fine)
+    grain = ground_relief.Grain(t, inputs, normal, noise)
     straw = grain.straw(t)
     colour = t.mix(inputs["Grass Colour"], inputs["Dry Grass Colour"], straw)
     steepness = ground_relief.STEEPNESS["Grass"]

@@ -40,6 +40,8 @@ MAX_TREES = 60000
 """The trees that a new land has at most."""
 _DENSE, _SPARSE = 250.0, 120.0
 """Trees a hectare of a land that can have them all over, and of a larger one around the camera."""
+_GROWN = 0.5
+"""The share of their densest that slopes and clearings leave, at most, all over a land."""
 _MEAN_SIZE = 0.9  # of a tree, relative to its mesh
 _HECTARE = 1e4  # [m^2]
 
@@ -212,7 +214,8 @@ def _fitted(ob, camera) -> dict:
         values["Density"] = min(_DENSE, MAX_TREES / max(hectares, 1e-6))
         return values
     values["Density"] = _SPARSE
-    values["Reach"] = math.sqrt(MAX_TREES / _SPARSE * _HECTARE / math.pi)
+    area = MAX_TREES / (_GROWN * _SPARSE) * _HECTARE
+    values["Reach"] = math.sqrt(area / math.pi)
     return {**values, "Camera": camera}
 
 
