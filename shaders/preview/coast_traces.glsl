@@ -5,8 +5,8 @@
 #include "preview/coast.glsl"
 #include "preview/footprint.glsl"
 
-// Cover of breaking waves' foam, its bubbles, wetness, and the greatest depth of the water that left
-// it [m]; without a bed that is the cover of the whitecaps of a sea with hulls.
+// Cover of breaking waves' foam, its bubbles, wetness, and the greatest depth of the water that
+// left it [m]; without a bed that is the cover of the whitecaps of a sea with hulls.
 uniform sampler2DArray coast_traces;
 
 // Returns the sum of the means of an image of the windows, by their shares.
