@@ -42,6 +42,8 @@ _DENSE, _SPARSE = 250.0, 120.0
 """Trees a hectare of a land that can have them all over, and of a larger one around the camera."""
 _GROWN = 0.5
 """The share of their densest that slopes and clearings leave, at most, all over a land."""
+_CLEAR = (10.0, 20.0)
+"""[m] From the camera, between which trees begin: none stands in the picture's way."""
 _MEAN_SIZE = 0.9  # of a tree, relative to its mesh
 _HECTARE = 1e4  # [m^2]
 
@@ -97,14 +99,16 @@ def _slope(b: Builder):
 
 
 def _within_reach(b: Builder, inputs):
-    """Returns 1 near the camera, 0 beyond the reach, and 1 everywhere without one."""
+    """Returns 1 around the camera, 0 at the camera itself and beyond the reach, and 1 everywhere
+    without a reach."""
     camera = b.node("GeometryNodeObjectInfo", transform_space="RELATIVE")
     b.link(inputs["Camera"], camera.inputs["Object"])
     place = b.node("GeometryNodeInputPosition").outputs[0]
     away = b.math("DISTANCE", place, camera.outputs["Location"], result="Value")
     reach = inputs["Reach"]
     beyond = b.eased(b.number("MULTIPLY", reach, 0.7), reach, away)
-    return b.number("SUBTRACT", 1.0, b.number("MULTIPLY", beyond, b.number("SIGN", reach)))
+    hidden = b.number("MAXIMUM", beyond, b.number("SUBTRACT", 1.0, b.eased(*_CLEAR, away)))
+    return b.number("SUBTRACT", 1.0, b.number("MULTIPLY", hidden, b.number("SIGN", reach)))
 
 
 def _density(b: Builder, inputs):
