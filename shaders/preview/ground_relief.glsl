@@ -43,8 +43,8 @@ float relief_shown(float wavelength, float footprint) {
     return 1.0 - smoothstep(0.3, 0.9, footprint / wavelength);
 }
 
-// Returns gradient noise of one size of cells at a place relative to the eye, and its change along x
-// and y, in cells [Perlin 2002].
+// Returns gradient noise of one size of cells at a place relative to the eye, and its changes
+// along x and y, in cells [Perlin 2002].
 vec3 relief_wave(int size, vec2 at) {
     vec2 place = cover[size].xy + at * cover[size].z;
     vec2 cell = floor(place);
