@@ -28,6 +28,8 @@ def _frame_changed(scene, depsgraph=None) -> None:
     rendering = depsgraph is not None and depsgraph.mode == "RENDER"
     if rendering:
         render_check.require_stopped()
+    elif drafts.is_main_thread():
+        stored_meshes.make_whole()  # linked since the last update
     life.show_all(life.all_shown(), scene, depsgraph, rendering=rendering, passing=True)
 
 

@@ -8,6 +8,7 @@ import pytest
 from conftest import attribute, evaluated_mesh, shine, taken
 from layouts import drawn_by
 from libocean_addon.coast import land_nodes, panels
+from libocean_addon.terrain import material
 from test_coast import CELL, COLUMNS, ROWS, add_coast, library_of
 
 
@@ -72,8 +73,7 @@ def ground(sea_file, studio):
     studio.camera.data.ortho_scale = 100.0
     studio.render.resolution_x = studio.render.resolution_y = 128
     studio.camera.location = (80.0, 80.0, 100.0)
-    tree = ob.libocean_coast.land.material_slots[0].material.node_tree
-    (found,) = [node for node in tree.nodes if node.type == "GROUP"]
+    (found,) = material.grounds(ob.libocean_coast.land)
     found.inputs["Wet Line"].default_value = -100.0
     found.inputs["Sand Line"].default_value = 100.0
     return found

@@ -22,11 +22,14 @@ from conftest import (
 )
 from libocean_addon.bake import bake_record, bake_state
 from libocean_addon.sea import parameter_values
+from libocean_addon.shared import mesh_content
 
 
 @pytest.fixture
-def asset(tmp_path):
-    """A file with a small sea in a collection; its path and how it looks at frame 10."""
+def asset(tmp_path, monkeypatch):
+    """A file with a small sea in a collection, whose mesh it holds smaller; its path and how the
+    sea looks at frame 10."""
+    monkeypatch.setattr(mesh_content, "_SIDE", 10)
     ob = add_ocean(64, kind="PATCH", preset="beaufort_6")
     bpy.context.scene.frame_set(10)
     want = positions(ob)

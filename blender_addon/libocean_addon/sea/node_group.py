@@ -222,7 +222,7 @@ def _displaced(b: Builder, inputs, fields, lookup, turn: Turn, interpolation: st
         b.link(turn.to_local(b.scale(whole, mask)), moved.inputs["Offset"])
         return moved.outputs["Geometry"]
 
-    return fields.hulls(wakes.added(geometry, "Displacement", displaced))
+    return wakes.added(geometry, "Displacement", displaced)
 
 
 def _build(group, kind: str, *, baked: bool) -> None:
@@ -253,7 +253,7 @@ def _build(group, kind: str, *, baked: bool) -> None:
         on_samples=inputs[ON_SAMPLES] if kind == "PATCH" else None,
         euler=fields.turn(),
     )
-    b.link(result, b.node("NodeGroupOutput").inputs[0])
+    b.link(fields.hulls(result), b.node("NodeGroupOutput").inputs[0])
     b.arrange(rows=4, height=240)
 
 

@@ -90,19 +90,22 @@ class Wakes:
     def _sums(self, field: str):
         """Returns the sums of colours and of alphas. The last wake comes first: those without an
         image are constants, and cost nothing for each vertex."""
-        b, sums, name = self.b, None, f"wake {self.interpolation.lower()}"
 
-        def read(b: Builder, *operands) -> list:
-            return _read(b, *operands, self.interpolation)
+        def make(b: Builder, position, *given) -> list:
+            sums = None
+            for image, place in reversed(list(zip(given[::2], given[1::2], strict=True))):
+                color, alpha = _read(b, image, place, position, self.interpolation)
+                if sums is not None:
+                    color = b.math("ADD", color, sums[0])
+                    alpha = b.number("ADD", alpha, sums[1])
+                sums = color, alpha
+            return [*sums]
 
-        for hull in reversed(range(COUNT)):
-            image, place = self.inputs[image_input(hull, field)], self.inputs[place_input(hull)]
-            color, alpha = b.nested(name, read, image, place, self.position)
-            if sums is not None:
-                color = b.math("ADD", color, sums[0])
-                alpha = b.number("ADD", alpha, sums[1])
-            sums = color, alpha
-        return sums
+        names = [
+            name for hull in range(COUNT) for name in (image_input(hull, field), place_input(hull))
+        ]
+        given = (self.inputs[name] for name in names)
+        return self.b.nested(f"wakes {self.interpolation.lower()}", make, self.position, *given)
 
     def added(self, geometry, field: str, make: Callable):
         """Returns make(geometry, vector, alpha) with what all wakes add to a field; without wakes
