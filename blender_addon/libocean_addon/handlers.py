@@ -28,9 +28,11 @@ def _frame_changed(scene, depsgraph=None) -> None:
     rendering = depsgraph is not None and depsgraph.mode == "RENDER"
     if rendering:
         render_check.require_stopped()
-    elif drafts.is_main_thread():
-        stored_meshes.make_whole()  # linked since the last update
-    life.show_all(life.all_shown(), scene, depsgraph, rendering=rendering, passing=True)
+    objects = life.all_shown()
+    if not rendering and drafts.is_main_thread():  # some are linked since the last update
+        shown_meshes = {part.data for shown in objects for part in life.mesh_parts(shown)}
+        stored_meshes.make_whole(shown_meshes)
+    life.show_all(objects, scene, depsgraph, rendering=rendering, passing=True)
 
 
 @persistent

@@ -174,13 +174,19 @@ def contrast(image: np.ndarray) -> float:
     return float(image[..., 1].std() / image[..., 1].mean())
 
 
+def with_relief(ob, studio, width: float):
+    """Returns the ground of an object, whose relief is seen from above over a width [m]."""
+    studio.camera.location.z, studio.camera.data.ortho_scale = 20.0, width
+    (ground,) = material.grounds(ob)
+    ground.inputs["Relief"].default_value = 1.0
+    return ground
+
+
 def test_relief_is_seen_near_the_eye_and_is_its_mean_from_afar(tmp_path, seen, studio):
     ob = plane(60.0, 2)
     ob.data.materials.append(material.make({**GRASS, "Pixel Angle": 0.01}))
     smooth = seen(ob)
-    studio.camera.location.z, studio.camera.data.ortho_scale = 20.0, 4.0
-    (ground,) = material.grounds(ob)
-    ground.inputs["Relief"].default_value = 1.0
+    ground = with_relief(ob, studio, 4.0)
     near = taken(studio, tmp_path)
     assert contrast(smooth) < 0.01 and contrast(near) > 0.1
     ground.inputs["Pixel Angle"].default_value = 1.0
@@ -193,9 +199,7 @@ def test_relief_breaks_the_edge_of_a_cover_and_keeps_its_share(tmp_path, seen, s
     line = {"Snow Line": 0.0, "Line Width": 1.0, "Snow Slope": 9.0, "Pixel Angle": 0.0001}
     ob.data.materials.append(material.make({**GRASS, **line}))
     smooth = seen(ob)
-    studio.camera.location.z, studio.camera.data.ortho_scale = 20.0, 20.0
-    (ground,) = material.grounds(ob)
-    ground.inputs["Relief"].default_value = 1.0
+    with_relief(ob, studio, 20.0)
     broken = taken(studio, tmp_path)
     assert contrast(smooth) < 0.01 and contrast(broken) > 0.3
     assert broken[..., 2].mean() == pytest.approx(smooth[..., 2].mean(), rel=0.15)

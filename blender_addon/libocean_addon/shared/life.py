@@ -174,12 +174,16 @@ def keep_only(objects: Iterable[Shown]) -> None:
     drafts.keep_only({shown.ob.name_full for shown in objects})
 
 
+def mesh_parts(shown: Shown) -> list:
+    """Returns the objects whose meshes show an object."""
+    return [part for part in shown.subject.parts(shown.ob) if meshes.is_mesh(part)]
+
+
 def put_aside() -> None:
     """Takes large meshes out of a file that is saved, until make_whole()."""
     live, baked = [], []
     for shown in all_shown():
-        parts = [part for part in shown.subject.parts(shown.ob) if meshes.is_mesh(part)]
-        (live if shown.live else baked).extend(parts)
+        (live if shown.live else baked).extend(mesh_parts(shown))
     stored_meshes.put_aside(live, baked)
 
 

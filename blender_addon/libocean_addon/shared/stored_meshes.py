@@ -13,7 +13,7 @@ stored whole, and so are those that a user edited.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 import bpy
 
@@ -72,10 +72,10 @@ def _put_aside(mesh, objects, content: Content) -> None:
     _aside[small.name] = mesh.name
 
 
-def make_whole() -> None:
-    """Makes the small meshes of all objects whole again. Meshes of other files change in memory
-    alone."""
-    for mesh in list(bpy.data.meshes):
+def make_whole(found: Iterable | None = None) -> None:
+    """Makes small meshes whole again. found: where they are looked for; None: among all meshes.
+    Meshes of other files change in memory alone."""
+    for mesh in list(bpy.data.meshes if found is None else found):
         words = meshes.made_of(mesh)
         if words.startswith(_PACKED):
             _unpack(mesh, words.removeprefix(_PACKED))

@@ -263,9 +263,9 @@ PovrayFolder plan_povray_folder(const PovrayRequest& request, const OpenedSubjec
     }
     const Sea& sea = std::get<Sea>(subject);
     refuse_folder_of(request.folder, "terrain.ini", "a terrain", "a sea");
-    const bool has_wakes = !repeats(sea.parameters) && !request.region.region.empty();
-    return sea.parameters.water.bed || has_wakes ? region_folder(request, sea, context)
-                                                 : sea_folder(request, sea, context);
+    const bool shows_region =
+        sea.parameters.water.bed || (!repeats(sea.parameters) && !request.region.region.empty());
+    return shows_region ? region_folder(request, sea, context) : sea_folder(request, sea, context);
 }
 
 }  // namespace ocean::app
