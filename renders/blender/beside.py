@@ -41,6 +41,14 @@ def add_float(ocean, name: str, x: float, y: float, heading: float) -> None:
     scenes.afloat(ob, ocean, (x, y), heading, length=model.length, width=model.width)
 
 
+def see_as_far(visibility: float) -> None:
+    """Sets the air of all materials. visibility: [m]."""
+    for material in bpy.data.materials:
+        for node in material.node_tree.nodes if material.node_tree else ():
+            if "Visibility" in node.inputs:
+                node.inputs["Visibility"].default_value = visibility
+
+
 def main() -> None:
     name, sea, sky, picture, samples, size = sys.argv[sys.argv.index("--") + 1 :]
     view = hosts.view_of(name)
@@ -52,16 +60,22 @@ def main() -> None:
     camera.data.clip_start = 0.05
     daylight.add_sky(scene, sky)
     daylight.add_sun(scene, *view["sun"])
-    ocean = scenes.ocean_of(Path(sea).resolve(), view["water"])
-    # Anew: of this sea, sun, camera and air.
-    bpy.context.view_layer.objects.active = ocean
-    ocean.select_set(True)
-    bpy.ops.libocean.add_material(water_type=view["water"], visibility=view["visibility"])
+    if "region" in view:
+        ocean = scenes.coast_of(view["region"], view["cell"], Path(sea).resolve(), view["water"])
+        settings = ocean.libocean_coast
+        see_as_far(view["visibility"])
+    else:
+        ocean = scenes.ocean_of(Path(sea).resolve(), view["water"])
+        settings = ocean.libocean
+        # Anew: of this sea, sun, camera and air.
+        bpy.context.view_layer.objects.active = ocean
+        ocean.select_set(True)
+        bpy.ops.libocean.add_material(water_type=view["water"], visibility=view["visibility"])
     for each in view["floats"]:
         add_float(ocean, *each)
     scene.frame_set(view["frame"])
-    if ocean.libocean.problem:
-        sys.exit(ocean.libocean.problem)
+    if settings.problem:
+        sys.exit(settings.problem)
     daylight.render_light(scene, picture, int(samples), size)
 
 

@@ -35,7 +35,7 @@ def add_sky(scene, picture: str) -> None:
     nodes = world.node_tree.nodes
     texture = nodes.new("ShaderNodeTexEnvironment")
     texture.image = bpy.data.images.load(str(Path(picture).resolve()))
-    texture.image.colorspace_settings.name = "Linear"
+    texture.image.colorspace_settings.name = "Non-Color"  # in each Blender
     world.node_tree.links.new(texture.outputs["Color"], nodes["Background"].inputs["Color"])
 
 

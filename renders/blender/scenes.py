@@ -355,11 +355,13 @@ def hero_before(scene) -> None:
 BEACH = HERE.parent / "coast" / "beach.toml"
 
 
-def coast_of(region: tuple[float, ...], cell: float):
-    """The water and the land of a rectangle of the beach's bed, and still water around it."""
+def coast_of(
+    region: tuple[float, ...], cell: float, sea: Path = BEACH, water_type: str = "jerlov_1c"
+):
+    """The water and the land of a rectangle of a sea's bed, and the open sea around it."""
     enable_addon()
-    look = {"use_far_water": True, "water_type": "jerlov_1c"}
-    bpy.ops.libocean.add_coast(filepath=str(BEACH), cell=50.0, **look)
+    look = {"use_far_water": True, "water_type": water_type}
+    bpy.ops.libocean.add_coast(filepath=str(sea), cell=50.0, **look)
     water = bpy.context.object
     settings = water.libocean_coast
     settings.region, settings.use_region = region, True

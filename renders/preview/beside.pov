@@ -8,6 +8,7 @@
 #version 3.7;
 #include "ocean.inc"
 #include "view.inc"
+#ifdef(View_Coast) #include "coast.inc" #end
 global_settings { assumed_gamma 1.0 max_trace_level 6 }
 
 #ifdef(Only_Sky)
@@ -28,6 +29,15 @@ global_settings { assumed_gamma 1.0 max_trace_level 6 }
     Ocean_Sun(View_Sun_Altitude, View_Sun_Bearing)
     Ocean_Sky(0)
     #declare Painted = finish { diffuse 1 ambient 0 emission Ocean_Sky_Light }
-    View_Floats()
-    object { Ocean_View(View_Eye, View_Target, View_Angle, 2) Ocean_Material(View_Water) no_reflection }
+    #ifdef(View_Coast)
+        Terrain_Load("land")
+        Ocean_Coast(View_Eye, View_Target, View_Angle, 1, View_Water)
+    #else
+        View_Floats()
+        object {
+            Ocean_View(View_Eye, View_Target, View_Angle, 2)
+            Ocean_Material(View_Water)
+            no_reflection
+        }
+    #end
 #end

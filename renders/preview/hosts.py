@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Hands the views of views.toml to the hosts, and puts their pictures side by side.
 
-usage: hosts.py names                     the views of the sheet, one on a line
+usage: hosts.py names SHEET               the views of a sheet, one on a line
        hosts.py sea VIEW                  its sea
        hosts.py folder VIEW               words for `ocean povray` after the sea, one on a line
        hosts.py preview VIEW              words for ocean-preview after the sea, one on a line
@@ -30,9 +30,9 @@ def tables(folder: Path = HERE) -> dict:
     return tomllib.loads((folder / "views.toml").read_text(encoding="utf-8"))
 
 
-def names(folder: Path = HERE) -> list[str]:
-    """Returns the names of the views of the sheet."""
-    return tables(folder)["beside"]
+def names(sheet: str = "beside", folder: Path = HERE) -> list[str]:
+    """Returns the names of the views of a sheet."""
+    return tables(folder)[sheet]
 
 
 def view_of(name: str, folder: Path = HERE) -> dict:
@@ -67,7 +67,8 @@ def preview_words(view: dict) -> list[str]:
     else:
         words |= {"heading": f"{view['heading']:g}", "pitch": f"{view['pitch']:g}"}
     words |= {"angle": f"{view['angle']:g}", "sun": joined(view["sun"]), "water": view["water"]}
-    words |= {"map": view["map"], "foam-map": view["foam_map"]}
+    if "region" not in view:
+        words |= {"map": view["map"], "foam-map": view["foam_map"]}
     words |= {"visibility": f"{view['visibility']:g}"}
     return [str(word) for name, value in words.items() for word in (f"--{name}", value)]
 
@@ -95,11 +96,20 @@ def povray_words(view: dict) -> str:
         floats += (
             f"object {{ Ocean_Float({models.povray(model)}, {x}, {y}, {heading}, {sides}) }}\n"
         )
+    coast = "#declare View_Coast = 1;\n" if "region" in view else ""
     return povray_camera(view) + (
-        f'#declare View_Water = "{view["water"]}";\n'
+        f'{coast}#declare View_Water = "{view["water"]}";\n'
         f"#declare Ocean_Visibility = {view['visibility']};\n"
         f"#macro View_Floats()\n{floats}#end\n"
     )
+
+
+def folder_words(view: dict) -> list[str]:
+    words = ["--frames", str(view["frame"])]
+    if "region" in view:
+        corners = ",".join(f"{value:g}" for value in view["region"])
+        words += [f"--region={corners}", "--cell", f"{view['cell']:g}"]
+    return words
 
 
 # Pictures ---------------------------------------------------------------------
@@ -264,14 +274,14 @@ def measure(folder: Path) -> None:
 
 def main() -> None:
     match sys.argv[1:]:
-        case ["names"]:
-            print(*names(), sep="\n")
+        case ["names", which]:
+            print(*names(which), sep="\n")
         case ["sea", name]:
             print(view_of(name)["sea"])
         case ["size", name]:
             print("{}x{}".format(*view_of(name)["size"]))
         case ["folder", name]:
-            print("--frames", view_of(name)["frame"], sep="\n")
+            print(*folder_words(view_of(name)), sep="\n")
         case ["preview", name]:
             print(*preview_words(view_of(name)), sep="\n")
         case ["povray", name]:

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Hands the views of views.toml to the hosts, and measures how alike their pictures are.
 
-usage: lands.py names                     the views of the sheet, one on a line
+usage: lands.py names SHEET               the views of a sheet, one on a line
        lands.py land VIEW                 its land
        lands.py size VIEW                 WIDTHxHEIGHT
        lands.py preview VIEW              words for ocean-preview after the land, one on a line
@@ -75,7 +75,7 @@ def measure(folder: Path) -> None:
     """Prints the list above in numbers."""
     import numpy
 
-    for name in hosts.names(HERE):
+    for name in hosts.names(folder=HERE):
         view = view_of(name)
         pictures = {host: hosts.read(folder / f"{name}.{host}.png") for host in hosts.HOSTS}
         lines = {host: skyline(view, picture) for host, picture in pictures.items()}
@@ -97,8 +97,8 @@ def measure(folder: Path) -> None:
 
 def main() -> None:
     match sys.argv[1:]:
-        case ["names"]:
-            print(*hosts.names(HERE), sep="\n")
+        case ["names", which]:
+            print(*hosts.names(which, HERE), sep="\n")
         case ["land", name]:
             print(view_of(name)["land"])
         case ["size", name]:
