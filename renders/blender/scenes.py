@@ -3,11 +3,12 @@
 """The pictures of the Blender add-on, made from nothing through its operators.
 
 usage: blender --background --python renders/blender/scenes.py -- SCENE PICTURE [SAMPLES] [PERCENT]
-       [CYCLES|EEVEE]
+       [CYCLES|EEVEE] [LAST STEP]
 
 The add-on must be installed. SCENE is open_sea, dusk, storm, volume, below, ferry, ferry_above,
 hero, hero_before, coast_dusk or coast_bay, or one of first_ocean, first_coast and first_terrain,
-which are what *Add > ... Scene* makes; PICTURE ends in .jpg or .png. Storm and volume also need the
+which are what *Add > ... Scene* makes, or fly_terrain; PICTURE ends in .jpg or .png, and has ## for
+the number of the frame where each STEPth from 1 to LAST is made. Storm and volume also need the
 command `ocean` (or another by the environment variable OCEAN), and volume OpenVDB's Python module.
 """
 
@@ -352,6 +353,7 @@ def hero_before(scene) -> None:
     hero(scene, has_crest=False)
 
 
+FLIGHT = 72  # frames
 BEACH = HERE.parent / "coast" / "beach.toml"
 
 
@@ -408,6 +410,17 @@ def first_scene(operator: str):
     return make
 
 
+def fly_terrain(scene) -> None:
+    """Two metres a frame over the land of *Terrain Scene*, the way that its camera looks."""
+    first_scene("add_terrain_scene")(scene)
+    eye = scene.camera
+    way = eye.matrix_world.to_quaternion() @ Vector((0.0, 0.0, -1.0))
+    start, per_frame = eye.location.copy(), 2.0 * Vector((way.x, way.y, 0.0)).normalized()
+    for frame in range(1, FLIGHT + 1):
+        eye.location = start + (frame - 1) * per_frame
+        eye.keyframe_insert("location", frame=frame)
+
+
 def bake(sea: Path, *arguments: str) -> Path:
     """Volumes of a sea's first frame, by the command in OCEAN."""
     folder = Path(tempfile.mkdtemp(prefix="libocean-"))
@@ -433,6 +446,7 @@ SCENES = {
     "first_ocean": first_scene("add_scene"),
     "first_coast": first_scene("add_coast_scene"),
     "first_terrain": first_scene("add_terrain_scene"),
+    "fly_terrain": fly_terrain,
 }
 
 
@@ -445,7 +459,7 @@ def engine_named(name: str) -> str:
 
 def main() -> None:
     name, picture, *more = sys.argv[sys.argv.index("--") + 1 :]
-    samples, percent, engine = (*more, *("128", "100", "CYCLES")[len(more) :])
+    samples, percent, engine, *every = (*more, *("128", "100", "CYCLES")[len(more) :])
     samples, percent = int(samples), int(percent)
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene
@@ -463,7 +477,11 @@ def main() -> None:
     scene.render.image_settings.file_format = "PNG" if picture.endswith(".png") else "JPEG"
     scene.render.image_settings.quality = 92
     scene.render.filepath = str(Path(picture).resolve())
-    bpy.ops.render.render(write_still=True)
+    if every:
+        scene.frame_start, scene.frame_end, scene.frame_step = 1, *map(int, every)
+        bpy.ops.render.render(animation=True)
+    else:
+        bpy.ops.render.render(write_still=True)
 
 
 if __name__ == "__main__":
