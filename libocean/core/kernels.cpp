@@ -12,6 +12,7 @@
 #include <cpuid.h>
 #endif
 
+#include "base/batch_fft_task.hpp"
 #include "coast/loops/band_sector_task.hpp"
 #include "coast/loops/signal_task.hpp"
 #include "hulls/wake_task.hpp"
@@ -26,6 +27,7 @@ namespace ocean {
 #define OCEAN_DECLARE_KERNEL(name)               \
     namespace name {                             \
     extern const KernelCode kCode;               \
+    extern const BatchFftLoop kBatchFftLoop;     \
     extern const BandSectorLoop kBandSectorLoop; \
     extern const SignalLoop kSignalLoop;         \
     extern const GullyLoop kGullyLoop;           \
@@ -42,6 +44,7 @@ namespace {
 struct Kernel {
     SimdLevel level;
     const KernelCode* code;
+    const BatchFftLoop* batch_fft_loop;
     const BandSectorLoop* band_sector_loop;
     const SignalLoop* signal_loop;
     const GullyLoop* gully_loop;
@@ -56,9 +59,9 @@ struct Kernel {
     bit_AVX512F | bit_AVX512BW | bit_AVX512DQ | bit_AVX512VL;
 #endif
 
-#define OCEAN_KERNEL_ENTRY(name)                                                                  \
-    SimdLevel::name, &name::kCode, &name::kBandSectorLoop, &name::kSignalLoop, &name::kGullyLoop, \
-        &name::kWakeLoops
+#define OCEAN_KERNEL_ENTRY(name)                                                 \
+    SimdLevel::name, &name::kCode, &name::kBatchFftLoop, &name::kBandSectorLoop, \
+        &name::kSignalLoop, &name::kGullyLoop, &name::kWakeLoops
 /// The best first. A build may leave out any: OCEAN_KERNELS and OCEAN_PORTABLE_KERNEL in CMake.
 constexpr Kernel kKernels[] = {
 #if defined(OCEAN_KERNEL_AVX512)
@@ -169,6 +172,9 @@ SimdLevel simd_level() {
 
 const KernelCode& kernel_code(SimdLevel level) {
     return *find_kernel(level).code;
+}
+BatchFftLoop batch_fft_loop(SimdLevel level) {
+    return *find_kernel(level).batch_fft_loop;
 }
 BandSectorLoop band_sector_loop(SimdLevel level) {
     return *find_kernel(level).band_sector_loop;

@@ -9,21 +9,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/batch_fft_task.hpp"
+
 namespace ocean {
-
-inline constexpr int kFftBatch = 16;
-
-/// Four floats, with the arithmetic of one. Every x86-64 and ARMv8 has such registers.
-using FourFloats = float __attribute__((vector_size(16)));
-
-/// One complex number of each of kFftBatch columns.
-struct BatchRow {
-    FourFloats re[kFftBatch / 4];
-    FourFloats im[kFftBatch / 4];
-
-    float* real() { return reinterpret_cast<float*>(re); }
-    float* imaginary() { return reinterpret_cast<float*>(im); }
-};
 
 /// Cooley and Tukey's decimation in time, two steps of radix 2 in one. The first steps, at which
 /// each group has only one input that is not zero, are written out without arithmetic on zeros.
@@ -33,25 +21,22 @@ class BatchFft {
     /// Prepares transforms of `size` samples, a power of two, for the waves -reach .. reach; 2
     /// reach <= size. With 2 reach = size the transform is a whole one: wave -reach, which is wave
     /// reach, is not read.
-    BatchFft(int size, int reach);
+    BatchFft(int size, int reach, SimdLevel level = simd_level());
     int size() const { return size_; }
     int reach() const { return reach_; }
-    /// Writes work[j] = sum over k = -reach .. reach of X_k exp(2 pi i j k / size), j < size, where
-    /// X_k = spectrum[(k + reach) * stride].
-    void transform(const BatchRow* spectrum, std::size_t stride, BatchRow* work) const;
+    /// Makes row j = sum over k = -reach .. reach of X_k exp(2 pi i j k / size), j < size, where
+    /// X_k = spectrum[(k + reach) * stride]. Other rows of `out` are as good as unwritten.
+    void transform(const BatchRow* spectrum, std::size_t stride, const BatchOutput& out) const;
     std::size_t bytes() const;
 
   private:
-    void spread(const BatchRow* spectrum, std::size_t stride, BatchRow* work) const;
-    void step(int half, BatchRow* work) const;
-    void double_step(int half, BatchRow* work) const;
-
     int size_;
     int reach_;
     int group_;                       // samples of a group that has one input
-    std::vector<int> wave_of_group_;  // index of the group's residue; -1: none
+    std::vector<int> wave_of_group_;  // index of the group's residue; reach + 1: none
     std::vector<float> cosine_;       // cosine of 2 pi k / size, k < size / 2
     std::vector<float> sine_;
+    BatchFftLoop loop_;
 };
 
 }  // namespace ocean

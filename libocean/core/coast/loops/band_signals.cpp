@@ -107,18 +107,18 @@ void BandSignals::transform_rows(const Batch& batch, double tau, Work& work) {
             }
             const auto column = static_cast<std::size_t>(mode.n + lattice.reach[0]);
             h *= pair.gain[0][column] * pair.gain[1][row];
-            work.spectrum[column].real()[row - first] += static_cast<float>(h.real());
-            work.spectrum[column].imaginary()[row - first] += static_cast<float>(h.imag());
+            work.spectrum[column].re[row - first] += static_cast<float>(h.real());
+            work.spectrum[column].im[row - first] += static_cast<float>(h.imag());
         }
     }
     const auto width = static_cast<std::size_t>(pair.side[0]);
     if (work.samples.size() < width) work.samples.resize(width);
-    pair.fft[0].transform(work.spectrum.data(), 1, work.samples.data());
+    pair.fft[0].transform(work.spectrum.data(), 1, {.work = work.samples.data()});
     for (std::size_t row = first; row < last; ++row) {
         BatchRow* const to = pair.rows[batch.map].data() + row * (width / kBatch);
         for (std::size_t x = 0; x < width; ++x) {
-            to[x / kBatch].real()[x % kBatch] = work.samples[x].real()[row - first];
-            to[x / kBatch].imaginary()[x % kBatch] = work.samples[x].imaginary()[row - first];
+            to[x / kBatch].re[x % kBatch] = work.samples[x].re[row - first];
+            to[x / kBatch].im[x % kBatch] = work.samples[x].im[row - first];
         }
     }
 }
@@ -131,28 +131,19 @@ void BandSignals::transform_columns(const Batch& batch, Work& work) {
     const auto height = static_cast<std::size_t>(pair.side[1]);
     const auto first = static_cast<std::size_t>(batch.first);
     if (work.samples.size() < height) work.samples.resize(height);
+    float* const coefficients = map.values.data();
     pair.fft[1].transform(pair.rows[batch.map].data() + first / kBatch, width / kBatch,
-                          work.samples.data());
-    for (std::size_t y = 0; y < height; ++y) {
-        const float* const re = work.samples[y].real();
-        const float* const im = work.samples[y].imaginary();
-        float* const row = map.values.data() + 2 * y * map.pitch;
-        float* const to = row + 2 * (kColumnsBefore + first);
-        for (std::size_t x = 0; x < kBatch; ++x) {
-            to[2 * x] = re[x];
-            to[2 * x + 1] = im[x];
+                          {.work = work.samples.data(),
+                           .numbers = coefficients + 2 * (kColumnsBefore + first),
+                           .pitch = map.pitch});
+    const auto copy = [&](std::size_t from, std::size_t to, std::size_t count) {
+        for (std::size_t y = 0; y < height; ++y) {
+            float* const row = coefficients + 2 * y * map.pitch;
+            std::copy_n(row + 2 * from, 2 * count, row + 2 * to);
         }
-        const auto copy = [&](std::size_t from, std::size_t column) {
-            row[2 * column] = re[from];
-            row[2 * column + 1] = im[from];
-        };
-        if (first + kBatch == width) copy(kBatch - 1, 0);
-        if (first == 0) {
-            for (std::size_t x = 0; x + kColumnsBefore < kColumnsBeyond; ++x) {
-                copy(x, kColumnsBefore + width + x);
-            }
-        }
-    }
+    };
+    if (first == 0) copy(kColumnsBefore, kColumnsBefore + width, kColumnsBeyond - kColumnsBefore);
+    if (first + kBatch == width) copy(kColumnsBefore + width - 1, 0, kColumnsBefore);
 }
 
 ExactSignal BandSignals::exact(std::size_t index, double time, double x, double y) const {

@@ -211,8 +211,8 @@ struct BoundWaves::Impl {
     void multiply(Pair pair, std::size_t first, BatchRow& row) const {
         std::array<const float*, kFields> f;
         for (std::size_t i = 0; i < f.size(); ++i) f[i] = field[i].data() + first;
-        float* const a = row.real();
-        float* const b = row.imaginary();
+        float* const a = row.re;
+        float* const b = row.im;
         const auto each = [](const auto& write) {
             for (int i = 0; i < kFftBatch; ++i) write(i);
         };
@@ -257,7 +257,7 @@ struct BoundWaves::Impl {
                 multiply(pair, static_cast<std::size_t>(j * size + block * kFftBatch),
                          input[input_of(j)]);
             }
-            fft.transform(input, 1, output);
+            fft.transform(input, 1, {.work = output});
             for (int m = -reach; m <= reach; ++m) {
                 BatchRow& from = output[output_of(m)];
                 const int line = m + reach;
@@ -265,20 +265,21 @@ struct BoundWaves::Impl {
                     lines.data() + static_cast<std::size_t>(line / kFftBatch) * inputs;
                 for (int i = 0; i < kFftBatch; ++i) {
                     BatchRow& row = to[input_of(block * kFftBatch + i)];
-                    row.real()[line % kFftBatch] = from.real()[i];
-                    row.imaginary()[line % kFftBatch] = from.imaginary()[i];
+                    row.re[line % kFftBatch] = from.re[i];
+                    row.im[line % kFftBatch] = from.im[i];
                 }
             }
         });
         std::vector<std::complex<float>>& values = spectrum[pair];
         pool.for_each_item(blocks(), [&](int block, int thread) {
             BatchRow* const output = work[static_cast<std::size_t>(thread)].data();
-            fft.transform(lines.data() + static_cast<std::size_t>(block) * inputs, 1, output);
+            fft.transform(lines.data() + static_cast<std::size_t>(block) * inputs, 1,
+                          {.work = output});
             const int first = block * kFftBatch - reach;
             for (int n = -reach; n <= reach; ++n) {
                 BatchRow& from = output[output_of(n)];
                 for (int i = 0; i < kFftBatch && first + i <= reach; ++i) {
-                    values[lattice.index(n, first + i)] = {from.real()[i], from.imaginary()[i]};
+                    values[lattice.index(n, first + i)] = {from.re[i], from.im[i]};
                 }
             }
         });
