@@ -9,11 +9,13 @@ import bpy
 import numpy as np
 import other_blender
 import pytest
-from conftest import failing, keyed, save, start_another_blender, times
+from conftest import failing, keyed, pixels, save, start_another_blender, times
 from libocean_addon.bake import bake_record, exr_files, render_check
 from libocean_addon.bundled import libocean
 from libocean_addon.coast import coast_bake
+from libocean_addon.look import material as water_material
 from subjects import Coast, same
+from test_detail import nodes_of, shown_by
 
 
 @pytest.fixture
@@ -78,6 +80,22 @@ def test_another_region_is_baked_anew(shot):
     live = seen(shot)
     assert bpy.ops.libocean.bake() == {"FINISHED"}
     assert same(seen(shot), live)
+
+
+def test_a_bake_has_the_near_detail_of_the_live_coast(shot, scene):
+    shot.data.materials.append(water_material.make("jerlov_ii"))
+    shot.libocean.use_detail = True
+    scene.frame_start = scene.frame_end = 2
+    scene.frame_set(2)
+    live = shown_by(shot)
+    assert bpy.ops.libocean.bake() == {"FINISHED"}
+    place = bake_record.place_of(shot)
+    for field, slope in zip(exr_files.DETAIL, live, strict=False):
+        assert np.array_equal(pixels(place.file(field, 2))[..., :2], slope)
+    tree = nodes_of(shot)[0].node_tree
+    assert {node.image.source for node in tree.nodes if node.type == "TEX_IMAGE"} == {"SEQUENCE"}
+    assert "depth" in {node.attribute_name for node in tree.nodes if node.type == "ATTRIBUTE"}
+    assert render_check.find(scene, [2]).errors == []
 
 
 def test_an_animated_region_is_refused(shot):

@@ -29,6 +29,7 @@ from conftest import (
 from libocean_addon.bundled import libocean
 from libocean_addon.look import detail, water_shader
 from libocean_addon.sea import facts
+from test_material import put
 
 # The formulas -------------------------------------------------------------------
 
@@ -163,6 +164,53 @@ def set_pixel_angle(ob, angle: float) -> None:
         socket.default_value = angle
 
 
+# Over a bed -------------------------------------------------------------------------
+
+
+def coast_with_detail(sea_file):
+    """Returns the water of a small coast with a material."""
+    bpy.ops.libocean.add_coast(filepath=str(sea_file), cell=8.0, use_land=False)
+    return bpy.context.object
+
+
+def open_bands(sea_file, at: float):
+    """Returns the bands of the sea of a coast's file, without its bed."""
+    text = "\n".join(line for line in sea_file.read_text().split("\n") if "seabed" not in line)
+    with libocean.parse(text) as sea:
+        return sea.detail(at)
+
+
+def test_the_water_of_a_coast_has_the_slopes_of_its_open_sea(scene, sea_file):
+    ob = coast_with_detail(sea_file)
+    for frame in (1, 30):
+        scene.frame_set(frame)
+        wanted = open_bands(sea_file, (frame - 1) / 24).bands
+        for one, band in zip(shown_by(ob), wanted, strict=True):
+            assert np.array_equal(one, band.slope)
+    ob.libocean.use_detail = False
+    assert nodes_of(ob)[0] is None and blocks() == 0
+
+
+def test_over_a_bed_it_ends_with_the_water(studio, tmp_path, sea_file):
+    """And the roughness gets what a map lacks of the sea's slopes less what is seen, all of it
+    times the share of the depth."""
+    ob = coast_with_detail(sea_file)
+    found = open_bands(sea_file, 0.0)
+    said = sum(as_read(band) for band in found.bands)
+    lost = found.residual + sum(band.variance_x + band.variance_y for band in found.bands)
+    flat = above(ob, studio)
+    set_pixel_angle(ob, 0.0)
+    squares = []
+    for depth, share in ((None, 1.0), (0.25, 0.5), (4.0, 1.0), (-0.2, 0.0)):
+        if depth is not None:
+            put(flat, "depth", depth)
+        seen = taken(studio, tmp_path).astype(np.float64)
+        assert seen[..., 2].mean() == pytest.approx(share * (said - lost), rel=0.01, abs=1e-9)
+        squares.append((seen[..., :2] ** 2).sum(axis=2).mean())
+        assert squares[-1] == pytest.approx(share * squares[0], rel=1e-3)
+    assert squares[0] > 0.3 * said
+
+
 @pytest.mark.parametrize(
     "pixel", [0.0, pytest.param(0.05, marks=SLOW), 0.15, pytest.param(0.4, marks=SLOW), 2.0]
 )
@@ -287,7 +335,8 @@ def sequences(ob) -> list:
 
 
 def above(ob, scene):
-    """Returns the value that the detail gives to the water, from straight above."""
+    """Has the scene show the value that the detail gives to the water, from straight above.
+    Returns the plane that shows it."""
     ob.hide_render = True
     flat = plane(60.0, 2)
     node = nodes_of(ob)[0]
@@ -295,6 +344,7 @@ def above(ob, scene):
     shine(flat, ob.material_slots[0].material, node.outputs["Detail"])
     scene.camera.data.ortho_scale = 5.0
     scene.render.resolution_x = scene.render.resolution_y = 200
+    return flat
 
 
 @pytest.mark.slow

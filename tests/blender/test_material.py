@@ -110,7 +110,8 @@ def water(ob, water_type: str = material.DEFAULT_TYPE, **inputs):
 def put(ob, name: str, values) -> None:
     """An attribute on every point: a number, or a vector."""
     vector = np.ndim(values) > 0
-    found = ob.data.attributes.new(name, "FLOAT_VECTOR" if vector else "FLOAT", "POINT")
+    kind = "FLOAT_VECTOR" if vector else "FLOAT"
+    found = ob.data.attributes.get(name) or ob.data.attributes.new(name, kind, "POINT")
     flat = np.tile(np.atleast_1d(np.asarray(values, np.float32)), len(ob.data.vertices))
     found.data.foreach_set("vector" if vector else "value", flat)
 

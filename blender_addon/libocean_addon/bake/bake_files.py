@@ -110,7 +110,7 @@ class Expected:
         is_other = bool(found.frame) and found.frame != str(frame)
         if field is not None:
             is_other |= bool(found.field) and found.field != field
-            if self.region is not None:
+            if self.region is not None and field not in exr_files.DETAIL:
                 is_other |= found.size != self.region
             elif self.resolution is not None:
                 is_other |= found.size != exr_files.shape(field, self.resolution)

@@ -119,13 +119,44 @@ class FieldsJob(Job):
     fields: list[str]
     package: object
     """The Python package OpenEXR."""
+    use_detail: bool
+    """True if fields of slope tiles are added when the first frame is known."""
 
     first_sea: str = ""
     """The resolved sea file of the first frame."""
+    slope_variance: float = 0.0
+    """The variance of the slopes that the first frame's map leaves out."""
+    bands: list[detail_tiles.Band] = dataclasses.field(default_factory=list)
+    """The bands of the first frame's slope tiles."""
+
+    def _begin(self, sea, resolved: str, frame: Frame) -> None:
+        """Keeps the values of the first frame."""
+        self.first_sea = resolved
+        if self.use_detail:
+            found = self._detail(sea, frame.time)
+            self.slope_variance = detail_tiles.lost_slopes(found)
+            self.bands = [detail_tiles.band_of(band) for band in found.bands]
+            self.fields = [*self.fields, *exr_files.DETAIL[: len(found.bands)]]
+
+    def _detail(self, sea, time: float):
+        """Returns the libocean.Detail beside the maps."""
+        raise NotImplementedError
+
+    def _tiles(self, bands) -> dict[str, np.ndarray]:
+        """Returns slopes along the sea's own x and y, whatever the axes of vectors."""
+        first, these = (
+            [(band.tile, band.longest_wave, band.shortest_wave) for band in found]
+            for found in (self.bands, bands)
+        )
+        if these != first:
+            raise OtherTilesError
+        nothing = np.zeros((detail_tiles.SAMPLES, detail_tiles.SAMPLES, 1), np.float32)
+        slopes = [np.concatenate([band.slope, nothing], axis=2) for band in bands]
+        return dict(zip(exr_files.DETAIL, slopes, strict=False))
 
     def _write_missing(self, provenance, make) -> bool:
         """Writes the files of a frame that are missing. make(fields): returns the maps of these
-        fields by their names, and the provenance to write. Returns as _bake()."""
+        fields by their names, all but slope tiles. Returns as _bake()."""
         paths = {
             field: exr_files.path(self.folder, self.stem, field, provenance.frame)
             for field in self.fields
@@ -136,7 +167,11 @@ class FieldsJob(Job):
             if self.overwrite or not exr_files.is_there(path, provenance, field)
         ]
         if missing and not self.stop.is_set():
-            maps, provenance = make(missing)
+            maps = make([field for field in missing if field not in exr_files.DETAIL])
+            if any(field in exr_files.DETAIL for field in missing):
+                detail = self._detail(provenance.sea, provenance.time)
+                maps |= self._tiles(detail.bands)
+                provenance = dataclasses.replace(provenance, detail=detail)
             self.written += 1
             for field in missing:
                 if self.stop.is_set():
@@ -147,47 +182,26 @@ class FieldsJob(Job):
 
 @dataclasses.dataclass(kw_only=True)
 class MapJob(FieldsJob):
-    """Frames that become maps as EXR files. The fields of slope tiles are added when the first
-    frame is known."""
+    """Frames that become maps as EXR files."""
 
-    use_detail: bool
     resolution: int
 
-    slope_variance: float = 0.0
-    """The variance of the slopes that the first frame's map leaves out."""
     cover_power: float = 1.0
     """The exponent that turns the first frame's foam into its cover."""
-    bands: list[detail_tiles.Band] = dataclasses.field(default_factory=list)
-    """The bands of the first frame's slope tiles."""
 
     def _begin(self, sea, resolved: str, frame: Frame) -> None:
-        """Keeps the values of the first frame."""
-        self.first_sea = resolved
+        super()._begin(sea, resolved, frame)
         self.slope_variance = atlas.lost_slopes(sea.state, self.resolution)
         if "cover" in self.fields:
             self.cover_power = sea.cover_power(frame.time, self.resolution)
-        if self.use_detail:
-            found = self._detail(sea, frame.time).bands
-            self.bands = [detail_tiles.band_of(band) for band in found]
-            self.fields = [*self.fields, *exr_files.DETAIL[: len(found)]]
 
     def _bake(self, sea, resolved: str, frame: Frame) -> bool:
         if self.done == 0:
             self._begin(sea, resolved, frame)
         provenance = exr_files.Provenance(sea, frame.number, frame.time, self.resolution)
-
-        def make(missing: list[str]):
-            maps = self._maps(sea, frame.time, missing)
-            if not any(field in exr_files.DETAIL for field in missing):
-                return maps, provenance
-            detail = self._detail(sea, frame.time)
-            maps |= self._tiles(detail.bands)
-            return maps, dataclasses.replace(provenance, detail=detail)
-
-        return self._write_missing(provenance, make)
+        return self._write_missing(provenance, lambda fields: self._maps(sea, frame.time, fields))
 
     def _maps(self, sea, time: float, fields: list[str]) -> dict[str, np.ndarray]:
-        fields = [field for field in fields if field not in exr_files.DETAIL]
         near = [field for field in fields if not exr_files.is_far(field)]
         surface = sea.surface(time, self.resolution, near, axes=exr_files.AXES)
         maps = {field: getattr(surface, field) for field in near}
@@ -214,15 +228,3 @@ class MapJob(FieldsJob):
 
     def _detail(self, sea, time: float):
         return sea.detail(time, self.resolution, samples=detail_tiles.SAMPLES)
-
-    def _tiles(self, bands) -> dict[str, np.ndarray]:
-        """Returns slopes along the sea's own x and y, whatever the axes of vectors."""
-        first, these = (
-            [(band.tile, band.longest_wave, band.shortest_wave) for band in found]
-            for found in (self.bands, bands)
-        )
-        if these != first:
-            raise OtherTilesError
-        nothing = np.zeros((detail_tiles.SAMPLES, detail_tiles.SAMPLES, 1), np.float32)
-        slopes = [np.concatenate([band.slope, nothing], axis=2) for band in bands]
-        return dict(zip(exr_files.DETAIL, slopes, strict=False))

@@ -49,7 +49,8 @@ def size_estimate(ob, samples: tuple[int, int], frames: int) -> int:
     is_ocean = bool(node_group.modifiers(ob))
     numbers = 0
     for field in fields:
-        columns, rows = reversed(exr_files.shape(field, samples[0])) if is_ocean else samples
+        is_square = is_ocean or field in exr_files.DETAIL
+        columns, rows = reversed(exr_files.shape(field, samples[0])) if is_square else samples
         numbers += rows * columns * len(exr_files.channels(field))
     return frames * 4 * numbers
 
@@ -243,6 +244,7 @@ class Bake(Work):
             base_dir=base_dir,
             overwrite=overwrite,
             package=package,
+            use_detail=detail.is_wanted(ob.libocean),
         )
         ob.libocean.bake.begun = self.folder
 
@@ -256,8 +258,7 @@ class Bake(Work):
         self.samples = live.samples_of(ob.libocean, sea.map_resolution())
 
     def _make_job(self, ob, **settings) -> bake_job.Job:
-        use_detail = detail.is_wanted(ob.libocean)
-        return bake_job.MapJob(**settings, resolution=self.resolution, use_detail=use_detail)
+        return bake_job.MapJob(**settings, resolution=self.resolution)
 
     def _follow(self, ob) -> None:
         """Has the object show the live sea or the bake, as its settings say."""
@@ -268,9 +269,7 @@ class Bake(Work):
         job = self.job
         record.extent = ""
         record.resolution, record.period = job.resolution, self.period
-        record.samples, record.slope_variance = self.samples, job.slope_variance
-        record.cover_power = job.cover_power
-        record.bands = json.dumps(job.bands) if job.use_detail else ""
+        record.samples, record.cover_power = self.samples, job.cover_power
 
     def finish(self) -> str:
         """Has the object play its bake."""
@@ -283,6 +282,8 @@ class Bake(Work):
             record.fields = ",".join(job.fields)
             record.folder, record.stem = self.folder, self.stem
             record.first, record.last = self.range
+            record.bands = json.dumps(job.bands) if job.use_detail else ""
+            record.slope_variance = job.slope_variance
             self._note(record)
             record.frame_length = self.frame_length
             record.sea = job.first_sea

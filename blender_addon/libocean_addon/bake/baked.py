@@ -207,4 +207,5 @@ def show_detail(ob) -> None:
             sequence(ob, place, field) if os.path.exists(place.file(field, record.first)) else None
         )
 
-    detail.play(ob, bands, (record.first, record.last), load)
+    lost = record.slope_variance if record.extent else None
+    detail.play(ob, bands, (record.first, record.last), load, lost)

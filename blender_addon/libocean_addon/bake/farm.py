@@ -15,7 +15,7 @@ from pathlib import Path
 
 import bpy
 
-from ..look import detail, detail_tiles
+from ..look import detail_tiles
 from ..sea import hulls, messages, node_group
 from ..shared import changes, compat, overrides, paths, registration
 from ..shared.compat import tr
@@ -60,8 +60,7 @@ class PlannedBake(bake_plan.Bake):
         return bake_plan.with_margins(*shot) if is_blurred else shot
 
     def _make_job(self, ob, **settings) -> _PlannedJob:
-        use_detail = detail.is_wanted(ob.libocean)
-        return _PlannedJob(**settings, resolution=self.resolution, use_detail=use_detail)
+        return _PlannedJob(**settings, resolution=self.resolution)
 
     def options(self) -> list[str]:
         """Returns the words of `ocean bake` for the same files."""

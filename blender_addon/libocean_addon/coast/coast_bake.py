@@ -12,7 +12,10 @@ from __future__ import annotations
 import dataclasses
 
 from ..bake import bake_job, bake_plan, bake_record, baked, exr_files
+from ..look import detail, detail_tiles
+from ..sea import sea_text
 from ..shared import meshes, modifier_groups
+from ..shared.native import libocean
 from ..terrain.extent import Extent, ExtentError
 from . import land_nodes, node_group
 from .bed_sea import extent_of
@@ -27,15 +30,21 @@ class RegionJob(bake_job.FieldsJob):
     extent: Extent
 
     def _bake(self, sea, resolved: str, frame: bake_job.Frame) -> bool:
-        self.first_sea = self.first_sea or resolved
+        if self.done == 0:
+            self._begin(sea, resolved, frame)
         extent = self.extent
         provenance = exr_files.Provenance(sea, frame.number, frame.time, 0, extent)
 
         def make(missing: list[str]):
             where = (extent.origin, extent.samples, extent.cell)
-            return sea.region(frame.time, *where, missing, axes=exr_files.AXES), provenance
+            return sea.region(frame.time, *where, missing, axes=exr_files.AXES)
 
         return self._write_missing(provenance, make)
+
+    def _detail(self, sea, time: float):
+        text = sea_text.read(sea).without_bed().text()
+        with libocean.parse(text, base_dir=self.base_dir) as open_sea:
+            return open_sea.detail(time, samples=detail_tiles.SAMPLES)
 
 
 class CoastBake(bake_plan.Bake):
@@ -61,7 +70,6 @@ class CoastBake(bake_plan.Bake):
 
     def _note(self, record) -> None:
         record.extent = bake_record.extent_words(self.extent)
-        record.bands = ""
 
 
 # Playing ------------------------------------------------------------------------
@@ -94,6 +102,7 @@ def _follow_water(ob, is_playing: bool) -> None:
     for modifier in node_group.modifiers(ob):
         if modifier_groups.is_baked(modifier.node_group) != is_playing:
             _change(modifier, node_group.get(baked=is_playing))
+            detail.clear(ob)
         if is_playing:
             record = ob.libocean.bake
             files = [file for name in CHANNELS if name != WETNESS for file in FILES[name]]

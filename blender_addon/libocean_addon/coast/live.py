@@ -10,6 +10,7 @@ shared/life.py calls it by the row in subject.py.
 
 from __future__ import annotations
 
+from ..look import detail
 from ..sea import live as sea_live
 from ..shared import console, drafts, meshes, modifier_groups
 from ..shared.subject import Moment, Picture, Shown
@@ -83,6 +84,15 @@ class CoastPicture(Picture):
         _wet_land(self.ob, self.opened, WETNESS in self.view.fields)
         inputs = node_group.water_inputs(self.ob, self.extent, self.fields)
         modifier_groups.assign(self.modifier, inputs)
+        if not draft:
+            self._show_detail()
+
+    def _show_detail(self) -> None:
+        coast, settings = self.opened, self.seen.libocean
+        if detail.waters_with(self.ob, settings):
+            coast.open_sea.follow(coast.values.without_bed())
+        with console.work(self.ob.name_full, "near detail"):
+            detail.follow(self.ob, coast.open_sea, settings, self.view.time, None, over_bed=True)
 
 
 def _wet_land(ob, coast: OpenCoast, is_wet: bool) -> None:

@@ -14,6 +14,7 @@ import time
 
 from ..sea import messages
 from ..sea.clock import Clock
+from ..sea.open_sea import OpenSea
 from ..sea.sea_text import SeaValues
 from ..shared import drafts, paths
 from ..shared.open_subject import OpenByObject, ShownImages
@@ -40,6 +41,8 @@ class OpenCoast(ShownImages):
         super().__init__()
         self.values: SeaValues | None = None
         """The values to show, which the handle takes when it is free."""
+        self.open_sea = OpenSea()
+        """The sea without its bed, for what a coast shows of it; it follows when that is shown."""
         self._held = BedSea()
         self._clock = Clock()
         self._base_dir: str | None = None
@@ -261,7 +264,12 @@ class OpenCoast(ShownImages):
             self._note(job.view, job.extent, job.seconds, job.is_plain)
         return True
 
+    def forget_images(self) -> None:
+        super().forget_images()
+        self.open_sea.forget_images()
+
     def close(self) -> None:
+        self.open_sea.close()
         held, self._held = self._held, BedSea()
         if not self.is_busy():
             held.close()  # otherwise its job closes it

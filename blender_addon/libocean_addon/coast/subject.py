@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from ..bake import baked
 from ..sea.subject import PARAMETERS
 from ..shared.compat import tr
 from ..shared.subject import Subject
@@ -24,6 +25,7 @@ COAST = Subject(
     has_water=True,
     float_pose=floats.float_pose,
     bake=coast_bake.CoastBake,
+    show_played=lambda shown: baked.show_detail(shown.ob),
     before_change=live.before_change,
     parts=lambda ob: [ob, ob.libocean_coast.land, ob.libocean_coast.far_water],
 )

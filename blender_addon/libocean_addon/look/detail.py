@@ -6,6 +6,9 @@
     -> an image for each band -> group `Ocean Detail`:
     label, footprint of a pixel -> slopes, and their mean square -> Ocean Water: normal, roughness
 
+Over a bed they end with the water, and the mean square lacks that of all waves that the map of the
+sea lacks, since no attribute of a coast has it.
+
 The formulas are those of shaders/wave/slope_tiles.glsl and copies.glsl, but for the hash that moves
 the copies about: nodes have no whole numbers of 32 bits, and White Noise takes its place.
 """
@@ -19,13 +22,15 @@ import bpy
 from ..shared import compat, images
 from ..shared.shader_builder import Tree
 from . import foam_nodes, pixel_angle, water_shader
-from .detail_tiles import SAMPLES, Band, band_of
+from .detail_tiles import SAMPLES, Band, band_of, lost_slopes
 
 GROUP = "Ocean Detail"
 MARK = "libocean_detail"  # custom property of a group and of images: the object whose sea it is
 _MADE_OF = "libocean_bands"  # custom property of a group: of which tiles
 SOCKET = "Detail"
 _EDGES = 2.0  # slope_tile_triangles
+_SHALLOW = 0.5
+"""[m] The depth below which these waves end, as shaders/preview/water_at.glsl has it."""
 
 # The formulas -------------------------------------------------------------------
 
@@ -92,7 +97,8 @@ def _band(t: Tree, place, footprint, band: Band, image, frames: tuple[int, int] 
     """Slopes that a band shows, and their mean square."""
     x, y, _ = t.parts(t.scale(place, 1.0 / band.tile))
     slope = (0.0, 0.0, 0.0)
-    for where, weight in copies(t, x, y):
+    found = t.nested("detail copies", lambda t, *at: sum(copies(t, *at), ()), x, y)
+    for where, weight in zip(found[::2], found[1::2], strict=True):
         read = t.node("ShaderNodeTexImage", image=image, interpolation="Linear")
         if frames is not None:
             _play(read.image_user, frames)
@@ -102,6 +108,16 @@ def _band(t: Tree, place, footprint, band: Band, image, frames: tuple[int, int] 
     shown = fade(t, footprint, band.shortest_wave, band.longest_wave)
     share = t.number("MULTIPLY", shown, shown)
     return t.scale(slope, shown), t.number("MULTIPLY", share, band.mean_square)
+
+
+def _end_in_shallows(t: Tree, slope, variance, lost: float):
+    """Returns slopes over a bed, and their mean square less that of all waves that its map lacks. A
+    depth of 0 is none: far water has no such attribute."""
+    depth = t.node("ShaderNodeAttribute", attribute_name="depth").outputs["Fac"]
+    is_open = t.number("LESS_THAN", t.number("ABSOLUTE", depth), 1e-5)
+    share = t.number("MAXIMUM", t.eased(0.0, _SHALLOW, depth), is_open)
+    rest = t.number("MULTIPLY", t.number("SUBTRACT", variance, lost), share)
+    return t.scale(slope, t.number("SQRT", share)), rest
 
 
 # The group of a sea -------------------------------------------------------------
@@ -134,6 +150,17 @@ def _read_by(group) -> set:
     return {node.image for node in group.nodes if node.type == "TEX_IMAGE"} - {None}
 
 
+def _empty(group) -> set:
+    """Removes all nodes of a group. Returns the images that it had."""
+    before = _read_by(group)
+    inner = {node.node_tree for node in group.nodes if node.type == "GROUP"}
+    group.nodes.clear()
+    for tree in inner:
+        if tree.users == 0:
+            bpy.data.node_groups.remove(tree)
+    return before
+
+
 def _is_made_of(group, made_of: str, shown) -> bool:
     return group.get(_MADE_OF) == made_of and _read_by(group) == set(shown)
 
@@ -145,12 +172,17 @@ def _remove_unused_sequences(found) -> None:
 
 
 def _build(
-    group, made_of: str, bands: list[Band], shown, frames: tuple[int, int] | None = None
+    group,
+    made_of: str,
+    bands: list[Band],
+    shown,
+    frames: tuple[int, int] | None = None,
+    *,
+    lost: float | None,
 ) -> None:
     """Makes the group anew. shown: the images of the bands; frames: the frames that have files,
-    where images are sequences."""
-    before = _read_by(group)
-    group.nodes.clear()
+    where images are sequences; lost: over a bed the mean square slope that the map lacks."""
+    before = _empty(group)
     t = Tree(group)
     inputs = t.node("NodeGroupInput").outputs
     place = water_shader.place(t)
@@ -159,6 +191,8 @@ def _build(
     for band, image in zip(bands, shown, strict=True):
         more, its_variance = _band(t, place, footprint, band, image, frames)
         slope, variance = t.math("ADD", more, slope), t.number("ADD", its_variance, variance)
+    if lost is not None:
+        slope, variance = _end_in_shallows(t, slope, variance, lost)
     result = t.math("MULTIPLY_ADD", slope, (1.0, 1.0, 0.0), t.vector(0.0, 0.0, variance))
     t.link(result, t.node("NodeGroupOutput").inputs[SOCKET])
     t.arrange(rows=5)
@@ -214,9 +248,7 @@ def _attach(waters, group) -> None:
 def clear(ob) -> None:
     """Empties the object's group: files of the same names may be others now."""
     for group in _owned(bpy.data.node_groups, ob.name_full):
-        before = _read_by(group)
-        group.nodes.clear()
-        _remove_unused_sequences(before)
+        _remove_unused_sequences(_empty(group))
 
 
 def leave(owner: str) -> None:
@@ -227,7 +259,7 @@ def leave(owner: str) -> None:
             for node in list(tree.nodes) if tree else ():
                 if node.type == "GROUP" and node.node_tree == group:
                     tree.nodes.remove(node)
-        played = _read_by(group)
+        played = _empty(group)
         bpy.data.node_groups.remove(group)
         _remove_unused_sequences(played)
     for image in _owned(bpy.data.images, owner):
@@ -251,30 +283,40 @@ def is_wanted(settings) -> bool:
     return settings.use_detail and settings.use_foam and settings.use_normal
 
 
+def waters_with(ob, settings) -> list[tuple]:
+    """Returns the waters of an object's materials that show near detail, as _waters()."""
+    return _waters(ob) if is_wanted(settings) and ob.library is None else []
+
+
 def play(
-    ob, bands: list[Band], frames: tuple[int, int], load: Callable[[int], bpy.types.Image | None]
+    ob,
+    bands: list[Band],
+    frames: tuple[int, int],
+    load: Callable[[int], bpy.types.Image | None],
+    lost: float | None = None,
 ) -> None:
     """Shows the tiles of a bake. frames: the first and the last that have files; load: gives the
-    image sequence of a band by its number, or None where there are no files."""
+    image sequence of a band by its number, or None where there are no files; lost: as of
+    _build()."""
     waters = _waters(ob) if bands and ob.library is None else []
     shown = [load(number) for number in range(len(bands))] if waters else []
     if not shown or None in shown:
         leave(ob.name_full)
         _remove_unused_sequences(set(shown) - {None})
         return
-    group, made_of = _group(ob.name_full), repr((bands, frames))
+    group, made_of = _group(ob.name_full), repr((bands, frames, lost))
     if not _is_made_of(group, made_of, shown):
-        _build(group, made_of, bands, shown, frames)
+        _build(group, made_of, bands, shown, frames, lost=lost)
         for image in _owned(bpy.data.images, ob.name_full):  # of the live sea
             bpy.data.images.remove(image)
     _attach(waters, group)
 
 
-def follow(one, settings, at: float, size: int) -> None:
-    """Brings the slopes of a time [s] up to date. one: the object as it was looked up; size: of the
-    shown maps, in samples per side."""
-    ob, sea = one.ob, one.opened
-    waters = _waters(ob) if is_wanted(settings) and ob.library is None else []
+def follow(ob, sea, settings, at: float, size: int | None, *, over_bed: bool = False) -> None:
+    """Brings the slopes of a time [s] up to date. sea: the OpenSea of the object; size: of the
+    shown maps, in samples per side, None: the sea's own; over_bed: the object is the water of a
+    coast."""
+    waters = waters_with(ob, settings)
     if not waters:
         leave(ob.name_full)
         return
@@ -297,7 +339,8 @@ def follow(one, settings, at: float, size: int) -> None:
     for image in {*owned, *shown}:
         sea.shown[image.name_full] = state
     # The group is built once for these waves: mean_square, which is the frame's, is left out.
-    made_of = repr([tuple(band)[1:7] for band in found.bands])
+    lost = lost_slopes(found) if over_bed else None
+    made_of = repr(([tuple(band)[1:7] for band in found.bands], lost))
     if not _is_made_of(group, made_of, shown):
-        _build(group, made_of, [band_of(band) for band in found.bands], shown)
+        _build(group, made_of, [band_of(band) for band in found.bands], shown, lost=lost)
     _attach(waters, group)

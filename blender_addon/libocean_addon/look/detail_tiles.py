@@ -25,6 +25,11 @@ class Band(NamedTuple):
     """The mean square of the slopes, as a bilinear reader finds them."""
 
 
+def lost_slopes(found) -> float:
+    """Returns the mean square slope of all waves that the map beside a libocean.Detail lacks."""
+    return found.residual + sum(band.variance_x + band.variance_y for band in found.bands)
+
+
 def band_of(found) -> Band:
     """Returns the band of a libocean.DetailBand."""
     return Band(found.tile, found.longest_wave, found.shortest_wave, found.mean_square)

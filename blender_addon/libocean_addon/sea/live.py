@@ -173,7 +173,7 @@ class SeaPicture(Picture):
         _set_inputs(self, draft=draft)
         if not draft:
             with console.work(self.ob.name_full, "near detail"):
-                detail.follow(self.shown, self.settings, self.time, self.size)
+                detail.follow(self.ob, self.opened, self.settings, self.time, self.size)
             sun_focus.follow(self.shown, self.time)
             state = self.opened.read_state()
             lost = [atlas.lost_slopes(state, samples) for samples in self.sizes]

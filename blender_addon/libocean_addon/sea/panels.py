@@ -177,7 +177,7 @@ def _draw_hints(layout, ob, seen) -> None:
 
 def draw_sea(layout, ob) -> None:
     """Draws what an artist changes first: wind and height of the active wave system, the amount of
-    foam, the shape of crests, the seed."""
+    foam, the shape of crests, the seed, near detail."""
     settings = ob.libocean
     if len(settings.waves) > 1:
         draw_waves(layout, settings)
@@ -187,6 +187,9 @@ def draw_sea(layout, ob) -> None:
         amount = water.inputs["Foam Amount"]
         layout.prop(amount, "default_value", text="Foam amount", text_ctxt=translations.SEA)
     _draw_parameters(layout, settings, SEA)
+    column = layout.column()
+    column.active = settings.use_foam and settings.use_normal
+    column.prop(settings, "use_detail")
 
 
 def draw_spectrum(layout, settings) -> None:
@@ -215,11 +218,7 @@ class WavesPanel(_Panel, bpy.types.Panel):
 
     @never_raises
     def draw(self, context) -> None:
-        layout, ob = self.layout, context.object
-        draw_sea(layout, ob)
-        column = layout.column()
-        column.active = ob.libocean.use_foam and ob.libocean.use_normal
-        column.prop(ob.libocean, "use_detail")
+        draw_sea(self.layout, context.object)
 
 
 class SpectrumPanel(_Panel, bpy.types.Panel):

@@ -52,6 +52,10 @@ class SeaValues:
             named.update({f"waves.{number}.{key}": text for key, text in system.values.items()})
         return named
 
+    def without_bed(self) -> SeaValues:
+        """Returns the values of the open sea that runs onto a coast."""
+        return dataclasses.replace(self, bed="", values={**self.values, "seabed": ""})
+
     def without_hulls(self) -> SeaValues:
         return dataclasses.replace(self, hulls={})
 
