@@ -7,7 +7,7 @@ compiled (C also linked and run), `toml` of a whole file read by `ocean info`. T
 a block change that:
     <!-- not run: REASON -->    the block is left out; the reason is counted and printed
     <!-- before: COMMAND -->    the command makes what a reader of the page has
-Of `--frames 1-N` only the first two frames are computed.
+Of `--frames 1-N` only the first frame is computed.
 """
 
 import importlib.machinery
@@ -54,7 +54,7 @@ def run(command: list, folder: Path, **options) -> str:
 
 
 def run_shell(code: str, folder: Path) -> None:
-    short = re.sub(r"--frames 1-\d+", "--frames 1-2", code)
+    short = re.sub(r"--frames 1-\d+", "--frames 1", code)
     run(["bash", "-euo", "pipefail", "-c", short], folder)
 
 

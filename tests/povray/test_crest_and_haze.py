@@ -144,7 +144,7 @@ Tell(Ocean_Squeezed_(P.x, P.z))
     assert found < 0.3 * without
 
 
-def picture(folder, declared, size=(160, 90), angle=60, down=2.0):
+def picture(folder, declared, size=(96, 54), angle=60, down=2.0):
     return folder.seen(
         f"""#declare Eye = <0, 3, 0>;
 #declare Target = Eye + <10, -{down}, 0>;

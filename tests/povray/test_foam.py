@@ -104,7 +104,7 @@ def test_the_net_is_white_on_the_share_that_is_covered(choppy, cover, streaks, c
         f"Ocean_Foam_Of_(x, z, 0, {cells}, 0)",
         132.0,
         198.0,
-        pixels=1000 if cover < 0.1 else 500,
+        pixels=1000 if cover < 0.1 else 250 if cells == 3.0 else 400,
     )
     expected = numpy.sqrt(variance_of(cover, cells))
     print(
@@ -137,7 +137,7 @@ def test_a_pixel_reads_the_texture_as_it_is(choppy):
 def test_far_foam_is_as_much_as_near_foam(rough):
     """The net by label against coarser maps, and copies of them, of a period each."""
     truth = float(surface(rough, 256).cover.mean())
-    near, _ = rendered_mean(rough, LACE, "Ocean_Foam_Of_(x, z, 0, 0, 0)", WIDE, WIDE, pixels=700)
+    near, _ = rendered_mean(rough, LACE, "Ocean_Foam_Of_(x, z, 0, 0, 0)", WIDE, WIDE, pixels=500)
     assert truth > 0.02
     means = {"near": near}
     for level, share, apart, periods in ((0, 0, 0, 1), (1, 0.5, 0, 1), (2, 0, 0, 1), (1, 0, 1, 40)):
@@ -148,7 +148,7 @@ def test_far_foam_is_as_much_as_near_foam(rough):
             f"Ocean_Seen_Cover_(x/{WIDE} + 5, z/{WIDE} + 5, {share}, {apart})",
             side,
             side,
-            pixels=300,
+            pixels=200,
         )
     print(f"\ncover {truth:.5f}: { {name: f'{mean / truth:.4f}' for name, mean in means.items()} }")
     for name, mean in means.items():
@@ -231,13 +231,13 @@ mesh2 {{
     )[..., 0]
 
 
-@pytest.mark.parametrize("cover", [0.05, 0.3, 0.7])
+@pytest.mark.parametrize("cover", [0.05, 0.7])
 def test_the_material_sends_as_much_light_near_and_far(choppy, cover):
     """By pixels that show the net, by some that blur it, and by some that hold it all. The
     net takes many pixels, which ripples make twelve times as slow: a few show that they change no
     light of foam."""
     means = {}
-    many = 600 if cover < 0.1 else 300
+    many = 400 if cover < 0.1 else 200
     for pixel, pixels, ripples in ((1e-6, many, False), (0.002, 150, True), (10.0, 100, True)):
         picture = light_of_foam(choppy, cover, pixel, pixels, ripples)
         means[pixel] = picture.mean()

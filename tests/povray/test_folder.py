@@ -80,7 +80,7 @@ def test_a_mesh_of_one_camera_takes_the_materials_of_the_macros(tmp_path):
     of both files live side by side, in either order, and it parses in less than half the time."""
     folder = Folder(tmp_path, sea_text(resolution=256, period=345.0, wind=12.3))
     command = "bake sea.toml -o view_####.inc --frames 1 --eye 0,0,8"
-    assert ocean(tmp_path, command + " --mesh-columns 400 --mesh-rows 260").returncode == 0
+    assert ocean(tmp_path, command + " --mesh-columns 240 --mesh-rows 156").returncode == 0
     mesh = """Ocean_Load("sea_0001")
 camera { location Ocean_Eye right x*image_width/image_height angle Ocean_View_Angle
          look_at Ocean_Eye + Ocean_Forward - 0.2*y }
@@ -88,8 +88,8 @@ Ocean_Eye_At(Ocean_Eye, Ocean_View_Angle)
 Ocean_Sun(30, 20)
 Ocean_Sky(0.2)
 object { Ocean_Surface Ocean_Material("jerlov_ii") }"""
-    few_rows = ["+SR150", "+ER157"]
-    arguments = {"width": 480, "height": 270}
+    few_rows = ["+SR90", "+ER97"]
+    arguments = {"width": 288, "height": 162}
     for scene in (
         '#version 3.7;\n#include "ocean.inc"\n#include "view_0001.inc"\n',
         '#version 3.7;\n#include "view_0001.inc"\n#include "ocean.inc"\n',

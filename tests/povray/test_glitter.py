@@ -104,7 +104,7 @@ Ocean_Eye_At(<{-1000 * numpy.cos(e)}, {1000 * numpy.sin(e)}, 0>, 1)
 camera {{ location Ocean_Eye_ right 0.03*x up 0.03*y look_at 0 }}
 {flat_sheet(0.0, 0.0)}
 {tell("Ocean_Detail_Left_(0, 0, 0)")}""",
-        *("+A0.01", "+AM1", "+R2"), width=60, height=60,
+        *("+A0.01", "+AM1", "+R2"), width=36, height=36,
     )  # fmt: skip
     light = read_png(folder.path / "out.png").mean(2) / FAINT
     return floats_of(log)[0], light.mean(), light.std() / light.mean()

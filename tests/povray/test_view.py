@@ -259,10 +259,10 @@ def test_the_far_sea_holds_still_when_the_camera_moves_a_tenth_of_a_pixel(tmp_pa
     folder = Folder(tmp_path, sea_text(resolution=256, period=200.0, wind=9.0))
     width, height = 320, 180
     pixel = 2 * numpy.tan(numpy.radians(25)) / width
-    # The far third of what lies below the horizon, and of it the middle half: nothing else is
+    # The far third of what lies below the horizon, and of it the middle eighth: nothing else is
     # rendered. Rows count from the bottom here, POV-Ray's from 1 at the top.
     sea = int(0.62 * height)
-    far, middle = slice(2 * sea // 3, sea), slice(width // 4, 3 * width // 4)
+    far, middle = slice(2 * sea // 3, sea), slice(7 * width // 16, 9 * width // 16)
     part = [f"+SR{height - far.stop + 1}", f"+ER{height - far.start}"]
     part += [f"+SC{middle.start + 1}", f"+EC{middle.stop}"]
     pictures = []
