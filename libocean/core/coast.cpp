@@ -44,9 +44,9 @@ CoastSea Coast::sea_at(double time) {
     return {parameters(), spectrum, open().spectrum_revision(), open().modes(time), shown()};
 }
 
-ShoreSurface& Coast::surface(double time, ShoreSurface::Rates rates) {
-    return chain_.surface(sea_at(time), time, rates, open().pool(),
-                          open().options().build_progress);
+ShoreSurface& Coast::surface(double time, ShoreSurface::Rates rates, const SignalCells* cells) {
+    return chain_.surface(sea_at(time), time, rates, open().pool(), open().options().build_progress,
+                          cells);
 }
 
 CoastChain::Exact Coast::exact(double time) {
@@ -58,9 +58,11 @@ void Coast::prepare() {
 }
 
 FoamLayer Coast::surf_layer(SurfTrace trace, double time, SurfReader& reader, FoamState& state) {
-    const auto surface_at = [this](double t) -> const ShoreSurface& {
+    // The whole surface is needed at the time itself.
+    const auto surface_at = [this, time](double t,
+                                         const SignalCells* cells) -> const ShoreSurface& {
         ++open().stage_runs().foam_ticks;
-        return surface(t, ShoreSurface::Rates::without);
+        return surface(t, ShoreSurface::Rates::without, t == time ? nullptr : cells);
     };
     const double lifetime =
         trace == SurfTrace::foam ? parameters().water.shore.surf_foam_lifetime : kDryingTime;

@@ -45,8 +45,10 @@ class Coast final : public PlacedSea {
   private:
     const SeaBed& bed() const { return *parameters().water.bed; }
     CoastSea sea_at(double time);
-    /// Returns the surface over the bed at a time. Valid until the next call.
-    ShoreSurface& surface(double time, ShoreSurface::Rates rates);
+    /// Returns the surface over the bed at a time. Valid until the next call. cells: see
+    /// ShoreSurface::move_to.
+    ShoreSurface& surface(double time, ShoreSurface::Rates rates,
+                          const SignalCells* cells = nullptr);
     CoastChain::Exact exact(double time);
     std::string_view name() const override { return "a sea over a bed"; }
     ChannelSet masks() const override { return kMasksOverBed; }

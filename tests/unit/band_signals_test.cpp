@@ -215,6 +215,30 @@ TEST(BandSignals, AMoveMakesRatesOnlyOnRequest) {
     EXPECT_EQ(Jets(values, 0, at, true).im_t, Jets(both, 0, at, true).im_t);
 }
 
+// A move for the reads of some places has their bits, across the border of the period too, and
+// leaves the rest alone.
+TEST(BandSignals, AMoveForSomeReadsHasTheirBits) {
+    const DividedSea sea(test::wind_sea(64, 300.0));
+    BandSignals whole(sea.modes, sea.bands);
+    BandSignals part = whole;
+    whole.move_to(9.0, test::pool());
+    part.move_to(2.0, test::pool());
+    const Places read(40, -15.0, 15.0), beside(40, 140.0, 160.0);
+    SignalCells cells = part.no_cells();
+    for (std::size_t pair = 0; pair < part.count(); ++pair) {
+        part.add_cells(pair, read.size(), read.x.data(), read.y.data(), cells);
+    }
+    part.move_to(9.0, test::pool(), false, &cells);
+    EXPECT_FALSE(part.is_whole());
+    for (std::size_t pair = 0; pair < part.count(); ++pair) {
+        EXPECT_EQ(Jets(part, pair, read).re_x, Jets(whole, pair, read).re_x) << pair;
+        EXPECT_NE(Jets(part, pair, beside).re, Jets(whole, pair, beside).re) << pair;
+    }
+    part.move_to(9.0, test::pool(), false);
+    EXPECT_TRUE(part.is_whole());
+    EXPECT_EQ(Jets(part, 0, beside).re, Jets(whole, 0, beside).re);
+}
+
 // A flat sea has no signals, and its modes remain.
 TEST(BandSignals, AFlatSeaHasNone) {
     Parameters parameters = test::wind_sea(32, 100.0, {.height = 0.0});

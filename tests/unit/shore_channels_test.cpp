@@ -63,6 +63,16 @@ TEST(ShoreChannels, FoamAndWetGroundShareTheReadsOfATime) {
     EXPECT_TRUE(std::ranges::equal(alone.channel(wet), followed.channel(wet)));
 }
 
+TEST(ShoreChannels, ATimeOfFoamAtPointsIsNoWholeSurface) {
+    const Domain beach{{700.0, 100.0}, {120.0, 60.0}, {31, 16}, false};
+    const WorldPoint point{770.0, 110.0};
+    QuerySample sample;
+    Ocean ocean(beach_sea());
+    ocean.query(4.1, {&point, 1}, {&sample, 1});  // the last tick is at 4 s
+    EXPECT_TRUE(test::same_bits(ocean.region(4.0, beach, Channel::height),
+                                Ocean(beach_sea()).region(4.0, beach, Channel::height)));
+}
+
 TEST(ShoreChannels, ARegionGoesIntoInterleavedPaddedBuffersWithFactors) {
     const Domain domain{{600.0, 100.0}, {600.0, 40.0}, {301, 21}, false};  // rows of two pieces
     const ChannelSet channels = {Channel::height, Channel::nx, Channel::jacobian};

@@ -74,23 +74,25 @@ void BandSignals::prepare(BandSector& pair, std::array<int, 2> side) const {
     }
 }
 
-void BandSignals::move_to(double time, ThreadPool& pool, bool rates) {
+void BandSignals::move_to(double time, ThreadPool& pool, bool rates, const SignalCells* cells) {
     const double tau = clock_.tau(time);
     has_rates_ = rates_ && rates;
+    is_whole_ = cells == nullptr;
     const std::size_t parts = rates_ && !rates ? 2 : 1;
-    std::vector<Work> work(static_cast<std::size_t>(pool.size()));
+    work_.resize(static_cast<std::size_t>(pool.size()));
     pool.for_each_item(static_cast<int>(row_batches_.size() / parts), [&](int item, int thread) {
-        transform_rows(row_batches_[static_cast<std::size_t>(item)], tau,
-                       work[static_cast<std::size_t>(thread)]);
+        transform_rows(row_batches_[static_cast<std::size_t>(item)], tau, cells,
+                       work_[static_cast<std::size_t>(thread)]);
     });
     pool.for_each_item(static_cast<int>(column_batches_.size() / parts), [&](int item, int thread) {
-        transform_columns(column_batches_[static_cast<std::size_t>(item)],
-                          work[static_cast<std::size_t>(thread)]);
+        transform_columns(column_batches_[static_cast<std::size_t>(item)], cells,
+                          work_[static_cast<std::size_t>(thread)]);
     });
 }
 
 /// Propagates the modes of kFftBatch rows, transforms them along x and stores them row by row.
-void BandSignals::transform_rows(const Batch& batch, double tau, Work& work) {
+void BandSignals::transform_rows(const Batch& batch, double tau, const SignalCells* cells,
+                                 Work& work) {
     BandSector& pair = band_sectors_[batch.pair];
     const BandLattice& lattice = pair.lattice;
     const auto first = static_cast<std::size_t>(batch.first);
@@ -113,37 +115,89 @@ void BandSignals::transform_rows(const Batch& batch, double tau, Work& work) {
     }
     const auto width = static_cast<std::size_t>(pair.side[0]);
     if (work.samples.size() < width) work.samples.resize(width);
-    pair.fft[0].transform(work.spectrum.data(), 1, {.work = work.samples.data()});
-    for (std::size_t row = first; row < last; ++row) {
-        BatchRow* const to = pair.rows[batch.map].data() + row * (width / kBatch);
-        for (std::size_t x = 0; x < width; ++x) {
-            to[x / kBatch].re[x % kBatch] = work.samples[x].re[row - first];
-            to[x / kBatch].im[x % kBatch] = work.samples[x].im[row - first];
+    const std::uint8_t* const needed =
+        cells == nullptr ? nullptr : cells->pairs[batch.pair].columns.data();
+    pair.fft[0].transform(work.spectrum.data(), 1, {.work = work.samples.data(), .needed = needed});
+    for (std::size_t x = 0; x < width; x += kBatch) {
+        if (needed != nullptr && needed[x] == 0) continue;
+        for (std::size_t row = first; row < last; ++row) {
+            BatchRow& to = pair.rows[batch.map][(row * width + x) / kBatch];
+            for (std::size_t i = 0; i < kBatch; ++i) {
+                to.re[i] = work.samples[x + i].re[row - first];
+                to.im[i] = work.samples[x + i].im[row - first];
+            }
         }
     }
 }
 
 /// Transforms kFftBatch columns along y and stores them as coefficients.
-void BandSignals::transform_columns(const Batch& batch, Work& work) {
+void BandSignals::transform_columns(const Batch& batch, const SignalCells* cells, Work& work) {
     BandSector& pair = band_sectors_[batch.pair];
     SplineRows& map = pair.map[batch.map];
     const auto width = static_cast<std::size_t>(pair.side[0]);
     const auto height = static_cast<std::size_t>(pair.side[1]);
     const auto first = static_cast<std::size_t>(batch.first);
+    const std::uint8_t* needed = nullptr;
+    if (cells != nullptr) {
+        const SignalCells::Pair& of = cells->pairs[batch.pair];
+        if (of.columns[first] == 0) return;
+        needed = of.rows.data() + first / kBatch * height;
+    }
     if (work.samples.size() < height) work.samples.resize(height);
     float* const coefficients = map.values.data();
     pair.fft[1].transform(pair.rows[batch.map].data() + first / kBatch, width / kBatch,
                           {.work = work.samples.data(),
+                           .needed = needed,
                            .numbers = coefficients + 2 * (kColumnsBefore + first),
                            .pitch = map.pitch});
     const auto copy = [&](std::size_t from, std::size_t to, std::size_t count) {
         for (std::size_t y = 0; y < height; ++y) {
+            if (needed != nullptr && needed[y] == 0) continue;
             float* const row = coefficients + 2 * y * map.pitch;
             std::copy_n(row + 2 * from, 2 * count, row + 2 * to);
         }
     };
     if (first == 0) copy(kColumnsBefore, kColumnsBefore + width, kColumnsBeyond - kColumnsBefore);
     if (first + kBatch == width) copy(kColumnsBefore + width - 1, 0, kColumnsBefore);
+}
+
+SignalCells BandSignals::no_cells() const {
+    SignalCells cells;
+    for (const BandSector& pair : band_sectors_) {
+        const auto width = static_cast<std::size_t>(pair.side[0]);
+        const auto height = static_cast<std::size_t>(pair.side[1]);
+        cells.pairs.push_back(
+            {std::vector<std::uint8_t>(width), std::vector<std::uint8_t>(width / kBatch * height)});
+    }
+    return cells;
+}
+
+void BandSignals::add_cells(std::size_t index, std::size_t n, const double* x, const double* y,
+                            SignalCells& cells) const {
+    // The four columns and rows about a place, and one on each side: a place between two cells is
+    // read in either.
+    constexpr std::int64_t kBefore = 2, kBeyond = 3;
+    const BandSector& of = band_sectors_[index];
+    SignalCells::Pair& pair = cells.pairs[index];
+    const auto cell = [&](double place, std::size_t axis) {
+        return static_cast<std::int64_t>(std::floor(place * of.side[axis] / of.lattice.period));
+    };
+    const auto wrapped = [&](std::int64_t at, std::size_t axis) {
+        return static_cast<std::size_t>(at & (of.side[axis] - 1));
+    };
+    const auto height = static_cast<std::size_t>(of.side[1]);
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::int64_t column = cell(x[i], 0);
+        const std::int64_t row = cell(y[i], 1);
+        for (std::int64_t c = column - kBefore; c <= column + kBeyond; ++c) {
+            const std::size_t batch = wrapped(c, 0) / kBatch;
+            std::fill_n(pair.columns.begin() + static_cast<std::ptrdiff_t>(batch * kBatch), kBatch,
+                        std::uint8_t{1});
+            for (std::int64_t r = row - kBefore; r <= row + kBeyond; ++r) {
+                pair.rows[batch * height + wrapped(r, 1)] = 1;
+            }
+        }
+    }
 }
 
 ExactSignal BandSignals::exact(std::size_t index, double time, double x, double y) const {

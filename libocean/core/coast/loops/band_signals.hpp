@@ -36,6 +36,15 @@ struct ExactSignal {
     std::complex<double> rate;  // [m/s]
 };
 
+/// The coefficients that reads at certain places take.
+struct SignalCells {
+    struct Pair {
+        std::vector<std::uint8_t> columns;  // a flag for each column; equal in a batch of columns
+        std::vector<std::uint8_t> rows;     // of each batch of columns, a flag for each row
+    };
+    std::vector<Pair> pairs;
+};
+
 /// Copies are independent. Several threads may read one object while none moves it.
 class BandSignals {
   public:
@@ -46,8 +55,18 @@ class BandSignals {
     BandSignals(const Modes& modes, const ShoreBands& bands, double spline_tolerance = 2e-6,
                 bool rates = false);
     /// Makes the maps of a time [s]. `rates`: those of rates too, if the signals have them, which
-    /// doubles the work. The bits are the same for any number of threads.
-    void move_to(double time, ThreadPool& pool, bool rates = true);
+    /// doubles the work. The bits are the same for any number of threads. `cells`: coefficients
+    /// beside these are left as they are; nullptr: all are made.
+    void move_to(double time, ThreadPool& pool, bool rates = true,
+                 const SignalCells* cells = nullptr);
+    /// Returns whether all coefficients are those of the time.
+    bool is_whole() const { return is_whole_; }
+    /// Returns cells without a flag.
+    SignalCells no_cells() const;
+    /// Flags the coefficients that reads of pair `index` at n finite places [m] take. Other threads
+    /// may flag those of other pairs.
+    void add_cells(std::size_t index, std::size_t n, const double* x, const double* y,
+                   SignalCells& cells) const;
     /// Returns whether rates of the time may be read.
     bool has_rates() const { return has_rates_; }
     /// Returns the number of pairs: ShoreBands::waves.size().
@@ -92,16 +111,18 @@ class BandSignals {
         std::vector<BatchRow> samples;
     };
     void prepare(BandSector& pair, std::array<int, 2> side) const;
-    void transform_rows(const Batch& batch, double tau, Work& work);
-    void transform_columns(const Batch& batch, Work& work);
+    void transform_rows(const Batch& batch, double tau, const SignalCells* cells, Work& work);
+    void transform_columns(const Batch& batch, const SignalCells* cells, Work& work);
 
     Modes clock_;  // without arrays: converts time to tau
     bool rates_;
     bool has_rates_ = false;  // in the maps of the time
+    bool is_whole_ = false;
     SignalLoop loop_ = signal_loop(simd_level());
     std::vector<BandSector> band_sectors_;
     std::vector<Batch> row_batches_;  // those of the values first, as many of the rates
     std::vector<Batch> column_batches_;
+    std::vector<Work> work_;  // one for each thread
 };
 
 /// Returns the modes that are in no pair, which stay as they are in the open sea; h0 of the other

@@ -95,12 +95,13 @@ ShoreSurface& CoastChain::current_surface(const CoastSea& sea, ShoreSurface::Rat
 }
 
 ShoreSurface& CoastChain::surface(const CoastSea& sea, double time, ShoreSurface::Rates rates,
-                                  ThreadPool& pool, const BuildProgress& progress) {
+                                  ThreadPool& pool, const BuildProgress& progress,
+                                  const SignalCells* cells) {
     ShoreSurface& surface = current_surface(sea, rates, pool, progress);
     const bool lacks_rates = rates == ShoreSurface::Rates::with && !surface.has_rates();
-    if (!moved_ || surface.time() != time || lacks_rates) {
+    if (!moved_ || surface.time() != time || lacks_rates || !surface.is_whole()) {
         moved_ = false;
-        surface.move_to(time, rates, pool);
+        surface.move_to(time, rates, pool, cells);
         moved_ = true;
     }
     return surface;

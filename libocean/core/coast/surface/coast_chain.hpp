@@ -55,9 +55,11 @@ class CoastChain {
     /// without waves, and out_of_memory.
     const ShoreStatics& statics(const CoastSea& sea, ThreadPool& pool,
                                 const BuildProgress& progress);
-    /// Returns the surface at a time [s]. Valid until the next call.
+    /// Returns the surface at a time [s]. Valid until the next call. cells: see
+    /// ShoreSurface::move_to.
     ShoreSurface& surface(const CoastSea& sea, double time, ShoreSurface::Rates rates,
-                          ThreadPool& pool, const BuildProgress& progress);
+                          ThreadPool& pool, const BuildProgress& progress,
+                          const SignalCells* cells = nullptr);
     /// A surface with rates, for reads by its sums: its own time may be another.
     struct Exact {
         ShoreSurface& surface;

@@ -73,8 +73,8 @@ ShoreSums ShoreSurface::sums(const Modes& modes, const Water& water) const {
     return {WaveSum(modes, water, shown_), WaveSum(remainder_modes_, water, shown_)};
 }
 
-void ShoreSurface::move_to(double time, Rates rates, ThreadPool& pool) {
-    signals_.move_to(time, pool, rates == Rates::with);
+void ShoreSurface::move_to(double time, Rates rates, ThreadPool& pool, const SignalCells* cells) {
+    signals_.move_to(time, pool, rates == Rates::with, cells);
     time_ = time;
     open_.forget();
     remainder_.forget();

@@ -92,8 +92,13 @@ class ShoreSurface {
     ShoreSurface(const Modes& modes, const Parameters& parameters, const ShoreStatics& statics,
                  int shown, Rates rates, ThreadPool& pool);
 
-    /// Begins another time [s], with rates only on request. No thread may read meanwhile.
-    void move_to(double time, Rates rates, ThreadPool& pool);
+    /// Begins another time [s], with rates only on request. No thread may read meanwhile. `cells`:
+    /// only read_surf at the labels of these cells may follow.
+    void move_to(double time, Rates rates, ThreadPool& pool, const SignalCells* cells = nullptr);
+    /// Returns whether every read at its time is allowed.
+    bool is_whole() const { return signals_.is_whole(); }
+    /// Returns the cells that read_surf reads at labels.
+    SignalCells cells(std::span<const SurfLabels* const> labels, ThreadPool& pool) const;
     /// Returns whether rates of its time may be read.
     bool has_rates() const { return signals_.has_rates(); }
     double time() const { return time_; }
@@ -162,6 +167,11 @@ class ShoreSurface {
     void prepare(const Modes& modes, const OpenSpans& spans, ThreadPool& pool);
     /// Writes where labels lie in the maps of the coast.
     void find_places(BlockPlaces& places) const;
+    /// Takes up to kShoreBlock labels from `first` on.
+    void find_places(const SurfLabels& labels, std::size_t first, BlockPlaces& places) const;
+    /// Reads the delays of a band and sector, and writes the places to which they shift labels.
+    void shift(std::size_t waves, const BlockPlaces& places, bool slopes, QuadBlock& delay,
+               double* x, double* y) const;
     /// Adds all waves at labels that feel the bed; without `displaces`, the values of Z alone.
     void add_waves(JetParts parts, bool displaces, const ShoreSums* exact,
                    ShoalingBlock& block) const;

@@ -64,11 +64,7 @@ void ShoreSurface::add_waves(JetParts parts, bool displaces, const ShoreSums* ex
         if (waves % 4 == 0) {
             statics_.energy->amplitudes[waves / 4].read(block.places.energy, slopes, amplitudes);
         }
-        statics_.delays->waves[waves].maps->read(block.places.delays, slopes, delay);
-        for (std::size_t n = 0; n < count; ++n) {
-            place_x[n] = block.places.x[n] + static_cast<double>(delay.value[0][n]);
-            place_y[n] = block.places.y[n] + static_cast<double>(delay.value[1][n]);
-        }
+        shift(waves, block.places, slopes, delay, place_x.data(), place_y.data());
         read_signal(waves, count, place_x.data(), place_y.data(), parts, exact, signal);
         task.centre = static_cast<float>(sector_centre(of.sector));
         task.amplitude[0] = amplitudes.value[waves % 4].data();
@@ -78,6 +74,15 @@ void ShoreSurface::add_waves(JetParts parts, bool displaces, const ShoreSums* ex
         for (std::size_t p = 0; p < 3; ++p) task.displacement[p] = displacement.part[p].data();
         band_sector_loop_(task);
         if (displaces) add_left(waves, parts, exact, block);
+    }
+}
+
+void ShoreSurface::shift(std::size_t waves, const BlockPlaces& places, bool slopes,
+                         QuadBlock& delay, double* x, double* y) const {
+    statics_.delays->waves[waves].maps->read(places.delays, slopes, delay);
+    for (std::size_t n = 0; n < places.count; ++n) {
+        x[n] = places.x[n] + static_cast<double>(delay.value[0][n]);
+        y[n] = places.y[n] + static_cast<double>(delay.value[1][n]);
     }
 }
 

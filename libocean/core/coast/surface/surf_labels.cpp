@@ -93,17 +93,40 @@ std::vector<SurfLabels> find_surf(const ShoreStatics& statics, const RunUpSea& s
     return pieces;
 }
 
+void ShoreSurface::find_places(const SurfLabels& labels, std::size_t first,
+                               BlockPlaces& places) const {
+    places.count = std::min(kShoreBlock, labels.size() - first);
+    std::copy_n(labels.x.begin() + static_cast<std::ptrdiff_t>(first), places.count,
+                places.x.begin());
+    std::copy_n(labels.y.begin() + static_cast<std::ptrdiff_t>(first), places.count,
+                places.y.begin());
+    find_places(places);
+}
+
+SignalCells ShoreSurface::cells(std::span<const SurfLabels* const> labels, ThreadPool& pool) const {
+    SignalCells cells = signals_.no_cells();
+    pool.for_each_item(static_cast<int>(cells.pairs.size()), [&](int pair, int) {
+        const auto waves = static_cast<std::size_t>(pair);
+        BlockPlaces places;
+        QuadBlock delay;
+        std::array<double, kShoreBlock> x, y;
+        for (const SurfLabels* piece : labels) {
+            for (std::size_t first = 0; first < piece->size(); first += kShoreBlock) {
+                find_places(*piece, first, places);
+                shift(waves, places, false, delay, x.data(), y.data());
+                signals_.add_cells(waves, places.count, x.data(), y.data(), cells);
+            }
+        }
+    });
+    return cells;
+}
+
 void ShoreSurface::read_surf(const SurfLabels& labels, std::span<float> breaking,
                              std::span<float> depths) const {
     ShoalingBlock block;
     for (std::size_t first = 0; first < labels.size(); first += kShoreBlock) {
-        BlockPlaces& places = block.places;
-        places.count = std::min(kShoreBlock, labels.size() - first);
-        std::copy_n(labels.x.begin() + static_cast<std::ptrdiff_t>(first), places.count,
-                    places.x.begin());
-        std::copy_n(labels.y.begin() + static_cast<std::ptrdiff_t>(first), places.count,
-                    places.y.begin());
-        find_places(places);
+        const BlockPlaces& places = block.places;
+        find_places(labels, first, block.places);
         add_waves(JetParts::value, false, nullptr, block);
         for (std::size_t n = 0; n < places.count; ++n) {
             const std::size_t at = first + n;

@@ -24,6 +24,11 @@ std::vector<WorldPoint> labels_of(const Domain& domain) {
     return labels;
 }
 
+/// Returns whether a trace changes at labels: wet ground does in the swash alone.
+bool needs(SurfTrace trace, const SurfLabels& labels) {
+    return trace == SurfTrace::foam || labels.in_swash;
+}
+
 }  // namespace
 
 RegionTraces::RegionTraces(const Domain& of) : domain(of), reader([of] { return labels_of(of); }) {}
@@ -48,21 +53,32 @@ void SurfReader::read(const ShoreSurface& surface, SurfTrace trace, ThreadPool& 
     wet_time_.reset();
     pool.for_each_item(static_cast<int>(pieces_->size()), [&](int number, int) {
         Piece& piece = (*pieces_)[static_cast<std::size_t>(number)];
-        if (trace == SurfTrace::wet_ground && !piece.labels.in_swash) return;
+        if (!needs(trace, piece.labels)) return;
         piece.breaking.resize(piece.labels.size());
         surface.read_surf(piece.labels, piece.breaking, piece.depths);
     });
 }
 
-FoamSource SurfReader::source(SurfTrace trace, double lifetime,
-                              std::function<const ShoreSurface&(double time)> surface_at,
+SignalCells SurfReader::cells(const ShoreSurface& surface, SurfTrace trace,
+                              ThreadPool& pool) const {
+    std::vector<const SurfLabels*> labels;
+    for (const Piece& piece : *pieces_) {
+        if (needs(trace, piece.labels)) labels.push_back(&piece.labels);
+    }
+    return surface.cells(labels, pool);
+}
+
+FoamSource SurfReader::source(SurfTrace trace, double lifetime, SurfaceAt surface_at,
                               ThreadPool& pool,
                               std::function<void(std::int64_t, std::int64_t)> progress) {
     const auto tick = [this, trace, surface_at = std::move(surface_at), &pool](
                           double time, const FoamLayer& before, std::span<float> left) {
         const bool is_foam = trace == SurfTrace::foam;
         if ((is_foam ? foam_time_ : wet_time_) != time) {
-            read(surface_at(time), trace, pool);
+            std::optional<SignalCells>& cells = cells_[static_cast<std::size_t>(trace)];
+            const ShoreSurface& surface = surface_at(time, cells ? &*cells : nullptr);
+            read(surface, trace, pool);
+            if (!cells) cells = this->cells(surface, trace, pool);
             wet_time_ = time;
             if (is_foam) foam_time_ = time;
         }

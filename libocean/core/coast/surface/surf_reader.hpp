@@ -6,12 +6,14 @@
 // time.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "coast/loops/band_signals.hpp"
 #include "coast/surface/surf_labels.hpp"
 #include "ocean/domain.hpp"
 #include "ocean/internal/foam.hpp"
@@ -31,11 +33,12 @@ class SurfReader {
     explicit SurfReader(std::function<std::vector<WorldPoint>()> labels)
         : labels_(std::move(labels)) {}
 
-    /// Returns the source of a trace with a lifetime [s] that does not change. `surface_at` returns
-    /// the surface of a time, and is called unless that time was read last. The reader must outlive
-    /// the source.
-    FoamSource source(SurfTrace trace, double lifetime,
-                      std::function<const ShoreSurface&(double time)> surface_at, ThreadPool& pool,
+    /// Returns the surface of a time. cells: those that the reader reads, see
+    /// ShoreSurface::move_to.
+    using SurfaceAt = std::function<const ShoreSurface&(double time, const SignalCells* cells)>;
+    /// Returns the source of a trace with a lifetime [s] that does not change. `surface_at` is
+    /// called unless its time was read last. The reader must outlive the source.
+    FoamSource source(SurfTrace trace, double lifetime, SurfaceAt surface_at, ThreadPool& pool,
                       std::function<void(std::int64_t, std::int64_t)> progress);
 
     /// A piece of the labels, with its reads of one time.
@@ -50,10 +53,13 @@ class SurfReader {
   private:
     /// Reads the labels that a trace needs: wet ground changes in the swash alone.
     void read(const ShoreSurface& surface, SurfTrace trace, ThreadPool& pool);
+    /// Returns the cells of the labels that a trace needs, once it was read.
+    SignalCells cells(const ShoreSurface& surface, SurfTrace trace, ThreadPool& pool) const;
 
     std::function<std::vector<WorldPoint>()> labels_;
     std::optional<std::vector<Piece>> pieces_;
-    std::optional<double> foam_time_, wet_time_;  // for which the pieces hold a trace [s]
+    std::array<std::optional<SignalCells>, 2> cells_;  // of each trace
+    std::optional<double> foam_time_, wet_time_;       // for which the pieces hold a trace [s]
 };
 
 /// The traces on a region, followed from call to call.
