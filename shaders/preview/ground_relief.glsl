@@ -13,13 +13,14 @@
 const int relief_waves = 5;
 const int first_relief = 4;  // of the sizes of the cover noise, whose cells are wavelengths
 
-// Steepness of each cover: of the two longest waves, of that of 1 m, and of the two shortest.
-const vec3 grass_relief = vec3(0.08, 0.22, 0.40);
-const vec3 forest_relief = vec3(0.30, 0.30, 0.20);
-const vec3 scree_relief = vec3(0.14, 0.40, 0.35);
-const vec3 rock_relief = vec3(0.25, 0.40, 0.40);
-const vec3 snow_relief = vec3(0.08, 0.05, 0.04);
-const vec3 sand_relief = vec3(0.03, 0.06, 0.10);
+// Steepness of each cover: of the two longest waves, of that of 1 m, and of the two shortest; and the
+// share of its waves that are stones, round above clefts.
+const vec4 grass_relief = vec4(0.08, 0.22, 0.40, 0.0);
+const vec4 forest_relief = vec4(0.30, 0.30, 0.20, 0.0);
+const vec4 scree_relief = vec4(0.20, 0.30, 0.36, 1.0);
+const vec4 rock_relief = vec4(0.25, 0.40, 0.40, 0.0);
+const vec4 snow_relief = vec4(0.08, 0.05, 0.04, 0.0);
+const vec4 sand_relief = vec4(0.02, 0.02, 0.04, 0.0);
 
 // How much each wavelength moves the edges of covers, in shares of a cover.
 const float relief_breaks[5] = float[5](0.30, 0.30, 0.25, 0.15, 0.10);
@@ -27,14 +28,18 @@ const float relief_dark = 0.7;    // the light that hollows lack, in slopes of t
 const float relief_straw = 0.45;  // the share of dry grass in the driest grass
 // How much the noise of the covers makes relief stronger: of equal strength it would look woven.
 const float relief_uneven = 0.8;
+// How much the next longer wave moves the clefts between stones, which would lie in rows else.
+const float relief_cleft = 0.6;
+const float relief_round = 1.6;  // the slope of stones, in slopes of the grain
 // The grain has a deviation of 0.6, and its gradient times the wavelength one of 1.7 along an axis.
 const float relief_contrast = 3.3;
 
 struct Grain {
     float value[relief_waves];  // about -1 .. 1
     vec2 slope[relief_waves];   // gradient times the wavelength
+    float facing[relief_waves];  // slope of stones, in slopes of the grain
     float moves;                // of the edges of covers, in shares
-    float seen;                 // 1 near the eye, 0 where pixels hold waves of 1 m
+    float seen;                 // 1 near the eye, 0 where pixels hold waves of 4 m
     float amount;
 };
 
@@ -78,16 +83,18 @@ Grain grain_at(vec2 at, float footprint, float noise) {
         vec3 wave = shown > 0.0 ? shown * relief_wave(size, turn * at) : vec3(0.0);
         grain.value[i] = wave.x;
         grain.slope[i] = wave.yz * turn;
+        float cleft = wave.x + relief_cleft * (i > 0 ? grain.value[i - 1] : 0.0);
+        grain.facing[i] = cleft < 0.0 ? -relief_round : relief_round;
         grain.moves += grain.amount * relief_breaks[i] * wave.x;
     }
-    grain.seen = clamp(grain.amount * relief_shown(1.0, footprint), 0.0, 1.0);
+    grain.seen = clamp(grain.amount * relief_shown(4.0, footprint), 0.0, 1.0);
     return grain;
 }
 
 // The colour of the ground and the steepness of its relief.
 struct Cover {
     vec3 colour;
-    vec3 relief;
+    vec4 relief;
 };
 
 // Returns the share of a cover whose edge follows the grain: where there is none of it, or nothing
@@ -98,14 +105,14 @@ float broken_share(float share, Grain grain) {
 }
 
 // Returns the ground with a share of another cover over it.
-Cover covered(Cover below, vec3 colour, vec3 relief, float share, Grain grain) {
+Cover covered(Cover below, vec3 colour, vec4 relief, float share, Grain grain) {
     float broken = broken_share(share, grain);
     return Cover(mix(below.colour, colour, broken), mix(below.relief, relief, broken));
 }
 
 // Returns the share of the light that the hollows of the relief leave.
 float relief_light(Cover cover, Grain grain) {
-    vec3 r = grain.amount * cover.relief;
+    vec3 r = grain.amount * cover.relief.xyz;
     float steepness[5] = float[5](r.x, r.x, r.y, r.z, r.z);
     float sum = 0.0;
     for (int i = 0; i < relief_waves; ++i) sum += steepness[i] * grain.value[i];
@@ -114,9 +121,11 @@ float relief_light(Cover cover, Grain grain) {
 
 // Returns the slope of the relief.
 vec2 relief_slope(Cover cover, Grain grain) {
-    vec3 r = grain.amount * cover.relief;
+    vec3 r = grain.amount * cover.relief.xyz;
     float steepness[5] = float[5](r.x, r.x, r.y, r.z, r.z);
     vec2 sum = vec2(0.0);
-    for (int i = 0; i < relief_waves; ++i) sum += steepness[i] * grain.slope[i];
+    for (int i = 0; i < relief_waves; ++i) {
+        sum += steepness[i] * mix(1.0, grain.facing[i], cover.relief.w) * grain.slope[i];
+    }
     return sum;
 }

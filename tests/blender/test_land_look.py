@@ -213,10 +213,10 @@ def test_preview_and_povray_have_the_same_relief():
     povray = macros.read_text(encoding="utf-8")
     for cover, steepness in ground_relief.STEEPNESS.items():
         name = cover.removeprefix("Dry ").lower()
-        numbers = re.search(rf"{name}_relief = vec3\((.*)\);", text).group(1)
+        numbers = re.search(rf"{name}_relief = vec4\((.*)\);", text).group(1)
         assert tuple(map(float, numbers.split(","))) == steepness, cover
         assert f"Terrain_{name.title()}_Relief_ = <{numbers}>" in povray, cover
-    for name in ("dark", "straw", "uneven"):
+    for name in ("cleft", "dark", "round", "straw", "uneven"):
         number = re.search(rf"relief_{name} = ([0-9.]+);", text).group(1)
         assert float(number) == getattr(ground_relief, f"_{name.upper()}"), name
 

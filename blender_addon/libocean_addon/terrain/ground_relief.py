@@ -9,6 +9,7 @@ grain, steepness of the cover -> normal, and less light in the hollows
 from __future__ import annotations
 
 from ..look import pixel_angle, water_shader
+from ..look.foam_nodes import blend
 from ..shared.shader_builder import Tree
 
 WAVELENGTHS = (16.0, 4.0, 1.0, 0.25, 0.0625)
@@ -16,16 +17,16 @@ WAVELENGTHS = (16.0, 4.0, 1.0, 0.25, 0.0625)
 _FADE = (0.3, 0.9)
 """The pixels of a wavelength, inverted, between which it fades."""
 STEEPNESS = {
-    "Grass": (0.08, 0.22, 0.40),
-    "Dry Grass": (0.08, 0.22, 0.40),
-    "Forest": (0.30, 0.30, 0.20),
-    "Scree": (0.14, 0.40, 0.35),
-    "Rock": (0.25, 0.40, 0.40),
-    "Snow": (0.08, 0.05, 0.04),
-    "Sand": (0.03, 0.06, 0.10),
+    "Grass": (0.08, 0.22, 0.40, 0.0),
+    "Dry Grass": (0.08, 0.22, 0.40, 0.0),
+    "Forest": (0.30, 0.30, 0.20, 0.0),
+    "Scree": (0.20, 0.30, 0.36, 1.0),
+    "Rock": (0.25, 0.40, 0.40, 0.0),
+    "Snow": (0.08, 0.05, 0.04, 0.0),
+    "Sand": (0.02, 0.02, 0.04, 0.0),
 }
 """Slopes of the relief of each cover: of the two longest waves, of that of 1 m, and of the two
-shortest."""
+shortest; and the share of its waves that are stones, round above clefts."""
 NUMBERS = (
     (
         "Relief",
@@ -51,6 +52,10 @@ _DARK = 0.7
 """The light that hollows lack, in slopes of the relief."""
 _UNEVEN = 0.8
 """How much a noise of the ground makes relief stronger: of equal strength it would look woven."""
+_CLEFT = 0.6
+"""How much the next longer wave moves the clefts between stones, which would lie in rows else."""
+_ROUND = 1.6
+"""The slope of stones, in slopes of the grain."""
 _STRAW = 0.45
 """The share of dry grass in the driest grass."""
 
@@ -79,6 +84,15 @@ def _wave(t: Tree, place, along, across, side, length) -> list:
     return results
 
 
+def _stones(t: Tree, value, along, across, before, share) -> list:
+    """Returns the grain of a wavelength and its slopes where a share of it is stones. before: the
+    value of the next longer wave."""
+    cleft = t.number("MULTIPLY_ADD", before, _CLEFT, value)
+    facing = t.number("MULTIPLY", t.number("SIGN", cleft), _ROUND)
+    slope = blend(t, 1.0, facing, share)
+    return [value, *(t.number("MULTIPLY", part, slope) for part in (along, across))]
+
+
 class Grain:
     """The grain at a place, in a group with the inputs NUMBERS. normal: of the land; noise: longer
     than the grain, about -1 .. 1, which makes it stronger and weaker."""
@@ -99,14 +113,15 @@ class Grain:
             given = (place, self.along, self.across, self.side, value)
             self.waves.append(t.nested("ground grain", _wave, *given))
         self.moves = t.number("MULTIPLY", self._sum(t, 0, _BREAKS), self.amount)
-        finest = t.number("DIVIDE", self.side, WAVELENGTHS[2])
+        finest = t.number("DIVIDE", self.side, WAVELENGTHS[1])
         seen = t.number("SUBTRACT", 1.0, t.eased(*_FADE, finest))
         self.seen = t.number("MULTIPLY", seen, self.amount, clamp=True)
 
-    def _sum(self, t: Tree, part: int, weights):
-        """Returns the sum of a part of all waves. weights: one for each wavelength."""
+    def _sum(self, t: Tree, part: int, weights, waves=None):
+        """Returns the sum of a part of all waves. weights: one for each wavelength; waves: others
+        than the grain's."""
         total = 0.0
-        for wave, weight in zip(self.waves, weights, strict=True):
+        for wave, weight in zip(waves or self.waves, weights, strict=True):
             total = t.number("MULTIPLY_ADD", wave[part], weight, total)
         return total
 
@@ -128,13 +143,19 @@ class Grain:
 
         return t.nested("ground edge", make, share, self.moves, self.seen)[0]
 
-    def relief(self, t: Tree, colour, steepness) -> tuple:
+    def relief(self, t: Tree, colour, steepness, stones) -> tuple:
         """Returns the colour in the light that its hollows have, and the normal of the relief.
-        steepness: as of STEEPNESS."""
+        steepness, stones: as of STEEPNESS."""
+        before = [[t.node("ShaderNodeValue").outputs[0]], *self.waves]
+        before[0][0].default_value = 0.0
+        waves = [
+            t.nested("ground stones", _stones, *wave, longer[0], stones)
+            for wave, longer in zip(self.waves, before, strict=False)
+        ]
         coarse, middle, fine = t.parts(t.scale(steepness, self.amount))
         weights = (coarse, coarse, middle, fine, fine)
-        light = t.number("MULTIPLY_ADD", self._sum(t, 0, weights), _DARK, 1.0)
+        light = t.number("MULTIPLY_ADD", self._sum(t, 0, weights, waves), _DARK, 1.0)
         light = t.number("MINIMUM", t.number("MAXIMUM", light, 0.25), 1.75)
-        slopes = [self._sum(t, part, weights) for part in (1, 2)]
+        slopes = [self._sum(t, part, weights, waves) for part in (1, 2)]
         tilt = t.math("ADD", t.scale(self.along, slopes[0]), t.scale(self.across, slopes[1]))
         return t.scale(colour, light), t.math("NORMALIZE", t.math("SUBTRACT", self.normal, tilt))

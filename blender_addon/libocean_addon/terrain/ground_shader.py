@@ -16,14 +16,14 @@ single scale would make spots all of one size. Near the eye the covers have a re
 
 from __future__ import annotations
 
-from ..look import air, crest_nodes
+from ..look import air, crest_nodes, foam_nodes
 from ..shared import compat
 from ..shared.shader_builder import Tree, facing, shader_group, stored_normal
 from . import ground_relief
 from .node_group import HEIGHT, NORMAL
 
 GROUP = "Terrain Ground"
-VERSION = 5
+VERSION = 6
 MARK = "libocean_ground"  # custom property of a group: the version that built it
 
 ALBEDOS = {
@@ -274,20 +274,23 @@ def _build(group) -> None:
     grain = ground_relief.Grain(t, inputs, normal, noise)
     straw = grain.straw(t)
     colour = t.mix(inputs["Grass Colour"], inputs["Dry Grass Colour"], straw)
-    steepness = ground_relief.STEEPNESS["Grass"]
+    *steepness, stones = ground_relief.STEEPNESS["Grass"]
+    steepness = tuple(steepness)
     for name, share in zip(_COVERS, shares, strict=True):
         if name == "Snow":  # noise and wear shade the ground, not the snow on it
             beach = _mask(t, "beach", inputs["Beach Sand"])
             colour = t.mix(colour, sand, beach)
-            steepness = t.mix(steepness, ground_relief.STEEPNESS["Sand"], beach)
+            steepness = t.mix(steepness, ground_relief.STEEPNESS["Sand"][:3], beach)
+            stones = foam_nodes.blend(t, stones, ground_relief.STEEPNESS["Sand"][3], beach)
             shade = t.number("MULTIPLY_ADD", fine, 2.0 * _SHADE, 1.0)
             shade = t.number("MULTIPLY_ADD", wear, inputs["Wear Shade"], shade)
             colour = t.scale(colour, t.number("MAXIMUM", shade, 0.2))
         cover = sand if name == "Sand" else inputs[f"{name} Colour"]
         broken = grain.broken(t, share)
         colour = t.mix(colour, cover, broken)
-        steepness = t.mix(steepness, ground_relief.STEEPNESS[name], broken)
-    colour, normal = grain.relief(t, colour, steepness)
+        steepness = t.mix(steepness, ground_relief.STEEPNESS[name][:3], broken)
+        stones = foam_nodes.blend(t, stones, ground_relief.STEEPNESS[name][3], broken)
+    colour, normal = grain.relief(t, colour, steepness, stones)
     ground = t.shader(
         "ShaderNodeBsdfDiffuse", Color=colour, Roughness=inputs["Roughness"], Normal=normal
     )
