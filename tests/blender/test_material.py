@@ -134,6 +134,20 @@ def test_the_body_shines_through_what_the_surface_lets_pass(scene, tmp_path):
     assert seen(scene, tmp_path) == pytest.approx(expected, rel=0.02)
 
 
+def test_the_bed_is_seen_through_shallow_water(scene, tmp_path):
+    """A depth of 0 is an attribute that is absent."""
+    ob, kind, bed = plane(200.0, 2), material.WATER_TYPES["jerlov_ii"], np.array((0.4, 0.3, 0.2))
+    lost = np.add(kind["absorption"], kind["scattering"])
+    water(ob, "jerlov_ii", Bed_Colour=(*bed, 1.0), Swash_Line=0.0)
+    look(scene, 0.0)
+    for depth in (0.0, 0.1, 2.0):
+        put(ob, "depth", depth)
+        left = np.exp(-2.0 * lost * depth) if depth else 0.0
+        albedo = kind["albedo"] + (bed - kind["albedo"]) * left
+        expected = fresnel(0.0) + (1.0 - fresnel(0.0)) * albedo
+        assert seen(scene, tmp_path) == pytest.approx(expected, rel=0.02)
+
+
 def test_the_normals_of_the_sea_are_those_of_the_light(scene, tmp_path):
     ob = plane(200.0, 2)
     water(ob, Water_Colour=BLACK)
@@ -418,5 +432,5 @@ def test_all_that_can_be_tuned_says_what_it_is():
         if hasattr(group, "inputs")
         else [item for item in group.interface.items_tree if item.in_out == "INPUT"]
     )
-    assert len(sockets) == 28
+    assert len(sockets) == 29
     assert all(socket.description for socket in sockets)

@@ -21,7 +21,7 @@ from . import crest_nodes, foam_nodes, pixel_angle
 
 GROUP = "Ocean Water"
 HULL_CUT = "Hull Cut"
-VERSION = 6
+VERSION = 7
 MARK = "libocean_water"  # custom property of a group: the version that built it
 
 WATER_TYPES = {entry["name"]: entry for entry in libocean.water_types()}
@@ -32,6 +32,7 @@ _ROUGHNESS = 0.03
 _THIN_FOAM = (0.22, 0.29, 0.31)
 _THICK_FOAM = (0.80, 0.80, 0.80)
 _PLUME = (0.012, 0.060, 0.066)  # light that bubbles below the surface send back
+_BED = (0.231, 0.198, 0.143)  # bed_albedo of shaders/preview/sand.glsl
 
 
 def _declare(group) -> None:
@@ -67,6 +68,12 @@ def _declare(group) -> None:
         "Color",
         (*_PLUME, 1.0),
         "What bubbles that breakers drove down add to the water's colour",
+    )
+    triple(
+        "Bed Colour",
+        "Color",
+        (*_BED, 1.0),
+        "Of the ground below shallow water, where the attribute depth tells how deep it is",
     )
     number("Foam Amount", 1.0, 0.0, 10.0, "How much of the attribute cover is shown; 0: none")
     number(
@@ -312,6 +319,17 @@ def _volume(t: Tree, inputs):
     return t.add_shaders(absorption, scattering)
 
 
+def _over_bed(t: Tree, inputs, below):
+    """Returns the colour below the surface with that of the bed, whose light has gone down and up:
+    exp(-2 c depth) of it is left. A depth of 0 is none: an attribute that is absent."""
+    depth = t.node("ShaderNodeAttribute", attribute_name="depth").outputs["Fac"]
+    twice = t.number("MULTIPLY", depth, -2.0)
+    lost = t.scale(t.math("ADD", inputs["Absorption"], inputs["Scattering"]), twice)
+    left = t.vector(*(t.number("EXPONENT", part) for part in t.parts(lost)))
+    left = t.scale(left, t.number("GREATER_THAN", depth, 1e-5))
+    return t.math("MULTIPLY_ADD", t.math("SUBTRACT", inputs["Bed Colour"], below), left, below)
+
+
 def _build(group) -> None:
     _declare(group)
     t = Tree(group)
@@ -326,6 +344,7 @@ def _build(group) -> None:
 
     foam = _foam(t, inputs)
     below = t.math("ADD", inputs["Water Colour"], t.scale(inputs["Bubble Colour"], foam.bubbles))
+    below = _over_bed(t, inputs, below)
     body = t.shader("ShaderNodeBsdfDiffuse", Color=below, Normal=normal)
     body = t.add_shaders(body, _crest(t, inputs, of_waves))
     mirror = t.shader(
