@@ -4,7 +4,7 @@
 
 import numpy
 import pytest
-from test_preview import Hand, good, pictures
+from test_preview import COARSE, good, pictures, window
 from test_preview import folder as sea_folder  # noqa: F401
 
 OPEN = """libocean = 1
@@ -42,7 +42,7 @@ def test_land_water_and_surf_in_one_scene(folder):
         "above.png": "--eye 240,96,70 --heading 90 --pitch -90 --angle 60",
         "person.png": "--eye 262,96 --heading 180 --pitch -8",
     }
-    made = pictures(folder, views, "sea.toml", "--time", 20, "--size", "64x64", "--samples", 1)
+    made = pictures(folder, views, "sea.toml", "--time", 20, "--size", "64x64", *COARSE)
     warmth = {}
     # From above the east is on the right; a person on the beach sees sky, water, then sand.
     above, person = made["above.png"], made["person.png"]
@@ -61,7 +61,8 @@ def test_land_water_and_surf_in_one_scene(folder):
 
 
 def test_the_probe_ends_with_the_water(folder):
-    lines = good(folder, "sea.toml --eye 224,96,2 --probe 224,96 --probe 290,96")
+    words = ("--eye", "224,96,2", "--probe", "224,96", "--probe", "290,96", "--size", "64x64")
+    lines = good(folder, "sea.toml", *words, *COARSE)
     wet, dry = (line.split(",") for line in lines.splitlines())
     assert len(wet) == 7 and len(dry) == 2
 
@@ -69,7 +70,7 @@ def test_the_probe_ends_with_the_water(folder):
 @pytest.mark.parametrize(("height", "land"), [(3.0, True), (-8.0, False)])
 def test_land_alone_and_water_alone_are_shown(folder, height, land):
     write_bed(folder, lambda x: height)
-    arguments = ("--size", "16x16", "--samples", "1")
+    arguments = ("--size", "16x16", *COARSE)
     views = {"a.png": "--eye 160,96,30 --heading 90 --pitch -90"}
     red, _, blue = pictures(folder, views, "sea.toml", *arguments)["a.png"].mean((0, 1))
     assert (red > blue) == land
@@ -86,17 +87,11 @@ def test_a_frame_takes_at_most_three_of_the_open_sea(folder):
 
 
 def test_a_window_computes_its_coast_beside_its_pictures(folder, display):
-    used = Hand.__new__(Hand)
-    try:
-        used.__init__(folder, display, "--size", "320x180", "--eye", "262,96", "--heading", "180")
-        used.key("space", rest=False)  # the clock stands
-        used.rest()
-        before = used.at_rest()
-        used.key("w")
+    options = ("--size", "320x180", "--eye", "262,96", "--heading", "180")
+    with window(folder, display, *options) as hand:
+        hand.key("space", rest=False)  # the clock stands
+        hand.rest()
+        before = hand.at_rest()
+        hand.key("w")
         assert before.std() > 0.05  # sky, water and sand
-        used.end()
-    finally:
-        if used.program.poll() is None:
-            used.program.kill()
-            used.program.wait()
-        used.reader.join()
+        hand.end()

@@ -11,7 +11,7 @@ import tomllib
 import numpy
 import OpenImageIO as oiio
 import pytest
-from test_preview import OCEAN, SEA, SIZE, WIND_SPEED, Hand, folder, pixels, rms  # noqa: F401
+from test_preview import OCEAN, SEA, SIZE, WIND_SPEED, folder, pixels, rms, window  # noqa: F401
 
 DROP_FILES = os.environ.get("DROP_FILES", "")
 DIALOG = """#!/bin/sh
@@ -29,12 +29,9 @@ def hand(folder, display, monkeypatch, request):  # noqa: F811
     (folder / "bin").mkdir()
     (folder / "bin" / "xdotool").symlink_to(shutil.which("xdotool"))
     monkeypatch.setenv("PATH", str(folder / "bin"))
-    used = Hand(folder, display, "--size", getattr(request, "param", "400x300"), "--no-detail")
-    yield used
-    if used.program.poll() is None:
-        used.program.kill()
-        used.program.wait()
-    used.reader.join()
+    options = getattr(request, "param", "200x150 --look physical").split()
+    with window(folder, display, "--size", *options) as used:
+        yield used
 
 
 def drop(hand, *paths):
@@ -127,7 +124,7 @@ def test_dropped_files_open_and_wrong_ones_say_why(hand):
     assert "rror" not in hand.end()
 
 
-@pytest.mark.parametrize("hand", [SIZE], indirect=True)
+@pytest.mark.parametrize("hand", [f"{SIZE} --look physical"], indirect=True)
 def test_dropped_takes_and_skies_open_and_no_recording_is_lost(hand):
     folder = hand.folder  # noqa: F811
     hand.key("space")
@@ -163,19 +160,14 @@ def test_dropped_takes_and_skies_open_and_no_recording_is_lost(hand):
     hand.end()
 
 
-def test_a_dialog_opens_and_saves_beside_the_drawing(folder, display):  # noqa: F811
+def test_a_dialog_opens_and_saves_beside_the_drawing(folder, display, monkeypatch):  # noqa: F811
     tools = folder / "tools"
     tools.mkdir()
     dialog = tools / "zenity"
     dialog.write_text(DIALOG.format(folder=folder))
     dialog.chmod(0o755)
-    path = os.environ["PATH"]
-    os.environ["PATH"] = f"{tools}:{path}"
-    try:
-        hand = Hand(folder, display, "--size", "400x300", "--no-detail")
-    finally:
-        os.environ["PATH"] = path
-    try:
+    monkeypatch.setenv("PATH", str(tools), prepend=os.pathsep)
+    with window(folder, display, "--size", "200x150") as hand:
         hand.key("space")
         (folder / "other.toml").write_text(SEA.replace("9.0", "19.0"))
         hand.key("ctrl+o")
@@ -211,11 +203,6 @@ def test_a_dialog_opens_and_saves_beside_the_drawing(folder, display):  # noqa: 
         hand.key("ctrl+o")
         hand.end()
         assert recent(hand)[0] == str(folder / "mine.toml")
-    finally:
-        if hand.program.poll() is None:
-            hand.program.kill()
-            hand.program.wait()
-        hand.reader.join()
 
 
 def answer(folder, path):  # noqa: F811
