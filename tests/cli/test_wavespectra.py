@@ -76,7 +76,7 @@ def check_sea(ocean, path: Path, expected: dict, place: dict):
         choice.append(f'place = "{place["latitude"]},{place["longitude"]}"')
     ocean.write(
         "measured.toml",
-        "libocean = 1\n[grid]\nresolution = 512\npatch_size = 4000.0\n[[waves]]\n"
+        "libocean = 1\n[grid]\nresolution = 64\npatch_size = 4000.0\n[[waves]]\n"
         f'spectrum = "measured"\nfile = "{path}"\n' + "\n".join(choice) + "\n",
     )
     state = json.loads(ocean.good("info", "measured.toml", "--json"))
